@@ -1,0 +1,72 @@
+// The joint material: what a user states about one kind of joint (docs/theory/joint_law.md).
+//
+// Read by src/contact (the law itself, a template over the scalar type) and by every writer.
+// All physical parameters start as NaN; check_joint_material() refuses what is missing.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace wythe {
+
+inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+// Shape of the softening branch in tension and shear; each holds the same area GI or GII.
+enum class Softening { kBilinear, kExponential, kPolynomial, kPetersson };
+// How tension damage dt and shear damage ds combine: d = dt + ds - dt ds, max(dt, ds), or
+// max(1 - secant/kn, ds) acting on shear (stiffness damage, weakens shear earlier).
+enum class Coupling { kUnion, kMaximum, kStiffness };
+// Unloading from an open joint: to the origin, or elastic to a tension set.
+enum class Unloading { kSecant, kElastic };
+
+struct JointMaterial {
+  double normal_stiffness = kUnset;         // kn [Pa/m], stress per opening
+  double shear_stiffness = kUnset;          // ks [Pa/m]
+  double tensile_strength = kUnset;         // ft [Pa], 0 for a dry joint
+  double cohesion = kUnset;                 // c [Pa]
+  double friction_angle = kUnset;           // phi0 [rad]
+  double residual_friction_angle = kUnset;  // phi_res [rad]
+  double residual_cohesion = kUnset;        // c_res [Pa]
+  double mode_1_energy = kUnset;            // GI [N/m], whole area; needed when ft > 0
+  double mode_2_energy = kUnset;            // GII [N/m], work above the residual; needed when t0 > tr
+  double compressive_strength = kUnset;     // fc [Pa], kUnlimited allowed
+  double compressive_energy = kUnset;       // Gc [N/m], whole area; needed when fc is finite
+  Softening softening = Softening::kBilinear;
+  Coupling coupling = Coupling::kUnion;
+  Unloading unloading = Unloading::kSecant;
+  // For a material that is also a body (timber lintel, plate): density [kg/m^3] and moduli [Pa].
+  double density = kUnset;
+  double youngs_modulus = kUnset;
+  double shear_modulus = kUnset;
+};
+
+// One sentence a fault: missing or inadmissible parameters and snap-back (a softening branch
+// steeper than the elastic one, which no displacement path can follow), each with its numbers.
+struct MaterialFault {
+  std::string key;      // e.g. "mode_1_energy"
+  std::string problem;  // with the numbers
+  std::string cure;
+};
+[[nodiscard]] std::vector<MaterialFault> check_joint_material(const JointMaterial& material);
+
+// One row of a prescribed path and the answer of a single joint to it (wythe contact).
+struct ContactPathRow {
+  double opening = 0;  // w [m], + opens
+  double slip = 0;     // [m]
+};
+struct ContactAnswer {
+  double normal_stress = 0;   // sigma [Pa], tension +
+  double shear_stress = 0;    // tau [Pa]
+  double damage_tension = 0;  // dt [-]
+  double damage_shear = 0;    // ds [-]
+  double damage = 0;          // d [-], coupled
+  double crushing = 0;        // h [-]
+  double dissipated = 0;      // [N/m], since the start of the path
+};
+// Drives one joint along `path` (straight between rows, in substeps that resolve the law).
+[[nodiscard]] std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
+                                                       const std::vector<ContactPathRow>& path);
+
+}  // namespace wythe

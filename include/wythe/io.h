@@ -1,0 +1,38 @@
+// Files in and out: model TOML, blocks JSON, contact law and path, the files of `wythe run`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/contact_law.h"
+#include "wythe/model.h"
+#include "wythe/result.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe {
+
+// `overrides` are "path=value" texts of --set; value is TOML, quotes may be left out:
+//   stage.push.velocity=1 mm/s     list members by name or by index
+// Throws IoError when the file can't be read, InputError with every fault otherwise.
+[[nodiscard]] ModelSpec read_model(const std::string& path,
+                                   const std::vector<std::string>& overrides = {});
+[[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
+                                    const std::vector<std::string>& overrides = {});
+// Every key with its value, defaults included; parse_model(write_model(s)) == s.
+[[nodiscard]] std::string write_model(const ModelSpec& spec);
+// Markdown table of all keys: unit, range, default, meaning.
+[[nodiscard]] std::string reference_page();
+
+// LAW.toml of `wythe contact`: one [material.<any>] table (usually joint).
+[[nodiscard]] JointMaterial read_law(const std::string& path);
+[[nodiscard]] std::vector<ContactPathRow> read_contact_path(const std::string& path);
+void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
+                          const std::vector<ContactAnswer>& answers);
+
+// Writes the files of a run into `folder` (made if absent); report.html is write_report's.
+void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
+               const Result& result);
+// Checks that `folder` can be written before a long run; throws IoError.
+void prepare_folder(const std::string& folder);
+
+}  // namespace wythe

@@ -1,0 +1,38 @@
+// solve(Model, State&) -> Result: runs the stages from where the state stands.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "wythe/model.h"
+#include "wythe/result.h"
+
+namespace wythe {
+
+struct Progress {
+  const char* stage = "";
+  double share = 0;         // of the whole run [0, 1], by steps
+  double displacement = 0;  // [m]
+  double reaction = 0;      // [N]
+};
+
+struct SolveOptions {
+  int threads = 1;                                // inside one wall; same bits for any number
+  std::int64_t step_budget = 0;                   // stop with budget_spent after so many, 0: none
+  const std::atomic<bool>* stop = nullptr;        // set from a signal handler: interrupted
+  std::function<void(const Progress&)> progress;  // called a few times a second; may be empty
+};
+
+// Never throws on mathematics: the status says what happened. Advances `state` to the end.
+[[nodiscard]] Result solve(const Model& model, State& state, const SolveOptions& options = {});
+
+// One line about steps and time before a run, for `wythe check`.
+struct Estimate {
+  double time_step = 0;        // [s]
+  std::int64_t steps = 0;
+  double seconds = 0;          // on this machine, from a short trial
+};
+[[nodiscard]] Estimate estimate(const Model& model);
+
+}  // namespace wythe

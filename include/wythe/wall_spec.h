@@ -1,0 +1,158 @@
+// What the user states: the wall, its materials, the stages of the test and the settings.
+//
+// Plain data, SI units. src/io/describe.h names every member once; reading, writing, --set, error
+// paths and the reference page all come from there. Physical values start as NaN (kUnset).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wythe/contact_law.h"
+
+namespace wythe {
+
+enum class Bond { kRunning, kStack, kFlemish, kEnglish, kHeader };
+enum class Split { kMiddle, kNone };
+// What to do where unit or course does not divide the wall or an opening evenly.
+enum class Fit { kWhole, kCut };
+enum class Freedom { kFree, kBlocked };
+
+struct LintelSpec {
+  std::string kind;      // "" no lintel; "timber", "stone", ...: a word for the reader
+  double depth = kUnset;    // structural depth [m]; occupies the nearest whole number of courses
+  double bearing = kUnset;  // length of support on each side [m]
+  std::string material;     // key in `material`: density, youngs_modulus, shear_modulus
+  std::string bond = "joint";  // joint material between lintel and masonry
+};
+
+struct OpeningSpec {
+  std::string name;
+  double x = kUnset;       // left jamb from the wall's left end [m]
+  double y = kUnset;       // sill above the wall's base [m]
+  double width = kUnset;   // [m]
+  double height = kUnset;  // [m]
+  LintelSpec lintel;
+};
+
+struct UnitSpec {
+  double length = kUnset;  // nominal, joint included [m]
+  double height = kUnset;  // nominal course height, joint included [m]
+  double width = kUnset;   // header face width [m]; default half the length (flemish, english, header)
+  Split split = Split::kMiddle;
+  double density = kUnset;  // [kg/m^3]
+};
+
+// Rigid beam over the whole wall top, for tests loaded through one.
+struct BeamSpec {
+  double height = kUnset;   // [m]; unset: no beam
+  double density = 0;       // [kg/m^3]
+  Freedom rotation = Freedom::kFree;
+  std::string joint = "joint";  // joint material between beam and masonry
+};
+
+struct WallSpec {
+  double length = kUnset;     // [m]
+  double height = kUnset;     // [m]
+  double thickness = kUnset;  // [m]
+  Bond bond = Bond::kRunning;
+  Fit fit = Fit::kWhole;
+  std::string blocks;  // path of a blocks file; then length, height, bond, unit sizes are not used
+  UnitSpec unit;
+  std::vector<OpeningSpec> opening;
+  BeamSpec beam;
+};
+
+// For blocks files: the joint between two block materials ("ground" is the support).
+struct ContactRule {
+  std::vector<std::string> between;  // two block material names
+  std::string material;              // joint material
+};
+
+enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold };
+enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
+// How a stage acts. Load: kPressure or kPlate. Push: kSpreader or kEach.
+enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
+
+// Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
+// or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
+struct PlaceSpec {
+  double x = kUnset, y = kUnset;           // [m]
+  double width = kUnset, height = kUnset;  // [m]
+  int courses = 1;
+  std::string block;
+  bool beam = false;
+};
+
+struct StageSpec {
+  std::string name;
+  StageKind kind = StageKind::kGravity;  // inferred from the keys present
+  double ramp = kUnset;                  // duration of the smooth start [s]; unset: documented default
+  double damping = kUnset;               // local damping of this stage; unset: solve.damping
+  // load
+  double pier_load = kUnset;   // on the top of each pier [N]
+  double pressure = kUnset;    // on the whole wall top [Pa]
+  double beam_load = kUnset;   // on the beam's centre [N]
+  Manner as = Manner::kDefault;
+  std::string plate_joint = "foundation";  // joint material under a plate
+  // push
+  PlaceSpec at;
+  Direction direction = Direction::kPlusX;
+  double velocity = kUnset;            // [m/s]
+  double until = kUnset;               // [m]
+  std::vector<double> targets;         // cyclic: displacements along `direction`, in turn [m]
+  double stop_below = 0;               // stop when the reaction falls below this share of the peak
+  Freedom rotation = Freedom::kFree;
+  Freedom across = Freedom::kFree;     // motion across the push direction
+  // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
+  double rate = kUnset;    // [1/s]
+  double factor = kUnset;  // largest lambda
+  // tilt
+  double tilt_rate = kUnset;   // [rad/s]
+  double tilt_until = kUnset;  // [rad]
+  // hold
+  double duration = kUnset;  // [s]
+};
+
+struct SolveSpec {
+  int points_per_face = 2;         // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: Lobatto weights on request
+  double step_fraction = 0.5;      // of the stable step bound
+  double damping = 0.8;            // local damping
+  double gravity = 9.81;           // [m/s^2]
+  double settle_ratio = 1e-5;      // a stage has settled below this unbalance ratio
+  double settle_limit = 20;        // give up settling after this time [s]
+  double mass_scaling = 1;         // density scaling of the quasi-static stages before the first push
+  double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
+};
+
+struct OutputSpec {
+  int rows = 500;                  // rows of force_displacement.csv
+  double window = kUnset;          // averaging window of the reaction [m]; unset: one row
+  std::vector<double> states = {};  // displacements at which a state is written [m]
+};
+
+// One block of a blocks file, already read (src/io): a simple polygon, any orientation.
+struct BlockSpec {
+  std::string id;
+  std::vector<std::array<double, 2>> polygon;  // [m]
+  std::string material = "masonry";  // names a material with a density, else wall.unit.density
+  bool fixed = false;                // a support: never moves
+  bool beam = false;                 // the loading beam: at = { beam = true } and beam_load find it
+};
+
+struct ModelSpec {
+  std::string name;
+  std::string note;
+  WallSpec wall;
+  std::map<std::string, JointMaterial> material;
+  std::vector<ContactRule> contact;
+  std::vector<StageSpec> stage;
+  SolveSpec solve;
+  OutputSpec output;
+  std::vector<BlockSpec> block;  // contents of wall.blocks; not a key
+  std::string folder;            // folder of the model file, for relative paths; not a key
+};
+
+}  // namespace wythe

@@ -1,0 +1,86 @@
+// The wall as geometry: blocks as polygons and the faces they share. No mechanics.
+//
+// build_assembly() makes it from a WallSpec (bond patterns, openings, lintels, plates, beam) or from
+// spec.block (a blocks file already read); model/compile.cpp turns it into the arrays of a Model.
+//
+//      +-----+-----+        each face pair is one Face: the overlap segment p0-p1, the two
+//      |  b  |     |        blocks, and the unit normal pointing from a to b
+//      +--^--+-----+   p0 --n-- p1
+//      |  a  |     |
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/error.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::geometry {
+
+struct Vec2 {
+  double x = 0, y = 0;
+};
+
+enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport };
+
+struct Block {
+  std::string id;              // "c03u07a" (course, unit, half) or the id in a blocks file
+  std::vector<Vec2> outline;   // anticlockwise, no repeated end point [m]
+  std::string material;        // block material name ("masonry", the lintel's material, ...)
+  double density = kUnset;     // [kg/m^3]
+  double thickness = kUnset;   // [m]
+  Role role = Role::kMasonry;  // kSupport blocks never move
+  int course = -1;             // 0 at the bottom, -1 where it has no meaning
+  int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
+  int opening = -1;            // lintel segments: index of their opening
+};
+
+enum class FaceKind { kBed, kHead, kSplit, kFoundation, kLintelChain, kLintelBond, kPlate, kBeam, kOther };
+
+inline constexpr int kGround = -1;
+
+struct Face {
+  int a = kGround;        // kGround when the support side
+  int b = 0;
+  Vec2 p0, p1;            // overlap segment; from p0 to p1 the normal is on the LEFT: n = (-ty, tx)
+  FaceKind kind = FaceKind::kOther;
+  std::string material;   // joint material name
+};
+
+// What was changed or lost between the user's words and the geometry; shown by `wythe check`.
+struct BuildReport {
+  std::vector<std::string> notes;  // e.g. "half unit 155 mm -> 154.5 mm (-0.3 %)"
+  double half_unit = 0;            // fitted [m], 0 for a blocks file
+  double course = 0;               // fitted course height [m]
+  int courses = 0;
+  int masonry_blocks_before_lintels = 0;
+  int lost_joints = 0;             // facing pairs left out (below the smallest contact length)
+};
+
+// One pier: an interval of the wall's length that stands beside openings, full height to the top.
+struct Pier {
+  double x0 = 0, x1 = 0;   // [m]
+  double height = 0;       // top of the lower adjacent opening [m]; wall height without openings
+};
+
+struct Assembly {
+  std::vector<Block> blocks;
+  std::vector<Face> faces;
+  std::vector<Pier> piers;  // left to right; the whole wall when it has no opening
+  double length = 0, height = 0, thickness = 0;  // bounding box of the masonry [m]
+  BuildReport report;
+};
+
+// Builds the wall (from spec.block when the spec names a blocks file), or adds to `faults`, with
+// spec paths, why it can't.
+[[nodiscard]] Assembly build_assembly(const ModelSpec& spec, FaultList& faults);
+
+// Area, centroid and second polar moment about the centroid of a simple anticlockwise polygon.
+struct PolygonMoments {
+  double area = 0;   // [m^2], negative when clockwise
+  Vec2 centroid;
+  double polar = 0;  // about the centroid [m^4]
+};
+[[nodiscard]] PolygonMoments moments(const std::vector<Vec2>& outline);
+
+}  // namespace wythe::geometry
