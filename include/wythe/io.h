@@ -32,6 +32,8 @@ void write_contact_answer(const std::string& path, const std::vector<ContactPath
 // Writes the files of a run into `folder` (made if absent); report.html is write_report's.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);
+// Writes a whole file at once or throws IoError; never leaves half a file.
+void write_text(const std::string& path, const std::string& text);
 // Checks that `folder` can be written before a long run; throws IoError.
 void prepare_folder(const std::string& folder);
 

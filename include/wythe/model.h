@@ -85,7 +85,9 @@ struct Model {
   // read by gather and integrate (one row per block)
   std::vector<std::int32_t> block_begin;          // CSR (n_block + 1) into block_entry
   std::vector<std::int32_t> block_entry;          // 2 joint + side (0: block is a, 1: block is b)
-  std::vector<double> mass;                       // [kg] (n_block)
+  std::vector<double> mass;                       // inertia [kg] (n_block)
+  std::vector<double> heavy_mass;                 // what gravity pulls [kg] (n_block); 0 for plates,
+                                                  // whose weight is part of their load
   std::vector<double> inertia;                    // [kg m^2] (n_block)
   std::vector<double> centroid_x, centroid_y;     // at the start [m] (n_block)
 
@@ -127,6 +129,8 @@ struct State {
   double body_factor = 0;              // lambda of the body force
   std::vector<double> load_scale;      // share of each stage's loads in force (n_stage)
   double drive_displacement = 0;       // prescribed displacement along the push [m]
+  double travelled = 0;                // length of the driven path so far [m]
+  double turn_time = 0;                // stage time of the last start or turn of a push [s]
   int target = 0;                      // next of a cyclic stage
 
   // energy ledger, since the start [J]

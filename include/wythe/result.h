@@ -99,6 +99,7 @@ struct Result {
   EnergyLedger energy;
   QuasiStatic quasi_static;
   std::vector<Event> events;
+  std::vector<double> joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
   std::vector<Snapshot> snapshots;
   std::vector<StageReport> stages;

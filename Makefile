@@ -1,0 +1,53 @@
+# Short commands. PRESET=dev|release|audit|asan|tsan|coverage|bench (CMakePresets.json).
+PRESET ?= release
+DEMO ?= examples/tuff_wall/model.toml
+BUILD := build/$(PRESET)
+SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
+
+.PHONY: all help setup build demo test bench docs format check install clean
+all: build
+
+help:            ## this list
+	@sed -n 's/^\([a-z]*\): .*## */\1\t/p' $(MAKEFILE_LIST)
+
+setup:           ## install the missing packages of deps/apt.txt
+	@tools/setup
+
+configure: setup
+	@cmake --preset $(PRESET) >build-configure.log 2>&1 \
+	  || { cat build-configure.log; rm -f build-configure.log; exit 1; }
+	@rm -f build-configure.log
+
+build: configure ## compile: build/<preset>/wythe
+	@cmake --build --preset $(PRESET)
+
+demo: build      ## run one wall and say where its report is (DEMO=model.toml)
+	$(BUILD)/wythe run $(DEMO) --out $(BUILD)/demo
+	@echo "open $(BUILD)/demo/report.html"
+
+test: setup      ## build and run every test; last line: N passed, N failed
+	@tools/run_tests --preset $(PRESET)
+
+bench:           ## timings of kernels and whole walls
+	@$(MAKE) --no-print-directory build PRESET=bench
+	build/bench/benchmarks/wythe_bench
+
+docs: configure  ## write docs/reference from the specs' descriptions
+	@cmake --build --preset $(PRESET) --target wythe_reference
+	$(BUILD)/wythe_reference docs/reference/model.md
+
+format:          ## clang-format all C++
+	clang-format -i $(SOURCES)
+
+check: configure ## layers, sizes, format, clang-tidy
+	tools/check_layers
+	tools/check_sizes
+	tools/check_format
+	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
+	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
+
+install: build   ## install to PREFIX (default /usr/local)
+	cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
+
+clean:           ## remove every build
+	rm -rf build

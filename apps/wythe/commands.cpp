@@ -1,0 +1,100 @@
+#include "commands.h"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+
+#include "progress.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+#include "wythe/solve.h"
+#include "wythe/study.h"
+
+namespace wythe::app {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void on_interrupt(int) { interrupted.store(true); }
+
+int exit_code(SolveStatus status) {
+  return status == SolveStatus::kCompleted || status == SolveStatus::kCollapsed ? 0 : 3;
+}
+
+// The summary both `check` and `run` begin with.
+void print_model(const Model& m) {
+  fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
+             m.n_point(), 1e-3 * m.weight);
+  for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", note);
+}
+
+void print_result(const Result& r, const std::string& out) {
+  const Responses& q = r.responses;
+  fmt::print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : ": " + r.reason);
+  if (!r.curve.empty()) {
+    fmt::print("peak {:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
+               1e-3 * q.peak_reaction, 1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "",
+               1e3 * q.displacement_at_80, 1e-6 * q.initial_stiffness);
+    fmt::print("failure mode {}: {}\n", r.failure_mode.name, r.failure_mode.sentence);
+    fmt::print("rate: {}\n", r.quasi_static.verdict);
+  }
+  fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
+             r.state_hash);
+  fmt::print("report {}/report.html\n", out);
+}
+
+}  // namespace
+
+int run(const RunArguments& arguments) {
+  const ModelSpec spec = read_model(arguments.model, arguments.overrides);
+  const Model model = compile(spec);
+  prepare_folder(arguments.out);
+  if (!arguments.quiet) print_model(model);
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  State state = initial_state(model);
+  SolveOptions options;
+  options.threads = arguments.threads;
+  options.stop = &interrupted;
+  Result result;
+  {
+    ProgressPrinter progress(arguments.quiet);
+    options.progress = [&](const Progress& p) { progress(p); };
+    result = solve(model, state, options);
+  }
+  result.failure_mode = name_failure_mode(model, result);
+  write_run(arguments.out, spec, model, result);
+  write_text(arguments.out + "/report.html", run_report(spec, model, result));
+  print_result(result, arguments.out);
+  return exit_code(result.status);
+}
+
+int check(const CheckArguments& arguments) {
+  const ModelSpec spec = read_model(arguments.file, arguments.overrides);
+  const Model model = compile(spec);
+  const Estimate e = estimate(model);
+  fmt::print("{}: valid\n", arguments.file);
+  print_model(model);
+  fmt::print("wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before lintels\n",
+             model.anatomy.length, model.anatomy.height, model.anatomy.thickness,
+             model.anatomy.courses, model.anatomy.lost_joints,
+             model.anatomy.masonry_blocks_before_lintels);
+  fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {:.0f} s on one core\n",
+             e.time_step,
+             model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)], e.steps, e.seconds);
+  return 0;
+}
+
+int contact(const ContactArguments& arguments) {
+  const JointMaterial material = read_law(arguments.law);
+  const auto path = read_contact_path(arguments.path);
+  const auto answers = drive_contact(material, path);
+  write_contact_answer(arguments.out, path, answers);
+  fmt::print("{} rows -> {}   dissipated {:.6g} N/m\n", path.size(), arguments.out,
+             answers.back().dissipated);
+  return 0;
+}
+
+}  // namespace wythe::app

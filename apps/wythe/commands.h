@@ -1,0 +1,28 @@
+// The commands of the wythe program; each returns its exit code (0 done, 2 input, 3 run, 4 I/O).
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wythe::app {
+
+struct RunArguments {
+  std::string model, out;
+  std::vector<std::string> overrides;
+  int threads = 1;
+  bool quiet = false;
+};
+int run(const RunArguments& arguments);
+
+struct CheckArguments {
+  std::string file;
+  std::vector<std::string> overrides;
+};
+int check(const CheckArguments& arguments);
+
+struct ContactArguments {
+  std::string law, path, out;
+};
+int contact(const ContactArguments& arguments);
+
+}  // namespace wythe::app

@@ -1,0 +1,34 @@
+# Script of provenance.cmake: writes OUTPUT when its content would change. Works without git.
+set(commit "unknown")
+find_program(GIT git)
+if(GIT)
+  execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --short=12 HEAD
+    OUTPUT_VARIABLE head RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT failed)
+    set(commit "${head}")
+    # Only tracked files: a run's output folder in the tree does not make the build dirty.
+    execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} status --porcelain --untracked-files=no
+      OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(changes)
+      string(APPEND commit "-dirty")
+    endif()
+  endif()
+endif()
+
+string(REPLACE "\\" "\\\\" FLAGS "${FLAGS}")
+string(REPLACE "\"" "\\\"" FLAGS "${FLAGS}")
+set(content "// Written by cmake/write_provenance.cmake.
+#pragma once
+#define WYTHE_VERSION \"${VERSION}\"
+#define WYTHE_COMMIT \"${commit}\"
+#define WYTHE_COMPILER \"${COMPILER}\"
+#define WYTHE_FLAGS \"${FLAGS}\"
+#define WYTHE_BUILD_TYPE \"${BUILD_TYPE}\"
+")
+set(previous "")
+if(EXISTS "${OUTPUT}")
+  file(READ "${OUTPUT}" previous)
+endif()
+if(NOT previous STREQUAL content)
+  file(WRITE "${OUTPUT}" "${content}")
+endif()

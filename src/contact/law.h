@@ -1,0 +1,258 @@
+// The joint law at one contact point: stresses and history from opening w and relative slip s.
+//
+// Called by dynamics/forces.h for every point of every step and by drive_contact() for one point.
+// One source for every scalar type (double, Dual, SIMD pack), branch-free through select().
+// Equations: docs/theory/joint_law.md; parameters after Pulatsu et al. (the D-RBA paper), Lourenco &
+// Rots 1997. Signs: opening and tension +, compression sn = -sigma +.
+//
+//   crushing   w_e = w + p,  p >= 0 grows where kn w_e < -fc(p)          area Gc
+//   tension    y = 1 - dt = g(ft/GI (kappa - y w0)),  w0 = ft/kn         area GI, elastic part included
+//   shear      T = R + B (1 - ds),  ds = 1 - g(s (t0 - tr)/GII)          work above the residual GII
+//   coupling   1 - d = (1 - dt)(1 - ds)   or   min(1 - dt, 1 - ds)
+//   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
+//
+// The return in shear is implicit in ds and the crushing return in p, so the work done does not
+// depend on how a path is cut into steps. Zero dilation.
+#pragma once
+
+#include "contact/softening.h"
+#include "core/real.h"
+#include "wythe/contact_law.h"
+
+namespace wythe::contact {
+
+// Compile-time choice of the law's variant; the wall's joints are grouped by it.
+template <Softening softening_, Coupling coupling_, Unloading unloading_>
+struct Variant {
+  static constexpr Softening softening = softening_;
+  static constexpr Coupling coupling = coupling_;
+  static constexpr Unloading unloading = unloading_;
+};
+using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant>;
+
+// Parameters of one material with every division done beforehand (constants_of, parameters.cpp).
+template <class Real>
+struct LawConstants {
+  Real kn, ks, inv_ks, inv_kn;      // [Pa/m], [m/Pa]
+  Real ft, w0, ft_over_GI;          // [Pa], [m], [1/m]
+  Real tension_onset, tension_rate; // bilinear dt = clip((kappa - onset) rate, 0, 1)
+  Real c_res, c_drop;               // c_res, c - c_res [Pa]
+  Real tan_res, tan_drop;           // tan phi_res, tan phi0 - tan phi_res
+  Real half_inv_GII;                // 1/(2 GII) [m/N]
+  Real fc, p_full, inv_p_full;      // [Pa], 2 Gc/fc [m], [1/m]
+  Real crush_gain;                  // 1/(kn - fc/p_full) [m/Pa]
+};
+
+// Committed history of a point; the only memory of the law.
+template <class Real>
+struct History {
+  Real kappa;         // largest opening w_e reached [m]
+  Real crush;         // crushing shortening p = -w_p [m]
+  Real plastic_slip;  // signed [m]
+  Real slip;          // accumulated |plastic slip| [m]
+  Real shear_damage;  // ds [-]
+  Real tension_set;   // w_t [m] (elastic unloading)
+};
+
+template <class Real>
+struct Answer {
+  Real sigma, tau;                     // [Pa]
+  Real tension_damage, damage;         // dt, d [-]
+  Real friction, fracture, crushing;   // dissipated in this step [N/m]
+};
+
+// Crushing return: updates p and gives the work done in crushing [N/m].
+template <class Real>
+[[nodiscard]] Real crush_return(const LawConstants<Real>& m, Real w, Real& p) {
+  const Real zero(0.0);
+  const Real before = m.fc * maximum(zero, Real(1.0) - p * m.inv_p_full);
+  const Real excess = zero - m.kn * (w + p) - before;
+  const Real softened = p + maximum(zero, excess) * m.crush_gain;
+  const Real spent = maximum(p, zero - w);  // fully crushed: carries nothing
+  const Real p1 = select(softened > m.p_full, spent, softened);
+  const Real after = m.fc * maximum(zero, Real(1.0) - p1 * m.inv_p_full);
+  const Real length = minimum(p1, m.p_full) - minimum(p, m.p_full);
+  p = p1;
+  return Real(0.5) * (before + after) * length;
+}
+
+// Share of tensile strength left, y = 1 - dt, at the largest opening kappa.
+template <class V, class Real>
+[[nodiscard]] Real tension_left(const LawConstants<Real>& m, Real kappa) {
+  if constexpr (V::softening == Softening::kBilinear) {
+    return Real(1.0) - clip((kappa - m.tension_onset) * m.tension_rate, Real(0.0), Real(1.0));
+  } else {
+    // y - g(a (kappa - y w0)) is concave and rising in y: Newton from y = 1 turns monotone at once.
+    const Real zero(0.0), one(1.0);
+    Real y = one;
+    for (int k = 0; k < 6; ++k) {
+      const Shape<Real> g =
+          soften<V::softening>(maximum(zero, m.ft_over_GI * (kappa - y * m.w0)));
+      const Real rise = one + g.slope * m.ft_over_GI * m.w0;
+      y = clip(y - (y - g.left) / rise, zero, one);
+    }
+    // A dry joint (onset < 0) has no strength from the start.
+    return select(m.tension_onset < zero, zero, select(kappa <= m.w0, one, y));
+  }
+}
+
+// 1 - d from 1 - dt and 1 - ds.
+template <class V, class Real>
+[[nodiscard]] Real strength_left(Real tension, Real shear) {
+  if constexpr (V::coupling == Coupling::kUnion) return tension * shear;
+  return minimum(tension, shear);
+}
+
+// Yield stress in shear as a function of ds: T = max(0, R + B (1 - max(ds, floor))).
+template <class Real>
+struct Yield {
+  Real residual;   // R [Pa]
+  Real drop;       // B [Pa]
+  Real floor;      // damage below which ds does not act (coupling by maximum)
+  Real slip_rate;  // (t0 - tr)/(2 GII) = 1/su [1/m]
+};
+
+template <class V, class Real>
+[[nodiscard]] Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left, Real kappa,
+                                   bool_of_t<Real> lost) {
+  const Real zero(0.0), one(1.0);
+  const Real sn = zero - sigma;
+  Yield<Real> yield;
+  yield.residual = select(lost, zero, m.c_res + sn * m.tan_res);
+  yield.drop = m.c_drop + sn * m.tan_drop;
+  yield.floor = zero;
+  const Real peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;  // t0 - tr
+  yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
+  if constexpr (V::coupling == Coupling::kUnion) {
+    yield.drop = yield.drop * left;
+  } else if constexpr (V::coupling == Coupling::kMaximum) {
+    yield.floor = one - left;
+  } else {
+    const Real secant = minimum(m.kn, m.ft * left / maximum(kappa, Real(1e-30)));
+    yield.floor = one - secant * m.inv_kn;
+  }
+  return yield;
+}
+
+// ds reached after the accumulated slip s.
+template <class V, class Real>
+[[nodiscard]] Real damage_of_slip(const Yield<Real>& yield, Real s) {
+  const Real x = Real(2.0) * s * yield.slip_rate;
+  return Real(1.0) - soften<V::softening>(x).left;
+}
+
+template <class V, class Real>
+[[nodiscard]] Real stress_at(const Yield<Real>& yield, Real ds) {
+  return maximum(Real(0.0),
+                 yield.residual + yield.drop * (Real(1.0) - maximum(ds, yield.floor)));
+}
+
+// Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
+template <class V, class Real>
+[[nodiscard]] Real plastic_increment(const LawConstants<Real>& m, const Yield<Real>& yield,
+                                     Real trial, Real s, Real ds) {
+  const Real zero(0.0), one(1.0);
+  const Real held = maximum(ds, yield.floor);  // T is flat until ds passes this
+  const Real flat = (trial - yield.residual - yield.drop * (one - held)) * m.inv_ks;
+  Real increment = flat;
+  if constexpr (V::softening == Softening::kBilinear) {
+    const Real rate = yield.slip_rate;
+    const Real falling = (trial - yield.residual - yield.drop * (one - s * rate)) /
+                         (m.ks - yield.drop * rate);
+    const Real spent = (trial - yield.residual) * m.inv_ks;
+    const Real beyond = select((s + falling) * rate < one, falling, spent);
+    increment = select((s + flat) * rate <= held, flat, beyond);
+  } else {
+    for (int k = 0; k < 6; ++k) {
+      const Real x = Real(2.0) * (s + increment) * yield.slip_rate;
+      const Shape<Real> g = soften<V::softening>(x);
+      const auto acts = one - g.left > held;
+      const Real left = select(acts, g.left, one - held);
+      const Real fall = select(acts, yield.drop * g.slope * Real(2.0) * yield.slip_rate, zero);
+      const Real miss = trial - m.ks * increment - yield.residual - yield.drop * left;
+      increment = maximum(zero, increment + miss / (m.ks + fall));
+    }
+  }
+  return maximum(zero, minimum(increment, trial * m.inv_ks));
+}
+
+// Energy set free by the normal stress when kappa or d grew: the area between the old and the new
+// secant, exact for straight branches [N/m].
+template <class Real>
+[[nodiscard]] Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0, Real kappa1,
+                                  Real strength0, Real strength1, Real inv_kappa1) {
+  const Real start = maximum(kappa0, minimum(kappa1, strength0 * m.inv_kn));
+  const Real s0 = minimum(strength0, m.kn * start);
+  const Real s1 = minimum(strength1, m.kn * kappa1);
+  const Real grown = s0 * kappa1 - s1 * start;
+  const Real faded = (s0 - s1) * open * open * inv_kappa1;
+  return Real(0.5) * maximum(Real(0.0), select(open > kappa0, grown, faded));
+}
+
+// One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
+template <class V, class Real>
+[[nodiscard]] Answer<Real> update(const LawConstants<Real>& m, Real w, Real s, History<Real>& h) {
+  const Real zero(0.0), one(1.0), half(0.5);
+  Answer<Real> answer;
+
+  // Crushing, then the effective opening.
+  answer.crushing = crush_return(m, w, h.crush);
+  const Real we = w + h.crush;
+  const Real open = maximum(we, zero);
+
+  // Tension damage from the largest opening.
+  const Real kappa0 = h.kappa;
+  const Real kappa1 = maximum(kappa0, open);
+  const Real inv_kappa1 = one / maximum(kappa1, Real(1e-30));
+  const Real left = tension_left<V>(m, kappa1);
+  h.kappa = kappa1;
+
+  // Normal stress with the shear damage so far: what the shear strength feels.
+  const Real shear_left0 = one - h.shear_damage;
+  const Real strength = m.ft * strength_left<V>(left, shear_left0);
+  const Real compression = m.kn * minimum(we, zero);
+  Real pulled = open * minimum(m.kn, strength * inv_kappa1);
+  if constexpr (V::unloading == Unloading::kElastic)
+    pulled = clip(m.kn * (open - h.tension_set), zero, strength);
+  const Real felt = compression + pulled;
+
+  // Shear: elastic trial, implicit return, damage.
+  const auto lost = (left <= zero) & (we > zero);
+  const Yield<Real> yield = yield_of<V>(m, felt, left, kappa1, lost);
+  const Real ds0 = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
+  const Real tau_trial = m.ks * (s - h.plastic_slip);
+  const Real trial = magnitude(tau_trial);
+  const Real start = stress_at<V>(yield, ds0);
+  const Real increment =
+      select(trial > start, plastic_increment<V>(m, yield, trial, h.slip, ds0), zero);
+  h.slip = h.slip + increment;
+  h.plastic_slip = h.plastic_slip + sign(tau_trial) * increment;
+  h.shear_damage = maximum(ds0, damage_of_slip<V>(yield, h.slip));
+  answer.tau = m.ks * (s - h.plastic_slip);
+
+  // Work of the plastic slip: friction is the residual's part, fracture the rest.
+  const Real worked = half * (start + magnitude(answer.tau)) * increment;
+  answer.friction = minimum(worked, maximum(zero, yield.residual) * increment);
+  answer.fracture = worked - answer.friction;
+
+  // Normal stress with the damage of this step.
+  const Real all_left = strength_left<V>(left, one - h.shear_damage);
+  const Real strength0 = m.ft * strength_left<V>(tension_left<V>(m, kappa0), shear_left0);
+  const Real strength1 = m.ft * all_left;
+  if constexpr (V::unloading == Unloading::kElastic) {
+    const Real set = maximum(h.tension_set, open - strength1 * m.inv_kn);
+    answer.fracture = answer.fracture + half * (strength0 + strength1) * (set - h.tension_set);
+    h.tension_set = set;
+    pulled = clip(m.kn * (open - set), zero, strength1);
+  } else {
+    answer.fracture = answer.fracture + secant_release(m, open, kappa0, kappa1, strength0,
+                                                       strength1, inv_kappa1);
+    pulled = open * minimum(m.kn, strength1 * inv_kappa1);
+  }
+  answer.sigma = compression + pulled;
+  answer.tension_damage = one - left;
+  answer.damage = one - all_left;
+  return answer;
+}
+
+}  // namespace wythe::contact

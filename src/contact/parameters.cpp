@@ -1,0 +1,211 @@
+// Checks of a joint material and its constants; see parameters.h and docs/theory/joint_law.md.
+#include "contact/parameters.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace wythe {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kHuge = 1e300;  // stands for "unlimited" where a product with it must stay finite
+
+double drop_of(const JointMaterial& m, double sn) {
+  const double t0 = m.cohesion + sn * std::tan(m.friction_angle);
+  const double tr = m.residual_cohesion + sn * std::tan(m.residual_friction_angle);
+  return t0 - tr;
+}
+
+// Compression at which the shear drop is looked at: up to crushing, 100 MPa where that is unlimited.
+double greatest_compression(const JointMaterial& m) {
+  return std::isfinite(m.compressive_strength) ? m.compressive_strength : 100e6;
+}
+
+double greatest_drop(const JointMaterial& m) {
+  return std::max(drop_of(m, 0.0), drop_of(m, greatest_compression(m)));
+}
+
+class Checker {
+ public:
+  explicit Checker(const JointMaterial& material) : m_(material) {}
+
+  std::vector<MaterialFault> run() {
+    require_all();
+    if (!faults_.empty()) return std::move(faults_);
+    check_tension();
+    check_shear();
+    check_compression();
+    return std::move(faults_);
+  }
+
+ private:
+  void fault(const char* key, std::string problem, std::string cure) {
+    faults_.push_back({key, std::move(problem), std::move(cure)});
+  }
+
+  void require(const char* key, double value, double low, bool strict, const char* cure) {
+    if (std::isnan(value)) {
+      fault(key, "is missing; a physical parameter has no default", fmt::format("add {} = {}", key, cure));
+    } else if (strict ? value <= low : value < low) {
+      fault(key, fmt::format("is {:g}, must be {} {:g}", value, strict ? "above" : "at least", low),
+            fmt::format("write e.g. {} = {}", key, cure));
+    }
+  }
+
+  void require_all() {
+    require("normal_stiffness", m_.normal_stiffness, 0, true, "\"20 GPa/m\"");
+    require("shear_stiffness", m_.shear_stiffness, 0, true, "\"8 GPa/m\"");
+    require("tensile_strength", m_.tensile_strength, 0, false, "\"0.15 MPa\" (0 for a dry joint)");
+    require("cohesion", m_.cohesion, 0, false, "\"0.15 MPa\" (0 for a dry joint)");
+    require("friction_angle", m_.friction_angle, 0, false, "\"16.2 deg\"");
+    require("residual_friction_angle", m_.residual_friction_angle, 0, false, "\"14.6 deg\"");
+    require("residual_cohesion", m_.residual_cohesion, 0, false, "\"0 MPa\"");
+    require("compressive_strength", m_.compressive_strength, 0, true, "\"3.96 MPa\" or \"unlimited\"");
+    check_angle("friction_angle", m_.friction_angle);
+    check_angle("residual_friction_angle", m_.residual_friction_angle);
+  }
+
+  void check_angle(const char* key, double angle) {
+    if (angle >= kPi / 2)
+      fault(key, fmt::format("is {:g} deg, must be below 90 deg", angle * 180 / kPi),
+            fmt::format("write e.g. {} = \"30 deg\"", key));
+  }
+
+  // Asks for an energy only where it acts, and for a branch no steeper than the elastic one.
+  void check_energy(const char* key, double energy, double strength, double stiffness,
+                    double steepest, const char* what, const char* example) {
+    const double least = steepest * strength * strength / stiffness;
+    if (std::isnan(energy)) {
+      fault(key, fmt::format("is missing while {} is {:g} MPa", what, strength * 1e-6),
+            fmt::format("add {} = {}", key, example));
+    } else if (energy <= least) {
+      fault(key,
+            fmt::format("is {:g} N/m: snap-back, with {} {:g} MPa and stiffness {:g} GPa/m the "
+                        "softening branch is steeper than the elastic one and no displacement path "
+                        "can follow it",
+                        energy, what, strength * 1e-6, stiffness * 1e-9),
+            fmt::format("raise {} above {:g} N/m or lower the strength", key, least));
+    }
+  }
+
+  void check_tension() {
+    if (m_.tensile_strength > 0)
+      check_energy("mode_1_energy", m_.mode_1_energy, m_.tensile_strength, m_.normal_stiffness,
+                   contact::steepest_slope(m_.softening), "tensile_strength", "\"4.3 N/m\"");
+  }
+
+  void check_shear() {
+    if (m_.tensile_strength > 0 && greatest_drop(m_) > 0)
+      check_energy("mode_2_energy", m_.mode_2_energy, greatest_drop(m_), m_.shear_stiffness,
+                   contact::steepest_slope(m_.softening), "the drop from peak to residual shear",
+                   "\"125 N/m\"");
+    if (m_.residual_friction_angle > m_.friction_angle)
+      fault("residual_friction_angle",
+            fmt::format("is {:g} deg, above friction_angle {:g} deg",
+                        m_.residual_friction_angle * 180 / kPi, m_.friction_angle * 180 / kPi),
+            "write a residual no greater than the peak");
+    if (m_.residual_cohesion > m_.cohesion)
+      fault("residual_cohesion",
+            fmt::format("is {:g} MPa, above cohesion {:g} MPa", m_.residual_cohesion * 1e-6,
+                        m_.cohesion * 1e-6),
+            "write a residual no greater than the peak");
+  }
+
+  void check_compression() {
+    if (std::isfinite(m_.compressive_strength))
+      check_energy("compressive_energy", m_.compressive_energy, m_.compressive_strength,
+                   m_.normal_stiffness, 0.5, "compressive_strength", "\"12800 N/m\"");
+  }
+
+  const JointMaterial& m_;
+  std::vector<MaterialFault> faults_;
+};
+
+// Largest step of a path that resolves every branch of the law (drive_contact's substeps).
+double resolving_step(const JointMaterial& m) {
+  double step = 1e-6;
+  if (m.tensile_strength > 0)
+    step = std::min({step, m.tensile_strength / m.normal_stiffness / 50,
+                     m.mode_1_energy / m.tensile_strength / 500});
+  const double drop = greatest_drop(m);
+  if (m.tensile_strength > 0 && drop > 0)
+    step = std::min({step, drop / m.shear_stiffness / 50, m.mode_2_energy / drop / 500});
+  return step;
+}
+
+template <class V>
+std::vector<ContactAnswer> drive(const JointMaterial& material,
+                                 const std::vector<ContactPathRow>& path) {
+  const contact::LawConstants<double> m = contact::constants_of(material);
+  const double step = resolving_step(material);
+  contact::History<double> history{};
+  contact::Answer<double> now{};
+  double dissipated = 0;
+  ContactPathRow from;  // the joint starts closed and unstressed
+  std::vector<ContactAnswer> answers;
+  for (const ContactPathRow& to : path) {
+    const double length = std::max(std::fabs(to.opening - from.opening), std::fabs(to.slip - from.slip));
+    const double wanted = std::ceil(length / step);
+    const int pieces = static_cast<int>(std::min(std::max(wanted, 1.0), 2e6));
+    for (int k = 1; k <= pieces; ++k) {
+      const double share = k == pieces ? 1.0 : static_cast<double>(k) / pieces;
+      now = contact::update<V>(m, from.opening + share * (to.opening - from.opening),
+                               from.slip + share * (to.slip - from.slip), history);
+      dissipated += now.friction + now.fracture + now.crushing;
+    }
+    from = to;
+    const double crushed = std::min(1.0, history.crush * m.inv_p_full);
+    answers.push_back({now.sigma, now.tau, now.tension_damage, history.shear_damage, now.damage,
+                       crushed, dissipated});
+  }
+  return answers;
+}
+
+}  // namespace
+
+std::vector<MaterialFault> check_joint_material(const JointMaterial& material) {
+  return Checker(material).run();
+}
+
+std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
+                                         const std::vector<ContactPathRow>& path) {
+  return contact::with_variant(
+      material, [&](auto variant) { return drive<decltype(variant)>(material, path); });
+}
+
+namespace contact {
+
+LawConstants<double> constants_of(const JointMaterial& s) {
+  LawConstants<double> m{};
+  m.kn = s.normal_stiffness;
+  m.ks = s.shear_stiffness;
+  m.inv_kn = 1.0 / m.kn;
+  m.inv_ks = 1.0 / m.ks;
+  m.ft = std::min(s.tensile_strength, kHuge);
+  m.w0 = m.ft / m.kn;
+  if (m.ft == kHuge) {  // elastic without limit
+    m.tension_onset = m.w0;
+  } else if (m.ft > 0) {
+    m.ft_over_GI = m.ft / s.mode_1_energy;
+    m.tension_onset = m.w0;
+    m.tension_rate = 1.0 / (2.0 * s.mode_1_energy / m.ft - m.w0);
+    m.half_inv_GII = s.mode_2_energy > 0 ? 0.5 / s.mode_2_energy : 0.0;
+  } else {  // dt = 1 from the start, no division
+    m.tension_onset = -1.0;
+    m.tension_rate = 1.0;
+  }
+  m.c_res = std::min(s.residual_cohesion, kHuge);
+  m.c_drop = std::min(s.cohesion, kHuge) - m.c_res;
+  m.tan_res = std::tan(s.residual_friction_angle);
+  m.tan_drop = std::tan(s.friction_angle) - m.tan_res;
+  const bool limited = std::isfinite(s.compressive_strength);
+  m.fc = limited ? s.compressive_strength : kHuge;
+  m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
+  m.inv_p_full = limited ? 1.0 / m.p_full : 0.0;
+  m.crush_gain = 1.0 / (m.kn - (limited ? m.fc / m.p_full : 0.0));
+  return m;
+}
+
+}  // namespace contact
+}  // namespace wythe

@@ -1,0 +1,25 @@
+// Nearest names, for messages that say "did you mean ...".
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wythe {
+
+// Smallest number of inserted, dropped, changed or swapped neighbouring letters from `a` to `b`.
+[[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
+
+// The candidate closest to `name`, or "" when none is close enough to be meant: at most one slip
+// for every three letters, and never less than one. Upper and lower case count as the same.
+[[nodiscard]] std::string nearest_name(std::string_view name,
+                                       const std::vector<std::string>& candidates);
+
+// "did you mean length?" when a candidate is near, "known here: a, b, c" otherwise.
+[[nodiscard]] std::string name_advice(std::string_view name,
+                                      const std::vector<std::string>& candidates);
+
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+[[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view between);
+
+}  // namespace wythe

@@ -1,0 +1,25 @@
+// Central differences with local damping, one degree of freedom at a time.
+#pragma once
+
+#include "core/real.h"
+
+namespace wythe::dynamics {
+
+template <class Real>
+struct Moved {
+  Real velocity;       // at the next half step
+  Real mean_velocity;  // of the two half steps: what a force at this step works on
+  Real damping_work;   // [J]
+};
+
+// v+ = v- + dt/m (F - lambda |F| sgn v-), sgn(0) = 0 (paper, eqs. 1-2): the damping force opposes
+// the velocity with a share of the unbalanced force.
+template <class Real>
+[[nodiscard]] Moved<Real> accelerate(Real v, Real force, Real inertia, Real dt, Real lambda) {
+  const Real damping = Real(-1.0) * lambda * magnitude(force) * sign(v);
+  const Real v1 = v + dt / inertia * (force + damping);
+  const Real mean = Real(0.5) * (v + v1);
+  return {v1, mean, damping * mean * dt};
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,156 @@
+#include "dynamics/recorder.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wythe::dynamics {
+namespace {
+
+constexpr int kShearEvery = 8;       // steps between samples of base shear and kinetic energy
+constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
+constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
+
+const char* kind_name(JointKind kind) {
+  switch (kind) {
+    case JointKind::kBed: return "bed joint";
+    case JointKind::kHead: return "head joint";
+    case JointKind::kSplit: return "unit";
+    case JointKind::kFoundation: return "foundation joint";
+    case JointKind::kLintelChain: return "lintel";
+    case JointKind::kLintelBond: return "lintel bearing";
+    case JointKind::kPlate: return "plate joint";
+    case JointKind::kBeam: return "beam joint";
+    case JointKind::kOther: break;
+  }
+  return "joint";
+}
+
+double default_window(const Model& model, double path) {
+  if (std::isfinite(model.output.window)) return model.output.window;
+  return path / std::max(1, model.output.rows);
+}
+
+bool has_event(const Result& result, const char* name) {
+  return std::any_of(result.events.begin(), result.events.end(),
+                     [&](const Event& e) { return e.name == name; });
+}
+
+}  // namespace
+
+Recorder::Recorder(const Model& model, const Stage& stage, double path, Result& result)
+    : model_(model),
+      stage_(stage),
+      result_(result),
+      window_(default_window(model, path)),
+      start_time_(-1),
+      work_at_start_(0),
+      next_close_(window_),
+      state_at_(model.output.states) {
+  std::sort(state_at_.begin(), state_at_.end());
+  if (result_.joint_crack_displacement.empty())
+    result_.joint_crack_displacement.assign(static_cast<std::size_t>(model.n_joint),
+                                            std::numeric_limits<double>::quiet_NaN());
+}
+
+void Recorder::take_snapshot(const std::string& label, const State& state) {
+  const double reaction = result_.curve.empty() ? 0.0 : result_.curve.back().reaction;
+  result_.snapshots.push_back({label, displacement_, reaction, state});
+}
+
+void Recorder::take(const Stepper& stepper, const State& state, const Controls& controls,
+                    double reaction, double displacement, double load_factor, double travelled) {
+  if (start_time_ < 0) {
+    start_time_ = state.time - state.stage_time;
+    while (next_close_ < travelled) next_close_ += window_;
+    work_at_start_ = state.work_drive;
+    if (result_.curve.empty()) result_.curve.push_back({});
+    take_snapshot("start", state);
+  }
+  displacement_ = displacement;
+  load_factor_ = load_factor;
+  reaction_sum_ += reaction;
+  ++steps_;
+  const bool closes = travelled >= next_close_;
+  if (state.step % kShearEvery == 0 || closes) {
+    shear_sum_ += base_shear(model_, stepper.workspace(), stage_.drive_x, stage_.drive_y);
+    const double work = std::fabs(state.work_drive - work_at_start_);
+    if (work > 0) kinetic_sum_ += kinetic_energy(model_, state, controls.mass_scaling) / work;
+    ++shear_samples_;
+  }
+  if (state.step % kUnbalanceEvery == 0 || closes) {
+    unbalance_sum_ += unbalance_ratio(model_, stepper.workspace());
+    ++unbalance_samples_;
+  }
+  row_closed_ = closes;
+  if (closes) close_row(state);
+}
+
+void Recorder::close_row(const State& state) {
+  CurveRow row;
+  row.time = state.time - start_time_;
+  row.displacement = displacement_;
+  row.drift = stage_.load_height > 0 ? displacement_ / stage_.load_height : 0.0;
+  row.reaction = reaction_sum_ / static_cast<double>(std::max(1L, steps_));
+  row.base_shear = shear_sum_ / static_cast<double>(std::max(1L, shear_samples_));
+  row.unbalance_ratio = unbalance_sum_ / static_cast<double>(std::max(1L, unbalance_samples_));
+  row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
+  row.load_factor = load_factor_;
+  result_.curve.push_back(row);
+  reaction_sum_ = shear_sum_ = unbalance_sum_ = kinetic_sum_ = 0;
+  steps_ = shear_samples_ = unbalance_samples_ = 0;
+  next_close_ += window_;
+
+  note_cracks(state, row.displacement, row.reaction);
+  if (row.reaction > peak_) {
+    peak_ = row.reaction;
+    peak_state_ = state;
+    peak_displacement_ = row.displacement;
+  }
+  while (next_state_ < state_at_.size() && std::fabs(displacement_) >= state_at_[next_state_])
+    take_snapshot(fmt::format("{:g} mm", 1e3 * state_at_[next_state_++]), state);
+}
+
+void Recorder::note_cracks(const State& state, double displacement, double reaction) {
+  const std::vector<PointStress> points = point_stresses(model_, state);
+  const auto per_joint = static_cast<std::size_t>(model_.n_face_point);
+  const auto mark = [&](const char* name, std::size_t p) {
+    if (has_event(result_, name)) return;
+    const JointKind kind = model_.anatomy.joint_kind[p / per_joint];
+    result_.events.push_back({name, displacement, reaction,
+                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind), points[p].x,
+                                          points[p].y)});
+  };
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const std::size_t j = p / per_joint;
+    const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
+    const bool dry = m.tensile_strength == 0;
+    if (points[p].crushing > 0) mark("first crushing", p);
+    if (dry) continue;
+    if (points[p].damage > 0) mark("first crack", p);
+    if (points[p].damage < kThrough) continue;
+    mark("first full crack", p);
+    double& when = result_.joint_crack_displacement[j];
+    if (std::isnan(when)) when = displacement;
+  }
+}
+
+bool Recorder::fell_below(double share) const {
+  return peak_ > 0 && !result_.curve.empty() && result_.curve.back().reaction < share * peak_;
+}
+
+void Recorder::finish(const State& state) {
+  if (start_time_ < 0) return;
+  if (steps_ > 0) close_row(state);
+  if (peak_ > 0) {
+    const double reaction = peak_;
+    result_.snapshots.push_back({"peak", peak_displacement_, reaction, std::move(peak_state_)});
+  }
+  take_snapshot("end", state);
+  std::stable_sort(result_.snapshots.begin(), result_.snapshots.end(),
+                   [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,50 @@
+// Turns steps into rows: averages of reaction, base shear and the meters over equal windows of the
+// driven path, the snapshots on the way, and when each joint first cracked through.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/residual.h"
+#include "dynamics/step.h"
+#include "wythe/result.h"
+
+namespace wythe::dynamics {
+
+class Recorder {
+ public:
+  // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
+  Recorder(const Model& model, const Stage& stage, double path, Result& result);
+
+  // Called after every step; `travelled` of the path so far, `displacement` along the push.
+  void take(const Stepper& stepper, const State& state, const Controls& controls, double reaction,
+            double displacement, double load_factor, double travelled);
+  // Closes the last window and adds the snapshot "end".
+  void finish(const State& state);
+  // True when the last closed row fell below `share` of the peak so far.
+  [[nodiscard]] bool fell_below(double share) const;
+  [[nodiscard]] bool row_closed() const { return row_closed_; }
+
+ private:
+  void close_row(const State& state);
+  void note_cracks(const State& state, double displacement, double reaction);
+  void take_snapshot(const std::string& label, const State& state);
+
+  const Model& model_;
+  const Stage& stage_;
+  Result& result_;
+  double window_;
+  double start_time_;
+  double work_at_start_;
+  double next_close_;
+  double displacement_ = 0, load_factor_ = 0;
+  double reaction_sum_ = 0, shear_sum_ = 0, unbalance_sum_ = 0, kinetic_sum_ = 0;
+  long steps_ = 0, shear_samples_ = 0, unbalance_samples_ = 0;
+  double peak_ = 0;
+  State peak_state_;
+  double peak_displacement_ = 0;
+  std::size_t next_state_ = 0;
+  std::vector<double> state_at_;
+  bool row_closed_ = false;
+};
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,15 @@
+// What the curve says once a run has ended.
+#pragma once
+
+#include "wythe/result.h"
+
+namespace wythe::dynamics {
+
+// Verdict on the rate from the curve and the ledger; thresholds in docs/theory/integration.md.
+[[nodiscard]] QuasiStatic judge_quasi_static(const Result& result);
+// Adds "peak" and "80 % of the peak" to the events.
+void add_curve_events(Result& result);
+// Model time a stage is expected to take [s], settling included.
+[[nodiscard]] double expected_seconds(const Model& model, const Stage& stage);
+
+}  // namespace wythe::dynamics

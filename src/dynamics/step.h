@@ -1,0 +1,62 @@
+// One time step of a wall, as a list of calls (step.cpp), and the pieces it is made of.
+//
+//   joint_pass   each joint: opening, slip -> stresses -> its own force            (forces.h)
+//   gather_pass  each block: sum of its joints in CSR order
+//   load_pass    dead loads that follow their blocks
+//   move_pass    central differences with local damping
+//   drive_pass   the driven blocks: prescribed velocity, common or through a spreader (drive_pass.cpp)
+//   turn_pass    half-angle cosines for the next step
+//
+// Reads Model and Controls; writes State and Workspace.
+#pragma once
+
+#include <vector>
+
+#include "core/parallel.h"
+#include "dynamics/workspace.h"
+#include "wythe/model.h"
+
+namespace wythe::dynamics {
+
+// What the stage asks of this step; set by drive.cpp, constant within the step.
+struct Controls {
+  double dt = 0;              // [s]
+  double damping = 0;         // local damping lambda [-]
+  double mass_scaling = 1;    // inertia only; weights stay
+  const Stage* push = nullptr;  // null when nothing is driven
+  double drive_velocity = 0;  // along the push [m/s]
+};
+
+// What the drive did in this step.
+struct DriveForce {
+  double reaction = 0;  // -sum of the contact forces on the driven blocks along the push [N]
+};
+
+class Stepper {
+ public:
+  Stepper(const Model& model, int threads);
+
+  // Advances the state by one step.
+  DriveForce step(State& state, const Controls& controls);
+  // Takes up a state that was set or restored from outside.
+  void refresh(const State& state) { turn_pass(state); }
+  // Marks the blocks that drive_pass moves in place of move_pass.
+  void choose_driven(const std::vector<BlockId>& blocks);
+
+  [[nodiscard]] const Workspace& workspace() const { return work_; }
+
+ private:
+  void joint_pass(State& state);
+  void gather_pass();
+  void load_pass(const State& state);
+  void move_pass(State& state, const Controls& controls);
+  DriveForce drive_pass(State& state, const Controls& controls);
+  void turn_pass(const State& state);
+  void sum_energy(State& state);
+
+  const Model& model_;
+  Workspace work_;
+  Workers workers_;
+};
+
+}  // namespace wythe::dynamics

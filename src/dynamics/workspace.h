@@ -1,0 +1,50 @@
+// Scratch of the step: what is computed anew each step and never saved.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/law.h"
+#include "wythe/model.h"
+
+namespace wythe::dynamics {
+
+// Work done in a step, summed per chunk and added up in order.
+struct ChunkEnergy {
+  double friction = 0, fracture = 0, crushing = 0;  // written by forces [J]
+  double loads = 0, damping = 0;                    // written by integrate [J]
+};
+
+// A run of joints that share the law's variant and stand on the same kind of neighbour.
+struct JointChunk {
+  JointId begin = 0, end = 0;
+  bool on_ground = false;
+};
+
+struct Workspace {
+  explicit Workspace(const Model& model);
+
+  std::vector<contact::LawConstants<double>> law;  // (n_material)
+  std::vector<JointChunk> joint_chunks;
+  int block_chunks = 0;
+
+  // written by turn_blocks: cosine and sine of theta/2 (n_block)
+  std::vector<double> half_cos, half_sin;
+
+  // written by forces: force on side a along x and y, moments about both centroids (n_joint)
+  std::vector<double> force_x, force_y;     // [N]
+  std::vector<double> moment_a, moment_b;   // [N m]
+
+  // written by gather: contact forces and loads on each block (n_block)
+  std::vector<double> contact_x, contact_y, contact_m;  // [N], [N m]
+  std::vector<double> load_x, load_y, load_m;           // applied point loads [N], [N m]
+  std::vector<double> total_x, total_y, total_m;        // with gravity and body force
+
+  std::vector<std::uint8_t> driven;  // 1: moved by drive_pass (n_block), set at a stage's start
+
+  std::vector<ChunkEnergy> joint_energy, block_energy;  // (chunks)
+};
+
+inline constexpr int kChunk = 256;  // joints or blocks; fixed, so sums do not depend on threads
+
+}  // namespace wythe::dynamics

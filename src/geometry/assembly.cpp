@@ -1,0 +1,201 @@
+// The list of steps from a spec to an assembly; each step is in its own file.
+#include "geometry/assembly.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/blocks_file.h"
+#include "geometry/caps.h"
+#include "geometry/checks.h"
+#include "geometry/courses.h"
+#include "geometry/faces.h"
+#include "geometry/fit.h"
+#include "geometry/joints.h"
+#include "geometry/openings.h"
+#include "geometry/polygon.h"
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+void add_segments(const ModelSpec& spec, const PlacedOpening& opening, std::vector<Block>& blocks) {
+  const std::size_t index = static_cast<std::size_t>(opening.index);
+  if (opening.segment.empty()) return;
+  const std::string& material = spec.wall.opening[index].lintel.material;
+  const auto found = spec.material.find(material);
+  for (std::size_t k = 0; k < opening.segment.size(); ++k) {
+    Block block;
+    block.id = "lintel" + std::to_string(opening.index) + "_" + std::to_string(k);
+    block.outline = outline_of(opening.segment[k]);
+    block.material = material;
+    block.density = found == spec.material.end() ? kUnset : found->second.density;
+    block.thickness = spec.wall.thickness;
+    block.role = Role::kLintel;
+    block.opening = opening.index;
+    blocks.push_back(block);
+  }
+}
+
+// Neighbours in the wall become neighbours in memory: from the bottom up, then left to right.
+void sort_blocks(std::vector<Block>& blocks, double course) {
+  const auto key = [&](const Block& b) {
+    const Vec2 corner = b.outline.front();
+    return std::tuple(static_cast<long>(corner.y / course + 1e-6), corner.x, corner.y);
+  };
+  std::stable_sort(blocks.begin(), blocks.end(),
+                   [&](const Block& a, const Block& b) { return key(a) < key(b); });
+}
+
+void lay_blocks(const ModelSpec& spec, const Lattice& lattice,
+                const std::vector<PlacedOpening>& openings, Assembly& assembly) {
+  std::vector<Rect> holes;
+  for (const PlacedOpening& opening : openings) holes.push_back(opening.hole);
+  Masonry masonry = lay_masonry(spec.wall, lattice, holes);
+  assembly.report.masonry_blocks_before_lintels = static_cast<int>(masonry.blocks.size());
+  for (const PlacedOpening& opening : openings) {
+    if (opening.segment.empty()) continue;
+    holes.push_back(join(opening.segment.front(), opening.segment.back()));
+  }
+  if (holes.size() > openings.size()) masonry = lay_masonry(spec.wall, lattice, holes);
+  assembly.blocks = std::move(masonry.blocks);
+  for (const PlacedOpening& opening : openings) add_segments(spec, opening, assembly.blocks);
+  sort_blocks(assembly.blocks, lattice.courses.step);
+  if (masonry.joined_pieces == 0) return;
+  assembly.report.notes.push_back(
+      std::to_string(masonry.joined_pieces) + " cut pieces shorter than " +
+      millimetres(kSliver * lattice.columns.step) + " were joined to their neighbours");
+}
+
+void check_body(const WallSpec& wall, FaultList& faults) {
+  (void)is_positive({"wall.thickness", wall.thickness, "m", "0.31 m"}, faults);
+  (void)is_positive({"wall.unit.density", wall.unit.density, "kg/m^3", "1250 kg/m^3"}, faults);
+}
+
+void note_unused(const ModelSpec& spec, std::vector<std::string>& notes) {
+  const bool from_file = uses_blocks_file(spec);
+  if (from_file && !spec.wall.opening.empty()) {
+    notes.push_back("wall.opening is not used: the blocks file shapes the wall");
+  }
+  if (!from_file && !spec.contact.empty()) {
+    notes.push_back("contact rules are not used: they belong to blocks files");
+  }
+}
+
+// Fills everything but faces; false after a fault that keeps the wall from standing.
+bool raise_generated(const ModelSpec& spec, Assembly& assembly, FaultList& faults) {
+  const std::size_t before = faults.all().size();
+  check_body(spec.wall, faults);
+  const Lattice lattice = fit_lattice(spec.wall, assembly.report.notes, faults);
+  const auto openings = place_openings(spec, lattice, assembly.report.notes, faults);
+  if (faults.all().size() > before) return false;
+  assembly.length = spec.wall.length;
+  assembly.height = spec.wall.height;
+  assembly.report.half_unit = lattice.columns.step;
+  assembly.report.course = lattice.courses.step;
+  assembly.report.courses = lattice.courses.count;
+  assembly.piers = find_piers(openings, assembly.length, assembly.height);
+  lay_blocks(spec, lattice, openings, assembly);
+  check_slivers(assembly.blocks, lattice, faults);
+  add_caps(spec, {0, 0, assembly.length, assembly.height}, assembly, faults);
+  return faults.all().size() == before;
+}
+
+Rect masonry_bounds(const std::vector<Block>& blocks) {
+  Rect whole;
+  bool is_first = true;
+  for (const Block& block : blocks) {
+    if (block.role != Role::kMasonry) continue;
+    whole = is_first ? bounds(block.outline) : join(whole, bounds(block.outline));
+    is_first = false;
+  }
+  return whole;
+}
+
+bool raise_from_file(const ModelSpec& spec, Assembly& assembly, FaultList& faults) {
+  const std::size_t before = faults.all().size();
+  (void)is_positive({"wall.thickness", spec.wall.thickness, "m", "0.31 m"}, faults);
+  assembly.blocks = blocks_from_file(spec, faults);
+  const Rect extent = masonry_bounds(assembly.blocks);
+  assembly.length = extent.x1 - extent.x0;
+  assembly.height = extent.y1 - extent.y0;
+  assembly.piers = {{extent.x0, extent.x1, assembly.height}};
+  for (const Block& block : assembly.blocks) {
+    assembly.report.masonry_blocks_before_lintels += block.role == Role::kMasonry;
+    assembly.report.courses = std::max(assembly.report.courses, block.course + 1);
+  }
+  check_overlaps(assembly.blocks, faults);
+  if (faults.all().size() == before) add_caps(spec, extent, assembly, faults);
+  return faults.all().size() == before;
+}
+
+double lowest_point(const std::vector<Block>& blocks) {
+  double lowest = bounds(blocks.front().outline).y0;
+  for (const Block& block : blocks) lowest = std::min(lowest, bounds(block.outline).y0);
+  return lowest;
+}
+
+// The ground line stands in for supports where the spec has none.
+void add_ground(const ModelSpec& spec, Assembly& assembly, std::vector<Contact>& contacts) {
+  const auto& blocks = assembly.blocks;
+  const bool has_supports = std::any_of(blocks.begin(), blocks.end(),
+                                        [](const Block& b) { return b.role == Role::kSupport; });
+  if (has_supports) return;
+  const double ground = uses_blocks_file(spec) ? lowest_point(blocks) : 0;
+  const std::vector<Contact> found = find_ground_contacts(blocks, ground);
+  contacts.insert(contacts.end(), found.begin(), found.end());
+  sort_contacts(contacts, contact_tolerance(blocks));
+  if (uses_blocks_file(spec)) {
+    assembly.report.notes.push_back("no block is fixed: the ground is the line y = " + metres(ground));
+  }
+}
+
+void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
+  assembly.report.lost_joints = static_cast<int>(lost.size());
+  for (std::size_t k = 0; k < std::min<std::size_t>(lost.size(), 5); ++k) {
+    const LostContact& l = lost[k];
+    assembly.report.notes.push_back(
+        "no joint between " + assembly.blocks[static_cast<std::size_t>(l.a)].id + " and " +
+        assembly.blocks[static_cast<std::size_t>(l.b)].id + ": " +
+        (l.gap > 0 ? "their faces stand apart by up to " + millimetres(l.gap)
+                   : "their faces share only " + millimetres(l.overlap)));
+  }
+  if (lost.size() > 5) {
+    assembly.report.notes.push_back(std::to_string(lost.size() - 5) + " more facing pairs have no joint");
+  }
+}
+
+void note_foundation(const ModelSpec& spec, Assembly& assembly) {
+  const auto falls_back = [](const Face& face) {
+    return face.kind == FaceKind::kFoundation && face.material == "joint";
+  };
+  const auto& faces = assembly.faces;
+  if (spec.material.contains("foundation") || std::none_of(faces.begin(), faces.end(), falls_back)) {
+    return;
+  }
+  assembly.report.notes.push_back(
+      "no [material.foundation]: the joints on the ground take [material.joint]");
+}
+
+}  // namespace
+
+Assembly build_assembly(const ModelSpec& spec, FaultList& faults) {
+  Assembly assembly;
+  assembly.thickness = spec.wall.thickness;
+  note_unused(spec, assembly.report.notes);
+  const bool stands = uses_blocks_file(spec) ? raise_from_file(spec, assembly, faults)
+                                             : raise_generated(spec, assembly, faults);
+  if (!stands) {
+    check_stated_materials(spec, faults);
+    return assembly;
+  }
+  ContactSearch search = find_contacts(assembly.blocks);
+  add_ground(spec, assembly, search.contacts);
+  assembly.faces = name_faces(spec, assembly.blocks, search.contacts);
+  note_lost(search.lost, assembly);
+  note_foundation(spec, assembly);
+  check_materials(spec, assembly.faces, faults);
+  check_support(assembly, faults);
+  return assembly;
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,164 @@
+#include "geometry/blocks_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/polygon.h"
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+std::string path_of(const BlockSpec& block) { return "wall.blocks." + block.id; }
+
+Polygon corners_of(const BlockSpec& block) {
+  Polygon corners;
+  for (const auto& [x, y] : block.polygon) {
+    const bool repeats = !corners.empty() && corners.back().x == x && corners.back().y == y;
+    if (!repeats) corners.push_back({x, y});
+  }
+  const auto closes = [&] {
+    return corners.front().x == corners.back().x && corners.front().y == corners.back().y;
+  };
+  while (corners.size() > 1 && closes()) corners.pop_back();
+  return corners;
+}
+
+bool is_finite(const Polygon& corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+// "" when the corners make a block.
+std::string shape_problem(const Polygon& corners) {
+  if (!is_finite(corners)) return "a corner is missing or not a finite number";
+  if (corners.size() < 3) return "a block needs at least 3 different corners";
+  if (moments(corners).area == 0) return "the block has no area";
+  if (!is_simple(corners)) return "the outline crosses or touches itself";
+  return "";
+}
+
+bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {
+  Polygon corners = corners_of(spec);
+  const std::string problem = shape_problem(corners);
+  if (!problem.empty()) {
+    add_fault(faults, path_of(spec), std::to_string(spec.polygon.size()) + " corners", problem,
+              "list the corners once around the block, in metres");
+    return false;
+  }
+  if (moments(corners).area < 0) std::reverse(corners.begin(), corners.end());
+  block.outline = std::move(corners);
+  return true;
+}
+
+double density_of(const ModelSpec& spec, const BlockSpec& block) {
+  const auto found = spec.material.find(block.material);
+  const bool has_own = found != spec.material.end() && std::isfinite(found->second.density);
+  return has_own ? found->second.density : spec.wall.unit.density;
+}
+
+Role role_of(const BlockSpec& block) {
+  if (block.fixed) return Role::kSupport;
+  return block.beam ? Role::kBeam : Role::kMasonry;
+}
+
+void refuse_repeated_ids(const ModelSpec& spec, FaultList& faults) {
+  std::set<std::string> seen;
+  for (const BlockSpec& block : spec.block) {
+    if (seen.insert(block.id).second) continue;
+    add_fault(faults, path_of(block), "\"" + block.id + "\"", "two blocks have this id",
+              "give every block its own id");
+  }
+}
+
+void check_densities(const ModelSpec& spec, FaultList& faults) {
+  for (const BlockSpec& block : spec.block) {
+    const double density = density_of(spec, block);
+    if (block.fixed || (std::isfinite(density) && density > 0)) continue;
+    if (std::isnan(density) || density == spec.wall.unit.density) {
+      (void)is_positive({"wall.unit.density", density, "kg/m^3", "1250 kg/m^3"}, faults);
+      return;
+    }
+    (void)is_positive({"material." + block.material + ".density", density, "kg/m^3", "1250 kg/m^3"},
+                      faults);
+  }
+}
+
+// Bottom edges of the masonry, each height once, lowest first.
+std::vector<double> bottoms_of(const std::vector<Block>& blocks, double tolerance) {
+  std::vector<double> bottoms;
+  for (const Block& block : blocks) {
+    if (block.role == Role::kMasonry) bottoms.push_back(bounds(block.outline).y0);
+  }
+  std::sort(bottoms.begin(), bottoms.end());
+  const auto near = [&](double a, double b) { return b - a <= tolerance; };
+  bottoms.erase(std::unique(bottoms.begin(), bottoms.end(), near), bottoms.end());
+  return bottoms;
+}
+
+void number_courses(std::vector<Block>& blocks) {
+  if (blocks.empty()) return;
+  Rect whole = bounds(blocks.front().outline);
+  for (const Block& block : blocks) whole = join(whole, bounds(block.outline));
+  const double tolerance = 1e-6 * std::max(whole.x1 - whole.x0, whole.y1 - whole.y0);
+  const auto is_upright = [&](const Block& b) { return is_upright_rectangle(b.outline, tolerance); };
+  if (!std::all_of(blocks.begin(), blocks.end(), is_upright)) return;
+  const std::vector<double> bottoms = bottoms_of(blocks, tolerance);
+  for (Block& block : blocks) {
+    if (block.role != Role::kMasonry) continue;
+    const double bottom = bounds(block.outline).y0 - tolerance;
+    block.course = static_cast<int>(std::lower_bound(bottoms.begin(), bottoms.end(), bottom) -
+                                    bottoms.begin());
+  }
+}
+
+bool names_pair(const ContactRule& rule, const std::string& a, const std::string& b) {
+  if (rule.between.size() != 2) return false;
+  return (rule.between[0] == a && rule.between[1] == b) ||
+         (rule.between[0] == b && rule.between[1] == a);
+}
+
+void check_rules(const ModelSpec& spec, FaultList& faults) {
+  for (std::size_t i = 0; i < spec.contact.size(); ++i) {
+    if (spec.contact[i].between.size() == 2) continue;
+    add_fault(faults, "contact." + std::to_string(i) + ".between",
+              std::to_string(spec.contact[i].between.size()) + " names",
+              "a contact rule names two block materials",
+              "write e.g. between = [\"masonry\", \"ground\"]");
+  }
+}
+
+}  // namespace
+
+std::vector<Block> blocks_from_file(const ModelSpec& spec, FaultList& faults) {
+  if (spec.block.empty()) {
+    add_fault(faults, "wall.blocks", spec.wall.blocks, "the blocks file holds no block",
+              "list at least one polygon");
+  }
+  refuse_repeated_ids(spec, faults);
+  check_densities(spec, faults);
+  check_rules(spec, faults);
+  std::vector<Block> blocks;
+  for (const BlockSpec& stated : spec.block) {
+    Block block;
+    block.id = stated.id;
+    block.material = stated.material;
+    block.density = density_of(spec, stated);
+    block.thickness = spec.wall.thickness;
+    block.role = role_of(stated);
+    if (add_outline(stated, block, faults)) blocks.push_back(std::move(block));
+  }
+  number_courses(blocks);
+  return blocks;
+}
+
+std::string ruled_material(const ModelSpec& spec, const std::string& a, const std::string& b,
+                           const std::string& otherwise) {
+  for (const ContactRule& rule : spec.contact) {
+    if (names_pair(rule, a, b)) return rule.material;
+  }
+  return otherwise;
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,21 @@
+// Blocks from a blocks file (spec.block, already read by src/io): checked and turned anticlockwise.
+//
+// Called by assembly.cpp. Faults stand at "wall.blocks.<id>".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/assembly.h"
+
+namespace wythe::geometry {
+
+// Blocks in the file's order. Courses are numbered only where every block is an upright rectangle.
+[[nodiscard]] std::vector<Block> blocks_from_file(const ModelSpec& spec, FaultList& faults);
+
+// Joint material between two blocks of a file: the first contact rule that names both materials
+// ("ground" for a support), else `otherwise`.
+[[nodiscard]] std::string ruled_material(const ModelSpec& spec, const std::string& a,
+                                         const std::string& b, const std::string& otherwise);
+
+}  // namespace wythe::geometry

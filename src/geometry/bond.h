@@ -1,0 +1,33 @@
+// Bond patterns: where the joints of one course stand, before openings are cut.
+//
+//   running      |--a--:--b--|--a--:--b--|     english, odd course   |-|---|---|---|---|-|
+//                |--|--a--:--b--|--a--:--|     flemish               |--a--:--b--|---|--a--:-
+//
+//   | head joint   : potential crack in the middle of a stretcher   a, b its halves
+//
+// Called by courses.cpp; pure arithmetic on the lattice.
+#pragma once
+
+#include <vector>
+
+#include "geometry/fit.h"
+
+namespace wythe::geometry {
+
+// A piece of masonry along its course; pieces of one course are contiguous.
+struct Piece {
+  double x0 = 0, x1 = 0;  // [m]
+  int unit = 0;           // counted from the left end of the course
+  char half = ' ';        // 'a', 'b', or ' ' for a whole unit or a closer
+};
+
+// The pieces of course `course` over the whole wall, left to right.
+[[nodiscard]] std::vector<Piece> lay_course(const Lattice& lattice, const WallSpec& wall,
+                                            int course);
+
+// The pieces within x0..x1. Cut pieces shorter than `shortest` are joined to their neighbour, first
+// of the same unit, else the shorter one; `joined` counts them.
+[[nodiscard]] std::vector<Piece> cut_pieces(const std::vector<Piece>& course, double x0, double x1,
+                                            double shortest, int& joined);
+
+}  // namespace wythe::geometry

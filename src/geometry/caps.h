@@ -1,0 +1,23 @@
+// What rests on the wall's top: a stiff plate on each pier, or one loading beam over the length.
+//
+//    +----plate----+        +----plate----+          +------------- beam -------------+
+//    |    pier     |        |    pier     |          |              wall              |
+//
+// Called by assembly.cpp after the masonry stands.
+#pragma once
+
+#include <string>
+
+#include "geometry/assembly.h"
+#include "geometry/polygon.h"
+
+namespace wythe::geometry {
+
+// Plates for stages with as = "plate" and a pier_load; a beam where wall.beam.height is stated.
+// `extent` is the masonry's bounding box.
+void add_caps(const ModelSpec& spec, const Rect& extent, Assembly& assembly, FaultList& faults);
+
+// Joint material under the plates; "" when no stage asks for plates.
+[[nodiscard]] std::string plate_joint(const ModelSpec& spec);
+
+}  // namespace wythe::geometry

@@ -1,0 +1,108 @@
+#include "geometry/courses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace wythe::geometry {
+namespace {
+
+constexpr double kMargin = 1e-9;  // coordinates closer than this are one [m]
+
+// Heights of the band y0..y1 that the holes over x0..x1 leave solid, bottom first.
+std::vector<Rect> solid_parts(const Rect& strip, std::vector<Rect> holes) {
+  std::sort(holes.begin(), holes.end(), [](const Rect& a, const Rect& b) { return a.y0 < b.y0; });
+  std::vector<Rect> parts;
+  double bottom = strip.y0;
+  for (const Rect& hole : holes) {
+    if (!overlaps(strip, hole, kMargin)) continue;
+    if (hole.y0 - bottom > kMargin) parts.push_back({strip.x0, bottom, strip.x1, hole.y0});
+    bottom = std::max(bottom, hole.y1);
+  }
+  if (strip.y1 - bottom > kMargin) parts.push_back({strip.x0, bottom, strip.x1, strip.y1});
+  return parts;
+}
+
+std::vector<double> breaks_along(const Rect& band, const std::vector<Rect>& holes) {
+  std::vector<double> x{band.x0, band.x1};
+  for (const Rect& hole : holes) {
+    if (!overlaps(band, hole, kMargin)) continue;
+    x.push_back(hole.x0);
+    x.push_back(hole.x1);
+  }
+  std::sort(x.begin(), x.end());
+  const auto near = [](double a, double b) { return b - a < kMargin; };
+  x.erase(std::unique(x.begin(), x.end(), near), x.end());
+  return x;
+}
+
+bool continues(const Rect& run, const Rect& next) {
+  return std::abs(run.x1 - next.x0) < kMargin && run.y0 == next.y0 && run.y1 == next.y1;
+}
+
+// The solid runs of one course, left to right.
+std::vector<Rect> solid_runs(const Rect& band, const std::vector<Rect>& holes) {
+  std::vector<Rect> runs;
+  const std::vector<double> x = breaks_along(band, holes);
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    for (const Rect& part : solid_parts({x[k], band.y0, x[k + 1], band.y1}, holes)) {
+      const auto before = std::find_if(runs.begin(), runs.end(),
+                                       [&](const Rect& run) { return continues(run, part); });
+      if (before == runs.end()) runs.push_back(part);
+      else before->x1 = part.x1;
+    }
+  }
+  return runs;
+}
+
+std::string name_of(int course, const Piece& piece, std::set<std::string>& used) {
+  char text[48];
+  std::snprintf(text, sizeof text, "c%02du%02d", course, piece.unit);
+  std::string id = text;
+  if (piece.half != ' ') id += piece.half;
+  // An opening can leave two pieces of one unit that is not split in its middle.
+  for (char letter = 'c'; !used.insert(id).second; ++letter) id = std::string(text) + letter;
+  return id;
+}
+
+struct Site {
+  const WallSpec& wall;
+  int course;
+  int first_unit;  // number of the course's first unit
+};
+
+Block block_of(const Site& site, const Piece& piece, const Rect& run, std::set<std::string>& used) {
+  Block block;
+  block.id = name_of(site.course, piece, used);
+  block.outline = outline_of({piece.x0, run.y0, piece.x1, run.y1});
+  block.material = "masonry";
+  block.density = site.wall.unit.density;
+  block.thickness = site.wall.thickness;
+  block.course = site.course;
+  block.unit = site.wall.unit.split == Split::kMiddle ? site.first_unit + piece.unit : -1;
+  return block;
+}
+
+}  // namespace
+
+Masonry lay_masonry(const WallSpec& wall, const Lattice& lattice, const std::vector<Rect>& holes) {
+  Masonry masonry;
+  const Axis &columns = lattice.columns, &courses = lattice.courses;
+  const double shortest = kSliver * columns.step;
+  int first_unit = 0;
+  for (int course = 0; course < courses.count; ++course) {
+    const std::vector<Piece> laid = lay_course(lattice, wall, course);
+    const Rect band{0, courses.line(course), columns.extent, courses.line(course + 1)};
+    std::set<std::string> used;
+    for (const Rect& run : solid_runs(band, holes)) {
+      for (const Piece& piece : cut_pieces(laid, run.x0, run.x1, shortest, masonry.joined_pieces)) {
+        masonry.blocks.push_back(block_of({wall, course, first_unit}, piece, run, used));
+      }
+    }
+    first_unit += laid.back().unit + 1;
+  }
+  return masonry;
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,167 @@
+#include "geometry/faces.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "geometry/blocks_file.h"
+#include "geometry/caps.h"
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as level or upright
+
+FaceKind masonry_kind(const Block& a, const Block& b, const Contact& contact) {
+  if (a.unit >= 0 && a.unit == b.unit) return FaceKind::kSplit;
+  const Vec2 t = contact.p1 - contact.p0;
+  if (std::abs(t.y) <= kAlongAxis * length(t)) return FaceKind::kBed;
+  if (std::abs(t.x) <= kAlongAxis * length(t)) return FaceKind::kHead;
+  return FaceKind::kOther;
+}
+
+FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
+  const auto either = [&](Role role) { return a.role == role || b.role == role; };
+  if (either(Role::kBeam)) return FaceKind::kBeam;
+  if (either(Role::kPlate)) return FaceKind::kPlate;
+  const bool both_lintel = a.role == Role::kLintel && b.role == Role::kLintel;
+  if (both_lintel && a.opening == b.opening) return FaceKind::kLintelChain;
+  if (either(Role::kLintel)) return FaceKind::kLintelBond;
+  return masonry_kind(a, b, contact);
+}
+
+const LintelSpec& lintel_between(const ModelSpec& spec, const Block& a, const Block& b) {
+  const int opening = a.role == Role::kLintel ? a.opening : b.opening;
+  return spec.wall.opening[static_cast<std::size_t>(opening)].lintel;
+}
+
+// "foundation", where the spec has no such material "joint".
+std::string foundation_or_joint(const ModelSpec& spec, const std::string& name) {
+  return name == "foundation" && !spec.material.contains(name) ? "joint" : name;
+}
+
+std::string pair_material(const ModelSpec& spec, const Block& a, const Block& b, FaceKind kind) {
+  if (kind == FaceKind::kLintelChain) return lintel_between(spec, a, b).material;
+  if (kind == FaceKind::kLintelBond) return lintel_between(spec, a, b).bond;
+  if (kind == FaceKind::kPlate) return foundation_or_joint(spec, plate_joint(spec));
+  if (kind == FaceKind::kSplit) return "unit";
+  const std::string plain = kind == FaceKind::kBeam ? spec.wall.beam.joint : "joint";
+  return uses_blocks_file(spec) ? ruled_material(spec, a.material, b.material, plain) : plain;
+}
+
+std::string ground_material(const ModelSpec& spec, const Block& block, const Block* support) {
+  std::string material = foundation_or_joint(spec, "foundation");
+  if (!uses_blocks_file(spec)) return material;
+  if (support != nullptr) material = ruled_material(spec, support->material, block.material, material);
+  return ruled_material(spec, "ground", block.material, material);
+}
+
+Face pair_face(const ModelSpec& spec, const Block& a, const Block& b, const Contact& contact) {
+  const FaceKind kind = kind_of(a, b, contact);
+  return {contact.a, contact.b, contact.p0, contact.p1, kind, pair_material(spec, a, b, kind)};
+}
+
+// The ground is always side a: a contact whose b is the support is turned round.
+Face ground_face(const ModelSpec& spec, const std::vector<Block>& blocks, Contact contact,
+                 int support) {
+  if (support != contact.a) {
+    std::swap(contact.a, contact.b);
+    std::swap(contact.p0, contact.p1);
+  }
+  const Block& block = blocks[static_cast<std::size_t>(contact.b)];
+  const Block* below = support == kGround ? nullptr : &blocks[static_cast<std::size_t>(support)];
+  return {kGround, contact.b, contact.p0, contact.p1, FaceKind::kFoundation,
+          ground_material(spec, block, below)};
+}
+
+struct Need {
+  std::string problem, cure;
+};
+
+Need need_of(FaceKind kind, const std::string& material) {
+  const std::string table = "[material." + material + "]";
+  switch (kind) {
+    case FaceKind::kSplit:
+      return {"missing: split = \"middle\" needs it for the potential crack inside each unit",
+              "add " + table + ", or write wall.unit.split = \"none\""};
+    case FaceKind::kLintelChain:
+      return {"missing: the lintel is made of it", "add " + table + " with its density and moduli"};
+    case FaceKind::kLintelBond:
+      return {"missing: the lintel meets the masonry through it", "add " + table};
+    case FaceKind::kPlate:
+      return {"missing: the plates on the piers lie on it", "add " + table + ", or name another plate_joint"};
+    case FaceKind::kBeam:
+      return {"missing: the beam lies on it", "add " + table + ", or name another wall.beam.joint"};
+    default: return {"missing: the joints between the blocks take it", "add " + table};
+  }
+}
+
+// Each missing material once, with the first use that needs it.
+using Uses = std::map<std::string, FaceKind>;
+
+void refuse_missing(const ModelSpec& spec, const Uses& uses, FaultList& faults) {
+  for (const auto& [material, kind] : uses) {
+    if (material.empty() || spec.material.contains(material)) continue;
+    const Need need = need_of(kind, material);
+    add_fault(faults, "material." + material, "", need.problem, need.cure);
+  }
+}
+
+void add_lintel_uses(const ModelSpec& spec, Uses& uses) {
+  for (const OpeningSpec& opening : spec.wall.opening) {
+    if (opening.lintel.kind.empty()) continue;
+    uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
+    uses.emplace(opening.lintel.bond, FaceKind::kLintelBond);
+  }
+}
+
+}  // namespace
+
+bool uses_blocks_file(const ModelSpec& spec) {
+  return !spec.wall.blocks.empty() || !spec.block.empty();
+}
+
+std::vector<Face> name_faces(const ModelSpec& spec, const std::vector<Block>& blocks,
+                             const std::vector<Contact>& contacts) {
+  const auto is_support = [&](int i) {
+    return i == kGround || blocks[static_cast<std::size_t>(i)].role == Role::kSupport;
+  };
+  std::vector<Face> faces;
+  faces.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    const bool a_rests = is_support(contact.a), b_rests = is_support(contact.b);
+    if (a_rests && b_rests) continue;
+    if (a_rests || b_rests) {
+      faces.push_back(ground_face(spec, blocks, contact, a_rests ? contact.a : contact.b));
+    } else {
+      faces.push_back(pair_face(spec, blocks[static_cast<std::size_t>(contact.a)],
+                                blocks[static_cast<std::size_t>(contact.b)], contact));
+    }
+  }
+  return faces;
+}
+
+void check_materials(const ModelSpec& spec, const std::vector<Face>& faces, FaultList& faults) {
+  Uses uses;
+  for (const Face& face : faces) uses.emplace(face.material, face.kind);
+  if (!uses_blocks_file(spec)) add_lintel_uses(spec, uses);
+  refuse_missing(spec, uses, faults);
+}
+
+void check_stated_materials(const ModelSpec& spec, FaultList& faults) {
+  Uses uses{{"joint", FaceKind::kBed}};
+  for (const ContactRule& rule : spec.contact) uses.emplace(rule.material, FaceKind::kBed);
+  if (!uses_blocks_file(spec)) {
+    add_lintel_uses(spec, uses);
+    const bool has_stretchers = spec.wall.bond != Bond::kHeader;
+    if (has_stretchers && spec.wall.unit.split == Split::kMiddle) {
+      uses.emplace("unit", FaceKind::kSplit);
+    }
+  }
+  if (std::isfinite(spec.wall.beam.height)) uses.emplace(spec.wall.beam.joint, FaceKind::kBeam);
+  uses.emplace(foundation_or_joint(spec, plate_joint(spec)), FaceKind::kPlate);
+  refuse_missing(spec, uses, faults);
+}
+
+}  // namespace wythe::geometry

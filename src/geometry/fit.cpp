@@ -1,0 +1,154 @@
+#include "geometry/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+// One direction of the wall as the user stated it.
+struct AxisAsk {
+  double extent, step;             // [m]
+  std::string extent_name;         // "length"
+  std::string size_path;           // "wall.unit.length"
+  double size_per_step;            // unit length is two half units, a course is one unit height
+  std::string step_name;           // "half unit"
+  Fit fit;
+};
+
+double change_of(const AxisAsk& ask, int count) { return ask.extent / count / ask.step - 1; }
+
+int best_count(const AxisAsk& ask) {
+  const int below = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step)));
+  return std::abs(change_of(ask, below)) <= std::abs(change_of(ask, below + 1)) ? below : below + 1;
+}
+
+void note_change(const std::string& what, double from, double to, std::vector<std::string>& notes) {
+  const double change = to / from - 1;
+  if (std::abs(change) < 1e-9) return;
+  notes.push_back(what + " " + millimetres(from) + " -> " + millimetres(to) + " (" +
+                  percent(change) + ")");
+}
+
+void refuse_fit(const AxisAsk& ask, FaultList& faults) {
+  const int below = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step)));
+  const auto size = [&](int n) { return millimetres(ask.size_per_step * ask.extent / n); };
+  const auto extent = [&](int n) { return metres(ask.step * n); };
+  std::ostringstream problem, cure;
+  problem.precision(4);
+  problem << "the wall's " << ask.extent_name << " of " << metres(ask.extent) << " holds "
+          << ask.extent / ask.step << " " << ask.step_name << "s; a whole number of them would change "
+          << "the size by " << percent(change_of(ask, best_count(ask))) << ", more than 2 %";
+  cure << "nearest sizes that fit: " << size(below + 1) << " or " << size(below) << "; nearest "
+       << ask.extent_name << "s: " << extent(below) << " or " << extent(below + 1)
+       << "; or wall.fit = \"cut\"";
+  add_fault(faults, ask.size_path, millimetres(ask.size_per_step * ask.step), problem.str(),
+            cure.str());
+}
+
+Axis fit_whole(const AxisAsk& ask, std::vector<std::string>& notes, FaultList& faults) {
+  const int count = best_count(ask);
+  if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9) {
+    refuse_fit(ask, faults);
+    return {};
+  }
+  note_change(ask.step_name, ask.step, ask.extent / count, notes);
+  return {.extent = ask.extent, .step = ask.extent / count, .count = count};
+}
+
+Axis lay_and_cut(const AxisAsk& ask, std::vector<std::string>& notes) {
+  int count = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step + 1e-9)));
+  const double rest = ask.extent - count * ask.step;
+  if (rest >= kSliver * ask.step) ++count;
+  const double last = ask.extent - (count - 1) * ask.step;
+  note_change("last " + ask.step_name + " along the " + ask.extent_name, ask.step, last, notes);
+  return {.extent = ask.extent, .step = ask.step, .count = count};
+}
+
+Axis fit_axis(const AxisAsk& ask, std::vector<std::string>& notes, FaultList& faults) {
+  if (ask.fit == Fit::kCut) return lay_and_cut(ask, notes);
+  return fit_whole(ask, notes, faults);
+}
+
+bool needs_header(Bond bond) {
+  return bond == Bond::kFlemish || bond == Bond::kEnglish || bond == Bond::kHeader;
+}
+
+bool sizes_are_given(const WallSpec& wall, FaultList& faults) {
+  bool given = is_positive({"wall.length", wall.length, "m", "5.10 m"}, faults);
+  given &= is_positive({"wall.height", wall.height, "m", "3.62 m"}, faults);
+  given &= is_positive({"wall.unit.length", wall.unit.length, "m", "310 mm"}, faults);
+  given &= is_positive({"wall.unit.height", wall.unit.height, "m", "110 mm"}, faults);
+  if (needs_header(wall.bond) && !std::isnan(wall.unit.width)) {
+    given &= is_positive({"wall.unit.width", wall.unit.width, "m", "155 mm"}, faults);
+  }
+  return given;
+}
+
+double stated_header(const WallSpec& wall) {
+  return std::isnan(wall.unit.width) ? wall.unit.length / 2 : wall.unit.width;
+}
+
+// In english bond a header is half a stretcher: any other would let joints meet now and then.
+// In flemish bond it only has to be shorter than the stretcher.
+double fit_header(const WallSpec& wall, double half_unit, std::vector<std::string>& notes,
+                  FaultList& faults) {
+  const double scale = half_unit / (wall.unit.length / 2);
+  const double header = scale * stated_header(wall);
+  if (std::abs(header / half_unit - 1) <= kHeaderTolerance) {
+    note_change("header", stated_header(wall), half_unit, notes);
+    return half_unit;
+  }
+  const double limit = wall.bond == Bond::kFlemish ? 2 * half_unit - half_unit / 2 : half_unit;
+  if (wall.bond == Bond::kEnglish || header > limit) {
+    add_fault(faults, "wall.unit.width", millimetres(stated_header(wall)),
+              wall.bond == Bond::kEnglish
+                  ? "english bond needs headers of half a unit length, within 5 %"
+                  : "flemish bond needs headers of three quarters of a unit length or less",
+              "width = \"" + millimetres(wall.unit.length / 2) + "\" (or leave it out)");
+  }
+  return header;
+}
+
+}  // namespace
+
+double Axis::line(int i) const {
+  if (i >= count) return extent;
+  return half_line(2 * i);
+}
+
+double Axis::half_line(int q) const {
+  const bool is_even = std::abs(extent - count * step) < 1e-9 * extent;
+  return is_even ? extent * q / (2 * count) : step * q / 2;
+}
+
+int Axis::nearest(double x) const {
+  const int guess = std::clamp(static_cast<int>(std::floor(x / step)), 0, count - 1);
+  return std::abs(x - line(guess)) <= std::abs(line(guess + 1) - x) ? guess : guess + 1;
+}
+
+bool Axis::is_on_line(double x) const { return std::abs(line(nearest(x)) - x) < 1e-9 * extent; }
+
+Lattice fit_lattice(const WallSpec& wall, std::vector<std::string>& notes, FaultList& faults) {
+  if (!sizes_are_given(wall, faults)) return {};
+  const bool is_header_bond = wall.bond == Bond::kHeader;
+  const double column = (is_header_bond ? stated_header(wall) : wall.unit.length) / 2;
+  Lattice lattice;
+  lattice.columns = fit_axis({wall.length, column, "length",
+                              is_header_bond ? "wall.unit.width" : "wall.unit.length", 2,
+                              is_header_bond ? "half header" : "half unit", wall.fit},
+                             notes, faults);
+  lattice.courses = fit_axis(
+      {wall.height, wall.unit.height, "height", "wall.unit.height", 1, "course", wall.fit}, notes,
+      faults);
+  lattice.stretcher = lattice.header = 2 * lattice.columns.step;
+  if (needs_header(wall.bond) && !is_header_bond && lattice.columns.count > 0) {
+    lattice.header = fit_header(wall, lattice.columns.step, notes, faults);
+  }
+  return lattice;
+}
+
+}  // namespace wythe::geometry

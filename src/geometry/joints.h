@@ -1,0 +1,58 @@
+// Finds where blocks touch: collinear, anti-parallel, overlapping edges of different blocks.
+//
+//        +----------+            the edge of b runs against the edge of a; their common part is
+//        |    b     |            one contact p0-p1, the normal from a to b on its left
+//   +----p0=====p1--+
+//   |    a      |                a is the lower block, or the left one where the normal is level
+//   +-----------+
+//
+// Candidate pairs come from a uniform grid of cells, so the cost grows with the number of blocks.
+// Called by assembly.cpp; knows no roles and no materials.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/assembly.h"
+#include "geometry/polygon.h"
+
+namespace wythe::geometry {
+
+struct Contact {
+  int a = 0, b = 0;  // blocks
+  Vec2 p0, p1;
+};
+
+// Facing edges that make no contact: too short an overlap, or a gap too wide.
+struct LostContact {
+  int a = 0, b = 0;
+  double overlap = 0;  // [m]
+  double gap = 0;      // largest distance across the overlap [m], 0 when only the overlap is short
+};
+
+struct ContactSearch {
+  std::vector<Contact> contacts;  // by height of their centre, then from left to right
+  std::vector<LostContact> lost;
+};
+
+inline constexpr double kContactTolerance = 1e-6;  // of the assembly's size: collinear within
+inline constexpr double kShortestContact = 1e-3;   // of the shorter edge: less is lost
+inline constexpr double kWidestGap = 1e-2;         // of the shorter edge: wider gaps are meant
+
+// The tolerance in metres: kContactTolerance times the larger side of the assembly.
+[[nodiscard]] double contact_tolerance(const std::vector<Block>& blocks);
+
+// Pairs (i < j) of blocks whose bounds, widened by `margin`, meet.
+[[nodiscard]] std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks,
+                                                          double margin);
+
+[[nodiscard]] ContactSearch find_contacts(const std::vector<Block>& blocks);
+
+// Bottom edges on the level line `ground`, from left to right; a is kGround.
+[[nodiscard]] std::vector<Contact> find_ground_contacts(const std::vector<Block>& blocks,
+                                                        double ground);
+
+// Puts contacts in the order of their centres: height first (equal within the tolerance), then x.
+void sort_contacts(std::vector<Contact>& contacts, double tolerance);
+
+}  // namespace wythe::geometry

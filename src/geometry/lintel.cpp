@@ -1,0 +1,120 @@
+#include "geometry/lintel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+void check_body(const ModelSpec& spec, int index, FaultList& faults) {
+  const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
+  if (lintel.material.empty()) {
+    add_fault(faults, opening_path(index, "lintel.material"), "", "missing",
+              "name the [material.*] table that holds the lintel's density and moduli");
+    return;
+  }
+  const auto found = spec.material.find(lintel.material);
+  if (found == spec.material.end()) return;  // reported with the other missing materials
+  (void)is_positive({"material." + lintel.material + ".density", found->second.density, "kg/m^3",
+                     "500 kg/m^3"},
+                    faults);
+}
+
+void note_size(const PlacedOpening& opening, const std::string& what, double stated, double laid,
+               std::vector<std::string>& notes) {
+  if (std::abs(laid / stated - 1) <= kFitTolerance) return;
+  notes.push_back("lintel of opening " + std::to_string(opening.index) + ": " + what + " " +
+                  millimetres(stated) + " -> " + millimetres(laid) + " (" +
+                  percent(laid / stated - 1) + ")");
+}
+
+// The jamb moved outwards by `columns` whole columns: on the lattice where the jamb is.
+double end_of(const Axis& axis, double jamb, int columns) {
+  if (!axis.is_on_line(jamb)) return jamb + columns * axis.step;
+  const int i = axis.nearest(jamb) + columns;
+  return i < 0 || i > axis.count ? jamb + columns * axis.step : axis.line(i);
+}
+
+bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& opening,
+                 const LintelSpec& lintel, FaultList& faults) {
+  const double margin = 1e-9 * axis.extent;
+  if (body.x0 >= -margin && body.x1 <= axis.extent + margin) return true;
+  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
+            "the lintel reaches outside the wall: it would span " + metres(body.x0) + " to " +
+                metres(body.x1),
+            "leave at least one half unit (" + millimetres(axis.step) + ") of wall beside the opening");
+  return false;
+}
+
+bool lies_under_top(int top, const Axis& courses, const PlacedOpening& opening,
+                    const LintelSpec& lintel, FaultList& faults) {
+  if (top <= courses.count) return true;
+  add_fault(faults, opening_path(opening.index, "lintel.depth"), millimetres(lintel.depth),
+            "deeper than the masonry above the opening (" +
+                millimetres(courses.extent - opening.hole.y1) + ")",
+            "a smaller depth, or a lower opening");
+  return false;
+}
+
+// Joints of the chain stand on the column lines; ends shorter than half a column are not cut off.
+std::vector<Rect> cut_chain(const Rect& body, const Axis& columns) {
+  std::vector<double> x{body.x0};
+  for (int i = 0; i <= columns.count; ++i) {
+    const double line = columns.line(i), least = columns.step / 2 * (1 - 1e-6);
+    if (line - body.x0 > least && body.x1 - line > least) x.push_back(line);
+  }
+  x.push_back(body.x1);
+  std::vector<Rect> segments;
+  for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+    segments.push_back({x[k], body.y0, x[k + 1], body.y1});
+  }
+  return segments;
+}
+
+void move_head_to_course(const Axis& courses, PlacedOpening& opening,
+                         std::vector<std::string>& notes) {
+  const int lowest = courses.nearest(opening.hole.y0) + 1;
+  const double line = courses.line(std::max(lowest, courses.nearest(opening.hole.y1)));
+  if (std::abs(line - opening.hole.y1) > 1e-9) {
+    notes.push_back("opening " + std::to_string(opening.index) + " head " +
+                    metres(opening.hole.y1) + " -> " + metres(line) + " (its lintel lies on a bed joint)");
+  }
+  opening.hole.y1 = line;
+}
+
+int whole_steps(double size, double step) {
+  return std::max(1, static_cast<int>(std::lround(size / step)));
+}
+
+}  // namespace
+
+bool check_lintel(const ModelSpec& spec, int index, FaultList& faults) {
+  const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
+  if (lintel.kind.empty()) return false;
+  check_body(spec, index, faults);
+  bool given = is_positive({opening_path(index, "lintel.depth"), lintel.depth, "m", "110 mm"}, faults);
+  // A lintel without bearing is no longer than the opening: nothing would carry it.
+  given &= is_positive({opening_path(index, "lintel.bearing"), lintel.bearing, "m", "150 mm"}, faults);
+  return given;
+}
+
+void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,
+                  std::vector<std::string>& notes, FaultList& faults) {
+  const Axis &columns = lattice.columns, &courses = lattice.courses;
+  move_head_to_course(courses, opening, notes);
+  const int bottom = courses.nearest(opening.hole.y1);
+  const int top = bottom + whole_steps(lintel.depth, courses.step);
+  const int bearing = whole_steps(lintel.bearing, columns.step);
+  Rect body{end_of(columns, opening.hole.x0, -bearing), opening.hole.y1,
+            end_of(columns, opening.hole.x1, bearing), courses.line(top)};
+  bool fits = ends_inside(body, columns, opening, lintel, faults);
+  fits &= lies_under_top(top, courses, opening, lintel, faults);
+  if (!fits) return;
+  note_size(opening, "depth", lintel.depth, body.y1 - body.y0, notes);
+  note_size(opening, "bearing", lintel.bearing, body.x1 - opening.hole.x1, notes);
+  opening.segment = cut_chain(body, columns);
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,21 @@
+// Lintels: rigid segments, one a column, in the whole courses right above an opening.
+//
+//   bearing |--|                 |--|
+//           +--+--+--+--+--+--+--+--+   n courses, n = max(1, round(depth / course))
+//           |  +-----------------+  |
+//
+// Called by openings.cpp.
+#pragma once
+
+#include "geometry/openings.h"
+
+namespace wythe::geometry {
+
+// False when opening `index` has no lintel or its lintel lacks numbers (then with faults).
+[[nodiscard]] bool check_lintel(const ModelSpec& spec, int index, FaultList& faults);
+
+// Fills opening.segment; with fit = "cut" first moves the opening's head to a course line.
+void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,
+                  std::vector<std::string>& notes, FaultList& faults);
+
+}  // namespace wythe::geometry

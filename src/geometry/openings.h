@@ -1,0 +1,36 @@
+// Openings and lintels on the lattice, and the piers beside them.
+//
+//        | spandrel            |
+//        |--+---+---+---+---+--|  lintel: whole courses above the head, whole columns of bearing
+//        |  |               |  |
+//   pier |  |    opening    |  | pier
+//
+// An opening's edges move to the nearest column or course line by 2 % of its size or less (a note);
+// with fit = "cut" units are cut at the edges instead. Faults name the nearest sizes that fit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/assembly.h"
+#include "geometry/fit.h"
+#include "geometry/polygon.h"
+
+namespace wythe::geometry {
+
+struct PlacedOpening {
+  int index = 0;                  // in wall.opening
+  Rect hole;                      // [m]
+  std::vector<Rect> segment;      // lintel segments, left to right; empty without lintel
+};
+
+[[nodiscard]] std::vector<PlacedOpening> place_openings(const ModelSpec& spec,
+                                                        const Lattice& lattice,
+                                                        std::vector<std::string>& notes,
+                                                        FaultList& faults);
+
+// Intervals of the wall's length outside every opening, with the lower adjacent opening's top.
+[[nodiscard]] std::vector<Pier> find_piers(const std::vector<PlacedOpening>& openings,
+                                           double length, double height);
+
+}  // namespace wythe::geometry

@@ -1,0 +1,32 @@
+// Words for the reader: lengths as text, and the faults that every part of geometry reports.
+//
+// Called by the other files of src/geometry; standard library only.
+#pragma once
+
+#include <string>
+
+#include "wythe/error.h"
+
+namespace wythe::geometry {
+
+[[nodiscard]] std::string metres(double length);       // "1.7 m"
+[[nodiscard]] std::string millimetres(double length);  // "154.545 mm"
+[[nodiscard]] std::string percent(double share);       // 0.0123 -> "+1.2 %"
+[[nodiscard]] std::string opening_path(int index, const std::string& key);  // "wall.opening.0.width"
+
+void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
+               std::string cure);
+
+// One physical number the builder can't do without.
+struct Needed {
+  std::string path;
+  double value;
+  std::string unit;     // of the value as stored, "m"
+  std::string example;  // "5.10 m"
+};
+// Adds a fault and returns false when the number is missing, infinite, zero or negative.
+bool is_positive(const Needed& number, FaultList& faults);
+// The same, zero allowed.
+bool is_not_negative(const Needed& number, FaultList& faults);
+
+}  // namespace wythe::geometry

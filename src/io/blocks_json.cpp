@@ -1,0 +1,212 @@
+// JSON of blocks -> BlockSpec, in metres.
+//
+//   {"units": "m", "thickness": 0.2, "blocks": [{"id": "b1", "polygon": [[x, y], ...],
+//    "material": "stone", "fixed": false, "beam": false}, ...]}
+//   {"units": "m", "blocks_xyxy": [[x0, y0, x1, y1], ...], "loading_beam_xyxy": [x0, y0, x1, y1]}
+#include "io/blocks_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+#include "wythe/io.h"
+
+namespace wythe::io {
+namespace {
+
+using Json = nlohmann::json;
+using Point = std::array<double, 2>;
+
+std::string short_dump(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+class BlocksReader {
+ public:
+  BlocksReader(ReadContext& context, std::string file, ModelSpec& spec)
+      : context_(context), file_(std::move(file)), spec_(spec) {}
+
+  void read(const std::string& text) {
+    Json json;
+    try {
+      json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+      const std::size_t at = std::min(error.byte, text.size());
+      const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+      refuse("", "", fmt::format("not valid JSON at byte {}", error.byte), "", static_cast<int>(line) + 1);
+      return;
+    } catch (const Json::exception& error) {
+      return refuse("", "", fmt::format("can't be read: {}", error.what()), "");
+    }
+    if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
+    read_units(json);
+    read_thickness(json);
+    if (json.contains("blocks"))
+      read_polygons(json["blocks"]);
+    else if (json.contains("blocks_xyxy"))
+      read_boxes(json);
+    else
+      refuse("", "", "has neither \"blocks\" nor \"blocks_xyxy\"", kForms);
+  }
+
+ private:
+  static constexpr const char* kForms =
+      R"(write e.g. {"units": "m", "blocks": [{"id": "b1", "polygon": [[0, 0], [1, 0], [1, 1]]}]})";
+
+  void refuse(const std::string& where, const std::string& value, const std::string& problem,
+              const std::string& cure, int line = 0) {
+    const std::string path = where.empty() ? "wall.blocks" : "wall.blocks." + where;
+    context_.faults.add({.file = file_, .path = path, .value = value, .problem = problem,
+                         .cure = cure, .line = line});
+  }
+
+  void read_units(const Json& json) {
+    const Json units = json.value("units", Json());
+    if (units == "mm") scale_ = 1e3;
+    if (units == "m" || units == "mm") return;
+    const std::string value = units.is_null() ? "" : short_dump(units);
+    refuse("units", value, units.is_null() ? "is missing" : "must be \"m\" or \"mm\"",
+           R"(write "units": "m" or "units": "mm")");
+  }
+
+  void read_thickness(const Json& json) {
+    if (!json.contains("thickness") || json["thickness"].is_null()) return;
+    const auto value = read_number(json["thickness"]);
+    if (!value || *value <= 0)
+      return refuse("thickness", short_dump(json["thickness"]), "must be a number more than 0",
+                    R"(write e.g. "thickness": 0.2)");
+    if (std::isnan(spec_.wall.thickness)) spec_.wall.thickness = *value;
+  }
+
+  // In metres; divides, so that 200 mm is the double nearest to 0.2.
+  [[nodiscard]] std::optional<double> read_number(const Json& json) const {
+    if (!json.is_number() || !std::isfinite(json.get<double>())) return std::nullopt;
+    return json.get<double>() / scale_;
+  }
+
+  void read_polygons(const Json& blocks) {
+    if (!blocks.is_array() || blocks.empty())
+      return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
+    for (std::size_t i = 0; i < blocks.size(); ++i) read_polygon_block(blocks[i], i);
+  }
+
+  void read_polygon_block(const Json& json, std::size_t index) {
+    if (!json.is_object())
+      return refuse(std::to_string(index), short_dump(json), "must be a JSON object", kForms);
+    BlockSpec block;
+    block.id = "b" + std::to_string(index + 1);
+    read_word(json, "id", block.id, block.id);
+    read_word(json, "material", block.material, block.id);
+    read_flag(json, "fixed", block.fixed, block.id);
+    read_flag(json, "beam", block.beam, block.id);
+    refuse_unknown(json, block.id);
+    read_outline(json.value("polygon", Json()), block);
+    keep(std::move(block));
+  }
+
+  void read_word(const Json& json, const char* name, std::string& value, const std::string& id) {
+    if (!json.contains(name)) return;
+    const Json& found = json[name];
+    if (found.is_string() && !found.get<std::string>().empty())
+      value = found.get<std::string>();
+    else if (found.is_number_integer() && std::string_view(name) == "id")
+      value = found.dump();
+    else
+      refuse(id + '.' + name, short_dump(found), "must be a text", "");
+  }
+
+  void read_flag(const Json& json, const char* name, bool& value, const std::string& id) {
+    if (!json.contains(name)) return;
+    if (json[name].is_boolean())
+      value = json[name].get<bool>();
+    else
+      refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
+  }
+
+  void refuse_unknown(const Json& json, const std::string& id) {
+    static const std::vector<std::string> kKnown = {"id", "polygon", "material", "fixed", "beam"};
+    for (const auto& item : json.items())
+      if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end())
+        refuse(id + '.' + item.key(), short_dump(item.value()), "no such key",
+               name_advice(item.key(), kKnown));
+  }
+
+  void read_outline(const Json& json, BlockSpec& block) {
+    const std::string where = block.id + ".polygon";
+    if (json.is_null())
+      return refuse(where, "", "is missing", R"(write e.g. "polygon": [[0, 0], [1, 0], [1, 1]])");
+    if (!json.is_array() || json.size() < 3)
+      return refuse(where, short_dump(json), "must have 3 vertices or more", "");
+    for (const Json& vertex : json) {
+      const bool pair = vertex.is_array() && vertex.size() == 2;
+      const auto x = pair ? read_number(vertex[0]) : std::nullopt;
+      const auto y = pair ? read_number(vertex[1]) : std::nullopt;
+      if (x && y)
+        block.polygon.push_back({*x, *y});
+      else
+        refuse(where, short_dump(vertex), "must be two finite numbers [x, y]", "");
+    }
+  }
+
+  void read_boxes(const Json& json) {
+    const Json& boxes = json["blocks_xyxy"];
+    if (!boxes.is_array() || boxes.empty())
+      return refuse("blocks_xyxy", short_dump(boxes), "must be a list of boxes",
+                    R"(write e.g. "blocks_xyxy": [[0, 0, 0.2, 0.1]])");
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      BlockSpec block;
+      block.id = "b" + std::to_string(i + 1);
+      read_box(boxes[i], std::move(block));
+    }
+    if (!json.contains("loading_beam_xyxy")) return;
+    BlockSpec beam;
+    beam.id = beam.material = "beam";
+    beam.beam = true;
+    read_box(json["loading_beam_xyxy"], std::move(beam));
+  }
+
+  void read_box(const Json& json, BlockSpec block) {
+    std::vector<double> at;
+    for (const Json& item : json.is_array() ? json : Json::array())
+      if (const auto value = read_number(item)) at.push_back(*value);
+    const bool good = json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
+    if (!good)
+      return refuse(block.id, short_dump(json), "must be four finite numbers x0 < x1, y0 < y1",
+                    "write them as [x0, y0, x1, y1]");
+    block.polygon = {Point{at[0], at[1]}, Point{at[2], at[1]}, Point{at[2], at[3]}, Point{at[0], at[3]}};
+    keep(std::move(block));
+  }
+
+  void keep(BlockSpec block) {
+    if (!ids_.insert(block.id).second)
+      refuse(block.id, block.id, "two blocks have this id", "give each block an id of its own");
+    spec_.block.push_back(std::move(block));
+  }
+
+  ReadContext& context_;
+  std::string file_;
+  ModelSpec& spec_;
+  double scale_ = 1;  // file units in a metre
+  std::set<std::string> ids_;
+};
+
+}  // namespace
+
+void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec) {
+  const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  try {
+    BlocksReader(context, file, spec).read(read_text(file));
+  } catch (const IoError& error) {
+    const toml::node* node = root["wall"]["blocks"].node();
+    context.fault("wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),
+                  "the path counts from the folder of the model file");
+  }
+}
+
+}  // namespace wythe::io

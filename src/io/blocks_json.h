@@ -1,0 +1,12 @@
+// Blocks files: JSON with polygons or boxes (docs/reference/blocks.md).
+#pragma once
+
+#include "io/toml_reader.h"
+
+namespace wythe::io {
+
+// Reads spec.wall.blocks (relative to spec.folder) into spec.block, and its thickness where
+// wall.thickness is unset. Faults stand at wall.blocks, in the blocks file, with the block's id.
+void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec);
+
+}  // namespace wythe::io

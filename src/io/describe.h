@@ -1,0 +1,380 @@
+// The one description of the input: every key of a model file with its member, unit, range, words,
+// meaning and example.
+//
+//   describe(visitor, spec)      visitor reads, writes, compares or documents; it offers
+//     quantity, quantities       double, vector<double> with a unit
+//     number, integer, flag      double without unit, int, bool
+//     text, texts, choice        string, vector<string>, an enum by its words
+//     table, list, map           a struct, a vector of structs [[..]], structs by name [..<name>]
+//
+// Visitors: toml_reader.h, toml_writer.cpp, reference.cpp, same_spec.cpp. A new key is one line
+// here and nothing elsewhere. Order here is order in written files and in the reference page.
+#pragma once
+
+#include "io/key.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::io {
+
+inline constexpr Word<Bond> kBondWords[] = {{"running", Bond::kRunning},
+                                            {"stack", Bond::kStack},
+                                            {"flemish", Bond::kFlemish},
+                                            {"english", Bond::kEnglish},
+                                            {"header", Bond::kHeader}};
+inline constexpr Word<Split> kSplitWords[] = {{"middle", Split::kMiddle}, {"none", Split::kNone}};
+inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
+inline constexpr Word<Freedom> kFreedomWords[] = {{"free", Freedom::kFree},
+                                                  {"blocked", Freedom::kBlocked}};
+inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kBilinear},
+                                                      {"exponential", Softening::kExponential},
+                                                      {"polynomial", Softening::kPolynomial},
+                                                      {"petersson", Softening::kPetersson}};
+inline constexpr Word<Coupling> kCouplingWords[] = {{"union", Coupling::kUnion},
+                                                    {"maximum", Coupling::kMaximum},
+                                                    {"stiffness", Coupling::kStiffness}};
+inline constexpr Word<Unloading> kUnloadingWords[] = {{"secant", Unloading::kSecant},
+                                                      {"elastic", Unloading::kElastic}};
+inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
+                                                {"plate", Manner::kPlate},
+                                                {"spreader", Manner::kSpreader},
+                                                {"each", Manner::kEach}};
+inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
+                                                      {"-x", Direction::kMinusX},
+                                                      {"+y", Direction::kPlusY},
+                                                      {"-y", Direction::kMinusY}};
+inline constexpr Word<StageKind> kStageKindWords[] = {
+    {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad},
+    {"push", StageKind::kPush},            {"body_force", StageKind::kBodyForce},
+    {"tilt", StageKind::kTilt},            {"hold", StageKind::kHold}};
+
+inline constexpr Kinds kLoadStage = kind_bit(StageKind::kLoad);
+inline constexpr Kinds kPushStage = kind_bit(StageKind::kPush);
+inline constexpr Kinds kBodyForceStage = kind_bit(StageKind::kBodyForce);
+inline constexpr Kinds kTiltStage = kind_bit(StageKind::kTilt);
+inline constexpr Kinds kHoldStage = kind_bit(StageKind::kHold);
+inline constexpr Kinds kDirectedStage = kPushStage | kBodyForceStage | kTiltStage;
+inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage | kDirectedStage;
+
+// --- wall ----------------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, LintelSpec& s) {
+  v.text("kind", s.kind, {.fallback = "no lintel", .example = "timber",
+         .doc = "What it is made of, a word for the reader; its presence makes the lintel."});
+  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "one course", .example = "110 mm",
+             .doc = "Structural depth; the lintel occupies the nearest whole number of courses."});
+  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kNotNegative,
+             .fallback = "needed with a lintel", .example = "150 mm",
+             .doc = "Length of support on each side of the opening."});
+  v.text("material", s.material, {.fallback = "needed with a lintel", .example = "timber",
+         .doc = "Name of the material with the lintel's density and moduli."});
+  v.text("bond", s.bond, {.example = "joint",
+         .doc = "Name of the joint material between lintel and masonry."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, OpeningSpec& s) {
+  v.text("name", s.name, {.fallback = "none", .example = "door",
+         .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kNotNegative, .fallback = "required",
+             .example = "1.70 m", .doc = "Left jamb, from the wall's left end."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kNotNegative, .fallback = "required",
+             .example = "0.90 m", .doc = "Sill above the wall's base; 0 m for a door."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "required", .example = "1.70 m", .doc = "Clear width."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "required", .example = "2.64 m", .doc = "Clear height, sill to soffit."});
+  v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .doc = "The lintel over the opening."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, UnitSpec& s) {
+  v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "required", .example = "310 mm",
+             .doc = "Nominal length of a unit, head joint included; fitted to whole half units."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "required", .example = "110 mm",
+             .doc = "Nominal course height, bed joint included; fitted to whole courses."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "half the length", .example = "155 mm",
+             .doc = "Width of a header's face, joint included (flemish, english, header bond)."});
+  v.choice("split", s.split, kSplitWords, {.example = "middle",
+           .doc = "Potential crack plane inside each unit: down its middle, or none."});
+  v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
+             .fallback = "required", .example = "1250 kg/m^3",
+             .doc = "Density of the masonry, units and mortar together."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, BeamSpec& s) {
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "no beam", .example = "250 mm",
+             .doc = "Height of a rigid beam over the whole wall top; its presence makes the beam."});
+  v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kNotNegative,
+             .example = "2400 kg/m^3", .doc = "Density of the beam; 0 kg/m^3 for a light one."});
+  v.choice("rotation", s.rotation, kFreedomWords, {.example = "blocked",
+           .doc = "Whether the beam may turn: free for a cantilever, blocked for double fixity."});
+  v.text("joint", s.joint, {.example = "joint",
+         .doc = "Name of the joint material between beam and masonry."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, WallSpec& s) {
+  v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "required", .example = "5.10 m", .doc = "Length of the wall."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "required", .example = "3.62 m", .doc = "Height of the masonry."});
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "required", .example = "0.31 m",
+             .doc = "Thickness out of the plane; may stand in the blocks file instead."});
+  v.choice("bond", s.bond, kBondWords, {.example = "running", .doc = "How the units are laid."});
+  v.choice("fit", s.fit, kFitWords, {.example = "cut",
+           .doc = "Where units or courses do not divide the wall evenly: `whole` fits their size "
+                  "by up to 2 % and reports it, `cut` keeps it and cuts units at the edges."});
+  v.text("blocks", s.blocks, {.fallback = "the bond pattern", .example = "stones.json",
+         .doc = "Blocks file (JSON), relative to the model file. It replaces length, height, bond, "
+                "the unit's sizes and the openings."});
+  v.table("unit", s.unit, {.optional = true, .doc = "The masonry unit."});
+  v.list("opening", s.opening, {.doc = "One table for each door or window."});
+  v.table("beam", s.beam, {.optional = true, .doc = "A loading beam over the whole wall top."});
+}
+
+// --- materials -----------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe_elasticity(Visitor& v, JointMaterial& m) {
+  v.quantity("normal_stiffness", m.normal_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
+             .range = kPositive, .fallback = "required", .example = "20 GPa/m",
+             .doc = "kn, normal stress per opening or closing."});
+  v.quantity("shear_stiffness", m.shear_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
+             .range = kPositive, .fallback = "required", .example = "8 GPa/m",
+             .doc = "ks, shear stress per slip."});
+}
+
+template <class Visitor>
+void describe_strength(Visitor& v, JointMaterial& m) {
+  v.quantity("tensile_strength", m.tensile_strength, {.unit = "Pa", .shown = "MPa",
+             .range = kNotNegative, .fallback = "required", .example = "0.15 MPa",
+             .doc = "ft, normal to the joint; 0 MPa for a dry joint."});
+  v.quantity("cohesion", m.cohesion, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
+             .fallback = "required", .example = "0.15 MPa",
+             .doc = "c, shear strength at zero normal stress; 0 MPa for a dry joint."});
+  v.quantity("friction_angle", m.friction_angle, {.unit = "rad", .shown = "deg",
+             .range = kFrictionAngle, .fallback = "required", .example = "16.2 deg",
+             .doc = "Friction angle of the intact joint."});
+  v.quantity("residual_friction_angle", m.residual_friction_angle, {.unit = "rad", .shown = "deg",
+             .range = kFrictionAngle, .fallback = "required", .example = "14.6 deg",
+             .doc = "Friction angle once the joint has broken."});
+  v.quantity("residual_cohesion", m.residual_cohesion, {.unit = "Pa", .shown = "MPa",
+             .range = kNotNegative, .fallback = "required", .example = "0 MPa",
+             .doc = "Cohesion left once the joint has broken."});
+  v.quantity("compressive_strength", m.compressive_strength, {.unit = "Pa", .shown = "MPa",
+             .range = kPositive, .may_be_unlimited = true, .fallback = "required",
+             .example = "3.96 MPa",
+             .doc = "fc of the masonry, lumped in the joint; \"unlimited\" for no crushing."});
+}
+
+template <class Visitor>
+void describe_fracture(Visitor& v, JointMaterial& m) {
+  v.quantity("mode_1_energy", m.mode_1_energy, {.unit = "N/m", .shown = "N/m",
+             .range = kNotNegative, .fallback = "needed where the joint has tensile strength",
+             .example = "4.3 N/m",
+             .doc = "GI, energy to open a unit area fully: the whole area under the curve."});
+  v.quantity("mode_2_energy", m.mode_2_energy, {.unit = "N/m", .shown = "N/m",
+             .range = kNotNegative, .fallback = "needed where shear strength drops",
+             .example = "125 N/m",
+             .doc = "GII, energy to shear a unit area through, above the residual friction."});
+  v.quantity("compressive_energy", m.compressive_energy, {.unit = "N/m", .shown = "N/m",
+             .range = kNotNegative, .fallback = "needed where fc is limited",
+             .example = "12800 N/m",
+             .doc = "Gc, energy to crush a unit area: the whole area under the curve."});
+  v.choice("softening", m.softening, kSofteningWords, {.example = "bilinear",
+           .doc = "Shape of the falling branch in tension and shear; the energy stays the same."});
+  v.choice("coupling", m.coupling, kCouplingWords, {.example = "union",
+           .doc = "How damage in tension and in shear combine: dt + ds - dt ds, the larger, or "
+                  "the loss of stiffness acting on shear."});
+  v.choice("unloading", m.unloading, kUnloadingWords, {.example = "secant",
+           .doc = "How an open joint closes: straight to the origin, or elastically to a set."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, JointMaterial& m) {
+  describe_elasticity(v, m);
+  describe_strength(v, m);
+  describe_fracture(v, m);
+  v.quantity("density", m.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kNotNegative,
+             .fallback = "needed for a lintel or a block", .example = "600 kg/m^3",
+             .doc = "Density, for a material that is a body: a lintel, a plate, a block."});
+  v.quantity("youngs_modulus", m.youngs_modulus, {.unit = "Pa", .shown = "GPa",
+             .range = kPositive, .fallback = "needed for a lintel", .example = "10 GPa",
+             .doc = "E along a lintel."});
+  v.quantity("shear_modulus", m.shear_modulus, {.unit = "Pa", .shown = "GPa",
+             .range = kPositive, .fallback = "needed for a lintel", .example = "0.6 GPa",
+             .doc = "G of a lintel."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, ContactRule& s) {
+  v.texts("between", s.between, {.count = 2, .fallback = "required",
+          .example = "[\"stone\", \"ground\"]",
+          .doc = "Two block materials of a blocks file; `ground` is the support."});
+  v.text("material", s.material, {.fallback = "required", .example = "joint",
+         .doc = "Name of the joint material between them."});
+}
+
+// --- stages --------------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, PlaceSpec& s) {
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .fallback = "none", .example = "0 m",
+             .doc = "A point in the block pushed, or the left end of a box; from the wall's left."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .fallback = "none", .example = "3.12 m",
+             .doc = "The same, above the wall's base."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kPositive, .fallback = "none",
+             .example = "0.5 m",
+             .doc = "With height: every block whose centre lies in the box is pushed."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+             .fallback = "none", .example = "0.3 m", .doc = "Height of that box."});
+  v.integer("courses", s.courses, {.range = kFromOne, .example = "3",
+            .doc = "Widens a point to so many courses, centred on its own."});
+  v.text("block", s.block, {.fallback = "none", .example = "b12",
+         .doc = "One block by its id, instead of a point."});
+  v.flag("beam", s.beam, {.example = "true", .doc = "The loading beam, instead of a point."});
+}
+
+template <class Visitor>
+void describe_load(Visitor& v, StageSpec& s) {
+  v.quantity("pier_load", s.pier_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
+             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "200 kN",
+             .doc = "Vertical load on the top of each pier, downwards."});
+  v.quantity("pressure", s.pressure, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
+             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "0.3 MPa",
+             .doc = "Vertical pressure on the whole wall top, downwards."});
+  v.quantity("beam_load", s.beam_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
+             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "100 kN",
+             .doc = "Vertical load on the centre of the loading beam, downwards."});
+  v.choice("as", s.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
+           .fallback = "pressure (load), spreader (push)", .example = "plate",
+           .doc = "A load acts as an even pressure or through a free stiff plate; a push moves "
+                  "its blocks through a spreader (equal forces on the mean) or each the same way."});
+  v.text("plate_joint", s.plate_joint, {.kinds = kLoadStage, .example = "foundation",
+         .doc = "Name of the joint material under a plate."});
+}
+
+template <class Visitor>
+void describe_push(Visitor& v, StageSpec& s) {
+  v.table("at", s.at, {.kinds = kPushStage, .in_braces = true, .optional = true,
+          .fallback = "required", .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
+          .doc = "The blocks that are pushed: a point, a box, one block or the beam."});
+  v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
+           .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
+  v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kPositive,
+             .kinds = kPushStage, .fallback = "required", .example = "10 mm/s",
+             .doc = "Speed of the push; slow enough when half of it gives the same curve."});
+  v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kPositive,
+             .kinds = kPushStage, .fallback = "required, or targets", .example = "50 mm",
+             .doc = "Displacement at which the push ends."});
+  v.quantities("targets", s.targets, {.unit = "m", .shown = "mm", .kinds = kPushStage,
+               .fallback = "none", .example = "[\"2 mm\", \"-2 mm\", \"4 mm\"]",
+               .doc = "Cyclic push: displacements along `direction`, reached in turn."});
+  v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
+           .example = "0.2",
+           .doc = "End early when the reaction stays below this share of its peak; 0: never."});
+  v.choice("rotation", s.rotation, kFreedomWords, {.kinds = kPushStage, .example = "blocked",
+           .doc = "Whether the pushed blocks may turn."});
+  v.choice("across", s.across, kFreedomWords, {.kinds = kPushStage, .example = "blocked",
+           .doc = "Whether the pushed blocks may move across the push."});
+}
+
+template <class Visitor>
+void describe_other_drives(Visitor& v, StageSpec& s) {
+  v.quantity("rate", s.rate, {.unit = "1/s", .shown = "1/s", .range = kPositive,
+             .kinds = kBodyForceStage, .fallback = "required", .example = "0.05 1/s",
+             .doc = "Growth of the factor lambda; every block carries lambda times its weight."});
+  v.number("factor", s.factor, {.range = kPositive, .kinds = kBodyForceStage,
+           .fallback = "required", .example = "0.5", .doc = "Largest lambda."});
+  v.quantity("tilt_rate", s.tilt_rate, {.unit = "rad/s", .shown = "deg/s", .range = kPositive,
+             .kinds = kTiltStage, .fallback = "required", .example = "1 deg/s",
+             .doc = "Speed at which the ground tilts."});
+  v.quantity("tilt_until", s.tilt_until, {.unit = "rad", .shown = "deg", .range = kTiltAngle,
+             .kinds = kTiltStage, .fallback = "required", .example = "30 deg",
+             .doc = "Tilt at which the stage ends."});
+  v.quantity("duration", s.duration, {.unit = "s", .shown = "s", .range = kPositive,
+             .kinds = kHoldStage, .fallback = "required", .example = "1 s",
+             .doc = "How long everything is held as it is."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, StageSpec& s) {
+  v.text("name", s.name, {.fallback = "required", .example = "push",
+         .doc = "Its name, different from the other stages'; `--set stage.push.velocity=...` "
+                "finds it by this."});
+  v.choice("kind", s.kind, kStageKindWords, {.fallback = "told from the other keys",
+           .example = "push", .doc = "What the stage does; a stage named gravity is one."});
+  v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
+             .kinds = kRampedStage, .fallback = "chosen from the wall's period",
+             .example = "0.1 s", .doc = "Duration of the smooth start."});
+  v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping",
+           .example = "0.8", .doc = "Local damping in this stage."});
+  describe_load(v, s);
+  describe_push(v, s);
+  describe_other_drives(v, s);
+}
+
+// --- settings ------------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, SolveSpec& s) {
+  v.integer("points_per_face", s.points_per_face, {.range = {.low = 2, .high = 16},
+            .example = "3",
+            .doc = "Contact points along a joint. 2 at the ends, as in block codes, make a joint "
+                   "three times stiffer in rotation than a continuous one."});
+  v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.5",
+           .doc = "Time step as a share of the stable bound 2 / omega_max; the bound is on the "
+                  "safe side, half of it leaves room for contacts that form later."});
+  v.number("damping", s.damping, {.range = kBelowOne, .example = "0.8",
+           .doc = "Local damping (Cundall): this share of the unbalanced force opposes the motion."});
+  v.quantity("gravity", s.gravity, {.unit = "m/s^2", .shown = "m/s^2", .range = kNotNegative,
+             .example = "9.81 m/s^2", .doc = "Acceleration of gravity, downwards."});
+  v.number("settle_ratio", s.settle_ratio, {.range = kPositive, .example = "1e-5",
+           .doc = "A stage has settled when unbalanced over contact forces fall below this."});
+  v.quantity("settle_limit", s.settle_limit, {.unit = "s", .shown = "s", .range = kPositive,
+             .example = "20 s", .doc = "Time after which settling is given up (not_settled)."});
+  v.number("mass_scaling", s.mass_scaling, {.range = kFromOne, .example = "1",
+           .doc = "Density scaling of the quasi-static stages before the first push."});
+  v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
+             .range = kPositive, .fallback = "the smallest block height", .example = "110 mm",
+             .doc = "A block that moved so far from where it stood has fallen: the wall collapsed."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, OutputSpec& s) {
+  v.integer("rows", s.rows, {.range = {.low = 10, .high = 1e6}, .example = "500",
+            .doc = "Rows of force_displacement.csv."});
+  v.quantity("window", s.window, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "one row", .example = "0.1 mm",
+             .doc = "Displacement over which forces are averaged."});
+  v.quantities("states", s.states, {.unit = "m", .shown = "mm", .fallback = "none",
+               .example = "[\"10 mm\", \"20 mm\"]",
+               .doc = "Displacements at which a state is written for ParaView, besides start, "
+                      "peak and end."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, ModelSpec& s) {
+  v.text("name", s.name, {.fallback = "none", .example = "tuff wall",
+         .doc = "Title of the report."});
+  v.text("note", s.note, {.fallback = "none", .example = "Table 1 of the paper",
+         .doc = "Anything worth remembering."});
+  v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
+  v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
+        "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
+        "given elsewhere; bodies (lintels, blocks) need density and moduli only."});
+  v.list("contact", s.contact, {.doc = "For blocks files: which joint stands between which blocks."});
+  v.list("stage", s.stage, {.doc = "What is done to the wall, in turn. At least one."});
+  v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});
+  v.table("output", s.output, {.doc = "What is written."});
+}
+
+}  // namespace wythe::io

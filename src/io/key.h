@@ -1,0 +1,64 @@
+// What a description says about one key, besides its name and its place in the struct.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "wythe/wall_spec.h"
+
+namespace wythe::io {
+
+// Admissible values, in SI; the open ends are not admissible themselves.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+
+  [[nodiscard]] bool holds(double value) const {
+    const bool above = low_open ? value > low : value >= low;
+    return above && (high_open ? value < high : value <= high);
+  }
+};
+
+inline constexpr double kQuarterTurn = 1.57079632679489661923;  // [rad]
+inline constexpr Range kAnyValue{};
+inline constexpr Range kPositive{.low = 0, .low_open = true};
+inline constexpr Range kNotNegative{.low = 0};
+inline constexpr Range kFromOne{.low = 1};
+inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};
+inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};
+inline constexpr Range kFrictionAngle{.low = 0, .high = kQuarterTurn, .high_open = true};
+inline constexpr Range kTiltAngle{
+    .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
+
+// Stage kinds a key belongs to, as a bit set; 0 stands for every kind (and for all other tables).
+using Kinds = unsigned;
+constexpr Kinds kind_bit(StageKind kind) { return 1U << static_cast<unsigned>(kind); }
+
+struct Key {
+  const char* unit = "";        // SI unit of a quantity
+  const char* shown = "";       // unit an engineer writes it in
+  Range range = kAnyValue;
+  bool may_be_unlimited = false;
+  int count = 0;                // of a list of words: how many, 0 for any number
+  Kinds kinds = 0;
+  bool in_braces = false;       // table written as key = { ... }
+  bool optional = false;        // table left out while it says nothing
+  const char* fallback = "";    // what holds where the key is absent and has no value of its own
+  const char* example = "";     // as in the file, a quantity or text without its quotes
+  const char* doc = "";
+};
+
+// One word of an enumeration.
+template <class E>
+struct Word {
+  const char* word;
+  E value;
+};
+
+[[nodiscard]] inline std::string under(const std::string& path, const std::string& name) {
+  return path.empty() ? name : path + '.' + name;
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,84 @@
+// The files of `wythe run`, all but report.html (contract: docs/reference/results.md).
+//
+//   force_displacement.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
+//   run.pvd                  summary.json, written last: where it is, the others are whole
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "io/curve_csv.h"
+#include "io/summary_json.h"
+#include "io/vtu.h"
+#include "io/write_file.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string inside(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+// Files of an earlier run in the same folder that this one may not replace.
+void remove_stale(const std::string& folder) {
+  std::error_code error;
+  fs::remove(inside(folder, "summary.json"), error);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_state = name.starts_with("state_blocks_") || name.starts_with("state_joints_");
+    std::error_code ignored;
+    if (is_state && name.ends_with(".vtu")) fs::remove(entry.path(), ignored);
+  }
+}
+
+void write_states(const std::string& folder, const Model& model,
+                  const std::vector<Snapshot>& snapshots) {
+  std::vector<io::SeriesEntry> series;
+  int number = 0;
+  for (const Snapshot& snapshot : snapshots) {
+    const std::string blocks = fmt::format("state_blocks_{:02}.vtu", number);
+    const std::string joints = fmt::format("state_joints_{:02}.vtu", number);
+    const std::vector<PointStress> points = point_stresses(model, snapshot.state);
+    io::write_file(inside(folder, blocks), io::blocks_vtu(model, snapshot.state));
+    io::write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state, points));
+    const double millimetres = snapshot.displacement * 1e3;
+    series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
+    series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});
+    ++number;
+  }
+  io::write_file(inside(folder, "run.pvd"), io::series_pvd(series));
+}
+
+}  // namespace
+
+void prepare_folder(const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw IoError(folder + ": is a file; name a folder for the results");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
+  // a real write of some size: permissions, read-only mounts and full disks all show here
+  const std::string probe = inside(folder, ".wythe_probe");
+  io::write_file(probe, std::string(65536, ' '));
+  fs::remove(probe, error);
+}
+
+void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
+               const Result& result) {
+  prepare_folder(folder);
+  remove_stale(folder);
+  io::write_file(inside(folder, "force_displacement.csv"), io::curve_csv(result.curve));
+  io::write_file(inside(folder, "model.used.toml"), write_model(spec));
+  write_states(folder, model, result.snapshots);
+  io::write_file(inside(folder, "summary.json"), io::summary_json(model, result));
+}
+
+void write_text(const std::string& path, const std::string& text) { io::write_file(path, text); }
+
+}  // namespace wythe

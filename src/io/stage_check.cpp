@@ -1,0 +1,168 @@
+// What a stage's keys must be together: its kind is told from them, a kind needs some and knows
+// only its own.
+#include <algorithm>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "io/toml_reader.h"
+
+namespace wythe::io {
+namespace {
+
+std::string word_of(StageKind kind) {
+  for (const auto& word : kStageKindWords)
+    if (word.value == kind) return word.word;
+  return "";
+}
+
+std::string words_of(Kinds kinds) {
+  std::vector<std::string> words;
+  for (const auto& word : kStageKindWords)
+    if (kinds & kind_bit(word.value)) words.emplace_back(word.word);
+  return joined(words, ", ");
+}
+
+bool is_one_kind(Kinds kinds) { return kinds != 0 && (kinds & (kinds - 1)) == 0; }
+
+// Union of the kinds that the keys present belong to alone.
+Kinds told_kinds(const Reader& reader) {
+  Kinds told = 0;
+  for (const Reader::Entry& entry : reader.entries())
+    if (entry.node && is_one_kind(entry.key.kinds)) told |= entry.key.kinds;
+  return told;
+}
+
+std::string telling_keys(const Reader& reader) {
+  std::vector<std::string> out;
+  for (const Reader::Entry& entry : reader.entries())
+    if (entry.node && is_one_kind(entry.key.kinds))
+      out.push_back(fmt::format("{} ({})", entry.name, words_of(entry.key.kinds)));
+  return joined(out, ", ");
+}
+
+// Sets stage.kind; false when the keys don't settle it.
+bool tell_kind(Reader& reader, StageSpec& stage) {
+  if (reader.has("kind")) return !reader.context().has_fault_at(reader.below("kind"));
+  const Kinds told = told_kinds(reader);
+  if (told == 0) {
+    if (stage.name == "gravity") return true;
+    reader.miss("kind", "can't be told, the stage has no key of any one kind",
+                "write kind = \"gravity\", or velocity (push), pier_load, pressure or beam_load "
+                "(load), rate (body_force), tilt_rate (tilt), duration (hold)");
+    return false;
+  }
+  if (!is_one_kind(told)) {
+    reader.refuse_table("has keys of several kinds: " + telling_keys(reader),
+                        "make them separate stages");
+    return false;
+  }
+  for (const auto& word : kStageKindWords)
+    if (kind_bit(word.value) == told) stage.kind = word.value;
+  return true;
+}
+
+void refuse_foreign_keys(Reader& reader, StageKind kind) {
+  for (const Reader::Entry& entry : reader.entries()) {
+    const bool foreign = entry.key.kinds != 0 && !(entry.key.kinds & kind_bit(kind));
+    if (entry.node && foreign)
+      reader.refuse(entry.name,
+                    fmt::format("a {} stage has no such key", word_of(kind)),
+                    fmt::format("it belongs to stages of kind {}", words_of(entry.key.kinds)));
+  }
+}
+
+void need(Reader& reader, StageKind kind, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (!reader.has(name))
+      reader.miss(name, fmt::format("is missing, a {} stage needs it", word_of(kind)));
+}
+
+void check_load(Reader& reader) {
+  const auto is_given = [&](const char* name) { return reader.has(name); };
+  const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load"};
+  const auto given = std::count_if(loads.begin(), loads.end(), is_given);
+  if (given == 0)
+    reader.refuse_table("a load stage needs pier_load, pressure or beam_load",
+                        "write e.g. pier_load = \"200 kN\"");
+  if (given > 1)
+    reader.refuse_table("has more than one of pier_load, pressure and beam_load",
+                        "make them separate stages");
+}
+
+void check_place(Reader& reader, const PlaceSpec& at) {
+  const bool has_x = at.x == at.x, has_y = at.y == at.y;
+  const bool has_width = at.width == at.width, has_height = at.height == at.height;
+  const int ways = (has_x || has_y ? 1 : 0) + (at.block.empty() ? 0 : 1) + (at.beam ? 1 : 0);
+  const char* cure = "write e.g. at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }";
+  if (reader.context().has_fault_at(reader.below("at"))) return;
+  if (ways != 1)
+    reader.refuse("at", "must be one of: a point x and y, a block, the beam", cure);
+  else if (has_x != has_y)
+    reader.refuse("at", "needs both x and y", cure);
+  else if (has_width != has_height || (has_width && !has_x))
+    reader.refuse("at", "needs x, y, width and height for a box", cure);
+}
+
+// True when a value below `at` was refused already; its place is then half known.
+bool place_has_faults(Reader& reader) {
+  const std::string path = reader.below("at");
+  for (const char* name : {"x", "y", "width", "height", "block", "beam"})
+    if (reader.context().has_fault_at(under(path, name))) return true;
+  return false;
+}
+
+void check_push(Reader& reader, const StageSpec& stage) {
+  need(reader, StageKind::kPush, {"velocity", "at"});
+  if (!reader.has("until") && !reader.has("targets"))
+    reader.miss("until", "is missing, a push needs until or targets");
+  if (reader.has("targets") && stage.targets.empty() &&
+      !reader.context().has_fault_at(reader.below("targets")))
+    reader.refuse("targets", "is empty", "write e.g. targets = [\"2 mm\", \"-2 mm\"]");
+  if (reader.has("at") && !place_has_faults(reader)) check_place(reader, stage.at);
+}
+
+void check_manner(Reader& reader, const StageSpec& stage) {
+  if (!reader.has("as") || stage.as == Manner::kDefault) return;
+  const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
+  if (stage.kind == StageKind::kLoad && !of_load)
+    reader.refuse("as", "a load acts as pressure or plate", "write e.g. as = \"plate\"");
+  if (stage.kind == StageKind::kPush && of_load)
+    reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
+}
+
+void check_direction(Reader& reader, const StageSpec& stage) {
+  const bool sideways = stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
+  const bool tilts = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
+  if (tilts && !sideways)
+    reader.refuse("direction", fmt::format("a {} stage acts sideways", word_of(stage.kind)),
+                  "write direction = \"+x\" or \"-x\"");
+}
+
+void check_needs(Reader& reader, const StageSpec& stage) {
+  switch (stage.kind) {
+    case StageKind::kGravity: return;
+    case StageKind::kLoad: return check_load(reader);
+    case StageKind::kPush: return check_push(reader, stage);
+    case StageKind::kBodyForce: return need(reader, stage.kind, {"rate", "factor"});
+    case StageKind::kTilt: return need(reader, stage.kind, {"tilt_rate", "tilt_until"});
+    case StageKind::kHold: return need(reader, stage.kind, {"duration"});
+  }
+}
+
+}  // namespace
+
+void finish(Reader& reader, StageSpec& stage) {
+  if (!reader.has("name"))
+    reader.miss("name", "is missing, a stage needs one", "write e.g. name = \"push\"");
+  else if (stage.name.empty() && !reader.context().has_fault_at(reader.below("name")))
+    reader.refuse("name", "is empty", "write e.g. name = \"push\"");
+  if (!tell_kind(reader, stage)) return;
+  refuse_foreign_keys(reader, stage.kind);
+  check_needs(reader, stage);
+  check_manner(reader, stage);
+  check_direction(reader, stage);
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,188 @@
+#include "io/vtu.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "model/deformed.h"
+
+namespace wythe::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "byte_order below says little endian");
+
+constexpr std::uint8_t kVtkLine = 3;
+constexpr std::uint8_t kVtkPolygon = 7;
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  static constexpr char kDigit[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = bytes.size() - i;
+    std::uint32_t group = static_cast<std::uint32_t>(bytes[i]) << 16;
+    if (left > 1) group |= static_cast<std::uint32_t>(bytes[i + 1]) << 8;
+    if (left > 2) group |= bytes[i + 2];
+    text += kDigit[group >> 18];
+    text += kDigit[(group >> 12) & 63];
+    text += left > 1 ? kDigit[(group >> 6) & 63] : '=';
+    text += left > 2 ? kDigit[group & 63] : '=';
+  }
+  return text;
+}
+
+template <class T>
+constexpr const char* vtk_type();
+template <>
+constexpr const char* vtk_type<double>() {
+  return "Float64";
+}
+template <>
+constexpr const char* vtk_type<std::int64_t>() {
+  return "Int64";
+}
+template <>
+constexpr const char* vtk_type<std::int32_t>() {
+  return "Int32";
+}
+template <>
+constexpr const char* vtk_type<std::uint8_t>() {
+  return "UInt8";
+}
+
+// VTK's inline binary: the byte count (UInt64), then the values, as one base64 text.
+template <class T>
+std::string data_array(const char* name, const std::vector<T>& values, int components = 1) {
+  const std::uint64_t size = values.size() * sizeof(T);
+  std::vector<std::uint8_t> bytes(sizeof size + size);
+  std::memcpy(bytes.data(), &size, sizeof size);
+  if (size > 0) std::memcpy(bytes.data() + sizeof size, values.data(), size);
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">{}"
+      "</DataArray>\n",
+      vtk_type<T>(), name, components, base64(bytes));
+}
+
+// Points and cells while they are collected.
+struct Mesh {
+  std::vector<double> points;  // x, y, 0 of each point [m]
+  std::vector<std::int64_t> offsets;
+  std::uint8_t cell_type = kVtkPolygon;
+
+  void add_point(const PlacedPoint& p) { points.insert(points.end(), {p.x, p.y, 0.0}); }
+  void close_cell() { offsets.push_back(static_cast<std::int64_t>(points.size() / 3)); }
+};
+
+std::string mesh_vtu(const Mesh& mesh, const State& state, const std::string& cell_data) {
+  const std::size_t n_point = mesh.points.size() / 3;
+  std::vector<std::int64_t> connectivity(n_point);
+  for (std::size_t i = 0; i < n_point; ++i) connectivity[i] = static_cast<std::int64_t>(i);
+  const std::vector<std::uint8_t> types(mesh.offsets.size(), mesh.cell_type);
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
+  text += fmt::format(
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
+      "</DataArray>\n</FieldData>\n",
+      state.time);
+  text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", n_point,
+                      mesh.offsets.size());
+  text += "<Points>\n" + data_array("Points", mesh.points, 3) + "</Points>\n<Cells>\n";
+  text += data_array("connectivity", connectivity) + data_array("offsets", mesh.offsets) +
+          data_array("types", types) + "</Cells>\n<CellData>\n" + cell_data;
+  return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+// The cell arrays of the joints, one value a joint.
+struct JointColumns {
+  std::vector<double> opening, slip, damage, damage_tension, damage_shear, normal, shear, crushing;
+  std::vector<std::int32_t> kind, joint;
+};
+
+// Reduces the points of one joint to its row (see vtu.h for the rule of each column).
+void add_joint(JointColumns& columns, const Model& model, JointId joint,
+               const std::vector<PointStress>& points) {
+  PointStress row;
+  row.opening = -HUGE_VAL;
+  for (int k = 0; k < model.n_face_point; ++k) {
+    const PointStress& point = points[joint * model.n_face_point + k];
+    row.opening = std::fmax(row.opening, point.opening);
+    if (std::abs(point.slip) > std::abs(row.slip)) row.slip = point.slip;
+    row.damage = std::fmax(row.damage, point.damage);
+    row.damage_tension = std::fmax(row.damage_tension, point.damage_tension);
+    row.damage_shear = std::fmax(row.damage_shear, point.damage_shear);
+    row.crushing = std::fmax(row.crushing, point.crushing);
+    row.normal_stress += model.point_weight[k] * point.normal_stress;
+    row.shear_stress += model.point_weight[k] * point.shear_stress;
+  }
+  columns.opening.push_back(row.opening * 1e3);
+  columns.slip.push_back(row.slip * 1e3);
+  columns.damage.push_back(row.damage);
+  columns.damage_tension.push_back(row.damage_tension);
+  columns.damage_shear.push_back(row.damage_shear);
+  columns.normal.push_back(row.normal_stress * 1e-6);
+  columns.shear.push_back(row.shear_stress * 1e-6);
+  columns.crushing.push_back(row.crushing);
+  columns.kind.push_back(static_cast<std::int32_t>(model.anatomy.joint_kind[joint]));
+  columns.joint.push_back(joint);
+}
+
+}  // namespace
+
+std::string blocks_vtu(const Model& model, const State& state) {
+  Mesh mesh;
+  std::vector<double> displacement, rotation;
+  std::vector<std::int32_t> role, course, block;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    for (const PlacedPoint& p : placed_outline(model, state, b)) mesh.add_point(p);
+    mesh.close_cell();
+    displacement.insert(displacement.end(), {state.ux[b] * 1e3, state.uy[b] * 1e3, 0.0});
+    rotation.push_back(state.theta[b] * 1e3);
+    role.push_back(static_cast<std::int32_t>(model.anatomy.block_role[b]));
+    course.push_back(model.anatomy.block_course[b]);
+    block.push_back(b);
+  }
+  return mesh_vtu(mesh, state,
+                  data_array("displacement_mm", displacement, 3) +
+                      data_array("rotation_mrad", rotation) + data_array("role", role) +
+                      data_array("course", course) + data_array("block", block));
+}
+
+std::string joints_vtu(const Model& model, const State& state,
+                       const std::vector<PointStress>& points) {
+  Mesh mesh;
+  mesh.cell_type = kVtkLine;
+  JointColumns columns;
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    for (const PlacedPoint& p : placed_joint(model, state, j)) mesh.add_point(p);
+    mesh.close_cell();
+    add_joint(columns, model, j, points);
+  }
+  return mesh_vtu(
+      mesh, state,
+      data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
+          data_array("damage", columns.damage) +
+          data_array("damage_tension", columns.damage_tension) +
+          data_array("damage_shear", columns.damage_shear) +
+          data_array("normal_stress_MPa", columns.normal) +
+          data_array("shear_stress_MPa", columns.shear) + data_array("crushing", columns.crushing) +
+          data_array("kind", columns.kind) + data_array("joint", columns.joint));
+}
+
+std::string series_pvd(const std::vector<SeriesEntry>& entries) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<!-- timestep: displacement of the push [mm] -->\n"
+      "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const SeriesEntry& entry : entries) {
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n",
+                        entry.time, entry.part, entry.name, entry.file);
+  }
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace wythe::io

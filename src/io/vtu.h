@@ -1,0 +1,31 @@
+// VTK XML files of a state, for ParaView: blocks as polygons, joints as lines, both where they are.
+//
+// Arrays are base64 of little-endian doubles, so that every bit and every NaN survives.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/model.h"
+#include "wythe/result.h"
+
+namespace wythe::io {
+
+// Cells: blocks. displacement_mm (3), rotation_mrad, role (BlockRole), course, block (BlockId).
+[[nodiscard]] std::string blocks_vtu(const Model& model, const State& state);
+
+// Cells: joints. Of a joint's points: opening_mm, damages and crushing are the largest, slip_mm the
+// one of largest magnitude, stresses the area-weighted mean; kind (JointKind), joint (JointId).
+[[nodiscard]] std::string joints_vtu(const Model& model, const State& state,
+                                     const std::vector<PointStress>& points);
+
+// One row of the series; `time` is what ParaView's time slider shows: the displacement [mm].
+struct SeriesEntry {
+  double time = 0;
+  int part = 0;
+  std::string name;  // of the part
+  std::string file;  // relative to the .pvd
+};
+[[nodiscard]] std::string series_pvd(const std::vector<SeriesEntry>& entries);
+
+}  // namespace wythe::io

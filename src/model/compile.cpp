@@ -1,0 +1,127 @@
+// compile(): spec -> assembly -> flat arrays. Called once per run; throws InputError with all faults.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/parts.h"
+#include "model/step_bound.h"
+
+namespace wythe {
+namespace {
+
+using geometry::Assembly;
+using geometry::Role;
+
+BlockRole role_of(Role role) {
+  switch (role) {
+    case Role::kLintel: return BlockRole::kLintel;
+    case Role::kPlate: return BlockRole::kPlate;
+    case Role::kBeam: return BlockRole::kBeam;
+    case Role::kMasonry:
+    case Role::kSupport: break;
+  }
+  return BlockRole::kMasonry;
+}
+
+// A massless beam still needs inertia to move: that of masonry.
+double inertial_density(const geometry::Block& block) {
+  constexpr double kStandIn = 2000.0;  // [kg/m^3]
+  return block.density > 0 ? block.density : kStandIn;
+}
+
+double height_of(const geometry::Block& block) {
+  const auto [low, high] = std::minmax_element(
+      block.outline.begin(), block.outline.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  return high->y - low->y;
+}
+
+void copy_report(const Assembly& assembly, Anatomy& anatomy) {
+  for (const geometry::Pier& pier : assembly.piers) {
+    anatomy.pier_x0.push_back(pier.x0);
+    anatomy.pier_x1.push_back(pier.x1);
+    anatomy.pier_height.push_back(pier.height);
+  }
+  anatomy.length = assembly.length;
+  anatomy.height = assembly.height;
+  anatomy.thickness = assembly.thickness;
+  anatomy.half_unit = assembly.report.half_unit;
+  anatomy.course_height = assembly.report.course;
+  anatomy.courses = assembly.report.courses;
+  anatomy.masonry_blocks_before_lintels = assembly.report.masonry_blocks_before_lintels;
+  anatomy.lost_joints = assembly.report.lost_joints;
+  anatomy.notes = assembly.report.notes;
+}
+
+void check_settings(const SolveSpec& solve, FaultList& faults) {
+  const auto fault = [&](const char* path, double value, const char* problem, const char* cure) {
+    faults.add({"", path, std::to_string(value), problem, cure, 0});
+  };
+  if (solve.points_per_face < 2 || solve.points_per_face > 16)
+    fault("solve.points_per_face", solve.points_per_face, "must be between 2 and 16", "write points_per_face = 2");
+  if (!(solve.step_fraction > 0 && solve.step_fraction <= 1))
+    fault("solve.step_fraction", solve.step_fraction, "must be above 0 and at most 1", "write step_fraction = 0.5");
+  if (!(solve.gravity > 0))
+    fault("solve.gravity", solve.gravity, "must be positive", "write gravity = \"9.81 m/s^2\"");
+}
+
+}  // namespace
+
+BlockMap compile_blocks(const Assembly& assembly, Model& model) {
+  BlockMap map;
+  Anatomy& anatomy = model.anatomy;
+  anatomy.support_begin.push_back(0);
+  anatomy.outline_begin.push_back(0);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const geometry::Block& block : assembly.blocks) {
+    if (block.role == Role::kSupport) {
+      map.push_back(kGroundBlock);
+      for (const geometry::Vec2& v : block.outline) {
+        anatomy.support_x.push_back(v.x);
+        anatomy.support_y.push_back(v.y);
+      }
+      anatomy.support_begin.push_back(static_cast<int>(anatomy.support_x.size()));
+      continue;
+    }
+    map.push_back(model.n_block++);
+    const geometry::PolygonMoments moments = geometry::moments(block.outline);
+    const double mass = inertial_density(block) * moments.area * block.thickness;
+    const bool weighs = block.role != Role::kPlate && block.density > 0;
+    model.mass.push_back(mass);
+    model.heavy_mass.push_back(weighs ? mass : 0.0);
+    model.inertia.push_back(mass * moments.polar / moments.area);
+    model.centroid_x.push_back(moments.centroid.x);
+    model.centroid_y.push_back(moments.centroid.y);
+    anatomy.block_id.push_back(block.id);
+    anatomy.block_role.push_back(role_of(block.role));
+    anatomy.block_course.push_back(block.course);
+    anatomy.block_thickness.push_back(block.thickness);
+    for (const geometry::Vec2& v : block.outline) {
+      anatomy.outline_x.push_back(v.x);
+      anatomy.outline_y.push_back(v.y);
+    }
+    anatomy.outline_begin.push_back(static_cast<int>(anatomy.outline_x.size()));
+    if (block.role == Role::kMasonry) smallest = std::min(smallest, height_of(block));
+  }
+  if (std::isnan(model.solve.collapse_displacement)) model.solve.collapse_displacement = smallest;
+  return map;
+}
+
+Model compile(const ModelSpec& spec) {
+  FaultList faults;
+  check_settings(spec.solve, faults);
+  const Assembly assembly = geometry::build_assembly(spec, faults);
+  faults.throw_if_any();
+  Model model;
+  model.solve = spec.solve;
+  model.output = spec.output;
+  copy_report(assembly, model.anatomy);
+  const BlockMap map = compile_blocks(assembly, model);
+  compile_joints(spec, assembly, map, model, faults);
+  compile_stages(spec, assembly, map, model, faults);
+  faults.throw_if_any();
+  bound_step(model);
+  for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  return model;
+}
+
+}  // namespace wythe

@@ -1,0 +1,204 @@
+// Faces -> joints: arms, areas, materials and gather lists.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "model/parts.h"
+
+namespace wythe {
+namespace {
+
+using geometry::Assembly;
+using geometry::Face;
+using geometry::FaceKind;
+
+JointKind kind_of(FaceKind kind) {
+  switch (kind) {
+    case FaceKind::kBed: return JointKind::kBed;
+    case FaceKind::kHead: return JointKind::kHead;
+    case FaceKind::kSplit: return JointKind::kSplit;
+    case FaceKind::kFoundation: return JointKind::kFoundation;
+    case FaceKind::kLintelChain: return JointKind::kLintelChain;
+    case FaceKind::kLintelBond: return JointKind::kLintelBond;
+    case FaceKind::kPlate: return JointKind::kPlate;
+    case FaceKind::kBeam: return JointKind::kBeam;
+    case FaceKind::kOther: break;
+  }
+  return JointKind::kOther;
+}
+
+// Two ends with A/2 each, three points with A/4, A/2, A/4, and so on: the trapezoidal rule.
+void set_points(Model& model) {
+  const int n = model.solve.points_per_face;
+  model.n_face_point = n;
+  for (int k = 0; k < n; ++k) {
+    model.point_xi.push_back(-1.0 + 2.0 * k / (n - 1));
+    model.point_weight.push_back((k == 0 || k == n - 1 ? 0.5 : 1.0) / (n - 1));
+  }
+}
+
+double length_of(const Face& face) { return std::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y); }
+
+// Turns material names into indices, checking each the first time it is used.
+class MaterialTable {
+ public:
+  MaterialTable(const ModelSpec& spec, Model& model, FaultList& faults)
+      : spec_(spec), model_(model), faults_(faults) {}
+
+  int index_of(const std::string& name) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    const JointMaterial& material = spec_.material.at(name);
+    for (const MaterialFault& fault : check_joint_material(material))
+      faults_.add({"", "material." + name + "." + fault.key, "", fault.problem, fault.cure, 0});
+    return add(name, material);
+  }
+
+  // A lintel's chain: one derived material for each spacing of the segments.
+  int chain_index(const Face& face, double spacing, double depth) {
+    const std::string name = fmt::format("{} chain {:.3f} m", face.material, spacing);
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    const JointMaterial& body = spec_.material.at(face.material);
+    const bool complete = body.youngs_modulus > 0 && body.shear_modulus > 0;
+    if (!complete) {
+      for (const char* key : {"youngs_modulus", "shear_modulus"})
+        faults_.add({"", "material." + face.material + "." + key, "",
+                     "is missing or not positive; a lintel of segments needs both moduli",
+                     fmt::format("add e.g. {} = \"0.3 GPa\"", key), 0});
+    }
+    return add(name, chain_material(body, spacing, depth, length_of(face)));
+  }
+
+ private:
+  int add(const std::string& name, const JointMaterial& material) {
+    const int index = static_cast<int>(model_.materials.size());
+    model_.materials.push_back(material);
+    model_.material_names.push_back(name);
+    index_[name] = index;
+    return index;
+  }
+
+  const ModelSpec& spec_;
+  Model& model_;
+  FaultList& faults_;
+  std::map<std::string, int> index_;
+};
+
+// Structural depth of the lintel a chain face belongs to; the face itself where none is stated.
+double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& face) {
+  const int opening = assembly.blocks[static_cast<std::size_t>(face.b)].opening;
+  if (opening < 0) return length_of(face);
+  return spec.wall.opening[static_cast<std::size_t>(opening)].lintel.depth;
+}
+
+// Order for the step: pairs before ground, one variant of the law after the other, else as found.
+std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& map,
+                                     const std::vector<int>& material, const Model& model) {
+  std::vector<std::size_t> order(assembly.faces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t f) {
+    const Face& face = assembly.faces[f];
+    const bool ground = face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
+    const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
+    return std::tuple(ground, m.softening, m.coupling, m.unloading);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  return order;
+}
+
+void add_joint(const Face& face, int material, double half_scale, const BlockMap& map,
+               const Assembly& assembly, Model& m) {
+  const BlockId a = face.a == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(face.a)];
+  const BlockId b = map[static_cast<std::size_t>(face.b)];
+  const double cx = 0.5 * (face.p0.x + face.p1.x), cy = 0.5 * (face.p0.y + face.p1.y);
+  const double length = length_of(face);
+  const auto ib = static_cast<std::size_t>(b);
+  m.joint_a.push_back(a);
+  m.joint_b.push_back(b);
+  m.joint_material.push_back(material);
+  m.arm_a_x.push_back(a == kGroundBlock ? 0.0 : cx - m.centroid_x[static_cast<std::size_t>(a)]);
+  m.arm_a_y.push_back(a == kGroundBlock ? 0.0 : cy - m.centroid_y[static_cast<std::size_t>(a)]);
+  m.arm_b_x.push_back(cx - m.centroid_x[ib]);
+  m.arm_b_y.push_back(cy - m.centroid_y[ib]);
+  m.tangent_x.push_back((face.p1.x - face.p0.x) / length);
+  m.tangent_y.push_back((face.p1.y - face.p0.y) / length);
+  m.half_x.push_back(0.5 * half_scale * (face.p1.x - face.p0.x));
+  m.half_y.push_back(0.5 * half_scale * (face.p1.y - face.p0.y));
+  m.area.push_back(length * assembly.blocks[static_cast<std::size_t>(face.b)].thickness);
+  m.anatomy.joint_kind.push_back(kind_of(face.kind));
+  ++m.n_joint;
+  if (a != kGroundBlock) ++m.n_pair;
+}
+
+void set_gather_lists(Model& m) {
+  m.block_begin.assign(static_cast<std::size_t>(m.n_block) + 1, 0);
+  const auto count = [&](BlockId block) {
+    if (block != kGroundBlock) ++m.block_begin[static_cast<std::size_t>(block) + 1];
+  };
+  for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
+    count(m.joint_a[j]);
+    count(m.joint_b[j]);
+  }
+  std::partial_sum(m.block_begin.begin(), m.block_begin.end(), m.block_begin.begin());
+  m.block_entry.resize(static_cast<std::size_t>(m.block_begin.back()));
+  std::vector<std::int32_t> next(m.block_begin.begin(), m.block_begin.end() - 1);
+  const auto put = [&](BlockId block, std::size_t joint, int side) {
+    if (block == kGroundBlock) return;
+    const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(block)]++);
+    m.block_entry[at] = static_cast<std::int32_t>(2 * joint) + side;
+  };
+  for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
+    put(m.joint_a[j], j, 0);
+    put(m.joint_b[j], j, 1);
+  }
+}
+
+}  // namespace
+
+JointMaterial chain_material(const JointMaterial& body, double spacing, double depth, double face) {
+  constexpr double kShearCorrection = 5.0 / 6.0;  // rectangular section
+  JointMaterial chain;
+  chain.normal_stiffness = body.youngs_modulus / spacing * depth / face;
+  chain.shear_stiffness = kShearCorrection * body.shear_modulus / spacing * depth / face;
+  chain.tensile_strength = chain.cohesion = chain.residual_cohesion = kUnlimited;
+  chain.friction_angle = chain.residual_friction_angle = 0;
+  chain.compressive_strength = kUnlimited;
+  return chain;
+}
+
+double chain_half_scale(const Model& model, double depth, double face) {
+  double second = 0;
+  for (std::size_t k = 0; k < model.point_xi.size(); ++k)
+    second += model.point_weight[k] * model.point_xi[k] * model.point_xi[k];
+  return depth / face / std::sqrt(3.0 * second);
+}
+
+void compile_joints(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults) {
+  set_points(model);
+  MaterialTable table(spec, model, faults);
+  std::vector<int> material;
+  std::vector<double> half_scale;
+  for (const Face& face : assembly.faces) {
+    if (face.kind != FaceKind::kLintelChain) {
+      material.push_back(table.index_of(face.material));
+      half_scale.push_back(1.0);
+      continue;
+    }
+    const BlockId a = map[static_cast<std::size_t>(face.a)], b = map[static_cast<std::size_t>(face.b)];
+    const double spacing = std::fabs(model.centroid_x[static_cast<std::size_t>(b)] -
+                                     model.centroid_x[static_cast<std::size_t>(a)]);
+    const double depth = chain_depth(spec, assembly, face);
+    material.push_back(table.chain_index(face, spacing, depth));
+    half_scale.push_back(chain_half_scale(model, depth, length_of(face)));
+  }
+  for (const std::size_t f : joint_order(assembly, map, material, model))
+    add_joint(assembly.faces[f], material[f], half_scale[f], map, assembly, model);
+  set_gather_lists(model);
+}
+
+}  // namespace wythe

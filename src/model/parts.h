@@ -1,0 +1,31 @@
+// The pieces of compile(): each fills its group of Model's arrays from the assembly.
+#pragma once
+
+#include "geometry/assembly.h"
+#include "wythe/error.h"
+#include "wythe/model.h"
+
+namespace wythe {
+
+// Index of each assembly block among the moving blocks, kGroundBlock for supports.
+using BlockMap = std::vector<BlockId>;
+
+// mass, inertia, centroids, outlines and names.
+[[nodiscard]] BlockMap compile_blocks(const geometry::Assembly& assembly, Model& model);
+// joints, points, gather lists and the materials they refer to; chains get their beam stiffness.
+void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults);
+// stages with loads and driven blocks.
+void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults);
+
+// Joint between two rigid segments of a beam whose centres are `spacing` apart [m], with structural
+// depth `depth` in a face `face` long [m]: kn = E/l d/face, ks = 5/6 G/l d/face, no strength limit.
+// With the points at half_scale (below) a chain of such joints has the beam's EI, EA and GA.
+[[nodiscard]] JointMaterial chain_material(const JointMaterial& body, double spacing, double depth,
+                                           double face);
+// Factor on the half face vector that gives the points the second moment of a full section:
+// sum weight (xi e)^2 = depth^2/12.
+[[nodiscard]] double chain_half_scale(const Model& model, double depth, double face);
+
+}  // namespace wythe

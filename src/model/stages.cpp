@@ -1,0 +1,240 @@
+// Stages in the user's words -> loads on blocks and driven blocks.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/parts.h"
+
+namespace wythe {
+namespace {
+
+using geometry::Assembly;
+using geometry::Role;
+using geometry::Vec2;
+
+// Documented defaults of a stage's smooth start [s]; docs/theory/integration.md says why.
+constexpr double kLoadRamp = 0.1;
+constexpr double kPushRamp = 0.05;
+
+class StageCompiler {
+ public:
+  StageCompiler(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map, Model& model,
+                FaultList& faults)
+      : spec_(spec), assembly_(assembly), map_(map), model_(model), faults_(faults) {}
+
+  void run() {
+    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
+      path_ = fmt::format("stage.{}", k);
+      Stage stage;
+      stage.spec = spec_.stage[k];
+      set_defaults(stage);
+      set_direction(stage);
+      if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
+      if (stage.spec.kind == StageKind::kPush) set_driven(stage);
+      model_.stages.push_back(std::move(stage));
+    }
+  }
+
+ private:
+  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
+    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  void set_defaults(Stage& stage) const {
+    StageSpec& s = stage.spec;
+    if (std::isnan(s.damping)) s.damping = model_.solve.damping;
+    const bool push = s.kind == StageKind::kPush;
+    if (std::isnan(s.ramp)) s.ramp = push ? kPushRamp : kLoadRamp;
+    if (s.as == Manner::kDefault) {
+      if (push) s.as = Manner::kSpreader;
+      if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
+    }
+  }
+
+  static void set_direction(Stage& stage) {
+    switch (stage.spec.direction) {
+      case Direction::kPlusX: stage.drive_x = 1; break;
+      case Direction::kMinusX: stage.drive_x = -1; break;
+      case Direction::kPlusY: stage.drive_y = 1; break;
+      case Direction::kMinusY: stage.drive_y = -1; break;
+    }
+  }
+
+  void set_loads(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    if (std::isfinite(s.beam_load)) load_role(stage, Role::kBeam, s.beam_load, "beam_load");
+    if (std::isfinite(s.pressure))
+      press(stage, 0, assembly_.length, s.pressure * assembly_.thickness, "pressure");
+    if (!std::isfinite(s.pier_load)) return;
+    if (s.as == Manner::kPlate) {
+      load_role(stage, Role::kPlate, s.pier_load, "pier_load");
+      return;
+    }
+    for (const geometry::Pier& pier : assembly_.piers)
+      press(stage, pier.x0, pier.x1, s.pier_load / (pier.x1 - pier.x0), "pier_load");
+  }
+
+  // The load acts downwards at the top centre of every block with that role.
+  void load_role(Stage& stage, Role role, double load, const char* key) {
+    const std::size_t before = stage.loads.size();
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      if (assembly_.blocks[b].role != role) continue;
+      const auto i = static_cast<std::size_t>(map_[b]);
+      stage.loads.push_back({map_[b], 0.0, top_of(b) - model_.centroid_y[i], 0.0, -load});
+    }
+    if (stage.loads.size() == before)
+      fault(key, "", "finds no beam or plate to act on",
+            "add [wall.beam], or use pier_load with as = \"pressure\"");
+  }
+
+  [[nodiscard]] double top_of(std::size_t block) const {
+    double top = -1e300;
+    for (const Vec2& v : assembly_.blocks[block].outline) top = std::max(top, v.y);
+    return top;
+  }
+
+  // Dead line load `q` [N/m] on the masonry's upper edges between x0 and x1.
+  void press(Stage& stage, double x0, double x1, double q, const char* key) {
+    double pressed = 0;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      if (map_[b] == kGroundBlock || assembly_.blocks[b].role == Role::kPlate) continue;
+      const auto& outline = assembly_.blocks[b].outline;
+      for (std::size_t v = 0; v < outline.size(); ++v) {
+        const Vec2 p = outline[v], n = outline[(v + 1) % outline.size()];
+        const double tolerance = 1e-6 * assembly_.height;
+        const double top = top_of_wall();
+        if (std::fabs(p.y - top) > tolerance || std::fabs(n.y - top) > tolerance) continue;
+        const double from = std::max(std::min(p.x, n.x), x0), to = std::min(std::max(p.x, n.x), x1);
+        if (to - from <= tolerance) continue;
+        const auto i = static_cast<std::size_t>(map_[b]);
+        stage.loads.push_back({map_[b], 0.5 * (from + to) - model_.centroid_x[i],
+                               top - model_.centroid_y[i], 0.0, -q * (to - from)});
+        pressed += to - from;
+      }
+    }
+    if (pressed < 0.999 * (x1 - x0))
+      fault(key, "", fmt::format("the flat top between {:.3f} and {:.3f} m is only {:.3f} m long", x0, x1, pressed),
+            "load the wall through a beam: [wall.beam] and beam_load");
+  }
+
+  [[nodiscard]] double top_of_wall() const {
+    double top = -1e300;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
+      if (assembly_.blocks[b].role != Role::kPlate) top = std::max(top, top_of(b));
+    return top;
+  }
+
+  void set_driven(Stage& stage) {
+    const PlaceSpec& at = stage.spec.at;
+    std::vector<std::size_t> found;
+    if (at.beam || !at.block.empty()) found = named_blocks(at);
+    else if (std::isfinite(at.width) && std::isfinite(at.height)) found = blocks_in_box(at);
+    else found = blocks_at_point(at);
+    double height = 0;
+    for (const std::size_t b : found) {
+      if (map_[b] == kGroundBlock) continue;
+      stage.driven.push_back(map_[b]);
+      height += model_.centroid_y[static_cast<std::size_t>(map_[b])];
+    }
+    if (stage.driven.empty()) {
+      fault("at", "", "finds no moving block to push",
+            "name a point or box inside the wall, e.g. at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }");
+      return;
+    }
+    stage.load_height = height / static_cast<double>(stage.driven.size());
+  }
+
+  [[nodiscard]] std::vector<std::size_t> named_blocks(const PlaceSpec& at) const {
+    std::vector<std::size_t> found;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      const geometry::Block& block = assembly_.blocks[b];
+      if (at.beam ? block.role == Role::kBeam : block.id == at.block) found.push_back(b);
+    }
+    return found;
+  }
+
+  [[nodiscard]] Vec2 centroid_of(std::size_t b) const {
+    return geometry::moments(assembly_.blocks[b].outline).centroid;
+  }
+
+  [[nodiscard]] std::vector<std::size_t> blocks_in_box(const PlaceSpec& at) const {
+    std::vector<std::size_t> found;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      const Vec2 c = centroid_of(b);
+      if (c.x >= at.x && c.x <= at.x + at.width && c.y >= at.y && c.y <= at.y + at.height)
+        found.push_back(b);
+    }
+    return found;
+  }
+
+  // The block nearest to the point, and in the courses around it the blocks nearest in x.
+  std::vector<std::size_t> blocks_at_point(const PlaceSpec& at) {
+    const std::size_t nearest = nearest_block(at.x, at.y, -1);
+    if (distance(nearest, at.x, at.y) > 0.05 * assembly_.height) return {};
+    const int course = assembly_.blocks[nearest].course;
+    if (at.courses <= 1 || course < 0) {
+      if (at.courses > 1)
+        fault("at.courses", std::to_string(at.courses), "this wall has no courses",
+              "push at a box: at = { x, y, width, height }");
+      return {nearest};
+    }
+    std::vector<std::size_t> found;
+    const int first = course - (at.courses - 1) / 2;
+    for (int c = first; c < first + at.courses; ++c) {
+      const std::size_t b = nearest_block(at.x, at.y, c);
+      if (b < assembly_.blocks.size()) found.push_back(b);
+    }
+    if (static_cast<int>(found.size()) < at.courses)
+      fault("at.courses", std::to_string(at.courses), "reaches beyond the wall",
+            "lower courses or move the point");
+    return found;
+  }
+
+  // Distance from a point to a block's bounding box; 0 inside.
+  [[nodiscard]] double distance(std::size_t b, double x, double y) const {
+    double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
+    for (const Vec2& v : assembly_.blocks[b].outline) {
+      x0 = std::min(x0, v.x);
+      x1 = std::max(x1, v.x);
+      y0 = std::min(y0, v.y);
+      y1 = std::max(y1, v.y);
+    }
+    return std::hypot(std::max({0.0, x0 - x, x - x1}), std::max({0.0, y0 - y, y - y1}));
+  }
+
+  // course -1: any. Beyond the last block when there is none.
+  [[nodiscard]] std::size_t nearest_block(double x, double y, int course) const {
+    std::size_t best = assembly_.blocks.size();
+    double least = 1e300;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      const geometry::Block& block = assembly_.blocks[b];
+      if (block.role == Role::kSupport || (course >= 0 && block.course != course)) continue;
+      const Vec2 c = centroid_of(b);
+      // the box first; the centroid decides between neighbours that both touch the point
+      const double d = course >= 0 ? distance(b, x, c.y) : distance(b, x, y);
+      const double score = d + 1e-6 * std::hypot(c.x - x, course >= 0 ? 0.0 : c.y - y);
+      if (score < least) {
+        least = score;
+        best = b;
+      }
+    }
+    return best;
+  }
+
+  const ModelSpec& spec_;
+  const Assembly& assembly_;
+  const BlockMap& map_;
+  Model& model_;
+  FaultList& faults_;
+  std::string path_;
+};
+
+}  // namespace
+
+void compile_stages(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults) {
+  StageCompiler(spec, assembly, map, model, faults).run();
+}
+
+}  // namespace wythe

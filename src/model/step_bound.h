@@ -1,0 +1,16 @@
+// Bound on the highest frequency of a compiled wall, block by block.
+#pragma once
+
+#include "wythe/model.h"
+
+namespace wythe {
+
+// Sets model.omega_max and model.stiffest_block.
+//
+// With every contact as stiff as it can be, the elastic energy of the joints is at most
+//   sum over pairs (|u_a|^2 + |u_b|^2)_K  +  sum over ground joints 1/2 |u_b|^2_K,
+// so that omega^2 <= max over blocks of the largest eigenvalue of M^-1 (2 K_pairs + K_ground), the
+// 3 x 3 own stiffness of the block with its neighbours held (a Gershgorin bound by blocks).
+void bound_step(Model& model);
+
+}  // namespace wythe

@@ -1,0 +1,24 @@
+// What is wrong with the text of a quantity, in two clauses, so that a reader which knows the key
+// can put its own example in place of the cure.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace wythe {
+
+class QuantityError : public std::invalid_argument {
+ public:
+  QuantityError(std::string problem, std::string cure)
+      : std::invalid_argument(problem + "; " + cure),
+        problem_(std::move(problem)),
+        cure_(std::move(cure)) {}
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] const std::string& cure() const { return cure_; }
+
+ private:
+  std::string problem_, cure_;
+};
+
+}  // namespace wythe

@@ -1,0 +1,186 @@
+// The door to UDUNITS-2: units to factors, quantities to SI and back.
+//
+// UDUNITS keeps global state (status, message handler), so every call stands behind one mutex.
+// Factors are cached: a wall uses some twenty units, each looked up once.
+#include "wythe/units.h"
+
+#include <udunits2.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "units/quantity_error.h"
+#include "wythe/error.h"
+
+namespace wythe {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+
+enum class Verdict { kGood, kUnknown, kOtherDimension };
+struct Factor {
+  Verdict verdict = Verdict::kUnknown;
+  double value = 0;
+};
+
+// Linear without offset: neither Celsius nor the reciprocal that UDUNITS offers (s -> 1/s).
+bool is_proportional(const cv_converter* converter) {
+  return cv_convert_double(converter, 0.0) == 0.0 &&
+         std::isfinite(cv_convert_double(converter, 1.0));
+}
+
+class UnitTable {
+ public:
+  UnitTable() {
+    ut_set_error_message_handler(ut_ignore);
+    system_ = ut_read_xml(nullptr);
+    if (!system_) throw IoError("the unit database of UDUNITS-2 (udunits2.xml) can't be read");
+    const Unit degree(ut_get_unit_by_name(system_, "degree"));  // UDUNITS has no "deg"
+    ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
+  }
+  ~UnitTable() { ut_free_system(system_); }
+  UnitTable(const UnitTable&) = delete;
+  UnitTable& operator=(const UnitTable&) = delete;
+
+  Factor factor(const std::string& unit, const std::string& si_unit) {
+    const std::lock_guard lock(mutex_);
+    const auto key = std::pair(unit, si_unit);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    return known_[key] = look_up(unit, si_unit);
+  }
+
+ private:
+  // UDUNITS reads "1/s" but not "/s".
+  [[nodiscard]] Unit parse(const std::string& text) const {
+    const std::string whole = text.starts_with('/') ? "1" + text : text;
+    return Unit(ut_parse(system_, whole.c_str(), UT_UTF8));
+  }
+
+  [[nodiscard]] Factor look_up(const std::string& unit, const std::string& si_unit) const {
+    const Unit from = parse(unit), to = parse(si_unit);
+    if (!from || !to) return {Verdict::kUnknown, 0};
+    cv_converter* converter = ut_get_converter(from.get(), to.get());
+    if (!converter) return {Verdict::kOtherDimension, 0};
+    Factor out{Verdict::kOtherDimension, 0};
+    if (is_proportional(converter)) out = {Verdict::kGood, cv_convert_double(converter, 1.0)};
+    cv_free(converter);
+    return out;
+  }
+
+  ut_system* system_ = nullptr;
+  std::mutex mutex_;
+  std::map<std::pair<std::string, std::string>, Factor> known_;
+};
+
+UnitTable& unit_table() {
+  static UnitTable table;
+  return table;
+}
+
+std::string dimension_name(std::string_view si_unit) {
+  static const std::map<std::string, std::string, std::less<>> kNames = {
+      {"m", "a length"},         {"Pa", "a stress"},           {"Pa/m", "a stiffness per area"},
+      {"rad", "an angle"},       {"N/m", "an energy per area"}, {"kg/m^3", "a density"},
+      {"N", "a force"},          {"s", "a time"},              {"m/s", "a velocity"},
+      {"1/s", "a rate"},         {"rad/s", "a rate of angle"}, {"m/s^2", "an acceleration"}};
+  const auto found = kNames.find(si_unit);
+  return found == kNames.end() ? fmt::format("a quantity [{}]", si_unit)
+                               : fmt::format("{} [{}]", found->second, si_unit);
+}
+
+// Multiplies by the factor so that decimal texts keep their bits: 310 mm is 310 / 1000 m, which is
+// the double nearest to 0.31, while 310 * 0.001 need not be.
+double scaled(double number, double factor) {
+  const double divisor = std::round(1.0 / factor);
+  const bool divides = factor < 1.0 && std::abs(divisor * factor - 1.0) < 1e-14;
+  return divides ? number / divisor : number * factor;
+}
+
+struct Split {
+  double number = 0;
+  std::string unit;
+};
+
+std::optional<Split> split_quantity(std::string_view text) {
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
+  Split out;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), out.number);
+  if (error != std::errc()) return std::nullopt;
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  out.unit = trimmed(rest);
+  return out;
+}
+
+// UDUNITS would read "1 200 mm" as 1 x 200 mm and "3 m 4" as 12 m: a slip of the hand, not a unit.
+void refuse_second_number(std::string_view text, std::string_view unit) {
+  if (unit.starts_with(','))
+    throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
+  const bool leads = !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) &&
+                     !unit.starts_with("1/");
+  bool after_blank = false;
+  for (std::size_t i = 1; i < unit.size(); ++i)
+    after_blank |= unit[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(unit[i]));
+  if (leads || after_blank)
+    throw QuantityError(fmt::format("'{}' is more than one number", text),
+                        "write one number without blanks, then its unit");
+}
+
+double checked_factor(const std::string& unit, std::string_view si_unit) {
+  const Factor factor = unit_table().factor(unit, std::string(si_unit));
+  const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
+  if (factor.verdict == Verdict::kUnknown)
+    throw QuantityError(fmt::format("the unit {} is not known", unit), cure);
+  if (factor.verdict == Verdict::kOtherDimension)
+    throw QuantityError(fmt::format("{} is not the unit of {}", unit, dimension_name(si_unit)), cure);
+  return factor.value;
+}
+
+}  // namespace
+
+double unit_factor(std::string_view unit, std::string_view si_unit) {
+  return checked_factor(std::string(unit), si_unit);
+}
+
+double parse_quantity(std::string_view text, std::string_view si_unit) {
+  const auto split = split_quantity(text);
+  if (!split)
+    throw QuantityError(fmt::format("'{}' is not a number with a unit", text),
+                        fmt::format("write e.g. \"1 {}\"", si_unit));
+  if (split->unit.empty())
+    throw QuantityError("has no unit", fmt::format("write it with its unit, e.g. \"{} {}\"",
+                                                   trimmed(text), si_unit));
+  refuse_second_number(text, split->unit);
+  const double value = scaled(split->number, checked_factor(split->unit, si_unit));
+  if (!std::isfinite(split->number) || !std::isfinite(value))
+    throw QuantityError("is not a finite number", fmt::format("write e.g. \"1 {}\"", si_unit));
+  return value;
+}
+
+std::string format_quantity(double value, std::string_view si_unit, std::string_view shown_unit) {
+  if (std::isinf(value) && value > 0) return "unlimited";
+  if (!std::isfinite(value)) return fmt::format("{} {}", value, si_unit);
+  const double shown = value / unit_factor(shown_unit, si_unit);
+  for (const int digits : {15, 16, 17}) {
+    if (!std::isfinite(shown)) break;
+    const std::string text = fmt::format("{:.{}g} {}", shown, digits, shown_unit);
+    const double back = parse_quantity(text, si_unit);
+    if (back == value && std::signbit(back) == std::signbit(value)) return text;
+  }
+  return fmt::format("{} {}", value, si_unit);
+}
+
+}  // namespace wythe
