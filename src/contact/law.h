@@ -63,10 +63,11 @@ struct Answer {
 
 // Crushing return: updates p and gives the work done in crushing [N/m].
 template <class Real>
-[[nodiscard]] Real crush_return(const LawConstants<Real>& m, Real w, Real& p) {
+[[nodiscard]] WYTHE_INLINE Real crush_return(const LawConstants<Real>& m, Real w, Real& p) {
   const Real zero(0.0);
   const Real before = m.fc * maximum(zero, Real(1.0) - p * m.inv_p_full);
   const Real excess = zero - m.kn * (w + p) - before;
+  if (!any(excess > zero)) return zero;
   const Real softened = p + maximum(zero, excess) * m.crush_gain;
   const Real spent = maximum(p, zero - w);  // fully crushed: carries nothing
   const Real p1 = select(softened > m.p_full, spent, softened);
@@ -78,7 +79,7 @@ template <class Real>
 
 // Share of tensile strength left, y = 1 - dt, at the largest opening kappa.
 template <class V, class Real>
-[[nodiscard]] Real tension_left(const LawConstants<Real>& m, Real kappa) {
+[[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<Real>& m, Real kappa) {
   if constexpr (V::softening == Softening::kBilinear) {
     return Real(1.0) - clip((kappa - m.tension_onset) * m.tension_rate, Real(0.0), Real(1.0));
   } else {
@@ -98,7 +99,7 @@ template <class V, class Real>
 
 // 1 - d from 1 - dt and 1 - ds.
 template <class V, class Real>
-[[nodiscard]] Real strength_left(Real tension, Real shear) {
+[[nodiscard]] WYTHE_INLINE Real strength_left(Real tension, Real shear) {
   if constexpr (V::coupling == Coupling::kUnion) return tension * shear;
   return minimum(tension, shear);
 }
@@ -113,7 +114,7 @@ struct Yield {
 };
 
 template <class V, class Real>
-[[nodiscard]] Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left, Real kappa,
+[[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left, Real kappa,
                                    bool_of_t<Real> lost) {
   const Real zero(0.0), one(1.0);
   const Real sn = zero - sigma;
@@ -136,20 +137,20 @@ template <class V, class Real>
 
 // ds reached after the accumulated slip s.
 template <class V, class Real>
-[[nodiscard]] Real damage_of_slip(const Yield<Real>& yield, Real s) {
+[[nodiscard]] WYTHE_INLINE Real damage_of_slip(const Yield<Real>& yield, Real s) {
   const Real x = Real(2.0) * s * yield.slip_rate;
   return Real(1.0) - soften<V::softening>(x).left;
 }
 
 template <class V, class Real>
-[[nodiscard]] Real stress_at(const Yield<Real>& yield, Real ds) {
+[[nodiscard]] WYTHE_INLINE Real stress_at(const Yield<Real>& yield, Real ds) {
   return maximum(Real(0.0),
                  yield.residual + yield.drop * (Real(1.0) - maximum(ds, yield.floor)));
 }
 
 // Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
 template <class V, class Real>
-[[nodiscard]] Real plastic_increment(const LawConstants<Real>& m, const Yield<Real>& yield,
+[[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<Real>& m, const Yield<Real>& yield,
                                      Real trial, Real s, Real ds) {
   const Real zero(0.0), one(1.0);
   const Real held = maximum(ds, yield.floor);  // T is flat until ds passes this
@@ -179,7 +180,7 @@ template <class V, class Real>
 // Energy set free by the normal stress when kappa or d grew: the area between the old and the new
 // secant, exact for straight branches [N/m].
 template <class Real>
-[[nodiscard]] Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0, Real kappa1,
+[[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0, Real kappa1,
                                   Real strength0, Real strength1, Real inv_kappa1) {
   const Real start = maximum(kappa0, minimum(kappa1, strength0 * m.inv_kn));
   const Real s0 = minimum(strength0, m.kn * start);
@@ -189,67 +190,87 @@ template <class Real>
   return Real(0.5) * maximum(Real(0.0), select(open > kappa0, grown, faded));
 }
 
-// One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
+// Shear of one step: elastic trial, implicit return, damage. `felt` is the normal stress with the
+// damage so far. Gives tau and adds the work of the plastic slip to the answer.
 template <class V, class Real>
-[[nodiscard]] Answer<Real> update(const LawConstants<Real>& m, Real w, Real s, History<Real>& h) {
-  const Real zero(0.0), one(1.0), half(0.5);
+WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yield, Real s,
+                             History<Real>& h, Answer<Real>& answer) {
+  const Real zero(0.0);
+  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
+  answer.tau = m.ks * (s - h.plastic_slip);
+  const Real trial = magnitude(answer.tau);
+  const Real start = stress_at<V>(yield, h.shear_damage);
+  answer.friction = answer.fracture = zero;
+  const auto slides = trial > start;
+  if (!any(slides)) return;
+  const Real increment =
+      select(slides, plastic_increment<V>(m, yield, trial, h.slip, h.shear_damage), zero);
+  h.slip = h.slip + increment;
+  h.plastic_slip = h.plastic_slip + sign(answer.tau) * increment;
+  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
+  answer.tau = m.ks * (s - h.plastic_slip);
+  // Work of the plastic slip: friction is the residual's part, fracture the rest.
+  const Real worked = Real(0.5) * (start + magnitude(answer.tau)) * increment;
+  answer.friction = minimum(worked, maximum(zero, yield.residual) * increment);
+  answer.fracture = worked - answer.friction;
+}
+
+// Tensile stress of an open point, before (`strength`) any damage of this step in shear.
+template <class V, class Real>
+[[nodiscard]] WYTHE_INLINE Real pull(const LawConstants<Real>& m, Real open, Real strength,
+                                     Real inv_kappa, Real tension_set) {
+  if constexpr (V::unloading == Unloading::kElastic)
+    return clip(m.kn * (open - tension_set), Real(0.0), strength);
+  return open * minimum(m.kn, strength * inv_kappa);
+}
+
+// One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
+// What happens only to open, sliding or crushing points is skipped where no lane needs it.
+template <class V, class Real>
+[[nodiscard]] WYTHE_INLINE Answer<Real> update(const LawConstants<Real>& m, Real w, Real s,
+                                               History<Real>& h) {
+  const Real zero(0.0), one(1.0);
   Answer<Real> answer;
 
-  // Crushing, then the effective opening.
+  // Crushing, then the effective opening and what is left of the tensile strength.
   answer.crushing = crush_return(m, w, h.crush);
   const Real we = w + h.crush;
   const Real open = maximum(we, zero);
-
-  // Tension damage from the largest opening.
   const Real kappa0 = h.kappa;
-  const Real kappa1 = maximum(kappa0, open);
-  const Real inv_kappa1 = one / maximum(kappa1, Real(1e-30));
-  const Real left = tension_left<V>(m, kappa1);
-  h.kappa = kappa1;
+  h.kappa = maximum(kappa0, open);
+  const Real left = tension_left<V>(m, h.kappa);
+  const Real compression = m.kn * minimum(we, zero);
+  const auto is_open = we > zero;
+  const bool opens = any(is_open);
 
   // Normal stress with the shear damage so far: what the shear strength feels.
   const Real shear_left0 = one - h.shear_damage;
-  const Real strength = m.ft * strength_left<V>(left, shear_left0);
-  const Real compression = m.kn * minimum(we, zero);
-  Real pulled = open * minimum(m.kn, strength * inv_kappa1);
-  if constexpr (V::unloading == Unloading::kElastic)
-    pulled = clip(m.kn * (open - h.tension_set), zero, strength);
-  const Real felt = compression + pulled;
-
-  // Shear: elastic trial, implicit return, damage.
-  const auto lost = (left <= zero) & (we > zero);
-  const Yield<Real> yield = yield_of<V>(m, felt, left, kappa1, lost);
-  const Real ds0 = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
-  const Real tau_trial = m.ks * (s - h.plastic_slip);
-  const Real trial = magnitude(tau_trial);
-  const Real start = stress_at<V>(yield, ds0);
-  const Real increment =
-      select(trial > start, plastic_increment<V>(m, yield, trial, h.slip, ds0), zero);
-  h.slip = h.slip + increment;
-  h.plastic_slip = h.plastic_slip + sign(tau_trial) * increment;
-  h.shear_damage = maximum(ds0, damage_of_slip<V>(yield, h.slip));
-  answer.tau = m.ks * (s - h.plastic_slip);
-
-  // Work of the plastic slip: friction is the residual's part, fracture the rest.
-  const Real worked = half * (start + magnitude(answer.tau)) * increment;
-  answer.friction = minimum(worked, maximum(zero, yield.residual) * increment);
-  answer.fracture = worked - answer.friction;
-
-  // Normal stress with the damage of this step.
-  const Real all_left = strength_left<V>(left, one - h.shear_damage);
-  const Real strength0 = m.ft * strength_left<V>(tension_left<V>(m, kappa0), shear_left0);
-  const Real strength1 = m.ft * all_left;
-  if constexpr (V::unloading == Unloading::kElastic) {
-    const Real set = maximum(h.tension_set, open - strength1 * m.inv_kn);
-    answer.fracture = answer.fracture + half * (strength0 + strength1) * (set - h.tension_set);
-    h.tension_set = set;
-    pulled = clip(m.kn * (open - set), zero, strength1);
-  } else {
-    answer.fracture = answer.fracture + secant_release(m, open, kappa0, kappa1, strength0,
-                                                       strength1, inv_kappa1);
-    pulled = open * minimum(m.kn, strength1 * inv_kappa1);
+  Real felt = compression, inv_kappa = zero;
+  if (opens) {
+    inv_kappa = one / maximum(h.kappa, Real(1e-30));
+    const Real strength = m.ft * strength_left<V>(left, shear_left0);
+    felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
   }
-  answer.sigma = compression + pulled;
+
+  const auto lost = is_open & (left <= zero);
+  shear_step<V>(m, yield_of<V>(m, felt, left, h.kappa, lost), s, h, answer);
+
+  // Normal stress with the damage of this step, and the energy it set free.
+  const Real all_left = strength_left<V>(left, one - h.shear_damage);
+  answer.sigma = compression;
+  if (opens) {
+    const Real strength0 = m.ft * strength_left<V>(tension_left<V>(m, kappa0), shear_left0);
+    const Real strength1 = m.ft * all_left;
+    if constexpr (V::unloading == Unloading::kElastic) {
+      const Real set = maximum(h.tension_set, open - strength1 * m.inv_kn);
+      answer.fracture = answer.fracture + Real(0.5) * (strength0 + strength1) * (set - h.tension_set);
+      h.tension_set = set;
+    } else {
+      answer.fracture = answer.fracture + secant_release(m, open, kappa0, h.kappa, strength0,
+                                                         strength1, inv_kappa);
+    }
+    answer.sigma = answer.sigma + pull<V>(m, open, strength1, inv_kappa, h.tension_set);
+  }
   answer.tension_damage = one - left;
   answer.damage = one - all_left;
   return answer;

@@ -50,7 +50,7 @@ struct FaceMotion {
 };
 
 template <class Real>
-[[nodiscard]] FaceMotion<Real> face_motion(const JointView<Real>& v, BlockId block, double arm_x,
+[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const JointView<Real>& v, BlockId block, double arm_x,
                                            double arm_y, double ex, double ey) {
   const auto i = static_cast<std::size_t>(block);
   const Real c = v.half_cos[i], s = v.half_sin[i];
@@ -72,7 +72,7 @@ struct FaceForce {
 };
 
 template <class V, class Real>
-[[nodiscard]] FaceForce<Real> face_force(const JointView<Real>& v, std::size_t joint, Real jn,
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointView<Real>& v, std::size_t joint, Real jn,
                                          Real jt, Real dn, Real dt, JointWork<Real>& work) {
   const contact::LawConstants<Real>& law = v.law[v.material[joint]];
   FaceForce<Real> sum{Real(0.0), Real(0.0), Real(0.0), Real(0.0)};

@@ -26,6 +26,18 @@ double rising_crossing(const std::vector<CurveRow>& curve, double reaction) {
 
 }  // namespace
 
+const char* to_string(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::kCompleted: return "completed";
+    case SolveStatus::kCollapsed: return "collapsed";
+    case SolveStatus::kInterrupted: return "interrupted";
+    case SolveStatus::kNotSettled: return "not_settled";
+    case SolveStatus::kUnstable: return "unstable";
+    case SolveStatus::kBudgetSpent: break;
+  }
+  return "budget_spent";
+}
+
 Responses read_responses(const std::vector<CurveRow>& curve) {
   Responses r;
   if (curve.empty()) return r;

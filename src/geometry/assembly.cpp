@@ -145,7 +145,8 @@ void add_ground(const ModelSpec& spec, Assembly& assembly, std::vector<Contact>&
   contacts.insert(contacts.end(), found.begin(), found.end());
   sort_contacts(contacts, contact_tolerance(blocks));
   if (uses_blocks_file(spec)) {
-    assembly.report.notes.push_back("no block is fixed: the ground is the line y = " + metres(ground));
+    assembly.report.notes.push_back("no block is fixed: the ground is the line y = " +
+                                    metres(ground));
   }
 }
 
@@ -160,7 +161,8 @@ void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
                    : "their faces share only " + millimetres(l.overlap)));
   }
   if (lost.size() > 5) {
-    assembly.report.notes.push_back(std::to_string(lost.size() - 5) + " more facing pairs have no joint");
+    assembly.report.notes.push_back(std::to_string(lost.size() - 5) +
+                                    " more facing pairs have no joint");
   }
 }
 
@@ -169,7 +171,8 @@ void note_foundation(const ModelSpec& spec, Assembly& assembly) {
     return face.kind == FaceKind::kFoundation && face.material == "joint";
   };
   const auto& faces = assembly.faces;
-  if (spec.material.contains("foundation") || std::none_of(faces.begin(), faces.end(), falls_back)) {
+  if (spec.material.contains("foundation") ||
+      std::none_of(faces.begin(), faces.end(), falls_back)) {
     return;
   }
   assembly.report.notes.push_back(

@@ -35,16 +35,26 @@ struct Block {
   int opening = -1;            // lintel segments: index of their opening
 };
 
-enum class FaceKind { kBed, kHead, kSplit, kFoundation, kLintelChain, kLintelBond, kPlate, kBeam, kOther };
+enum class FaceKind {
+  kBed,
+  kHead,
+  kSplit,
+  kFoundation,
+  kLintelChain,
+  kLintelBond,
+  kPlate,
+  kBeam,
+  kOther
+};
 
 inline constexpr int kGround = -1;
 
 struct Face {
-  int a = kGround;        // kGround when the support side
+  int a = kGround;  // kGround when the support side
   int b = 0;
-  Vec2 p0, p1;            // overlap segment; from p0 to p1 the normal is on the LEFT: n = (-ty, tx)
+  Vec2 p0, p1;  // overlap segment; from p0 to p1 the normal is on the LEFT: n = (-ty, tx)
   FaceKind kind = FaceKind::kOther;
-  std::string material;   // joint material name
+  std::string material;  // joint material name
 };
 
 // What was changed or lost between the user's words and the geometry; shown by `wythe check`.
@@ -54,13 +64,13 @@ struct BuildReport {
   double course = 0;               // fitted course height [m]
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
-  int lost_joints = 0;             // facing pairs left out (below the smallest contact length)
+  int lost_joints = 0;  // facing pairs left out (below the smallest contact length)
 };
 
 // One pier: an interval of the wall's length that stands beside openings, full height to the top.
 struct Pier {
-  double x0 = 0, x1 = 0;   // [m]
-  double height = 0;       // top of the lower adjacent opening [m]; wall height without openings
+  double x0 = 0, x1 = 0;  // [m]
+  double height = 0;      // top of the lower adjacent opening [m]; wall height without openings
 };
 
 struct Assembly {
@@ -77,7 +87,7 @@ struct Assembly {
 
 // Area, centroid and second polar moment about the centroid of a simple anticlockwise polygon.
 struct PolygonMoments {
-  double area = 0;   // [m^2], negative when clockwise
+  double area = 0;  // [m^2], negative when clockwise
   Vec2 centroid;
   double polar = 0;  // about the centroid [m^4]
 };

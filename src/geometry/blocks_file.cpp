@@ -102,7 +102,9 @@ void number_courses(std::vector<Block>& blocks) {
   Rect whole = bounds(blocks.front().outline);
   for (const Block& block : blocks) whole = join(whole, bounds(block.outline));
   const double tolerance = 1e-6 * std::max(whole.x1 - whole.x0, whole.y1 - whole.y0);
-  const auto is_upright = [&](const Block& b) { return is_upright_rectangle(b.outline, tolerance); };
+  const auto is_upright = [&](const Block& b) {
+    return is_upright_rectangle(b.outline, tolerance);
+  };
   if (!std::all_of(blocks.begin(), blocks.end(), is_upright)) return;
   const std::vector<double> bottoms = bottoms_of(blocks, tolerance);
   for (Block& block : blocks) {

@@ -49,8 +49,10 @@ std::vector<Rect> solid_runs(const Rect& band, const std::vector<Rect>& holes) {
     for (const Rect& part : solid_parts({x[k], band.y0, x[k + 1], band.y1}, holes)) {
       const auto before = std::find_if(runs.begin(), runs.end(),
                                        [&](const Rect& run) { return continues(run, part); });
-      if (before == runs.end()) runs.push_back(part);
-      else before->x1 = part.x1;
+      if (before == runs.end())
+        runs.push_back(part);
+      else
+        before->x1 = part.x1;
     }
   }
   return runs;

@@ -53,7 +53,8 @@ std::string pair_material(const ModelSpec& spec, const Block& a, const Block& b,
 std::string ground_material(const ModelSpec& spec, const Block& block, const Block* support) {
   std::string material = foundation_or_joint(spec, "foundation");
   if (!uses_blocks_file(spec)) return material;
-  if (support != nullptr) material = ruled_material(spec, support->material, block.material, material);
+  if (support != nullptr)
+    material = ruled_material(spec, support->material, block.material, material);
   return ruled_material(spec, "ground", block.material, material);
 }
 
@@ -71,7 +72,11 @@ Face ground_face(const ModelSpec& spec, const std::vector<Block>& blocks, Contac
   }
   const Block& block = blocks[static_cast<std::size_t>(contact.b)];
   const Block* below = support == kGround ? nullptr : &blocks[static_cast<std::size_t>(support)];
-  return {kGround, contact.b, contact.p0, contact.p1, FaceKind::kFoundation,
+  return {kGround,
+          contact.b,
+          contact.p0,
+          contact.p1,
+          FaceKind::kFoundation,
           ground_material(spec, block, below)};
 }
 
@@ -90,7 +95,8 @@ Need need_of(FaceKind kind, const std::string& material) {
     case FaceKind::kLintelBond:
       return {"missing: the lintel meets the masonry through it", "add " + table};
     case FaceKind::kPlate:
-      return {"missing: the plates on the piers lie on it", "add " + table + ", or name another plate_joint"};
+      return {"missing: the plates on the piers lie on it",
+              "add " + table + ", or name another plate_joint"};
     case FaceKind::kBeam:
       return {"missing: the beam lies on it", "add " + table + ", or name another wall.beam.joint"};
     default: return {"missing: the joints between the blocks take it", "add " + table};

@@ -11,11 +11,11 @@ namespace {
 
 // One direction of the wall as the user stated it.
 struct AxisAsk {
-  double extent, step;             // [m]
-  std::string extent_name;         // "length"
-  std::string size_path;           // "wall.unit.length"
-  double size_per_step;            // unit length is two half units, a course is one unit height
-  std::string step_name;           // "half unit"
+  double extent, step;      // [m]
+  std::string extent_name;  // "length"
+  std::string size_path;    // "wall.unit.length"
+  double size_per_step;     // unit length is two half units, a course is one unit height
+  std::string step_name;    // "half unit"
   Fit fit;
 };
 
@@ -40,7 +40,8 @@ void refuse_fit(const AxisAsk& ask, FaultList& faults) {
   std::ostringstream problem, cure;
   problem.precision(4);
   problem << "the wall's " << ask.extent_name << " of " << metres(ask.extent) << " holds "
-          << ask.extent / ask.step << " " << ask.step_name << "s; a whole number of them would change "
+          << ask.extent / ask.step << " " << ask.step_name
+          << "s; a whole number of them would change "
           << "the size by " << percent(change_of(ask, best_count(ask))) << ", more than 2 %";
   cure << "nearest sizes that fit: " << size(below + 1) << " or " << size(below) << "; nearest "
        << ask.extent_name << "s: " << extent(below) << " or " << extent(below + 1)
@@ -137,13 +138,13 @@ Lattice fit_lattice(const WallSpec& wall, std::vector<std::string>& notes, Fault
   const bool is_header_bond = wall.bond == Bond::kHeader;
   const double column = (is_header_bond ? stated_header(wall) : wall.unit.length) / 2;
   Lattice lattice;
-  lattice.columns = fit_axis({wall.length, column, "length",
-                              is_header_bond ? "wall.unit.width" : "wall.unit.length", 2,
-                              is_header_bond ? "half header" : "half unit", wall.fit},
-                             notes, faults);
-  lattice.courses = fit_axis(
-      {wall.height, wall.unit.height, "height", "wall.unit.height", 1, "course", wall.fit}, notes,
-      faults);
+  lattice.columns = fit_axis(
+      {wall.length, column, "length", is_header_bond ? "wall.unit.width" : "wall.unit.length", 2,
+       is_header_bond ? "half header" : "half unit", wall.fit},
+      notes, faults);
+  lattice.courses =
+      fit_axis({wall.height, wall.unit.height, "height", "wall.unit.height", 1, "course", wall.fit},
+               notes, faults);
   lattice.stretcher = lattice.header = 2 * lattice.columns.step;
   if (needs_header(wall.bond) && !is_header_bond && lattice.columns.count > 0) {
     lattice.header = fit_header(wall, lattice.columns.step, notes, faults);

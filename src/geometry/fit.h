@@ -15,14 +15,14 @@
 
 namespace wythe::geometry {
 
-inline constexpr double kFitTolerance = 0.02;      // largest change of a size that needs no consent
-inline constexpr double kSliver = 0.25;            // pieces below this share of a step are not laid
-inline constexpr double kHeaderTolerance = 0.05;   // a header this near half a unit is taken as half
+inline constexpr double kFitTolerance = 0.02;     // largest change of a size that needs no consent
+inline constexpr double kSliver = 0.25;           // pieces below this share of a step are not laid
+inline constexpr double kHeaderTolerance = 0.05;  // a header this near half a unit is taken as half
 
 struct Axis {
-  double extent = 0;  // [m]
-  double step = 0;    // fitted [m]
-  int count = 0;      // of steps
+  double extent = 0;                            // [m]
+  double step = 0;                              // fitted [m]
+  int count = 0;                                // of steps
   [[nodiscard]] double line(int i) const;       // [m], 0 <= i <= count
   [[nodiscard]] double half_line(int q) const;  // line at q half steps, any q [m]
   [[nodiscard]] int nearest(double x) const;    // line nearest to x

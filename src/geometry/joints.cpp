@@ -100,9 +100,9 @@ bool is_anti_parallel(const Edge& e, const Edge& f) {
 
 // The common part of two facing edges, from real corners of either (no new coordinates).
 struct Overlap {
-  Vec2 from, to;   // along e
-  double size;     // [m]
-  double gap;      // [m]
+  Vec2 from, to;  // along e
+  double size;    // [m]
+  double gap;     // [m]
 };
 
 Overlap overlap_of(const Edge& e, const Edge& f) {

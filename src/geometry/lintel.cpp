@@ -17,9 +17,9 @@ void check_body(const ModelSpec& spec, int index, FaultList& faults) {
   }
   const auto found = spec.material.find(lintel.material);
   if (found == spec.material.end()) return;  // reported with the other missing materials
-  (void)is_positive({"material." + lintel.material + ".density", found->second.density, "kg/m^3",
-                     "500 kg/m^3"},
-                    faults);
+  (void)is_positive(
+      {"material." + lintel.material + ".density", found->second.density, "kg/m^3", "500 kg/m^3"},
+      faults);
 }
 
 void note_size(const PlacedOpening& opening, const std::string& what, double stated, double laid,
@@ -41,10 +41,11 @@ bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& openin
                  const LintelSpec& lintel, FaultList& faults) {
   const double margin = 1e-9 * axis.extent;
   if (body.x0 >= -margin && body.x1 <= axis.extent + margin) return true;
-  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
-            "the lintel reaches outside the wall: it would span " + metres(body.x0) + " to " +
-                metres(body.x1),
-            "leave at least one half unit (" + millimetres(axis.step) + ") of wall beside the opening");
+  add_fault(
+      faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
+      "the lintel reaches outside the wall: it would span " + metres(body.x0) + " to " +
+          metres(body.x1),
+      "leave at least one half unit (" + millimetres(axis.step) + ") of wall beside the opening");
   return false;
 }
 
@@ -79,7 +80,8 @@ void move_head_to_course(const Axis& courses, PlacedOpening& opening,
   const double line = courses.line(std::max(lowest, courses.nearest(opening.hole.y1)));
   if (std::abs(line - opening.hole.y1) > 1e-9) {
     notes.push_back("opening " + std::to_string(opening.index) + " head " +
-                    metres(opening.hole.y1) + " -> " + metres(line) + " (its lintel lies on a bed joint)");
+                    metres(opening.hole.y1) + " -> " + metres(line) +
+                    " (its lintel lies on a bed joint)");
   }
   opening.hole.y1 = line;
 }
@@ -94,9 +96,11 @@ bool check_lintel(const ModelSpec& spec, int index, FaultList& faults) {
   const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
   if (lintel.kind.empty()) return false;
   check_body(spec, index, faults);
-  bool given = is_positive({opening_path(index, "lintel.depth"), lintel.depth, "m", "110 mm"}, faults);
+  bool given =
+      is_positive({opening_path(index, "lintel.depth"), lintel.depth, "m", "110 mm"}, faults);
   // A lintel without bearing is no longer than the opening: nothing would carry it.
-  given &= is_positive({opening_path(index, "lintel.bearing"), lintel.bearing, "m", "150 mm"}, faults);
+  given &=
+      is_positive({opening_path(index, "lintel.bearing"), lintel.bearing, "m", "150 mm"}, faults);
   return given;
 }
 

@@ -28,10 +28,11 @@ bool is_inside(const Span& span, const Axis& axis, const std::string& extent_key
                FaultList& faults) {
   const double end = span.start + span.size;
   if (end <= axis.extent + kFitTolerance * span.size) return true;
-  add_fault(faults, opening_path(span.opening, span.size_key), metres(span.size),
-            "the opening ends at " + metres(end) + ", outside the wall (wall." + extent_key + " = " +
-                metres(axis.extent) + ")",
-            span.start_key + " + " + span.size_key + " must be " + metres(axis.extent) + " or less");
+  add_fault(
+      faults, opening_path(span.opening, span.size_key), metres(span.size),
+      "the opening ends at " + metres(end) + ", outside the wall (wall." + extent_key + " = " +
+          metres(axis.extent) + ")",
+      span.start_key + " + " + span.size_key + " must be " + metres(axis.extent) + " or less");
   return false;
 }
 
@@ -62,9 +63,10 @@ bool snap_edge(const Span& span, const Axis& axis, Fit fit, const SnapAsk& ask, 
     sizes = metres(axis.line(below) - ask.origin) + " or " + sizes;
   }
   add_fault(faults, opening_path(span.opening, ask.key), metres(ask.stated),
-            "the edge at " + metres(ask.edge) + " lies " +
-                millimetres(std::abs(line - ask.edge)) + " from the nearest joint line, more than 2 %"
-                " of the opening's " + span.size_key,
+            "the edge at " + metres(ask.edge) + " lies " + millimetres(std::abs(line - ask.edge)) +
+                " from the nearest joint line, more than 2 %"
+                " of the opening's " +
+                span.size_key,
             ask.key + " = " + sizes + " fits the units of " + millimetres(axis.step) +
                 "; or wall.fit = \"cut\"");
   return false;
@@ -81,7 +83,8 @@ void note_move(const Span& span, const std::string& key, double from, double to,
 bool snap_span(const Span& span, const Axis& axis, Fit fit, double& start, double& end,
                std::vector<std::string>& notes, FaultList& faults) {
   const double stated_end = span.start + span.size;
-  bool fits = snap_edge(span, axis, fit, {span.start_key, span.start, 0, span.start}, start, faults);
+  bool fits =
+      snap_edge(span, axis, fit, {span.start_key, span.start, 0, span.start}, start, faults);
   fits &= snap_edge(span, axis, fit, {span.size_key, stated_end, start, span.size}, end, faults);
   if (!fits) return false;
   end = std::min(end, axis.extent);
@@ -122,13 +125,12 @@ void refuse_overlap(const PlacedOpening& a, const PlacedOpening& b, FaultList& f
 void refuse_lintel_in_opening(const PlacedOpening& a, const PlacedOpening& b, FaultList& faults) {
   if (a.segment.empty() || a.index == b.index) return;
   const Rect lintel = join(a.segment.front(), a.segment.back());
-  const bool meets_lintel =
-      !b.segment.empty() && a.index < b.index &&
-      overlaps(lintel, join(b.segment.front(), b.segment.back()), 1e-9);
+  const bool meets_lintel = !b.segment.empty() && a.index < b.index &&
+                            overlaps(lintel, join(b.segment.front(), b.segment.back()), 1e-9);
   if (!overlaps(lintel, b.hole, 1e-9) && !meets_lintel) return;
   add_fault(faults, opening_path(a.index, "lintel.bearing"), "",
-            std::string("the lintel reaches into ") + (meets_lintel ? "the lintel of opening " : "opening ") +
-                number_of(b),
+            std::string("the lintel reaches into ") +
+                (meets_lintel ? "the lintel of opening " : "opening ") + number_of(b),
             "shorten the bearing or move the opening");
 }
 

@@ -19,9 +19,9 @@
 namespace wythe::geometry {
 
 struct PlacedOpening {
-  int index = 0;                  // in wall.opening
-  Rect hole;                      // [m]
-  std::vector<Rect> segment;      // lintel segments, left to right; empty without lintel
+  int index = 0;              // in wall.opening
+  Rect hole;                  // [m]
+  std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
 };
 
 [[nodiscard]] std::vector<PlacedOpening> place_openings(const ModelSpec& spec,

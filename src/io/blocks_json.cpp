@@ -38,8 +38,10 @@ class BlocksReader {
       json = Json::parse(text);
     } catch (const Json::parse_error& error) {
       const std::size_t at = std::min(error.byte, text.size());
-      const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-      refuse("", "", fmt::format("not valid JSON at byte {}", error.byte), "", static_cast<int>(line) + 1);
+      const auto line =
+          std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+      refuse("", "", fmt::format("not valid JSON at byte {}", error.byte), "",
+             static_cast<int>(line) + 1);
       return;
     } catch (const Json::exception& error) {
       return refuse("", "", fmt::format("can't be read: {}", error.what()), "");
@@ -62,8 +64,12 @@ class BlocksReader {
   void refuse(const std::string& where, const std::string& value, const std::string& problem,
               const std::string& cure, int line = 0) {
     const std::string path = where.empty() ? "wall.blocks" : "wall.blocks." + where;
-    context_.faults.add({.file = file_, .path = path, .value = value, .problem = problem,
-                         .cure = cure, .line = line});
+    context_.faults.add({.file = file_,
+                         .path = path,
+                         .value = value,
+                         .problem = problem,
+                         .cure = cure,
+                         .line = line});
   }
 
   void read_units(const Json& json) {
@@ -175,11 +181,13 @@ class BlocksReader {
     std::vector<double> at;
     for (const Json& item : json.is_array() ? json : Json::array())
       if (const auto value = read_number(item)) at.push_back(*value);
-    const bool good = json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
+    const bool good =
+        json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
     if (!good)
       return refuse(block.id, short_dump(json), "must be four finite numbers x0 < x1, y0 < y1",
                     "write them as [x0, y0, x1, y1]");
-    block.polygon = {Point{at[0], at[1]}, Point{at[2], at[1]}, Point{at[2], at[3]}, Point{at[0], at[3]}};
+    block.polygon = {Point{at[0], at[1]}, Point{at[2], at[1]}, Point{at[2], at[3]},
+                     Point{at[0], at[3]}};
     keep(std::move(block));
   }
 

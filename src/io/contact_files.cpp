@@ -28,7 +28,8 @@ void describe(Visitor& v, LawFile& file) {
 
 namespace {
 
-constexpr const char* kOtherTables[] = {"name", "note", "wall", "contact", "stage", "solve", "output"};
+constexpr const char* kOtherTables[] = {"name",  "note",  "wall",  "contact",
+                                        "stage", "solve", "output"};
 
 // The one law meant: the only one, or the one called joint. Bodies (density only) do not count.
 JointMaterial pick_law(ReadContext& context, const LawFile& file) {
@@ -107,8 +108,10 @@ class PathReader {
   void read_row(const std::string& line, std::vector<ContactPathRow>& rows) {
     const std::vector<std::string> cells = split_row(line);
     if (cells.size() != header_.size())
-      return context_.fault("", line_, line, fmt::format("has {} cells, the header has {}",
-                            cells.size(), header_.size()), "separate the cells by commas");
+      return context_.fault(
+          "", line_, line,
+          fmt::format("has {} cells, the header has {}", cells.size(), header_.size()),
+          "separate the cells by commas");
     rows.push_back({.opening = read_mm(cells, opening_), .slip = read_mm(cells, slip_)});
   }
 

@@ -43,9 +43,8 @@ inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
                                                       {"+y", Direction::kPlusY},
                                                       {"-y", Direction::kMinusY}};
 inline constexpr Word<StageKind> kStageKindWords[] = {
-    {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad},
-    {"push", StageKind::kPush},            {"body_force", StageKind::kBodyForce},
-    {"tilt", StageKind::kTilt},            {"hold", StageKind::kHold}};
+    {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
+    {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold}};
 
 inline constexpr Kinds kLoadStage = kind_bit(StageKind::kLoad);
 inline constexpr Kinds kPushStage = kind_bit(StageKind::kPush);
@@ -55,6 +54,9 @@ inline constexpr Kinds kHoldStage = kind_bit(StageKind::kHold);
 inline constexpr Kinds kDirectedStage = kPushStage | kBodyForceStage | kTiltStage;
 inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage | kDirectedStage;
 
+// The descriptions are tables laid out by hand, two to four lines a key.
+// clang-format off
+
 // --- wall ----------------------------------------------------------------------------------------
 
 template <class Visitor>
@@ -62,9 +64,9 @@ void describe(Visitor& v, LintelSpec& s) {
   v.text("kind", s.kind, {.fallback = "no lintel", .example = "timber",
          .doc = "What it is made of, a word for the reader; its presence makes the lintel."});
   v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kPositive,
-             .fallback = "one course", .example = "110 mm",
+             .fallback = "needed with a lintel", .example = "110 mm",
              .doc = "Structural depth; the lintel occupies the nearest whole number of courses."});
-  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kNotNegative,
+  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kPositive,
              .fallback = "needed with a lintel", .example = "150 mm",
              .doc = "Length of support on each side of the opening."});
   v.text("material", s.material, {.fallback = "needed with a lintel", .example = "timber",
@@ -110,7 +112,7 @@ template <class Visitor>
 void describe(Visitor& v, BeamSpec& s) {
   v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kPositive,
              .fallback = "no beam", .example = "250 mm",
-             .doc = "Height of a rigid beam over the whole wall top; its presence makes the beam."});
+             .doc = "Height of a rigid beam over the wall top; its presence makes the beam."});
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kNotNegative,
              .example = "2400 kg/m^3", .doc = "Density of the beam; 0 kg/m^3 for a light one."});
   v.choice("rotation", s.rotation, kFreedomWords, {.example = "blocked",
@@ -228,7 +230,7 @@ void describe(Visitor& v, ContactRule& s) {
 template <class Visitor>
 void describe(Visitor& v, PlaceSpec& s) {
   v.quantity("x", s.x, {.unit = "m", .shown = "m", .fallback = "none", .example = "0 m",
-             .doc = "A point in the block pushed, or the left end of a box; from the wall's left."});
+             .doc = "A point in the pushed block, or a box's left end; from the wall's left."});
   v.quantity("y", s.y, {.unit = "m", .shown = "m", .fallback = "none", .example = "3.12 m",
              .doc = "The same, above the wall's base."});
   v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kPositive, .fallback = "none",
@@ -313,7 +315,7 @@ void describe(Visitor& v, StageSpec& s) {
   v.choice("kind", s.kind, kStageKindWords, {.fallback = "told from the other keys",
            .example = "push", .doc = "What the stage does; a stage named gravity is one."});
   v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
-             .kinds = kRampedStage, .fallback = "chosen from the wall's period",
+             .kinds = kRampedStage, .fallback = "0.05 s for a push, 0.1 s otherwise",
              .example = "0.1 s", .doc = "Duration of the smooth start."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping",
            .example = "0.8", .doc = "Local damping in this stage."});
@@ -334,7 +336,7 @@ void describe(Visitor& v, SolveSpec& s) {
            .doc = "Time step as a share of the stable bound 2 / omega_max; the bound is on the "
                   "safe side, half of it leaves room for contacts that form later."});
   v.number("damping", s.damping, {.range = kBelowOne, .example = "0.8",
-           .doc = "Local damping (Cundall): this share of the unbalanced force opposes the motion."});
+           .doc = "Local damping: this share of the unbalanced force opposes the motion."});
   v.quantity("gravity", s.gravity, {.unit = "m/s^2", .shown = "m/s^2", .range = kNotNegative,
              .example = "9.81 m/s^2", .doc = "Acceleration of gravity, downwards."});
   v.number("settle_ratio", s.settle_ratio, {.range = kPositive, .example = "1e-5",
@@ -345,7 +347,7 @@ void describe(Visitor& v, SolveSpec& s) {
            .doc = "Density scaling of the quasi-static stages before the first push."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
              .range = kPositive, .fallback = "the smallest block height", .example = "110 mm",
-             .doc = "A block that moved so far from where it stood has fallen: the wall collapsed."});
+             .doc = "A block that moved so far beyond the push has fallen: collapse."});
 }
 
 template <class Visitor>
@@ -371,10 +373,12 @@ void describe(Visitor& v, ModelSpec& s) {
   v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
         "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
         "given elsewhere; bodies (lintels, blocks) need density and moduli only."});
-  v.list("contact", s.contact, {.doc = "For blocks files: which joint stands between which blocks."});
+  v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});
   v.list("stage", s.stage, {.doc = "What is done to the wall, in turn. At least one."});
   v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});
   v.table("output", s.output, {.doc = "What is written."});
 }
+
+// clang-format on
 
 }  // namespace wythe::io

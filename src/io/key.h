@@ -37,16 +37,16 @@ using Kinds = unsigned;
 constexpr Kinds kind_bit(StageKind kind) { return 1U << static_cast<unsigned>(kind); }
 
 struct Key {
-  const char* unit = "";        // SI unit of a quantity
-  const char* shown = "";       // unit an engineer writes it in
+  const char* unit = "";   // SI unit of a quantity
+  const char* shown = "";  // unit an engineer writes it in
   Range range = kAnyValue;
   bool may_be_unlimited = false;
-  int count = 0;                // of a list of words: how many, 0 for any number
+  int count = 0;  // of a list of words: how many, 0 for any number
   Kinds kinds = 0;
-  bool in_braces = false;       // table written as key = { ... }
-  bool optional = false;        // table left out while it says nothing
-  const char* fallback = "";    // what holds where the key is absent and has no value of its own
-  const char* example = "";     // as in the file, a quantity or text without its quotes
+  bool in_braces = false;     // table written as key = { ... }
+  bool optional = false;      // table left out while it says nothing
+  const char* fallback = "";  // what holds where the key is absent and has no value of its own
+  const char* example = "";   // as in the file, a quantity or text without its quotes
   const char* doc = "";
 };
 

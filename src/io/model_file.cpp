@@ -14,7 +14,8 @@ namespace io {
 void finish(Reader& reader, ContactRule&) {
   if (!reader.has("between")) reader.miss("between", "is missing, a contact rule needs it");
   if (!reader.has("material"))
-    reader.miss("material", "is missing, a contact rule needs it", "write e.g. material = \"joint\"");
+    reader.miss("material", "is missing, a contact rule needs it",
+                "write e.g. material = \"joint\"");
 }
 
 void finish(Reader& reader, ModelSpec& model) {

@@ -116,13 +116,15 @@ class Walk {
   void put_item(toml::array& list, const toml::node& item) {
     toml::table holder;
     put_value(holder, "value", value_);
-    const auto at = std::find_if(list.begin(), list.end(), [&](const auto& n) { return &n == &item; });
+    const auto at =
+        std::find_if(list.begin(), list.end(), [&](const auto& n) { return &n == &item; });
     holder.get("value")->visit([&](auto& value) { list.replace(at, std::move(value)); });
     context_.overrides.push_back({path_, given_});
   }
 
   toml::node* refuse(const std::string& problem, const std::string& cure) {
-    context_.faults.add({.file = "--set", .path = given_, .value = value_, .problem = problem, .cure = cure});
+    context_.faults.add(
+        {.file = "--set", .path = given_, .value = value_, .problem = problem, .cure = cure});
     return nullptr;
   }
 
@@ -139,9 +141,12 @@ void apply_overrides(ReadContext& context, toml::table& root,
     const std::size_t equals = text.find('=');
     const std::string path(trimmed(text.substr(0, equals)));
     if (equals == std::string::npos || path.empty()) {
-      context.faults.add({.file = "--set", .path = path, .value = "",
-                          .problem = equals == std::string::npos ? "has no '='" : "has no path before '='",
-                          .cure = "write path=value, e.g. --set stage.push.velocity=\"1 mm/s\""});
+      context.faults.add(
+          {.file = "--set",
+           .path = path,
+           .value = "",
+           .problem = equals == std::string::npos ? "has no '='" : "has no path before '='",
+           .cure = "write path=value, e.g. --set stage.push.velocity=\"1 mm/s\""});
       continue;
     }
     Walk(context, path, std::string(trimmed(text.substr(equals + 1)))).put(root);

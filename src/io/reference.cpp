@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
-#include "io/range_text.h"
 #include "io/describe.h"
+#include "io/range_text.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
 
@@ -48,7 +48,8 @@ class Reference {
   explicit Reference(std::string path) : path_(std::move(path)) {}
 
   void quantity(const char* name, const double& value, const Key& key) {
-    const std::string fallback = std::isnan(value) ? "" : format_quantity(value, key.unit, key.shown);
+    const std::string fallback =
+        std::isnan(value) ? "" : format_quantity(value, key.unit, key.shown);
     row(name, key, key.shown, allowed(key), fallback, ValueKind::kQuantity);
   }
   void quantities(const char* name, const std::vector<double>&, const Key& key) {
@@ -83,7 +84,8 @@ class Reference {
   template <class T>
   void table(const char* name, T& value, const Key& key) {
     const std::string path = under(path_, name);
-    const std::string heading = key.in_braces ? fmt::format("{} = {{ ... }}", path) : '[' + path + ']';
+    const std::string heading =
+        key.in_braces ? fmt::format("{} = {{ ... }}", path) : '[' + path + ']';
     section(heading, path, key, value);
   }
   template <class T>
@@ -109,11 +111,12 @@ class Reference {
   void row(const char* name, const Key& key, const std::string& unit, const std::string& allowed,
            const std::string& value, ValueKind kind) {
     if (rows_.empty())
-      rows_ = "\n| key | unit or type | allowed | default | meaning | example |\n"
-              "|---|---|---|---|---|---|\n";
+      rows_ =
+          "\n| key | unit or type | allowed | default | meaning | example |\n"
+          "|---|---|---|---|---|---|\n";
     const std::string fallback = value.empty() ? key.fallback : code(value);
-    rows_ += fmt::format("| `{}` | {} | {} | {} | {}{} | {} |\n", name, unit, cell(allowed), fallback,
-                         cell(key.doc), kinds_text(key.kinds),
+    rows_ += fmt::format("| `{}` | {} | {} | {} | {}{} | {} |\n", name, unit, cell(allowed),
+                         fallback, cell(key.doc), kinds_text(key.kinds),
                          cell(code(example_text(name, key, kind))));
   }
 
@@ -121,7 +124,8 @@ class Reference {
   void section(const std::string& heading, const std::string& path, const Key& key, T& value) {
     Reference inner(path);
     describe(inner, value);
-    below_ += fmt::format("\n## `{}`\n\n{}{}\n{}", heading, key.doc, kinds_text(key.kinds), inner.whole());
+    below_ += fmt::format("\n## `{}`\n\n{}{}\n{}", heading, key.doc, kinds_text(key.kinds),
+                          inner.whole());
   }
 
   std::string path_, rows_, below_;

@@ -67,8 +67,7 @@ void refuse_foreign_keys(Reader& reader, StageKind kind) {
   for (const Reader::Entry& entry : reader.entries()) {
     const bool foreign = entry.key.kinds != 0 && !(entry.key.kinds & kind_bit(kind));
     if (entry.node && foreign)
-      reader.refuse(entry.name,
-                    fmt::format("a {} stage has no such key", word_of(kind)),
+      reader.refuse(entry.name, fmt::format("a {} stage has no such key", word_of(kind)),
                     fmt::format("it belongs to stages of kind {}", words_of(entry.key.kinds)));
   }
 }
@@ -128,12 +127,16 @@ void check_manner(Reader& reader, const StageSpec& stage) {
   const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
   if (stage.kind == StageKind::kLoad && !of_load)
     reader.refuse("as", "a load acts as pressure or plate", "write e.g. as = \"plate\"");
+  if (stage.kind == StageKind::kLoad && stage.as == Manner::kPlate && !reader.has("pier_load"))
+    reader.refuse("as", "a plate stands on each pier and needs pier_load",
+                  "leave `as` out, or write pier_load");
   if (stage.kind == StageKind::kPush && of_load)
     reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
 }
 
 void check_direction(Reader& reader, const StageSpec& stage) {
-  const bool sideways = stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
+  const bool sideways =
+      stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
   const bool tilts = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
   if (tilts && !sideways)
     reader.refuse("direction", fmt::format("a {} stage acts sideways", word_of(stage.kind)),

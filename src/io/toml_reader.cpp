@@ -58,7 +58,8 @@ std::string shown(const toml::node& node) {
 
 void ReadContext::fault(const std::string& path, int line, const std::string& value,
                         const std::string& problem, const std::string& cure) {
-  Fault out{.file = file, .path = path, .value = value, .problem = problem, .cure = cure, .line = line};
+  Fault out{
+      .file = file, .path = path, .value = value, .problem = problem, .cure = cure, .line = line};
   for (const Override& set : overrides) {
     const bool reaches = is_at_or_above(set.path, path);
     // A table that stands in no file was made on the way to the override's key.
@@ -180,7 +181,8 @@ void Reader::flag(const char* name, bool& value, const Key& key) {
   if (read) {
     value = read->get();
   } else {
-    refuse(name, "must be true or false, without quotes", cure_by_example(name, key, ValueKind::kBare));
+    refuse(name, "must be true or false, without quotes",
+           cure_by_example(name, key, ValueKind::kBare));
   }
 }
 
@@ -284,7 +286,8 @@ void Reader::refuse_member(std::string_view list, std::size_t index, std::string
                            const std::string& problem, const std::string& cure) {
   const auto item = table_[list][index][name];
   const std::string path = fmt::format("{}.{}.{}", below(std::string(list)), index, name);
-  context_.fault(path, item ? line_of(*item.node()) : 0, item ? shown(*item.node()) : "", problem, cure);
+  context_.fault(path, item ? line_of(*item.node()) : 0, item ? shown(*item.node()) : "", problem,
+                 cure);
 }
 
 void Reader::refuse_table(const std::string& problem, const std::string& cure) {

@@ -65,7 +65,8 @@ class Reader {
   void table(const char* name, T& value, const Key& key) {
     const toml::node* node = find(name, key);
     if (!node) return;
-    if (const toml::table* inner = as_table(*node, name)) read_table(context_, *inner, below(name), value);
+    if (const toml::table* inner = as_table(*node, name))
+      read_table(context_, *inner, below(name), value);
   }
 
   template <class T>
@@ -150,6 +151,7 @@ void read_table(ReadContext& context, const toml::table& table, const std::strin
 void throw_faults(const ReadContext& context);
 
 // Puts "path=value" texts into the tree before it is read (overrides.cpp).
-void apply_overrides(ReadContext& context, toml::table& root, const std::vector<std::string>& texts);
+void apply_overrides(ReadContext& context, toml::table& root,
+                     const std::vector<std::string>& texts);
 
 }  // namespace wythe::io

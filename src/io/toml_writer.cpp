@@ -59,9 +59,10 @@ void Writer::quantity(const char* name, const double& value, const Key& key) {
 
 void Writer::quantities(const char* name, const std::vector<double>& values, const Key& key) {
   if (values.empty()) return;
-  put(name, list_text(values, [&](double value) {
-        return quoted(format_quantity(value, key.unit, key.shown));
-      }), key);
+  put(name,
+      list_text(values,
+                [&](double value) { return quoted(format_quantity(value, key.unit, key.shown)); }),
+      key);
 }
 
 void Writer::number(const char* name, const double& value, const Key& key) {

@@ -92,10 +92,18 @@ UnitTable& unit_table() {
 
 std::string dimension_name(std::string_view si_unit) {
   static const std::map<std::string, std::string, std::less<>> kNames = {
-      {"m", "a length"},         {"Pa", "a stress"},           {"Pa/m", "a stiffness per area"},
-      {"rad", "an angle"},       {"N/m", "an energy per area"}, {"kg/m^3", "a density"},
-      {"N", "a force"},          {"s", "a time"},              {"m/s", "a velocity"},
-      {"1/s", "a rate"},         {"rad/s", "a rate of angle"}, {"m/s^2", "an acceleration"}};
+      {"m", "a length"},
+      {"Pa", "a stress"},
+      {"Pa/m", "a stiffness per area"},
+      {"rad", "an angle"},
+      {"N/m", "an energy per area"},
+      {"kg/m^3", "a density"},
+      {"N", "a force"},
+      {"s", "a time"},
+      {"m/s", "a velocity"},
+      {"1/s", "a rate"},
+      {"rad/s", "a rate of angle"},
+      {"m/s^2", "an acceleration"}};
   const auto found = kNames.find(si_unit);
   return found == kNames.end() ? fmt::format("a quantity [{}]", si_unit)
                                : fmt::format("{} [{}]", found->second, si_unit);
@@ -129,8 +137,8 @@ std::optional<Split> split_quantity(std::string_view text) {
 void refuse_second_number(std::string_view text, std::string_view unit) {
   if (unit.starts_with(','))
     throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
-  const bool leads = !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) &&
-                     !unit.starts_with("1/");
+  const bool leads =
+      !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) && !unit.starts_with("1/");
   bool after_blank = false;
   for (std::size_t i = 1; i < unit.size(); ++i)
     after_blank |= unit[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(unit[i]));
@@ -145,7 +153,8 @@ double checked_factor(const std::string& unit, std::string_view si_unit) {
   if (factor.verdict == Verdict::kUnknown)
     throw QuantityError(fmt::format("the unit {} is not known", unit), cure);
   if (factor.verdict == Verdict::kOtherDimension)
-    throw QuantityError(fmt::format("{} is not the unit of {}", unit, dimension_name(si_unit)), cure);
+    throw QuantityError(fmt::format("{} is not the unit of {}", unit, dimension_name(si_unit)),
+                        cure);
   return factor.value;
 }
 
@@ -173,11 +182,12 @@ double parse_quantity(std::string_view text, std::string_view si_unit) {
 std::string format_quantity(double value, std::string_view si_unit, std::string_view shown_unit) {
   if (std::isinf(value) && value > 0) return "unlimited";
   if (!std::isfinite(value)) return fmt::format("{} {}", value, si_unit);
-  const double shown = value / unit_factor(shown_unit, si_unit);
+  const double factor = unit_factor(shown_unit, si_unit);
+  const double shown = value / factor;
   for (const int digits : {15, 16, 17}) {
-    if (!std::isfinite(shown)) break;
     const std::string text = fmt::format("{:.{}g} {}", shown, digits, shown_unit);
-    const double back = parse_quantity(text, si_unit);
+    const auto read = split_quantity(text);
+    const double back = read ? scaled(read->number, factor) : std::nan("");
     if (back == value && std::signbit(back) == std::signbit(value)) return text;
   }
   return fmt::format("{} {}", value, si_unit);

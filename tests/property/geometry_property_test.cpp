@@ -69,9 +69,7 @@ Assembly build(const Scene& scene) {
   return wall;
 }
 
-double window_area(const Scene& s) {
-  return s.window.width * s.window.height * kColumn * kCourse;
-}
+double window_area(const Scene& s) { return s.window.width * s.window.height * kColumn * kCourse; }
 
 double total_area(const Assembly& wall) {
   double area = 0;
@@ -232,7 +230,8 @@ TEST(geometry_size, twenty_thousand_blocks_make_every_face_once) {
   const int columns = 200, courses = 100;
   const Assembly wall = build({.columns = columns, .courses = courses, .window = {}});
   EXPECT_EQ(wall.blocks.size(), 20000U);
-  EXPECT_EQ(wall.faces.size(), static_cast<std::size_t>(columns * courses + (columns - 1) * courses));
+  EXPECT_EQ(wall.faces.size(),
+            static_cast<std::size_t>(columns * courses + (columns - 1) * courses));
 }
 
 TEST(geometry_determinism, the_same_spec_gives_the_same_faces) {

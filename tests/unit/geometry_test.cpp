@@ -20,8 +20,8 @@ ModelSpec papers_wall() {
   spec.wall.thickness = 0.31;
   spec.wall.unit = {.length = 0.31, .height = 0.11, .density = 1250};
   LintelSpec lintel{.kind = "timber", .depth = 0.11, .bearing = 0.15, .material = "timber"};
-  spec.wall.opening = {{.name = "door", .x = 1.70, .y = 0, .width = 1.70, .height = 2.64,
-                        .lintel = lintel}};
+  spec.wall.opening = {
+      {.name = "door", .x = 1.70, .y = 0, .width = 1.70, .height = 2.64, .lintel = lintel}};
   for (const char* name : {"joint", "unit", "foundation", "timber"}) spec.material[name] = {};
   spec.material["timber"].density = 500;
   return spec;
@@ -221,10 +221,18 @@ TEST(geometry_papers_wall, joints_of_each_kind_are_counted_by_hand) {
 
 TEST(geometry_papers_wall, materials_follow_the_kind_of_joint) {
   for (const Face& face : build(papers_wall()).faces) {
-    if (face.kind == FaceKind::kSplit) { EXPECT_EQ(face.material, "unit"); }
-    if (face.kind == FaceKind::kFoundation) { EXPECT_EQ(face.material, "foundation"); }
-    if (face.kind == FaceKind::kLintelChain) { EXPECT_EQ(face.material, "timber"); }
-    if (face.kind == FaceKind::kLintelBond) { EXPECT_EQ(face.material, "joint"); }
+    if (face.kind == FaceKind::kSplit) {
+      EXPECT_EQ(face.material, "unit");
+    }
+    if (face.kind == FaceKind::kFoundation) {
+      EXPECT_EQ(face.material, "foundation");
+    }
+    if (face.kind == FaceKind::kLintelChain) {
+      EXPECT_EQ(face.material, "timber");
+    }
+    if (face.kind == FaceKind::kLintelBond) {
+      EXPECT_EQ(face.material, "joint");
+    }
   }
 }
 
@@ -237,6 +245,13 @@ TEST(geometry_faces, normal_on_the_left_points_from_a_to_b) {
     if (face.a == kGround) continue;
     const Vec2 a = moments(wall.blocks[static_cast<std::size_t>(face.a)].outline).centroid;
     EXPECT_LT(cross(t, a - face.p0), 0);
+  }
+}
+
+TEST(geometry_faces, side_a_is_the_lower_or_the_left_block) {
+  for (const Face& face : build(papers_wall()).faces) {
+    const Vec2 t = face.p1 - face.p0;  // +x below b, -y on the left of b
+    EXPECT_TRUE(t.x > 1e-9 || (std::abs(t.x) < 1e-9 && t.y < 0));
   }
 }
 
@@ -370,7 +385,8 @@ TEST(geometry_piers, of_a_wall_without_openings_are_the_whole_wall) {
 TEST(geometry_lintel, reaching_outside_the_wall_is_refused) {
   ModelSpec spec = papers_wall();
   spec.wall.opening[0].lintel.bearing = 3;
-  EXPECT_TRUE(mentions(fault_at(spec, "wall.opening.0.lintel.bearing").problem, "outside the wall"));
+  EXPECT_TRUE(
+      mentions(fault_at(spec, "wall.opening.0.lintel.bearing").problem, "outside the wall"));
 }
 
 TEST(geometry_lintel, deeper_than_the_spandrel_is_refused) {
@@ -400,7 +416,8 @@ TEST(geometry_lintel, reaching_into_the_next_opening_is_refused) {
   ModelSpec spec = plain_wall(30, 10);
   spec.material["timber"].density = 500;
   spec.wall.opening = {hole(0.5, 0, 0.5, 0.5), hole(1.1, 0, 0.5, 0.8)};
-  spec.wall.opening[0].lintel = {.kind = "timber", .depth = 0.1, .bearing = 0.2, .material = "timber"};
+  spec.wall.opening[0].lintel = {
+      .kind = "timber", .depth = 0.1, .bearing = 0.2, .material = "timber"};
   EXPECT_TRUE(mentions(fault_at(spec, "wall.opening.0.lintel.bearing").problem, "opening 1"));
 }
 
@@ -444,9 +461,9 @@ TEST(geometry_missing_numbers, are_all_reported_at_once) {
   const std::vector<Fault> faults = faults_of(ModelSpec{});
   for (const char* path : {"wall.length", "wall.height", "wall.thickness", "wall.unit.length",
                            "wall.unit.height", "wall.unit.density", "material.joint"}) {
-    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(),
-                            [&](const Fault& f) { return f.path == path; }))
-        << path;
+    EXPECT_TRUE(std::any_of(faults.begin(), faults.end(), [&](const Fault& f) {
+      return f.path == path;
+    })) << path;
   }
 }
 
@@ -466,8 +483,8 @@ TEST(geometry_blocks_file, ferris_tinloi_wall_1_has_33_blocks_and_83_interfaces)
 }
 
 TEST(geometry_blocks_file, ferris_tinloi_wall_2_has_55_blocks_and_141_interfaces) {
-  const Assembly wall = build(ferris_wall({kClosers, kWhole, kClosers, kWhole, kClosers, kWhole,
-                                           kClosers, kWhole, kClosers, kWhole}));
+  const Assembly wall = build(ferris_wall(
+      {kClosers, kWhole, kClosers, kWhole, kClosers, kWhole, kClosers, kWhole, kClosers, kWhole}));
   EXPECT_EQ(wall.blocks.size(), 55U);
   EXPECT_EQ(wall.faces.size(), 141U);
 }
@@ -475,8 +492,8 @@ TEST(geometry_blocks_file, ferris_tinloi_wall_2_has_55_blocks_and_141_interfaces
 TEST(geometry_blocks_file, ferris_tinloi_wall_4_with_windows_has_55_blocks_and_116_interfaces) {
   const std::vector<double> wide = {1, -1, 1, -1, 1};
   const std::vector<double> halves = {0.5, 0.5, -1, 0.5, 0.5, -1, 0.5, 0.5};
-  const Assembly wall = build(ferris_wall({kClosers, kWhole, kClosers, wide, halves, wide, halves,
-                                           wide, kClosers, kWhole, kClosers}));
+  const Assembly wall = build(ferris_wall(
+      {kClosers, kWhole, kClosers, wide, halves, wide, halves, wide, kClosers, kWhole, kClosers}));
   EXPECT_EQ(wall.blocks.size(), 55U);
   EXPECT_EQ(wall.faces.size(), 116U);
 }
@@ -530,15 +547,15 @@ TEST(geometry_blocks_file, materials_with_a_density_bring_their_own) {
 }
 
 TEST(geometry_blocks_file, overlaps_name_both_blocks_and_the_area) {
-  const Fault fault = fault_at(blocks_wall({box("a", 0, 0, 1, 1), box("b", 0.5, 0.5, 1.5, 1.5)}),
-                               "wall.blocks.b");
+  const Fault fault =
+      fault_at(blocks_wall({box("a", 0, 0, 1, 1), box("b", 0.5, 0.5, 1.5, 1.5)}), "wall.blocks.b");
   EXPECT_EQ(fault.problem, "blocks \"a\" and \"b\" overlap by 0.25 m^2");
 }
 
 TEST(geometry_blocks_file, bad_outlines_and_repeated_ids_are_all_reported) {
-  const ModelSpec spec = blocks_wall({block("bow", {{0, 0}, {1, 1}, {1, 0}, {0, 1.5}}),
-                                      block("line", {{0, 0}, {1, 1}}), box("twin", 3, 0, 4, 1),
-                                      box("twin", 4, 0, 5, 1), block("flat", {{0, 0}, {1, 0}, {2, 0}})});
+  const ModelSpec spec = blocks_wall(
+      {block("bow", {{0, 0}, {1, 1}, {1, 0}, {0, 1.5}}), block("line", {{0, 0}, {1, 1}}),
+       box("twin", 3, 0, 4, 1), box("twin", 4, 0, 5, 1), block("flat", {{0, 0}, {1, 0}, {2, 0}})});
   EXPECT_TRUE(mentions(fault_at(spec, "wall.blocks.bow").problem, "crosses"));
   EXPECT_TRUE(mentions(fault_at(spec, "wall.blocks.line").problem, "at least 3"));
   EXPECT_TRUE(mentions(fault_at(spec, "wall.blocks.twin").problem, "two blocks"));
@@ -551,8 +568,8 @@ TEST(geometry_blocks_file, floating_blocks_have_no_support) {
 }
 
 TEST(geometry_blocks_file, short_overlaps_and_gaps_are_lost_with_a_note) {
-  const Assembly wall = build(blocks_wall({box("a", 0, 0, 1, 1), box("b", 1.002, 0, 2, 1),
-                                           box("c", 0.5, 1, 1.0025, 2)}));
+  const Assembly wall = build(
+      blocks_wall({box("a", 0, 0, 1, 1), box("b", 1.002, 0, 2, 1), box("c", 0.5, 1, 1.0025, 2)}));
   EXPECT_EQ(wall.report.lost_joints, 2);
   EXPECT_TRUE(notes_mention(wall, "stand apart by up to 2 mm"));
   EXPECT_TRUE(notes_mention(wall, "share only 0.5 mm"));
@@ -567,8 +584,8 @@ TEST(geometry_blocks_file, inclined_faces_of_an_arch_meet) {
   const double step = std::acos(-1.0) / 5;
   for (int i = 0; i < 5; ++i) {
     const double from = step * i, to = step * (i + 1);
-    blocks.push_back(block("v" + std::to_string(i), {at(1, from), at(1.2, from), at(1.2, to), at(1, to)},
-                           i == 0 || i == 4));
+    blocks.push_back(block("v" + std::to_string(i),
+                           {at(1, from), at(1.2, from), at(1.2, to), at(1, to)}, i == 0 || i == 4));
   }
   const Assembly arch = build(blocks_wall(blocks));
   ASSERT_EQ(arch.faces.size(), 4U);

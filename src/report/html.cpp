@@ -1,0 +1,76 @@
+#include "report/html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wythe::report {
+namespace {
+
+// "2.4e-07" -> "2.4·10⁻⁷"
+std::string with_power(double value, int digits) {
+  static constexpr const char* kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string text = fmt::format("{:.{}e}", value, std::max(0, digits - 2));
+  const std::size_t e = text.find('e');
+  const int power = std::stoi(text.substr(e + 1));
+  std::string raised = power < 0 ? "⁻" : "";
+  for (char c : std::to_string(std::abs(power))) raised += kRaised[c - '0'];
+  return text.substr(0, e) + "·10" + raised;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (char c : text) {
+    switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default:
+        // control characters are not allowed in XML, and would hide text in HTML
+        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+std::string rounded(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return "unlimited";
+  const double magnitude = std::abs(value);
+  if (magnitude == 0) return "0";
+  if (magnitude < 1e-4 || magnitude >= 1e7) return with_power(value, digits);
+  const int whole = static_cast<int>(std::floor(std::log10(magnitude))) + 1;
+  std::string text = fmt::format("{:.{}f}", value, std::clamp(digits - whole, 0, 8));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
+}
+
+std::string quantity(double value, std::string_view unit, int digits) {
+  std::string text = rounded(value, digits);
+  if (!std::isfinite(value) || unit.empty()) return text;
+  return text + "\u202f" + escaped(unit);
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view css_class) {
+  std::string out = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n", css_class);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i == 0) out += "<thead>";
+    if (i == 1) out += "<tbody>\n";
+    out += "<tr>";
+    for (const std::string& cell : rows[i])
+      out += i == 0 ? fmt::format("<th>{}</th>", cell) : fmt::format("<td>{}</td>", cell);
+    out += i == 0 ? "</tr></thead>\n" : "</tr>\n";
+  }
+  return out + (rows.size() > 1 ? "</tbody>" : "") + "</table></div>\n";
+}
+
+}  // namespace wythe::report

@@ -1,0 +1,293 @@
+// Draws the wall. From back to front: supports and ground, blocks by role (one path for each tint),
+// sound joints (one path for all), cracked joints (one line each, with its numbers as a tooltip),
+// crushed points, push arrow, scale bar.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "model/deformed.h"
+#include "report/html.h"
+#include "report/style.h"
+#include "report/svg.h"
+#include "report/wall_picture.h"
+#include "wythe/report.h"
+#include "wythe/result.h"
+
+namespace wythe {
+namespace report {
+namespace {
+
+constexpr double kWidth = 640;        // of the wall in the picture [px]
+constexpr double kTallest = 560;      // of the wall in the picture [px]
+constexpr double kMargin = 46;        // around it: arrow, ground, scale bar [px]
+constexpr double kVisible = 0.05e-3;  // openings and slips below are drawn as closed [m]
+constexpr double kCrushMark = 0.05;   // crushing from which a point is marked [-]
+constexpr int kTints = 4;
+
+// What one joint shows: the largest of its points.
+struct JointFace {
+  double opening = -HUGE_VAL, slip = 0, damage = 0;
+};
+
+struct Canvas {
+  Axis x, y;
+  double width = 0, height = 0;
+  [[nodiscard]] Pixel operator()(PlacedPoint p) const { return {x(p.x), y(p.y)}; }
+};
+
+struct Bounds {
+  double x0 = std::numeric_limits<double>::infinity(), x1 = -x0, y0 = x0, y1 = -x0;
+  void add(PlacedPoint p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+    x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+    y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+  }
+};
+
+// Blocks that fell far away would shrink the wall to a dot: the view ends half a wall from it.
+Bounds bounds_of(const Model& model, const State& state, double scale) {
+  Bounds rest, now;
+  const Anatomy& a = model.anatomy;
+  for (std::size_t i = 0; i < a.outline_x.size(); ++i) rest.add({a.outline_x[i], a.outline_y[i]});
+  for (std::size_t i = 0; i < a.support_x.size(); ++i) rest.add({a.support_x[i], a.support_y[i]});
+  if (!(rest.x1 > rest.x0)) rest = {.x0 = 0, .x1 = 1, .y0 = 0, .y1 = 1};
+  now = rest;
+  for (BlockId b = 0; b < model.n_block; ++b)
+    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) now.add(p);
+  const double reach = 0.5 * std::max(rest.x1 - rest.x0, rest.y1 - rest.y0);
+  return {.x0 = std::max(now.x0, rest.x0 - reach), .x1 = std::min(now.x1, rest.x1 + reach),
+          .y0 = std::max(now.y0, rest.y0 - reach), .y1 = std::min(now.y1, rest.y1 + reach)};
+}
+
+Canvas canvas_of(const Bounds& bounds) {
+  const double wide = bounds.x1 - bounds.x0;
+  const double high = bounds.y1 - bounds.y0;
+  const double pixels = std::min(kWidth / wide, kTallest / high);  // a metre
+  Canvas canvas;
+  canvas.width = kWidth + 2 * kMargin;
+  canvas.height = high * pixels + 2 * kMargin;
+  const double left = (canvas.width - wide * pixels) / 2;
+  canvas.x = {.offset = left - bounds.x0 * pixels, .factor = pixels};
+  canvas.y = {.offset = kMargin + bounds.y1 * pixels, .factor = -pixels};
+  return canvas;
+}
+
+// A tint that differs between neighbours and is the same in every picture.
+int tint_of(const Model& model, BlockId block) {
+  const auto u = static_cast<std::uint32_t>(block) * 2654435761u;
+  const auto course = static_cast<std::uint32_t>(model.anatomy.block_course[block] + 1);
+  return static_cast<int>(((u >> 13) + course) % kTints);
+}
+
+std::string draw_blocks(const Model& model, const State& state, double scale, const Canvas& canvas) {
+  std::array<std::string, kTints> stones;
+  std::string timber, plates;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    std::vector<Pixel> outline;
+    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) outline.push_back(canvas(p));
+    const BlockRole role = model.anatomy.block_role[b];
+    std::string& group = role == BlockRole::kMasonry  ? stones[tint_of(model, b)]
+                         : role == BlockRole::kLintel ? timber
+                                                      : plates;
+    group += path_data(outline, true);
+  }
+  std::string out;
+  for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
+  if (!timber.empty()) out += path(timber, "timber");
+  if (!plates.empty()) out += path(plates, "plate");
+  return out;
+}
+
+// Fixed blocks, and a hatched line under every run of ground joints.
+std::string draw_supports(const Model& model, const Canvas& canvas) {
+  const Anatomy& a = model.anatomy;
+  std::string fixed;
+  for (std::size_t s = 0; s + 1 < a.support_begin.size(); ++s) {
+    std::vector<Pixel> outline;
+    for (int i = a.support_begin[s]; i < a.support_begin[s + 1]; ++i)
+      outline.push_back(canvas({a.support_x[i], a.support_y[i]}));
+    fixed += path_data(outline, true);
+  }
+  std::string out = fixed.empty() ? "" : path(fixed, "support");
+  std::string ground, hatch;
+  for (JointId j = model.n_pair; j < model.n_joint && fixed.empty(); ++j) {
+    const BlockId b = model.joint_b[j];
+    const double cx = model.centroid_x[b] + model.arm_b_x[j];
+    const double cy = model.centroid_y[b] + model.arm_b_y[j];
+    const Pixel from = canvas({cx - model.half_x[j], cy - model.half_y[j]});
+    const Pixel to = canvas({cx + model.half_x[j], cy + model.half_y[j]});
+    ground += path_data({from, to}, false);
+    const double low = std::min(from.x, to.x);
+    for (double x = std::ceil(low / 9) * 9; x < std::max(from.x, to.x); x += 9)
+      hatch += path_data({{x, from.y}, {x - 7, from.y + 8}}, false);
+  }
+  if (!ground.empty()) out += path(hatch, "hatch") + path(ground, "ground");
+  return out;
+}
+
+JointFace face_of(const Model& model, JointId joint, const std::vector<PointStress>& points) {
+  JointFace face;
+  for (int k = 0; k < model.n_face_point; ++k) {
+    const PointStress& p = points[joint * model.n_face_point + k];
+    face.opening = std::fmax(face.opening, p.opening);
+    face.slip = std::fmax(face.slip, std::abs(p.slip));
+    face.damage = std::fmax(face.damage, p.damage);
+  }
+  return face;
+}
+
+const char* kind_word(JointKind kind) {
+  switch (kind) {
+    case JointKind::kBed: return "bed joint";
+    case JointKind::kHead: return "head joint";
+    case JointKind::kSplit: return "unit";
+    case JointKind::kFoundation: return "foundation";
+    case JointKind::kLintelChain: return "lintel";
+    case JointKind::kLintelBond: return "lintel bearing";
+    case JointKind::kPlate: return "plate";
+    case JointKind::kBeam: return "beam";
+    case JointKind::kOther: return "joint";
+  }
+  return "joint";
+}
+
+// Picks how a cracked joint shows and counts it; width grows with the root of the movement.
+const char* crack_class(const JointFace& face, WallPicture& picture) {
+  if (std::max(face.opening, face.slip) < kVisible || face.damage < 0.999) {
+    int& count = face.damage < 0.999 ? picture.softening : picture.closed;
+    ++count;
+    return face.damage < 0.999 ? "crack softening" : "crack closed";
+  }
+  ++(face.opening >= face.slip ? picture.open : picture.slipped);
+  return face.opening >= face.slip ? "crack open" : "crack slip";
+}
+
+std::string draw_crack(const Model& model, JointId joint, const JointFace& face, Pixel from, Pixel to,
+                       WallPicture& picture) {
+  const double movement = std::max({face.opening, face.slip, 0.0});
+  const std::string css = crack_class(face, picture);
+  const double width = 1.1 + 2.9 * std::sqrt(std::min(1.0, movement / 5e-3));
+  picture.widest = std::max(picture.widest, face.opening);
+  picture.longest = std::max(picture.longest, face.slip);
+  return fmt::format(
+      "<line class=\"{}\" stroke-width=\"{:.1f}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" "
+      "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
+      css, width, from.x, from.y, to.x, to.y, kind_word(model.anatomy.joint_kind[joint]),
+      rounded(std::max(0.0, face.opening) * 1e3, 2), rounded(face.slip * 1e3, 2),
+      rounded(face.damage, 2));
+}
+
+// Sound joints as mortar lines, cracked ones by what they did.
+std::string draw_joints(const Model& model, const State& state, double scale, const Canvas& canvas,
+                        const std::vector<PointStress>& points, WallPicture& picture) {
+  std::string mortar, split, cracks;
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    const auto ends = placed_joint(model, state, j, scale);
+    const Pixel from = canvas(ends[0]);
+    const Pixel to = canvas(ends[1]);
+    const JointKind kind = model.anatomy.joint_kind[j];
+    const JointFace face = face_of(model, j, points);
+    if (face.damage > 0.01)
+      cracks += draw_crack(model, j, face, from, to, picture);
+    else if (kind == JointKind::kSplit)
+      split += path_data({from, to}, false);
+    else if (kind != JointKind::kLintelChain)
+      mortar += path_data({from, to}, false);
+  }
+  return path(split, "split") + path(mortar, "mortar") + cracks;
+}
+
+std::string draw_crushed(const Model& model, const State& state, double scale, const Canvas& canvas,
+                         const std::vector<PointStress>& points, WallPicture& picture) {
+  std::string out;
+  for (PointId p = 0; p < model.n_point(); ++p) {
+    if (!(points[p].crushing >= kCrushMark)) continue;
+    const auto ends = placed_joint(model, state, p / model.n_face_point, scale);
+    // xi runs from -1 to 1 along the face; the mark stands a little inside its end
+    const double share = 0.5 + 0.46 * model.point_xi[p % model.n_face_point];
+    const PlacedPoint at = {ends[0].x + share * (ends[1].x - ends[0].x),
+                            ends[0].y + share * (ends[1].y - ends[0].y)};
+    out += circle(canvas(at), 2.6 + 2.4 * std::min(1.0, points[p].crushing), "crushed");
+    ++picture.crushed;
+  }
+  return out;
+}
+
+// The stage whose push the picture shows: the present one, else the first that pushes.
+const Stage* pushing_stage(const Model& model, const State& state) {
+  const auto now = static_cast<std::size_t>(state.stage);
+  if (now < model.stages.size() && !model.stages[now].driven.empty()) return &model.stages[now];
+  for (const Stage& stage : model.stages)
+    if (!stage.driven.empty()) return &stage;
+  return nullptr;
+}
+
+// An arrow that ends where the pushed blocks begin, on the side the push comes from.
+std::string draw_arrow(const Model& model, const State& state, double scale, const Canvas& canvas) {
+  const Stage* stage = pushing_stage(model, state);
+  if (stage == nullptr) return "";
+  Bounds box;
+  for (BlockId b : stage->driven)
+    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) box.add(p);
+  const double dx = stage->drive_x;
+  const double dy = -stage->drive_y;  // pixels run down
+  const Pixel tip = canvas({dx > 0.5 ? box.x0 : dx < -0.5 ? box.x1 : (box.x0 + box.x1) / 2,
+                            dy < -0.5 ? box.y0 : dy > 0.5 ? box.y1 : (box.y0 + box.y1) / 2});
+  const Pixel head = {tip.x - 3 * dx, tip.y - 3 * dy};
+  const Pixel tail = {head.x - 32 * dx, head.y - 32 * dy};
+  const Pixel barb1 = {head.x - 9 * dx - 6 * dy, head.y - 9 * dy + 6 * dx};
+  const Pixel barb2 = {head.x - 9 * dx + 6 * dy, head.y - 9 * dy - 6 * dx};
+  return path(path_data({tail, head}, false) + path_data({barb1, head, barb2}, false), "arrow");
+}
+
+std::string draw_scale_bar(const Canvas& canvas) {
+  // a round length of a tenth to a quarter of the wall
+  const double metres = ticks(0, 0.25 * kWidth / canvas.x.factor, 3)[1];
+  const double right = canvas.width - 10;
+  const double left = right - metres * canvas.x.factor;
+  const double y = canvas.height - 12;
+  const std::string bar = path_data({{left, y - 4}, {left, y}, {right, y}, {right, y - 4}}, false);
+  const std::string text = metres >= 1 ? fmt::format("{:g} m", metres)
+                                       : fmt::format("{:g} mm", metres * 1e3);
+  return path(bar, "scale") + label({(left + right) / 2, y - 5}, text, "small", "middle");
+}
+
+}  // namespace
+
+double fitting_scale(const Model& model, const State& state) {
+  double largest = 0;
+  for (BlockId b = 0; b < model.n_block; ++b)
+    largest = std::fmax(largest, std::hypot(state.ux[b], state.uy[b]));
+  const double wanted = 0.05 * std::hypot(model.anatomy.length, model.anatomy.height);
+  double scale = 1;
+  for (double decade : {1.0, 10.0, 100.0})
+    for (double step : {1.0, 2.0, 5.0})
+      if (largest * decade * step <= wanted) scale = decade * step;
+  return scale;
+}
+
+WallPicture draw_wall(const Model& model, const State& state, double scale) {
+  WallPicture picture;
+  const std::vector<PointStress> points = point_stresses(model, state);
+  const Canvas canvas = canvas_of(bounds_of(model, state, scale));
+  picture.svg = svg_begin(canvas.width, canvas.height, "wall", "The wall, displacements magnified");
+  picture.svg += draw_supports(model, canvas) + draw_blocks(model, state, scale, canvas);
+  picture.svg += draw_joints(model, state, scale, canvas, points, picture);
+  picture.svg += draw_crushed(model, state, scale, canvas, points, picture);
+  picture.svg += draw_arrow(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
+  return picture;
+}
+
+}  // namespace report
+
+std::string wall_svg(const Model& model, const State& state, double scale) {
+  std::string svg = report::draw_wall(model, state, scale).svg;
+  const std::size_t head = svg.find(">\n") + 2;
+  svg.insert(head, "<style>" + report::picture_style() + "</style>\n");
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + svg;
+}
+
+}  // namespace wythe

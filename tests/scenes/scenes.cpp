@@ -1,0 +1,248 @@
+#include "scenes/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "wythe/io.h"
+
+namespace wythe::scenes {
+
+JointMaterial elastic_joint(double normal_stiffness, double shear_stiffness) {
+  constexpr double kFar = 1e12;  // [Pa], never reached; energies that keep the branch gentle
+  JointMaterial m;
+  m.normal_stiffness = normal_stiffness;
+  m.shear_stiffness = shear_stiffness;
+  m.tensile_strength = m.cohesion = m.residual_cohesion = kFar;
+  m.friction_angle = m.residual_friction_angle = 0;
+  m.mode_1_energy = m.mode_2_energy = 100 * kFar * kFar / std::min(normal_stiffness, shear_stiffness);
+  m.compressive_strength = kUnlimited;
+  return m;
+}
+
+JointMaterial dry_joint(double normal_stiffness, double shear_stiffness, double friction_angle) {
+  JointMaterial m;
+  m.normal_stiffness = normal_stiffness;
+  m.shear_stiffness = shear_stiffness;
+  m.tensile_strength = m.cohesion = m.residual_cohesion = 0;
+  m.friction_angle = m.residual_friction_angle = friction_angle;
+  m.compressive_strength = kUnlimited;
+  return m;
+}
+
+JointMaterial paper_joint() {
+  JointMaterial m;
+  m.normal_stiffness = 20e9;
+  m.shear_stiffness = 8e9;
+  m.tensile_strength = m.cohesion = 0.15e6;
+  m.friction_angle = degrees(16.2);
+  m.residual_friction_angle = degrees(14.6);
+  m.residual_cohesion = 0;
+  m.mode_1_energy = 4.3;
+  m.mode_2_energy = 125;
+  m.compressive_strength = 3.96e6;
+  m.compressive_energy = 12800;
+  return m;
+}
+
+JointMaterial paper_unit() {
+  JointMaterial m = paper_joint();
+  m.normal_stiffness = 10e9;
+  m.shear_stiffness = 4e9;
+  m.tensile_strength = 0.23e6;
+  m.cohesion = 0.46e6;
+  m.friction_angle = m.residual_friction_angle = degrees(38);
+  m.mode_1_energy = 8;
+  m.mode_2_energy = 550;
+  return m;
+}
+
+BlockSpec rectangle(const std::string& id, double x, double y, double width, double height) {
+  BlockSpec block;
+  block.id = id;
+  block.polygon = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+  return block;
+}
+
+ModelSpec assembly(std::vector<BlockSpec> blocks, const JointMaterial& joint, double thickness,
+                   double density) {
+  ModelSpec spec;
+  spec.wall.blocks = "(in code)";
+  spec.wall.thickness = thickness;
+  spec.wall.unit.density = density;
+  spec.material["joint"] = joint;
+  spec.block = std::move(blocks);
+  return spec;
+}
+
+ModelSpec block_on_ground(double width, double height, const JointMaterial& joint, double thickness,
+                          double density) {
+  return stack(1, width, height, joint, thickness, density);
+}
+
+ModelSpec stack(int n, double width, double height, const JointMaterial& joint, double thickness,
+                double density) {
+  std::vector<BlockSpec> blocks;
+  for (int k = 0; k < n; ++k)
+    blocks.push_back(rectangle("b" + std::to_string(k), 0, k * height, width, height));
+  return assembly(std::move(blocks), joint, thickness, density);
+}
+
+ModelSpec half_units(const BondSize& size, const JointMaterial& joint) {
+  constexpr double kHalf = 0.155, kCourse = 0.11;
+  std::vector<BlockSpec> blocks;
+  BlockSpec sill = rectangle("sill", 0, -kCourse, size.columns * kHalf, kCourse);
+  sill.fixed = true;
+  blocks.push_back(sill);
+  const auto in_hole = [&](int at, int from) { return at >= from && at < from + size.hole; };
+  for (int r = 0; r < size.courses; ++r)
+    for (int c = 0; c < size.columns; ++c) {
+      if (in_hole(c, size.hole_at_column) && in_hole(r, size.hole_at_course)) continue;
+      blocks.push_back(rectangle("r" + std::to_string(r) + "c" + std::to_string(c), c * kHalf,
+                                 r * kCourse, kHalf, kCourse));
+    }
+  return assembly(std::move(blocks), joint, 0.31, 1250);
+}
+
+namespace {
+
+ModelSpec bonded_wall(int columns, int courses) {
+  ModelSpec spec;
+  spec.wall.length = 0.155 * columns;
+  spec.wall.height = 0.11 * courses;
+  spec.wall.thickness = 0.31;
+  spec.wall.unit.length = 0.31;
+  spec.wall.unit.height = 0.11;
+  spec.wall.unit.density = 1250;
+  spec.material["joint"] = paper_joint();
+  spec.material["unit"] = paper_unit();
+  spec.stage.push_back(gravity_stage());
+  return spec;
+}
+
+StageSpec push_at(double y, double velocity, double until) {
+  StageSpec push = push_stage("", Direction::kPlusX, velocity, until);
+  push.at = {};
+  push.at.x = 0;
+  push.at.y = y;
+  return push;
+}
+
+}  // namespace
+
+ModelSpec small_wall(double until, double velocity, double pier_load) {
+  ModelSpec spec = bonded_wall(8, 8);
+  OpeningSpec window;
+  window.x = 3 * 0.155;
+  window.y = 3 * 0.11;
+  window.width = 2 * 0.155;
+  window.height = 2 * 0.11;
+  spec.wall.opening.push_back(window);
+  StageSpec load;
+  load.name = "precompression";
+  load.kind = StageKind::kLoad;
+  load.pier_load = pier_load;
+  spec.stage.push_back(load);
+  spec.stage.push_back(push_at(6.5 * 0.11, velocity, until));
+  return spec;
+}
+
+ModelSpec plain_wall(int columns, int courses, double until, double velocity) {
+  ModelSpec spec = bonded_wall(columns, courses);
+  spec.stage.push_back(push_at((courses - 0.5) * 0.11, velocity, until));
+  return spec;
+}
+
+ModelSpec tuff_wall(const std::string& source_dir, double until) {
+  ModelSpec spec = read_model(source_dir + "/examples/tuff_wall/model.toml");
+  spec.stage.back().until = until;
+  return spec;
+}
+
+StageSpec gravity_stage() {
+  StageSpec stage;
+  stage.name = "gravity";
+  stage.kind = StageKind::kGravity;
+  return stage;
+}
+
+StageSpec push_stage(const std::string& block, Direction direction, double velocity, double until) {
+  StageSpec stage;
+  stage.name = "push";
+  stage.kind = StageKind::kPush;
+  stage.at.block = block;
+  stage.direction = direction;
+  stage.velocity = velocity;
+  stage.until = until;
+  return stage;
+}
+
+ModelSpec turned(ModelSpec spec, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (BlockSpec& block : spec.block)
+    for (auto& [x, y] : block.polygon) {
+      const double x0 = x, y0 = y;
+      x = c * x0 - s * y0;
+      y = s * x0 + c * y0;
+    }
+  return spec;
+}
+
+ModelSpec mirrored(ModelSpec spec) {
+  for (BlockSpec& block : spec.block) {
+    for (auto& corner : block.polygon) corner[0] = -corner[0];
+    std::reverse(block.polygon.begin(), block.polygon.end());
+  }
+  for (StageSpec& stage : spec.stage) {
+    if (stage.direction == Direction::kPlusX) stage.direction = Direction::kMinusX;
+    else if (stage.direction == Direction::kMinusX) stage.direction = Direction::kPlusX;
+  }
+  return spec;
+}
+
+ModelSpec reversed(ModelSpec spec) {
+  std::reverse(spec.block.begin(), spec.block.end());
+  return spec;
+}
+
+ModelSpec scaled(ModelSpec spec, double s) {
+  for (BlockSpec& block : spec.block)
+    for (auto& [x, y] : block.polygon) {
+      x *= s;
+      y *= s;
+    }
+  spec.wall.thickness *= s;
+  for (auto& [name, m] : spec.material) {
+    m.normal_stiffness /= s;
+    m.shear_stiffness /= s;
+    m.mode_1_energy *= s;
+    m.mode_2_energy *= s;
+    m.compressive_energy *= s;
+  }
+  spec.solve.gravity /= s;
+  for (StageSpec& stage : spec.stage) {
+    stage.ramp *= s;
+    stage.until *= s;
+  }
+  return spec;
+}
+
+std::size_t add_load(Model& model, const PointLoad& load) {
+  Stage stage;
+  stage.spec.name = "load";
+  stage.spec.kind = StageKind::kLoad;
+  stage.spec.ramp = 0.05;
+  stage.spec.damping = model.solve.damping;
+  stage.loads.push_back(load);
+  model.stages.push_back(stage);
+  return model.stages.size() - 1;
+}
+
+BlockId block_named(const Model& model, const std::string& id) {
+  const auto& ids = model.anatomy.block_id;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end()) throw std::invalid_argument("no block " + id);
+  return static_cast<BlockId>(found - ids.begin());
+}
+
+}  // namespace wythe::scenes

@@ -1,0 +1,87 @@
+// Small walls shared by tests and benchmarks, built in code: no file is read but for tuff_wall().
+//
+//   rectangles + assembly()     blocks on the ground with one joint material
+//   block_on_ground, stack      one block, n blocks one on the other
+//   small_wall                  8 x 8 half units in running bond with a window, the fast wall
+//   tuff_wall                   the paper's wall, read from examples/tuff_wall/model.toml
+//
+// turned(), mirrored(), reversed(), scaled() change an assembly for the property tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/model.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::scenes {
+
+inline constexpr double kPi = 3.14159265358979323846;
+[[nodiscard]] constexpr double degrees(double angle) { return angle * kPi / 180; }
+
+// --- materials -----------------------------------------------------------------------------------
+
+// Strengths far out of reach: a linear spring in w and slip.
+[[nodiscard]] JointMaterial elastic_joint(double normal_stiffness, double shear_stiffness);
+// No tension, no cohesion, one friction angle, no crushing.
+[[nodiscard]] JointMaterial dry_joint(double normal_stiffness, double shear_stiffness,
+                                      double friction_angle);
+// Table 1 of the D-RBA paper.
+[[nodiscard]] JointMaterial paper_joint();
+[[nodiscard]] JointMaterial paper_unit();
+
+// --- assemblies ----------------------------------------------------------------------------------
+
+[[nodiscard]] BlockSpec rectangle(const std::string& id, double x, double y, double width,
+                                  double height);
+// Blocks on the line of their lowest corner, or on the fixed ones among them; no stage.
+[[nodiscard]] ModelSpec assembly(std::vector<BlockSpec> blocks, const JointMaterial& joint,
+                                 double thickness, double density);
+// "b0" on the ground, from x = 0.
+[[nodiscard]] ModelSpec block_on_ground(double width, double height, const JointMaterial& joint,
+                                        double thickness, double density);
+// "b0" (lowest) ... "b<n-1>", each width x height.
+[[nodiscard]] ModelSpec stack(int n, double width, double height, const JointMaterial& joint,
+                              double thickness, double density);
+// Running bond of half units 0.155 m x 0.11 m, every joint of one material, with a hole of
+// `hole` columns x `hole` courses from column and course `hole_at`; blocks "r<course>c<column>" on
+// a fixed sill "sill".
+struct BondSize {
+  int columns = 8, courses = 8;
+  int hole_at_column = 3, hole_at_course = 3, hole = 2;
+};
+[[nodiscard]] ModelSpec half_units(const BondSize& size, const JointMaterial& joint);
+
+// --- walls from a WallSpec -----------------------------------------------------------------------
+
+// 1.24 m x 0.88 m x 0.31 m, window of 2 x 2 half units, joint and unit of Table 1; stages gravity,
+// precompression of `pier_load` and a push of `until` [m] at `velocity` [m/s].
+[[nodiscard]] ModelSpec small_wall(double until = 2e-3, double velocity = 0.02,
+                                   double pier_load = 20e3);
+// The same with columns x courses half units and no opening.
+[[nodiscard]] ModelSpec plain_wall(int columns, int courses, double until, double velocity);
+// examples/tuff_wall/model.toml under WYTHE_SOURCE_DIR, pushed to `until` [m].
+[[nodiscard]] ModelSpec tuff_wall(const std::string& source_dir, double until);
+
+// --- stages --------------------------------------------------------------------------------------
+
+[[nodiscard]] StageSpec gravity_stage();
+[[nodiscard]] StageSpec push_stage(const std::string& block, Direction direction, double velocity,
+                                   double until);
+
+// --- changes to an assembly ----------------------------------------------------------------------
+
+[[nodiscard]] ModelSpec turned(ModelSpec spec, double angle);  // about the origin
+[[nodiscard]] ModelSpec mirrored(ModelSpec spec);              // x -> -x
+[[nodiscard]] ModelSpec reversed(ModelSpec spec);              // blocks in reverse order
+// Lengths times `s` with strengths, density and velocities kept: stiffness / s, energies * s,
+// gravity / s, times * s. Displacements come out times s, forces times s^2.
+[[nodiscard]] ModelSpec scaled(ModelSpec spec, double s);
+
+// --- parts of a model ----------------------------------------------------------------------------
+
+// Adds a stage that holds one dead load and puts it in force; returns the stage's index.
+std::size_t add_load(Model& model, const PointLoad& load);
+[[nodiscard]] BlockId block_named(const Model& model, const std::string& id);
+
+}  // namespace wythe::scenes
