@@ -49,7 +49,8 @@ void print_result(const Result& r, const std::string& out) {
 
 int run(const RunArguments& arguments) {
   const ModelSpec spec = read_model(arguments.model, arguments.overrides);
-  const Model model = compile(spec);
+  Model model = compile(spec);
+  model.spec_hash = spec_hash(spec);
   prepare_folder(arguments.out);
   if (!arguments.quiet) print_model(model);
   std::signal(SIGINT, on_interrupt);

@@ -1,6 +1,7 @@
 // Files in and out: model TOML, blocks JSON, contact law and path, the files of `wythe run`.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace wythe {
                                     const std::vector<std::string>& overrides = {});
 // Every key with its value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
+// Names a spec: hash of everything write_model says and of its blocks.
+[[nodiscard]] std::uint64_t spec_hash(const ModelSpec& spec);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
 

@@ -17,9 +17,10 @@ double drop_of(const JointMaterial& m, double sn) {
   return t0 - tr;
 }
 
-// Compression at which the shear drop is looked at: up to crushing, 100 MPa where that is unlimited.
+// Compression up to which the shear drop is looked at: crushing, or 10 MPa, beyond what masonry in
+// a wall sees, where crushing is unlimited.
 double greatest_compression(const JointMaterial& m) {
-  return std::isfinite(m.compressive_strength) ? m.compressive_strength : 100e6;
+  return std::isfinite(m.compressive_strength) ? m.compressive_strength : 10e6;
 }
 
 double greatest_drop(const JointMaterial& m) {

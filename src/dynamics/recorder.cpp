@@ -28,6 +28,9 @@ const char* kind_name(JointKind kind) {
   return "joint";
 }
 
+// Centimetres, without a minus before zero.
+double clean(double metres) { return std::round(1e2 * metres) * 1e-2 + 0.0; }
+
 double default_window(const Model& model, double path) {
   if (std::isfinite(model.output.window)) return model.output.window;
   return path / std::max(1, model.output.rows);
@@ -120,8 +123,8 @@ void Recorder::note_cracks(const State& state, double displacement, double react
     if (has_event(result_, name)) return;
     const JointKind kind = model_.anatomy.joint_kind[p / per_joint];
     result_.events.push_back({name, displacement, reaction,
-                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind), points[p].x,
-                                          points[p].y)});
+                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind), clean(points[p].x),
+                                          clean(points[p].y))});
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
     const std::size_t j = p / per_joint;

@@ -217,4 +217,15 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec)
   }
 }
 
+std::string blocks_text(const std::vector<BlockSpec>& blocks) {
+  Json list = Json::array();
+  for (const BlockSpec& block : blocks)
+    list.push_back({{"id", block.id},
+                    {"polygon", block.polygon},
+                    {"material", block.material},
+                    {"fixed", block.fixed},
+                    {"beam", block.beam}});
+  return Json{{"units", "m"}, {"blocks", list}}.dump(1) + "\n";
+}
+
 }  // namespace wythe::io

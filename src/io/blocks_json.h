@@ -1,6 +1,9 @@
 // Blocks files: JSON with polygons or boxes (docs/reference/blocks.md).
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "io/toml_reader.h"
 
 namespace wythe::io {
@@ -8,5 +11,8 @@ namespace wythe::io {
 // Reads spec.wall.blocks (relative to spec.folder) into spec.block, and its thickness where
 // wall.thickness is unset. Faults stand at wall.blocks, in the blocks file, with the block's id.
 void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec);
+
+// The same blocks as a blocks file in its native form, exact to the bit.
+[[nodiscard]] std::string blocks_text(const std::vector<BlockSpec>& blocks);
 
 }  // namespace wythe::io

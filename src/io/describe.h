@@ -87,7 +87,8 @@ void describe(Visitor& v, OpeningSpec& s) {
              .fallback = "required", .example = "1.70 m", .doc = "Clear width."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
              .fallback = "required", .example = "2.64 m", .doc = "Clear height, sill to soffit."});
-  v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .doc = "The lintel over the opening."});
+  v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
+          .doc = "The lintel over the opening."});
 }
 
 template <class Visitor>
@@ -259,7 +260,7 @@ void describe_load(Visitor& v, StageSpec& s) {
   v.choice("as", s.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
            .fallback = "pressure (load), spreader (push)", .example = "plate",
            .doc = "A load acts as an even pressure or through a free stiff plate; a push moves "
-                  "its blocks through a spreader (equal forces on the mean) or each the same way."});
+                  "its blocks through a spreader (equal forces, mean path) or each the same way."});
   v.text("plate_joint", s.plate_joint, {.kinds = kLoadStage, .example = "foundation",
          .doc = "Name of the joint material under a plate."});
 }

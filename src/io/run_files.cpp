@@ -8,6 +8,8 @@
 #include <string>
 #include <system_error>
 
+#include "core/hash.h"
+#include "io/blocks_json.h"
 #include "io/curve_csv.h"
 #include "io/summary_json.h"
 #include "io/vtu.h"
@@ -54,7 +56,28 @@ void write_states(const std::string& folder, const Model& model,
   io::write_file(inside(folder, "run.pvd"), io::series_pvd(series));
 }
 
+// The spec as it was understood: stages and settings with their resolved defaults; a blocks file
+// goes along as blocks.json, so that the folder can be run again wherever it is.
+std::string used_model(const std::string& folder, const ModelSpec& spec, const Model& model) {
+  ModelSpec used = spec;
+  used.solve = model.solve;
+  for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
+    used.stage[k] = model.stages[k].spec;
+  if (!used.wall.blocks.empty()) {
+    io::write_file(inside(folder, "blocks.json"), io::blocks_text(used.block));
+    used.wall.blocks = "blocks.json";
+  }
+  return write_model(used);
+}
+
 }  // namespace
+
+std::uint64_t spec_hash(const ModelSpec& spec) {
+  Hash hash;
+  hash.add(write_model(spec));
+  hash.add(io::blocks_text(spec.block));
+  return hash.value();
+}
 
 void prepare_folder(const std::string& folder) {
   std::error_code error;
@@ -74,7 +97,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   prepare_folder(folder);
   remove_stale(folder);
   io::write_file(inside(folder, "force_displacement.csv"), io::curve_csv(result.curve));
-  io::write_file(inside(folder, "model.used.toml"), write_model(spec));
+  io::write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
   io::write_file(inside(folder, "summary.json"), io::summary_json(model, result));
 }

@@ -72,12 +72,9 @@ Json stages_json(const std::vector<StageReport>& stages) {
 
 Json provenance_json(std::uint64_t spec_hash) {
   const Provenance made = provenance();
-  return {{"version", made.version},
-          {"commit", made.commit},
-          {"compiler", made.compiler},
-          {"flags", made.flags},
-          {"build_type", made.build_type},
-          {"spec_hash", fmt::format("{:016x}", spec_hash)}};
+  return {{"version", made.version},       {"commit", made.commit},
+          {"compiler", made.compiler},     {"flags", made.flags},
+          {"build_type", made.build_type}, {"spec_hash", fmt::format("{:016x}", spec_hash)}};
 }
 
 void add_responses(Json& json, const Responses& r) {

@@ -163,15 +163,15 @@ std::string joints_vtu(const Model& model, const State& state,
     mesh.close_cell();
     add_joint(columns, model, j, points);
   }
-  return mesh_vtu(
-      mesh, state,
-      data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
-          data_array("damage", columns.damage) +
-          data_array("damage_tension", columns.damage_tension) +
-          data_array("damage_shear", columns.damage_shear) +
-          data_array("normal_stress_MPa", columns.normal) +
-          data_array("shear_stress_MPa", columns.shear) + data_array("crushing", columns.crushing) +
-          data_array("kind", columns.kind) + data_array("joint", columns.joint));
+  return mesh_vtu(mesh, state,
+                  data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
+                      data_array("damage", columns.damage) +
+                      data_array("damage_tension", columns.damage_tension) +
+                      data_array("damage_shear", columns.damage_shear) +
+                      data_array("normal_stress_MPa", columns.normal) +
+                      data_array("shear_stress_MPa", columns.shear) +
+                      data_array("crushing", columns.crushing) + data_array("kind", columns.kind) +
+                      data_array("joint", columns.joint));
 }
 
 std::string series_pvd(const std::vector<SeriesEntry>& entries) {

@@ -11,8 +11,9 @@ PlacedPoint place(const Model& model, const State& state, BlockId block, PlacedP
   // magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin
   const double limit = 1.5707963267948966;
   const double turn = state.theta[block] * scale;
-  const double theta = std::abs(state.theta[block]) > limit ? state.theta[block]
-                                                            : std::fmin(std::fmax(turn, -limit), limit);
+  const double theta = std::abs(state.theta[block]) > limit
+                           ? state.theta[block]
+                           : std::fmin(std::fmax(turn, -limit), limit);
   const double c = std::cos(theta);
   const double s = std::sin(theta);
   return {model.centroid_x[block] + scale * state.ux[block] + c * arm.x - s * arm.y,

@@ -31,9 +31,11 @@ Plot plot_of(const Result& result) {
   plot.factor = shows_load_factor(result);
   double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
   for (const CurveRow& row : result.curve) {
-    x_low = std::fmin(x_low, row.displacement * 1e3), x_high = std::fmax(x_high, row.displacement * 1e3);
+    x_low = std::fmin(x_low, row.displacement * 1e3),
+    x_high = std::fmax(x_high, row.displacement * 1e3);
     y_low = std::fmin(y_low, plot.force(row)), y_high = std::fmax(y_high, plot.force(row));
-    if (std::abs(row.displacement) > 1e-9) plot.drift_per_mm = row.drift * 1e2 / (row.displacement * 1e3);
+    if (std::abs(row.displacement) > 1e-9)
+      plot.drift_per_mm = row.drift * 1e2 / (row.displacement * 1e3);
   }
   plot.x_low = x_low, plot.x_high = x_high > x_low ? x_high : x_low + 1;
   // air above the peak for its label
@@ -56,7 +58,8 @@ std::string draw_axes(const Plot& plot) {
     out += label({kLeft - 9, plot.y(value) + 4.5}, rounded(value, 4), "soft", "end");
   }
   const double zero = plot.y(std::max(plot.y_low, 0.0));
-  out += line({kLeft, zero}, {kRight, zero}, "axis") + line({kLeft, kTop}, {kLeft, kBottom}, "axis");
+  out +=
+      line({kLeft, zero}, {kRight, zero}, "axis") + line({kLeft, kTop}, {kLeft, kBottom}, "axis");
   out += label({(kLeft + kRight) / 2, kBottom + 46}, "displacement of the pushed blocks [mm]", "",
                "middle");
   const char* title = plot.factor ? "load factor [–]" : "reaction [kN]";
@@ -82,7 +85,8 @@ std::string draw_curves(const Plot& plot, const std::vector<CurveRow>& curve) {
   for (const CurveRow& row : curve) {
     if (!std::isfinite(plot.force(row))) continue;
     force.push_back(plot.at(row.displacement * 1e3, plot.force(row)));
-    if (std::isfinite(row.base_shear)) base.push_back(plot.at(row.displacement * 1e3, row.base_shear * 1e-3));
+    if (std::isfinite(row.base_shear))
+      base.push_back(plot.at(row.displacement * 1e3, row.base_shear * 1e-3));
   }
   return (plot.factor ? "" : path(path_data(base, false), "base")) +
          path(path_data(force, false), "force");
@@ -94,7 +98,8 @@ std::string draw_peak(const Plot& plot, const Responses& r) {
   const Pixel peak = plot.at(mm, r.peak_reaction * 1e-3);
   std::string out = line({kLeft, peak.y}, peak, "guide") + line(peak, {peak.x, kBottom}, "guide");
   out += circle(peak, 5, "peak");
-  const std::string text = "peak " + quantity(r.peak_reaction * 1e-3, "kN") + " at " + quantity(mm, "mm");
+  const std::string text =
+      "peak " + quantity(r.peak_reaction * 1e-3, "kN") + " at " + quantity(mm, "mm");
   const bool right_half = peak.x > 0.6 * kRight;
   out += label({peak.x + (right_half ? 6.0 : -2.0), peak.y - 13}, text, "bold halo",
                right_half ? "end" : "start");
@@ -107,8 +112,9 @@ std::string draw_80(const Plot& plot, const Responses& r) {
   const Pixel at = plot.at(mm, 0.8 * r.peak_reaction * 1e-3);
   const bool right_half = at.x > 0.8 * kRight;
   return line(at, {at.x, kBottom}, "guide") + circle(at, 5, "peak") +
-         label({at.x + (right_half ? -2.0 : 10.0), at.y - 10}, "80 % of the peak at " + quantity(mm, "mm"),
-               "halo", right_half ? "end" : "start");
+         label({at.x + (right_half ? -10.0 : 10.0), at.y + 26},
+               "80\u202f% of the peak at " + quantity(mm, "mm"), "halo",
+               right_half ? "end" : "start");
 }
 
 // Numbered marks on the curve; the list under the picture has the words.
@@ -151,8 +157,9 @@ std::string curve_svg(const Result& result) {
   if (result.curve.size() < 2) return "";
   const Plot plot = plot_of(result);
   return svg_begin(kWidth, kHeight, "curve", "Force-displacement curve") + draw_axes(plot) +
-         draw_drift_axis(plot) + draw_curves(plot, result.curve) + draw_peak(plot, result.responses) +
-         draw_80(plot, result.responses) + draw_events(plot, result.events) + draw_key(plot) + "</svg>\n";
+         draw_drift_axis(plot) + draw_curves(plot, result.curve) +
+         draw_peak(plot, result.responses) + draw_80(plot, result.responses) +
+         draw_events(plot, result.events) + draw_key(plot) + "</svg>\n";
 }
 
 }  // namespace wythe::report

@@ -37,40 +37,47 @@ std::string energy_bar(const std::vector<Share>& shares) {
 }  // namespace
 
 std::string energy_section(const EnergyLedger& e) {
-  const double input = e.loads + e.drive;
+  // Loads that are lifted take work: then they are a place where the energy of the push went.
+  const double input = std::fmax(e.loads, 0) + std::fmax(e.drive, 0);
   const std::vector<Share> shares = {{"friction in joints", e.friction},
                                      {"fracture (tension and shear softening)", e.fracture},
                                      {"crushing", e.crushing},
                                      {"local damping", e.damping},
                                      {"stored in joints", e.elastic},
-                                     {"motion", e.kinetic}};
-  std::vector<std::vector<std::string>> rows = {{"", "J", "share of the work put in"}};
-  rows.push_back({"work of the loads", rounded(e.loads), percent(e.loads, input)});
-  rows.push_back({"work of the push", rounded(e.drive), percent(e.drive, input)});
+                                     {"motion", e.kinetic},
+                                     {"lifting the loads and the wall", std::fmax(-e.loads, 0)}};
+  std::vector<std::vector<std::string>> rows = {{"", "J", "share"}};
+  rows.push_back({"<b>put in</b> by the push", rounded(e.drive), percent(e.drive, input)});
+  if (e.loads > 0)
+    rows.push_back(
+        {"<b>put in</b> by loads and weight", rounded(e.loads), percent(e.loads, input)});
   for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (i == 6 && !(e.loads < 0)) continue;
     rows.push_back({fmt::format("<span class=\"key e{}\"></span>{}", i, shares[i].name),
                     rounded(shares[i].joules), percent(shares[i].joules, input)});
   }
   rows.push_back({"not accounted for", rounded(e.gap), quantity(100 * e.gap_ratio, "%")});
-  return "<h2>Where the energy went</h2>\n<p class=\"soft\">Everything the loads and the push put in "
-         "must be found again. The last row is the error of the ledger, against all the work that "
-         "passed through it.</p>\n" +
+  return "<h2>Where the energy went</h2>\n<p class=\"soft\">What was put in must be found again, "
+         "stored "
+         "or spent. The last row is what the ledger could not find, against all the work that "
+         "passed "
+         "through it.</p>\n" +
          energy_bar(shares) + table(rows);
 }
 
 std::string quasi_static_section(const QuasiStatic& m) {
   std::string out = "<h2>Was the push slow enough?</h2>\n";
-  if (!m.verdict.empty()) out += fmt::format("<p class=\"verdict\">{}</p>\n", escaped(m.verdict));
-  return out +
-         table({{"measure", "mean", "largest", "what it says"},
-                {"unbalanced force / contact force", rounded(m.unbalance_ratio_mean),
-                 rounded(m.unbalance_ratio_max), "how far the blocks are from equilibrium"},
-                {"kinetic energy / work of the push", rounded(m.kinetic_ratio_mean),
-                 rounded(m.kinetic_ratio_max), "inertia; static is 0"},
-                {"|reaction − base shear| / peak", rounded(m.shear_gap), "", "forces at top and base agree"},
-                {"damping work / work of the push", rounded(m.damping_share), "",
-                 "what the artificial damping took"}},
-               "last");
+  if (!m.verdict.empty()) out += fmt::format("<p class=\"verdict\">{}</p>\n", sentence(m.verdict));
+  return out + table({{"measure", "mean", "largest", "what it says"},
+                      {"unbalanced force / contact force", rounded(m.unbalance_ratio_mean),
+                       rounded(m.unbalance_ratio_max), "how far the blocks are from equilibrium"},
+                      {"kinetic energy / work of the push", rounded(m.kinetic_ratio_mean),
+                       rounded(m.kinetic_ratio_max), "inertia; static is 0"},
+                      {"|reaction − base shear| / peak", rounded(m.shear_gap), "",
+                       "forces at top and base agree"},
+                      {"damping work / work of the push", rounded(m.damping_share), "",
+                       "what the artificial damping took"}},
+                     "last");
 }
 
 std::string stages_section(const Result& result) {
@@ -96,9 +103,9 @@ std::string provenance_section(const Model& model, const Result& result) {
                 {"state hash", code(result.state_hash)},
                 {"size", fmt::format("{} blocks, {} joints, {} points", model.n_block,
                                      model.n_joint, model.n_point())},
-                {"steps", fmt::format("{} of {} (push), {} of computing", result.steps,
-                                      quantity(result.time_step, "s"),
-                                      quantity(result.wall_seconds, "s"))}},
+                {"steps",
+                 fmt::format("{} of {} (push), {} of computing", result.steps,
+                             quantity(result.time_step, "s"), quantity(result.wall_seconds, "s"))}},
                "words bare");
 }
 

@@ -44,14 +44,23 @@ std::string rounded(double value, int digits) {
   if (std::isinf(value)) return "unlimited";
   const double magnitude = std::abs(value);
   if (magnitude == 0) return "0";
-  if (magnitude < 1e-4 || magnitude >= 1e7) return with_power(value, digits);
+  if (magnitude < 1e-4 || magnitude >= 1e7)
+    return (value < 0 ? "−" : "") + with_power(magnitude, digits);
   const int whole = static_cast<int>(std::floor(std::log10(magnitude))) + 1;
   std::string text = fmt::format("{:.{}f}", value, std::clamp(digits - whole, 0, 8));
   if (text.find('.') != std::string::npos) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
   }
-  return text;
+  return text.front() == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string sentence(std::string_view text) {
+  if (text.empty()) return "";
+  std::string out(text);
+  if (out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  if (out.back() != '.' && out.back() != '!' && out.back() != '?') out += '.';
+  return escaped(out);
 }
 
 std::string quantity(double value, std::string_view unit, int digits) {

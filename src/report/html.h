@@ -17,6 +17,9 @@ namespace wythe::report {
 // rounded() with a unit after a narrow space; no unit after a dash or a word.
 [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3);
 
+// Escaped, with a capital and a full stop.
+[[nodiscard]] std::string sentence(std::string_view text);
+
 // <table> of ready markup; the first row is the head, first column left, the others right aligned.
 [[nodiscard]] std::string table(const std::vector<std::vector<std::string>>& rows,
                                 std::string_view css_class = "");

@@ -42,7 +42,7 @@ constexpr MaterialRow kMaterialRows[] = {
 
 // One column a material; rows that no material states are left out.
 std::string material_table(const std::map<std::string, JointMaterial>& materials) {
-  Rows rows = {{"", "unit"}};
+  Rows rows = {{"", "in"}};
   for (const auto& [name, material] : materials) rows[0].push_back(escaped(name));
   for (const MaterialRow& row : kMaterialRows) {
     std::vector<std::string> cells = {row.name, row.unit};
@@ -98,7 +98,8 @@ std::string stage_words(const StageSpec& s) {
   std::string words;
   const auto add = [&](const char* name, double value, const char* unit, double factor) {
     if (std::isnan(value)) return;
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name, quantity(value * factor, unit, 4));
+    words +=
+        fmt::format("{}{} {}", words.empty() ? "" : ", ", name, quantity(value * factor, unit, 4));
   };
   if (s.kind == StageKind::kGravity) words = "own weight";
   add("load on each pier", s.pier_load, "kN", 1e-3);
@@ -121,8 +122,9 @@ std::string stage_table(const std::vector<Stage>& stages) {
   for (const Stage& stage : stages) {
     std::string words = stage_words(stage.spec);
     if (!stage.driven.empty()) {
-      words += fmt::format("; {} driven {} at a height of {}", stage.driven.size(),
-                           stage.driven.size() == 1 ? "block" : "blocks", metres(stage.load_height));
+      words +=
+          fmt::format("; {} driven {} at a height of {}", stage.driven.size(),
+                      stage.driven.size() == 1 ? "block" : "blocks", metres(stage.load_height));
     }
     rows.push_back({escaped(stage.spec.name), words});
   }
@@ -136,13 +138,15 @@ std::string inputs_section(const ModelSpec& spec, const Model& model) {
   if (!spec.note.empty()) out += "<p>" + escaped(spec.note) + "</p>\n";
   out += "<div class=\"two\"><div><h3>Wall</h3>\n" + wall_table(spec, model);
   out += "</div><div><h3>Stages</h3>\n" + stage_table(model.stages) + "</div></div>\n";
-  if (!spec.material.empty()) out += "<h3>Materials of the joints</h3>\n" + material_table(spec.material);
+  if (!spec.material.empty())
+    out += "<h3>Materials of the joints</h3>\n" + material_table(spec.material);
   const SolveSpec& s = spec.solve;
   out += fmt::format(
-      "<p class=\"soft\">Settings: {} points on a joint face, local damping {}, time step {} of the "
+      "<p class=\"soft\">Settings: {} points on a joint face, local damping {}, time step {} of "
+      "the "
       "stable bound, gravity {}, mass scaling {}.</p>\n",
-      s.points_per_face, rounded(s.damping), rounded(s.step_fraction), quantity(s.gravity, "m/s²", 4),
-      rounded(s.mass_scaling));
+      s.points_per_face, rounded(s.damping), rounded(s.step_fraction),
+      quantity(s.gravity, "m/s²", 4), rounded(s.mass_scaling));
   return out;
 }
 

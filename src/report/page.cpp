@@ -24,10 +24,11 @@ std::string run_report(const ModelSpec& spec, const Model& model, const Result& 
   page += failure_section(result.failure_mode);
   page += quasi_static_section(result.quasi_static) + energy_section(result.energy);
   page += stages_section(result) + inputs_section(spec, model) + provenance_section(model, result);
-  page += fmt::format("<footer>wythe {}. The numbers are in summary.json and "
-                      "force_displacement.csv, the states in run.pvd for ParaView, the model as "
-                      "understood in model.used.toml.</footer>\n",
-                      provenance().version);
+  page += fmt::format(
+      "<footer>wythe {}. The numbers are in summary.json and "
+      "force_displacement.csv, the states in run.pvd for ParaView, the model as "
+      "understood in model.used.toml.</footer>\n",
+      provenance().version);
   return page + "</main>\n</body>\n</html>\n";
 }
 

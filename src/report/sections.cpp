@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "report/curve_svg.h"
@@ -26,17 +25,18 @@ double drift_at(const Result& result, double displacement) {
 std::string ductility_sentence(const Result& result) {
   const Responses& r = result.responses;
   if (!r.censored_80) {
-    return fmt::format(" Past the peak it keeps 80 % of that force up to <b>{}</b>.",
+    return fmt::format(" Past the peak it keeps 80\u202f% of that force up to <b>{}</b>.",
                        millimetres(r.displacement_at_80));
   }
-  return fmt::format(" It still holds more than 80 % of that force where the run ended, at <b>{}</b>.",
-                     millimetres(r.displacement_at_80));
+  return fmt::format(
+      " It still holds more than 80\u202f% of that force where the run ended, at <b>{}</b>.",
+      millimetres(r.displacement_at_80));
 }
 
 std::string mode_sentence(const FailureMode& mode) {
   if (mode.sentence.empty() && mode.name == "unclear") return " The failure mode is unclear.";
   if (mode.sentence.empty()) return fmt::format(" It fails by <b>{}</b>.", escaped(mode.name));
-  return fmt::format(" <b>{}</b>: {}", escaped(mode.name), escaped(mode.sentence));
+  return fmt::format(" <b>{}</b>: {}", escaped(mode.name), sentence(mode.sentence));
 }
 
 struct Number {
@@ -79,6 +79,10 @@ std::string legend() {
 
 std::string plural(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+bool same_state(const Snapshot& a, const Snapshot& b) {
+  return a.state.step == b.state.step && a.state.ux == b.state.ux;
 }
 
 std::string picture_caption(const Snapshot& snapshot, double scale, const WallPicture& picture) {
@@ -133,10 +137,11 @@ std::string warning(const Result& result) {
 std::string key_numbers(const Result& result) {
   const Responses& r = result.responses;
   if (shows_load_factor(result)) {
-    return cards({{rounded(result.load_factor), "load factor",
-                   "largest horizontal force, as a share of each block's weight, carried in "
-                   "equilibrium (tilt: tangent of the angle)"},
-                  {millimetres(result.top_displacement), "top displacement", "at the end of the run"}});
+    return cards(
+        {{rounded(result.load_factor), "load factor",
+          "largest horizontal force, as a share of each block's weight, carried in "
+          "equilibrium (tilt: tangent of the angle)"},
+         {millimetres(result.top_displacement), "top displacement", "at the end of the run"}});
   }
   if (result.curve.empty()) return "";
   const std::string at_least = "≥ ";
@@ -147,12 +152,11 @@ std::string key_numbers(const Result& result) {
         "mean of the pushed blocks; drift " +
             quantity(drift_at(result, r.displacement_at_peak) * 1e2, "%")},
        {(r.censored_80 ? at_least : "") + millimetres(r.displacement_at_80),
-        "displacement at 80 %",
+        "displacement at 80\u202f%",
         r.censored_80 ? "the force never fell to 0.8 of the peak: the last displacement"
                       : "first fall to 0.8 of the peak after it; drift " +
                             quantity(drift_at(result, r.displacement_at_80) * 1e2, "%")},
-       {(r.censored_max ? at_least : "") + millimetres(r.displacement_max),
-        "largest displacement",
+       {(r.censored_max ? at_least : "") + millimetres(r.displacement_max), "largest displacement",
         r.censored_max ? "the force never stayed below 0.2 of the peak: the last displacement"
                        : "from here on the force stays below 0.2 of the peak"},
        {quantity(r.initial_stiffness * 1e-6, "kN/mm"), "initial stiffness",
@@ -178,7 +182,14 @@ std::string curve_section(const Result& result) {
 std::string pictures_section(const Model& model, const Result& result) {
   if (result.snapshots.empty()) return "";
   std::string out = "<h2>The wall on its way</h2>\n" + legend() + "<div class=\"pictures\">\n";
-  for (const Snapshot& snapshot : result.snapshots) {
+  std::string label;
+  for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
+    Snapshot snapshot = result.snapshots[i];
+    // one picture for "30 mm" and "end" when they are one state
+    label += (label.empty() ? "" : ", ") + snapshot.label;
+    if (i + 1 < result.snapshots.size() && same_state(snapshot, result.snapshots[i + 1])) continue;
+    snapshot.label = label;
+    label.clear();
     const double scale = fitting_scale(model, snapshot.state);
     const WallPicture picture = draw_wall(model, snapshot.state, scale);
     out += "<figure>\n" + picture.svg + picture_caption(snapshot, scale, picture) + "</figure>\n";
@@ -187,24 +198,21 @@ std::string pictures_section(const Model& model, const Result& result) {
 }
 
 std::string failure_section(const FailureMode& mode) {
-  if (mode.scores.empty() && mode.evidence.empty()) return "";
+  if (mode.evidence.empty()) return "";
   std::string out = fmt::format(
-      "<h2>Why it is called {}</h2>\n<p class=\"soft\">Read from the wall at {}: the share of each "
-      "mode's tests that hold, and the measurements behind them.</p>\n<div class=\"two\">\n",
+      "<h2>Why it is called {}</h2>\n<p class=\"soft\">Measured on the wall "
+      "at {}, against the threshold of each sign.</p>\n",
       escaped(mode.name), millimetres(mode.read_at));
-  std::vector<std::vector<std::string>> scores = {{"mode", "score", ""}};
-  for (const auto& [name, score] : mode.scores) {
-    scores.push_back({escaped(name), rounded(score, 2),
-                      fmt::format("<span class=\"score\" style=\"width:{:.0f}px\"></span>",
-                                  120 * std::clamp(score, 0.0, 1.0))});
-  }
-  out += "<div>" + table(scores, "last") + "</div>\n<div>";
-  std::vector<std::vector<std::string>> rows = {{"element", "measure", "value", "threshold"}};
+  std::vector<std::vector<std::string>> rows = {
+      {"element", "sign", "measured", "threshold", "reached"}};
   for (const Evidence& e : mode.evidence) {
-    rows.push_back({escaped(e.element), escaped(e.measure), quantity(e.value, e.unit),
-                    quantity(e.threshold, e.unit)});
+    // a share is a plain number between 0 and 1
+    const std::string unit = e.unit == "share" || e.unit == "-" ? "" : e.unit;
+    const bool reached = e.value >= e.threshold;
+    rows.push_back({escaped(e.element), escaped(e.measure), quantity(e.value, unit),
+                    quantity(e.threshold, unit), reached ? "<b>yes</b>" : "no"});
   }
-  return out + (rows.size() > 1 ? table(rows) : "") + "</div>\n</div>\n";
+  return out + table(rows, "second");
 }
 
 }  // namespace wythe::report

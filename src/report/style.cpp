@@ -24,7 +24,7 @@ svg text.bold{font-weight:600}
 .ground{stroke:var(--ground);stroke-width:1.6;fill:none}.hatch{stroke:var(--ground);stroke-width:.8;fill:none}
 .rest{stroke:var(--soft);stroke-width:.8;stroke-dasharray:2 4;fill:none;opacity:.6}
 .crack{fill:none;stroke-linecap:round}.open{stroke:var(--open)}.slip{stroke:var(--slip)}
-.closed{stroke:var(--closed)}.softening{stroke:var(--closed);stroke-dasharray:2.5 3;opacity:.75}
+.closed{stroke:var(--closed)}.softening{stroke:var(--closed);stroke-dasharray:2.5 3}
 .crushed{fill:var(--crush);stroke:var(--paper);stroke-width:1}
 .arrow{stroke:var(--ink);stroke-width:2.4;fill:none;stroke-linejoin:round;stroke-linecap:round}
 .scale{stroke:var(--ink);stroke-width:1.6;fill:none}
@@ -76,8 +76,9 @@ td code,code{font:13.5px ui-monospace,"DejaVu Sans Mono",Consolas,monospace;over
 .bar span{display:block;min-width:2px}.key{display:inline-block;width:11px;height:11px;border-radius:2px;
 margin-right:8px}
 .e0{background:#0072b2}.e1{background:#d55e00}.e2{background:#cc79a7}.e3{background:#999}.e4{background:#56b4e9}
-.e5{background:#f0e442}
-.score{display:inline-block;height:10px;border-radius:2px;background:var(--curve);vertical-align:0}
+.e5{background:#f0e442}.e6{background:#009e73}
+table.second th:nth-child(2),table.second td:nth-child(2){text-align:left}
+table.bare thead{display:none}
 .verdict{font-size:17px}.two{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,430px),1fr));
 gap:0 44px}
 ol.marks{margin:10px 0 0;padding-left:22px;font-size:14px;columns:2 340px;column-gap:36px}
@@ -85,7 +86,7 @@ ol.marks li{break-inside:avoid}
 footer{margin-top:48px;padding-top:14px;border-top:1px solid var(--hair);color:var(--soft);font-size:13.5px}
 @media print{:root{--page:#fff;--ink:#000;--paper:#fff;--soft:#444}body{font-size:10.5pt}
 main{padding:0;max-width:none}figure,.number{break-inside:avoid}h2{break-after:avoid}
-.bar span,.key,.score{print-color-adjust:exact;-webkit-print-color-adjust:exact}
+.bar span,.key{print-color-adjust:exact;-webkit-print-color-adjust:exact}
 .pictures{grid-template-columns:1fr 1fr}}
 )css";
 }

@@ -33,8 +33,9 @@ std::vector<double> ticks(double low, double high, int wanted) {
 }
 
 std::string line(Pixel from, Pixel to, std::string_view css_class) {
-  return fmt::format("<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n",
-                     css_class, from.x, from.y, to.x, to.y);
+  return fmt::format(
+      "<line class=\"{}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\"/>\n", css_class,
+      from.x, from.y, to.x, to.y);
 }
 
 std::string label(Pixel at, std::string_view text, std::string_view css_class,

@@ -8,14 +8,14 @@
 namespace wythe::report {
 
 struct WallPicture {
-  std::string svg;      // without a style sheet
-  int open = 0;         // joints drawn as open cracks
-  int slipped = 0;      // as slipped
-  int closed = 0;       // cracked, closed again
-  int softening = 0;    // damage begun, not complete
-  int crushed = 0;      // points marked as crushed
-  double widest = 0;    // opening [m]
-  double longest = 0;   // slip [m]
+  std::string svg;     // without a style sheet
+  int open = 0;        // joints drawn as open cracks
+  int slipped = 0;     // as slipped
+  int closed = 0;      // cracked, closed again
+  int softening = 0;   // damage begun, not complete
+  int crushed = 0;     // points marked as crushed
+  double widest = 0;   // opening [m]
+  double longest = 0;  // slip [m]
 };
 
 [[nodiscard]] WallPicture draw_wall(const Model& model, const State& state, double scale);

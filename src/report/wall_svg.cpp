@@ -58,8 +58,10 @@ Bounds bounds_of(const Model& model, const State& state, double scale) {
   for (BlockId b = 0; b < model.n_block; ++b)
     for (const PlacedPoint& p : placed_outline(model, state, b, scale)) now.add(p);
   const double reach = 0.5 * std::max(rest.x1 - rest.x0, rest.y1 - rest.y0);
-  return {.x0 = std::max(now.x0, rest.x0 - reach), .x1 = std::min(now.x1, rest.x1 + reach),
-          .y0 = std::max(now.y0, rest.y0 - reach), .y1 = std::min(now.y1, rest.y1 + reach)};
+  return {.x0 = std::max(now.x0, rest.x0 - reach),
+          .x1 = std::min(now.x1, rest.x1 + reach),
+          .y0 = std::max(now.y0, rest.y0 - reach),
+          .y1 = std::min(now.y1, rest.y1 + reach)};
 }
 
 Canvas canvas_of(const Bounds& bounds) {
@@ -82,12 +84,14 @@ int tint_of(const Model& model, BlockId block) {
   return static_cast<int>(((u >> 13) + course) % kTints);
 }
 
-std::string draw_blocks(const Model& model, const State& state, double scale, const Canvas& canvas) {
+std::string draw_blocks(const Model& model, const State& state, double scale,
+                        const Canvas& canvas) {
   std::array<std::string, kTints> stones;
   std::string timber, plates;
   for (BlockId b = 0; b < model.n_block; ++b) {
     std::vector<Pixel> outline;
-    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) outline.push_back(canvas(p));
+    for (const PlacedPoint& p : placed_outline(model, state, b, scale))
+      outline.push_back(canvas(p));
     const BlockRole role = model.anatomy.block_role[b];
     std::string& group = role == BlockRole::kMasonry  ? stones[tint_of(model, b)]
                          : role == BlockRole::kLintel ? timber
@@ -128,6 +132,16 @@ std::string draw_supports(const Model& model, const Canvas& canvas) {
   return out;
 }
 
+// Where the masonry stood at the start; a blocks file may be any shape and has no such frame.
+std::string draw_rest(const Model& model, const Canvas& canvas) {
+  const Anatomy& a = model.anatomy;
+  if (a.courses == 0) return "";
+  return path(path_data({canvas({0, 0}), canvas({0, a.height}), canvas({a.length, a.height}),
+                         canvas({a.length, 0})},
+                        false),
+              "rest");
+}
+
 JointFace face_of(const Model& model, JointId joint, const std::vector<PointStress>& points) {
   JointFace face;
   for (int k = 0; k < model.n_face_point; ++k) {
@@ -165,19 +179,23 @@ const char* crack_class(const JointFace& face, WallPicture& picture) {
   return face.opening >= face.slip ? "crack open" : "crack slip";
 }
 
-std::string draw_crack(const Model& model, JointId joint, const JointFace& face, Pixel from, Pixel to,
-                       WallPicture& picture) {
+std::string draw_crack(const Model& model, JointId joint, const JointFace& face, Pixel from,
+                       Pixel to, WallPicture& picture) {
   const double movement = std::max({face.opening, face.slip, 0.0});
   const std::string css = crack_class(face, picture);
-  const double width = 1.1 + 2.9 * std::sqrt(std::min(1.0, movement / 5e-3));
+  const bool is_softening = face.damage < 0.999;
+  // a joint that softens shows fainter the less of its strength is gone
+  const double width = is_softening ? 0.5 + 0.7 * face.damage
+                                    : 1.1 + 2.9 * std::sqrt(std::min(1.0, movement / 5e-3));
   picture.widest = std::max(picture.widest, face.opening);
   picture.longest = std::max(picture.longest, face.slip);
   return fmt::format(
-      "<line class=\"{}\" stroke-width=\"{:.1f}\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" "
+      "<line class=\"{}\" stroke-width=\"{:.1f}\" opacity=\"{:.2f}\" x1=\"{:.1f}\" y1=\"{:.1f}\" "
+      "x2=\"{:.1f}\" "
       "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
-      css, width, from.x, from.y, to.x, to.y, kind_word(model.anatomy.joint_kind[joint]),
-      rounded(std::max(0.0, face.opening) * 1e3, 2), rounded(face.slip * 1e3, 2),
-      rounded(face.damage, 2));
+      css, width, is_softening ? 0.25 + 0.65 * face.damage : 1.0, from.x, from.y, to.x, to.y,
+      kind_word(model.anatomy.joint_kind[joint]), rounded(std::max(0.0, face.opening) * 1e3, 2),
+      rounded(face.slip * 1e3, 2), rounded(face.damage, 2));
 }
 
 // Sound joints as mortar lines, cracked ones by what they did.
@@ -234,8 +252,12 @@ std::string draw_arrow(const Model& model, const State& state, double scale, con
     for (const PlacedPoint& p : placed_outline(model, state, b, scale)) box.add(p);
   const double dx = stage->drive_x;
   const double dy = -stage->drive_y;  // pixels run down
-  const Pixel tip = canvas({dx > 0.5 ? box.x0 : dx < -0.5 ? box.x1 : (box.x0 + box.x1) / 2,
-                            dy < -0.5 ? box.y0 : dy > 0.5 ? box.y1 : (box.y0 + box.y1) / 2});
+  const Pixel tip = canvas({dx > 0.5    ? box.x0
+                            : dx < -0.5 ? box.x1
+                                        : (box.x0 + box.x1) / 2,
+                            dy < -0.5  ? box.y0
+                            : dy > 0.5 ? box.y1
+                                       : (box.y0 + box.y1) / 2});
   const Pixel head = {tip.x - 3 * dx, tip.y - 3 * dy};
   const Pixel tail = {head.x - 32 * dx, head.y - 32 * dy};
   const Pixel barb1 = {head.x - 9 * dx - 6 * dy, head.y - 9 * dy + 6 * dx};
@@ -250,8 +272,8 @@ std::string draw_scale_bar(const Canvas& canvas) {
   const double left = right - metres * canvas.x.factor;
   const double y = canvas.height - 12;
   const std::string bar = path_data({{left, y - 4}, {left, y}, {right, y}, {right, y - 4}}, false);
-  const std::string text = metres >= 1 ? fmt::format("{:g} m", metres)
-                                       : fmt::format("{:g} mm", metres * 1e3);
+  const std::string text =
+      metres >= 1 ? fmt::format("{:g} m", metres) : fmt::format("{:g} mm", metres * 1e3);
   return path(bar, "scale") + label({(left + right) / 2, y - 5}, text, "small", "middle");
 }
 
@@ -274,7 +296,8 @@ WallPicture draw_wall(const Model& model, const State& state, double scale) {
   const std::vector<PointStress> points = point_stresses(model, state);
   const Canvas canvas = canvas_of(bounds_of(model, state, scale));
   picture.svg = svg_begin(canvas.width, canvas.height, "wall", "The wall, displacements magnified");
-  picture.svg += draw_supports(model, canvas) + draw_blocks(model, state, scale, canvas);
+  picture.svg += draw_rest(model, canvas) + draw_supports(model, canvas) +
+                 draw_blocks(model, state, scale, canvas);
   picture.svg += draw_joints(model, state, scale, canvas, points, picture);
   picture.svg += draw_crushed(model, state, scale, canvas, points, picture);
   picture.svg += draw_arrow(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "wythe/study.h"
 
@@ -25,7 +27,8 @@ constexpr double kSheared = 0.7;       // of the spandrel's inner columns
 constexpr double kCracked = 0.4;       // of a pier's shaft courses
 constexpr double kSliding = 0.9;       // of a pier's columns in one course
 constexpr double kReadAt = 40e-3;      // displacement at which the state is read [m]
-constexpr double kNarrow = 0.05;       // margin below which the name is called unclear
+constexpr double kNarrow = 0.1;        // on either side of a threshold a measure is in doubt
+constexpr double kClear = 0.2;         // lead of the best score below which the name is "unclear"
 
 struct Joint {
   JointKind kind;
@@ -102,7 +105,6 @@ class Namer {
   void note(const std::string& element, const std::string& measure, double value, double threshold,
             const char* unit = "share") {
     mode_.evidence.push_back({element, measure, value, threshold, unit});
-    mode_.scores[element + ": " + measure] = value;
   }
 
   [[nodiscard]] std::string pier_name(std::size_t i) const {
@@ -153,31 +155,39 @@ class Namer {
     const double sheared = share_of_slots(joints_, spandrel, column_, true,
                                           [](const Joint& j) { return is_bed(j) && moved(j); });
     note("spandrel", "columns with a moved bed joint", sheared, kSheared);
-    const bool spandrel_shear = sheared >= kSheared;
-    const long piers = std::count_if(cracked_.begin(), cracked_.end(), [](double c) { return c >= kCracked; });
-    std::string name;
-    if (spandrel_shear) name = piers > 0 ? "FM-3" : "FM-4";
-    else name = piers == 0 ? "FM-5" : piers == 1 ? "FM-1" : "FM-2";
-    const double margin = std::min(std::fabs(sheared - kSheared), nearest_pier_margin());
-    mode_.scores["margin"] = margin;
+    const double s = holds(sheared, kSheared);
+    const double left = holds(cracked_[0], kCracked), right = holds(cracked_[1], kCracked);
+    const double none = (1 - left) * (1 - right), both = left * right;
+    mode_.scores = {{"FM-1", (1 - s) * (1 - none - both)},
+                    {"FM-2", (1 - s) * both},
+                    {"FM-3", s * (1 - none)},
+                    {"FM-4", s * none},
+                    {"FM-5", (1 - s) * none}};
+    name_highest_score();
+  }
+
+  // How surely a measure is beyond its threshold: 0 a tenth below, 1 a tenth above.
+  static double holds(double value, double threshold) {
+    return std::clamp(0.5 + (value - threshold) / (2 * kNarrow), 0.0, 1.0);
+  }
+
+  void name_highest_score() {
     static const std::map<std::string, const char*> kWords = {
         {"FM-1", "one pier cracks diagonally after flexural cracks at the connections"},
         {"FM-2", "both piers crack diagonally after flexural cracks at the connections"},
         {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
         {"FM-4", "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
         {"FM-5", "the piers rock, with flexural cracks at the connections and crushing at the toes"}};
-    mode_.sentence = kWords.at(name);
-    mode_.name = name;
-    if (margin < kNarrow) {
-      mode_.sentence = fmt::format("near the border of {}: {}", name, mode_.sentence);
-      mode_.name = "unclear";
-    }
-  }
-
-  [[nodiscard]] double nearest_pier_margin() const {
-    double margin = 1;
-    for (const double c : cracked_) margin = std::min(margin, std::fabs(c - kCracked));
-    return margin;
+    std::vector<std::pair<double, std::string>> ranked;
+    for (const auto& [name, score] : mode_.scores) ranked.emplace_back(-score, name);
+    std::sort(ranked.begin(), ranked.end());
+    const std::string first = ranked[0].second, second = ranked[1].second;
+    mode_.name = first;
+    mode_.sentence = kWords.at(first);
+    if (ranked[1].first - ranked[0].first >= kClear) return;
+    mode_.name = "unclear";
+    mode_.sentence = fmt::format("between {} ({}) and {} ({})", first, kWords.at(first), second,
+                                 kWords.at(second));
   }
 
   // Any other wall: what happened, in words, the gravest first.
@@ -191,6 +201,7 @@ class Namer {
     add("sliding", slid_, kSliding);
     add("rocking", opened_, kVisible);
     add("toe crushing", crushed_, 0.05);
+    for (const std::string& word : found) mode_.scores[word] = 1;
     mode_.name = found.empty() ? "unclear" : found.front();
     mode_.sentence = found.empty() ? "no element shows a mechanism at this displacement" : "";
     for (std::size_t i = 0; i < found.size(); ++i)

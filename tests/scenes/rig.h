@@ -32,7 +32,7 @@ class Rig {
 
   dynamics::DriveForce step() { return stepper.step(state, controls); }
   void run(double seconds) {
-    const auto steps = static_cast<std::int64_t>(std::ceil(seconds / controls.dt));
+    const auto steps = static_cast<std::int64_t>(std::ceil(seconds / controls.dt - 1e-9));
     for (std::int64_t k = 0; k < steps; ++k) step();
   }
   // Throws when the unbalance does not fall below `ratio` within `limit` seconds.

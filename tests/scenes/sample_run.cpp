@@ -60,8 +60,8 @@ FailureMode sample_mode() {
   mode.name = "FM-1";
   mode.scores = {{"FM-1", 0.8}, {"FM-2", 0.1}};
   mode.sentence = "The upper block slides on the bed joint.";
-  mode.evidence = {{.element = "bed joint", .measure = "slip", .value = 3, .threshold = 1,
-                    .unit = "mm"}};
+  mode.evidence = {
+      {.element = "bed joint", .measure = "slip", .value = 3, .threshold = 1, .unit = "mm"}};
   mode.read_at = 6e-3;
   return mode;
 }
@@ -147,8 +147,12 @@ State sample_state() {
 Result sample_result() {
   Result r;
   r.curve = {row(0, 0, 0), row(0.2, 2, 10), row(0.6, 6, 8), row(1, 10, 6)};
-  r.responses = {.peak_reaction = 10e3, .displacement_at_peak = 2e-3, .displacement_at_80 = 6e-3,
-                 .censored_80 = false, .displacement_max = 10e-3, .censored_max = true,
+  r.responses = {.peak_reaction = 10e3,
+                 .displacement_at_peak = 2e-3,
+                 .displacement_at_80 = 6e-3,
+                 .censored_80 = false,
+                 .displacement_max = 10e-3,
+                 .censored_max = true,
                  .initial_stiffness = 5e6};
   r.energy.drive = 100;
   r.energy.friction = 60;
@@ -159,8 +163,8 @@ Result sample_result() {
   r.events = {{"first crack", 0.5e-3, 3e3, "bed joint at 0.1 m, 0.1 m"}};
   r.failure_mode = sample_mode();
   r.snapshots = {{"start of push", 0, 0, sample_state()}, {"end", 10e-3, 6e3, sample_state()}};
-  r.stages = {{.name = "gravity", .time = 0.4, .steps = 4000, .unbalance_ratio = 1e-6,
-               .settled = true}};
+  r.stages = {
+      {.name = "gravity", .time = 0.4, .steps = 4000, .unbalance_ratio = 1e-6, .settled = true}};
   r.steps = 12345;
   r.time_step = 1e-5;
   r.wall_seconds = 1.5;

@@ -52,7 +52,7 @@ TEST(Html, numbers_are_rounded_to_what_a_reader_takes_in) {
   EXPECT_EQ(rounded(163.42), "163");
   EXPECT_EQ(rounded(11.04), "11");
   EXPECT_EQ(rounded(0.003514), "0.00351");
-  EXPECT_EQ(rounded(-1234.5), "-1234");
+  EXPECT_EQ(rounded(-1234.5), "−1234");
   EXPECT_EQ(rounded(2.4e-7), "2.4·10⁻⁷");
   EXPECT_EQ(rounded(0), "0");
   EXPECT_EQ(rounded(kUnset), "–");
@@ -84,7 +84,8 @@ TEST(Report, page_needs_nothing_from_outside) {
 
 TEST(Report, headline_says_force_displacement_and_mode) {
   const std::string page = sample_page();
-  EXPECT_EQ(count(page, "The wall resists <b>10\u202fkN</b> at <b>2\u202fmm</b> (1.33\u202f% drift)"), 1);
+  EXPECT_EQ(
+      count(page, "The wall resists <b>10\u202fkN</b> at <b>2\u202fmm</b> (1.33\u202f% drift)"), 1);
   EXPECT_EQ(count(page, "slides on the bed joint"), 1);
 }
 

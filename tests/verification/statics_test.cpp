@@ -134,19 +134,20 @@ TEST(ClosedForm, CF09_cantilever_column_many_points) {
   EXPECT_NEAR(order, 2.0, 0.05);
   EXPECT_LT(u4, u8);
   const double extrapolated = (4 * u15 - u8) / 3;
-  verify({"CF09", "cantilever column, many points (8 and 15, extrapolated)", "m", limit, 1e-3,
-          "fourth-order rest of the Richardson extrapolation, 4/(3 x 7^4) = 6e-4"},
+  verify({"CF09", "cantilever column, many points (8 and 15, extrapolated)", "m", limit, 5e-4,
+          "fourth-order rest of the Richardson extrapolation, 1/7^4 = 4.2e-4"},
          extrapolated);
 }
 
-// Tilts a dry stack of n blocks that together are 0.4 x 1.6 m until it falls [deg].
+// Tilts a dry stack of n blocks that together are 0.4 x 1.6 m until it falls [deg]. Slowly: what
+// tilts on before the unbalance is noticed is counted as carried.
 double tilt_at_collapse(int n) {
   ModelSpec spec =
       scenes::stack(n, 0.4, 1.6 / n, scenes::dry_joint(20e9, 8e9, std::atan(0.7)), 0.1, 2000);
   StageSpec tilt;
   tilt.name = "tilt";
   tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = degrees(5);
+  tilt.tilt_rate = degrees(1);
   tilt.tilt_until = degrees(30);
   spec.stage = {scenes::gravity_stage(), tilt};
   const Model model = compile(spec);

@@ -1,0 +1,311 @@
+#!/usr/bin/env python3
+"""The command line as a user meets it: files, columns, exit codes, messages, faults, interrupts."""
+import csv
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+WYTHE = os.environ.get("WYTHE", "build/release/wythe")
+SOURCE = pathlib.Path(os.environ.get("SOURCE", "."))
+TUFF = SOURCE / "examples/tuff_wall/model.toml"
+
+SMALL = """
+[wall]
+length = "0.8 m"
+height = "0.8 m"
+thickness = "0.2 m"
+bond = "running"
+[wall.unit]
+length = "200 mm"
+height = "100 mm"
+density = "2000 kg/m^3"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0.15 MPa"
+cohesion = "0.15 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+residual_cohesion = "0 MPa"
+mode_1_energy = "4.3 N/m"
+mode_2_energy = "125 N/m"
+compressive_strength = "4 MPa"
+compressive_energy = "12800 N/m"
+[material.unit]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0.5 MPa"
+cohesion = "0.75 MPa"
+friction_angle = "38 deg"
+residual_friction_angle = "38 deg"
+residual_cohesion = "0 MPa"
+mode_1_energy = "20 N/m"
+mode_2_energy = "550 N/m"
+compressive_strength = "4 MPa"
+compressive_energy = "12800 N/m"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "precompression"
+pier_load = "20 kN"
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "0.75 m" }
+direction = "+x"
+velocity = "20 mm/s"
+until = "3 mm"
+"""
+
+CURVE = ["time_s", "displacement_mm", "drift_percent", "reaction_kN", "base_shear_kN", "unbalance_ratio",
+         "kinetic_ratio"]
+CONTACT = ["opening_mm", "slip_mm", "normal_stress_MPa", "shear_stress_MPa", "damage_tension",
+           "damage_shear", "damage", "crushing", "dissipated_N_per_m"]
+
+
+def wythe(*arguments, **options):
+    return subprocess.run([WYTHE, *map(str, arguments)], capture_output=True, text=True, timeout=300, **options)
+
+
+class Base(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        self.out = self.folder / "out"
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def model(self, text=SMALL, name="model.toml"):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def refused(self, text, *words, code=2):
+        done = wythe("run", self.model(text), "--out", self.out)
+        self.assertEqual(done.returncode, code, done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse(self.out.exists() and any(self.out.iterdir()), "nothing may be written")
+
+
+class Run(Base):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.shared.name)
+        (folder / "model.toml").write_text(SMALL)
+        cls.done = wythe("run", folder / "model.toml", "--out", folder / "out", "--quiet")
+        cls.result = folder / "out"
+        cls.summary = json.loads((cls.result / "summary.json").read_text())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.shared.cleanup()
+
+    def test_exits_with_0_and_prints_the_peak(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertIn("peak", self.done.stdout)
+
+    def test_writes_the_contract_files(self):
+        names = {p.name for p in self.result.iterdir()}
+        for name in ("force_displacement.csv", "summary.json", "run.pvd", "report.html", "model.used.toml"):
+            self.assertIn(name, names)
+        self.assertTrue(any(re.match(r"state_.*\.vtu", n) for n in names))
+
+    def test_curve_has_the_contract_columns_and_500_rows(self):
+        with open(self.result / "force_displacement.csv") as file:
+            rows = list(csv.reader(file))
+        self.assertEqual(rows[0], CURVE)
+        self.assertGreaterEqual(len(rows) - 1, 500)
+        first, last = [float(x) for x in rows[1]], [float(x) for x in rows[-1]]
+        self.assertEqual(first[1], 0.0)
+        self.assertAlmostEqual(last[1], 3.0, delta=0.02)
+        peak = max(float(r[3]) for r in rows[1:])
+        self.assertAlmostEqual(peak, self.summary["peak_reaction_kN"], places=6)
+
+    def test_drift_is_displacement_over_the_load_height(self):
+        with open(self.result / "force_displacement.csv") as file:
+            row = list(csv.DictReader(file))[-1]
+        self.assertAlmostEqual(float(row["drift_percent"]), float(row["displacement_mm"]) / 750 * 100, places=4)
+
+    def test_summary_has_the_contract_keys(self):
+        for key in ("status", "peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm",
+                    "displacement_max_mm", "initial_stiffness_kN_per_mm", "failure_mode", "energy_J",
+                    "quasi_static", "blocks", "joints", "points", "steps", "time_step_s", "wall_seconds",
+                    "state_hash", "provenance"):
+            self.assertIn(key, self.summary)
+        self.assertLess(self.summary["energy_J"]["gap_ratio"], 1e-3)
+
+    def test_used_model_runs_to_the_same_bits(self):
+        again = self.out
+        done = wythe("run", self.result / "model.used.toml", "--out", again, "--quiet", "--threads", "2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        other = json.loads((again / "summary.json").read_text())
+        self.assertEqual(other["state_hash"], self.summary["state_hash"])
+
+
+class BadInput(Base):
+    def test_missing_file_names_it(self):
+        done = wythe("run", self.folder / "none.toml", "--out", self.out)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("none.toml", done.stderr)
+
+    def test_not_toml_names_the_line(self):
+        self.refused("[wall\nlength = 3", "model.toml")
+
+    def test_unknown_key_gets_the_nearest(self):
+        self.refused(SMALL.replace("thickness =", "thicknes ="), "wall.thicknes", "thickness")
+
+    def test_wrong_unit_names_both(self):
+        self.refused(SMALL.replace('thickness = "0.2 m"', 'thickness = "0.2 kN"'), "wall.thickness", "0.2 kN")
+
+    def test_bare_number_gets_the_cure(self):
+        self.refused(SMALL.replace('thickness = "0.2 m"', "thickness = 0.2"), "wall.thickness", "unit")
+
+    def test_negative_value(self):
+        self.refused(SMALL.replace('thickness = "0.2 m"', 'thickness = "-0.2 m"'), "wall.thickness", "-0.2")
+
+    def test_nan_value(self):
+        self.refused(SMALL.replace('thickness = "0.2 m"', 'thickness = "nan m"'), "wall.thickness")
+
+    def test_missing_physical_parameter_has_no_default(self):
+        self.refused(SMALL.replace('cohesion = "0.15 MPa"\nfriction', "friction"), "material.joint.cohesion")
+
+    def test_all_faults_at_once(self):
+        text = SMALL.replace('thickness = "0.2 m"', "thickness = 0.2").replace("until =", "untill =")
+        self.refused(text, "wall.thickness", "untill", "until")
+
+    def test_opening_outside_the_wall(self):
+        opening = '[[wall.opening]]\nx = "0.6 m"\ny = "0 m"\nwidth = "0.6 m"\nheight = "0.4 m"\n'
+        self.refused(SMALL + opening, "wall.opening.0")
+
+    def test_lintel_shorter_than_the_opening(self):
+        opening = ('[[wall.opening]]\nx = "0.3 m"\ny = "0 m"\nwidth = "0.2 m"\nheight = "0.4 m"\n'
+                   'lintel = { kind = "timber", depth = "100 mm", bearing = "-50 mm", material = "timber" }\n'
+                   '[material.timber]\ndensity = "500 kg/m^3"\nyoungs_modulus = "1 GPa"\nshear_modulus = "0.4 GPa"\n')
+        self.refused(SMALL + opening, "bearing")
+
+    def test_snap_back_names_the_numbers(self):
+        self.refused(SMALL.replace('mode_1_energy = "4.3 N/m"', 'mode_1_energy = "0.1 N/m"'),
+                     "material.joint.mode_1_energy", "snap-back")
+
+    def test_overlapping_blocks_in_a_file(self):
+        self.blocks([[[0, 0], [1, 0], [1, 0.5], [0, 0.5]], [[0.5, 0.2], [1.5, 0.2], [1.5, 0.7], [0.5, 0.7]]],
+                    "overlap")
+
+    def test_floating_block_has_no_support(self):
+        self.blocks([[[0, 0], [1, 0], [1, 0.5], [0, 0.5]], [[0, 2], [1, 2], [1, 2.5], [0, 2.5]]],
+                    "support")
+
+    def blocks(self, polygons, word):
+        blocks = [{"id": f"b{i}", "polygon": p} for i, p in enumerate(polygons)]
+        (self.folder / "blocks.json").write_text(json.dumps({"units": "m", "blocks": blocks}))
+        text = re.sub(r'\[wall\].*?\[material.joint\]',
+                      '[wall]\nblocks = "blocks.json"\nthickness = "0.2 m"\n[wall.unit]\n'
+                      'density = "2000 kg/m^3"\n[material.joint]', SMALL, count=1, flags=re.S)
+        self.refused(text, word)
+
+    def test_unwritable_folder(self):
+        file = self.folder / "file"
+        file.write_text("in the way")
+        done = wythe("run", self.model(), "--out", file / "out")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("out", done.stderr)
+
+    def test_override_of_an_unknown_path(self):
+        done = wythe("check", self.model(), "--set", "stage.push.velocty=1 mm/s")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--set", done.stderr)
+        self.assertIn("velocity", done.stderr)
+
+
+class Behaviour(Base):
+    def test_override_changes_the_run(self):
+        done = wythe("run", self.model(), "--out", self.out, "--quiet", "--set", "stage.push.until=1 mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('until = "1 mm"', (self.out / "model.used.toml").read_text())
+
+    def test_check_prints_counts_step_and_time(self):
+        done = wythe("check", TUFF)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("blocks 825", "joints", "time step", "825 masonry blocks"):
+            self.assertIn(word, done.stdout)
+
+    def test_unstable_step_stops_and_keeps_what_it_has(self):
+        # a coarse fraction at full damping is beyond the limit 1/sqrt(1 + lambda)
+        done = wythe("run", self.model(), "--out", self.out, "--quiet", "--set", "solve.step_fraction=1")
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        status = json.loads((self.out / "summary.json").read_text())["status"]
+        self.assertIn(status, ("unstable", "not_settled"))
+
+    def test_interrupt_writes_the_curve_so_far(self):
+        run = subprocess.Popen([WYTHE, "run", str(TUFF), "--out", str(self.out), "--quiet"],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(6)
+        run.send_signal(signal.SIGINT)
+        run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 3)
+        self.assertEqual(json.loads((self.out / "summary.json").read_text())["status"], "interrupted")
+        self.assertTrue((self.out / "force_displacement.csv").exists())
+
+    def test_standing_column_that_cannot_stand_collapses(self):
+        blocks = [{"id": "base", "polygon": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]},
+                  {"id": "ledge", "polygon": [[0.15, 0.2], [0.75, 0.2], [0.75, 0.4], [0.15, 0.4]]}]
+        (self.folder / "blocks.json").write_text(json.dumps({"units": "m", "blocks": blocks}))
+        text = re.sub(r'\[wall\].*?\[material.joint\]',
+                      '[wall]\nblocks = "blocks.json"\nthickness = "0.2 m"\n[wall.unit]\n'
+                      'density = "2000 kg/m^3"\n[material.joint]', SMALL, count=1, flags=re.S)
+        text = text.replace('tensile_strength = "0.15 MPa"', 'tensile_strength = "0 MPa"')
+        text = text[:text.index("[[stage]]")] + '[[stage]]\nname = "gravity"\n'
+        done = wythe("run", self.model(text), "--out", self.out, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("collapsed", done.stdout)
+
+    def test_version_and_help(self):
+        self.assertIn("wythe", wythe("--version").stdout)
+        for command in ("run", "check", "contact"):
+            self.assertIn("example:", wythe(command, "--help").stdout)
+
+    def test_unknown_command_is_an_input_error(self):
+        self.assertEqual(wythe("fly").returncode, 2)
+
+
+class Contact(Base):
+    LAW = SMALL[SMALL.index("[material.joint]"):SMALL.index("[material.unit]")]
+
+    def drive(self, path, law=None):
+        (self.folder / "law.toml").write_text(law or self.LAW)
+        (self.folder / "path.csv").write_text(path)
+        done = wythe("contact", self.folder / "law.toml", "--path", self.folder / "path.csv", "--out",
+                     self.folder / "out.csv")
+        return done
+
+    def test_pulling_apart_dissipates_the_mode_1_energy(self):
+        done = self.drive("opening_mm,slip_mm\n0,0\n0.02,0\n0.04,0\n0.2,0\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.folder / "out.csv") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), CONTACT)
+        self.assertAlmostEqual(float(rows[-1]["dissipated_N_per_m"]), 4.3, delta=0.0043)
+        self.assertEqual(float(rows[-1]["damage"]), 1.0)
+
+    def test_missing_column_is_named(self):
+        done = self.drive("opening_mm\n0\n")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("slip_mm", done.stderr)
+
+    def test_full_disk_is_noticed(self):
+        (self.folder / "law.toml").write_text(self.LAW)
+        (self.folder / "path.csv").write_text("opening_mm,slip_mm\n0,0\n")
+        done = wythe("contact", self.folder / "law.toml", "--path", self.folder / "path.csv", "--out", "/dev/full")
+        self.assertEqual(done.returncode, 4)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
