@@ -21,7 +21,8 @@ configure: setup
 build: configure ## compile: build/<preset>/wythe
 	@cmake --build --preset $(PRESET)
 
-demo: build      ## run one wall and say where its report is (DEMO=model.toml)
+demo: configure  ## run one wall and say where its report is (DEMO=model.toml)
+	@cmake --build --preset $(PRESET) --target wythe_cli
 	$(BUILD)/wythe run $(DEMO) --out $(BUILD)/demo
 	@echo "open $(BUILD)/demo/report.html"
 

@@ -78,13 +78,14 @@ int check(const CheckArguments& arguments) {
   const Estimate e = estimate(model);
   fmt::print("{}: valid\n", arguments.file);
   print_model(model);
-  fmt::print("wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before lintels\n",
-             model.anatomy.length, model.anatomy.height, model.anatomy.thickness,
-             model.anatomy.courses, model.anatomy.lost_joints,
-             model.anatomy.masonry_blocks_before_lintels);
+  fmt::print(
+      "wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before "
+      "lintels\n",
+      model.anatomy.length, model.anatomy.height, model.anatomy.thickness, model.anatomy.courses,
+      model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
   fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {:.0f} s on one core\n",
-             e.time_step,
-             model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)], e.steps, e.seconds);
+             e.time_step, model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)],
+             e.steps, e.seconds);
   return 0;
 }
 

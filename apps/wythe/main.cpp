@@ -20,15 +20,20 @@ std::string version_text() {
 }
 
 void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
-  command->add_option("--set", overrides, "override a key: path=value, e.g. stage.push.velocity=\"1 mm/s\"")
+  command
+      ->add_option("--set", overrides,
+                   "override a key: path=value, e.g. stage.push.velocity=\"1 mm/s\"")
       ->take_all()
       ->expected(1)
       ->allow_extra_args(false);
 }
 
 void add_run(CLI::App& app, RunArguments& a, int& code) {
-  CLI::App* command = app.add_subcommand("run", "push one wall and write its curve, states and report");
-  command->footer("example: wythe run examples/tuff_wall/model.toml --out out/tuff --set stage.push.velocity=\"1 mm/s\"");
+  CLI::App* command =
+      app.add_subcommand("run", "push one wall and write its curve, states and report");
+  command->footer(
+      "example: wythe run examples/tuff_wall/model.toml --out out/tuff --set "
+      "stage.push.velocity=\"1 mm/s\"");
   command->add_option("model", a.model, "the wall, MODEL.toml")->required();
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
   add_overrides(command, a.overrides);
@@ -47,8 +52,11 @@ void add_check(CLI::App& app, CheckArguments& a, int& code) {
 }
 
 void add_contact(CLI::App& app, ContactArguments& a, int& code) {
-  CLI::App* command = app.add_subcommand("contact", "drive one joint along a path of opening and slip");
-  command->footer("example: wythe contact examples/joint_law/law.toml --path examples/joint_law/path.csv --out out.csv");
+  CLI::App* command =
+      app.add_subcommand("contact", "drive one joint along a path of opening and slip");
+  command->footer(
+      "example: wythe contact examples/joint_law/law.toml --path examples/joint_law/path.csv --out "
+      "out.csv");
   command->add_option("law", a.law, "LAW.toml with one [material.joint]")->required();
   command->add_option("--path", a.path, "CSV: opening_mm,slip_mm")->required();
   command->add_option("--out", a.out, "CSV to write")->required();
@@ -56,7 +64,8 @@ void add_contact(CLI::App& app, ContactArguments& a, int& code) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("wythe: how strong a masonry wall is, how far it drifts, how it fails, and how sure we are");
+  CLI::App app(
+      "wythe: how strong a masonry wall is, how far it drifts, how it fails, and how sure we are");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   int code = 0;

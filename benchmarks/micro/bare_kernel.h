@@ -31,7 +31,8 @@ struct BareBlock {
 
 class BareWall {
  public:
-  BareWall(const Model& m, const State& state, const std::vector<contact::LawConstants<double>>& law)
+  BareWall(const Model& m, const State& state,
+           const std::vector<contact::LawConstants<double>>& law)
       : m_(m), law_(law), force_(static_cast<std::size_t>(m.n_joint)) {
     for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j)
       joint_.push_back({m.joint_a[j], m.joint_b[j], m.joint_material[j], m.joint_a[j] < 0 ? 1 : 0,
@@ -42,7 +43,8 @@ class BareWall {
                         state.shear_damage[p]});
     for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
       block_.push_back({state.ux[i], state.uy[i], state.theta[i], state.vx[i], state.vy[i],
-                        state.omega[i], std::cos(0.5 * state.theta[i]), std::sin(0.5 * state.theta[i])});
+                        state.omega[i], std::cos(0.5 * state.theta[i]),
+                        std::sin(0.5 * state.theta[i])});
   }
 
   void step(double dt, double lambda, double gy) {
@@ -63,7 +65,8 @@ class BareWall {
       double p = h.crush + excess * m.crush_gain;
       if (p > m.p_full) p = std::max(h.crush, -w);
       const double after = m.fc * std::max(0.0, 1 - p * m.inv_p_full);
-      crushing += share * 0.5 * (fc + after) * (std::min(p, m.p_full) - std::min(h.crush, m.p_full));
+      crushing +=
+          share * 0.5 * (fc + after) * (std::min(p, m.p_full) - std::min(h.crush, m.p_full));
       h.crush = p;
       we = w + p;
     }

@@ -17,8 +17,8 @@ namespace {
 using namespace wythe;
 
 struct Cracked {
-  Model model = compile(read_model(WYTHE_SOURCE_DIR "/examples/tuff_wall/model.toml",
-                                   {"stage.push.until=6 mm"}));
+  Model model = compile(
+      read_model(WYTHE_SOURCE_DIR "/examples/tuff_wall/model.toml", {"stage.push.until=6 mm"}));
   State state = initial_state(model);
   std::vector<contact::LawConstants<double>> law;
   std::string hash;
@@ -59,8 +59,8 @@ void law_alone(benchmark::State& bench) {
       contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
                                  s.slip[p],  s.shear_damage[p], s.tension_set[p]};
       const auto& law = wall.law[static_cast<std::size_t>(wall.model.joint_material[p / per])];
-      const auto now = contact::update<contact::PaperVariant>(law, at[p].opening + swing,
-                                                              at[p].slip + swing, h);
+      const auto now =
+          contact::update<contact::PaperVariant>(law, at[p].opening + swing, at[p].slip + swing, h);
       s.kappa[p] = h.kappa;
       s.crush[p] = h.crush;
       s.plastic_slip[p] = h.plastic_slip;

@@ -30,9 +30,9 @@ struct JointMaterial {
   double residual_friction_angle = kUnset;  // phi_res [rad]
   double residual_cohesion = kUnset;        // c_res [Pa]
   double mode_1_energy = kUnset;            // GI [N/m], whole area; needed when ft > 0
-  double mode_2_energy = kUnset;            // GII [N/m], work above the residual; needed when t0 > tr
-  double compressive_strength = kUnset;     // fc [Pa], kUnlimited allowed
-  double compressive_energy = kUnset;       // Gc [N/m], whole area; needed when fc is finite
+  double mode_2_energy = kUnset;         // GII [N/m], work above the residual; needed when t0 > tr
+  double compressive_strength = kUnset;  // fc [Pa], kUnlimited allowed
+  double compressive_energy = kUnset;    // Gc [N/m], whole area; needed when fc is finite
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;

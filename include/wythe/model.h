@@ -29,7 +29,15 @@ inline constexpr BlockId kGroundBlock = -1;
 
 enum class BlockRole : std::uint8_t { kMasonry, kLintel, kPlate, kBeam };
 enum class JointKind : std::uint8_t {
-  kBed, kHead, kSplit, kFoundation, kLintelChain, kLintelBond, kPlate, kBeam, kOther
+  kBed,
+  kHead,
+  kSplit,
+  kFoundation,
+  kLintelChain,
+  kLintelBond,
+  kPlate,
+  kBeam,
+  kOther
 };
 
 // A dead load that keeps its direction and follows a point of a block.
@@ -41,7 +49,7 @@ struct PointLoad {
 
 // One stage with every word resolved to blocks, newtons, metres and seconds.
 struct Stage {
-  StageSpec spec;               // with all defaults written in
+  StageSpec spec;  // with all defaults written in
   std::vector<PointLoad> loads;
   std::vector<BlockId> driven;
   double drive_x = 0, drive_y = 0;  // unit vector of the push
@@ -52,16 +60,16 @@ struct Stage {
 struct Anatomy {
   std::vector<std::string> block_id;
   std::vector<BlockRole> block_role;
-  std::vector<int> block_course;        // -1 where it has no meaning
-  std::vector<double> block_thickness;  // [m]
-  std::vector<int> outline_begin;       // (n_block + 1) into outline_x, outline_y
+  std::vector<int> block_course;             // -1 where it has no meaning
+  std::vector<double> block_thickness;       // [m]
+  std::vector<int> outline_begin;            // (n_block + 1) into outline_x, outline_y
   std::vector<double> outline_x, outline_y;  // in the wall's axes at the start [m]
   std::vector<JointKind> joint_kind;
   std::vector<double> pier_x0, pier_x1, pier_height;  // [m], left to right
   std::vector<double> support_x, support_y;           // outlines of fixed blocks
   std::vector<int> support_begin;
-  double length = 0, height = 0, thickness = 0;       // of the masonry [m]
-  double half_unit = 0, course_height = 0;            // [m], 0 for a blocks file
+  double length = 0, height = 0, thickness = 0;  // of the masonry [m]
+  double half_unit = 0, course_height = 0;       // [m], 0 for a blocks file
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
   int lost_joints = 0;
@@ -72,29 +80,30 @@ struct Model {
   int n_block = 0, n_joint = 0, n_pair = 0, n_face_point = 2;
 
   // read by forces (one row per joint)
-  std::vector<BlockId> joint_a, joint_b;          // a is kGroundBlock on the ground
-  std::vector<std::int32_t> joint_material;       // into materials
-  std::vector<double> arm_a_x, arm_a_y;           // [m] (n_joint)
-  std::vector<double> arm_b_x, arm_b_y;           // [m] (n_joint)
-  std::vector<double> half_x, half_y;             // e [m] (n_joint); shortened where a joint stands
-                                                  // for a continuous section (lintel chain)
-  std::vector<double> tangent_x, tangent_y;       // t (n_joint)
-  std::vector<double> area;                       // [m^2] (n_joint)
-  std::vector<double> point_xi, point_weight;     // (n_face_point), weights sum to 1
+  std::vector<BlockId> joint_a, joint_b;       // a is kGroundBlock on the ground
+  std::vector<std::int32_t> joint_material;    // into materials
+  std::vector<double> arm_a_x, arm_a_y;        // [m] (n_joint)
+  std::vector<double> arm_b_x, arm_b_y;        // [m] (n_joint)
+  std::vector<double> half_x, half_y;          // e [m] (n_joint); shortened where a joint stands
+                                               // for a continuous section (lintel chain)
+  std::vector<double> tangent_x, tangent_y;    // t (n_joint)
+  std::vector<double> area;                    // [m^2] (n_joint)
+  std::vector<double> point_xi, point_weight;  // (n_face_point), weights sum to 1
 
   // read by gather and integrate (one row per block)
-  std::vector<std::int32_t> block_begin;          // CSR (n_block + 1) into block_entry
-  std::vector<std::int32_t> block_entry;          // 2 joint + side (0: block is a, 1: block is b)
-  std::vector<double> mass;                       // inertia [kg] (n_block)
-  std::vector<double> heavy_mass;                 // what gravity pulls [kg] (n_block); 0 for plates,
-                                                  // whose weight is part of their load
-  std::vector<double> inertia;                    // [kg m^2] (n_block)
-  std::vector<double> centroid_x, centroid_y;     // at the start [m] (n_block)
+  std::vector<std::int32_t> block_begin;       // CSR (n_block + 1) into block_entry
+  std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b)
+  std::vector<double> mass;                    // inertia [kg] (n_block)
+  std::vector<double> heavy_mass;              // what gravity pulls [kg] (n_block); 0 for plates,
+                                               // whose weight is part of their load
+  std::vector<double> inertia;                 // [kg m^2] (n_block)
+  std::vector<double> turn_freedom;               // 1, or 0 where rotation is blocked (n_block)
+  std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
   // read once per run
-  double omega_max = 0;                           // bound on the highest circular frequency [1/s]
-  BlockId stiffest_block = 0;                     // where the bound is reached
-  double weight = 0;                              // of all moving blocks [N]
+  double omega_max = 0;        // bound on the highest circular frequency [1/s]
+  BlockId stiffest_block = 0;  // where the bound is reached
+  double weight = 0;           // of all moving blocks [N]
   std::vector<JointMaterial> materials;
   std::vector<std::string> material_names;
   std::vector<Stage> stages;
@@ -109,29 +118,30 @@ struct Model {
 // Exactly what a restart needs; saving and restoring it is invisible.
 struct State {
   // written by integrate (n_block)
-  std::vector<double> ux, uy, theta;   // [m], [m], [rad]
-  std::vector<double> vx, vy, omega;   // at the half step [m/s], [rad/s]
+  std::vector<double> ux, uy, theta;  // [m], [m], [rad]
+  std::vector<double> vx, vy, omega;  // at the half step [m/s], [rad/s]
 
   // written by forces, committed history of the joint law (n_point)
-  std::vector<double> kappa;           // largest opening reached [m]
-  std::vector<double> crush;           // crushing shortening -w_p [m]
-  std::vector<double> plastic_slip;    // signed plastic slip [m]
-  std::vector<double> slip;            // accumulated |plastic slip| s [m]
-  std::vector<double> shear_damage;    // ds [-]
-  std::vector<double> tension_set;     // w_t [m], elastic unloading only
+  std::vector<double> kappa;         // largest opening reached [m]
+  std::vector<double> crush;         // crushing shortening -w_p [m]
+  std::vector<double> plastic_slip;  // signed plastic slip [m]
+  std::vector<double> slip;          // accumulated |plastic slip| s [m]
+  std::vector<double> shear_damage;  // ds [-]
+  std::vector<double> tension_set;   // w_t [m], elastic unloading only
 
   // written by drive
-  int stage = 0;                       // index into Model::stages
-  std::int64_t step = 0;               // in all
-  double time = 0;                     // [s]
-  double stage_time = 0;               // [s]
-  double gravity_x = 0, gravity_y = 0; // acceleration now in force [m/s^2]
-  double body_factor = 0;              // lambda of the body force
-  std::vector<double> load_scale;      // share of each stage's loads in force (n_stage)
-  double drive_displacement = 0;       // prescribed displacement along the push [m]
-  double travelled = 0;                // length of the driven path so far [m]
-  double turn_time = 0;                // stage time of the last start or turn of a push [s]
-  int target = 0;                      // next of a cyclic stage
+  int stage = 0;                        // index into Model::stages
+  std::int64_t step = 0;                // in all
+  double time = 0;                      // [s]
+  double stage_time = 0;                // [s]
+  double gravity_x = 0, gravity_y = 0;  // acceleration now in force [m/s^2]
+  double body_factor = 0;               // lambda of the body force, or the angle of a tilt
+  double balance = 1;                   // unbalance ratio the load factor last saw
+  std::vector<double> load_scale;       // share of each stage's loads in force (n_stage)
+  double drive_displacement = 0;        // prescribed displacement along the push [m]
+  double travelled = 0;                 // length of the driven path so far [m]
+  double turn_time = 0;                 // stage time of the last start or turn of a push [s]
+  int target = 0;                       // next of a cyclic stage
 
   // energy ledger, since the start [J]
   double work_loads = 0, work_drive = 0, work_damping = 0;

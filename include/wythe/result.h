@@ -10,30 +10,37 @@
 
 namespace wythe {
 
-enum class SolveStatus { kCompleted, kCollapsed, kInterrupted, kNotSettled, kUnstable, kBudgetSpent };
+enum class SolveStatus {
+  kCompleted,
+  kCollapsed,
+  kInterrupted,
+  kNotSettled,
+  kUnstable,
+  kBudgetSpent
+};
 [[nodiscard]] const char* to_string(SolveStatus status);
 
 // One row of force_displacement.csv, averaged over its window. SI.
 struct CurveRow {
-  double time = 0;              // [s], since the start of the first curve stage
-  double displacement = 0;      // mean of the driven blocks along the push, starts at 0 [m]
-  double drift = 0;             // displacement / load height [-]
-  double reaction = 0;          // [N], + resists the push
-  double base_shear = 0;        // [N], + resists the push
-  double unbalance_ratio = 0;   // mean |unbalanced| / mean |contact force| [-]
-  double kinetic_ratio = 0;     // kinetic energy / work of the drive so far [-]
-  double load_factor = 0;       // lambda (body force) or tan of the tilt [-]
+  double time = 0;             // [s], since the start of its stage
+  double displacement = 0;     // mean of the driven blocks along the push, starts at 0 [m]
+  double drift = 0;            // displacement / load height [-]
+  double reaction = 0;         // [N], + resists the push
+  double base_shear = 0;       // [N], + resists the push
+  double unbalance_ratio = 0;  // mean |unbalanced| / mean |contact force| [-]
+  double kinetic_ratio = 0;    // kinetic energy / work of the drive so far [-]
+  double load_factor = 0;      // lambda (body force) or tan of the tilt [-]
 };
 
 // Responses read off the curve; definitions in docs/reference/results.md.
 struct Responses {
-  double peak_reaction = 0;            // [N]
-  double displacement_at_peak = 0;     // [m]
-  double displacement_at_80 = 0;       // [m], first crossing of 0.8 peak after the peak
-  bool censored_80 = true;             // never crossed: the last displacement stands
-  double displacement_max = 0;         // [m], where the reaction stays below 0.2 peak
+  double peak_reaction = 0;         // [N]
+  double displacement_at_peak = 0;  // [m]
+  double displacement_at_80 = 0;    // [m], first crossing of 0.8 peak after the peak
+  bool censored_80 = true;          // never crossed: the last displacement stands
+  double displacement_max = 0;      // [m], where the reaction stays below 0.2 peak
   bool censored_max = true;
-  double initial_stiffness = 0;        // [N/m], secant between 10 and 30 % of the peak
+  double initial_stiffness = 0;  // [N/m], secant between 10 and 30 % of the peak
 };
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve);
 
@@ -42,25 +49,25 @@ struct EnergyLedger {
   double kinetic = 0, elastic = 0;                  // stored [J]
   double friction = 0, fracture = 0, crushing = 0;  // dissipated in joints [J]
   double damping = 0;                               // taken by local damping [J]
-  double gap = 0;           // input - stored - dissipated [J]
-  double gap_ratio = 0;     // |gap| / (|loads| + |drive| + elastic)
+  double gap = 0;                                   // input - stored - dissipated [J]
+  double gap_ratio = 0;                             // |gap| / (|loads| + |drive| + elastic)
 };
 
 // How nearly static the push was, and a sentence for it.
 struct QuasiStatic {
   double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;
   double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;
-  double shear_gap = 0;       // mean |reaction - base shear| / peak
-  double damping_share = 0;   // damping work / work of the drive
-  std::string verdict;        // "slow enough", "too fast: halve the velocity", ...
+  double shear_gap = 0;      // |mean of (reaction - base shear)| / peak
+  double damping_share = 0;  // damping work / work of the drive
+  std::string verdict;       // "slow enough", "too fast: halve the velocity", ...
 };
 
 // Something worth a mark on the curve.
 struct Event {
-  std::string name;        // "first crack", "first full crack", "peak", ...
-  double displacement = 0; // [m]
-  double reaction = 0;     // [N]
-  std::string where;       // joint kind and place
+  std::string name;         // "first crack", "first full crack", "peak", ...
+  double displacement = 0;  // [m]
+  double reaction = 0;      // [N]
+  std::string where;        // joint kind and place
 };
 
 struct Evidence {
@@ -72,20 +79,20 @@ struct FailureMode {
   std::string name = "unclear";
   std::map<std::string, double> scores;
   std::vector<Evidence> evidence;
-  std::string sentence;    // in plain words
-  double read_at = 0;      // displacement at which it was read [m]
+  std::string sentence;  // in plain words
+  double read_at = 0;    // displacement at which it was read [m]
 };
 
 struct Snapshot {
-  std::string label;       // "start of push", "peak", "20 mm", "end"
-  double displacement = 0; // [m]
-  double reaction = 0;     // [N]
+  std::string label;        // "start of push", "peak", "20 mm", "end"
+  double displacement = 0;  // [m]
+  double reaction = 0;      // [N]
   State state;
 };
 
 struct StageReport {
   std::string name;
-  double time = 0;             // spent [s]
+  double time = 0;  // spent [s]
   std::int64_t steps = 0;
   double unbalance_ratio = 0;  // at the end
   bool settled = false;
@@ -93,30 +100,31 @@ struct StageReport {
 
 struct Result {
   SolveStatus status = SolveStatus::kCompleted;
-  std::string reason;                 // which residual, where, when; why it stopped
+  std::string reason;  // which residual, where, when; why it stopped
   std::vector<CurveRow> curve;
   Responses responses;
   EnergyLedger energy;
   QuasiStatic quasi_static;
   std::vector<Event> events;
-  std::vector<double> joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
+  std::vector<double>
+      joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
   std::vector<Snapshot> snapshots;
   std::vector<StageReport> stages;
-  double load_factor = 0;             // last lambda carried in equilibrium (body force), tan(tilt)
-  double top_displacement = 0;        // [m]
+  double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
+  double top_displacement = 0;  // [m]
   std::int64_t steps = 0;
-  double time_step = 0;               // [s], of the push
+  double time_step = 0;  // [s], of the last stage
   double wall_seconds = 0;
   std::string state_hash;
 };
 
 // Joint state at every point, for pictures and files; same arithmetic as the step.
 struct PointStress {
-  double opening = 0, slip = 0;            // w, relative slip [m]
-  double normal_stress = 0, shear_stress = 0;  // [Pa]
+  double opening = 0, slip = 0;                                           // w, relative slip [m]
+  double normal_stress = 0, shear_stress = 0;                             // [Pa]
   double damage_tension = 0, damage_shear = 0, damage = 0, crushing = 0;  // [-]
-  double x = 0, y = 0;                     // where it is now [m]
+  double x = 0, y = 0;                                                    // where it is now [m]
 };
 [[nodiscard]] std::vector<PointStress> point_stresses(const Model& model, const State& state);
 

@@ -29,9 +29,9 @@ struct SolveOptions {
 
 // One line about steps and time before a run, for `wythe check`.
 struct Estimate {
-  double time_step = 0;        // [s]
+  double time_step = 0;  // [s]
   std::int64_t steps = 0;
-  double seconds = 0;          // on this machine, from a short trial
+  double seconds = 0;  // on this machine, from a short trial
 };
 [[nodiscard]] Estimate estimate(const Model& model);
 

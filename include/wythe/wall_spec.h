@@ -21,10 +21,10 @@ enum class Fit { kWhole, kCut };
 enum class Freedom { kFree, kBlocked };
 
 struct LintelSpec {
-  std::string kind;      // "" no lintel; "timber", "stone", ...: a word for the reader
-  double depth = kUnset;    // structural depth [m]; occupies the nearest whole number of courses
-  double bearing = kUnset;  // length of support on each side [m]
-  std::string material;     // key in `material`: density, youngs_modulus, shear_modulus
+  std::string kind;            // "" no lintel; "timber", "stone", ...: a word for the reader
+  double depth = kUnset;       // structural depth [m]; occupies the nearest whole number of courses
+  double bearing = kUnset;     // length of support on each side [m]
+  std::string material;        // key in `material`: density, youngs_modulus, shear_modulus
   std::string bond = "joint";  // joint material between lintel and masonry
 };
 
@@ -40,15 +40,16 @@ struct OpeningSpec {
 struct UnitSpec {
   double length = kUnset;  // nominal, joint included [m]
   double height = kUnset;  // nominal course height, joint included [m]
-  double width = kUnset;   // header face width [m]; default half the length (flemish, english, header)
+  double width =
+      kUnset;  // header face width [m]; default half the length (flemish, english, header)
   Split split = Split::kMiddle;
   double density = kUnset;  // [kg/m^3]
 };
 
 // Rigid beam over the whole wall top, for tests loaded through one.
 struct BeamSpec {
-  double height = kUnset;   // [m]; unset: no beam
-  double density = 0;       // [kg/m^3]
+  double height = kUnset;  // [m]; unset: no beam
+  double density = 0;      // [kg/m^3]
   Freedom rotation = Freedom::kFree;
   std::string joint = "joint";  // joint material between beam and masonry
 };
@@ -89,23 +90,23 @@ struct PlaceSpec {
 struct StageSpec {
   std::string name;
   StageKind kind = StageKind::kGravity;  // inferred from the keys present
-  double ramp = kUnset;                  // duration of the smooth start [s]; unset: documented default
-  double damping = kUnset;               // local damping of this stage; unset: solve.damping
+  double ramp = kUnset;     // duration of the smooth start [s]; unset: documented default
+  double damping = kUnset;  // local damping of this stage; unset: solve.damping
   // load
-  double pier_load = kUnset;   // on the top of each pier [N]
-  double pressure = kUnset;    // on the whole wall top [Pa]
-  double beam_load = kUnset;   // on the beam's centre [N]
+  double pier_load = kUnset;  // on the top of each pier [N]
+  double pressure = kUnset;   // on the whole wall top [Pa]
+  double beam_load = kUnset;  // on the beam's centre [N]
   Manner as = Manner::kDefault;
   std::string plate_joint = "foundation";  // joint material under a plate
   // push
   PlaceSpec at;
   Direction direction = Direction::kPlusX;
-  double velocity = kUnset;            // [m/s]
-  double until = kUnset;               // [m]
-  std::vector<double> targets;         // cyclic: displacements along `direction`, in turn [m]
-  double stop_below = 0;               // stop when the reaction falls below this share of the peak
+  double velocity = kUnset;     // [m/s]
+  double until = kUnset;        // [m]
+  std::vector<double> targets;  // cyclic: displacements along `direction`, in turn [m]
+  double stop_below = 0;        // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;
-  Freedom across = Freedom::kFree;     // motion across the push direction
+  Freedom across = Freedom::kFree;  // motion across the push direction
   // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
   double rate = kUnset;    // [1/s]
   double factor = kUnset;  // largest lambda
@@ -117,19 +118,19 @@ struct StageSpec {
 };
 
 struct SolveSpec {
-  int points_per_face = 2;         // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: Lobatto weights on request
-  double step_fraction = 0.5;      // of the stable step bound
-  double damping = 0.8;            // local damping
-  double gravity = 9.81;           // [m/s^2]
-  double settle_ratio = 1e-5;      // a stage has settled below this unbalance ratio
-  double settle_limit = 20;        // give up settling after this time [s]
-  double mass_scaling = 1;         // density scaling of the quasi-static stages before the first push
+  int points_per_face = 2;     // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: trapezoidal rule
+  double step_fraction = 0.5;  // of the stable step bound
+  double damping = 0.8;        // local damping
+  double gravity = 9.81;       // [m/s^2]
+  double settle_ratio = 1e-5;  // a stage has settled below this unbalance ratio
+  double settle_limit = 20;    // give up settling after this time [s]
+  double mass_scaling = 1;     // density scaling of the gravity and load stages
   double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
 };
 
 struct OutputSpec {
-  int rows = 500;                  // rows of force_displacement.csv
-  double window = kUnset;          // averaging window of the reaction [m]; unset: one row
+  int rows = 500;                   // rows of force_displacement.csv
+  double window = kUnset;           // averaging window of the reaction [m]; unset: one row
   std::vector<double> states = {};  // displacements at which a state is written [m]
 };
 

@@ -11,8 +11,8 @@
 //   coupling   1 - d = (1 - dt)(1 - ds)   or   min(1 - dt, 1 - ds)
 //   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
 //
-// The return in shear is implicit in ds and the crushing return in p, so the work done does not
-// depend on how a path is cut into steps. Zero dilation.
+// The return in shear is implicit in ds and the crushing return in p: on a straight piece of path at
+// constant normal stress the work done does not depend on how it is cut into steps. Zero dilation.
 #pragma once
 
 #include "contact/softening.h"
@@ -33,14 +33,14 @@ using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::
 // Parameters of one material with every division done beforehand (constants_of, parameters.cpp).
 template <class Real>
 struct LawConstants {
-  Real kn, ks, inv_ks, inv_kn;      // [Pa/m], [m/Pa]
-  Real ft, w0, ft_over_GI;          // [Pa], [m], [1/m]
-  Real tension_onset, tension_rate; // bilinear dt = clip((kappa - onset) rate, 0, 1)
-  Real c_res, c_drop;               // c_res, c - c_res [Pa]
-  Real tan_res, tan_drop;           // tan phi_res, tan phi0 - tan phi_res
-  Real half_inv_GII;                // 1/(2 GII) [m/N]
-  Real fc, p_full, inv_p_full;      // [Pa], 2 Gc/fc [m], [1/m]
-  Real crush_gain;                  // 1/(kn - fc/p_full) [m/Pa]
+  Real kn, ks, inv_ks, inv_kn;       // [Pa/m], [m/Pa]
+  Real ft, w0, ft_over_GI;           // [Pa], [m], [1/m]
+  Real tension_onset, tension_rate;  // bilinear dt = clip((kappa - onset) rate, 0, 1)
+  Real c_res, c_drop;                // c_res, c - c_res [Pa]
+  Real tan_res, tan_drop;            // tan phi_res, tan phi0 - tan phi_res
+  Real half_inv_GII;                 // 1/(2 GII) [m/N]
+  Real fc, p_full, inv_p_full;       // [Pa], 2 Gc/fc [m], [1/m]
+  Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
 };
 
 // Committed history of a point; the only memory of the law.
@@ -56,9 +56,9 @@ struct History {
 
 template <class Real>
 struct Answer {
-  Real sigma, tau;                     // [Pa]
-  Real tension_damage, damage;         // dt, d [-]
-  Real friction, fracture, crushing;   // dissipated in this step [N/m]
+  Real sigma, tau;                    // [Pa]
+  Real tension_damage, damage;        // dt, d [-]
+  Real friction, fracture, crushing;  // dissipated in this step [N/m]
 };
 
 // Crushing return: updates p and gives the work done in crushing [N/m].
@@ -87,8 +87,7 @@ template <class V, class Real>
     const Real zero(0.0), one(1.0);
     Real y = one;
     for (int k = 0; k < 6; ++k) {
-      const Shape<Real> g =
-          soften<V::softening>(maximum(zero, m.ft_over_GI * (kappa - y * m.w0)));
+      const Shape<Real> g = soften<V::softening>(maximum(zero, m.ft_over_GI * (kappa - y * m.w0)));
       const Real rise = one + g.slope * m.ft_over_GI * m.w0;
       y = clip(y - (y - g.left) / rise, zero, one);
     }
@@ -114,8 +113,8 @@ struct Yield {
 };
 
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left, Real kappa,
-                                   bool_of_t<Real> lost) {
+[[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left,
+                                                Real kappa, bool_of_t<Real> lost) {
   const Real zero(0.0), one(1.0);
   const Real sn = zero - sigma;
   Yield<Real> yield;
@@ -144,22 +143,22 @@ template <class V, class Real>
 
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real stress_at(const Yield<Real>& yield, Real ds) {
-  return maximum(Real(0.0),
-                 yield.residual + yield.drop * (Real(1.0) - maximum(ds, yield.floor)));
+  return maximum(Real(0.0), yield.residual + yield.drop * (Real(1.0) - maximum(ds, yield.floor)));
 }
 
 // Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<Real>& m, const Yield<Real>& yield,
-                                     Real trial, Real s, Real ds) {
+[[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<Real>& m,
+                                                  const Yield<Real>& yield, Real trial, Real s,
+                                                  Real ds) {
   const Real zero(0.0), one(1.0);
   const Real held = maximum(ds, yield.floor);  // T is flat until ds passes this
   const Real flat = (trial - yield.residual - yield.drop * (one - held)) * m.inv_ks;
   Real increment = flat;
   if constexpr (V::softening == Softening::kBilinear) {
     const Real rate = yield.slip_rate;
-    const Real falling = (trial - yield.residual - yield.drop * (one - s * rate)) /
-                         (m.ks - yield.drop * rate);
+    const Real falling =
+        (trial - yield.residual - yield.drop * (one - s * rate)) / (m.ks - yield.drop * rate);
     const Real spent = (trial - yield.residual) * m.inv_ks;
     const Real beyond = select((s + falling) * rate < one, falling, spent);
     increment = select((s + flat) * rate <= held, flat, beyond);
@@ -180,8 +179,9 @@ template <class V, class Real>
 // Energy set free by the normal stress when kappa or d grew: the area between the old and the new
 // secant, exact for straight branches [N/m].
 template <class Real>
-[[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0, Real kappa1,
-                                  Real strength0, Real strength1, Real inv_kappa1) {
+[[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0,
+                                               Real kappa1, Real strength0, Real strength1,
+                                               Real inv_kappa1) {
   const Real start = maximum(kappa0, minimum(kappa1, strength0 * m.inv_kn));
   const Real s0 = minimum(strength0, m.kn * start);
   const Real s1 = minimum(strength1, m.kn * kappa1);
@@ -263,11 +263,12 @@ template <class V, class Real>
     const Real strength1 = m.ft * all_left;
     if constexpr (V::unloading == Unloading::kElastic) {
       const Real set = maximum(h.tension_set, open - strength1 * m.inv_kn);
-      answer.fracture = answer.fracture + Real(0.5) * (strength0 + strength1) * (set - h.tension_set);
+      answer.fracture =
+          answer.fracture + Real(0.5) * (strength0 + strength1) * (set - h.tension_set);
       h.tension_set = set;
     } else {
-      answer.fracture = answer.fracture + secant_release(m, open, kappa0, h.kappa, strength0,
-                                                         strength1, inv_kappa);
+      answer.fracture = answer.fracture +
+                        secant_release(m, open, kappa0, h.kappa, strength0, strength1, inv_kappa);
     }
     answer.sigma = answer.sigma + pull<V>(m, open, strength1, inv_kappa, h.tension_set);
   }

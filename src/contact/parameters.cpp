@@ -47,7 +47,8 @@ class Checker {
 
   void require(const char* key, double value, double low, bool strict, const char* cure) {
     if (std::isnan(value)) {
-      fault(key, "is missing; a physical parameter has no default", fmt::format("add {} = {}", key, cure));
+      fault(key, "is missing; a physical parameter has no default",
+            fmt::format("add {} = {}", key, cure));
     } else if (strict ? value <= low : value < low) {
       fault(key, fmt::format("is {:g}, must be {} {:g}", value, strict ? "above" : "at least", low),
             fmt::format("write e.g. {} = {}", key, cure));
@@ -62,7 +63,8 @@ class Checker {
     require("friction_angle", m_.friction_angle, 0, false, "\"16.2 deg\"");
     require("residual_friction_angle", m_.residual_friction_angle, 0, false, "\"14.6 deg\"");
     require("residual_cohesion", m_.residual_cohesion, 0, false, "\"0 MPa\"");
-    require("compressive_strength", m_.compressive_strength, 0, true, "\"3.96 MPa\" or \"unlimited\"");
+    require("compressive_strength", m_.compressive_strength, 0, true,
+            "\"3.96 MPa\" or \"unlimited\"");
     check_angle("friction_angle", m_.friction_angle);
     check_angle("residual_friction_angle", m_.residual_friction_angle);
   }
@@ -146,7 +148,8 @@ std::vector<ContactAnswer> drive(const JointMaterial& material,
   ContactPathRow from;  // the joint starts closed and unstressed
   std::vector<ContactAnswer> answers;
   for (const ContactPathRow& to : path) {
-    const double length = std::max(std::fabs(to.opening - from.opening), std::fabs(to.slip - from.slip));
+    const double length =
+        std::max(std::fabs(to.opening - from.opening), std::fabs(to.slip - from.slip));
     const double wanted = std::ceil(length / step);
     const int pieces = static_cast<int>(std::min(std::max(wanted, 1.0), 2e6));
     for (int k = 1; k <= pieces; ++k) {

@@ -14,8 +14,7 @@ namespace wythe::contact {
 template <class Visitor>
 decltype(auto) with_variant(const JointMaterial& m, Visitor&& visitor) {
   const auto unloading = [&]<Softening s, Coupling c>() -> decltype(auto) {
-    if (m.unloading == Unloading::kElastic)
-      return visitor(Variant<s, c, Unloading::kElastic>{});
+    if (m.unloading == Unloading::kElastic) return visitor(Variant<s, c, Unloading::kElastic>{});
     return visitor(Variant<s, c, Unloading::kSecant>{});
   };
   const auto coupling = [&]<Softening s>() -> decltype(auto) {

@@ -22,7 +22,8 @@ class Workers {
       for (int chunk = 0; chunk < chunks; ++chunk) work(chunk);
       return;
     }
-    run(chunks, [](const void* context, int chunk) { (*static_cast<const Work*>(context))(chunk); },
+    run(
+        chunks, [](const void* context, int chunk) { (*static_cast<const Work*>(context))(chunk); },
         &work);
   }
 

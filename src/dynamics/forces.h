@@ -50,19 +50,16 @@ struct FaceMotion {
 };
 
 template <class Real>
-[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const JointView<Real>& v, BlockId block, double arm_x,
-                                           double arm_y, double ex, double ey) {
+[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const JointView<Real>& v, BlockId block,
+                                                        double arm_x, double arm_y, double ex,
+                                                        double ey) {
   const auto i = static_cast<std::size_t>(block);
   const Real c = v.half_cos[i], s = v.half_sin[i];
   const Real drop = Real(-2.0) * s * s;  // cos theta - 1, free of cancellation
   const Real sine = Real(2.0) * s * c;
   const Real dx = drop * arm_x - sine * arm_y, dy = sine * arm_x + drop * arm_y;
-  return {v.ux[i] + dx,
-          v.uy[i] + dy,
-          arm_x + dx,
-          arm_y + dy,
-          drop * ex - sine * ey,
-          sine * ex + drop * ey};
+  return {v.ux[i] + dx, v.uy[i] + dy,          arm_x + dx,
+          arm_y + dy,   drop * ex - sine * ey, sine * ex + drop * ey};
 }
 
 // Sums over the points of a joint, in its (n, t) axes: F = sum f, G = sum xi f.
@@ -72,12 +69,14 @@ struct FaceForce {
 };
 
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointView<Real>& v, std::size_t joint, Real jn,
-                                         Real jt, Real dn, Real dt, JointWork<Real>& work) {
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointView<Real>& v, std::size_t joint,
+                                                      Real jn, Real jt, Real dn, Real dt,
+                                                      JointWork<Real>& work) {
   const contact::LawConstants<Real>& law = v.law[v.material[joint]];
   FaceForce<Real> sum{Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
   for (int k = 0; k < v.n_face_point; ++k) {
-    const std::size_t p = joint * static_cast<std::size_t>(v.n_face_point) + static_cast<std::size_t>(k);
+    const std::size_t p =
+        joint * static_cast<std::size_t>(v.n_face_point) + static_cast<std::size_t>(k);
     contact::History<Real> h{v.kappa[p], v.crush[p],        v.plastic_slip[p],
                              v.slip[p],  v.shear_damage[p], v.tension_set[p]};
     const contact::Answer<Real> now =

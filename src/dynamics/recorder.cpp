@@ -123,8 +123,8 @@ void Recorder::note_cracks(const State& state, double displacement, double react
     if (has_event(result_, name)) return;
     const JointKind kind = model_.anatomy.joint_kind[p / per_joint];
     result_.events.push_back({name, displacement, reaction,
-                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind), clean(points[p].x),
-                                          clean(points[p].y))});
+                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind),
+                                          clean(points[p].x), clean(points[p].y))});
   };
   for (std::size_t p = 0; p < points.size(); ++p) {
     const std::size_t j = p / per_joint;
@@ -152,8 +152,9 @@ void Recorder::finish(const State& state) {
     result_.snapshots.push_back({"peak", peak_displacement_, reaction, std::move(peak_state_)});
   }
   take_snapshot("end", state);
-  std::stable_sort(result_.snapshots.begin(), result_.snapshots.end(),
-                   [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
+  std::stable_sort(
+      result_.snapshots.begin(), result_.snapshots.end(),
+      [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
 }
 
 }  // namespace wythe::dynamics

@@ -60,7 +60,8 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   e.fracture = s.dissipated_fracture;
   e.crushing = s.dissipated_crushing;
   e.damping = -s.work_damping;
-  e.gap = e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing - e.damping;
+  e.gap =
+      e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing - e.damping;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
   e.gap_ratio = scale > 0 ? std::fabs(e.gap) / scale : 0.0;
   return e;

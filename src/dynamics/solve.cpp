@@ -22,7 +22,8 @@ class ProgressScale {
  public:
   explicit ProgressScale(const Model& model) {
     for (const Stage& stage : model.stages) {
-      const double steps = dynamics::expected_seconds(model, stage) / dynamics::stage_time_step(model, stage);
+      const double steps =
+          dynamics::expected_seconds(model, stage) / dynamics::stage_time_step(model, stage);
       total_ += steps;
       until_.push_back(total_);
     }
@@ -54,7 +55,8 @@ std::function<void(const Progress&)> throttled(const Model& model, const State& 
 double top_displacement(const Model& model, const State& state) {
   double moved = 0;
   for (std::size_t i = 0; i < state.ux.size(); ++i)
-    if (model.centroid_y[i] > 0.9 * model.anatomy.height) moved = std::max(moved, std::fabs(state.ux[i]));
+    if (model.centroid_y[i] > 0.9 * model.anatomy.height)
+      moved = std::max(moved, std::fabs(state.ux[i]));
   return moved;
 }
 

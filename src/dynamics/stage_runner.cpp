@@ -14,7 +14,6 @@ namespace {
 constexpr int kSettleEvery = 50;    // steps between looks at the unbalance
 constexpr int kWatchEvery = 500;    // steps between looks at collapse, interrupt, budget
 constexpr double kBalanced = 1e-3;  // unbalance up to which a load factor may grow
-constexpr double kStill = 1e-3;     // [m/s] no block may be faster when a load factor counts as carried
 
 }  // namespace
 
@@ -24,7 +23,8 @@ double smooth_step(double x) {
 }
 
 double stage_mass_scaling(const Model& model, const Stage& stage) {
-  const bool quasi_static = stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
+  const bool quasi_static =
+      stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
   return quasi_static ? model.solve.mass_scaling : 1.0;
 }
 
@@ -93,10 +93,12 @@ StageEnd StageRunner::run_quasi_static(const Stage& stage) {
     const double ratio = unbalance_ratio(model_, stepper_.workspace());
     if (ratio < model_.solve.settle_ratio) return {};
     if (state_.stage_time > limit)
-      return {SolveStatus::kNotSettled,
-              fmt::format("stage \"{}\" did not settle: unbalance ratio {:.2g} after {:.3g} s, wanted {:.2g}",
-                          stage.spec.name, ratio, state_.stage_time, model_.solve.settle_ratio),
-              false};
+      return {
+          SolveStatus::kNotSettled,
+          fmt::format(
+              "stage \"{}\" did not settle: unbalance ratio {:.2g} after {:.3g} s, wanted {:.2g}",
+              stage.spec.name, ratio, state_.stage_time, model_.solve.settle_ratio),
+          false};
   }
 }
 
@@ -111,7 +113,8 @@ StageEnd StageRunner::run_push(const Stage& stage) {
   while (static_cast<std::size_t>(state_.target) < targets.size() && end.finished) {
     const double target = targets[static_cast<std::size_t>(state_.target)];
     const double sense = target >= state_.drive_displacement ? 1.0 : -1.0;
-    const double start = smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage.spec.ramp);
+    const double start =
+        smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage.spec.ramp);
     controls_.drive_velocity = sense * stage.spec.velocity * start;
     const DriveForce drive = stepper_.step(state_, controls_);
     state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
@@ -124,13 +127,14 @@ StageEnd StageRunner::run_push(const Stage& stage) {
     if (state_.step % kWatchEvery == 0)
       end = watch(stage, std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement,
                   state_.travelled / path);
-    if (recorder.row_closed() && stage.spec.stop_below > 0 && recorder.fell_below(stage.spec.stop_below))
+    if (recorder.row_closed() && stage.spec.stop_below > 0 &&
+        recorder.fell_below(stage.spec.stop_below))
       end = {SolveStatus::kCollapsed,
-             fmt::format("the reaction fell below {:g} of its peak at {:.2f} mm", stage.spec.stop_below,
-                         1e3 * state_.drive_displacement),
+             fmt::format("the reaction fell below {:g} of its peak at {:.2f} mm",
+                         stage.spec.stop_below, 1e3 * state_.drive_displacement),
              false};
   }
-  state_.target = 0;
+  if (end.finished) state_.target = 0;
   controls_.push = nullptr;
   recorder.finish(state_);
   return end;
@@ -154,27 +158,35 @@ StageEnd StageRunner::run_factor(const Stage& stage) {
   const double rate = tilting ? stage.spec.tilt_rate : stage.spec.rate;
   const double last = tilting ? stage.spec.tilt_until : stage.spec.factor;
   Recorder recorder(model_, stage, last, result_);
-  double factor = state_.body_factor, balance = 1;
+  double factor = state_.body_factor;
+  double last_growth = state_.stage_time;
   StageEnd end;
   while (factor < last && end.finished) {
     // The factor grows only while the wall is in balance; at collapse it stands still.
-    const double share = smooth_step(2.0 - balance / kBalanced);
-    factor += rate * share * smooth_step((state_.stage_time + controls_.dt) / stage.spec.ramp) * controls_.dt;
+    const double share = smooth_step(2.0 - state_.balance / kBalanced);
+    factor += rate * share * smooth_step((state_.stage_time + controls_.dt) / stage.spec.ramp) *
+              controls_.dt;
     set_factor(stage, std::min(factor, last));
     stepper_.step(state_, controls_);
     const double moved = furthest_block(nullptr);
     const double carried = tilting ? std::tan(factor) : factor;
     recorder.take(stepper_, state_, controls_, carried * model_.weight, moved, carried, factor);
     if (state_.step % kSettleEvery == 0) {
-      balance = unbalance_ratio(model_, stepper_.workspace());
-      if (balance < kBalanced) result_.load_factor = carried;
+      state_.balance = unbalance_ratio(model_, stepper_.workspace());
+      if (state_.balance < kBalanced) result_.load_factor = carried;
+      if (share > 0) last_growth = state_.stage_time;
     }
+    if (state_.stage_time - last_growth > model_.solve.settle_limit)
+      end = {SolveStatus::kNotSettled,
+             fmt::format("the wall neither settles nor collapses at load factor {:.4f}", carried),
+             false};
     if (state_.step % kWatchEvery == 0)
       end = watch(stage, model_.solve.collapse_displacement, factor / last);
   }
   recorder.finish(state_);
   if (end.status == SolveStatus::kCollapsed)
-    end.reason = fmt::format("{}; the last load factor in balance was {:.4f}", end.reason, result_.load_factor);
+    end.reason = fmt::format("{}; the last load factor in balance was {:.4f}", end.reason,
+                             result_.load_factor);
   return end;
 }
 
@@ -182,8 +194,8 @@ StageEnd StageRunner::run_hold(const Stage& stage) {
   while (state_.stage_time < stage.spec.duration) {
     stepper_.step(state_, controls_);
     if (state_.step % kWatchEvery != 0) continue;
-    const StageEnd end = watch(stage, model_.solve.collapse_displacement,
-                               state_.stage_time / stage.spec.duration);
+    const StageEnd end =
+        watch(stage, model_.solve.collapse_displacement, state_.stage_time / stage.spec.duration);
     if (!end.finished) return end;
   }
   return {};
@@ -206,12 +218,13 @@ StageEnd StageRunner::watch(const Stage& stage, double allowed, double share) {
                        result_.curve.empty() ? 0.0 : result_.curve.back().reaction});
   const BlockId runaway = runaway_block(state_);
   if (runaway >= 0)
-    return {SolveStatus::kUnstable,
-            fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
-                        "solve.step_fraction",
-                        model_.anatomy.block_id[static_cast<std::size_t>(runaway)], state_.time,
-                        stage.spec.name),
-            false};
+    return {
+        SolveStatus::kUnstable,
+        fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
+                    "solve.step_fraction",
+                    model_.anatomy.block_id[static_cast<std::size_t>(runaway)], state_.time,
+                    stage.spec.name),
+        false};
   BlockId block = 0;
   const double moved = furthest_block(&block);
   if (moved > allowed)
@@ -222,7 +235,8 @@ StageEnd StageRunner::watch(const Stage& stage, double allowed, double share) {
             false};
   if (options_.stop != nullptr && options_.stop->load())
     return {SolveStatus::kInterrupted,
-            fmt::format("stopped by the user in stage \"{}\" at {:.3f} s", stage.spec.name, state_.time),
+            fmt::format("stopped by the user in stage \"{}\" at {:.3f} s", stage.spec.name,
+                        state_.time),
             false};
   if (options_.step_budget > 0 && state_.step >= options_.step_budget)
     return {SolveStatus::kBudgetSpent, fmt::format("{} steps spent", state_.step), false};

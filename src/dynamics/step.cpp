@@ -47,11 +47,11 @@ std::vector<JointChunk> cut_joints(const Model& m) {
   for (JointId j = 0; j < m.n_joint; ++j) {
     const bool on_ground = j >= m.n_pair;
     const auto i = static_cast<std::size_t>(j);
-    const bool fits = !chunks.empty() && chunks.back().on_ground == on_ground &&
-                      j - chunks.back().begin < kChunk &&
-                      contact::same_variant(
-                          m.materials[static_cast<std::size_t>(m.joint_material[i])],
-                          m.materials[static_cast<std::size_t>(m.joint_material[i - 1])]);
+    const bool fits =
+        !chunks.empty() && chunks.back().on_ground == on_ground &&
+        j - chunks.back().begin < kChunk &&
+        contact::same_variant(m.materials[static_cast<std::size_t>(m.joint_material[i])],
+                              m.materials[static_cast<std::size_t>(m.joint_material[i - 1])]);
     if (!fits) chunks.push_back({j, j, on_ground});
     chunks.back().end = j + 1;
   }
@@ -82,7 +82,8 @@ Workspace::Workspace(const Model& m) {
   block_energy.resize(static_cast<std::size_t>(block_chunks));
 }
 
-Stepper::Stepper(const Model& model, int threads) : model_(model), work_(model), workers_(threads) {}
+Stepper::Stepper(const Model& model, int threads)
+    : model_(model), work_(model), workers_(threads) {}
 
 void Stepper::choose_driven(const std::vector<BlockId>& blocks) {
   std::fill(work_.driven.begin(), work_.driven.end(), std::uint8_t{0});
@@ -173,7 +174,7 @@ void Stepper::move_pass(State& s, const Controls& controls) {
       const double m = model_.mass[i], heavy = model_.heavy_mass[i];
       const double load_x = work_.load_x[i] + heavy * g_x, load_y = work_.load_y[i] + heavy * g_y;
       const double fx = work_.contact_x[i] + load_x, fy = work_.contact_y[i] + load_y;
-      const double fm = work_.contact_m[i] + work_.load_m[i];
+      const double fm = model_.turn_freedom[i] * (work_.contact_m[i] + work_.load_m[i]);
       work_.total_x[i] = fx;
       work_.total_y[i] = fy;
       work_.total_m[i] = fm;

@@ -18,13 +18,13 @@
 
 namespace wythe::dynamics {
 
-// What the stage asks of this step; set by drive.cpp, constant within the step.
+// What the stage asks of this step; set by stage_runner.cpp, constant within the step.
 struct Controls {
-  double dt = 0;              // [s]
-  double damping = 0;         // local damping lambda [-]
-  double mass_scaling = 1;    // inertia only; weights stay
+  double dt = 0;                // [s]
+  double damping = 0;           // local damping lambda [-]
+  double mass_scaling = 1;      // inertia only; weights stay
   const Stage* push = nullptr;  // null when nothing is driven
-  double drive_velocity = 0;  // along the push [m/s]
+  double drive_velocity = 0;    // along the push [m/s]
 };
 
 // What the drive did in this step.

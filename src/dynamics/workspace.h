@@ -28,12 +28,12 @@ struct Workspace {
   std::vector<JointChunk> joint_chunks;
   int block_chunks = 0;
 
-  // written by turn_blocks: cosine and sine of theta/2 (n_block)
+  // written by turn_pass: cosine and sine of theta/2 (n_block)
   std::vector<double> half_cos, half_sin;
 
   // written by forces: force on side a along x and y, moments about both centroids (n_joint)
-  std::vector<double> force_x, force_y;     // [N]
-  std::vector<double> moment_a, moment_b;   // [N m]
+  std::vector<double> force_x, force_y;    // [N]
+  std::vector<double> moment_a, moment_b;  // [N m]
 
   // written by gather: contact forces and loads on each block (n_block)
   std::vector<double> contact_x, contact_y, contact_m;  // [N], [N m]

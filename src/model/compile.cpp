@@ -30,8 +30,8 @@ double inertial_density(const geometry::Block& block) {
 }
 
 double height_of(const geometry::Block& block) {
-  const auto [low, high] = std::minmax_element(
-      block.outline.begin(), block.outline.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  const auto [low, high] = std::minmax_element(block.outline.begin(), block.outline.end(),
+                                               [](auto& a, auto& b) { return a.y < b.y; });
   return high->y - low->y;
 }
 
@@ -57,16 +57,23 @@ void check_settings(const SolveSpec& solve, FaultList& faults) {
     faults.add({"", path, std::to_string(value), problem, cure, 0});
   };
   if (solve.points_per_face < 2 || solve.points_per_face > 16)
-    fault("solve.points_per_face", solve.points_per_face, "must be between 2 and 16", "write points_per_face = 2");
+    fault("solve.points_per_face", solve.points_per_face, "must be between 2 and 16",
+          "write points_per_face = 2");
   if (!(solve.step_fraction > 0 && solve.step_fraction <= 1))
-    fault("solve.step_fraction", solve.step_fraction, "must be above 0 and at most 1", "write step_fraction = 0.5");
+    fault("solve.step_fraction", solve.step_fraction, "must be above 0 and at most 1",
+          "write step_fraction = 0.5");
+  const double limit = 1.0 / std::sqrt(1.0 + solve.damping);
+  if (solve.step_fraction > limit)
+    fault("solve.step_fraction", solve.step_fraction,
+          "is beyond the stability limit 1/sqrt(1 + damping) of local damping",
+          "write step_fraction = 0.5, or lower the damping");
   if (!(solve.gravity > 0))
     fault("solve.gravity", solve.gravity, "must be positive", "write gravity = \"9.81 m/s^2\"");
 }
 
 }  // namespace
 
-BlockMap compile_blocks(const Assembly& assembly, Model& model) {
+BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& model) {
   BlockMap map;
   Anatomy& anatomy = model.anatomy;
   anatomy.support_begin.push_back(0);
@@ -89,6 +96,8 @@ BlockMap compile_blocks(const Assembly& assembly, Model& model) {
     model.mass.push_back(mass);
     model.heavy_mass.push_back(weighs ? mass : 0.0);
     model.inertia.push_back(mass * moments.polar / moments.area);
+    const bool held = block.role == Role::kBeam && spec.wall.beam.rotation == Freedom::kBlocked;
+    model.turn_freedom.push_back(held ? 0.0 : 1.0);
     model.centroid_x.push_back(moments.centroid.x);
     model.centroid_y.push_back(moments.centroid.y);
     anatomy.block_id.push_back(block.id);
@@ -115,7 +124,7 @@ Model compile(const ModelSpec& spec) {
   model.solve = spec.solve;
   model.output = spec.output;
   copy_report(assembly, model.anatomy);
-  const BlockMap map = compile_blocks(assembly, model);
+  const BlockMap map = compile_blocks(spec, assembly, model);
   compile_joints(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, model, faults);
   faults.throw_if_any();

@@ -40,7 +40,9 @@ void set_points(Model& model) {
   }
 }
 
-double length_of(const Face& face) { return std::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y); }
+double length_of(const Face& face) {
+  return std::hypot(face.p1.x - face.p0.x, face.p1.y - face.p0.y);
+}
 
 // Turns material names into indices, checking each the first time it is used.
 class MaterialTable {
@@ -102,7 +104,8 @@ std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& m
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t f) {
     const Face& face = assembly.faces[f];
-    const bool ground = face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
+    const bool ground =
+        face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
     const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
     return std::tuple(ground, m.softening, m.coupling, m.unloading);
   };
@@ -112,7 +115,8 @@ std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& m
 
 void add_joint(const Face& face, int material, double half_scale, const BlockMap& map,
                const Assembly& assembly, Model& m) {
-  const BlockId a = face.a == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(face.a)];
+  const BlockId a =
+      face.a == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(face.a)];
   const BlockId b = map[static_cast<std::size_t>(face.b)];
   const double cx = 0.5 * (face.p0.x + face.p1.x), cy = 0.5 * (face.p0.y + face.p1.y);
   const double length = length_of(face);
@@ -189,7 +193,8 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
       half_scale.push_back(1.0);
       continue;
     }
-    const BlockId a = map[static_cast<std::size_t>(face.a)], b = map[static_cast<std::size_t>(face.b)];
+    const BlockId a = map[static_cast<std::size_t>(face.a)],
+                  b = map[static_cast<std::size_t>(face.b)];
     const double spacing = std::fabs(model.centroid_x[static_cast<std::size_t>(b)] -
                                      model.centroid_x[static_cast<std::size_t>(a)]);
     const double depth = chain_depth(spec, assembly, face);

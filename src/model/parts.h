@@ -11,7 +11,8 @@ namespace wythe {
 using BlockMap = std::vector<BlockId>;
 
 // mass, inertia, centroids, outlines and names.
-[[nodiscard]] BlockMap compile_blocks(const geometry::Assembly& assembly, Model& model);
+[[nodiscard]] BlockMap compile_blocks(const ModelSpec& spec, const geometry::Assembly& assembly,
+                                      Model& model);
 // joints, points, gather lists and the materials they refer to; chains get their beam stiffness.
 void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);

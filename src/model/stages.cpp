@@ -114,7 +114,9 @@ class StageCompiler {
       }
     }
     if (pressed < 0.999 * (x1 - x0))
-      fault(key, "", fmt::format("the flat top between {:.3f} and {:.3f} m is only {:.3f} m long", x0, x1, pressed),
+      fault(key, "",
+            fmt::format("the flat top between {:.3f} and {:.3f} m is only {:.3f} m long", x0, x1,
+                        pressed),
             "load the wall through a beam: [wall.beam] and beam_load");
   }
 
@@ -128,9 +130,12 @@ class StageCompiler {
   void set_driven(Stage& stage) {
     const PlaceSpec& at = stage.spec.at;
     std::vector<std::size_t> found;
-    if (at.beam || !at.block.empty()) found = named_blocks(at);
-    else if (std::isfinite(at.width) && std::isfinite(at.height)) found = blocks_in_box(at);
-    else found = blocks_at_point(at);
+    if (at.beam || !at.block.empty())
+      found = named_blocks(at);
+    else if (std::isfinite(at.width) && std::isfinite(at.height))
+      found = blocks_in_box(at);
+    else
+      found = blocks_at_point(at);
     double height = 0;
     for (const std::size_t b : found) {
       if (map_[b] == kGroundBlock) continue;
@@ -139,7 +144,8 @@ class StageCompiler {
     }
     if (stage.driven.empty()) {
       fault("at", "", "finds no moving block to push",
-            "name a point or box inside the wall, e.g. at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }");
+            "name a point or box inside the wall, e.g. at = { x = \"0 m\", y = \"3.12 m\", courses "
+            "= 3 }");
       return;
     }
     stage.load_height = height / static_cast<double>(stage.driven.size());

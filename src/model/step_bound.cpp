@@ -40,9 +40,10 @@ void bound_step(Model& m) {
     const double im = 1 / std::sqrt(m.mass[i]), ii = 1 / std::sqrt(m.inertia[i]);
     const Eigen::Vector3d scale(im, im, ii);
     const Eigen::Matrix3d scaled = scale.asDiagonal() * k * scale.asDiagonal();
-    const double top = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled, Eigen::EigenvaluesOnly)
-                           .eigenvalues()
-                           .maxCoeff();
+    const double top =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled, Eigen::EigenvaluesOnly)
+            .eigenvalues()
+            .maxCoeff();
     if (top > greatest) {
       greatest = top;
       m.stiffest_block = static_cast<BlockId>(i);

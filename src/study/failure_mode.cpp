@@ -22,17 +22,17 @@
 namespace wythe {
 namespace {
 
-constexpr double kVisible = 1e-3;      // opening or slip that counts [m]
-constexpr double kSheared = 0.7;       // of the spandrel's inner columns
-constexpr double kCracked = 0.4;       // of a pier's shaft courses
-constexpr double kSliding = 0.9;       // of a pier's columns in one course
-constexpr double kReadAt = 40e-3;      // displacement at which the state is read [m]
-constexpr double kNarrow = 0.1;        // on either side of a threshold a measure is in doubt
-constexpr double kClear = 0.2;         // lead of the best score below which the name is "unclear"
+constexpr double kVisible = 1e-3;  // opening or slip that counts [m]
+constexpr double kSheared = 0.7;   // of the spandrel's inner columns
+constexpr double kCracked = 0.4;   // of a pier's shaft courses
+constexpr double kSliding = 0.9;   // of a pier's columns in one course
+constexpr double kReadAt = 40e-3;  // displacement at which the state is read [m]
+constexpr double kNarrow = 0.1;    // on either side of a threshold a measure is in doubt
+constexpr double kClear = 0.2;     // lead of the best score below which the name is "unclear"
 
 struct Joint {
   JointKind kind;
-  double x, y;         // centre at the start [m]
+  double x, y;           // centre at the start [m]
   double opening, slip;  // largest over its points [m]
   double crushing;
 };
@@ -43,8 +43,12 @@ std::vector<Joint> read_joints(const Model& m, const State& state) {
   std::vector<Joint> joints;
   for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
     const auto b = static_cast<std::size_t>(m.joint_b[j]);
-    Joint joint{m.anatomy.joint_kind[j], m.centroid_x[b] + m.arm_b_x[j],
-                m.centroid_y[b] + m.arm_b_y[j], 0, 0, 0};
+    Joint joint{m.anatomy.joint_kind[j],
+                m.centroid_x[b] + m.arm_b_x[j],
+                m.centroid_y[b] + m.arm_b_y[j],
+                0,
+                0,
+                0};
     for (std::size_t p = j * per; p < (j + 1) * per; ++p) {
       joint.opening = std::max(joint.opening, points[p].opening);
       joint.slip = std::max(joint.slip, std::fabs(points[p].slip));
@@ -57,9 +61,12 @@ std::vector<Joint> read_joints(const Model& m, const State& state) {
 
 bool moved(const Joint& j) { return j.opening > kVisible || j.slip > kVisible; }
 bool is_bed(const Joint& j) {
-  return j.kind == JointKind::kBed || j.kind == JointKind::kFoundation || j.kind == JointKind::kLintelBond;
+  return j.kind == JointKind::kBed || j.kind == JointKind::kFoundation ||
+         j.kind == JointKind::kLintelBond;
 }
-bool is_vertical(const Joint& j) { return j.kind == JointKind::kHead || j.kind == JointKind::kSplit; }
+bool is_vertical(const Joint& j) {
+  return j.kind == JointKind::kHead || j.kind == JointKind::kSplit;
+}
 
 struct Box {
   double x0, x1, y0, y1;
@@ -78,7 +85,8 @@ double share_of_slots(const std::vector<Joint>& joints, const Box& box, double p
   std::set<int> met;
   for (const Joint& j : joints)
     if (box.holds(j) && claim(j))
-      met.insert(std::clamp(static_cast<int>(((along_x ? j.x : j.y) - start) / length * slots), 0, slots - 1));
+      met.insert(std::clamp(static_cast<int>(((along_x ? j.x : j.y) - start) / length * slots), 0,
+                            slots - 1));
   return static_cast<double>(met.size()) / slots;
 }
 
@@ -117,7 +125,8 @@ class Namer {
     const double x0 = a_.pier_x0[i], x1 = a_.pier_x1[i], top = a_.pier_height[i];
     const double width = x1 - x0;
     // the shaft: above the toe zone (a quarter of the width), inside the two outer columns
-    const Box shaft{x0 + 0.5 * column_, x1 - 0.5 * column_, std::min(0.25 * width, 0.25 * top), top};
+    const Box shaft{x0 + 0.5 * column_, x1 - 0.5 * column_, std::min(0.25 * width, 0.25 * top),
+                    top};
     const double cracked = share_of_slots(
         joints_, shaft, course_, false, [](const Joint& j) { return is_vertical(j) && moved(j); });
     cracked_.push_back(cracked);
@@ -176,8 +185,10 @@ class Namer {
         {"FM-1", "one pier cracks diagonally after flexural cracks at the connections"},
         {"FM-2", "both piers crack diagonally after flexural cracks at the connections"},
         {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
-        {"FM-4", "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
-        {"FM-5", "the piers rock, with flexural cracks at the connections and crushing at the toes"}};
+        {"FM-4",
+         "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
+        {"FM-5",
+         "the piers rock, with flexural cracks at the connections and crushing at the toes"}};
     std::vector<std::pair<double, std::string>> ranked;
     for (const auto& [name, score] : mode_.scores) ranked.emplace_back(-score, name);
     std::sort(ranked.begin(), ranked.end());
@@ -195,7 +206,8 @@ class Namer {
     std::vector<std::string> found;
     const auto add = [&](const char* word, const std::vector<double>& measure, double threshold) {
       for (std::size_t i = 0; i < measure.size(); ++i)
-        if (measure[i] >= threshold) found.push_back(fmt::format("{} of the {}", word, pier_name(i)));
+        if (measure[i] >= threshold)
+          found.push_back(fmt::format("{} of the {}", word, pier_name(i)));
     };
     add("diagonal cracking", cracked_, kCracked);
     add("sliding", slid_, kSliding);

@@ -43,7 +43,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 // "b0" (lowest) ... "b<n-1>", each width x height.
 [[nodiscard]] ModelSpec stack(int n, double width, double height, const JointMaterial& joint,
                               double thickness, double density);
-// Running bond of half units 0.155 m x 0.11 m, every joint of one material, with a hole of
+// A grid of half units 0.155 m x 0.11 m, every joint of one material, with a hole of
 // `hole` columns x `hole` courses from column and course `hole_at`; blocks "r<course>c<column>" on
 // a fixed sill "sill".
 struct BondSize {

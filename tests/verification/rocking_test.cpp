@@ -90,7 +90,7 @@ TEST(ClosedForm, CF16b_rocking_strength_with_a_stress_block) {
           "elastic edge of the stress block, P-delta of the lean; vibration of the undamped push"},
          crushed.peak);
   verify({"CF16c", "rigid pier: distance of the hinge from the toe", "m", 0.09583501, 2e-2,
-          "elastic edge of the stress block, which is 1.19 of 170 mm spacing long; 160 points"},
+          "elastic edge of the stress block; its 0.19 m hold 17 of the 160 points"},
          crushed.offset);
 }
 

@@ -1,0 +1,241 @@
+// The step and the stages: integration, local damping, the spreader, the step bound, how stages end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "dynamics/motion.h"
+#include "scenes/rig.h"
+#include "scenes/scenes.h"
+#include "wythe/solve.h"
+
+namespace wythe {
+namespace {
+
+using scenes::Rig;
+
+// --- one degree of freedom ------------------------------------------------------------------------------
+
+TEST(Accelerate, local_damping_opposes_the_velocity_with_a_share_of_the_force) {
+  const auto with = dynamics::accelerate(2.0, 10.0, 4.0, 0.1, 0.8);
+  EXPECT_DOUBLE_EQ(with.velocity, 2 + 0.1 / 4 * (10 - 8));
+  const auto against = dynamics::accelerate(-2.0, 10.0, 4.0, 0.1, 0.8);
+  EXPECT_DOUBLE_EQ(against.velocity, -2 + 0.1 / 4 * (10 + 8));
+  EXPECT_LT(with.damping_work, 0);
+  EXPECT_LT(against.damping_work, 0);
+}
+
+TEST(Accelerate, a_block_at_rest_is_not_damped) {
+  const auto moved = dynamics::accelerate(0.0, -10.0, 4.0, 0.1, 0.8);
+  EXPECT_DOUBLE_EQ(moved.velocity, -0.25);
+  EXPECT_EQ(moved.damping_work, 0);
+}
+
+// --- the step -------------------------------------------------------------------------------------------
+
+TEST(Step, free_fall_follows_the_discrete_parabola) {
+  Rig rig(compile(scenes::block_on_ground(0.4, 0.2, scenes::dry_joint(1e9, 1e9, 0.5), 0.1, 2000)));
+  rig.controls.damping = 0;
+  rig.state.uy[0] = 1.0;  // far above the ground
+  rig.state.gravity_y = -9.81;
+  const int n = 1000;
+  const double dt = rig.controls.dt;
+  for (int k = 0; k < n; ++k) rig.step();
+  EXPECT_NEAR(rig.state.vy[0], -9.81 * n * dt, 1e-12);
+  EXPECT_NEAR(rig.state.uy[0], 1 - 9.81 * dt * dt * n * (n + 1) / 2, 1e-12);  // sum of 1 ... n
+  EXPECT_EQ(rig.state.ux[0], 0);
+  EXPECT_EQ(rig.state.theta[0], 0);
+}
+
+TEST(Step, gravity_is_carried_by_the_ground) {
+  Rig rig(compile(scenes::small_wall()));
+  rig.state.gravity_y = -9.81;
+  rig.settle(1e-7);
+  double up = 0;
+  for (auto j = static_cast<std::size_t>(rig.model.n_pair); j < rig.model.joint_b.size(); ++j)
+    up -= rig.stepper.workspace().force_y[j];
+  EXPECT_NEAR(up / rig.model.weight, 1.0, 1e-5);  // unbalance per block, 50 blocks
+  EXPECT_NEAR(dynamics::base_shear(rig.model, rig.stepper.workspace(), 1, 0), 0, 1e-5 * rig.model.weight);
+}
+
+TEST(Step, a_load_keeps_its_direction_and_follows_its_block) {
+  Model model = compile(scenes::block_on_ground(0.4, 0.2, scenes::dry_joint(1e9, 1e9, 0.5), 0.1, 2000));
+  const std::size_t load = scenes::add_load(model, {0, 0.1, 0.05, 0, -50});
+  Rig rig(std::move(model));
+  rig.controls.damping = 0;
+  rig.state.uy[0] = 10;
+  rig.state.theta[0] = 0.5 * scenes::kPi;  // (0.1, 0.05) now points to (-0.05, 0.1)
+  rig.state.load_scale[load] = 1;
+  rig.stepper.refresh(rig.state);
+  rig.step();
+  EXPECT_NEAR(rig.stepper.workspace().load_y[0], -50, 1e-12);
+  EXPECT_NEAR(rig.stepper.workspace().load_m[0], 0.05 * 50, 1e-12);
+}
+
+TEST(Step, half_the_bound_is_stable_and_the_bound_holds_for_a_wall) {
+  ModelSpec spec = scenes::half_units({}, scenes::elastic_joint(20e9, 8e9));
+  for (const double share : {0.5, 0.99}) {
+    Rig rig(compile(spec));
+    rig.controls.damping = 0;
+    rig.controls.dt = share * 2 / rig.model.omega_max;
+    for (std::size_t i = 0; i < rig.state.ux.size(); ++i)
+      rig.state.vx[i] = 1e-3 * std::sin(3.0 * static_cast<double>(i));
+    const double before = dynamics::kinetic_energy(rig.model, rig.state, 1);
+    for (int k = 0; k < 20000; ++k) rig.step();
+    // stable central differences hold the energy within 1/(1 - share^2) of itself
+    EXPECT_LT(rig.energy().kinetic, before / (1 - share * share)) << share;
+  }
+}
+
+TEST(Step, the_bound_is_not_wasteful) {
+  // a wall's highest frequency must lie within a third below its bound: 1.5 times the step diverges
+  Rig rig(compile(scenes::half_units({}, scenes::elastic_joint(20e9, 8e9))));
+  rig.controls.damping = 0;
+  rig.controls.dt = 1.5 * 2 / rig.model.omega_max;
+  for (std::size_t i = 0; i < rig.state.ux.size(); ++i)
+    rig.state.vx[i] = 1e-9 * std::sin(3.0 * static_cast<double>(i));
+  for (int k = 0; k < 5000 && dynamics::runaway_block(rig.state) < 0; ++k) rig.step();
+  EXPECT_GE(dynamics::runaway_block(rig.state), 0);
+}
+
+// --- the drive ------------------------------------------------------------------------------------------
+
+// Small wall whose push moves the three blocks on the left edge.
+Model spread_wall(Manner manner) {
+  ModelSpec spec = scenes::small_wall();
+  spec.stage.back().at.courses = 3;
+  spec.stage.back().at.y = 5.5 * 0.11;
+  spec.stage.back().as = manner;
+  return compile(spec);
+}
+
+TEST(Drive, spreader_meets_the_mean_velocity_and_gives_equal_forces) {
+  Rig rig(spread_wall(Manner::kSpreader));
+  rig.controls.damping = 0;
+  rig.drive(2, 0.05);
+  const auto& driven = rig.model.stages[2].driven;
+  ASSERT_EQ(driven.size(), 3U);
+  for (int k = 0; k < 200; ++k) rig.step();
+  std::vector<double> before = rig.state.vx;
+  rig.step();
+  double mean = 0;
+  for (const BlockId b : driven) mean += rig.state.vx[static_cast<std::size_t>(b)] / 3;
+  EXPECT_NEAR(mean, 0.05, 1e-14);
+  // applied force = m a - (contact and body forces), the same on every driven block
+  std::vector<double> applied;
+  for (const BlockId b : driven) {
+    const auto i = static_cast<std::size_t>(b);
+    applied.push_back(rig.model.mass[i] * (rig.state.vx[i] - before[i]) / rig.controls.dt -
+                      rig.stepper.workspace().total_x[i]);
+  }
+  EXPECT_NEAR(applied[1] / applied[0], 1.0, 1e-9);
+  EXPECT_NEAR(applied[2] / applied[0], 1.0, 1e-9);
+}
+
+TEST(Drive, each_moves_every_driven_block_at_the_velocity) {
+  Rig rig(spread_wall(Manner::kEach));
+  rig.drive(2, 0.05);
+  for (int k = 0; k < 200; ++k) rig.step();
+  for (const BlockId b : rig.model.stages[2].driven)
+    EXPECT_NEAR(rig.state.vx[static_cast<std::size_t>(b)], 0.05, 1e-14);
+}
+
+TEST(Drive, reaction_balances_the_base_shear_when_pushed_slowly) {
+  const Model model = compile(scenes::small_wall(0.2e-3, 2e-3));
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+  const CurveRow& last = result.curve.back();
+  EXPECT_GT(last.reaction, 1e3);
+  EXPECT_NEAR(last.reaction / last.base_shear, 1.0, 0.02);  // inertia and damping drag at 2 mm/s
+  EXPECT_NEAR(last.displacement, 0.2e-3, 1e-9 + 2e-3 * result.time_step);  // ends within a step
+}
+
+// --- how stages end -------------------------------------------------------------------------------------
+
+TEST(Stages, settling_that_fails_is_reported) {
+  ModelSpec spec = scenes::small_wall();
+  spec.stage.resize(1);
+  spec.solve.settle_ratio = 1e-30;
+  spec.solve.settle_limit = 0.01;
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  EXPECT_EQ(result.status, SolveStatus::kNotSettled);
+  EXPECT_NE(result.reason.find("gravity"), std::string::npos) << result.reason;
+}
+
+TEST(Stages, an_unstable_step_is_reported_with_the_block) {
+  Model model = compile(scenes::plain_wall(4, 4, 1e-3, 0.01));
+  for (JointMaterial& m : model.materials) m = scenes::elastic_joint(20e9, 8e9);
+  model.solve.step_fraction = 3;
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  EXPECT_EQ(result.status, SolveStatus::kUnstable) << result.reason;
+  EXPECT_NE(result.reason.find("step_fraction"), std::string::npos) << result.reason;
+}
+
+TEST(Stages, a_push_stops_where_the_reaction_has_fallen) {
+  ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 0.01, 10e-3)};
+  spec.stage[1].stop_below = 0.3;
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  EXPECT_EQ(result.status, SolveStatus::kCollapsed) << result.reason;
+  EXPECT_LT(result.curve.back().reaction, 0.3 * result.responses.peak_reaction);
+  EXPECT_LT(state.drive_displacement, 10e-3);
+}
+
+TEST(Stages, a_set_flag_interrupts) {
+  const Model model = compile(scenes::small_wall());
+  State state = initial_state(model);
+  const std::atomic<bool> stop{true};
+  SolveOptions options;
+  options.stop = &stop;
+  EXPECT_EQ(solve(model, state, options).status, SolveStatus::kInterrupted);
+  EXPECT_LE(state.step, 1000);
+}
+
+TEST(Stages, mass_scaling_shortens_settling_and_leaves_the_answer) {
+  ModelSpec spec = scenes::small_wall();
+  spec.stage.resize(2);
+  spec.solve.settle_ratio = 1e-8;
+  std::vector<double> settled;
+  std::int64_t steps = 0;
+  for (const double scaling : {1.0, 100.0}) {
+    spec.solve.mass_scaling = scaling;
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    const Result result = solve(model, state);
+    ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+    settled.push_back(*std::min_element(state.uy.begin(), state.uy.end()));
+    if (scaling == 1) steps = result.steps;
+    else EXPECT_LT(result.steps, steps / 2);
+  }
+  EXPECT_NEAR(settled[1] / settled[0], 1.0, 1e-3);  // slip in the joints on the way may differ
+}
+
+TEST(Stages, a_cyclic_push_visits_its_targets) {
+  ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
+  spec.stage[1].targets = {1e-3, -0.5e-3, 0};
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+  double high = 0, low = 0;
+  for (const CurveRow& row : result.curve) {
+    high = std::max(high, row.displacement);
+    low = std::min(low, row.displacement);
+  }
+  const double window = 4e-3 / 500 + 0.01 * result.time_step;
+  EXPECT_NEAR(high, 1e-3, window);
+  EXPECT_NEAR(low, -0.5e-3, window);
+  EXPECT_NEAR(state.drive_displacement, 0, window);
+}
+
+}  // namespace
+}  // namespace wythe

@@ -1,0 +1,186 @@
+// The lintel as a chain of rigid segments against beam theory: EI, EA and GA with any number of
+// points a face, and convergence with the number of segments.
+//
+//      P                         pins hold the centres of the end segments, L apart;
+//   [=][=][=][=][=]              the face is taller than the structural depth, as in a wall of courses
+//    ^           ^
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "model/parts.h"
+#include "model/step_bound.h"
+#include "scenes/rig.h"
+#include "scenes/scenes.h"
+#include "verification/record.h"
+
+namespace wythe::verification {
+namespace {
+
+using scenes::Rig;
+
+constexpr double kSpan = 2.0, kDepth = 0.2, kFace = 0.25, kThickness = 0.3;
+constexpr double kE = 10e9, kG = 0.6e9;
+constexpr double kArea = kThickness * kDepth;
+constexpr double kInertia = kThickness * kDepth * kDepth * kDepth / 12;
+constexpr double kShearArea = 5.0 / 6 * kArea;
+
+JointMaterial timber() {
+  JointMaterial m;
+  m.density = 500;
+  m.youngs_modulus = kE;
+  m.shear_modulus = kG;
+  return m;
+}
+
+// Takes the ground away: joints between blocks only.
+void lift_off(Model& m) {
+  m.n_joint = m.n_pair;
+  const auto n = static_cast<std::size_t>(m.n_pair);
+  for (auto* array : {&m.arm_a_x, &m.arm_a_y, &m.arm_b_x, &m.arm_b_y, &m.half_x, &m.half_y,
+                      &m.tangent_x, &m.tangent_y, &m.area})
+    array->resize(n);
+  m.joint_a.resize(n);
+  m.joint_b.resize(n);
+  m.joint_material.resize(n);
+  m.anatomy.joint_kind.resize(n);
+  std::vector<std::int32_t> begin{0}, entry;
+  for (std::size_t i = 0; i + 1 < m.block_begin.size(); ++i) {
+    for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
+      const std::int32_t value = m.block_entry[static_cast<std::size_t>(e)];
+      if (value < 2 * m.n_joint) entry.push_back(value);
+    }
+    begin.push_back(static_cast<std::int32_t>(entry.size()));
+  }
+  m.block_begin = begin;
+  m.block_entry = entry;
+}
+
+// n segments in a row, their end centres kSpan apart, joined by the derived chain material.
+Model beam(int n, int points) {
+  const double spacing = kSpan / (n - 1);
+  std::vector<BlockSpec> blocks;
+  for (int k = 0; k < n; ++k)
+    blocks.push_back(scenes::rectangle("s" + std::to_string(k), (k - 0.5) * spacing, 0, spacing, kFace));
+  ModelSpec spec = scenes::assembly(blocks, scenes::elastic_joint(1e9, 1e9), kThickness, 500);
+  spec.solve.points_per_face = points;
+  Model m = compile(spec);
+  lift_off(m);
+  const double scale = chain_half_scale(m, kDepth, kFace);
+  m.materials = {chain_material(timber(), spacing, kDepth, kFace)};
+  for (std::size_t j = 0; j < m.half_x.size(); ++j) {
+    m.joint_material[j] = 0;
+    m.half_x[j] *= scale;
+    m.half_y[j] *= scale;
+  }
+  bound_step(m);
+  return m;
+}
+
+// A stage that holds `blocks` in the direction (x, y) and lets go what is free.
+Stage holding(std::vector<BlockId> blocks, double x, double y, Freedom rotation, Freedom across) {
+  Stage hold;
+  hold.spec.kind = StageKind::kPush;
+  hold.spec.as = Manner::kEach;
+  hold.spec.rotation = rotation;
+  hold.spec.across = across;
+  hold.driven = std::move(blocks);
+  hold.drive_x = x;
+  hold.drive_y = y;
+  return hold;
+}
+
+// Displacement of segment `loaded` under the force, with the held segments at rest.
+struct Bent {
+  double x, y;
+};
+Bent bend(Model model, const Stage& hold, BlockId loaded, double fx, double fy) {
+  model.stages.push_back(hold);
+  const std::size_t load = scenes::add_load(model, {loaded, 0, 0, fx, fy});
+  Rig rig(std::move(model));
+  rig.drive(0, 0.0);
+  for (int k = 1; k <= 5000; ++k) {
+    rig.state.load_scale[load] = k / 5000.0;
+    rig.step();
+  }
+  rig.settle(1e-9, 60);
+  const auto i = static_cast<std::size_t>(loaded);
+  return {rig.state.ux[i], rig.state.uy[i]};
+}
+
+constexpr double kForce = 100;  // [N], small: rotations of 1e-5
+
+// Middle deflection of the simply supported beam under a force in the middle.
+double simply_supported(int n, int points) {
+  const Stage pins = holding({0, n - 1}, 0, 1, Freedom::kFree, Freedom::kFree);
+  return -bend(beam(n, points), pins, (n - 1) / 2, 0, -kForce).y;
+}
+
+double timoshenko() {
+  return kForce * kSpan * kSpan * kSpan / (48 * kE * kInertia) + kForce * kSpan / (4 * kG * kShearArea);
+}
+
+TEST(LintelChain, simply_supported_deflection_converges_with_the_square_of_the_spacing) {
+  const double exact = timoshenko();
+  const double e5 = 1 - simply_supported(5, 2) / exact;
+  const double e9 = 1 - simply_supported(9, 2) / exact;
+  const double e17 = 1 - simply_supported(17, 2) / exact;
+  EXPECT_NEAR(std::log2(e5 / e9), 2.0, 0.05);
+  EXPECT_NEAR(std::log2(e9 / e17), 2.0, 0.05);
+  verify({"lintel", "simply supported chain of 17 segments: deflection", "m", exact, 5e-3,
+          "midpoint rule of the curvature, 1/(n-1)^2 = 4e-3"},
+         exact * (1 - e17));
+}
+
+TEST(LintelChain, deflection_does_not_depend_on_the_points_a_face) {
+  const double two = simply_supported(9, 2);
+  for (const int points : {3, 5}) EXPECT_NEAR(simply_supported(9, points) / two, 1.0, 1e-6);
+}
+
+TEST(LintelChain, cantilever_deflection) {
+  const Stage clamp = holding({0}, 0, 1, Freedom::kBlocked, Freedom::kBlocked);
+  const double computed = -bend(beam(17, 2), clamp, 16, 0, -kForce).y;
+  verify({"lintel", "cantilever chain of 17 segments: deflection", "m",
+          kForce * std::pow(kSpan, 3) / (3 * kE * kInertia) + kForce * kSpan / (kG * kShearArea), 2e-3,
+          "midpoint rule of the curvature, 1/(4 (n-1)^2) = 1e-3"},
+         computed);
+}
+
+TEST(LintelChain, axial_stiffness) {
+  const Stage clamp = holding({0}, 1, 0, Freedom::kBlocked, Freedom::kBlocked);
+  verify({"lintel", "chain of 9 segments pulled: elongation", "m", kForce * kSpan / (kE * kArea), 1e-6,
+          "springs in series are exact; settled to an unbalance of 1e-9"},
+         bend(beam(9, 2), clamp, 8, kForce, 0).x);
+}
+
+TEST(LintelChain, compiled_lintel_has_the_beam_s_stiffnesses) {
+  ModelSpec spec = scenes::small_wall();
+  spec.material["timber"] = timber();
+  LintelSpec& lintel = spec.wall.opening[0].lintel;
+  lintel.kind = "timber";
+  lintel.depth = 0.09;
+  lintel.bearing = 0.155;
+  lintel.material = "timber";
+  const Model m = compile(spec);
+  const double area = 0.31 * 0.09, second = 0.31 * std::pow(0.09, 3) / 12;
+  int chains = 0;
+  for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
+    if (m.anatomy.joint_kind[j] != JointKind::kLintelChain) continue;
+    ++chains;
+    const auto a = static_cast<std::size_t>(m.joint_a[j]), b = static_cast<std::size_t>(m.joint_b[j]);
+    const double spacing = m.centroid_x[b] - m.centroid_x[a];
+    const JointMaterial& material = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    double bending = 0;
+    for (std::size_t k = 0; k < m.point_xi.size(); ++k)
+      bending += material.normal_stiffness * m.area[j] * m.point_weight[k] *
+                 std::pow(m.point_xi[k] * std::hypot(m.half_x[j], m.half_y[j]), 2);
+    EXPECT_NEAR(bending * spacing / (kE * second), 1.0, 1e-12);
+    EXPECT_NEAR(material.normal_stiffness * m.area[j] * spacing / (kE * area), 1.0, 1e-12);
+    EXPECT_NEAR(material.shear_stiffness * m.area[j] * spacing / (5.0 / 6 * kG * area), 1.0, 1e-12);
+  }
+  EXPECT_GE(chains, 1);
+}
+
+}  // namespace
+}  // namespace wythe::verification
