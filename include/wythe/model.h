@@ -97,7 +97,7 @@ struct Model {
   std::vector<double> heavy_mass;              // what gravity pulls [kg] (n_block); 0 for plates,
                                                // whose weight is part of their load
   std::vector<double> inertia;                 // [kg m^2] (n_block)
-  std::vector<double> turn_freedom;               // 1, or 0 where rotation is blocked (n_block)
+  std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)
   std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
   // read once per run
@@ -136,6 +136,7 @@ struct State {
   double stage_time = 0;                // [s]
   double gravity_x = 0, gravity_y = 0;  // acceleration now in force [m/s^2]
   double body_factor = 0;               // lambda of the body force, or the angle of a tilt
+  double load_factor = 0;               // largest one reached in balance
   double balance = 1;                   // unbalance ratio the load factor last saw
   std::vector<double> load_scale;       // share of each stage's loads in force (n_stage)
   double drive_displacement = 0;        // prescribed displacement along the push [m]

@@ -64,7 +64,7 @@ WYTHE_INLINE void sine_series(Real z, Real& s, Real& v) {
 
 // Sine and cosine by polynomials: for |angle| <= 1/8 (every block short of collapse) of degree 9,
 // beyond by the double-angle formula, applied twice, on a polynomial of degree 17 in angle/4.
-// Absolute error below 4e-16 up to pi; which one is used depends on the angle alone.
+// Absolute error below 2e-15 up to pi; which one is used depends on the angle alone.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE SinCos<Real> sin_cos(Real angle) {
   const Real one(1.0), half(0.5), two(2.0);

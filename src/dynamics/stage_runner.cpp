@@ -11,9 +11,8 @@
 namespace wythe::dynamics {
 namespace {
 
-constexpr int kSettleEvery = 50;    // steps between looks at the unbalance
-constexpr int kWatchEvery = 500;    // steps between looks at collapse, interrupt, budget
-constexpr double kBalanced = 1e-3;  // unbalance up to which a load factor may grow
+constexpr int kSettleEvery = 50;  // steps between looks at the unbalance
+constexpr int kWatchEvery = 500;  // steps between looks at collapse, interrupt, budget
 
 }  // namespace
 
@@ -85,21 +84,24 @@ StageEnd StageRunner::run_quasi_static(const Stage& stage) {
   while (true) {
     set_ramp(stage, smooth_step((state_.stage_time + controls_.dt) / ramp));
     stepper_.step(state_, controls_);
+    if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
+      const double ratio = unbalance_ratio(model_, stepper_.workspace());
+      if (ratio < model_.solve.settle_ratio) return {};
+      if (state_.stage_time > limit) return unsettled(stage, ratio);
+    }
     if (state_.step % kWatchEvery == 0) {
       const StageEnd watched = watch(stage, model_.solve.collapse_displacement, 0);
       if (!watched.finished) return watched;
     }
-    if (state_.stage_time < ramp || state_.step % kSettleEvery != 0) continue;
-    const double ratio = unbalance_ratio(model_, stepper_.workspace());
-    if (ratio < model_.solve.settle_ratio) return {};
-    if (state_.stage_time > limit)
-      return {
-          SolveStatus::kNotSettled,
+  }
+}
+
+StageEnd StageRunner::unsettled(const Stage& stage, double ratio) const {
+  return {SolveStatus::kNotSettled,
           fmt::format(
               "stage \"{}\" did not settle: unbalance ratio {:.2g} after {:.3g} s, wanted {:.2g}",
               stage.spec.name, ratio, state_.stage_time, model_.solve.settle_ratio),
           false};
-  }
 }
 
 StageEnd StageRunner::run_push(const Stage& stage) {
@@ -158,12 +160,13 @@ StageEnd StageRunner::run_factor(const Stage& stage) {
   const double rate = tilting ? stage.spec.tilt_rate : stage.spec.rate;
   const double last = tilting ? stage.spec.tilt_until : stage.spec.factor;
   Recorder recorder(model_, stage, last, result_);
+  const double balanced = model_.solve.settle_ratio;
   double factor = state_.body_factor;
-  double last_growth = state_.stage_time;
+  double last_growth = state_.stage_time, moved_then = furthest_block(nullptr);
   StageEnd end;
   while (factor < last && end.finished) {
     // The factor grows only while the wall is in balance; at collapse it stands still.
-    const double share = smooth_step(2.0 - state_.balance / kBalanced);
+    const double share = smooth_step(2.0 - state_.balance / balanced);
     factor += rate * share * smooth_step((state_.stage_time + controls_.dt) / stage.spec.ramp) *
               controls_.dt;
     set_factor(stage, std::min(factor, last));
@@ -173,21 +176,36 @@ StageEnd StageRunner::run_factor(const Stage& stage) {
     recorder.take(stepper_, state_, controls_, carried * model_.weight, moved, carried, factor);
     if (state_.step % kSettleEvery == 0) {
       state_.balance = unbalance_ratio(model_, stepper_.workspace());
-      if (state_.balance < kBalanced) result_.load_factor = carried;
-      if (share > 0) last_growth = state_.stage_time;
+      if (share > 0) {
+        state_.load_factor = carried;
+        last_growth = state_.stage_time;
+        moved_then = moved;
+      }
     }
     if (state_.stage_time - last_growth > model_.solve.settle_limit)
-      end = {SolveStatus::kNotSettled,
-             fmt::format("the wall neither settles nor collapses at load factor {:.4f}", carried),
-             false};
-    if (state_.step % kWatchEvery == 0)
+      end = standstill(stage, carried, moved, moved_then);
+    else if (state_.step % kWatchEvery == 0)
       end = watch(stage, model_.solve.collapse_displacement, factor / last);
   }
   recorder.finish(state_);
+  result_.load_factor = state_.load_factor;
   if (end.status == SolveStatus::kCollapsed)
-    end.reason = fmt::format("{}; the last load factor in balance was {:.4f}", end.reason,
+    end.reason = fmt::format("{}; the largest load factor carried is {:.4f}", end.reason,
                              result_.load_factor);
   return end;
+}
+
+// The factor has not grown for the settling limit: a mechanism creeps on, or the wall trembles.
+StageEnd StageRunner::standstill(const Stage& stage, double carried, double moved,
+                                 double then) const {
+  if (moved > 1.05 * then)
+    return {SolveStatus::kCollapsed,
+            fmt::format("the wall keeps moving at the load factor {:.4f} in stage \"{}\"", carried,
+                        stage.spec.name),
+            false};
+  return {SolveStatus::kNotSettled,
+          fmt::format("the wall neither settles nor collapses at load factor {:.4f}", carried),
+          false};
 }
 
 StageEnd StageRunner::run_hold(const Stage& stage) {

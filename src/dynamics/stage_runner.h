@@ -2,7 +2,7 @@
 //
 //   gravity, load   ramp with a smooth start, then settle below settle_ratio
 //   push            smooth start to the velocity, along one or several target displacements
-//   body force      lambda grows only while the wall is in balance: the largest lambda carried
+//   body force      lambda grows only while the unbalance is below settle_ratio: the largest carried
 //   tilt            the same with the direction of gravity
 //   hold            nothing new for a duration
 #pragma once
@@ -35,6 +35,9 @@ class StageRunner {
   void set_ramp(const Stage& stage, double share);
   void set_factor(const Stage& stage, double factor);
   StageEnd watch(const Stage& stage, double allowed_displacement, double share);
+  [[nodiscard]] StageEnd unsettled(const Stage& stage, double ratio) const;
+  [[nodiscard]] StageEnd standstill(const Stage& stage, double carried, double moved,
+                                    double then) const;
   [[nodiscard]] double furthest_block(BlockId* block) const;
 
   const Model& model_;

@@ -10,16 +10,16 @@
 namespace wythe {
 namespace {
 
-struct Run {
+struct End {
   std::string hash;
   Result result;
 };
 
-Run run(const Model& model, int threads) {
+End run(const Model& model, int threads) {
   State state = initial_state(model);
   SolveOptions options;
   options.threads = threads;
-  Run r;
+  End r;
   r.result = solve(model, state, options);
   r.hash = state_hash(state);
   return r;
@@ -37,11 +37,11 @@ TEST(Determinism, threads_do_not_change_a_bit) {
   const dynamics::Workspace work(model);
   ASSERT_GT(work.joint_chunks.size(), 3U);
   ASSERT_GT(work.block_chunks, 1);
-  const Run one = run(model, 1);
+  const End one = run(model, 1);
   ASSERT_EQ(one.result.status, SolveStatus::kCompleted) << one.result.reason;
   EXPECT_GT(one.result.energy.fracture, 0);
   for (const int threads : {2, 3, 8}) {
-    const Run many = run(model, threads);
+    const End many = run(model, threads);
     EXPECT_EQ(many.hash, one.hash) << threads << " threads";
     EXPECT_EQ(many.result.state_hash, one.result.state_hash) << threads << " threads";
     EXPECT_EQ(many.result.energy.damping, one.result.energy.damping) << threads << " threads";
@@ -51,7 +51,7 @@ TEST(Determinism, threads_do_not_change_a_bit) {
 
 TEST(Determinism, two_runs_give_the_same_bits) {
   const Model model = compile(scenes::small_wall());
-  const Run first = run(model, 1), second = run(model, 1);
+  const End first = run(model, 1), second = run(model, 1);
   EXPECT_EQ(first.hash, second.hash);
   EXPECT_EQ(first.result.steps, second.result.steps);
   const Model again = compile(scenes::small_wall());

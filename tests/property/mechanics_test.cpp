@@ -15,12 +15,11 @@ namespace {
 
 using scenes::Rig;
 
-constexpr scenes::BondSize kSmall{.columns = 3, .courses = 3, .hole_at_column = 9, .hole_at_course = 9};
+constexpr scenes::BondSize kSmall{
+    .columns = 3, .courses = 3, .hole_at_column = 9, .hole_at_course = 9};
 
 // A number in [-1, 1].
-double random_share() {
-  return *rc::gen::resize(100, rc::gen::inRange(-1000, 1001)) * 1e-3;
-}
+double random_share() { return *rc::gen::resize(100, rc::gen::inRange(-1000, 1001)) * 1e-3; }
 
 // Every block moved by up to `move` [m] and turned by up to `turn` [rad].
 void scatter(State& state, double move, double turn) {
@@ -42,8 +41,10 @@ Couple couple_of(const Rig& rig, const State& before, std::size_t j) {
   const auto b = static_cast<std::size_t>(rig.model.joint_b[j]);
   const auto& w = rig.stepper.workspace();
   const double fx = w.force_x[j], fy = w.force_y[j];
-  const double xa = rig.model.centroid_x[a] + before.ux[a], ya = rig.model.centroid_y[a] + before.uy[a];
-  const double xb = rig.model.centroid_x[b] + before.ux[b], yb = rig.model.centroid_y[b] + before.uy[b];
+  const double xa = rig.model.centroid_x[a] + before.ux[a],
+               ya = rig.model.centroid_y[a] + before.uy[a];
+  const double xb = rig.model.centroid_x[b] + before.ux[b],
+               yb = rig.model.centroid_y[b] + before.uy[b];
   const double on_a = xa * fy - ya * fx, on_b = -(xb * fy - yb * fx);
   return {on_a + on_b + w.moment_a[j] + w.moment_b[j],
           std::fabs(on_a) + std::fabs(on_b) + std::fabs(w.moment_a[j]) + std::fabs(w.moment_b[j])};
@@ -140,7 +141,8 @@ TEST(Energy, ledger_closes_on_a_push_that_cracks_and_slides) {
 }
 
 TEST(Energy, ledger_closes_for_every_law) {
-  for (const Softening softening : {Softening::kExponential, Softening::kPolynomial, Softening::kPetersson})
+  for (const Softening softening :
+       {Softening::kExponential, Softening::kPolynomial, Softening::kPetersson})
     for (const Coupling coupling : {Coupling::kMaximum, Coupling::kStiffness}) {
       ModelSpec spec = scenes::small_wall(1e-3, 0.05);
       for (auto& [name, m] : spec.material) {

@@ -94,8 +94,8 @@ TEST(Restart, a_tilt_in_pieces_gives_the_same_bits) {
 }
 
 TEST(Restart, a_body_force_in_pieces_gives_the_same_load_factor) {
-  ModelSpec spec =
-      scenes::block_on_ground(0.5, 2.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), 0.1, 2000);
+  ModelSpec spec = scenes::block_on_ground(
+      0.5, 2.0, scenes::dry_joint(20e9, 8e9, scenes::degrees(60)), 0.1, 2000);
   StageSpec quake;
   quake.name = "quake";
   quake.kind = StageKind::kBodyForce;

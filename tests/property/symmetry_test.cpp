@@ -1,8 +1,10 @@
 // Laws of nature: mirror, turn, renumber or rescale wall and load, and the answer follows.
 //
 // A wall of half units with a hole is loaded by gravity and pushed until it cracks. Nothing but
-// round-off may differ, and round-off grows along a push that cracks: about 1e-12 of the largest
-// displacement was measured over these 3000 steps; the tolerance is 1e-8.
+// round-off may differ. Without damping it grows to 2e-13 of the peak over these 3000 steps;
+// the tolerance is 1e-10. Local damping is not continuous: where a velocity is
+// zero but for round-off its sign, and with it 0.8 of the force for a step, is left to chance. So the
+// damped answers are compared until cracks make more of that, with the spread measured there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +21,10 @@ namespace {
 using scenes::Rig;
 
 constexpr double kGravity = 9.81;
-constexpr double kRoundOff = 1e-8;
+constexpr double kRoundOff = 1e-10;
+constexpr double kDampedSpread =
+    1e-4;  // of the peak, in the first steps of the push; measured 2e-5
+constexpr std::size_t kDampedSteps = 500;
 constexpr int kLoadSteps = 1000, kPushSteps = 2000;
 
 ModelSpec wall() {
@@ -34,6 +39,8 @@ struct Setting {
   double damping = 0.8;
 };
 
+const Setting kUndamped{.damping = 0};
+
 // What a push gives, by block name.
 struct Answer {
   Model model;
@@ -44,7 +51,8 @@ struct Answer {
   }
   [[nodiscard]] double largest() const {
     double u = 0;
-    for (std::size_t i = 0; i < state.ux.size(); ++i) u = std::max(u, std::hypot(state.ux[i], state.uy[i]));
+    for (std::size_t i = 0; i < state.ux.size(); ++i)
+      u = std::max(u, std::hypot(state.ux[i], state.uy[i]));
     return u;
   }
 };
@@ -83,9 +91,10 @@ double tension_damage(const Answer& a) {
   return most;
 }
 
-void expect_same_reaction(const Answer& a, const Answer& b, double factor, double tolerance) {
+void expect_same_reaction(const Answer& a, const Answer& b, double factor, double tolerance,
+                          std::size_t steps = kPushSteps) {
   const double peak = *std::max_element(a.reaction.begin(), a.reaction.end());
-  for (std::size_t k = 0; k < a.reaction.size(); ++k)
+  for (std::size_t k = 0; k < steps; ++k)
     ASSERT_NEAR(b.reaction[k] / factor, a.reaction[k], tolerance * peak) << "step " << k;
 }
 
@@ -106,24 +115,21 @@ struct Motion {
   double x, y, theta;
 };
 
-TEST(Symmetry, the_push_cracks_the_wall) { EXPECT_GT(tension_damage(push(wall())), 0.99); }
+TEST(Symmetry, the_push_cracks_the_wall) {
+  EXPECT_GT(tension_damage(push(wall())), 0.99);
+  EXPECT_GT(tension_damage(push(wall(), kUndamped)), 0.99);
+}
 
 TEST(Symmetry, mirrored_wall_and_load_give_the_mirrored_answer) {
-  const Answer a = push(wall()), b = push(scenes::mirrored(wall()));
+  const Answer a = push(wall(), kUndamped), b = push(scenes::mirrored(wall()), kUndamped);
   expect_same_reaction(a, b, 1, kRoundOff);
-  expect_same_motion(a, b, kRoundOff, [](double x, double y, double t) { return Motion{-x, y, -t}; });
+  expect_same_motion(a, b, kRoundOff, [](double x, double y, double t) {
+    return Motion{-x, y, -t};
+  });
 }
 
-TEST(Symmetry, a_quarter_turn_gives_the_turned_answer) {
-  // local damping acts on the axes x and y, so it allows quarter turns
-  const Answer a = push(wall());
-  const Answer b = push(scenes::turned(wall(), scenes::kPi / 2), {.angle = scenes::kPi / 2});
-  expect_same_reaction(a, b, 1, kRoundOff);
-  expect_same_motion(a, b, kRoundOff, [](double x, double y, double t) { return Motion{-y, x, t}; });
-}
-
-TEST(Symmetry, any_turn_gives_the_turned_answer_without_damping) {
-  const Answer a = push(wall(), {.damping = 0});
+TEST(Symmetry, any_turn_gives_the_turned_answer) {
+  const Answer a = push(wall(), kUndamped);
   for (const double angle : {0.3, 2.0, -1.1}) {
     const Answer b = push(scenes::turned(wall(), angle), {.angle = angle, .damping = 0});
     const double c = std::cos(angle), s = std::sin(angle);
@@ -135,10 +141,20 @@ TEST(Symmetry, any_turn_gives_the_turned_answer_without_damping) {
 }
 
 TEST(Symmetry, the_order_of_blocks_does_not_matter) {
-  const Answer a = push(wall()), b = push(scenes::reversed(wall()));
+  const Answer a = push(wall(), kUndamped), b = push(scenes::reversed(wall()), kUndamped);
   EXPECT_NE(a.at("r6c0"), b.at("r6c0"));
   expect_same_reaction(a, b, 1, kRoundOff);
   expect_same_motion(a, b, kRoundOff, [](double x, double y, double t) { return Motion{x, y, t}; });
+}
+
+TEST(Symmetry, damped_push_mirrors_turns_by_quarters_and_takes_any_order) {
+  // local damping acts on the axes x and y, so only quarter turns leave it as it is
+  const Answer a = push(wall());
+  expect_same_reaction(a, push(scenes::mirrored(wall())), 1, kDampedSpread, kDampedSteps);
+  expect_same_reaction(a, push(scenes::reversed(wall())), 1, kDampedSpread, kDampedSteps);
+  for (const double angle : {0.5 * scenes::kPi, scenes::kPi})
+    expect_same_reaction(a, push(scenes::turned(wall(), angle), {.angle = angle}), 1, kDampedSpread,
+                         kDampedSteps);
 }
 
 TEST(Symmetry, twice_the_size_gives_the_same_bits) {
@@ -153,10 +169,12 @@ TEST(Symmetry, twice_the_size_gives_the_same_bits) {
 }
 
 TEST(Symmetry, three_times_the_size_gives_the_scaled_answer) {
-  const Answer a = push(wall()), b = push(scenes::scaled(wall(), 3), {.scale = 3});
+  const Answer a = push(wall(), kUndamped);
+  const Answer b = push(scenes::scaled(wall(), 3), {.scale = 3, .damping = 0});
   expect_same_reaction(a, b, 9, kRoundOff);
-  expect_same_motion(a, b, kRoundOff,
-                     [](double x, double y, double t) { return Motion{3 * x, 3 * y, t}; });
+  expect_same_motion(a, b, kRoundOff, [](double x, double y, double t) {
+    return Motion{3 * x, 3 * y, t};
+  });
 }
 
 }  // namespace

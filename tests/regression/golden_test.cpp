@@ -18,8 +18,9 @@ std::string describe_run(const ModelSpec& spec) {
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result r = solve(model, state);
-  std::string text = fmt::format("status {}\nsteps {}\npeak_N {:.9g}\nat_m {:.9g}\n", to_string(r.status),
-                                 r.steps, r.responses.peak_reaction, r.responses.displacement_at_peak);
+  std::string text =
+      fmt::format("status {}\nsteps {}\npeak_N {:.9g}\nat_m {:.9g}\n", to_string(r.status), r.steps,
+                  r.responses.peak_reaction, r.responses.displacement_at_peak);
   for (const CurveRow& row : r.curve)
     if (static_cast<long>(&row - r.curve.data()) % 50 == 0)
       text += fmt::format("{:.6g} m {:.9g} N\n", row.displacement, row.reaction);

@@ -15,7 +15,8 @@ JointMaterial elastic_joint(double normal_stiffness, double shear_stiffness) {
   m.shear_stiffness = shear_stiffness;
   m.tensile_strength = m.cohesion = m.residual_cohesion = kFar;
   m.friction_angle = m.residual_friction_angle = 0;
-  m.mode_1_energy = m.mode_2_energy = 100 * kFar * kFar / std::min(normal_stiffness, shear_stiffness);
+  m.mode_1_energy = m.mode_2_energy =
+      100 * kFar * kFar / std::min(normal_stiffness, shear_stiffness);
   m.compressive_strength = kUnlimited;
   return m;
 }
@@ -194,8 +195,10 @@ ModelSpec mirrored(ModelSpec spec) {
     std::reverse(block.polygon.begin(), block.polygon.end());
   }
   for (StageSpec& stage : spec.stage) {
-    if (stage.direction == Direction::kPlusX) stage.direction = Direction::kMinusX;
-    else if (stage.direction == Direction::kMinusX) stage.direction = Direction::kPlusX;
+    if (stage.direction == Direction::kPlusX)
+      stage.direction = Direction::kMinusX;
+    else if (stage.direction == Direction::kMinusX)
+      stage.direction = Direction::kPlusX;
   }
   return spec;
 }

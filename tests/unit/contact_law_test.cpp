@@ -30,9 +30,9 @@ void for_every_variant(const Check& check) {
         m.softening = softening;
         m.coupling = coupling;
         m.unloading = unloading;
-        SCOPED_TRACE(testing::Message() << "softening " << static_cast<int>(softening) << " coupling "
-                                        << static_cast<int>(coupling) << " unloading "
-                                        << static_cast<int>(unloading));
+        SCOPED_TRACE(testing::Message()
+                     << "softening " << static_cast<int>(softening) << " coupling "
+                     << static_cast<int>(coupling) << " unloading " << static_cast<int>(unloading));
         check(m);
       }
 }
@@ -111,7 +111,8 @@ TEST(ContactLaw, softening_shapes_have_unit_area_and_start_at_one) {
     EXPECT_NEAR(area, 1, 1e-6);
     EXPECT_EQ(contact::soften<k>(0.0).left, 1.0);
     double steepest = 0;
-    for (double x = 0; x < 4; x += 0.01) steepest = std::max(steepest, -contact::soften<k>(x).slope);
+    for (double x = 0; x < 4; x += 0.01)
+      steepest = std::max(steepest, -contact::soften<k>(x).slope);
     EXPECT_NEAR(steepest, contact::steepest_slope(k), 1e-12);
   };
   check(std::integral_constant<Softening, Softening::kBilinear>{});
@@ -131,10 +132,10 @@ struct Walk {
 Walk random_walk() {
   Walk walk;
   walk.m = any_variant(*rc::gen::inRange(0, 24));
-  const auto targets = *rc::gen::resize(
-      25, rc::gen::container<std::vector<std::pair<int, int>>>(
-              rc::gen::pair(rc::gen::resize(100, rc::gen::inRange(-40, 61)),
-                            rc::gen::resize(100, rc::gen::inRange(-300, 301)))));
+  const auto targets =
+      *rc::gen::resize(25, rc::gen::container<std::vector<std::pair<int, int>>>(
+                               rc::gen::pair(rc::gen::resize(100, rc::gen::inRange(-40, 61)),
+                                             rc::gen::resize(100, rc::gen::inRange(-300, 301)))));
   ContactPathRow from;
   for (const auto& [opening, slip] : targets) {
     const ContactPathRow to{1e-6 * opening, 2e-6 * slip};
@@ -209,7 +210,8 @@ void check_balance(const JointMaterial& material, const std::vector<ContactPathR
       before = now;
     }
     const bool secant = V::unloading == Unloading::kSecant && before.sigma > 0;
-    stored = (secant ? 0.5 * before.sigma * (w0 + h.crush) : 0.5 * before.sigma * before.sigma * m.inv_kn) +
+    stored = (secant ? 0.5 * before.sigma * (w0 + h.crush)
+                     : 0.5 * before.sigma * before.sigma * m.inv_kn) +
              0.5 * before.tau * before.tau * m.inv_ks;
     from = to;
   }
@@ -234,8 +236,8 @@ TEST(ContactLaw, broken_joint_is_never_tensile_again_and_carries_compression_wit
   for_every_variant([](const JointMaterial& m) {
     // to 25 GI/ft: the exponential tail is exp(-25)
     const double apart = 25 * m.mode_1_energy / m.tensile_strength;
-    const auto a = drive_contact(m, {{apart, 0}, {0.5 * apart, 0}, {1e-6, 0}, {0, 0}, {-1e-5, 0},
-                                     {-2e-5, 0}, {1e-6, 0}});
+    const auto a = drive_contact(
+        m, {{apart, 0}, {0.5 * apart, 0}, {1e-6, 0}, {0, 0}, {-1e-5, 0}, {-2e-5, 0}, {1e-6, 0}});
     for (const ContactAnswer& row : a) EXPECT_LE(row.normal_stress, 1e-9 * m.tensile_strength);
     EXPECT_NEAR(a[4].normal_stress, -1e-5 * m.normal_stiffness, 1e-3);
     EXPECT_NEAR(a[5].normal_stress, -2e-5 * m.normal_stiffness, 1e-3);
@@ -281,7 +283,8 @@ TEST(ContactLaw, slip_adds_up_over_reversals) {
 
 TEST(ContactLaw, fully_slipped_joint_has_the_residual_in_both_directions) {
   const JointMaterial m = scenes::paper_joint();
-  const double w = -0.3e6 / m.normal_stiffness, residual = 0.3e6 * std::tan(m.residual_friction_angle);
+  const double w = -0.3e6 / m.normal_stiffness,
+               residual = 0.3e6 * std::tan(m.residual_friction_angle);
   const auto a = drive_contact(m, {{w, 0}, {w, 5e-3}, {w, 0}, {w, 5e-3}});
   EXPECT_NEAR(a[1].shear_stress, residual, 1e-6 * residual);
   EXPECT_NEAR(a[2].shear_stress, -residual, 1e-6 * residual);
@@ -388,14 +391,15 @@ TEST(ContactLaw, snap_back_bound_is_the_edge_of_what_can_be_followed) {
   for (const Softening softening : kSoftenings) {
     JointMaterial m = scenes::paper_joint();
     m.softening = softening;
-    const double least = contact::steepest_slope(softening) * m.tensile_strength * m.tensile_strength /
-                         m.normal_stiffness;
+    const double least = contact::steepest_slope(softening) * m.tensile_strength *
+                         m.tensile_strength / m.normal_stiffness;
     m.mode_1_energy = 0.999 * least;
     EXPECT_FALSE(check_joint_material(m).empty());
     m.mode_1_energy = 1.05 * least;
     EXPECT_TRUE(check_joint_material(m).empty());
     const auto a = drive_contact(m, {{15 * m.mode_1_energy / m.tensile_strength, 0}});
-    EXPECT_NEAR(a.back().dissipated, m.mode_1_energy, 2e-2 * m.mode_1_energy);  // one substep's jump
+    EXPECT_NEAR(a.back().dissipated, m.mode_1_energy,
+                2e-2 * m.mode_1_energy);  // one substep's jump
   }
 }
 

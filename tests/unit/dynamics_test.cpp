@@ -57,11 +57,13 @@ TEST(Step, gravity_is_carried_by_the_ground) {
   for (auto j = static_cast<std::size_t>(rig.model.n_pair); j < rig.model.joint_b.size(); ++j)
     up -= rig.stepper.workspace().force_y[j];
   EXPECT_NEAR(up / rig.model.weight, 1.0, 1e-5);  // unbalance per block, 50 blocks
-  EXPECT_NEAR(dynamics::base_shear(rig.model, rig.stepper.workspace(), 1, 0), 0, 1e-5 * rig.model.weight);
+  EXPECT_NEAR(dynamics::base_shear(rig.model, rig.stepper.workspace(), 1, 0), 0,
+              1e-5 * rig.model.weight);
 }
 
 TEST(Step, a_load_keeps_its_direction_and_follows_its_block) {
-  Model model = compile(scenes::block_on_ground(0.4, 0.2, scenes::dry_joint(1e9, 1e9, 0.5), 0.1, 2000));
+  Model model =
+      compile(scenes::block_on_ground(0.4, 0.2, scenes::dry_joint(1e9, 1e9, 0.5), 0.1, 2000));
   const std::size_t load = scenes::add_load(model, {0, 0.1, 0.05, 0, -50});
   Rig rig(std::move(model));
   rig.controls.damping = 0;
@@ -153,6 +155,12 @@ TEST(Drive, reaction_balances_the_base_shear_when_pushed_slowly) {
   EXPECT_NEAR(last.displacement, 0.2e-3, 1e-9 + 2e-3 * result.time_step);  // ends within a step
 }
 
+TEST(Scenes, tuff_wall_is_the_paper_s) {
+  const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 1e-3));
+  EXPECT_EQ(model.anatomy.masonry_blocks_before_lintels, 825);
+  EXPECT_EQ(model.stages.back().spec.until, 1e-3);
+}
+
 // --- how stages end -------------------------------------------------------------------------------------
 
 TEST(Stages, settling_that_fails_is_reported) {
@@ -212,8 +220,10 @@ TEST(Stages, mass_scaling_shortens_settling_and_leaves_the_answer) {
     const Result result = solve(model, state);
     ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
     settled.push_back(*std::min_element(state.uy.begin(), state.uy.end()));
-    if (scaling == 1) steps = result.steps;
-    else EXPECT_LT(result.steps, steps / 2);
+    if (scaling == 1)
+      steps = result.steps;
+    else
+      EXPECT_LT(result.steps, steps / 2);
   }
   EXPECT_NEAR(settled[1] / settled[0], 1.0, 1e-3);  // slip in the joints on the way may differ
 }

@@ -66,8 +66,8 @@ TEST(Dual, carries_the_chain_rule) {
   const Dual<2> x(3.0, 0), y(2.0, 1);
   const Dual<2> f = x * y / (x + y) - y;
   EXPECT_DOUBLE_EQ(f.value, 6.0 / 5 - 2);
-  EXPECT_DOUBLE_EQ(f.partial[0], 4.0 / 25);       // y^2/(x + y)^2
-  EXPECT_DOUBLE_EQ(f.partial[1], 9.0 / 25 - 1.0); // x^2/(x + y)^2 - 1
+  EXPECT_DOUBLE_EQ(f.partial[0], 4.0 / 25);        // y^2/(x + y)^2
+  EXPECT_DOUBLE_EQ(f.partial[1], 9.0 / 25 - 1.0);  // x^2/(x + y)^2 - 1
   EXPECT_EQ(magnitude(-x).partial[0], 1.0);
   EXPECT_EQ(minimum(x, y).partial[1], 1.0);
 }
@@ -77,10 +77,23 @@ TEST(Dual, carries_the_chain_rule) {
 using D = Dual<2>;
 
 contact::LawConstants<D> dual_of(const contact::LawConstants<double>& m) {
-  return {.kn = m.kn, .ks = m.ks, .inv_ks = m.inv_ks, .inv_kn = m.inv_kn, .ft = m.ft, .w0 = m.w0,
-          .ft_over_GI = m.ft_over_GI, .tension_onset = m.tension_onset, .tension_rate = m.tension_rate,
-          .c_res = m.c_res, .c_drop = m.c_drop, .tan_res = m.tan_res, .tan_drop = m.tan_drop,
-          .half_inv_GII = m.half_inv_GII, .fc = m.fc, .p_full = m.p_full, .inv_p_full = m.inv_p_full,
+  return {.kn = m.kn,
+          .ks = m.ks,
+          .inv_ks = m.inv_ks,
+          .inv_kn = m.inv_kn,
+          .ft = m.ft,
+          .w0 = m.w0,
+          .ft_over_GI = m.ft_over_GI,
+          .tension_onset = m.tension_onset,
+          .tension_rate = m.tension_rate,
+          .c_res = m.c_res,
+          .c_drop = m.c_drop,
+          .tan_res = m.tan_res,
+          .tan_drop = m.tan_drop,
+          .half_inv_GII = m.half_inv_GII,
+          .fc = m.fc,
+          .p_full = m.p_full,
+          .inv_p_full = m.inv_p_full,
           .crush_gain = m.crush_gain};
 }
 
@@ -93,7 +106,8 @@ struct Stress {
 };
 
 template <class V>
-Stress stress_at(const contact::LawConstants<double>& m, contact::History<double> h, double w, double s) {
+Stress stress_at(const contact::LawConstants<double>& m, contact::History<double> h, double w,
+                 double s) {
   const auto a = contact::update<V>(m, w, s, h);
   return {a.sigma, a.tau};
 }

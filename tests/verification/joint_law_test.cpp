@@ -30,8 +30,8 @@ std::vector<ContactPathRow> opening_path(double last, int n) {
 
 // Opening at which the falling stress reaches `level`, between rows by a straight line. The branch
 // is straight up to its end, so that the last two rows under stress extend to zero exactly.
-double falling_to(const std::vector<ContactPathRow>& path, const std::vector<ContactAnswer>& answers,
-                  double level) {
+double falling_to(const std::vector<ContactPathRow>& path,
+                  const std::vector<ContactAnswer>& answers, double level) {
   std::size_t k = answers.size() - 1;
   while (k > 1 && answers[k].normal_stress <= level) --k;
   if (level <= 0) --k;
@@ -51,8 +51,8 @@ TEST(ClosedForm, CF10_opening_at_zero_stress) {
   verify({"CF10", "mode I linear (paper joint): opening at zero stress, whole area", "m",
           5.733333e-05, 1e-6, kLine},
          opening_at_zero(tension_only(0.15e6, 4.3, 20e9), 1e-4));
-  verify({"CF10", "mode I linear (paper unit): opening at zero stress, whole area", "m", 6.956522e-05,
-          1e-6, kLine},
+  verify({"CF10", "mode I linear (paper unit): opening at zero stress, whole area", "m",
+          6.956522e-05, 1e-6, kLine},
          opening_at_zero(tension_only(0.23e6, 8, 10e9), 1e-4));
   verify({"CF10", "mode I linear (Lourenco and Rots J4D): opening at zero stress, whole area", "m",
           0.000144, 1e-6, kLine},
@@ -115,9 +115,10 @@ TEST(ClosedForm, CF12_exponential_stress_at_unit_opening) {
   std::size_t k = 0;
   while (inelastic(k + 1) < wanted) ++k;
   const double share = (wanted - inelastic(k)) / (inelastic(k + 1) - inelastic(k));
-  verify({"CF12", "mode I exponential: stress at the inelastic opening Gf/ft", "Pa", 91969.86, 1e-6,
-          "straight line between rows, (dw ft/Gf)^2/8 = 5e-9; the value has 7 digits"},
-         answers[k].normal_stress + share * (answers[k + 1].normal_stress - answers[k].normal_stress));
+  verify(
+      {"CF12", "mode I exponential: stress at the inelastic opening Gf/ft", "Pa", 91969.86, 1e-6,
+       "straight line between rows, (dw ft/Gf)^2/8 = 5e-9; the value has 7 digits"},
+      answers[k].normal_stress + share * (answers[k + 1].normal_stress - answers[k].normal_stress));
 }
 
 JointMaterial shear_joint(double residual_friction) {
@@ -133,8 +134,7 @@ struct Shearing {
 };
 Shearing shear_under(const JointMaterial& m, double compression, double last, int n) {
   Shearing s;
-  for (int k = 0; k <= n; ++k)
-    s.path.push_back({-compression / m.normal_stiffness, last * k / n});
+  for (int k = 0; k <= n; ++k) s.path.push_back({-compression / m.normal_stiffness, last * k / n});
   s.answers = drive_contact(m, s.path);
   return s;
 }
@@ -150,8 +150,9 @@ TEST(ClosedForm, CF13a_peak_shear_stress) {
 
 TEST(ClosedForm, CF13b_residual_shear_stress) {
   const Shearing s = shear_under(shear_joint(degrees(14.6)), 0.3e6, 5e-3, 1000);
-  verify({"CF13b", "mode II: residual shear stress", "Pa", 78144.15, 1e-6, "the value has 7 digits"},
-         s.answers.back().shear_stress);
+  verify(
+      {"CF13b", "mode II: residual shear stress", "Pa", 78144.15, 1e-6, "the value has 7 digits"},
+      s.answers.back().shear_stress);
 }
 
 TEST(ClosedForm, CF13c_slip_at_which_cohesion_is_exhausted) {
@@ -185,7 +186,8 @@ TEST(ClosedForm, CF15_closure_at_zero_compressive_stress) {
   std::size_t k = answers.size() - 1;
   while (answers[k].normal_stress >= 0) --k;
   const double s0 = answers[k - 1].normal_stress, s1 = answers[k].normal_stress;
-  const double closure = -path[k].opening + s1 / (s0 - s1) * (path[k - 1].opening - path[k].opening);
+  const double closure =
+      -path[k].opening + s1 / (s0 - s1) * (path[k - 1].opening - path[k].opening);
   verify({"CF15", "compression cap: closure at zero stress, whole area", "m", 0.006464646, 1e-6,
           "straight branch; the value has 7 digits"},
          closure);

@@ -62,7 +62,8 @@ Model beam(int n, int points) {
   const double spacing = kSpan / (n - 1);
   std::vector<BlockSpec> blocks;
   for (int k = 0; k < n; ++k)
-    blocks.push_back(scenes::rectangle("s" + std::to_string(k), (k - 0.5) * spacing, 0, spacing, kFace));
+    blocks.push_back(
+        scenes::rectangle("s" + std::to_string(k), (k - 0.5) * spacing, 0, spacing, kFace));
   ModelSpec spec = scenes::assembly(blocks, scenes::elastic_joint(1e9, 1e9), kThickness, 500);
   spec.solve.points_per_face = points;
   Model m = compile(spec);
@@ -118,7 +119,8 @@ double simply_supported(int n, int points) {
 }
 
 double timoshenko() {
-  return kForce * kSpan * kSpan * kSpan / (48 * kE * kInertia) + kForce * kSpan / (4 * kG * kShearArea);
+  return kForce * kSpan * kSpan * kSpan / (48 * kE * kInertia) +
+         kForce * kSpan / (4 * kG * kShearArea);
 }
 
 TEST(LintelChain, simply_supported_deflection_converges_with_the_square_of_the_spacing) {
@@ -142,15 +144,15 @@ TEST(LintelChain, cantilever_deflection) {
   const Stage clamp = holding({0}, 0, 1, Freedom::kBlocked, Freedom::kBlocked);
   const double computed = -bend(beam(17, 2), clamp, 16, 0, -kForce).y;
   verify({"lintel", "cantilever chain of 17 segments: deflection", "m",
-          kForce * std::pow(kSpan, 3) / (3 * kE * kInertia) + kForce * kSpan / (kG * kShearArea), 2e-3,
-          "midpoint rule of the curvature, 1/(4 (n-1)^2) = 1e-3"},
+          kForce * std::pow(kSpan, 3) / (3 * kE * kInertia) + kForce * kSpan / (kG * kShearArea),
+          2e-3, "midpoint rule of the curvature, 1/(4 (n-1)^2) = 1e-3"},
          computed);
 }
 
 TEST(LintelChain, axial_stiffness) {
   const Stage clamp = holding({0}, 1, 0, Freedom::kBlocked, Freedom::kBlocked);
-  verify({"lintel", "chain of 9 segments pulled: elongation", "m", kForce * kSpan / (kE * kArea), 1e-6,
-          "springs in series are exact; settled to an unbalance of 1e-9"},
+  verify({"lintel", "chain of 9 segments pulled: elongation", "m", kForce * kSpan / (kE * kArea),
+          1e-6, "springs in series are exact; settled to an unbalance of 1e-9"},
          bend(beam(9, 2), clamp, 8, kForce, 0).x);
 }
 
@@ -168,7 +170,8 @@ TEST(LintelChain, compiled_lintel_has_the_beam_s_stiffnesses) {
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
     if (m.anatomy.joint_kind[j] != JointKind::kLintelChain) continue;
     ++chains;
-    const auto a = static_cast<std::size_t>(m.joint_a[j]), b = static_cast<std::size_t>(m.joint_b[j]);
+    const auto a = static_cast<std::size_t>(m.joint_a[j]),
+               b = static_cast<std::size_t>(m.joint_b[j]);
     const double spacing = m.centroid_x[b] - m.centroid_x[a];
     const JointMaterial& material = m.materials[static_cast<std::size_t>(m.joint_material[j])];
     double bending = 0;

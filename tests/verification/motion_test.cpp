@@ -94,8 +94,8 @@ TEST(ClosedForm, CF03b_stopping_time) {
 constexpr double kOmega = 5477.2255750516614;  // sqrt(20e9 x 0.03 / 20) [1/s]
 
 Model oscillator() {
-  ModelSpec spec = scenes::block_on_ground(0.1, 0.3, scenes::elastic_joint(20e9, 1e8), 0.3,
-                                           20 / 0.009);
+  ModelSpec spec =
+      scenes::block_on_ground(0.1, 0.3, scenes::elastic_joint(20e9, 1e8), 0.3, 20 / 0.009);
   return compile(spec);
 }
 
@@ -113,8 +113,10 @@ double axial_frequency(double steps_per_radian, int cycles) {
     const double after = rig.state.uy[0];
     if (!(before > 0 && after <= 0)) continue;
     const double at = t + rig.controls.dt * before / (before - after);
-    if (first < 0) first = at;
-    else if (++crossings == cycles) return cycles / (at - first);
+    if (first < 0)
+      first = at;
+    else if (++crossings == cycles)
+      return cycles / (at - first);
   }
 }
 
@@ -177,9 +179,10 @@ TEST(ClosedForm, CF08_local_damping_amplitude_ratio) {
   }
   for (std::size_t k = 2; k < peaks.size(); ++k)
     EXPECT_NEAR(peaks[k] / peaks[k - 1], 1.0 / 3, 5e-3) << "half cycle " << k;
-  verify({"CF08", "local damping 0.8: amplitude ratio per half cycle", "-", 0.3333333, 5e-3,
-          "turning points are met within a step: (omega dt)^2 and the first half step, O(omega dt)"},
-         peaks[4] / peaks[3]);
+  verify(
+      {"CF08", "local damping 0.8: amplitude ratio per half cycle", "-", 0.3333333, 5e-3,
+       "turning points are met within a step: (omega dt)^2 and the first half step, O(omega dt)"},
+      peaks[4] / peaks[3]);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace wythe::verification {
 struct Claim {
   std::string id, what, unit;
   double expected = 0;
-  double tolerance = 0;   // relative to |expected|, absolute where `expected` is 0 or `absolute`
-  std::string because;    // where the tolerance comes from
+  double tolerance = 0;  // relative to |expected|, absolute where `expected` is 0 or `absolute`
+  std::string because;   // where the tolerance comes from
   bool absolute = false;
 };
 
@@ -26,8 +26,8 @@ inline void append_row(const Claim& claim, double computed, double deviation, bo
   std::filesystem::create_directories(folder);
   // one write in append mode: shards of the test program may run side by side
   std::ofstream file(folder / "verification.csv", std::ios::app);
-  file << fmt::format("{},\"{}\",{},{:.17g},{:.17g},{:.3e},{:.3e},{},\"{}\",{}\n", claim.id, claim.what,
-                      claim.unit, claim.expected, computed, deviation, claim.tolerance,
+  file << fmt::format("{},\"{}\",{},{:.17g},{:.17g},{:.3e},{:.3e},{},\"{}\",{}\n", claim.id,
+                      claim.what, claim.unit, claim.expected, computed, deviation, claim.tolerance,
                       claim.absolute ? "absolute" : "relative", claim.because, passed ? 1 : 0);
 }
 

@@ -12,8 +12,8 @@
 namespace wythe::verification {
 namespace {
 
-using scenes::Rig;
 using scenes::degrees;
+using scenes::Rig;
 
 // --- CF16: a rigid pier 1.70 m long, pushed at 2.62 m, 200 kN on top, no weight --------------------
 
@@ -86,9 +86,10 @@ Crushed crush_toe() {
 
 TEST(ClosedForm, CF16b_rocking_strength_with_a_stress_block) {
   const Crushed crushed = crush_toe();
-  verify({"CF16b", "rigid pier: rocking strength with the stress block 0.85 fc", "kN", 57.56985, 1e-2,
-          "elastic edge of the stress block, P-delta of the lean; vibration of the undamped push"},
-         crushed.peak);
+  verify(
+      {"CF16b", "rigid pier: rocking strength with the stress block 0.85 fc", "kN", 57.56985, 1e-2,
+       "elastic edge of the stress block, P-delta of the lean; vibration of the undamped push"},
+      crushed.peak);
   verify({"CF16c", "rigid pier: distance of the hinge from the toe", "m", 0.09583501, 2e-2,
           "elastic edge of the stress block; its 0.19 m hold 17 of the 160 points"},
          crushed.offset);
@@ -106,8 +107,8 @@ ModelSpec toppling_block() {
   handle.polygon = {{0, 1.58}, {0.02, 1.6}, {0, 1.62}, {-0.02, 1.6}};
   handle.material = "handle";
   const double area = 0.4 * 1.6 - 0.5 * 0.02 * 0.02;
-  ModelSpec spec = scenes::assembly({body, handle}, scenes::elastic_joint(50e9, 20e9), 1.0,
-                                    10e3 / 9.81 / area);
+  ModelSpec spec =
+      scenes::assembly({body, handle}, scenes::elastic_joint(50e9, 20e9), 1.0, 10e3 / 9.81 / area);
   spec.material["foundation"] = scenes::dry_joint(20e9, 8e9, degrees(60));
   JointMaterial light;
   light.density = 100;
@@ -149,7 +150,8 @@ double force_at(double displacement) {
   return sum / rows;
 }
 
-constexpr const char* kTopple = "inertia of a push at 10 mm/s; elastic sink of the toe; weight of the handle, 1 N";
+constexpr const char* kTopple =
+    "inertia of a push at 10 mm/s; elastic sink of the toe; weight of the handle, 1 N";
 
 TEST(ClosedForm, CF17_block_pushed_at_its_corner) {
   verify({"CF17", "rigid block pushed at its upper rear corner: force at 0.00 m", "N", 1250, 3e-3,
@@ -157,9 +159,10 @@ TEST(ClosedForm, CF17_block_pushed_at_its_corner) {
          2 * force_at(0.01) - force_at(0.02));
   const double wanted[][2] = {{0.05, 1085.83}, {0.10, 924.94}, {0.20, 610.847}, {0.30, 303.728}};
   for (const auto& [d, force] : wanted)
-    verify({"CF17", fmt::format("rigid block pushed at its upper rear corner: force at {:.2f} m", d),
-            "N", force, 3e-3, kTopple},
-           force_at(d));
+    verify(
+        {"CF17", fmt::format("rigid block pushed at its upper rear corner: force at {:.2f} m", d),
+         "N", force, 3e-3, kTopple},
+        force_at(d));
 }
 
 TEST(ClosedForm, CF17_rotation_of_zero_force) {
@@ -181,8 +184,8 @@ const double kAlpha = std::atan(kHalfBase / kHalfHeight);
 
 // Four times the time from rest at theta0 to upright [s].
 double rocking_period(double theta0) {
-  Rig rig(compile(scenes::block_on_ground(2 * kHalfBase, 2 * kHalfHeight,
-                                          scenes::dry_joint(1000e9, 400e9, degrees(75)), 0.1, 2000)));
+  Rig rig(compile(scenes::block_on_ground(
+      2 * kHalfBase, 2 * kHalfHeight, scenes::dry_joint(1000e9, 400e9, degrees(75)), 0.1, 2000)));
   rig.controls.damping = 0;
   rig.state.gravity_y = -9.81;
   // turned to the left about the left toe, which carries the weight
@@ -214,10 +217,11 @@ TEST(ClosedForm, CF18_free_rocking_period) {
                         {0.8, 3.432207, 3.434558}};
   for (const Case& k : cases) {
     const double period = rocking_period(k.share * kAlpha);
-    verify({"CF18", fmt::format("free rocking, theta0/alpha = {:g}: linearised period", k.share), "s",
-            k.linear, 6e-3, "linearisation 0.42 % at most; springs of the toe"},
+    verify({"CF18", fmt::format("free rocking, theta0/alpha = {:g}: linearised period", k.share),
+            "s", k.linear, 6e-3, "linearisation 0.42 % at most; springs of the toe"},
            period);
-    verify({"CF18", fmt::format("free rocking, theta0/alpha = {:g}: four exact quarter periods", k.share),
+    verify({"CF18",
+            fmt::format("free rocking, theta0/alpha = {:g}: four exact quarter periods", k.share),
             "s", k.exact, 2e-3, "springs of the toe: pressure and shear build up from rest"},
            period);
   }

@@ -48,15 +48,16 @@ TEST(ClosedForm, CF01b_slope_angle_at_which_sliding_starts) {
   StageSpec tilt;
   tilt.name = "tilt";
   tilt.kind = StageKind::kTilt;
-  tilt.tilt_rate = degrees(10);
+  tilt.tilt_rate = degrees(1);
   tilt.tilt_until = degrees(45);
   spec.stage = {scenes::gravity_stage(), tilt};
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
-  EXPECT_EQ(result.status, SolveStatus::kCollapsed) << result.reason;
-  verify({"CF01b", "slope angle at which sliding starts", "deg", 30.96376, 0.05,
-          "the tilt halts when the unbalance passes 1e-3 of the contact force", true},
+  // at the limit the slab creeps: it may be given up as unsettled before it has moved far
+  EXPECT_NE(result.status, SolveStatus::kCompleted) << result.reason;
+  verify({"CF01b", "slope angle at which sliding starts", "deg", 30.96376, 0.02,
+          "the tilt halts while the unbalance is above settle_ratio", true},
          std::atan(result.load_factor) * 180 / scenes::kPi);
 }
 
@@ -115,7 +116,8 @@ constexpr const char* kColumn =
     "settled to an unbalance of 1e-8; rotations of 1e-4 change the lever by 1e-8";
 
 TEST(ClosedForm, CF09_cantilever_column_two_points) {
-  verify({"CF09", "cantilever column, tip displacement, 2 points a face", "m", 0.0001025, 1e-5, kColumn},
+  verify({"CF09", "cantilever column, tip displacement, 2 points a face", "m", 0.0001025, 1e-5,
+          kColumn},
          column_tip(2));
 }
 
@@ -157,15 +159,16 @@ double tilt_at_collapse(int n) {
   return std::atan(result.load_factor) * 180 / scenes::kPi;
 }
 
-constexpr const char* kTilt = "the tilt halts when the unbalance passes 1e-3; elastic P-delta";
+constexpr const char* kTilt =
+    "the tilt halts while the unbalance is above settle_ratio; elastic P-delta";
 
 TEST(ClosedForm, CF20_tilt_angle_of_collapse_of_a_block) {
-  verify({"CF20", "tilt angle of collapse of a block", "deg", 14.03624, 0.1, kTilt, true},
+  verify({"CF20", "tilt angle of collapse of a block", "deg", 14.03624, 0.03, kTilt, true},
          tilt_at_collapse(1));
 }
 
 TEST(ClosedForm, CF20_tilt_angle_of_collapse_of_a_dry_stack) {
-  verify({"CF20", "tilt angle of collapse of a dry stack of 4", "deg", 14.03624, 0.1, kTilt, true},
+  verify({"CF20", "tilt angle of collapse of a dry stack of 4", "deg", 14.03624, 0.03, kTilt, true},
          tilt_at_collapse(4));
 }
 
@@ -175,15 +178,15 @@ TEST(ClosedForm, CF20_uplift_acceleration) {
   StageSpec quake;
   quake.name = "quake";
   quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.1;
+  quake.rate = 0.02;
   quake.factor = 1;
   spec.stage = {scenes::gravity_stage(), quake};
   const Model model = compile(spec);
   State state = initial_state(model);
   const Result result = solve(model, state);
   EXPECT_EQ(result.status, SolveStatus::kCollapsed) << result.reason;
-  verify({"CF20", "uplift acceleration of a block, b/h = 0.25", "m/s^2", 2.4525, 1e-2,
-          "the factor halts when the unbalance passes 1e-3; elastic P-delta"},
+  verify({"CF20", "uplift acceleration of a block, b/h = 0.25", "m/s^2", 2.4525, 1e-3,
+          "the factor halts while the unbalance is above settle_ratio; elastic P-delta"},
          kGravity * result.load_factor);
 }
 
