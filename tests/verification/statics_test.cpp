@@ -178,7 +178,7 @@ TEST(ClosedForm, CF20_uplift_acceleration) {
   StageSpec quake;
   quake.name = "quake";
   quake.kind = StageKind::kBodyForce;
-  quake.rate = 0.02;
+  quake.rate = 0.005;
   quake.factor = 1;
   spec.stage = {scenes::gravity_stage(), quake};
   const Model model = compile(spec);
