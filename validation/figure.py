@@ -2,9 +2,10 @@
 import math
 
 WIDTH, HEIGHT = 760, 420
-LEFT, RIGHT, TOP, BOTTOM = 62, 16, 16, 92
+LEFT, RIGHT, TOP, BOTTOM = 62, 16, 16, 104
 INK, GRID = "#333", "#ddd"
-COLOURS = ["#b5442a", "#2b5f8a", "#6a8f3a", "#8a5fa8", "#a88a2b"]
+COLOURS = ["#b5442a", "#2b5f8a", "#6a8f3a"]  # the run, then its variants
+LEVEL = "#8a5fa8"
 
 
 def ticks(greatest, wanted=6):
@@ -34,8 +35,13 @@ class Figure:
         self.body.append(f'<polyline points="{path}" {style}/>')
         self.legend.append((name, colour, dash, width))
 
-    def level(self, value, name, colour, dash="5 4"):
-        self.line([(0, value), (self.x_max, value)], name, colour, dash, 1.2)
+    def level(self, value, name):
+        self.line([(0, value), (self.x_max, value)], name, LEVEL, "7 4", 1.4)
+
+    def point(self, at, value, name, colour):
+        self.body.append(f'<circle cx="{self.x(at):.1f}" cy="{self.y(value):.1f}" r="4" fill="white" '
+                         f'stroke="{colour}" stroke-width="1.8"/>')
+        self.legend.append((name, colour, None, 1.8))
 
     def axes(self):
         parts = []
@@ -47,6 +53,7 @@ class Figure:
             parts.append(f'<line x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{self.y(t):.1f}" y2="{self.y(t):.1f}" '
                          f'stroke="{GRID}"/><text x="{LEFT - 8}" y="{self.y(t) + 4:.1f}" '
                          f'text-anchor="end">{t:g}</text>')
+        parts.append(f'<path d="M{LEFT} {TOP}V{HEIGHT - BOTTOM}H{WIDTH - RIGHT}" fill="none" stroke="{INK}"/>')
         middle = (TOP + HEIGHT - BOTTOM) / 2
         parts.append(f'<text x="{(LEFT + WIDTH) / 2}" y="{HEIGHT - BOTTOM + 38}" '
                      f'text-anchor="middle">{self.labels[0]}</text>')
@@ -58,8 +65,13 @@ class Figure:
         parts = []
         for i, (name, colour, dash, width) in enumerate(self.legend):
             x, y = LEFT + (i % 2) * 350, HEIGHT - 36 + 17 * (i // 2)
-            parts.append(f'<line x1="{x}" x2="{x + 26}" y1="{y - 4}" y2="{y - 4}" stroke="{colour}" '
-                         f'stroke-width="{width}" stroke-dasharray="{dash}"/><text x="{x + 32}" y="{y}">{name}</text>')
+            if dash is None:
+                parts.append(f'<circle cx="{x + 13}" cy="{y - 4}" r="4" fill="white" stroke="{colour}" '
+                             f'stroke-width="{width}"/>')
+            else:
+                parts.append(f'<line x1="{x}" x2="{x + 26}" y1="{y - 4}" y2="{y - 4}" stroke="{colour}" '
+                             f'stroke-width="{width}" stroke-dasharray="{dash}"/>')
+            parts.append(f'<text x="{x + 32}" y="{y}">{name}</text>')
         return parts
 
     def svg(self):

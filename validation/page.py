@@ -21,11 +21,15 @@ CURVES = {
     "WS.100": ([("test", "vasconcelos_dry_granite_walls/data/FD_WS100_monotonic.csv")], 30, 42, [("rigid rocking bound", 39.6)]),
     "SW.100": ([("test 1", "lourenco_dry_stone_wall/data/FD_SW1001.csv"), ("test 2", "lourenco_dry_stone_wall/data/FD_SW1002.csv")],
                30, 55, [("rigid rocking bound", 51.8)]),
-    "COMP2_1": ([], 30, 70, [("measured peak, +", 59.14), ("measured peak, -", 58.43)]),
+    "COMP2_1": ([], 30, 70, []),
     "tuff wall": ([], 50, 190, [("mean of the paper's 250 runs, Table 2", 163.25)]),
 }
 SHOWN_VARIANTS = {"WS.40": ["joints 3 times softer"], "WS.100": ["joints 3 times softer"], "SW.100": ["joints 3 times softer"],
-                  "COMP2_1": ["ft 0.05 MPa"], "tuff wall": ["1 mm/s", "cohesion 1.5 ft as in Table 2"]}
+                  "COMP2_1": ["3 points per face"],
+                  "tuff wall": ["1 mm/s, damping 0.8", "cohesion 1.5 ft as in Table 2"]}
+# COMP2_1: its peaks at a drift of 0.37 % of 2.71 m, the end of the idealised branch at 0.0479 %
+BRANCH = {"COMP2_1": [(0, 0), (1.298, 56.09)]}
+POINTS = {"COMP2_1": [("measured peak, + direction", 10.03, 59.14, INK), ("measured peak, - direction", 10.03, 58.43, "#999")]}
 PICTURES = ["10 mm", "20 mm", "30 mm"]
 
 
@@ -65,17 +69,32 @@ def curve_figure(case, out, folder_of, figures):
     for (name, path), colour in zip(tests, (INK, "#888")):
         points = read_curve(os.path.join(HERE, path), "top_displacement_mm", "horizontal_force_kN")
         figure.line(points, "measured" + ("" if len(tests) == 1 else ", " + name), colour)
-    figure.line(own, "wythe", COLOURS[0], width=2.2)
+    if case in BRANCH:
+        figure.line(BRANCH[case], "measured, idealised elastic branch", INK)
     for name, colour in zip(SHOWN_VARIANTS.get(case, []), COLOURS[1:]):
         points = read_curve(os.path.join(folder_of(out, f"{case}, {name}"), "force_displacement.csv"))
         if points:
-            figure.line(points, "wythe, " + name, colour, "1.5 2.5")
-    for (name, value), colour in zip(levels, ("#2b5f8a", "#6a8f3a")):
-        figure.level(value, name, colour)
+            figure.line(points, "wythe, " + name, colour, width=1.2)
+    figure.line(own, "wythe", COLOURS[0], width=2)
+    for name, value in levels:
+        figure.level(value, name)
+    for name, at, value, colour in POINTS.get(case, []):
+        figure.point(at, value, name, colour)
     name = f"validation_{slug(case)}.svg"
     with open(os.path.join(figures, name), "w", encoding="utf-8") as file:
         file.write(figure.svg())
     return [f"![{case}: force and displacement](figures/{name})", ""]
+
+
+def picture_style(style, svg):
+    """The report's rules that the picture uses, without the dark and the printed variant."""
+    used = set(re.findall(r'class="([^"]*)"', svg))
+    used = {"." + name for names in used for name in names.split()}
+    style = re.sub(r"@media[^{]*\{(?:[^{}]*\{[^{}]*\})*[^{}]*\}", "", style)
+    rules = [(selector.strip(), body) for selector, body in re.findall(r"([^{}]+)\{([^{}]*)\}", style)]
+    kept = [f"{selector}{{{body}}}" for selector, body in rules
+            if "--ink:" in body or selector.startswith("svg") or used & set(re.findall(r"\.\w+", selector))]
+    return "\n".join(kept)
 
 
 def wall_pictures(out, folder_of, figures):
@@ -98,9 +117,12 @@ def wall_pictures(out, folder_of, figures):
         head, rest = svg.split(">", 1)
         name = f"validation_tuff_wall_{slug(label)}.svg"
         with open(os.path.join(figures, name), "w", encoding="utf-8") as file:
-            file.write(f"{head}>\n<style><![CDATA[{style}]]></style>{rest}\n")
-        lines += [f"![the wall at {label}](figures/{name})", "", words, ""]
-    return lines
+            file.write(f"{head}>\n<style><![CDATA[{picture_style(style, svg)}]]></style>\n"
+                       f'<rect width="100%" height="100%" fill="white"/>{rest}\n')
+        lines += [f"![the wall at {label}](figures/{name})", "", words.removeprefix(label + ": "), ""]
+    key = ("Orange: open; blue: slipped; brown: closed again; dashed: softening, not cracked through; dot: crushed end. "
+           "Thicker is wider.")
+    return [key, ""] + lines if lines else []
 
 
 def crack_table(out, folder_of):
@@ -109,6 +131,7 @@ def crack_table(out, folder_of):
         return []
     rows = [[f"{r['at']:.1f}", r["pier bases"], r["connections"], r["pier shafts"], r["spandrel"],
              f"{100 * r['crossing']:.0f} %", r["levels"], r["upright"]] for r in cracks.crack_rows(folder)]
+    rows = [row for row, before in zip(rows, [None] + rows) if row != before]  # the state at the peak may be one asked for
     head = ["displacement, mm", "pier bases", "connections", "pier shafts", "spandrel, inner",
             "inner columns with a broken bed joint", "bed joints slipped over 1 mm: levels",
             "upright joints broken, inner spandrel"]
@@ -138,11 +161,18 @@ def section(title, folder, cases, registry, variants):
 
 
 def made_with(out, folder_of):
-    summary = load_json(folder_of(out, "WS.40"), "summary.json")
-    if summary is None:
-        return ""
-    made = summary["provenance"]
-    return f"Runs made with wythe {made['version']}, commit {made['commit']}, {made['compiler']}."
+    """Which builds the runs come from, with the number of runs of each."""
+    builds = {"base runs": {}, "variants": {}}
+    for run in read_csv("runs.csv"):
+        summary = load_json(folder_of(out, run["run"]), "summary.json")
+        if summary is None:
+            continue
+        made = summary["provenance"]
+        found = builds["base runs" if run["group"] == "base" else "variants"]
+        build = f"wythe {made['version']} {made['commit']}, {made['compiler']}"
+        found[build] = found.get(build, 0) + 1
+    told = [f"{count} {kind} with {build}" for kind, found in builds.items() for build, count in found.items()]
+    return "Builds: " + "; ".join(told) + "." if told else ""
 
 
 def write(out, page, folder_of):

@@ -53,6 +53,11 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, Result& 
       next_close_(window_),
       state_at_(model.output.states) {
   std::sort(state_at_.begin(), state_at_.end());
+  // The curve is that of the last stage that has one.
+  result_.curve.clear();
+  result_.events.clear();
+  result_.snapshots.clear();
+  result_.joint_crack_displacement.clear();
   if (result_.joint_crack_displacement.empty())
     result_.joint_crack_displacement.assign(static_cast<std::size_t>(model.n_joint),
                                             std::numeric_limits<double>::quiet_NaN());
@@ -77,18 +82,23 @@ void Recorder::take(const Stepper& stepper, const State& state, const Controls& 
   reaction_sum_ += reaction;
   ++steps_;
   const bool closes = travelled >= next_close_;
-  if (state.step % kShearEvery == 0 || closes) {
+  sample(stepper, state, controls, closes);
+  row_closed_ = closes;
+  if (closes) close_row(state);
+}
+
+void Recorder::sample(const Stepper& stepper, const State& state, const Controls& controls,
+                      bool all) {
+  if (state.step % kShearEvery == 0 || all) {
     shear_sum_ += base_shear(model_, stepper.workspace(), stage_.drive_x, stage_.drive_y);
     const double work = std::fabs(state.work_drive - work_at_start_);
     if (work > 0) kinetic_sum_ += kinetic_energy(model_, state, controls.mass_scaling) / work;
     ++shear_samples_;
   }
-  if (state.step % kUnbalanceEvery == 0 || closes) {
+  if (state.step % kUnbalanceEvery == 0 || all) {
     unbalance_sum_ += unbalance_ratio(model_, stepper.workspace());
     ++unbalance_samples_;
   }
-  row_closed_ = closes;
-  if (closes) close_row(state);
 }
 
 void Recorder::close_row(const State& state) {
@@ -102,6 +112,10 @@ void Recorder::close_row(const State& state) {
   row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
   row.load_factor = load_factor_;
   result_.curve.push_back(row);
+  const bool low = row.reaction < stage_.spec.stop_below * peak_;
+  low_rows_ = low && std::fabs(displacement_) >= furthest_ ? low_rows_ + 1 : 0;
+  furthest_ = std::max(furthest_, std::fabs(displacement_));
+  full_window_ = steps_;
   reaction_sum_ = shear_sum_ = unbalance_sum_ = kinetic_sum_ = 0;
   steps_ = shear_samples_ = unbalance_samples_ = 0;
   next_close_ += window_;
@@ -140,13 +154,18 @@ void Recorder::note_cracks(const State& state, double displacement, double react
   }
 }
 
-bool Recorder::fell_below(double share) const {
-  return peak_ > 0 && !result_.curve.empty() && result_.curve.back().reaction < share * peak_;
+bool Recorder::fell_below() const {
+  constexpr int kRows = 3;
+  return low_rows_ >= kRows;
 }
 
-void Recorder::finish(const State& state) {
+void Recorder::finish(const Stepper& stepper, const State& state, const Controls& controls) {
   if (start_time_ < 0) return;
-  if (steps_ > 0) close_row(state);
+  // A window cut short is too noisy a mean to stand beside the others.
+  if (2 * steps_ >= full_window_ && steps_ > 0) {
+    sample(stepper, state, controls, true);
+    close_row(state);
+  }
   if (peak_ > 0) {
     const double reaction = peak_;
     result_.snapshots.push_back({"peak", peak_displacement_, reaction, std::move(peak_state_)});

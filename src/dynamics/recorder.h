@@ -19,12 +19,14 @@ class Recorder {
   void take(const Stepper& stepper, const State& state, const Controls& controls, double reaction,
             double displacement, double load_factor, double travelled);
   // Closes the last window and adds the snapshot "end".
-  void finish(const State& state);
-  // True when the last closed row fell below `share` of the peak so far.
-  [[nodiscard]] bool fell_below(double share) const;
+  void finish(const Stepper& stepper, const State& state, const Controls& controls);
+  // True when the last rows, all beyond any displacement before, lie below the stage's stop_below
+  // share of the peak so far.
+  [[nodiscard]] bool fell_below() const;
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:
+  void sample(const Stepper& stepper, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
@@ -45,6 +47,9 @@ class Recorder {
   std::size_t next_state_ = 0;
   std::vector<double> state_at_;
   bool row_closed_ = false;
+  long full_window_ = 0;  // steps of the last window that was closed whole
+  double furthest_ = 0;   // largest displacement of a row so far [m]
+  int low_rows_ = 0;      // rows below stop_below in a row
 };
 
 }  // namespace wythe::dynamics

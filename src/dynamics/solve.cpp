@@ -54,8 +54,9 @@ std::function<void(const Progress&)> throttled(const Model& model, const State& 
 
 double top_displacement(const Model& model, const State& state) {
   double moved = 0;
+  const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
   for (std::size_t i = 0; i < state.ux.size(); ++i)
-    if (model.centroid_y[i] > 0.9 * model.anatomy.height)
+    if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
       moved = std::max(moved, std::fabs(state.ux[i]));
   return moved;
 }

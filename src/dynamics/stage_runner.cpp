@@ -90,7 +90,7 @@ StageEnd StageRunner::run_quasi_static(const Stage& stage) {
       if (state_.stage_time > limit) return unsettled(stage, ratio);
     }
     if (state_.step % kWatchEvery == 0) {
-      const StageEnd watched = watch(stage, model_.solve.collapse_displacement, 0);
+      const StageEnd watched = watch(stage, 0);
       if (!watched.finished) return watched;
     }
   }
@@ -126,11 +126,8 @@ StageEnd StageRunner::run_push(const Stage& stage) {
       ++state_.target;
       state_.turn_time = state_.stage_time;
     }
-    if (state_.step % kWatchEvery == 0)
-      end = watch(stage, std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement,
-                  state_.travelled / path);
-    if (recorder.row_closed() && stage.spec.stop_below > 0 &&
-        recorder.fell_below(stage.spec.stop_below))
+    if (state_.step % kWatchEvery == 0) end = watch(stage, state_.travelled / path);
+    if (recorder.row_closed() && stage.spec.stop_below > 0 && recorder.fell_below())
       end = {SolveStatus::kCollapsed,
              fmt::format("the reaction fell below {:g} of its peak at {:.2f} mm",
                          stage.spec.stop_below, 1e3 * state_.drive_displacement),
@@ -138,7 +135,7 @@ StageEnd StageRunner::run_push(const Stage& stage) {
   }
   if (end.finished) state_.target = 0;
   controls_.push = nullptr;
-  recorder.finish(state_);
+  recorder.finish(stepper_, state_, controls_);
   return end;
 }
 
@@ -150,7 +147,7 @@ void StageRunner::set_factor(const Stage& stage, double factor) {
     state_.gravity_y = -g * tilt.cos;
   } else {
     state_.gravity_x = g * factor * stage.drive_x;
-    state_.gravity_y = -g + g * factor * stage.drive_y;
+    state_.gravity_y = -g;
   }
   state_.body_factor = factor;
 }
@@ -185,9 +182,9 @@ StageEnd StageRunner::run_factor(const Stage& stage) {
     if (state_.stage_time - last_growth > model_.solve.settle_limit)
       end = standstill(stage, carried, moved, moved_then);
     else if (state_.step % kWatchEvery == 0)
-      end = watch(stage, model_.solve.collapse_displacement, factor / last);
+      end = watch(stage, factor / last);
   }
-  recorder.finish(state_);
+  recorder.finish(stepper_, state_, controls_);
   result_.load_factor = state_.load_factor;
   if (end.status == SolveStatus::kCollapsed)
     end.reason = fmt::format("{}; the largest load factor carried is {:.4f}", end.reason,
@@ -208,12 +205,26 @@ StageEnd StageRunner::standstill(const Stage& stage, double carried, double move
           false};
 }
 
+// The last push before a stage, or null.
+const Stage* StageRunner::push_before(const Stage& stage) const {
+  const Stage* last = nullptr;
+  for (const Stage& other : model_.stages) {
+    if (&other == &stage) break;
+    if (other.spec.kind == StageKind::kPush) last = &other;
+  }
+  return last;
+}
+
+// Nothing new: loads stay, and what an earlier push drives stays where it is.
 StageEnd StageRunner::run_hold(const Stage& stage) {
+  if (const Stage* push = push_before(stage)) {
+    stepper_.choose_driven(push->driven);
+    controls_.push = push;
+  }
   while (state_.stage_time < stage.spec.duration) {
     stepper_.step(state_, controls_);
     if (state_.step % kWatchEvery != 0) continue;
-    const StageEnd end =
-        watch(stage, model_.solve.collapse_displacement, state_.stage_time / stage.spec.duration);
+    const StageEnd end = watch(stage, state_.stage_time / stage.spec.duration);
     if (!end.finished) return end;
   }
   return {};
@@ -230,7 +241,9 @@ double StageRunner::furthest_block(BlockId* block) const {
   return std::sqrt(furthest);
 }
 
-StageEnd StageRunner::watch(const Stage& stage, double allowed, double share) {
+// Interrupt, budget, instability, and collapse: a block farther off than the push can have brought it.
+StageEnd StageRunner::watch(const Stage& stage, double share) {
+  const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
   if (options_.progress)
     options_.progress({stage.spec.name.c_str(), share, state_.drive_displacement,
                        result_.curve.empty() ? 0.0 : result_.curve.back().reaction});

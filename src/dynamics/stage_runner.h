@@ -34,7 +34,8 @@ class StageRunner {
 
   void set_ramp(const Stage& stage, double share);
   void set_factor(const Stage& stage, double factor);
-  StageEnd watch(const Stage& stage, double allowed_displacement, double share);
+  StageEnd watch(const Stage& stage, double share);
+  [[nodiscard]] const Stage* push_before(const Stage& stage) const;
   [[nodiscard]] StageEnd unsettled(const Stage& stage, double ratio) const;
   [[nodiscard]] StageEnd standstill(const Stage& stage, double carried, double moved,
                                     double then) const;

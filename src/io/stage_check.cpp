@@ -119,6 +119,14 @@ void check_push(Reader& reader, const StageSpec& stage) {
   if (reader.has("targets") && stage.targets.empty() &&
       !reader.context().has_fault_at(reader.below("targets")))
     reader.refuse("targets", "is empty", "write e.g. targets = [\"2 mm\", \"-2 mm\"]");
+  const auto same = [](double a, double b) { return a == b; };
+  const bool idle =
+      !stage.targets.empty() &&
+      (stage.targets.front() == 0 ||
+       std::adjacent_find(stage.targets.begin(), stage.targets.end(), same) != stage.targets.end());
+  if (idle)
+    reader.refuse("targets", "holds a target that is reached before it is driven to",
+                  "start from a displacement other than 0 and change it at each target");
   if (reader.has("at") && !place_has_faults(reader)) check_place(reader, stage.at);
 }
 

@@ -56,6 +56,11 @@ class MaterialTable {
     const JointMaterial& material = spec_.material.at(name);
     for (const MaterialFault& fault : check_joint_material(material))
       faults_.add({"", "material." + name + "." + fault.key, "", fault.problem, fault.cure, 0});
+    if (material.tensile_strength == 0 && material.cohesion > 0)
+      model_.anatomy.notes.push_back(
+          fmt::format("material.{}: without tensile strength its cohesion is lost from the start "
+                      "(damage 1), the residual friction governs",
+                      name));
     return add(name, material);
   }
 

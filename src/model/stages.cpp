@@ -32,6 +32,7 @@ class StageCompiler {
       set_direction(stage);
       if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
       if (stage.spec.kind == StageKind::kPush) set_driven(stage);
+      refuse_second_factor(stage);
       model_.stages.push_back(std::move(stage));
     }
   }
@@ -39,6 +40,16 @@ class StageCompiler {
  private:
   void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  // A second body force or tilt would have to take the first one back on its way.
+  void refuse_second_factor(const Stage& stage) {
+    const bool factor =
+        stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
+    if (factor && has_factor_)
+      fault("kind", "", "a model holds one body_force or tilt stage only",
+            "run the second one on a model of its own");
+    has_factor_ = has_factor_ || factor;
   }
 
   void set_defaults(Stage& stage) const {
@@ -65,7 +76,8 @@ class StageCompiler {
     const StageSpec& s = stage.spec;
     if (std::isfinite(s.beam_load)) load_role(stage, Role::kBeam, s.beam_load, "beam_load");
     if (std::isfinite(s.pressure))
-      press(stage, 0, assembly_.length, s.pressure * assembly_.thickness, "pressure");
+      press(stage, lowest(&Vec2::x), lowest(&Vec2::x) + assembly_.length,
+            s.pressure * assembly_.thickness, "pressure");
     if (!std::isfinite(s.pier_load)) return;
     if (s.as == Manner::kPlate) {
       load_role(stage, Role::kPlate, s.pier_load, "pier_load");
@@ -120,6 +132,16 @@ class StageCompiler {
             "load the wall through a beam: [wall.beam] and beam_load");
   }
 
+  // Least x or y of the moving blocks: a blocks file need not start at the origin.
+  [[nodiscard]] double lowest(double Vec2::*axis) const {
+    double least = 1e300;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
+      if (map_[b] == kGroundBlock) continue;
+      for (const Vec2& v : assembly_.blocks[b].outline) least = std::min(least, v.*axis);
+    }
+    return least;
+  }
+
   [[nodiscard]] double top_of_wall() const {
     double top = -1e300;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
@@ -129,6 +151,11 @@ class StageCompiler {
 
   void set_driven(Stage& stage) {
     const PlaceSpec& at = stage.spec.at;
+    const bool moves = stage.spec.targets.empty()
+                           ? stage.spec.until > 0
+                           : std::any_of(stage.spec.targets.begin(), stage.spec.targets.end(),
+                                         [](double target) { return target != 0; });
+    if (!moves) fault("until", "", "a push must go somewhere", "write e.g. until = \"50 mm\"");
     std::vector<std::size_t> found;
     if (at.beam || !at.block.empty())
       found = named_blocks(at);
@@ -148,7 +175,7 @@ class StageCompiler {
             "= 3 }");
       return;
     }
-    stage.load_height = height / static_cast<double>(stage.driven.size());
+    stage.load_height = height / static_cast<double>(stage.driven.size()) - lowest(&Vec2::y);
   }
 
   [[nodiscard]] std::vector<std::size_t> named_blocks(const PlaceSpec& at) const {
@@ -234,6 +261,7 @@ class StageCompiler {
   Model& model_;
   FaultList& faults_;
   std::string path_;
+  bool has_factor_ = false;
 };
 
 }  // namespace

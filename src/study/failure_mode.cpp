@@ -6,9 +6,10 @@
 //   spandrel   inner columns of the spandrel with such a bed joint                 sheared  >= 0.7
 //   pier i     courses of the pier's shaft with such a vertical joint inside       cracked  >= 0.4
 //   slide i    columns of the pier in its most slipped course                      slides   >= 0.9
-//   rock i     opening of the pier's base at the tension side / its lateral motion rocks    >= 0.2
+//   rock       widest opening at a pier's base                                     rocks    >= 1 mm
 //
-//   no spandrel shear: FM-5 no pier, FM-1 one pier, FM-2 both; spandrel shear: FM-3 any pier, FM-4 none.
+//   no spandrel shear: FM-5 no pier and rocking, FM-1 one pier, FM-2 both; spandrel shear: FM-3 any
+//   pier, FM-4 none. Each claim counts from 0 to 1 over a tenth on either side of its threshold.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -167,11 +168,14 @@ class Namer {
     const double s = holds(sheared, kSheared);
     const double left = holds(cracked_[0], kCracked), right = holds(cracked_[1], kCracked);
     const double none = (1 - left) * (1 - right), both = left * right;
+    const double opened = std::max(opened_[0], opened_[1]) / kVisible;
+    note("piers", "opening at a base", 1e3 * kVisible * opened, 1e3 * kVisible, "mm");
+    const double rocks = holds(opened, 1.0);
     mode_.scores = {{"FM-1", (1 - s) * (1 - none - both)},
                     {"FM-2", (1 - s) * both},
                     {"FM-3", s * (1 - none)},
                     {"FM-4", s * none},
-                    {"FM-5", (1 - s) * none}};
+                    {"FM-5", (1 - s) * none * rocks}};
     name_highest_score();
   }
 
@@ -187,14 +191,18 @@ class Namer {
         {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
         {"FM-4",
          "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
-        {"FM-5",
-         "the piers rock, with flexural cracks at the connections and crushing at the toes"}};
+        {"FM-5", "the piers rock, with flexural cracks at the connections"}};
     std::vector<std::pair<double, std::string>> ranked;
     for (const auto& [name, score] : mode_.scores) ranked.emplace_back(-score, name);
     std::sort(ranked.begin(), ranked.end());
     const std::string first = ranked[0].second, second = ranked[1].second;
     mode_.name = first;
     mode_.sentence = kWords.at(first);
+    if (-ranked[0].first < kClear) {
+      mode_.name = "unclear";
+      mode_.sentence = "no mechanism shows at this displacement";
+      return;
+    }
     if (ranked[1].first - ranked[0].first >= kClear) return;
     mode_.name = "unclear";
     mode_.sentence = fmt::format("between {} ({}) and {} ({})", first, kWords.at(first), second,

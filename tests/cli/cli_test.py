@@ -278,6 +278,37 @@ class Behaviour(Base):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("collapsed", done.stdout)
 
+    def test_hold_keeps_the_pushed_blocks_where_they_are(self):
+        hold = '[[stage]]\nname = "hold"\nduration = "0.05 s"\n'
+        done = wythe("run", self.model(SMALL + hold), "--out", self.out, "--quiet", "--set", "stage.push.until=1 mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        top = json.loads((self.out / "summary.json").read_text())["top_displacement_mm"]
+        self.assertGreater(top, 0.8)
+
+    def test_idle_targets_and_a_second_factor_are_refused(self):
+        done = wythe("check", self.model(), "--set", 'stage.push.targets=["0 mm"]')
+        self.assertEqual(done.returncode, 2)
+        factor = '[[stage]]\nname = "{}"\nkind = "body_force"\nrate = "0.1 1/s"\nfactor = 0.1\n'
+        done = wythe("check", self.model(SMALL + factor.format("east") + factor.format("west")))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("one body_force or tilt", done.stderr)
+
+    def test_cyclic_push_does_not_stop_on_unloading(self):
+        done = wythe("run", self.model(), "--out", self.out, "--quiet", "--set",
+                     'stage.push.targets=["0.5 mm", "-0.5 mm", "0 mm"]', "--set", "stage.push.stop_below=0.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("status completed", done.stdout)
+        with open(self.out / "force_displacement.csv") as file:
+            rows = list(csv.DictReader(file))[1:]
+        self.assertTrue(all(float(row["unbalance_ratio"]) > 0 for row in rows))
+
+    def test_a_wall_that_did_nothing_has_no_mode(self):
+        opening = '[[wall.opening]]\nx = "0.3 m"\ny = "0 m"\nwidth = "0.2 m"\nheight = "0.4 m"\n'
+        done = wythe("run", self.model(SMALL + opening), "--out", self.out, "--quiet", "--set",
+                     "stage.push.until=0.02 mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads((self.out / "summary.json").read_text())["failure_mode"]["name"], "unclear")
+
     def test_version_and_help(self):
         self.assertIn("wythe", wythe("--version").stdout)
         for command in ("run", "check", "contact"):
