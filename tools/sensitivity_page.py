@@ -7,9 +7,8 @@ HEAD = """# Sensitivity of the tuff wall
 Made by `tools/sensitivity run` on the released binary and `tools/sensitivity page`; the model is
 `examples/tuff_wall/model.toml` (Table 1 of the paper), each row changes only what it names. Forces are
 averaged over one row of the curve (a window of 0.1 mm) unless stated. D is the displacement at 80 % of the
-peak after it; ">" means the push ended first. A single run's D is not reproducible against rounding or a
-10 % smaller step (a standard deviation of about 4 mm, 1.0-1.4 kN on the peak, as an independent prototype
-found on 48 samples): read differences below that as noise.
+peak after it; ">" means the push ended first. "Drag" is the mean gap between reaction and base shear over
+the peak, "ledger gap" what the energy ledger misses.
 """
 
 
