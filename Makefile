@@ -29,9 +29,9 @@ demo: configure  ## run one wall and say where its report is (DEMO=model.toml)
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
 
-bench:           ## timings of kernels and whole walls
-	@$(MAKE) --no-print-directory build PRESET=bench
-	build/bench/benchmarks/wythe_bench
+bench: configure ## ns per point update: law, bare kernel, engine
+	@cmake --build --preset $(PRESET) --target wythe_bench
+	$(BUILD)/benchmarks/wythe_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
 
 docs: configure  ## write docs/reference from the specs' descriptions
 	@cmake --build --preset $(PRESET) --target wythe_reference

@@ -8,7 +8,8 @@
 //   crushing   w_e = w + p,  p >= 0 grows where kn w_e < -fc(p)          area Gc
 //   tension    y = 1 - dt = g(ft/GI (kappa - y w0)),  w0 = ft/kn         area GI, elastic part included
 //   shear      T = R + B (1 - ds),  ds = 1 - g(s (t0 - tr)/GII)          work above the residual GII
-//   coupling   1 - d = (1 - dt)(1 - ds)   or   min(1 - dt, 1 - ds)
+//   coupling   1 - d = (1 - dt)(1 - ds)  or  min(1 - dt, 1 - ds); with stiffness damage shear sees
+//              1 - secant/kn in place of dt
 //   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
 //
 // The return in shear is implicit in ds and the crushing return in p: on a straight piece of path at

@@ -127,9 +127,8 @@ void add_curve_events(Result& result) {
                    [](const Event& a, const Event& b) { return a.displacement < b.displacement; });
 }
 
-double expected_seconds(const Model& model, const Stage& stage) {
+double expected_seconds(const Stage& stage) {
   constexpr double kSettle = 0.1;  // what a wall usually needs after the ramp [s]
-  static_cast<void>(model);
   const StageSpec& s = stage.spec;
   switch (s.kind) {
     case StageKind::kGravity:

@@ -23,7 +23,7 @@ class ProgressScale {
   explicit ProgressScale(const Model& model) {
     for (const Stage& stage : model.stages) {
       const double steps =
-          dynamics::expected_seconds(model, stage) / dynamics::stage_time_step(model, stage);
+          dynamics::expected_seconds(stage) / dynamics::stage_time_step(model, stage);
       total_ += steps;
       until_.push_back(total_);
     }
@@ -96,7 +96,7 @@ Estimate estimate(const Model& model) {
   double steps = 0;
   for (const Stage& stage : model.stages) {
     e.time_step = dynamics::stage_time_step(model, stage);
-    steps += dynamics::expected_seconds(model, stage) / e.time_step;
+    steps += dynamics::expected_seconds(stage) / e.time_step;
   }
   e.steps = static_cast<std::int64_t>(steps);
   // a short trial at rest: the step costs the same whatever the joints do

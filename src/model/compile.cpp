@@ -67,8 +67,8 @@ void check_settings(const SolveSpec& solve, FaultList& faults) {
     fault("solve.step_fraction", solve.step_fraction,
           "is beyond the stability limit 1/sqrt(1 + damping) of local damping",
           "write step_fraction = 0.5, or lower the damping");
-  if (!(solve.gravity > 0))
-    fault("solve.gravity", solve.gravity, "must be positive", "write gravity = \"9.81 m/s^2\"");
+  if (!(solve.gravity >= 0))
+    fault("solve.gravity", solve.gravity, "must not be negative", "write gravity = \"9.81 m/s^2\"");
 }
 
 }  // namespace
