@@ -10,7 +10,7 @@
 #include "wythe/io.h"
 #include "wythe/report.h"
 #include "wythe/solve.h"
-#include "wythe/study.h"
+#include "wythe/failure_mode.h"
 
 namespace wythe::app {
 namespace {

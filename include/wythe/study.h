@@ -1,14 +1,105 @@
-// Naming the failure: from the state of the joints, by rules anyone can read.
+// A study: a base model, its uncertain inputs, and the samples drawn from them.
+//
+//   study.toml --read_study()--> StudySpec --draw_samples()--> SampleTable --settings_of(i)--> model i
+//
+// A sample is the base model with settings ("material.joint.tensile_strength = 143215.2 Pa"), the
+// same ones `wythe run --set` takes: any sample can be run alone from two texts, with equal bits.
 #pragma once
 
-#include "wythe/model.h"
-#include "wythe/result.h"
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "wythe/wall_spec.h"
 
 namespace wythe {
 
-// Reads what happened to each pier, spandrel and connection from the snapshots of a push and names
-// the mode: FM-1 ... FM-5 for a wall of two piers and one opening, a plain name otherwise, "unclear"
-// where margins are small. Read at 40 mm, or at the last snapshot of a shorter push.
-[[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result);
+enum class Design { kLatinHypercube, kMonteCarlo, kSobol };
+enum class DistributionKind {
+  kNormal,
+  kLognormal,
+  kUniform,
+  kTriangular,
+  kBeta,
+  kWeibull,
+  kEmpirical
+};
+
+// A quantity of the model, or a number of the study's own, with the unit it is shown in.
+struct InputSpec {
+  std::string name;     // as in the study file: [variable.<name>], [dependent.<name>]
+  std::string path;     // key of the model it sets; "": only used in formulas
+  std::string si_unit;  // "Pa", "rad", "1"
+  std::string unit;     // shown, e.g. "MPa", "deg", "1"
+};
+
+// A random input. Parameters not given are kUnset; which ones a kind takes: docs/reference/study.md.
+struct VariableSpec : InputSpec {
+  DistributionKind distribution = DistributionKind::kNormal;
+  double mean = kUnset, cov = kUnset, standard_deviation = kUnset;  // [SI], [-], [SI]
+  double low = kUnset, high = kUnset, mode = kUnset;                // uniform, triangular, beta
+  double shape = kUnset, scale = kUnset, location = kUnset;         // Weibull
+  double alpha = kUnset, beta = kUnset;                             // beta
+  double lower = kUnset, upper = kUnset;                            // truncation
+  std::string file, column;    // empirical: CSV and its column
+  std::vector<double> values;  // empirical, read from the file [SI]
+};
+
+// A quantity that follows from others: `formula` over names of variables and dependents.
+struct DependentSpec : InputSpec {
+  std::string formula;  // "1.5 * ft_j", "0.029 mm * ft_j"
+};
+
+// Correlation of a pair of variables: of the Gaussian copula, or Spearman's rank correlation.
+struct CorrelationSpec {
+  std::string a, b;
+  double value = 0;
+  bool rank = false;
+};
+
+struct StudySpec {
+  std::string name, note;
+  std::string file;                   // the study file, for messages
+  std::string model_file;             // the base model's file, for messages and relative paths
+  std::string model_text;             // the base model, as TOML
+  std::vector<std::string> settings;  // of the base model, before the samples' own: "path=value"
+  std::vector<VariableSpec> variable;
+  std::vector<DependentSpec> dependent;
+  std::vector<CorrelationSpec> correlation;
+  Design design = Design::kLatinHypercube;
+  std::vector<int> batch;  // sizes of the designs drawn one after another; usually one
+  std::uint64_t seed = 0;
+  std::vector<double> states;     // displacements at which damage states are stored [m]
+  std::vector<double> fractions;  // of the peak, after it, at which displacements are read
+  double read_modes_at = kUnset;  // displacement at which failure modes are named [m]
+  std::string until;              // stop rule, "" none
+};
+
+// One column of the samples' inputs: the variables in their order, then the dependents.
+struct InputColumn {
+  std::string name, path, si_unit, unit;
+  double to_unit = 1, offset = 0;  // shown = SI * to_unit + offset
+  bool is_random = true;
+};
+
+struct SampleTable {
+  std::vector<InputColumn> column;
+  std::vector<std::vector<double>> value;  // (n_sample, n_column) [SI]
+  std::vector<double> cut_off;             // probability cut by truncation (n_variable)
+  [[nodiscard]] int n_sample() const { return static_cast<int>(value.size()); }
+};
+
+// Draws every sample of the study. Sample i of a batch depends on (seed, i, n, design, batch) only.
+// Throws InputError with every fault (cycle or mismatched units in a formula, a correlation matrix
+// that is not positive definite, ...).
+[[nodiscard]] SampleTable draw_samples(const StudySpec& study);
+
+// "path=value unit" texts of one sample (0-based), 17 digits in SI units: exact.
+[[nodiscard]] std::vector<std::string> settings_of(const SampleTable& samples, int sample);
+
+// Makes the ModelSpec of the base model with settings; io.h has the one that reads TOML.
+using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& settings)>;
 
 }  // namespace wythe

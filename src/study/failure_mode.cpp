@@ -1,4 +1,4 @@
-// Names the failure of a pushed wall from what its joints did; see include/wythe/study.h.
+// Names the failure of a pushed wall from what its joints did; see include/wythe/failure_mode.h.
 //
 // Measures, each a share in [0, 1], on the wall's own grid (a joint counts when it has opened or
 // slipped by more than 1 mm, a tenth of the mortar bed: visible, and beyond any elastic motion):
@@ -18,7 +18,7 @@
 #include <set>
 #include <utility>
 
-#include "wythe/study.h"
+#include "wythe/failure_mode.h"
 
 namespace wythe {
 namespace {

@@ -1,0 +1,82 @@
+// A campaign: the samples of a study run over all cores into one store, and out of it again.
+//
+//   run_campaign(study) -> DIR/campaign.db (SQLite) -> read_campaign -> statistics, samples.csv
+//
+// Each sample is one transaction: killing the program loses only what was in flight. What a sample
+// answers depends on its inputs only, never on jobs, order, shard or resume.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wythe/result.h"
+#include "wythe/study.h"
+
+namespace wythe {
+
+// What one sample answered. `status` is a SolveStatus in words, or "refused" (its inputs are not
+// admissible: the reason says which and why), or "" while it has not run.
+struct SampleRecord {
+  int sample = 0;              // 1-based, as users count
+  std::vector<double> inputs;  // (n_column) [SI]
+  std::string status, reason;
+  bool retried = false;  // with half the step, after `unstable`
+  Responses responses;
+  FailureMode failure_mode;
+  EnergyLedger energy;
+  QuasiStatic quasi_static;
+  std::vector<CurveRow> curve;
+  std::int64_t steps = 0;
+  double time_step = 0;     // [s]
+  double wall_seconds = 0;  // says nothing about the wall: not in samples.csv
+  std::string state_hash;
+  [[nodiscard]] bool has_curve() const { return !curve.empty(); }
+};
+
+struct CampaignOptions {
+  int jobs = 0;                             // samples at once; 0: one per core
+  bool resume = false;                      // go on with what the folder's store holds
+  int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
+  const std::atomic<bool>* stop = nullptr;  // finish nothing half
+  std::string provenance;                   // version, commit, compiler, flags
+};
+
+struct CampaignProgress {
+  int done = 0, total = 0, running = 0;
+  double seconds = 0;       // since the start
+  double seconds_left = 0;  // estimate, < 0: not known yet
+  const SampleRecord* last = nullptr;
+};
+
+struct CampaignOutcome {
+  int done = 0, total = 0;
+  bool interrupted = false;
+  bool precise_enough = false;  // the study's `until` was met before all samples ran
+  std::string until_state;      // the rule's measures, in words
+};
+
+// Runs what the store in `folder` does not hold yet. Throws InputError (changed study on resume:
+// says what changed), IoError (locked, damaged or newer store, full disk).
+CampaignOutcome run_campaign(const StudySpec& study, const ModelBuilder& build,
+                             const std::string& folder, const CampaignOptions& options,
+                             const std::function<void(const CampaignProgress&)>& progress = {});
+
+// All a store holds but its states, samples in order.
+struct Campaign {
+  StudySpec study;
+  SampleTable samples;
+  std::vector<SampleRecord> records;  // those that ran, by sample number
+  double load_height = 0;             // for drift [m]
+  std::string provenance;
+};
+[[nodiscard]] Campaign read_campaign(const std::string& folder);
+// Stored states of one sample (single precision, for pictures): label, displacement, state.
+[[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample);
+// Joins shards of the same study; the answer equals that of the whole.
+void merge_campaigns(const std::vector<std::string>& folders, const std::string& out);
+
+}  // namespace wythe
