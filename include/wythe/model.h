@@ -92,7 +92,8 @@ struct Model {
 
   // read by gather and integrate (one row per block)
   std::vector<std::int32_t> block_begin;       // CSR (n_block + 1) into block_entry
-  std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b)
+  std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b);
+                                               // of each block first those of side a
   std::vector<double> mass;                    // inertia [kg] (n_block)
   std::vector<double> heavy_mass;              // what gravity pulls [kg] (n_block); 0 for plates,
                                                // whose weight is part of their load

@@ -28,11 +28,11 @@ struct SolveOptions {
 [[nodiscard]] Result solve(const Model& model, State& state, const SolveOptions& options = {});
 
 // One line about steps and time before a run, for `wythe check`.
-struct Estimate {
+struct RunEstimate {
   double time_step = 0;  // [s]
   std::int64_t steps = 0;
   double seconds = 0;  // on this machine, from a short trial
 };
-[[nodiscard]] Estimate estimate(const Model& model);
+[[nodiscard]] RunEstimate estimate(const Model& model);
 
 }  // namespace wythe

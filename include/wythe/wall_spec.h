@@ -118,13 +118,14 @@ struct StageSpec {
 };
 
 struct SolveSpec {
-  int points_per_face = 2;     // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: trapezoidal rule
-  double step_fraction = 0.5;  // of the stable step bound
-  double damping = 0.8;        // local damping
-  double gravity = 9.81;       // [m/s^2]
-  double settle_ratio = 1e-5;  // a stage has settled below this unbalance ratio
-  double settle_limit = 20;    // give up settling after this time [s]
-  double mass_scaling = 1;     // density scaling of the gravity and load stages
+  int points_per_face = 2;          // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: trapezoidal rule
+  double step_fraction = 0.7;       // of the stable step bound
+  double damping = 0.8;             // local damping
+  double gravity = 9.81;            // [m/s^2]
+  double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio
+  double settle_limit = 20;         // give up settling after this time [s]
+  double mass_scaling = 1;          // density scaling of the gravity and load stages
+  bool raise_light_inertia = true;  // of lintels, plates, beams that would rule the time step
   double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
 };
 

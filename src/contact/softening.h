@@ -20,7 +20,7 @@ struct Shape {
 };
 
 template <Softening kind, class Real>
-[[nodiscard]] Shape<Real> soften(Real x) {
+[[nodiscard]] WYTHE_INLINE Shape<Real> soften(Real x) {
   const Real zero(0.0), one(1.0);
   if constexpr (kind == Softening::kBilinear) {
     const Real g = maximum(zero, one - Real(0.5) * x);

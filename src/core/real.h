@@ -28,14 +28,14 @@ template <class Real>
 using bool_of_t = decltype(Real(0.0) < Real(0.0));
 
 template <class Real>
-[[nodiscard]] Real clip(Real a, Real low, Real high) {
+[[nodiscard]] WYTHE_INLINE Real clip(Real a, Real low, Real high) {
   return minimum(maximum(a, low), high);
 }
 
 // exp(-x) for x >= 0, zero beyond 45: Taylor of degree 11 at x/256, squared eight times.
 // Relative error below 1e-13 (tests/unit/real_test.cpp).
 template <class Real>
-[[nodiscard]] Real exp_of_minus(Real x) {
+[[nodiscard]] WYTHE_INLINE Real exp_of_minus(Real x) {
   const Real y = minimum(x, Real(45.0)) * Real(-1.0 / 256.0);
   Real p = Real(1.0);
   for (int k = 11; k >= 1; --k) p = Real(1.0) + p * y * Real(1.0 / k);

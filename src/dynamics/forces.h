@@ -12,29 +12,13 @@
 // acts at the block's own point, so that a block may slide any distance.
 //
 // The half-angle cosines of two blocks multiply to those of the mean angle: no root, no division.
+// Real is one joint (double) or neighbours side by side (Pack); Lanes<Real> loads and stores them.
 #pragma once
 
-#include "contact/law.h"
-#include "wythe/model.h"
+#include "dynamics/kernels.h"
+#include "dynamics/lanes.h"
 
 namespace wythe::dynamics {
-
-// Pointers to what the pass reads and writes; Real is the type of everything that differs between
-// samples, so that lanes of samples run through the same code.
-template <class Real>
-struct JointView {
-  const BlockId *a, *b;
-  const std::int32_t* material;
-  const double *arm_a_x, *arm_a_y, *arm_b_x, *arm_b_y;
-  const double *half_x, *half_y, *tangent_x, *tangent_y, *area;
-  const double *xi, *weight;
-  int n_face_point;
-  const contact::LawConstants<Real>* law;
-
-  const Real *ux, *uy, *half_cos, *half_sin;
-  Real *kappa, *crush, *plastic_slip, *slip, *shear_damage, *tension_set;
-  Real *force_x, *force_y, *moment_a, *moment_b;
-};
 
 template <class Real>
 struct JointWork {
@@ -50,15 +34,13 @@ struct FaceMotion {
 };
 
 template <class Real>
-[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const JointView<Real>& v, BlockId block,
-                                                        double arm_x, double arm_y, double ex,
-                                                        double ey) {
-  const auto i = static_cast<std::size_t>(block);
-  const Real c = v.half_cos[i], s = v.half_sin[i];
+[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const Rows<Real>& pose, Real arm_x,
+                                                        Real arm_y, Real ex, Real ey) {
+  const Real c = pose.c2, s = pose.c3;
   const Real drop = Real(-2.0) * s * s;  // cos theta - 1, free of cancellation
   const Real sine = Real(2.0) * s * c;
   const Real dx = drop * arm_x - sine * arm_y, dy = sine * arm_x + drop * arm_y;
-  return {v.ux[i] + dx, v.uy[i] + dy,          arm_x + dx,
+  return {pose.c0 + dx, pose.c1 + dy,          arm_x + dx,
           arm_y + dy,   drop * ex - sine * ey, sine * ex + drop * ey};
 }
 
@@ -68,78 +50,158 @@ struct FaceForce {
   Real fn, ft, gn, gt;
 };
 
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointView<Real>& v, std::size_t joint,
-                                                      Real jn, Real jt, Real dn, Real dt,
+// Jump of the face centre and its growth along the face, in the joint's (n, t) axes.
+template <class Real>
+struct FaceJump {
+  Real jn, jt, dn, dt;
+};
+
+inline constexpr int kMaxFacePoints = 16;
+
+// The history of a joint's points; n_point = 0 stands for any number.
+template <int n_point, class V, class Real>
+struct FaceHistory {
+  contact::History<Real> at[n_point > 0 ? n_point : kMaxFacePoints];
+
+  WYTHE_INLINE void load(const JointArrays& v, std::size_t j) {
+    each(v, j,
+         [](const double* array, std::ptrdiff_t n, Real contact::History<Real>::*member,
+            contact::History<Real>* h) {
+           if constexpr (n_point == 2) {
+             Lanes<Real>::load_pairs(array, h[0].*member, h[1].*member);
+           } else {
+             for (int k = 0; k < n; ++k) h[k].*member = Lanes<Real>::load_point(array + k, n);
+           }
+         });
+  }
+  WYTHE_INLINE void store(const JointArrays& v, std::size_t j) {
+    each(v, j,
+         [](double* array, std::ptrdiff_t n, Real contact::History<Real>::*member,
+            const contact::History<Real>* h) {
+           if constexpr (n_point == 2) {
+             Lanes<Real>::store_pairs(h[0].*member, h[1].*member, array);
+           } else {
+             for (int k = 0; k < n; ++k) Lanes<Real>::store_point(h[k].*member, array + k, n);
+           }
+         });
+  }
+
+ private:
+  template <class Do>
+  WYTHE_INLINE void each(const JointArrays& v, std::size_t j, const Do& act) {
+    using H = contact::History<Real>;
+    const auto n = static_cast<std::ptrdiff_t>(n_point > 0 ? n_point : v.n_face_point);
+    const auto p = static_cast<std::ptrdiff_t>(j) * n;
+    act(v.kappa + p, n, &H::kappa, at);
+    act(v.crush + p, n, &H::crush, at);
+    act(v.plastic_slip + p, n, &H::plastic_slip, at);
+    act(v.slip + p, n, &H::slip, at);
+    act(v.shear_damage + p, n, &H::shear_damage, at);
+    if constexpr (V::unloading == Unloading::kElastic)
+      act(v.tension_set + p, n, &H::tension_set, at);
+  }
+};
+
+template <class V, int n_point, class Real>
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v,
+                                                      const contact::LawConstants<Real>& law,
+                                                      std::size_t j, const FaceJump<Real>& jump,
                                                       JointWork<Real>& work) {
-  const contact::LawConstants<Real>& law = v.law[v.material[joint]];
+  const int n = n_point > 0 ? n_point : v.n_face_point;
+  const Real area = Lanes<Real>::load(v.area + j);
+  FaceHistory<n_point, V, Real> history;
+  history.load(v, j);
   FaceForce<Real> sum{Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
-  for (int k = 0; k < v.n_face_point; ++k) {
-    const std::size_t p =
-        joint * static_cast<std::size_t>(v.n_face_point) + static_cast<std::size_t>(k);
-    contact::History<Real> h{v.kappa[p], v.crush[p],        v.plastic_slip[p],
-                             v.slip[p],  v.shear_damage[p], v.tension_set[p]};
+#pragma GCC unroll 2
+  for (int k = 0; k < n; ++k) {
+    const Real xi(v.xi[k]);
     const contact::Answer<Real> now =
-        contact::update<V>(law, jn + v.xi[k] * dn, jt + v.xi[k] * dt, h);
-    // commit: the one place where history advances
-    v.kappa[p] = h.kappa;
-    v.crush[p] = h.crush;
-    v.plastic_slip[p] = h.plastic_slip;
-    v.slip[p] = h.slip;
-    v.shear_damage[p] = h.shear_damage;
-    if constexpr (V::unloading == Unloading::kElastic) v.tension_set[p] = h.tension_set;
-    const double share = v.area[joint] * v.weight[k];
+        contact::update<V>(law, jump.jn + xi * jump.dn, jump.jt + xi * jump.dt, history.at[k]);
+    const Real share = area * Real(v.weight[k]);
     const Real fn = now.sigma * share, ft = now.tau * share;
-    sum = {sum.fn + fn, sum.ft + ft, sum.gn + fn * v.xi[k], sum.gt + ft * v.xi[k]};
+    sum = {sum.fn + fn, sum.ft + ft, sum.gn + fn * xi, sum.gt + ft * xi};
     work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
             work.crushing + now.crushing * share};
   }
+  history.store(v, j);  // commit: the one place where history advances
   return sum;
 }
 
-// Forces of the joints begin..end-1. A kernel: the block-block and the ground case share all but
-// the frame and the levers.
-template <class V, bool on_ground, class Real>
-[[nodiscard]] JointWork<Real> joint_forces(const JointView<Real>& v, JointId begin, JointId end) {
-  const Real half(0.5);
-  JointWork<Real> work{Real(0.0), Real(0.0), Real(0.0)};
-  for (auto j = static_cast<std::size_t>(begin); j < static_cast<std::size_t>(end); ++j) {
-    const double ex = v.half_x[j], ey = v.half_y[j];
-    const auto b = static_cast<std::size_t>(v.b[j]);
-    FaceMotion<Real> ma{};
-    const FaceMotion<Real> mb = face_motion(v, v.b[j], v.arm_b_x[j], v.arm_b_y[j], ex, ey);
-    Real cos(1.0), sin(0.0);
-    if constexpr (!on_ground) {
-      const auto a = static_cast<std::size_t>(v.a[j]);
-      ma = face_motion(v, v.a[j], v.arm_a_x[j], v.arm_a_y[j], ex, ey);
-      cos = v.half_cos[a] * v.half_cos[b] - v.half_sin[a] * v.half_sin[b];
-      sin = v.half_sin[a] * v.half_cos[b] + v.half_cos[a] * v.half_sin[b];
-    }
-    // frame, jump and its growth along the face
-    const Real tx = cos * v.tangent_x[j] - sin * v.tangent_y[j];
-    const Real ty = sin * v.tangent_x[j] + cos * v.tangent_y[j];
-    const Real jx = mb.move_x - ma.move_x, jy = mb.move_y - ma.move_y;
-    const Real dx = mb.turn_x - ma.turn_x, dy = mb.turn_y - ma.turn_y;
-    const FaceForce<Real> f = face_force<V>(v, j, jy * tx - jx * ty, jx * tx + jy * ty,
-                                            dy * tx - dx * ty, dx * tx + dy * ty, work);
-    // back to the wall's axes: n = (-ty, tx)
-    const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
-    const Real gx = f.gt * tx - f.gn * ty, gy = f.gt * ty + f.gn * tx;
-    v.force_x[j] = fx;
-    v.force_y[j] = fy;
-    if constexpr (on_ground) {
-      const Real hx = ex + mb.turn_x, hy = ey + mb.turn_y;
-      v.moment_b[j] = (mb.arm_y * fx - mb.arm_x * fy) + (hy * gx - hx * gy);
-    } else {
-      const Real hx = ex + half * (ma.turn_x + mb.turn_x), hy = ey + half * (ma.turn_y + mb.turn_y);
-      const Real couple = hx * gy - hy * gx;
-      const Real ax = ma.arm_x + half * jx, ay = ma.arm_y + half * jy;
-      const Real bx = mb.arm_x - half * jx, by = mb.arm_y - half * jy;
-      v.moment_a[j] = (ax * fy - ay * fx) + couple;
-      v.moment_b[j] = (by * fx - bx * fy) - couple;
-    }
+// Forces of joint j and its Lanes<Real>::width - 1 neighbours. A kernel: the block-block and the
+// ground case share all but the frame and the levers.
+template <class V, bool on_ground, int n_point, class Real>
+WYTHE_INLINE void joint_force(const JointArrays& v, const contact::LawConstants<Real>& law,
+                              std::size_t j, JointWork<Real>& work) {
+  using L = Lanes<Real>;
+  const Real half(0.5), ex = L::load(v.half_x + j), ey = L::load(v.half_y + j);
+  const Rows<Real> pose_b = L::load_rows(v.pose, v.b + j);
+  FaceMotion<Real> ma{Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
+  const FaceMotion<Real> mb =
+      face_motion(pose_b, L::load(v.arm_b_x + j), L::load(v.arm_b_y + j), ex, ey);
+  Real tx = L::load(v.tangent_x + j), ty = L::load(v.tangent_y + j);
+  if constexpr (!on_ground) {
+    const Rows<Real> pose_a = L::load_rows(v.pose, v.a + j);
+    ma = face_motion(pose_a, L::load(v.arm_a_x + j), L::load(v.arm_a_y + j), ex, ey);
+    const Real cos = pose_a.c2 * pose_b.c2 - pose_a.c3 * pose_b.c3;
+    const Real sin = pose_a.c3 * pose_b.c2 + pose_a.c2 * pose_b.c3;
+    const Real tx0 = tx;
+    tx = cos * tx0 - sin * ty;
+    ty = sin * tx0 + cos * ty;
   }
-  return work;
+  const Real jx = mb.move_x - ma.move_x, jy = mb.move_y - ma.move_y;
+  const Real dx = mb.turn_x - ma.turn_x, dy = mb.turn_y - ma.turn_y;
+  const FaceForce<Real> f = face_force<V, n_point>(
+      v, law, j, {jy * tx - jx * ty, jx * tx + jy * ty, dy * tx - dx * ty, dx * tx + dy * ty},
+      work);
+  // back to the wall's axes: n = (-ty, tx)
+  const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
+  const Real gx = f.gt * tx - f.gn * ty, gy = f.gt * ty + f.gn * tx;
+  if constexpr (on_ground) {
+    const Real hx = ex + mb.turn_x, hy = ey + mb.turn_y;
+    const Real moment_b = (mb.arm_y * fx - mb.arm_x * fy) + (hy * gx - hx * gy);
+    L::store_rows({fx, fy, Real(0.0), moment_b}, v.force + 4 * j);
+  } else {
+    const Real hx = ex + half * (ma.turn_x + mb.turn_x), hy = ey + half * (ma.turn_y + mb.turn_y);
+    const Real couple = hx * gy - hy * gx;
+    const Real ax = ma.arm_x + half * jx, ay = ma.arm_y + half * jy;
+    const Real bx = mb.arm_x - half * jx, by = mb.arm_y - half * jy;
+    L::store_rows({fx, fy, (ax * fy - ay * fx) + couple, (by * fx - bx * fy) - couple},
+                  v.force + 4 * j);
+  }
+}
+
+// The same law in every lane.
+template <class Real>
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> same_in_lanes(
+    const contact::LawConstants<double>& m) {
+  return {Real(m.kn),           Real(m.ks),           Real(m.inv_ks),     Real(m.inv_kn),
+          Real(m.ft),           Real(m.w0),           Real(m.ft_over_GI), Real(m.tension_onset),
+          Real(m.tension_rate), Real(m.c_res),        Real(m.c_drop),     Real(m.tan_res),
+          Real(m.tan_drop),     Real(m.half_inv_GII), Real(m.fc),         Real(m.p_full),
+          Real(m.inv_p_full),   Real(m.crush_gain)};
+}
+
+// Joints begin..end-1, all of one law; for packs a whole number of groups.
+template <class V, bool on_ground, int n_point, class Real>
+void joint_run(const JointArrays& v, const contact::LawConstants<double>& constants,
+               std::size_t begin, std::size_t end, JointLanes& lanes) {
+  using L = Lanes<Real>;
+  constexpr int packs = kGroup / L::width;
+  const contact::LawConstants<Real> law = same_in_lanes<Real>(constants);
+  JointWork<Real> work[packs];
+  for (int k = 0; k < packs; ++k)
+    work[k] = {L::load(lanes.friction + k * L::width), L::load(lanes.fracture + k * L::width),
+               L::load(lanes.crushing + k * L::width)};
+  int k = 0;
+  for (std::size_t j = begin; j < end; j += static_cast<std::size_t>(L::width)) {
+    joint_force<V, on_ground, n_point>(v, law, j, work[k]);
+    k = (k + 1) % packs;
+  }
+  for (k = 0; k < packs; ++k) {
+    L::store(work[k].friction, lanes.friction + k * L::width);
+    L::store(work[k].fracture, lanes.fracture + k * L::width);
+    L::store(work[k].crushing, lanes.crushing + k * L::width);
+  }
 }
 
 }  // namespace wythe::dynamics

@@ -15,7 +15,8 @@ struct Moved {
 // v+ = v- + dt/m (F - lambda |F| sgn v-), sgn(0) = 0 (paper, eqs. 1-2): the damping force opposes
 // the velocity with a share of the unbalanced force.
 template <class Real>
-[[nodiscard]] Moved<Real> accelerate(Real v, Real force, Real inertia, Real dt, Real lambda) {
+[[nodiscard]] WYTHE_INLINE Moved<Real> accelerate(Real v, Real force, Real inertia, Real dt,
+                                                  Real lambda) {
   const Real damping = Real(-1.0) * lambda * magnitude(force) * sign(v);
   const Real v1 = v + dt / inertia * (force + damping);
   const Real mean = Real(0.5) * (v + v1);

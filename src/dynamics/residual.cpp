@@ -8,10 +8,10 @@ namespace wythe::dynamics {
 double unbalance_ratio(const Model& model, const Workspace& work) {
   double unbalanced = 0, contact = 0;
   for (std::size_t i = 0; i < work.total_x.size(); ++i)
-    if (work.driven[i] == 0) unbalanced += std::fabs(work.total_x[i]) + std::fabs(work.total_y[i]);
-  for (std::size_t j = 0; j < work.force_x.size(); ++j) {
+    if (work.is_free[i] > 0) unbalanced += std::fabs(work.total_x[i]) + std::fabs(work.total_y[i]);
+  for (std::size_t j = 0; j < static_cast<std::size_t>(model.n_joint); ++j) {
     const double sides = static_cast<int>(j) < model.n_pair ? 2.0 : 1.0;
-    contact += sides * (std::fabs(work.force_x[j]) + std::fabs(work.force_y[j]));
+    contact += sides * (std::fabs(work.force[4 * j]) + std::fabs(work.force[4 * j + 1]));
   }
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
@@ -44,9 +44,10 @@ double elastic_energy(const Model& model, const State& state) {
 }
 
 double base_shear(const Model& model, const Workspace& work, double px, double py) {
-  double sum = 0;  // force_x is the force on side a, the ground; it resists with the opposite sign
-  for (auto j = static_cast<std::size_t>(model.n_pair); j < work.force_x.size(); ++j)
-    sum += work.force_x[j] * px + work.force_y[j] * py;
+  double sum = 0;  // the force on side a, the ground, resists with the opposite sign
+  for (auto j = static_cast<std::size_t>(model.n_pair); j < static_cast<std::size_t>(model.n_joint);
+       ++j)
+    sum += work.force[4 * j] * px + work.force[4 * j + 1] * py;
   return sum;
 }
 

@@ -1,17 +1,14 @@
 #include "dynamics/step.h"
 
 #include "contact/parameters.h"
-#include "core/real.h"
-#include "dynamics/forces.h"
-#include "dynamics/motion.h"
+#include "dynamics/kernels.h"
 
 namespace wythe::dynamics {
 namespace {
 
-JointView<double> view_of(const Model& m, Workspace& w, State& s) {
+JointArrays arrays_of(const Model& m, Workspace& w, State& s) {
   return {.a = m.joint_a.data(),
           .b = m.joint_b.data(),
-          .material = m.joint_material.data(),
           .arm_a_x = m.arm_a_x.data(),
           .arm_a_y = m.arm_a_y.data(),
           .arm_b_x = m.arm_b_x.data(),
@@ -24,34 +21,55 @@ JointView<double> view_of(const Model& m, Workspace& w, State& s) {
           .xi = m.point_xi.data(),
           .weight = m.point_weight.data(),
           .n_face_point = m.n_face_point,
-          .law = w.law.data(),
-          .ux = s.ux.data(),
-          .uy = s.uy.data(),
-          .half_cos = w.half_cos.data(),
-          .half_sin = w.half_sin.data(),
+          .pose = w.pose.data(),
           .kappa = s.kappa.data(),
           .crush = s.crush.data(),
           .plastic_slip = s.plastic_slip.data(),
           .slip = s.slip.data(),
           .shear_damage = s.shear_damage.data(),
           .tension_set = s.tension_set.data(),
-          .force_x = w.force_x.data(),
-          .force_y = w.force_y.data(),
-          .moment_a = w.moment_a.data(),
-          .moment_b = w.moment_b.data()};
+          .force = w.force.data()};
 }
 
-// Joints in chunks that share variant and ground; the order of joints is the model's.
+BlockArrays arrays_of_blocks(const Model& m, Workspace& w, State& s) {
+  return {.mass = m.mass.data(),
+          .heavy_mass = m.heavy_mass.data(),
+          .inertia = m.inertia.data(),
+          .turn_freedom = m.turn_freedom.data(),
+          .is_free = w.is_free.data(),
+          .contact_x = w.contact_x.data(),
+          .contact_y = w.contact_y.data(),
+          .contact_m = w.contact_m.data(),
+          .load_x = w.load_x.data(),
+          .load_y = w.load_y.data(),
+          .load_m = w.load_m.data(),
+          .total_x = w.total_x.data(),
+          .total_y = w.total_y.data(),
+          .total_m = w.total_m.data(),
+          .ux = s.ux.data(),
+          .uy = s.uy.data(),
+          .theta = s.theta.data(),
+          .vx = s.vx.data(),
+          .vy = s.vy.data(),
+          .omega = s.omega.data(),
+          .pose = w.pose.data()};
+}
+
+double sum_of(const double (&lanes)[kGroup]) {
+  double sum = 0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+
+// Joints in chunks that share material and ground; the order of joints is the model's.
 std::vector<JointChunk> cut_joints(const Model& m) {
   std::vector<JointChunk> chunks;
   for (JointId j = 0; j < m.n_joint; ++j) {
     const bool on_ground = j >= m.n_pair;
     const auto i = static_cast<std::size_t>(j);
-    const bool fits =
-        !chunks.empty() && chunks.back().on_ground == on_ground &&
-        j - chunks.back().begin < kChunk &&
-        contact::same_variant(m.materials[static_cast<std::size_t>(m.joint_material[i])],
-                              m.materials[static_cast<std::size_t>(m.joint_material[i - 1])]);
+    const bool fits = !chunks.empty() && chunks.back().on_ground == on_ground &&
+                      j - chunks.back().begin < kChunk &&
+                      m.joint_material[i] == m.joint_material[i - 1];
     if (!fits) chunks.push_back({j, j, on_ground});
     chunks.back().end = j + 1;
   }
@@ -60,10 +78,23 @@ std::vector<JointChunk> cut_joints(const Model& m) {
 
 struct Range {
   std::size_t begin, end;
+  // where the whole groups of kGroup end
+  [[nodiscard]] std::size_t grouped() const { return end - (end - begin) % kGroup; }
 };
 Range block_range(const Model& m, int chunk) {
   const auto begin = static_cast<std::size_t>(chunk) * kChunk;
   return {begin, std::min(begin + kChunk, static_cast<std::size_t>(m.n_block))};
+}
+
+// Entries of a block's list where it is side a come first: where they end.
+std::vector<std::int32_t> middle_of_entries(const Model& m) {
+  std::vector<std::int32_t> middle;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i) {
+    auto e = m.block_begin[i];
+    while (e < m.block_begin[i + 1] && (m.block_entry[static_cast<std::size_t>(e)] & 1) == 0) ++e;
+    middle.push_back(e);
+  }
+  return middle;
 }
 
 }  // namespace
@@ -73,21 +104,23 @@ Workspace::Workspace(const Model& m) {
   joint_chunks = cut_joints(m);
   block_chunks = (m.n_block + kChunk - 1) / kChunk;
   const auto nb = static_cast<std::size_t>(m.n_block), nj = static_cast<std::size_t>(m.n_joint);
-  for (auto* array : {&half_cos, &half_sin, &contact_x, &contact_y, &contact_m, &load_x, &load_y,
-                      &load_m, &total_x, &total_y, &total_m})
+  for (auto* array : {&contact_x, &contact_y, &contact_m, &load_x, &load_y, &load_m, &total_x,
+                      &total_y, &total_m})
     array->assign(nb, 0.0);
-  for (auto* array : {&force_x, &force_y, &moment_a, &moment_b}) array->assign(nj, 0.0);
-  driven.assign(nb, 0);
+  pose.assign(4 * nb, 0.0);
+  force.assign(4 * nj, 0.0);
+  is_free.assign(nb, 1.0);
+  block_middle = middle_of_entries(m);
   joint_energy.resize(joint_chunks.size());
   block_energy.resize(static_cast<std::size_t>(block_chunks));
 }
 
-Stepper::Stepper(const Model& model, int threads)
-    : model_(model), work_(model), workers_(threads) {}
+Stepper::Stepper(const Model& model, int threads, const Kernels& kernels)
+    : model_(model), work_(model), workers_(threads), kernels_(kernels) {}
 
 void Stepper::choose_driven(const std::vector<BlockId>& blocks) {
-  std::fill(work_.driven.begin(), work_.driven.end(), std::uint8_t{0});
-  for (const BlockId block : blocks) work_.driven[static_cast<std::size_t>(block)] = 1;
+  std::fill(work_.is_free.begin(), work_.is_free.end(), 1.0);
+  for (const BlockId block : blocks) work_.is_free[static_cast<std::size_t>(block)] = 0.0;
 }
 
 DriveForce Stepper::step(State& state, const Controls& controls) {
@@ -105,39 +138,51 @@ DriveForce Stepper::step(State& state, const Controls& controls) {
 }
 
 void Stepper::joint_pass(State& state) {
-  const JointView<double> view = view_of(model_, work_, state);
+  const JointArrays arrays = arrays_of(model_, work_, state);
   workers_.for_each_chunk(static_cast<int>(work_.joint_chunks.size()), [&](int c) {
     const JointChunk& chunk = work_.joint_chunks[static_cast<std::size_t>(c)];
-    const auto material = model_.joint_material[static_cast<std::size_t>(chunk.begin)];
-    const JointWork<double> done = contact::with_variant(
-        model_.materials[static_cast<std::size_t>(material)], [&](auto variant) {
-          using V = decltype(variant);
-          return chunk.on_ground ? joint_forces<V, true>(view, chunk.begin, chunk.end)
-                                 : joint_forces<V, false>(view, chunk.begin, chunk.end);
-        });
+    const auto material =
+        static_cast<std::size_t>(model_.joint_material[static_cast<std::size_t>(chunk.begin)]);
+    const Range range{static_cast<std::size_t>(chunk.begin), static_cast<std::size_t>(chunk.end)};
+    JointLanes lanes;
+    const auto run = [&](const Kernels& kernels, std::size_t begin, std::size_t end) {
+      kernels.joints(arrays, model_.materials[material], work_.law[material], chunk.on_ground,
+                     begin, end, lanes);
+    };
+    run(kernels_, range.begin, range.grouped());
+    run(scalar_kernels(), range.grouped(), range.end);
     ChunkEnergy& energy = work_.joint_energy[static_cast<std::size_t>(c)];
-    energy.friction = done.friction;
-    energy.fracture = done.fracture;
-    energy.crushing = done.crushing;
+    energy.friction = sum_of(lanes.friction);
+    energy.fracture = sum_of(lanes.fracture);
+    energy.crushing = sum_of(lanes.crushing);
   });
 }
 
 void Stepper::gather_pass() {
   workers_.for_each_chunk(work_.block_chunks, [&](int c) {
     const Range range = block_range(model_, c);
+    const double* force = work_.force.data();
+    const auto row = [&](std::int32_t e) {
+      return force + 4 * (model_.block_entry[static_cast<std::size_t>(e)] >> 1);
+    };
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      double fx = 0, fy = 0, m = 0;
-      for (auto e = model_.block_begin[i]; e < model_.block_begin[i + 1]; ++e) {
-        const auto entry = model_.block_entry[static_cast<std::size_t>(e)];
-        const auto j = static_cast<std::size_t>(entry >> 1);
-        const bool is_b = (entry & 1) != 0;
-        fx += is_b ? -work_.force_x[j] : work_.force_x[j];
-        fy += is_b ? -work_.force_y[j] : work_.force_y[j];
-        m += is_b ? work_.moment_b[j] : work_.moment_a[j];
+      double ax = 0, ay = 0, am = 0, bx = 0, by = 0, bm = 0;
+      const auto middle = work_.block_middle[i], end = model_.block_begin[i + 1];
+      for (auto e = model_.block_begin[i]; e < middle; ++e) {
+        const double* f = row(e);
+        ax += f[0];
+        ay += f[1];
+        am += f[2];
       }
-      work_.contact_x[i] = fx;
-      work_.contact_y[i] = fy;
-      work_.contact_m[i] = m;
+      for (auto e = middle; e < end; ++e) {
+        const double* f = row(e);
+        bx += f[0];
+        by += f[1];
+        bm += f[3];
+      }
+      work_.contact_x[i] = ax - bx;
+      work_.contact_y[i] = ay - by;
+      work_.contact_m[i] = am + bm;
     }
   });
 }
@@ -154,7 +199,7 @@ void Stepper::load_pass(const State& state) {
     if (scale == 0) continue;
     for (const PointLoad& load : model_.stages[k].loads) {
       const auto i = static_cast<std::size_t>(load.block);
-      const double c = work_.half_cos[i], s = work_.half_sin[i];
+      const double c = work_.pose[4 * i + 2], s = work_.pose[4 * i + 3];
       const double drop = -2 * s * s, sine = 2 * s * c;
       const double ax = load.arm_x + drop * load.arm_x - sine * load.arm_y;
       const double ay = load.arm_y + sine * load.arm_x + drop * load.arm_y;
@@ -166,46 +211,25 @@ void Stepper::load_pass(const State& state) {
 }
 
 void Stepper::move_pass(State& s, const Controls& controls) {
-  const double g_x = s.gravity_x, g_y = s.gravity_y;
+  const BlockArrays arrays = arrays_of_blocks(model_, work_, s);
+  const MoveControls move{controls.dt, controls.damping, controls.mass_scaling, s.gravity_x,
+                          s.gravity_y};
   workers_.for_each_chunk(work_.block_chunks, [&](int c) {
-    ChunkEnergy energy;
     const Range range = block_range(model_, c);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const double m = model_.mass[i], heavy = model_.heavy_mass[i];
-      const double load_x = work_.load_x[i] + heavy * g_x, load_y = work_.load_y[i] + heavy * g_y;
-      const double fx = work_.contact_x[i] + load_x, fy = work_.contact_y[i] + load_y;
-      const double fm = model_.turn_freedom[i] * (work_.contact_m[i] + work_.load_m[i]);
-      work_.total_x[i] = fx;
-      work_.total_y[i] = fy;
-      work_.total_m[i] = fm;
-      if (work_.driven[i] != 0) continue;  // drive_pass moves these
-      const double dt = controls.dt, scaling = controls.mass_scaling;
-      const Moved x = accelerate(s.vx[i], fx, m * scaling, dt, controls.damping);
-      const Moved y = accelerate(s.vy[i], fy, m * scaling, dt, controls.damping);
-      const Moved r = accelerate(s.omega[i], fm, model_.inertia[i] * scaling, dt, controls.damping);
-      s.vx[i] = x.velocity;
-      s.vy[i] = y.velocity;
-      s.omega[i] = r.velocity;
-      s.ux[i] += dt * x.velocity;
-      s.uy[i] += dt * y.velocity;
-      s.theta[i] += dt * r.velocity;
-      energy.loads += dt * (load_x * x.mean_velocity + load_y * y.mean_velocity +
-                            work_.load_m[i] * r.mean_velocity);
-      energy.damping += x.damping_work + y.damping_work + r.damping_work;
-    }
-    work_.block_energy[static_cast<std::size_t>(c)].loads = energy.loads;
-    work_.block_energy[static_cast<std::size_t>(c)].damping = energy.damping;
+    BlockLanes lanes;
+    kernels_.move(arrays, move, range.begin, range.grouped(), lanes);
+    scalar_kernels().move(arrays, move, range.grouped(), range.end, lanes);
+    work_.block_energy[static_cast<std::size_t>(c)].loads = sum_of(lanes.loads);
+    work_.block_energy[static_cast<std::size_t>(c)].damping = sum_of(lanes.damping);
   });
 }
 
-void Stepper::turn_pass(const State& state) {
+void Stepper::turn_pass(State& state) {
+  const BlockArrays arrays = arrays_of_blocks(model_, work_, state);
   workers_.for_each_chunk(work_.block_chunks, [&](int c) {
     const Range range = block_range(model_, c);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const SinCos<double> turned = sin_cos(0.5 * state.theta[i]);
-      work_.half_cos[i] = turned.cos;
-      work_.half_sin[i] = turned.sin;
-    }
+    kernels_.turn(arrays, range.begin, range.grouped());
+    scalar_kernels().turn(arrays, range.grouped(), range.end);
   });
 }
 

@@ -5,7 +5,7 @@
 //   load_pass    dead loads that follow their blocks
 //   move_pass    central differences with local damping
 //   drive_pass   the driven blocks: prescribed velocity, common or through a spreader (drive_pass.cpp)
-//   turn_pass    half-angle cosines for the next step
+//   turn_pass    poses for the next step: displacement, half-angle cosine and sine
 //
 // Reads Model and Controls; writes State and Workspace.
 #pragma once
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "dynamics/kernels.h"
 #include "dynamics/workspace.h"
 #include "wythe/model.h"
 
@@ -34,12 +35,12 @@ struct DriveForce {
 
 class Stepper {
  public:
-  Stepper(const Model& model, int threads);
+  Stepper(const Model& model, int threads, const Kernels& kernels = kernels_in_use());
 
   // Advances the state by one step.
   DriveForce step(State& state, const Controls& controls);
   // Takes up a state that was set or restored from outside.
-  void refresh(const State& state) { turn_pass(state); }
+  void refresh(State& state) { turn_pass(state); }
   // Marks the blocks that drive_pass moves in place of move_pass.
   void choose_driven(const std::vector<BlockId>& blocks);
 
@@ -51,12 +52,13 @@ class Stepper {
   void load_pass(const State& state);
   void move_pass(State& state, const Controls& controls);
   DriveForce drive_pass(State& state, const Controls& controls);
-  void turn_pass(const State& state);
+  void turn_pass(State& state);
   void sum_energy(State& state);
 
   const Model& model_;
   Workspace work_;
   Workers workers_;
+  const Kernels& kernels_;
 };
 
 }  // namespace wythe::dynamics

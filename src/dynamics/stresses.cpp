@@ -2,8 +2,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
-#include "dynamics/forces.h"
-#include "dynamics/workspace.h"
+#include "core/real.h"
 #include "wythe/result.h"
 
 namespace wythe {

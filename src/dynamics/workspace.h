@@ -15,7 +15,7 @@ struct ChunkEnergy {
   double loads = 0, damping = 0;                    // written by integrate [J]
 };
 
-// A run of joints that share the law's variant and stand on the same kind of neighbour.
+// A run of joints of one material that stand on the same kind of neighbour.
 struct JointChunk {
   JointId begin = 0, end = 0;
   bool on_ground = false;
@@ -28,19 +28,20 @@ struct Workspace {
   std::vector<JointChunk> joint_chunks;
   int block_chunks = 0;
 
-  // written by turn_pass: cosine and sine of theta/2 (n_block)
-  std::vector<double> half_cos, half_sin;
+  // written by turn_pass: rows ux [m], uy [m], cos theta/2, sin theta/2 (n_block, 4)
+  std::vector<double> pose;
 
-  // written by forces: force on side a along x and y, moments about both centroids (n_joint)
-  std::vector<double> force_x, force_y;    // [N]
-  std::vector<double> moment_a, moment_b;  // [N m]
+  // written by forces: rows of the force on side a along x and y [N], the moments on a and b about
+  // their centroids [N m] (n_joint, 4)
+  std::vector<double> force;
 
   // written by gather: contact forces and loads on each block (n_block)
   std::vector<double> contact_x, contact_y, contact_m;  // [N], [N m]
   std::vector<double> load_x, load_y, load_m;           // applied point loads [N], [N m]
   std::vector<double> total_x, total_y, total_m;        // with gravity and body force
 
-  std::vector<std::uint8_t> driven;  // 1: moved by drive_pass (n_block), set at a stage's start
+  std::vector<double> is_free;  // 0: moved by drive_pass (n_block), set at a stage's start
+  std::vector<std::int32_t> block_middle;  // first entry of a block where it is side b (n_block)
 
   std::vector<ChunkEnergy> joint_energy, block_energy;  // (chunks)
 };

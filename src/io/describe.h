@@ -333,9 +333,10 @@ void describe(Visitor& v, SolveSpec& s) {
             .example = "3",
             .doc = "Contact points along a joint. 2 at the ends, as in block codes, make a joint "
                    "three times stiffer in rotation than a continuous one."});
-  v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.5",
-           .doc = "Time step as a share of the stable bound 2 / omega_max; the bound is on the "
-                  "safe side, half of it leaves room for contacts that form later."});
+  v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.7",
+           .doc = "Time step as a share of the stable bound 2 / omega_max, which is on the safe "
+                  "side; local damping lowers the limit to 1/sqrt(1 + damping), 0.745 at 0.8. "
+                  "Between 0.25 and 0.7 the tuff wall's peak and D at 0.8 stay within 0.1 %."});
   v.number("damping", s.damping, {.range = kBelowOne, .example = "0.8",
            .doc = "Local damping: this share of the unbalanced force opposes the motion."});
   v.quantity("gravity", s.gravity, {.unit = "m/s^2", .shown = "m/s^2", .range = kNotNegative,
@@ -346,6 +347,9 @@ void describe(Visitor& v, SolveSpec& s) {
              .example = "20 s", .doc = "Time after which settling is given up (not_settled)."});
   v.number("mass_scaling", s.mass_scaling, {.range = kFromOne, .example = "1",
            .doc = "Density scaling of the quasi-static stages before the first push."});
+  v.flag("raise_light_inertia", s.raise_light_inertia, {.example = "true",
+         .doc = "Lintels, plates and beams whose own stable step is shorter than the masonry's get "
+                "more inertia, not weight, until it is the same; a note says how much."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
              .range = kPositive, .fallback = "the smallest block height", .example = "110 mm",
              .doc = "A block that moved so far beyond the push has fallen: collapse."});

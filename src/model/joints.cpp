@@ -102,7 +102,7 @@ double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& 
   return spec.wall.opening[static_cast<std::size_t>(opening)].lintel.depth;
 }
 
-// Order for the step: pairs before ground, one variant of the law after the other, else as found.
+// Order for the step: pairs before ground, then runs of one variant and one material, else as found.
 std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& map,
                                      const std::vector<int>& material, const Model& model) {
   std::vector<std::size_t> order(assembly.faces.size());
@@ -112,7 +112,7 @@ std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& m
     const bool ground =
         face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
     const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
-    return std::tuple(ground, m.softening, m.coupling, m.unloading);
+    return std::tuple(ground, m.softening, m.coupling, m.unloading, material[f]);
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
   return order;
@@ -160,10 +160,8 @@ void set_gather_lists(Model& m) {
     const auto at = static_cast<std::size_t>(next[static_cast<std::size_t>(block)]++);
     m.block_entry[at] = static_cast<std::int32_t>(2 * joint) + side;
   };
-  for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
-    put(m.joint_a[j], j, 0);
-    put(m.joint_b[j], j, 1);
-  }
+  for (std::size_t j = 0; j < m.joint_a.size(); ++j) put(m.joint_a[j], j, 0);
+  for (std::size_t j = 0; j < m.joint_b.size(); ++j) put(m.joint_b[j], j, 1);
 }
 
 }  // namespace

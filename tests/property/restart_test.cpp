@@ -72,7 +72,7 @@ void expect_invisible(const ModelSpec& spec, const std::vector<std::int64_t>& pi
 }
 
 TEST(Restart, settling_loading_and_pushing_in_pieces_gives_the_same_bits) {
-  expect_invisible(scenes::small_wall(), {500, 1500, 3500});
+  expect_invisible(scenes::small_wall(), {500, 1500, 2500});
 }
 
 TEST(Restart, a_cyclic_push_in_pieces_gives_the_same_bits) {

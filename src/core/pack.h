@@ -1,0 +1,77 @@
+// Real as a pack of doubles, one a lane, over xsimd: the same law and step templates, N at a time.
+//
+// A lane's bits are those of the double next door: every operation is the IEEE one, minimum and
+// maximum keep the order of their operands, nothing is fused. Pack is a template over the instruction
+// set, so that code compiled for one never shares a function with another.
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+#include "core/real.h"
+
+namespace wythe {
+
+template <class Arch>
+struct Mask {
+  xsimd::batch_bool<double, Arch> lanes;
+};
+
+template <class Arch>
+struct Pack {
+  using Batch = xsimd::batch<double, Arch>;
+  using Vector = typename Batch::register_type;
+  static constexpr int width = static_cast<int>(Batch::size);
+
+  Batch lanes;
+
+  Pack() = default;
+  WYTHE_INLINE explicit Pack(double same) : lanes(same) {}
+  WYTHE_INLINE explicit Pack(Batch b) : lanes(b) {}
+
+  [[nodiscard]] WYTHE_INLINE static Pack load(const double* from) {
+    return Pack(Batch::load_unaligned(from));
+  }
+  WYTHE_INLINE void store(double* to) const { lanes.store_unaligned(to); }
+
+  WYTHE_INLINE friend Pack operator+(Pack a, Pack b) { return Pack(a.lanes + b.lanes); }
+  WYTHE_INLINE friend Pack operator-(Pack a, Pack b) { return Pack(a.lanes - b.lanes); }
+  WYTHE_INLINE friend Pack operator*(Pack a, Pack b) { return Pack(a.lanes * b.lanes); }
+  WYTHE_INLINE friend Pack operator/(Pack a, Pack b) { return Pack(a.lanes / b.lanes); }
+  WYTHE_INLINE friend Mask<Arch> operator<(Pack a, Pack b) { return {a.lanes < b.lanes}; }
+  WYTHE_INLINE friend Mask<Arch> operator<=(Pack a, Pack b) { return {a.lanes <= b.lanes}; }
+  WYTHE_INLINE friend Mask<Arch> operator>(Pack a, Pack b) { return {a.lanes > b.lanes}; }
+  WYTHE_INLINE friend Mask<Arch> operator>=(Pack a, Pack b) { return {a.lanes >= b.lanes}; }
+};
+
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Mask<Arch> operator&(Mask<Arch> a, Mask<Arch> b) {
+  return {a.lanes & b.lanes};
+}
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> select(Mask<Arch> condition, Pack<Arch> yes, Pack<Arch> no) {
+  return Pack<Arch>(xsimd::select(condition.lanes, yes.lanes, no.lanes));
+}
+// a < b ? a : b in every lane, also where the order of equal or absent numbers matters.
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> minimum(Pack<Arch> a, Pack<Arch> b) {
+  return Pack<Arch>(xsimd::min(a.lanes, b.lanes));
+}
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> maximum(Pack<Arch> a, Pack<Arch> b) {
+  return Pack<Arch>(xsimd::max(a.lanes, b.lanes));
+}
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> magnitude(Pack<Arch> a) {
+  return Pack<Arch>(xsimd::abs(a.lanes));
+}
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> sign(Pack<Arch> a) {
+  const Pack<Arch> zero(0.0), one(1.0);
+  return select(a > zero, one, zero) - select(a < zero, one, zero);
+}
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE bool any(Mask<Arch> condition) {
+  return xsimd::any(condition.lanes);
+}
+
+}  // namespace wythe

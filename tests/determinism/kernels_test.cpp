@@ -1,0 +1,106 @@
+// Every set of kernels gives the bits of the scalar one: each variant of the law, any number of
+// points, blocks that turn little and much, runs that do not fill the last pack.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dynamics/step.h"
+#include "scenes/scenes.h"
+
+namespace wythe {
+namespace {
+
+using dynamics::Kernels;
+
+std::vector<const Kernels*> sets() {
+  std::vector<const Kernels*> all{&dynamics::scalar_kernels()};
+#if defined(__x86_64__)
+  all.push_back(&dynamics::sse2_kernels());
+  if (__builtin_cpu_supports("avx2")) all.push_back(&dynamics::avx2_kernels());
+#endif
+  return all;
+}
+
+// Repeatable numbers in [-1, 1] (a linear congruential generator; quality does not matter here).
+class Shares {
+ public:
+  double next() {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
+  }
+
+ private:
+  std::uint64_t state_ = 7;
+};
+
+// Blocks displaced at random: some joints open, some slide, some crush.
+State scattered(const Model& model, double turn) {
+  State state = initial_state(model);
+  Shares share;
+  for (auto* array : {&state.ux, &state.uy})
+    for (double& u : *array) u = 2e-4 * share.next();
+  for (double& theta : state.theta) theta = turn * share.next();
+  for (double& slip : state.plastic_slip) slip = 1e-5 * share.next();
+  state.gravity_y = -9.81;
+  return state;
+}
+
+struct End {
+  std::string hash;
+  double friction, fracture, crushing, damping;
+  bool operator==(const End&) const = default;
+};
+
+End step_with(const Kernels& kernels, const Model& model, double turn) {
+  State state = scattered(model, turn);
+  dynamics::Stepper stepper(model, 1, kernels);
+  stepper.refresh(state);
+  stepper.choose_driven({3});
+  dynamics::Controls controls;
+  controls.dt = model.solve.step_fraction * 2 / model.omega_max;
+  controls.damping = 0.4;
+  for (int k = 0; k < 40; ++k) stepper.step(state, controls);
+  return {state_hash(state), state.dissipated_friction, state.dissipated_fracture,
+          state.dissipated_crushing, state.work_damping};
+}
+
+Model wall_of(Softening softening, Coupling coupling, Unloading unloading, int points) {
+  ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
+  for (auto& [name, material] : spec.material) {
+    material.softening = softening;
+    material.coupling = coupling;
+    material.unloading = unloading;
+  }
+  spec.solve.points_per_face = points;
+  return compile(spec);
+}
+
+TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one) {
+  const auto all = sets();
+  for (const Softening softening : {Softening::kBilinear, Softening::kExponential,
+                                    Softening::kPolynomial, Softening::kPetersson})
+    for (const Coupling coupling : {Coupling::kUnion, Coupling::kMaximum, Coupling::kStiffness})
+      for (const Unloading unloading : {Unloading::kSecant, Unloading::kElastic})
+        for (const int points : {2, 3}) {
+          const Model model = wall_of(softening, coupling, unloading, points);
+          for (const double turn : {1e-4, 0.4}) {
+            const End scalar = step_with(*all[0], model, turn);
+            EXPECT_GT(scalar.friction, 0);
+            EXPECT_GT(scalar.fracture, 0);
+            EXPECT_GT(scalar.crushing, 0);
+            for (const Kernels* set : all)
+              EXPECT_TRUE(step_with(*set, model, turn) == scalar)
+                  << set->name << ", " << points << " points, turn " << turn;
+          }
+        }
+}
+
+TEST(Kernels, one_is_chosen_for_this_processor) {
+  const std::string name = dynamics::kernels_in_use().name;
+  EXPECT_TRUE(name == "scalar" || name == "sse2" || name == "avx2") << name;
+}
+
+}  // namespace
+}  // namespace wythe
