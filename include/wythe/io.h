@@ -5,9 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "wythe/campaign.h"
 #include "wythe/contact_law.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
+#include "wythe/statistics.h"
+#include "wythe/study.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe {
@@ -26,6 +29,20 @@ namespace wythe {
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
 
+// Study files (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
+// correlation. change the study, all others its base model. The base model and measured values are
+// read with it: the StudySpec needs no other file. Throws as read_model does, all faults at once.
+[[nodiscard]] StudySpec read_study(const std::string& path,
+                                   const std::vector<std::string>& overrides = {});
+[[nodiscard]] StudySpec parse_study(const std::string& toml_text, const std::string& file_name,
+                                    const std::vector<std::string>& overrides = {});
+// One text, base model and measured values inside; parse_study(write_study(s), s.file) == s.
+[[nodiscard]] std::string write_study(const StudySpec& study);
+// Whether a file is a study rather than a model: it has a [study] table.
+[[nodiscard]] bool is_study(const std::string& path);
+// Makes a sample's model: base model, the study's settings and states, then the sample's settings.
+[[nodiscard]] ModelBuilder model_builder(const StudySpec& study);
+
 // LAW.toml of `wythe contact`: one [material.<any>] table (usually joint).
 [[nodiscard]] JointMaterial read_law(const std::string& path);
 [[nodiscard]] std::vector<ContactPathRow> read_contact_path(const std::string& path);
@@ -35,6 +52,10 @@ void write_contact_answer(const std::string& path, const std::vector<ContactPath
 // Writes the files of a run into `folder` (made if absent); report.html is write_report's.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);
+// samples.csv of a campaign; columns: docs/reference/store.md.
+[[nodiscard]] std::string samples_csv(const Campaign& campaign);
+// statistics.json of a campaign; keys: docs/reference/statistics.md.
+[[nodiscard]] std::string statistics_json(const Statistics& statistics);
 // Writes a whole file at once or throws IoError; never leaves half a file.
 void write_text(const std::string& path, const std::string& text);
 // Checks that `folder` can be written before a long run; throws IoError.

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "wythe/error.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe {
@@ -40,10 +41,11 @@ struct VariableSpec : InputSpec {
   DistributionKind distribution = DistributionKind::kNormal;
   double mean = kUnset, cov = kUnset, standard_deviation = kUnset;  // [SI], [-], [SI]
   double low = kUnset, high = kUnset, mode = kUnset;                // uniform, triangular, beta
-  double shape = kUnset, scale = kUnset, location = kUnset;         // Weibull
-  double alpha = kUnset, beta = kUnset;                             // beta
-  double lower = kUnset, upper = kUnset;                            // truncation
-  std::string file, column;    // empirical: CSV and its column
+  double median = kUnset, log_standard_deviation = kUnset;          // lognormal [SI], [-]
+  double shape = kUnset, scale = kUnset, location = kUnset;         // Weibull [-], [SI], [SI]
+  double alpha = kUnset, beta = kUnset;                             // beta [-]
+  double lower = kUnset, upper = kUnset;                            // truncation [SI]
+  std::string file, column;                                         // empirical: CSV and its column
   std::vector<double> values;  // empirical, read from the file [SI]
 };
 
@@ -91,9 +93,14 @@ struct SampleTable {
   [[nodiscard]] int n_sample() const { return static_cast<int>(value.size()); }
 };
 
-// Draws every sample of the study. Sample i of a batch depends on (seed, i, n, design, batch) only.
-// Throws InputError with every fault (cycle or mismatched units in a formula, a correlation matrix
-// that is not positive definite, ...).
+// Every fault of a study by itself, without its base model: parameters a distribution lacks or does
+// not take, cycles and mismatched units in formulas, a correlation matrix that is not positive
+// definite, ... Faults name the key, not the line; parse_study (io.h) adds that.
+[[nodiscard]] std::vector<Fault> check_study(const StudySpec& study);
+
+// Draws every sample of the study. Sample i of a batch depends on (seed, i, n, design, batch) and on
+// the variables only, never on threads; a batch never on those after it, and without correlation no
+// variable's values on the other variables. Throws InputError with every fault of check_study().
 [[nodiscard]] SampleTable draw_samples(const StudySpec& study);
 
 // "path=value unit" texts of one sample (0-based), 17 digits in SI units: exact.
@@ -101,5 +108,10 @@ struct SampleTable {
 
 // Makes the ModelSpec of the base model with settings; io.h has the one that reads TOML.
 using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& settings)>;
+
+// "" when the model with these settings compiles, else why it does not, in one line: a strength
+// below zero, snap-back, an inadmissible friction angle, a value that is not finite, ...
+[[nodiscard]] std::string refusal_of(const std::vector<std::string>& settings,
+                                     const ModelBuilder& build);
 
 }  // namespace wythe

@@ -93,6 +93,8 @@ class Reader {
   }
 
   void refuse_unknown();
+  // The node of a key that is read by hand, nullptr when absent.
+  const toml::node* find(const char* name, const Key& key);
 
   // --- for finish() ---
   struct Entry {
@@ -112,7 +114,6 @@ class Reader {
   void refuse_table(const std::string& problem, const std::string& cure);
 
  private:
-  const toml::node* find(const char* name, const Key& key);
   const Entry* entry(std::string_view name) const;
   int choose(const char* name, const std::vector<std::string>& words, const Key& key);
   const toml::table* as_table(const toml::node& node, const std::string& name);

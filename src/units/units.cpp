@@ -6,6 +6,7 @@
 
 #include <udunits2.h>
 
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "units/dimension.h"
 #include "units/quantity_error.h"
 #include "wythe/error.h"
 
@@ -62,6 +64,17 @@ class UnitTable {
     return known_[key] = look_up(unit, si_unit);
   }
 
+  // "" when the unit is not known.
+  std::string definition(const std::string& text) {
+    const std::lock_guard lock(mutex_);
+    const Unit unit = parse(text);
+    std::array<char, 256> buffer{};
+    const int length =
+        unit ? ut_format(unit.get(), buffer.data(), buffer.size() - 1, UT_ASCII | UT_DEFINITION)
+             : -1;
+    return length < 0 ? "" : std::string(buffer.data());
+  }
+
  private:
   // UDUNITS reads "1/s" but not "/s".
   [[nodiscard]] Unit parse(const std::string& text) const {
@@ -90,7 +103,9 @@ UnitTable& unit_table() {
   return table;
 }
 
-std::string dimension_name(std::string_view si_unit) {
+}  // namespace
+
+std::string quantity_name(std::string_view si_unit) {
   static const std::map<std::string, std::string, std::less<>> kNames = {
       {"m", "a length"},
       {"Pa", "a stress"},
@@ -105,8 +120,18 @@ std::string dimension_name(std::string_view si_unit) {
       {"rad/s", "a rate of angle"},
       {"m/s^2", "an acceleration"}};
   const auto found = kNames.find(si_unit);
-  return found == kNames.end() ? fmt::format("a quantity [{}]", si_unit)
-                               : fmt::format("{} [{}]", found->second, si_unit);
+  return found == kNames.end() ? "" : found->second;
+}
+
+std::string unit_definition(std::string_view unit) {
+  return unit_table().definition(std::string(unit));
+}
+
+namespace {
+
+std::string dimension_name(std::string_view si_unit) {
+  const std::string name = quantity_name(si_unit);
+  return fmt::format("{} [{}]", name.empty() ? "a quantity" : name, si_unit);
 }
 
 // Multiplies by the factor so that decimal texts keep their bits: 310 mm is 310 / 1000 m, which is

@@ -1,0 +1,125 @@
+#include "io/model_key.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+
+namespace wythe::io {
+namespace {
+
+class KeyLister {
+ public:
+  KeyLister(std::vector<ModelKey>& out, std::string path, std::string alias)
+      : out_(out), path_(std::move(path)), alias_(std::move(alias)) {}
+
+  void quantity(const char* name, const double& value, const Key& key) {
+    add(name, value, key, key.unit, key.shown);
+  }
+  void number(const char* name, const double& value, const Key& key) {
+    add(name, value, key, "1", "1");
+  }
+  void quantities(const char*, const std::vector<double>&, const Key&) {}
+  void integer(const char*, const int&, const Key&) {}
+  void flag(const char*, const bool&, const Key&) {}
+  void text(const char*, const std::string&, const Key&) {}
+  void texts(const char*, const std::vector<std::string>&, const Key&) {}
+  template <class E, std::size_t N>
+  void choice(const char*, const E& value, const Word<E> (&)[N], const Key&) {
+    if constexpr (std::is_same_v<E, StageKind>) kind_ = kind_bit(value);
+  }
+  template <class T>
+  void table(const char* name, T& value, const Key& key) {
+    if (!is_foreign(key)) inside(value, name, name);
+  }
+  template <class T>
+  void list(const char* name, std::vector<T>& values, const Key&) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::string index = fmt::format("{}.{}", name, i);
+      std::string label;
+      if constexpr (requires { values[i].name; }) label = values[i].name;
+      inside(values[i], label.empty() ? index : fmt::format("{}.{}", name, label), index);
+    }
+  }
+  template <class T>
+  void map(const char* name, std::map<std::string, T>& values, const Key&) {
+    for (auto& [label, value] : values) {
+      const std::string step = fmt::format("{}.{}", name, label);
+      inside(value, step, step);
+    }
+  }
+
+ private:
+  template <class T>
+  void inside(T& value, const std::string& name, const std::string& index) {
+    KeyLister inner(out_, under(path_, name), under(alias_, index));
+    describe(inner, value);
+  }
+
+  // A key of other kinds of stage than the one being listed.
+  [[nodiscard]] bool is_foreign(const Key& key) const {
+    return kind_ != 0 && key.kinds != 0 && !(key.kinds & kind_);
+  }
+
+  void add(const char* name, double value, const Key& key, const char* si_unit, const char* unit) {
+    if (is_foreign(key)) return;
+    out_.push_back({.path = under(path_, name),
+                    .alias = under(alias_, name),
+                    .si_unit = si_unit,
+                    .unit = unit,
+                    .range = key.range,
+                    .value = value});
+  }
+
+  std::vector<ModelKey>& out_;
+  std::string path_, alias_;
+  Kinds kind_ = 0;
+};
+
+// The step of `path` that begins at `from`.
+std::string step_at(const std::string& path, std::size_t from) {
+  return path.substr(from, path.find('.', from) - from);
+}
+
+}  // namespace
+
+std::vector<ModelKey> number_keys(ModelSpec model) {
+  std::vector<ModelKey> out;
+  KeyLister lister(out, "", "");
+  describe(lister, model);
+  return out;
+}
+
+const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& path) {
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ModelKey& key) {
+    return key.path == path || key.alias == path;
+  });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::string key_advice(const std::vector<ModelKey>& keys, const std::string& path) {
+  // the longest part of it that is right, and what may follow
+  std::string right;
+  for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1)) {
+    const std::string part = path.substr(0, dot + 1);
+    if (std::any_of(keys.begin(), keys.end(),
+                    [&](const ModelKey& key) { return key.path.starts_with(part); }))
+      right = part;
+  }
+  std::vector<std::string> next;
+  for (const ModelKey& key : keys) {
+    if (!key.path.starts_with(right)) continue;
+    const std::string step = step_at(key.path, right.size());
+    if (std::find(next.begin(), next.end(), step) == next.end()) next.push_back(step);
+  }
+  const std::string wrong = step_at(path, right.size());
+  if (const std::string near = nearest_name(wrong, next); !near.empty() && near != wrong)
+    return fmt::format("did you mean {}{}?", right, near);
+  return fmt::format("known in {}: {}",
+                     right.empty() ? "the model" : right.substr(0, right.size() - 1),
+                     joined(next, ", "));
+}
+
+}  // namespace wythe::io

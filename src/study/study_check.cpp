@@ -1,0 +1,345 @@
+#include "study/study_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <set>
+
+#include "core/text.h"
+#include "study/dependents.h"
+#include "study/formula_parser.h"
+#include "study/sampling.h"
+#include "units/quantity_error.h"
+#include "wythe/units.h"
+
+namespace wythe {
+namespace {
+
+using Names = std::vector<std::string>;
+
+struct Parameter {
+  const char* name;
+  double VariableSpec::*value;
+};
+constexpr Parameter kParameters[] = {
+    {"mean", &VariableSpec::mean},
+    {"cov", &VariableSpec::cov},
+    {"standard_deviation", &VariableSpec::standard_deviation},
+    {"median", &VariableSpec::median},
+    {"log_standard_deviation", &VariableSpec::log_standard_deviation},
+    {"low", &VariableSpec::low},
+    {"mode", &VariableSpec::mode},
+    {"high", &VariableSpec::high},
+    {"alpha", &VariableSpec::alpha},
+    {"beta", &VariableSpec::beta},
+    {"shape", &VariableSpec::shape},
+    {"scale", &VariableSpec::scale},
+    {"location", &VariableSpec::location}};
+
+// "spread" stands for cov or standard_deviation.
+struct Kind {
+  DistributionKind kind;
+  const char* words;
+  std::vector<Names> forms;
+  Names optional;
+};
+
+const Kind& kind_of(DistributionKind kind) {
+  static const std::vector<Kind> kKinds = {
+      {DistributionKind::kNormal, "a normal", {{"mean", "spread"}}, {}},
+      {DistributionKind::kLognormal,
+       "a lognormal",
+       {{"mean", "spread"}, {"median", "log_standard_deviation"}},
+       {}},
+      {DistributionKind::kUniform, "a uniform", {{"low", "high"}, {"mean", "spread"}}, {}},
+      {DistributionKind::kTriangular,
+       "a triangular",
+       {{"low", "mode", "high"}, {"mean", "spread"}},
+       {}},
+      {DistributionKind::kBeta,
+       "a beta",
+       {{"alpha", "beta", "low", "high"}, {"mean", "spread", "low", "high"}},
+       {}},
+      {DistributionKind::kWeibull,
+       "a Weibull",
+       {{"shape", "scale"}, {"mean", "spread"}},
+       {"location"}},
+      {DistributionKind::kEmpirical, "an empirical", {{}}, {}}};
+  return *std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.kind == kind; });
+}
+
+std::string form_text(Names form) {
+  for (std::string& name : form)
+    if (name == "spread") name = "cov (or standard_deviation)";
+  const std::string last = form.back();
+  form.pop_back();
+  return form.empty() ? last : joined(form, ", ") + " and " + last;
+}
+
+std::string forms_text(const Kind& kind) {
+  if (kind.kind == DistributionKind::kEmpirical) return "file (and column), or values";
+  Names texts;
+  for (const Names& form : kind.forms) texts.push_back(form_text(form));
+  return joined(texts, ", or ");
+}
+
+bool holds(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+class VariableCheck {
+ public:
+  VariableCheck(const VariableSpec& spec, const std::string& file, FaultList& faults)
+      : spec_(spec), file_(file), faults_(faults), kind_(kind_of(spec.distribution)) {}
+
+  void run() {
+    check_form();
+    if (good_) check_values();
+    if (good_) check_truncation();
+  }
+
+ private:
+  void refuse(const std::string& key, const std::string& value, const std::string& problem,
+              const std::string& cure) {
+    good_ = false;
+    const std::string path =
+        fmt::format("variable.{}{}{}", spec_.name, key.empty() ? "" : ".", key);
+    faults_.add({.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  static bool is_set(double value) { return !std::isnan(value); }
+
+  // Which parameters stand there: none too many, and all of one form.
+  void check_form() {
+    Names given;
+    for (const auto& [name, value] : kParameters)
+      if (is_set(spec_.*value)) given.emplace_back(name);
+    if (is_set(spec_.cov) && is_set(spec_.standard_deviation))
+      refuse("cov", fmt::format("{:g}", spec_.cov), "stands beside standard_deviation",
+             "leave one of the two");
+    Names form;
+    for (const std::string& name : given) {
+      const bool spread = name == "cov" || name == "standard_deviation";
+      const std::string role = spread ? "spread" : name;
+      if (holds(kind_.optional, name) || holds(form, role)) continue;
+      form.push_back(role);
+      if (std::none_of(kind_.forms.begin(), kind_.forms.end(),
+                       [&](const Names& known) { return holds(known, role); }))
+        refuse(name, "", fmt::format("{} distribution has no {}", kind_.words, name),
+               fmt::format("it takes {}", forms_text(kind_)));
+    }
+    if (good_ && std::none_of(kind_.forms.begin(), kind_.forms.end(), [&](const Names& known) {
+          return std::is_permutation(known.begin(), known.end(), form.begin(), form.end());
+        }))
+      refuse("", "",
+             fmt::format("{} distribution needs {}{}", kind_.words, forms_text(kind_),
+                         form.empty() ? "" : "; given: " + joined(given, ", ")),
+             kind_.forms.size() > 1 ? "write one set of them, no more" : "add what is missing");
+  }
+
+  void check_values() {
+    for (const auto& [name, value] : kParameters)
+      if (std::isinf(spec_.*value)) refuse(name, "inf", "is not a finite number", "");
+    need_positive("cov", spec_.cov, "write e.g. cov = 0.2");
+    for (const char* name :
+         {"standard_deviation", "log_standard_deviation", "alpha", "beta", "shape", "scale"})
+      need_positive(name, value_named(name), "write a positive one");
+    check_location();
+    check_bounds();
+    if (spec_.distribution == DistributionKind::kEmpirical && spec_.values.empty())
+      refuse("", "", "an empirical distribution needs file (and column), or values",
+             "write e.g. file = \"tests.csv\"");
+  }
+
+  [[nodiscard]] double value_named(std::string_view name) const {
+    for (const auto& [known, value] : kParameters)
+      if (name == known) return spec_.*value;
+    return kUnset;
+  }
+
+  void need_positive(const char* name, double value, const char* cure) {
+    const bool pure =
+        std::string_view(name) != "standard_deviation" && std::string_view(name) != "scale";
+    if (is_set(value) && value <= 0)
+      refuse(name, pure ? fmt::format("{:g}", value) : shown_value(spec_, value),
+             "must be more than 0", cure);
+  }
+
+  void check_location() {
+    const bool lognormal = spec_.distribution == DistributionKind::kLognormal;
+    if (lognormal && is_set(spec_.mean) && spec_.mean <= 0)
+      refuse("mean", shown_value(spec_, spec_.mean), "a lognormal mean must be more than 0", "");
+    if (is_set(spec_.median) && spec_.median <= 0)
+      refuse("median", shown_value(spec_, spec_.median), "must be more than 0", "");
+    if (is_set(spec_.cov) && spec_.mean == 0)
+      refuse("cov", fmt::format("{:g}", spec_.cov), "has no meaning with a mean of 0",
+             "write standard_deviation instead");
+    const double location = is_set(spec_.location) ? spec_.location : 0.0;
+    if (spec_.distribution == DistributionKind::kWeibull && is_set(spec_.mean) &&
+        spec_.mean <= location)
+      refuse("mean", shown_value(spec_, spec_.mean),
+             fmt::format("must be more than the location {}", shown_value(spec_, location)), "");
+  }
+
+  void check_bounds() {
+    if (is_set(spec_.low) && is_set(spec_.high) && spec_.low >= spec_.high) {
+      refuse("low", shown_value(spec_, spec_.low),
+             fmt::format("must be less than high = {}", shown_value(spec_, spec_.high)),
+             "exchange them");
+      return;
+    }
+    if (is_set(spec_.mode) && (spec_.mode < spec_.low || spec_.mode > spec_.high))
+      refuse("mode", shown_value(spec_, spec_.mode),
+             fmt::format("must lie from {} to {}", shown_value(spec_, spec_.low),
+                         shown_value(spec_, spec_.high)),
+             "");
+    if (spec_.distribution == DistributionKind::kBeta && is_set(spec_.mean)) check_beta_moments();
+  }
+
+  // A beta distribution between low and high can't be wider than all its weight at both ends.
+  void check_beta_moments() {
+    if (spec_.mean <= spec_.low || spec_.mean >= spec_.high) {
+      refuse("mean", shown_value(spec_, spec_.mean), "must lie between low and high", "");
+      return;
+    }
+    const double deviation =
+        is_set(spec_.cov) ? spec_.cov * std::fabs(spec_.mean) : spec_.standard_deviation;
+    const double widest = std::sqrt((spec_.mean - spec_.low) * (spec_.high - spec_.mean));
+    if (deviation >= widest)
+      refuse(is_set(spec_.cov) ? "cov" : "standard_deviation", "",
+             fmt::format("a standard deviation of {} does not fit between low and high",
+                         shown_value(spec_, deviation)),
+             fmt::format("stay below {}", shown_value(spec_, widest)));
+  }
+
+  void check_truncation() {
+    if (is_set(spec_.lower) && is_set(spec_.upper) && spec_.lower >= spec_.upper) {
+      refuse("lower", shown_value(spec_, spec_.lower),
+             fmt::format("must be less than upper = {}", shown_value(spec_, spec_.upper)),
+             "exchange them");
+      return;
+    }
+    try {
+      constexpr double kNothing = 1e-9;  // below, quantiles of the rest lose their digits
+      if (Margin(spec_).kept() < kNothing)
+        refuse(is_set(spec_.lower) ? "lower" : "upper",
+               shown_value(spec_, is_set(spec_.lower) ? spec_.lower : spec_.upper),
+               "the truncation leaves nothing of the distribution", "widen lower and upper");
+    } catch (const std::exception& error) {  // moments no Weibull distribution has, and the like
+      refuse("", "", fmt::format("no such distribution: {}", error.what()), "");
+    }
+  }
+
+  const VariableSpec& spec_;
+  const std::string& file_;
+  FaultList& faults_;
+  const Kind& kind_;
+  bool good_ = true;
+};
+
+// --- the whole -----------------------------------------------------------------------------------
+
+bool is_word(const std::string& name) {
+  const auto good = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !name.empty() && (name[0] < '0' || name[0] > '9') &&
+         std::all_of(name.begin(), name.end(), good);
+}
+
+class StudyCheck {
+ public:
+  explicit StudyCheck(const StudySpec& study) : study_(study) {}
+
+  std::vector<Fault> run() {
+    check_sizes();
+    if (study_.variable.empty())
+      refuse("variable", "", "is missing, a study needs at least one random variable",
+             "write [variable.ft_j] and under it its path, distribution, mean and cov");
+    for (const VariableSpec& variable : study_.variable) {
+      check_input("variable." + variable.name, variable);
+      check_variable(variable, study_.file, faults_);
+    }
+    for (const DependentSpec& dependent : study_.dependent)
+      check_input("dependent." + dependent.name, dependent);
+    const Dependents checked(study_, faults_);
+    check_correlation(study_, faults_);
+    return faults_.all();
+  }
+
+ private:
+  void refuse(const std::string& path, const std::string& value, const std::string& problem,
+              const std::string& cure) {
+    faults_.add(
+        {.file = study_.file, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  void check_sizes() {
+    if (study_.batch.empty()) refuse("study.samples", "", "is missing", "write e.g. samples = 250");
+    for (const int size : study_.batch)
+      if (size < 2)
+        refuse("study.samples", std::to_string(size),
+               "must be at least 2: one sample has no scatter", "write e.g. samples = 250");
+    for (const double fraction : study_.fractions)
+      if (!(fraction > 0 && fraction < 1))
+        refuse("study.fractions", fmt::format("{:g}", fraction),
+               "must be more than 0 and less than 1, a share of the peak",
+               "write e.g. fractions = [0.8, 0.5]");
+    for (const double state : study_.states)
+      if (!(state > 0))
+        refuse("study.states", format_quantity(state, "m", "mm"), "must be more than 0 mm",
+               "write e.g. states = [\"10 mm\", \"40 mm\"]");
+    if (study_.read_modes_at <= 0)
+      refuse("study.read_modes_at", format_quantity(study_.read_modes_at, "m", "mm"),
+             "must be more than 0 mm", "write e.g. read_modes_at = \"40 mm\"");
+    const auto variables = static_cast<int>(study_.variable.size());
+    if (study_.design == Design::kSobol && variables > most_sobol_variables())
+      refuse("study.design", "sobol",
+             fmt::format("has at most {} variables, the study has {}", most_sobol_variables(),
+                         variables),
+             "write design = \"latin_hypercube\"");
+  }
+
+  void check_input(const std::string& place, const InputSpec& input) {
+    if (!is_word(input.name))
+      refuse(place, "", "a name is made of letters, digits and _, and begins with a letter",
+             "rename it, e.g. ft_j");
+    else if (is_function_name(input.name))
+      refuse(place, "", fmt::format("{} is a function of formulas", input.name), "rename it");
+    else if (!names_.insert(input.name).second)
+      refuse(place, "", "there is a variable of this name", "give it a name of its own");
+    if (input.path.empty()) return;
+    const auto [known, is_new] = setter_.emplace(input.path, place);
+    if (!is_new)
+      refuse(place + ".path", input.path, fmt::format("is set by {} too", known->second),
+             "leave one of the two");
+  }
+
+  const StudySpec& study_;
+  FaultList faults_;
+  std::set<std::string> names_;
+  std::map<std::string, std::string> setter_;  // path -> what sets it
+};
+
+}  // namespace
+
+std::string shown_value(const InputSpec& input, double value) {
+  if (input.si_unit.empty() || input.si_unit == "1") return fmt::format("{:g}", value);
+  try {
+    const std::string& unit = input.unit.empty() ? input.si_unit : input.unit;
+    return fmt::format("{:.6g} {}", value / unit_factor(unit, input.si_unit), unit);
+  } catch (const QuantityError&) {
+    return fmt::format("{:.6g} {}", value, input.si_unit);
+  }
+}
+
+void check_variable(const VariableSpec& spec, const std::string& file, FaultList& faults) {
+  VariableCheck(spec, file, faults).run();
+}
+
+std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study).run(); }
+
+}  // namespace wythe

@@ -1,0 +1,19 @@
+// What can be wrong with a study by itself (check_study in study.h), by part.
+#pragma once
+
+#include <string>
+
+#include "wythe/error.h"
+#include "wythe/study.h"
+
+namespace wythe {
+
+// Parameters of one variable: all its distribution needs, none it does not take, and in range.
+void check_variable(const VariableSpec& spec, const std::string& file, FaultList& faults);
+// Pairs, ranges, and that the matrix they make is positive definite (correlation_check.cpp).
+void check_correlation(const StudySpec& study, FaultList& faults);
+
+// "0.15 MPa", "0.5": a value in the unit an input is shown in.
+[[nodiscard]] std::string shown_value(const InputSpec& input, double value);
+
+}  // namespace wythe
