@@ -1,14 +1,52 @@
-// Naming the failure: from the state of the joints, by rules anyone can read.
+// Naming the failure: what happened to each part of the wall, then a name, by rules anyone can read.
+//
+//   Model + State --read_elements()--> ElementState of every pier, spandrel, connection, toe
+//                 --name_from_state()--> FM-1 ... FM-5 (two piers, one opening) or a plain name
+//   Result        --name_failure_mode()--> the same at a stated displacement, with first
+//                   displacements, flags and how the name changes with displacement and thresholds
+//
+// Rules and their reasons: docs/theory/failure_modes.md.
 #pragma once
+
+#include <vector>
 
 #include "wythe/model.h"
 #include "wythe/result.h"
 
 namespace wythe {
 
-// Reads what happened to each pier, spandrel and connection from the snapshots of a push and names
-// the mode: FM-1 ... FM-5 for a wall of two piers and one opening, a plain name otherwise, "unclear"
-// where margins are small. Read at 40 mm, or at the last snapshot of a shorter push.
-[[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result);
+// Thresholds of the rules. Lengths follow from the wall's own courses: see rules_for.
+struct ModeRules {
+  double crack = 0;             // opening, or movement along a crack, that the eye sees [m]
+  double sliding = 0;           // slip all across a section that is sliding [m]
+  double pier_crossed = 0.75;   // share of a pier's width a diagonal crack crosses [-]
+  double spandrel_crossed = 1;  // share of a spandrel's depth a diagonal crack crosses [-]
+  double rocking = 0.5;         // share of a pier's foot that is open when it rocks [-]
+  double crushing = 0.05;       // share of the compressive strength a crushed toe has lost [-]
+  double growth = 8e-3;         // flag: growth of a pier's width [m]
+  double drop = 0.2;            // flag: sudden fall of the reaction, of the peak [-]
+  double doubt = 0.15;          // a measure this near its threshold, as a share of it, is in doubt
+};
+// crack = 1 % of the course height (a tenth of a usual mortar bed), sliding = 3 cracks.
+[[nodiscard]] ModeRules rules_for(const Model& model);
+
+using ElementStates = std::vector<ElementState>;
+
+// What one state shows; first displacements are NaN.
+[[nodiscard]] ElementStates read_elements(const Model& model, const State& state);
+[[nodiscard]] ElementStates read_elements(const Model& model, const State& state,
+                                          const ModeRules& rules);
+// Name, scores, evidence, elements and the flags that one state shows.
+[[nodiscard]] FailureMode name_from_state(const Model& model, const State& state);
+[[nodiscard]] FailureMode name_from_state(const Model& model, const State& state,
+                                          const ModeRules& rules);
+
+// Reads the last snapshot of the push up to `read_at` [m], and the others for first displacements
+// and sensitivity. "unclear" where margins are small or there is no snapshot.
+[[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
+                                            double read_at = 40e-3);
+
+// Opening, slip and crushing of piers, spandrels, connections and base, summed in every snapshot.
+[[nodiscard]] std::vector<Feature> read_features(const Model& model, const Result& result);
 
 }  // namespace wythe

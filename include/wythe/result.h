@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,6 +33,33 @@ struct CurveRow {
   double load_factor = 0;      // lambda (body force) or tan of the tilt [-]
 };
 
+// Where the reaction first falls to `fraction` of the peak after it.
+struct FallTo {
+  double fraction = 0;      // of the peak [-]
+  double displacement = 0;  // [m], the last one where it never falls so far
+  double drift = 0;         // displacement / load height [-]
+  bool censored = true;     // never crossed: the wall reaches farther than `displacement`
+};
+
+// Elastic, perfectly plastic curve of equal area: the secant through 0.7 peak, cut at the force that
+// makes both areas equal up to the ultimate displacement (docs/reference/results.md).
+struct Bilinear {
+  double stiffness = 0;              // ke [N/m]
+  double force = 0;                  // Fu [N]
+  double yield_displacement = 0;     // dy [m]
+  double ultimate_displacement = 0;  // du [m], at 0.8 peak
+  double ductility = 0;              // du / dy
+  bool censored = true;  // 0.8 peak was never crossed: du and ductility are lower bounds
+};
+
+// The largest displacement the wall carried, and by what its end was told.
+struct Collapse {
+  double displacement = 0;  // [m]
+  double drift = 0;         // displacement / load height [-]
+  bool censored = true;     // the run ended before the wall collapsed
+  std::string criterion;    // "the reaction stays below 0.2 of the peak", "a block fell", ...
+};
+
 // Responses read off the curve; definitions in docs/reference/results.md.
 struct Responses {
   double peak_reaction = 0;         // [N]
@@ -41,8 +69,21 @@ struct Responses {
   double displacement_max = 0;      // [m], where the reaction stays below 0.2 peak
   bool censored_max = true;
   double initial_stiffness = 0;  // [N/m], secant between 10 and 30 % of the peak
+  double load_height = 0;        // what drifts are measured over [m]; 0: not known, no drifts
+  double drift_at_peak = 0, drift_at_80 = 0, drift_max = 0;  // displacement / load_height [-]
+  double work_to_peak = 0, work_to_80 = 0, work_total = 0;   // area under the curve [J]
+  std::vector<FallTo> falls = {};  // one for each fraction asked for, in that order
+  Bilinear bilinear = {};
+  Collapse collapse = {};
 };
-[[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve);
+
+// What to read beside the fixed responses.
+struct ResponseOptions {
+  std::vector<double> fractions = {0.8, 0.5};  // of the peak, after it, each in (0, 1)
+  std::string collapse = {};                   // why the run ended by collapse, "": it did not
+};
+[[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
+                                       const ResponseOptions& options = {});
 
 struct EnergyLedger {
   double loads = 0, drive = 0;                      // work put in [J]
@@ -70,17 +111,60 @@ struct Event {
   std::string where;        // joint kind and place
 };
 
+// A measure beside its threshold.
 struct Evidence {
   std::string element, measure;
   double value = 0, threshold = 0;
   std::string unit;
+  [[nodiscard]] bool holds() const { return value >= threshold; }
+  // How far beyond the threshold, as a share of it; negative below.
+  [[nodiscard]] double margin() const { return threshold > 0 ? value / threshold - 1 : 0.0; }
 };
+
+// One thing that can happen to an element, and the measure by which it did or did not.
+struct ElementSign {
+  std::string state;    // "flexural crack", "rocking", "diagonal shear crack", "sliding", ...
+  std::string measure;  // in words
+  double value = 0, threshold = 0;
+  std::string unit;  // of both: "mm", "-"
+  double displacement_first =
+      std::numeric_limits<double>::quiet_NaN();  // of the first stored state
+                                                 // that shows it [m]
+  [[nodiscard]] bool holds() const { return value >= threshold; }
+};
+
+// What happened to one pier, spandrel, connection or toe.
+struct ElementState {
+  std::string element;             // "left pier", "spandrel", "left connection", ...
+  std::string kind;                // "pier", "spandrel", "connection", "toe"
+  std::string state = "intact";    // the signs that hold, gravest first: "rocking, flexural crack"
+  std::vector<ElementSign> signs;  // all that were looked for
+  // Displacement of the first stored state in which the element was not intact [m], NaN: intact.
+  double displacement_first = std::numeric_limits<double>::quiet_NaN();
+};
+
+// The name another reading gives: at another stored displacement or with another threshold.
+struct NameReading {
+  std::string what;  // "at 20 mm", "spandrel shear x 1.25"
+  std::string name;
+};
+
 struct FailureMode {
   std::string name = "unclear";
   std::map<std::string, double> scores;
   std::vector<Evidence> evidence;
   std::string sentence;  // in plain words
   double read_at = 0;    // displacement at which it was read [m]
+  std::vector<ElementState> elements = {};
+  std::vector<Evidence> flags = {};  // severity; raised where value >= threshold
+  std::vector<NameReading> sensitivity = {};
+};
+
+// A sum over the joints of a region in one stored state.
+struct Feature {
+  std::string name;         // "left_pier_opening", "spandrel_slip", "base_crushing"
+  double displacement = 0;  // of the stored state [m]
+  double value = 0;         // [m], sum over the region's joints of the mean over their points
 };
 
 struct Snapshot {
@@ -109,6 +193,7 @@ struct Result {
   std::vector<double>
       joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
+  std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
   std::vector<StageReport> stages;
   double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)

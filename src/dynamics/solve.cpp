@@ -81,7 +81,9 @@ Result solve(const Model& model, State& state, const SolveOptions& options) {
     ++state.stage;
     state.stage_time = 0;
   }
-  result.responses = read_responses(result.curve);
+  ResponseOptions read;
+  if (result.status == SolveStatus::kCollapsed) read.collapse = result.reason;
+  result.responses = read_responses(result.curve, read);
   result.quasi_static = dynamics::judge_quasi_static(result);
   result.top_displacement = top_displacement(model, state);
   result.steps = state.step;
@@ -91,8 +93,8 @@ Result solve(const Model& model, State& state, const SolveOptions& options) {
   return result;
 }
 
-Estimate estimate(const Model& model) {
-  Estimate e;
+RunEstimate estimate(const Model& model) {
+  RunEstimate e;
   double steps = 0;
   for (const Stage& stage : model.stages) {
     e.time_step = dynamics::stage_time_step(model, stage);

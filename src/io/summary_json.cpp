@@ -29,22 +29,70 @@ Json quasi_static_json(const QuasiStatic& meter) {
           {"damping_share", meter.damping_share}};
 }
 
-Json failure_mode_json(const FailureMode& mode) {
-  Json evidence = Json::array();
-  for (const Evidence& e : mode.evidence) {
-    evidence.push_back({{"element", e.element},
-                        {"measure", e.measure},
-                        {"value", e.value},
-                        {"threshold", e.threshold},
-                        {"unit", e.unit}});
+Json evidence_json(const std::vector<Evidence>& evidence) {
+  Json list = Json::array();
+  for (const Evidence& e : evidence) {
+    list.push_back({{"element", e.element},
+                    {"measure", e.measure},
+                    {"value", e.value},
+                    {"threshold", e.threshold},
+                    {"unit", e.unit},
+                    {"margin", e.margin()}});
   }
+  return list;
+}
+
+Json flags_json(const std::vector<Evidence>& flags) {
+  Json list = evidence_json(flags);
+  for (std::size_t i = 0; i < flags.size(); ++i) list[i]["raised"] = flags[i].holds();
+  return list;
+}
+
+Json elements_json(const std::vector<ElementState>& elements) {
+  Json list = Json::array();
+  for (const ElementState& e : elements) {
+    Json signs = Json::array();
+    for (const ElementSign& s : e.signs) {
+      signs.push_back({{"state", s.state},
+                       {"holds", s.holds()},
+                       {"measure", s.measure},
+                       {"value", s.value},
+                       {"threshold", s.threshold},
+                       {"unit", s.unit},
+                       {"displacement_first_mm", s.displacement_first * 1e3}});
+    }
+    list.push_back({{"element", e.element},
+                    {"kind", e.kind},
+                    {"state", e.state},
+                    {"displacement_first_mm", e.displacement_first * 1e3},
+                    {"signs", signs}});
+  }
+  return list;
+}
+
+Json failure_mode_json(const FailureMode& mode) {
   Json scores = Json::object();
   for (const auto& [name, score] : mode.scores) scores[name] = score;
+  Json sensitivity = Json::array();
+  for (const NameReading& other : mode.sensitivity)
+    sensitivity.push_back({{"what", other.what}, {"name", other.name}});
   return {{"name", mode.name},
           {"sentence", mode.sentence},
           {"read_at_mm", mode.read_at * 1e3},
           {"scores", scores},
-          {"evidence", evidence}};
+          {"evidence", evidence_json(mode.evidence)},
+          {"elements", elements_json(mode.elements)},
+          {"flags", flags_json(mode.flags)},
+          {"sensitivity", sensitivity}};
+}
+
+Json features_json(const std::vector<Feature>& features) {
+  Json list = Json::array();
+  for (const Feature& f : features) {
+    list.push_back(
+        {{"name", f.name}, {"displacement_mm", f.displacement * 1e3}, {"value_mm", f.value * 1e3}});
+  }
+  return list;
 }
 
 Json events_json(const std::vector<Event>& events) {
@@ -77,6 +125,17 @@ Json provenance_json(std::uint64_t spec_hash) {
           {"build_type", made.build_type}, {"spec_hash", fmt::format("{:016x}", spec_hash)}};
 }
 
+Json falls_json(const std::vector<FallTo>& falls) {
+  Json list = Json::array();
+  for (const FallTo& fall : falls) {
+    list.push_back({{"fraction", fall.fraction},
+                    {"displacement_mm", fall.displacement * 1e3},
+                    {"drift_percent", fall.drift * 1e2},
+                    {"censored", fall.censored}});
+  }
+  return list;
+}
+
 void add_responses(Json& json, const Responses& r) {
   json["peak_reaction_kN"] = r.peak_reaction * 1e-3;
   json["displacement_at_peak_mm"] = r.displacement_at_peak * 1e3;
@@ -86,6 +145,24 @@ void add_responses(Json& json, const Responses& r) {
   json["displacement_max_mm"] = r.displacement_max * 1e3;
   json["censored_max"] = r.censored_max;
   json["initial_stiffness_kN_per_mm"] = r.initial_stiffness * 1e-6;
+  json["load_height_m"] = r.load_height;
+  json["drift_percent_at_peak"] = r.drift_at_peak * 1e2;
+  json["drift_percent_at_80"] = r.drift_at_80 * 1e2;
+  json["drift_percent_max"] = r.drift_max * 1e2;
+  json["work_to_peak_J"] = r.work_to_peak;
+  json["work_to_80_percent_J"] = r.work_to_80;
+  json["work_total_J"] = r.work_total;
+  json["falls"] = falls_json(r.falls);
+  json["bilinear"] = {{"stiffness_kN_per_mm", r.bilinear.stiffness * 1e-6},
+                      {"force_kN", r.bilinear.force * 1e-3},
+                      {"yield_displacement_mm", r.bilinear.yield_displacement * 1e3},
+                      {"ultimate_displacement_mm", r.bilinear.ultimate_displacement * 1e3},
+                      {"ductility", r.bilinear.ductility},
+                      {"censored", r.bilinear.censored}};
+  json["collapse"] = {{"displacement_mm", r.collapse.displacement * 1e3},
+                      {"drift_percent", r.collapse.drift * 1e2},
+                      {"censored", r.collapse.censored},
+                      {"criterion", r.collapse.criterion}};
 }
 
 }  // namespace
@@ -98,6 +175,7 @@ std::string summary_json(const Model& model, const Result& result) {
   json["load_factor"] = result.load_factor;
   json["top_displacement_mm"] = result.top_displacement * 1e3;
   json["failure_mode"] = failure_mode_json(result.failure_mode);
+  json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);
   json["quasi_static"] = quasi_static_json(result.quasi_static);
   json["events"] = events_json(result.events);

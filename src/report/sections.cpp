@@ -197,22 +197,65 @@ std::string pictures_section(const Model& model, const Result& result) {
   return out + "</div>\n";
 }
 
+namespace {
+
+std::string first_seen(double displacement) {
+  return std::isnan(displacement) ? "–" : millimetres(displacement);
+}
+
+// What happened to each part of the wall, and from which stored state on.
+std::string elements_table(const std::vector<ElementState>& elements) {
+  if (elements.empty()) return "";
+  std::vector<std::vector<std::string>> rows = {{"element", "what happened", "first seen at"}};
+  for (const ElementState& e : elements)
+    rows.push_back({escaped(e.element), escaped(e.state), first_seen(e.displacement_first)});
+  return table(rows, "second");
+}
+
+std::string measures_table(const std::vector<Evidence>& evidence, const char* reached_word) {
+  std::vector<std::vector<std::string>> rows = {
+      {"element", "sign", "measured", "threshold", reached_word}};
+  for (const Evidence& e : evidence) {
+    // a share is a plain number between 0 and 1
+    const std::string unit = e.unit == "share" || e.unit == "-" ? "" : e.unit;
+    rows.push_back({escaped(e.element), escaped(e.measure), quantity(e.value, unit),
+                    quantity(e.threshold, unit), e.holds() ? "<b>yes</b>" : "no"});
+  }
+  return table(rows, "second");
+}
+
+// "FM-5 at 10 mm, at 20 mm; unclear with crack width x 1.25": the readings that give another name.
+std::string sensitivity_sentence(const FailureMode& mode) {
+  if (mode.sensitivity.empty()) return "";
+  std::string others;
+  for (const NameReading& r : mode.sensitivity)
+    if (r.name != mode.name)
+      others +=
+          fmt::format("{}{}: {}", others.empty() ? "" : "; ", escaped(r.what), escaped(r.name));
+  const std::size_t n = mode.sensitivity.size();
+  if (others.empty())
+    return fmt::format(
+        "<p>Read in {} other ways (other states, thresholds a quarter lower or "
+        "higher) it gets the same name.</p>\n",
+        n);
+  return fmt::format(
+      "<p>Of {} other readings (other states, thresholds a quarter lower or higher) "
+      "these give another name: {}.</p>\n",
+      n, others);
+}
+
+}  // namespace
+
 std::string failure_section(const FailureMode& mode) {
   if (mode.evidence.empty()) return "";
   std::string out = fmt::format(
       "<h2>Why it is called {}</h2>\n<p class=\"soft\">Measured on the wall "
       "at {}, against the threshold of each sign.</p>\n",
       escaped(mode.name), millimetres(mode.read_at));
-  std::vector<std::vector<std::string>> rows = {
-      {"element", "sign", "measured", "threshold", "reached"}};
-  for (const Evidence& e : mode.evidence) {
-    // a share is a plain number between 0 and 1
-    const std::string unit = e.unit == "share" || e.unit == "-" ? "" : e.unit;
-    const bool reached = e.value >= e.threshold;
-    rows.push_back({escaped(e.element), escaped(e.measure), quantity(e.value, unit),
-                    quantity(e.threshold, unit), reached ? "<b>yes</b>" : "no"});
-  }
-  return out + table(rows, "second");
+  out += elements_table(mode.elements) + sensitivity_sentence(mode);
+  if (!mode.flags.empty()) out += "<h3>How severe</h3>\n" + measures_table(mode.flags, "raised");
+  if (!mode.elements.empty()) out += "<h3>The measures</h3>\n";
+  return out + measures_table(mode.evidence, "reached");
 }
 
 }  // namespace wythe::report

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "dynamics/stage_runner.h"
+#include "io/summary_json.h"
+#include "report/sections.h"
+#include "scenes/sample_run.h"
 #include "scenes/scenes.h"
 #include "wythe/result.h"
 
@@ -66,6 +71,139 @@ TEST(Responses, empty_curve_gives_zeros) {
   EXPECT_TRUE(r.censored_80);
 }
 
+// --- responses of closed form
+// A curve with a drift height of 2 m, so that drift = displacement / 2.
+std::vector<CurveRow> over_two_metres(std::vector<CurveRow> curve) {
+  for (CurveRow& row : curve) row.drift = row.displacement / 2;
+  return curve;
+}
+
+TEST(Falls, each_fraction_has_its_own_crossing) {
+  // a straight softening line from 100 at 2 to 0 at 12: 10 a unit
+  const auto line = over_two_metres(curve_of({{0, 0}, {2, 100}, {12, 0}}));
+  const Responses r = read_responses(line, {.fractions = {0.9, 0.5, 0.25}});
+  ASSERT_EQ(r.falls.size(), 3U);
+  EXPECT_DOUBLE_EQ(r.falls[0].displacement, 3);
+  EXPECT_DOUBLE_EQ(r.falls[1].displacement, 7);
+  EXPECT_DOUBLE_EQ(r.falls[2].displacement, 9.5);
+  EXPECT_DOUBLE_EQ(r.falls[1].drift, 3.5);
+  for (const FallTo& fall : r.falls) EXPECT_FALSE(fall.censored);
+}
+
+TEST(Falls, default_fractions_are_80_and_50_percent) {
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}));
+  ASSERT_EQ(r.falls.size(), 2U);
+  EXPECT_DOUBLE_EQ(r.falls[0].displacement, r.displacement_at_80);
+  EXPECT_DOUBLE_EQ(r.falls[1].displacement, 7);
+}
+
+TEST(Falls, curve_that_never_falls_is_censored_at_its_end) {
+  const Responses r = read_responses(curve_of({{0, 0}, {1, 100}, {8, 100}}), {.fractions = {0.99}});
+  EXPECT_TRUE(r.falls[0].censored);
+  EXPECT_DOUBLE_EQ(r.falls[0].displacement, 8);
+  EXPECT_TRUE(r.bilinear.censored);
+}
+
+TEST(Drifts, each_displacement_over_the_load_height) {
+  const Responses r = read_responses(over_two_metres(curve_of({{0, 0}, {2, 100}, {12, 0}})));
+  EXPECT_DOUBLE_EQ(r.load_height, 2);
+  EXPECT_DOUBLE_EQ(r.drift_at_peak, 1);
+  EXPECT_DOUBLE_EQ(r.drift_at_80, r.displacement_at_80 / 2);
+  EXPECT_DOUBLE_EQ(r.drift_max, r.displacement_max / 2);
+  EXPECT_DOUBLE_EQ(r.collapse.drift, r.collapse.displacement / 2);
+}
+
+TEST(Drifts, no_height_gives_none) {
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}));
+  EXPECT_EQ(r.load_height, 0);
+  EXPECT_EQ(r.drift_at_80, 0);
+}
+
+TEST(Work, triangle_is_its_area) {
+  // to the peak 100; on to 80 at 4: 90 x 2 = 180 more; all of it 100 + 500
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}));
+  EXPECT_DOUBLE_EQ(r.work_to_peak, 100);
+  EXPECT_DOUBLE_EQ(r.work_to_80, 280);
+  EXPECT_DOUBLE_EQ(r.work_total, 600);
+}
+
+TEST(Work, unloading_gives_work_back) {
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {0, 0}}));
+  EXPECT_DOUBLE_EQ(r.work_total, 0);
+}
+
+TEST(Work, does_not_depend_on_the_rows) {
+  // a straight branch in one row or in a hundred
+  std::vector<std::pair<double, double>> fine;
+  for (int i = 0; i <= 100; ++i) fine.emplace_back(0.02 * i, i);
+  for (int i = 1; i <= 100; ++i) fine.emplace_back(2 + 0.1 * i, 100 - i);
+  const Responses r = read_responses(curve_of(fine));
+  EXPECT_NEAR(r.work_to_80, 280, 1e-9);  // round-off of 130 sums
+  EXPECT_NEAR(r.bilinear.force,
+              read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}})).bilinear.force, 1e-9);
+}
+
+TEST(Bilinear, of_an_elastic_plastic_curve_is_the_curve_itself) {
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {10, 100}, {10.001, 0}}));
+  EXPECT_DOUBLE_EQ(r.bilinear.stiffness, 50);
+  EXPECT_NEAR(r.bilinear.force, 100, 0.02);  // the fall to 0.8 peak takes 0.0002 of extra path
+  EXPECT_NEAR(r.bilinear.yield_displacement, 2, 4e-4);
+  EXPECT_NEAR(r.bilinear.ductility, 5, 1e-2);
+  EXPECT_FALSE(r.bilinear.censored);
+}
+
+TEST(Bilinear, of_a_triangle_follows_from_equal_areas) {
+  // ke = 50, du = 4, A = 280: Fu = 50 (4 - sqrt(16 - 11.2))
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}));
+  const double force = 50 * (4 - std::sqrt(16 - 11.2));
+  EXPECT_DOUBLE_EQ(r.bilinear.ultimate_displacement, 4);
+  EXPECT_NEAR(r.bilinear.force, force, 1e-12 * force);
+  const double dy = r.bilinear.yield_displacement;
+  EXPECT_NEAR(0.5 * force * dy + force * (4 - dy), 280, 1e-9);  // the areas are equal
+}
+
+TEST(Bilinear, of_a_straight_line_has_no_plastic_part) {
+  const Responses r = read_responses(curve_of({{0, 0}, {5, 100}}));
+  EXPECT_NEAR(r.bilinear.force, 100, 1e-5);  // a root at its branch point: half the digits
+  EXPECT_NEAR(r.bilinear.ductility, 1, 1e-6);
+}
+
+TEST(Bilinear, secant_reads_the_curve_at_seven_tenths) {
+  // soft beyond 0.5 peak: 70 at 0.5 + 20 / 50 x 2.5 = 1.5
+  const Responses r = read_responses(curve_of({{0, 0}, {0.5, 50}, {3, 100}, {9, 70}}));
+  EXPECT_NEAR(r.bilinear.stiffness, 70 / 1.5, 1e-12);
+}
+
+TEST(Collapse, says_by_what_it_was_told) {
+  const auto fallen = curve_of({{0, 0}, {1, 100}, {2, 10}, {5, 5}});
+  const Responses low = read_responses(fallen);
+  EXPECT_FALSE(low.collapse.censored);
+  EXPECT_DOUBLE_EQ(low.collapse.displacement, 2);
+  EXPECT_EQ(low.collapse.criterion, "the reaction stays below 0.2 of its peak");
+
+  const auto held = curve_of({{0, 0}, {1, 100}, {5, 90}});
+  const Responses fell = read_responses(held, {.collapse = "block c03 has moved 200 mm"});
+  EXPECT_FALSE(fell.collapse.censored);
+  EXPECT_DOUBLE_EQ(fell.collapse.displacement, 5);
+  EXPECT_EQ(fell.collapse.criterion, "block c03 has moved 200 mm");
+  EXPECT_TRUE(fell.censored_max);  // its definition looks at the reaction only
+
+  EXPECT_TRUE(read_responses(held).collapse.censored);
+}
+
+TEST(Responses, noise_moves_them_by_no_more_than_its_size) {
+  // +-1 on the straight softening line with 10 a unit: a crossing moves by 0.1 at the most
+  std::vector<std::pair<double, double>> rows;
+  for (int i = 0; i <= 240; ++i) {
+    const double d = 0.05 * i, smooth = d <= 2 ? 50 * d : 120 - 10 * d;
+    rows.emplace_back(d, smooth + (i == 0 || i % 2 == 0 ? 0 : 1.0));
+  }
+  const Responses r = read_responses(curve_of(rows), {.fractions = {0.5}});
+  EXPECT_NEAR(r.peak_reaction, 100, 1);
+  EXPECT_NEAR(r.falls[0].displacement, 7, 0.2);  // 0.1, and 0.1 as the peak itself may be 1 higher
+  EXPECT_NEAR(r.work_total, 600, 12 * 1);        // 1 on at most the whole path of 12
+}
+
 Result pushed(double drag) {
   Result result;
   result.curve = curve_of({{0, 0}, {1, 50}, {2, 100}, {3, 90}});
@@ -78,6 +216,58 @@ Result pushed(double drag) {
   result.energy.drive = 10;
   result.energy.damping = 3;
   return result;
+}
+
+// --- where they are shown
+
+TEST(SummaryJson, carries_every_response_with_its_unit) {
+  Result result = scenes::sample_result();
+  result.responses = read_responses(over_two_metres(curve_of({{0, 0}, {2e-3, 100e3}, {12e-3, 0}})));
+  result.features = {{"spandrel_slip", 20e-3, 3e-3}};
+  const auto json = nlohmann::json::parse(io::summary_json(scenes::sample_model(), result));
+  EXPECT_DOUBLE_EQ(json["load_height_m"], 2);
+  EXPECT_NEAR(json["drift_percent_at_80"], 0.2, 1e-12);
+  EXPECT_NEAR(json["work_to_80_percent_J"], 280, 1e-9);
+  EXPECT_NEAR(json["falls"][1]["displacement_mm"], 7, 1e-12);
+  EXPECT_EQ(json["falls"][1]["fraction"], 0.5);
+  EXPECT_NEAR(json["bilinear"]["stiffness_kN_per_mm"], 50, 1e-9);
+  EXPECT_NEAR(json["bilinear"]["ultimate_displacement_mm"], 4, 1e-12);
+  EXPECT_EQ(json["collapse"]["criterion"], "the reaction stays below 0.2 of its peak");
+  EXPECT_EQ(json["features"][0]["name"], "spandrel_slip");
+  EXPECT_NEAR(json["features"][0]["value_mm"], 3, 1e-12);
+}
+
+// What a mode says of its elements, in summary.json and on the page.
+TEST(FailureModeShown, with_elements_flags_and_other_readings) {
+  Result result = scenes::sample_result();
+  FailureMode& mode = result.failure_mode;
+  ElementSign rocking;
+  rocking.state = "rocking";
+  rocking.value = 0.8;
+  rocking.threshold = 0.5;
+  rocking.displacement_first = 10e-3;
+  ElementState pier;
+  pier.element = "left pier";
+  pier.state = "rocking";
+  pier.signs = {rocking};
+  mode.elements = {pier};
+  mode.flags = {{"left pier", "growth of its width", 9, 8, "mm"}};
+  mode.sensitivity = {{"at 10 mm", "FM-5"}, {"at 20 mm", mode.name}};
+
+  const auto json =
+      nlohmann::json::parse(io::summary_json(scenes::sample_model(), result))["failure_mode"];
+  EXPECT_NEAR(json["elements"][0]["signs"][0]["displacement_first_mm"], 10, 1e-12);
+  EXPECT_TRUE(json["elements"][0]["signs"][0]["holds"]);
+  EXPECT_TRUE(json["elements"][0]["displacement_first_mm"].is_null());
+  EXPECT_TRUE(json["flags"][0]["raised"]);
+  EXPECT_NEAR(json["flags"][0]["margin"], 0.125, 1e-12);
+  EXPECT_EQ(json["sensitivity"][0]["name"], "FM-5");
+
+  const std::string page = report::failure_section(mode);
+  EXPECT_NE(page.find("growth of its width"), std::string::npos);
+  EXPECT_NE(page.find("Of 2 other readings"), std::string::npos);
+  EXPECT_NE(page.find("at 10 mm: FM-5"), std::string::npos);
+  EXPECT_EQ(page.find("at 20 mm: "), std::string::npos);  // the same name is no news
 }
 
 TEST(QuasiStatic, verdict_follows_the_drag) {

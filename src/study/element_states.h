@@ -1,0 +1,56 @@
+// What happened to each part of the wall in one state, sign by sign.
+//
+//   sign                  part        measure                                        threshold
+//   flexural crack        pier        widest bed joint at foot or head               crack
+//                         spandrel,   widest crack summed along a level line         crack
+//                         connection
+//   rocking               pier        share of a section at the foot that is open    rocking
+//   diagonal shear crack  pier        height over which the shaft is parted          crossed_pier
+//                         spandrel    length over which the depth is parted          crossed_spandrel
+//   sliding               pier        slip all across a bed section                  sliding
+//                         spandrel,   slip all down a vertical section               sliding
+//                         connection
+//   sliding at the base   pier        slip all across the foundation                 sliding
+//   toe crushing          toe         strength lost by a joint                       crushing
+//
+// Called by failure_mode.cpp; the reasons are in docs/theory/failure_modes.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/joint_motion.h"
+#include "study/wall_parts.h"
+#include "wythe/failure_mode.h"
+
+namespace wythe::study {
+
+inline constexpr const char* kDiagonal = "diagonal shear crack";
+inline constexpr const char* kSliding = "sliding";
+inline constexpr const char* kBaseSliding = "sliding at the base";
+inline constexpr const char* kRocking = "rocking";
+inline constexpr const char* kCrushing = "toe crushing";
+inline constexpr const char* kFlexural = "flexural crack";
+
+// Piers, spandrels, connections, toes, in the order of WallParts.
+[[nodiscard]] ElementStates element_states(const WallParts& parts,
+                                           const std::vector<JointMotion>& joints,
+                                           const ModeRules& rules);
+// The part of a pier a diagonal crack is looked for in: a quarter of the width off foot and head,
+// where the cracks of rocking and of the connections are.
+[[nodiscard]] Box shaft_of(const Pier& pier);
+// Growth of a pier's width at its most parted course, now [m].
+[[nodiscard]] double width_growth(const Pier& pier, const WallParts& parts,
+                                  const std::vector<JointMotion>& joints);
+
+// How surely each sign holds, from 0 to 1: the mean over crack widths from half to twice the rule's
+// of a ramp from `doubt` below the threshold to as much above. By element, then sign, as in
+// element_states.
+using Truths = std::vector<std::vector<double>>;
+[[nodiscard]] Truths truths_of(const WallParts& parts, const std::vector<JointMotion>& joints,
+                               const ModeRules& rules);
+// The truth of one sign of one element; 0 where the element has no such sign.
+[[nodiscard]] double truth(const ElementStates& elements, const Truths& truths,
+                           const std::string& element, const std::string& state);
+
+}  // namespace wythe::study

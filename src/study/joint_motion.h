@@ -1,0 +1,58 @@
+// What each joint of the masonry did, in the words the rules need; scan lines and bed sections over
+// a region. Read by element_states.cpp, mode_flags.cpp and features.cpp.
+#pragma once
+
+#include <vector>
+
+#include "study/wall_parts.h"
+#include "wythe/model.h"
+
+namespace wythe::study {
+
+struct JointMotion {
+  JointId id = 0;
+  JointKind kind = JointKind::kOther;
+  bool is_bed = false;              // nearer level than upright
+  bool on_ground = false;           // the foundation: on the ground or a fixed block
+  double x = 0, y = 0;              // centre at the start [m]
+  double reach_x = 0, reach_y = 0;  // half its extent [m]
+  double opening = 0;               // mean over its points now, closed points 0 [m]
+  double widest = 0;                // largest of its points, now or before [m]
+  double opened = 0;                // mean of its points' largest openings so far [m]
+  double slip = 0;      // mean now; bed: upper against lower along +x, upright: left against right
+                        // along +y [m]
+  double crushing = 0;  // share of the strength lost, largest of its points [-]
+  double crushed = 0;   // crushing shortening, mean of its points [m]
+  [[nodiscard]] double length() const { return 2 * (is_bed ? reach_x : reach_y); }
+};
+
+// All joints of masonry and lintels; those of plates and of the beam are left out.
+[[nodiscard]] std::vector<JointMotion> read_joint_motion(const Model& model, const State& state);
+
+// Sum of the joints that one straight line through a region crosses.
+struct LineSum {
+  double at = 0;                          // height of a level line, place of an upright one [m]
+  double opening = 0;                     // now [m]
+  double opened = 0;                      // largest so far [m]
+  double slip = 0;                        // signed [m]
+  [[nodiscard]] double movement() const;  // opened and slipped together [m]
+};
+// Level lines cross upright joints, upright lines cross bed joints, four lines a `pitch`. Masonry
+// only: lintel chain and bond are left out, and so are joints on the region's own edge.
+enum class Lines { kLevel, kUpright };
+[[nodiscard]] std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box,
+                                        Lines lines, double pitch);
+
+// The bed joints of a region at one height.
+struct BedSection {
+  double y = 0;  // [m]
+  std::vector<const JointMotion*> joints;
+};
+[[nodiscard]] std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints,
+                                                   const Box& box, double course);
+// Share of `width` whose joints are open by `crack` or more (largest so far).
+[[nodiscard]] double open_share(const BedSection& section, double width, double crack);
+// The slip that 0.9 of `width` has at least [m].
+[[nodiscard]] double slip_all_across(const BedSection& section, double width);
+
+}  // namespace wythe::study
