@@ -2,22 +2,16 @@
 
 #include <fmt/core.h>
 
-#include <atomic>
-#include <csignal>
-#include <fstream>
-
+#include "campaign_commands.h"
+#include "interrupt.h"
 #include "progress.h"
+#include "wythe/failure_mode.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 #include "wythe/solve.h"
-#include "wythe/failure_mode.h"
 
 namespace wythe::app {
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-void on_interrupt(int) { interrupted.store(true); }
 
 int exit_code(SolveStatus status) {
   return status == SolveStatus::kCompleted || status == SolveStatus::kCollapsed ? 0 : 3;
@@ -53,12 +47,10 @@ int run(const RunArguments& arguments) {
   model.spec_hash = spec_hash(spec);
   prepare_folder(arguments.out);
   if (!arguments.quiet) print_model(model);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   State state = initial_state(model);
   SolveOptions options;
   options.threads = arguments.threads;
-  options.stop = &interrupted;
+  options.stop = &stop_asked();
   Result result;
   {
     ProgressPrinter progress(arguments.quiet);
@@ -66,6 +58,7 @@ int run(const RunArguments& arguments) {
     result = solve(model, state, options);
   }
   result.failure_mode = name_failure_mode(model, result);
+  result.features = read_features(model, result);
   write_run(arguments.out, spec, model, result);
   write_text(arguments.out + "/report.html", run_report(spec, model, result));
   print_result(result, arguments.out);
@@ -73,9 +66,10 @@ int run(const RunArguments& arguments) {
 }
 
 int check(const CheckArguments& arguments) {
+  if (is_study(arguments.file)) return check_study_file(arguments);
   const ModelSpec spec = read_model(arguments.file, arguments.overrides);
   const Model model = compile(spec);
-  const Estimate e = estimate(model);
+  const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", arguments.file);
   print_model(model);
   fmt::print(

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#include "campaign_commands.h"
 #include "commands.h"
 #include "wythe/error.h"
 #include "wythe/provenance.h"
@@ -44,9 +45,10 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
 }
 
 void add_check(CLI::App& app, CheckArguments& a, int& code) {
-  CLI::App* command = app.add_subcommand("check", "validate a model and print what it compiles to");
+  CLI::App* command =
+      app.add_subcommand("check", "validate a model or a study and print what it compiles to");
   command->footer("example: wythe check examples/tuff_wall/model.toml");
-  command->add_option("file", a.file, "MODEL.toml")->required();
+  command->add_option("file", a.file, "MODEL.toml or STUDY.toml")->required();
   add_overrides(command, a.overrides);
   command->callback([&] { code = check(a); });
 }
@@ -63,6 +65,70 @@ void add_contact(CLI::App& app, ContactArguments& a, int& code) {
   command->callback([&] { code = contact(a); });
 }
 
+void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "campaign", "draw samples of a study, push each, and say how strong, how far, how sure");
+  command->footer(
+      "example: wythe campaign examples/tuff_wall/study.toml --out out/campaign --samples 24");
+  command->add_option("study", a.study, "the study, STUDY.toml")->required();
+  command->add_option("--out", a.out, "folder for the store and results, made if absent")
+      ->required();
+  command->add_option("--samples", a.samples, "number of samples, in place of the study's")
+      ->check(CLI::Range(0, 1000000));
+  command->add_option("--seed", a.seed, "seed of the samples, in place of the study's");
+  add_overrides(command, a.overrides);
+  command->add_option("--jobs", a.jobs, "samples at once (all cores); same bits for any number")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--resume", a.resume, "go on with what the folder holds");
+  command->add_option("--shard", a.shard, "I/N: only samples I, I + N, ...; join with wythe merge");
+  command->add_option("--until", a.until,
+                      "stop when precise enough, e.g. \"relative_interval(peak_reaction) < 1 %\"");
+  command->add_flag("--quiet", a.quiet, "no progress");
+  command->callback([&] { code = campaign(a); });
+}
+
+void add_merge(CLI::App& app, MergeArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand("merge", "join the shards of a campaign");
+  command->footer("example: wythe merge out/shard_1 out/shard_2 --out out/campaign");
+  command->add_option("folders", a.folders, "folders of the shards")->required();
+  command->add_option("--out", a.out, "folder for the whole, made if absent")->required();
+  command->callback([&] { code = merge(a); });
+}
+
+void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "replay", "run one sample of a campaign alone: same bits, all files of a run");
+  command->footer("example: wythe replay out/campaign --sample 17 --out out/sample_17");
+  command->add_option("folder", a.folder, "folder of the campaign")->required();
+  command->add_option("--sample", a.sample, "number of the sample, from 1")->required();
+  command->add_option("--out", a.out, "folder for the results, made if absent")->required();
+  command->add_option("--threads", a.threads, "threads inside this wall; same bits for any number")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--quiet", a.quiet, "no progress");
+  command->callback([&] { code = replay(a); });
+}
+
+void add_report(CLI::App& app, ReportArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "report", "write samples.csv, statistics.json and report.html again from a campaign's store");
+  command->footer("example: wythe report out/campaign");
+  command->add_option("folder", a.folder, "folder of the campaign")->required();
+  command->callback([&] { code = report(a); });
+}
+
+void add_picture(CLI::App& app, PictureArguments& a, int& code) {
+  CLI::App* command =
+      app.add_subcommand("picture", "draw the stored states of one sample of a campaign (SVG)");
+  command->footer(
+      "example: wythe picture out/campaign --sample 17 --at 10 20 40 --out sample_17.svg");
+  command->add_option("folder", a.folder, "folder of the campaign")->required();
+  command->add_option("--sample", a.sample, "number of the sample, from 1")->required();
+  command->add_option("--out", a.out, "SVG file to write")->required();
+  command->add_option("--at", a.at_mm, "displacements of the states, mm; default all stored");
+  command->add_option("--scale", a.scale, "magnification of displacements; default one that fits");
+  command->callback([&] { code = picture(a); });
+}
+
 int parse_and_run(int argc, char** argv) {
   CLI::App app(
       "wythe: how strong a masonry wall is, how far it drifts, how it fails, and how sure we are");
@@ -75,6 +141,17 @@ int parse_and_run(int argc, char** argv) {
   add_run(app, run_arguments, code);
   add_check(app, check_arguments, code);
   add_contact(app, contact_arguments, code);
+  CampaignArguments campaign_arguments;
+  campaign_arguments.command.assign(argv, argv + argc);
+  MergeArguments merge_arguments;
+  ReplayArguments replay_arguments;
+  ReportArguments report_arguments;
+  add_campaign(app, campaign_arguments, code);
+  add_merge(app, merge_arguments, code);
+  add_replay(app, replay_arguments, code);
+  add_report(app, report_arguments, code);
+  PictureArguments picture_arguments;
+  add_picture(app, picture_arguments, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

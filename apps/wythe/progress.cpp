@@ -12,11 +12,25 @@ namespace {
 constexpr int kBarWidth = 30;
 constexpr double kPlainEvery = 5.0;  // seconds between plain lines
 
-std::string time_left(double elapsed, double share) {
-  if (share < 0.01) return "";
-  const double left = elapsed * (1 - share) / share;
+std::string seconds_left(double left) {
   return left < 90 ? fmt::format(", {:.0f} s left", left)
                    : fmt::format(", {:.0f} min left", left / 60);
+}
+
+std::string time_left(double elapsed, double share) {
+  return share < 0.01 ? "" : seconds_left(elapsed * (1 - share) / share);
+}
+
+std::string bar(double share) {
+  const auto filled = static_cast<std::size_t>(share * kBarWidth);
+  return std::string(filled, '#') + std::string(kBarWidth - filled, '.');
+}
+
+// What the last sample answered: peak and mode, or why there is none.
+std::string last_sample(const SampleRecord& record) {
+  if (!record.answered()) return fmt::format("  sample {}: {}", record.sample, record.status);
+  return fmt::format("  sample {}: {:.1f} kN, {}", record.sample,
+                     1e-3 * record.responses.peak_reaction, record.failure_mode.name);
 }
 
 }  // namespace
@@ -36,13 +50,33 @@ void ProgressPrinter::operator()(const Progress& p) {
       fmt::format("{:3.0f} %  {}  {:.2f} mm  {:.1f} kN{}", 100 * p.share, p.stage,
                   1e3 * p.displacement, 1e-3 * p.reaction, time_left(elapsed, p.share));
   if (terminal_) {
-    const auto filled = static_cast<std::size_t>(p.share * kBarWidth);
-    const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-    fmt::print(stderr, "\r\x1b[K[{}] {}", bar, text);
+    fmt::print(stderr, "\r\x1b[K[{}] {}", bar(p.share), text);
   } else if (std::chrono::duration<double>(now - last_).count() >= kPlainEvery) {
     fmt::print(stderr, "{}\n", text);
     last_ = now;
   }
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+CampaignPrinter::CampaignPrinter(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+CampaignPrinter::~CampaignPrinter() {
+  if (drawn_ && terminal_) std::fputs("\r\x1b[K", stderr);
+}
+
+void CampaignPrinter::operator()(const CampaignProgress& p) {
+  if (quiet_) return;
+  std::string text = fmt::format("{} of {} samples", p.done, p.total);
+  if (p.rate > 0)
+    text += fmt::format("  {:.1f} a minute{}", 60 * p.rate, seconds_left(p.seconds_left));
+  if (p.last != nullptr) text += last_sample(*p.last);
+  if (terminal_)
+    fmt::print(stderr, "\r\x1b[K[{}] {}",
+               bar(p.total > 0 ? static_cast<double>(p.done) / p.total : 1), text);
+  else
+    fmt::print(stderr, "{}\n", text);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "wythe/campaign.h"
 #include "wythe/solve.h"
 
 namespace wythe::app {
@@ -19,6 +20,19 @@ class ProgressPrinter {
   using Clock = std::chrono::steady_clock;
   bool quiet_, terminal_, drawn_ = false;
   Clock::time_point start_ = Clock::now(), last_ = Clock::now();
+};
+
+// The same for a campaign: a line for every sample where there is no terminal.
+class CampaignPrinter {
+ public:
+  explicit CampaignPrinter(bool quiet);
+  ~CampaignPrinter();
+  CampaignPrinter(const CampaignPrinter&) = delete;
+  CampaignPrinter& operator=(const CampaignPrinter&) = delete;
+  void operator()(const CampaignProgress& progress);
+
+ private:
+  bool quiet_, terminal_, drawn_ = false;
 };
 
 }  // namespace wythe::app

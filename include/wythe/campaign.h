@@ -18,6 +18,8 @@
 
 namespace wythe {
 
+struct SolveOptions;
+
 // What one sample answered. `status` is a SolveStatus in words, or "refused" (its inputs are not
 // admissible: the reason says which and why), or "" while it has not run.
 struct SampleRecord {
@@ -27,6 +29,8 @@ struct SampleRecord {
   bool retried = false;  // with half the step, after `unstable`
   Responses responses;
   FailureMode failure_mode;
+  std::vector<Feature> features;
+  std::vector<Event> events;
   EnergyLedger energy;
   QuasiStatic quasi_static;
   std::vector<CurveRow> curve;
@@ -34,7 +38,10 @@ struct SampleRecord {
   double time_step = 0;     // [s]
   double wall_seconds = 0;  // says nothing about the wall: not in samples.csv
   std::string state_hash;
+  std::string provenance;  // of the program that ran this sample
   [[nodiscard]] bool has_curve() const { return !curve.empty(); }
+  // Only then are responses and failure mode numbers of the wall; else its reason counts.
+  [[nodiscard]] bool answered() const { return status == "completed" || status == "collapsed"; }
 };
 
 struct CampaignOptions {
@@ -42,25 +49,28 @@ struct CampaignOptions {
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
   const std::atomic<bool>* stop = nullptr;  // finish nothing half
-  std::string provenance;                   // version, commit, compiler, flags
+  std::string provenance = {};              // version, commit, compiler, flags
 };
 
 struct CampaignProgress {
   int done = 0, total = 0, running = 0;
-  double seconds = 0;       // since the start
-  double seconds_left = 0;  // estimate, < 0: not known yet
+  double seconds = 0;        // since the start
+  double rate = 0;           // samples a second since the start
+  double seconds_left = -1;  // estimate, < 0: not known yet
   const SampleRecord* last = nullptr;
 };
 
 struct CampaignOutcome {
-  int done = 0, total = 0;
+  int done = 0, total = 0;  // of this shard
   bool interrupted = false;
-  bool precise_enough = false;  // the study's `until` was met before all samples ran
-  std::string until_state;      // the rule's measures, in words
+  bool precise_enough = false;     // the study's `until` was met before all samples ran
+  std::string until_state;         // the rule's measures, in words
+  std::vector<std::string> notes;  // for the user, e.g. an unfinished design
 };
 
-// Runs what the store in `folder` does not hold yet. Throws InputError (changed study on resume:
-// says what changed), IoError (locked, damaged or newer store, full disk).
+// Runs what the store in `folder` does not hold yet. Where it holds a design already (resume), a
+// larger study.batch adds a batch. Throws InputError (changed study on resume: says what changed),
+// IoError (locked, damaged or newer store, full disk).
 CampaignOutcome run_campaign(const StudySpec& study, const ModelBuilder& build,
                              const std::string& folder, const CampaignOptions& options,
                              const std::function<void(const CampaignProgress&)>& progress = {});
@@ -73,10 +83,28 @@ struct Campaign {
   double load_height = 0;             // for drift [m]
   std::string provenance;
 };
+[[nodiscard]] bool holds_campaign(const std::string& folder);
+// Sizes of the designs a store holds.
+[[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
 [[nodiscard]] Campaign read_campaign(const std::string& folder);
-// Stored states of one sample (single precision, for pictures): label, displacement, state.
+// Stored states of one sample (single precision, at rest, for pictures).
 [[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample);
 // Joins shards of the same study; the answer equals that of the whole.
 void merge_campaigns(const std::vector<std::string>& folders, const std::string& out);
+
+// One sample alone, as the campaign runs it: the same bits, with every state.
+struct SampleRun {
+  std::string refused;  // why it was not run, else ""
+  std::vector<std::string> settings;
+  ModelSpec spec;
+  Model model;
+  Result result;
+  bool retried = false;
+};
+[[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
+                                   const ModelBuilder& build, const SolveOptions& options);
+
+// "tensile_strength_MPa": name and unit of an input as samples.csv and the store's view head it.
+[[nodiscard]] std::string column_title(const InputColumn& column);
 
 }  // namespace wythe

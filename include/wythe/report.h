@@ -1,17 +1,25 @@
-// report.html: one self-contained page for a run.
+// report.html: one self-contained page for a run, or for a campaign.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "wythe/campaign.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
+#include "wythe/statistics.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe {
 
 // Deformed, cracked wall at a snapshot as an SVG document; `scale` magnifies displacements.
 [[nodiscard]] std::string wall_svg(const Model& model, const State& state, double scale);
+// States of one wall side by side with their displacements, as an SVG document; `scale` 0: fitting.
+[[nodiscard]] std::string states_svg(const Model& model, const std::vector<Snapshot>& states,
+                                     double scale, const std::string& title);
 [[nodiscard]] std::string run_report(const ModelSpec& spec, const Model& model,
                                      const Result& result);
+// report.html of a campaign; whatever it holds, nothing included.
+[[nodiscard]] std::string campaign_report(const Campaign& campaign, const Statistics& statistics);
 
 }  // namespace wythe

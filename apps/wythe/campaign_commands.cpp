@@ -1,0 +1,240 @@
+#include "campaign_commands.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <thread>
+
+#include "campaign_table.h"
+#include "interrupt.h"
+#include "progress.h"
+#include "wythe/campaign.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/provenance.h"
+#include "wythe/report.h"
+#include "wythe/solve.h"
+#include "wythe/statistics.h"
+
+namespace wythe::app {
+namespace {
+
+constexpr int kFailed = 3;
+
+std::string provenance_text() {
+  const Provenance p = provenance();
+  return fmt::format("wythe {} ({}, {}, {}, {})", p.version, p.commit, p.compiler, p.build_type,
+                     p.flags);
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& value,
+                         const std::string& problem, const std::string& cure) {
+  throw InputError(
+      {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
+}
+
+// "2/4" -> shard 2 of 4.
+void read_shard(const std::string& text, CampaignOptions& options) {
+  if (text.empty()) return;
+  const char* end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, options.shard);
+  if (first == std::errc() && slash != end && *slash == '/') {
+    const auto [stop, second] = std::from_chars(slash + 1, end, options.shards);
+    if (second == std::errc() && stop == end) return;
+  }
+  refuse("--shard", text, "is not I/N", "write e.g. --shard 1/4");
+}
+
+std::string shell_quoted(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyz"
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-./=+,:@%") == std::string::npos;
+  if (plain) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+std::string resume_command(const CampaignArguments& a) {
+  std::string line;
+  for (const std::string& word : a.command) line += (line.empty() ? "" : " ") + shell_quoted(word);
+  return a.resume ? line : line + " --resume";
+}
+
+// The study as asked on this command line. Without --samples a resumed campaign keeps its size.
+StudySpec asked_study(const CampaignArguments& a) {
+  std::vector<std::string> overrides = a.overrides;
+  if (a.samples) overrides.push_back(fmt::format("study.samples={}", *a.samples));
+  if (a.seed) overrides.push_back(fmt::format("study.seed={}", *a.seed));
+  StudySpec study = read_study(a.study, overrides);
+  if (!a.until.empty()) study.until = a.until;
+  if (!a.resume || a.samples || !holds_campaign(a.out)) return study;
+  const std::vector<int> stored = stored_batches(a.out);
+  const int has = std::accumulate(stored.begin(), stored.end(), 0);
+  const int asks = std::accumulate(study.batch.begin(), study.batch.end(), 0);
+  if (has != asks)
+    fmt::print(stderr, "note: {} holds a design of {} samples, the study asks for {}{}\n", a.out,
+               has, asks, asks > has ? fmt::format("; --samples {} adds the rest", asks) : "");
+  study.batch = stored;
+  return study;
+}
+
+// samples.csv, statistics.json, report.html from the store, and the table on stdout.
+int write_results(const std::string& folder) {
+  const Campaign campaign = read_campaign(folder);
+  write_text(folder + "/samples.csv", samples_csv(campaign));
+  const Statistics statistics = statistics_of(campaign);
+  write_text(folder + "/statistics.json", statistics_json(statistics));
+  write_text(folder + "/report.html", campaign_report(campaign, statistics));
+  print_table(campaign, statistics);
+  fmt::print("report {}/report.html\n", folder);
+  return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
+}
+
+int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
+  write_text(a.out + "/samples.csv", samples_csv(read_campaign(a.out)));
+  fmt::print(stderr, "stopped: {} of {} samples are stored, none is half done. Go on with\n  {}\n",
+             outcome.done, outcome.total, resume_command(a));
+  return kFailed;
+}
+
+}  // namespace
+
+int campaign(const CampaignArguments& a) {
+  CampaignOptions options;
+  options.jobs = a.jobs;
+  options.resume = a.resume;
+  options.stop = &stop_asked();
+  options.provenance = provenance_text();
+  read_shard(a.shard, options);
+  const StudySpec study = asked_study(a);
+  const ModelBuilder build = model_builder(study);
+  CampaignOutcome outcome;
+  {
+    CampaignPrinter printer(a.quiet);
+    outcome =
+        run_campaign(study, build, a.out, options, [&](const CampaignProgress& p) { printer(p); });
+  }
+  for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", note);
+  if (outcome.interrupted) return say_interrupted(a, outcome);
+  const int code = write_results(a.out);
+  if (outcome.precise_enough)
+    fmt::print("precise enough after {} samples: {}\n", outcome.done, outcome.until_state);
+  else if (!outcome.until_state.empty())
+    fmt::print("not yet precise enough: {}; more samples: --resume --samples N\n",
+               outcome.until_state);
+  return code;
+}
+
+int merge(const MergeArguments& a) {
+  merge_campaigns(a.folders, a.out);
+  const Campaign whole = read_campaign(a.out);
+  const auto missing = static_cast<std::size_t>(whole.samples.n_sample()) - whole.records.size();
+  if (missing > 0)
+    fmt::print(stderr,
+               "note: {} samples are in none of these shards; they can be run in {} with "
+               "--resume\n",
+               missing, a.out);
+  return write_results(a.out);
+}
+
+int report(const ReportArguments& a) {
+  if (!holds_campaign(a.folder))
+    throw IoError(a.folder + ": holds no campaign (no campaign.db); a run writes its own report");
+  return write_results(a.folder);
+}
+
+namespace {
+
+const SampleRecord* record_in(const Campaign& campaign, int sample) {
+  for (const SampleRecord& record : campaign.records)
+    if (record.sample == sample) return &record;
+  return nullptr;
+}
+
+std::string lines(const std::vector<std::string>& texts) {
+  std::string out;
+  for (const std::string& text : texts) out += text + '\n';
+  return out;
+}
+
+void write_replay(const ReplayArguments& a, const Campaign& campaign, const SampleRun& run) {
+  write_run(a.out, run.spec, run.model, run.result);
+  write_text(a.out + "/report.html", run_report(run.spec, run.model, run.result));
+  write_text(a.out + "/model.toml", campaign.study.model_text);
+  write_text(a.out + "/settings.txt", lines(campaign.study.settings) + lines(run.settings));
+}
+
+// What the store says against what came out.
+int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const SampleRun& run) {
+  const std::string status = run.refused.empty() ? to_string(run.result.status) : "refused";
+  fmt::print("sample {}: {}{}\n", a.sample, status, run.refused.empty() ? "" : ": " + run.refused);
+  if (run.refused.empty())
+    fmt::print("peak {:.2f} kN   mode {}   state {}\n", 1e-3 * run.result.responses.peak_reaction,
+               run.result.failure_mode.name, run.result.state_hash);
+  if (stored == nullptr) {
+    fmt::print("the campaign has not run this sample: nothing to compare\n");
+    return 0;
+  }
+  const std::string hash = run.refused.empty() ? run.result.state_hash : "";
+  if (stored->status == status && stored->state_hash == hash) {
+    fmt::print("equal to the campaign's to the bit\n");
+    return 0;
+  }
+  fmt::print(stderr,
+             "differs from the campaign's: {}, state {}; stored {}, state {}\n"
+             "the campaign was run by {}; this is {}\n",
+             status, hash, stored->status, stored->state_hash, stored->provenance,
+             provenance_text());
+  return kFailed;
+}
+
+}  // namespace
+
+int replay(const ReplayArguments& a) {
+  const Campaign campaign = read_campaign(a.folder);
+  if (a.sample < 1 || a.sample > campaign.samples.n_sample())
+    refuse("--sample", std::to_string(a.sample), "is not in the campaign",
+           fmt::format("write a number from 1 to {}", campaign.samples.n_sample()));
+  prepare_folder(a.out);
+  SolveOptions options;
+  options.threads = a.threads;
+  options.stop = &stop_asked();
+  SampleRun run;
+  {
+    ProgressPrinter progress(a.quiet);
+    options.progress = [&](const Progress& p) { progress(p); };
+    run = run_sample(campaign.study, campaign.samples, a.sample, model_builder(campaign.study),
+                     options);
+  }
+  if (run.refused.empty()) write_replay(a, campaign, run);
+  return compare_replay(a, record_in(campaign, a.sample), run);
+}
+
+int check_study_file(const CheckArguments& a) {
+  const StudySpec study = read_study(a.file, a.overrides);
+  const ModelBuilder build = model_builder(study);
+  const Model base = compile(build({}));
+  const SampleTable samples = draw_samples(study);
+  std::map<std::string, int> refused;
+  for (int s = 0; s < samples.n_sample(); ++s) {
+    const std::string why = refusal_of(settings_of(samples, s), build);
+    if (!why.empty()) ++refused[why];
+  }
+  fmt::print("{}: valid\n", a.file);
+  fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,
+             base.n_point());
+  print_inputs(samples);
+  for (const auto& [why, count] : refused)
+    fmt::print("{} sample{} will be refused: {}\n", count, count == 1 ? "" : "s", why);
+  const double cores = std::max(1U, std::thread::hardware_concurrency());
+  fmt::print("{} samples, about {:.0f} s on {:.0f} cores\n", samples.n_sample(),
+             estimate(base).seconds * samples.n_sample() / cores, cores);
+  return 0;
+}
+
+}  // namespace wythe::app

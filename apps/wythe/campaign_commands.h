@@ -1,0 +1,51 @@
+// The commands about campaigns: run, join shards, replay a sample, rewrite results, check a study.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+
+namespace wythe::app {
+
+struct CampaignArguments {
+  std::string study, out, shard, until;
+  std::optional<int> samples;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> overrides;
+  int jobs = 0;
+  bool resume = false, quiet = false;
+  std::vector<std::string> command;  // as typed, to say how to go on
+};
+int campaign(const CampaignArguments& arguments);
+
+struct MergeArguments {
+  std::vector<std::string> folders;
+  std::string out;
+};
+int merge(const MergeArguments& arguments);
+
+struct ReplayArguments {
+  std::string folder, out;
+  int sample = 0, threads = 1;
+  bool quiet = false;
+};
+int replay(const ReplayArguments& arguments);
+
+struct ReportArguments {
+  std::string folder;
+};
+int report(const ReportArguments& arguments);
+
+struct PictureArguments {
+  std::string folder, out;
+  int sample = 0;
+  double scale = 0;           // of displacements; 0: one that fits
+  std::vector<double> at_mm;  // which states; none: all
+};
+int picture(const PictureArguments& arguments);
+
+int check_study_file(const CheckArguments& arguments);
+
+}  // namespace wythe::app

@@ -1,0 +1,79 @@
+#include "campaign_table.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace wythe::app {
+namespace {
+
+std::string cell(double value, const char* format) {
+  return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+}
+
+// "231.4 +- 3.2": the mean and half its interval.
+std::string mean_cell(const Summary& summary, double to_unit) {
+  const Estimate& mean = summary.mean;
+  if (std::isnan(mean.value)) return "-";
+  const double half = 0.5 * mean.interval.width();
+  if (std::isnan(half)) return fmt::format("{:.2f}", mean.value * to_unit);
+  return fmt::format("{:.2f} +- {:.2f}", mean.value * to_unit, half * to_unit);
+}
+
+std::string share_cell(const Statistics& statistics, const GroupSummary& group) {
+  for (const Share& share : statistics.share)
+    if (share.name == group.name)
+      return fmt::format("{:.0f} ({:.0f}-{:.0f})", 100 * share.share.value,
+                         100 * share.share.interval.low, 100 * share.share.interval.high);
+  return "";
+}
+
+}  // namespace
+
+void print_table(const Campaign& campaign, const Statistics& statistics) {
+  fmt::print("samples {} of {}:", campaign.records.size(), campaign.samples.n_sample());
+  const char* between = " ";
+  for (const auto& [status, count] : statistics.status) {
+    fmt::print("{}{} {}", between, count, status);
+    between = ", ";
+  }
+  fmt::print("\n");
+  constexpr std::size_t kShown = 3;  // peak, displacement at it, at 80 % of it
+  const auto& quantity = quantities();
+  fmt::print("{:<24} {:>4} {:>14}", "failure mode", "n", "share %");
+  for (std::size_t q = 0; q < kShown && q < quantity.size(); ++q)
+    fmt::print(" {:>26}", fmt::format("{} {}", quantity[q].name, quantity[q].unit));
+  fmt::print(" {:>6}\n", "CoV %");
+  for (const GroupSummary& group : statistics.group) {
+    if (group.quantity.empty()) continue;
+    fmt::print("{:<24} {:>4} {:>14}", group.name, group.quantity[0].n,
+               share_cell(statistics, group));
+    for (std::size_t q = 0; q < kShown && q < group.quantity.size(); ++q)
+      fmt::print(" {:>26}", mean_cell(group.quantity[q], quantity[q].to_unit));
+    fmt::print(" {:>6}\n", cell(100 * group.quantity[0].cov.value, "{:.1f}"));
+  }
+  fmt::print(
+      "means with their 95 % interval; CoV of the peak; censored displacements as recorded\n");
+}
+
+void print_inputs(const SampleTable& samples) {
+  fmt::print("{:<40} {:>14} {:>8} {:>10}\n", "input", "mean", "CoV %", "cut off %");
+  std::size_t variable = 0;
+  for (std::size_t i = 0; i < samples.column.size(); ++i) {
+    const InputColumn& column = samples.column[i];
+    double sum = 0, squares = 0;
+    for (const auto& row : samples.value) sum += row[i] * column.to_unit + column.offset;
+    const double n = samples.n_sample(), mean = sum / n;
+    for (const auto& row : samples.value) {
+      const double off = row[i] * column.to_unit + column.offset - mean;
+      squares += off * off;
+    }
+    const double cov = n > 1 ? std::sqrt(squares / (n - 1)) / std::fabs(mean) : std::nan("");
+    const double cut =
+        column.is_random && variable < samples.cut_off.size() ? samples.cut_off[variable++] : 0.0;
+    fmt::print("{:<40} {:>14.6g} {:>8} {:>10}\n", column_title(column), mean,
+               cell(100 * cov, "{:.2f}"), cut > 0 ? fmt::format("{:.3g}", 100 * cut) : "");
+  }
+}
+
+}  // namespace wythe::app

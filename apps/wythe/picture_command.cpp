@@ -1,0 +1,42 @@
+// wythe picture: the stored states of one sample of a campaign, side by side.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "campaign_commands.h"
+#include "wythe/campaign.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+
+namespace wythe::app {
+namespace {
+
+bool is_wanted(const Snapshot& s, const std::vector<double>& at_mm) {
+  for (const double mm : at_mm)
+    if (std::fabs(1e3 * s.displacement - mm) < 0.5) return true;
+  return at_mm.empty();
+}
+
+}  // namespace
+
+int picture(const PictureArguments& a) {
+  const Campaign campaign = read_campaign(a.folder);
+  if (a.sample < 1 || a.sample > campaign.samples.n_sample())
+    throw InputError(
+        {{.file = "--sample",
+          .path = "",
+          .value = std::to_string(a.sample),
+          .problem = fmt::format("the campaign has samples 1 to {}", campaign.samples.n_sample()),
+          .cure = "name one of them"}});
+  const ModelBuilder build = model_builder(campaign.study);
+  const Model model = compile(build(settings_of(campaign.samples, a.sample - 1)));
+  std::vector<Snapshot> states;
+  for (Snapshot& s : read_states(a.folder, a.sample))
+    if (is_wanted(s, a.at_mm)) states.push_back(std::move(s));
+  write_text(a.out, states_svg(model, states, a.scale, fmt::format("sample {}", a.sample)));
+  fmt::print("{} states of sample {} -> {}\n", states.size(), a.sample, a.out);
+  return 0;
+}
+
+}  // namespace wythe::app

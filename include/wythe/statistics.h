@@ -1,0 +1,203 @@
+// What the samples of a campaign say together: how strong, how far, how it fails, how sure.
+//
+//   Campaign --statistics_of()--> Statistics --> statistics.json (io.h), report.html (report.h)
+//   --until "relative_interval(peak_reaction) < 1 % and interval(share) < 0.1" --precise_enough()
+//
+// Every interval is of 95 %; the same campaign gives the same bits. Estimators, their sources and
+// their bias: docs/theory/statistics.md. What is NaN has no answer (too few samples); an infinite
+// displacement lies beyond the end of the push.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wythe/campaign.h"
+
+namespace wythe {
+
+struct Interval {
+  double low = kUnset, high = kUnset;
+  [[nodiscard]] double width() const { return high - low; }
+};
+struct Estimate {
+  double value = kUnset;
+  Interval interval;
+};
+
+// A response read off one curve. A censored value is a lower bound: the push ended before.
+struct Reading {
+  double value = kUnset;
+  bool censored = false;
+};
+
+// A response the statistics are made of; shown = SI * to_unit.
+struct Quantity {
+  const char* name;   // "peak_reaction", as in until rules and file keys
+  const char* words;  // "peak force"
+  const char* unit;   // "kN", "mm", "kN/mm"
+  double to_unit;
+  bool can_be_censored;
+  Reading (*read)(const Responses&);
+};
+// peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max,
+// initial_stiffness: the order of every `quantity` and `response` array below.
+[[nodiscard]] const std::vector<Quantity>& quantities();
+
+// One cell of Table 3. Censored values enter mean, cov, min, max and median as they were recorded;
+// survival_* treat them as lower bounds (Kaplan-Meier), the mean up to the largest recorded value.
+struct Summary {
+  int n = 0, censored = 0;
+  double min = kUnset, max = kUnset, standard_deviation = kUnset;
+  Estimate mean, cov, median;                            // BCa, BCa and percentile bootstrap
+  Estimate survival_mean, survival_median;               // percentile bootstrap
+  double percentile_5 = kUnset, percentile_95 = kUnset;  // Kaplan-Meier where censored
+};
+// "all", one failure mode, or modes taken together ("FM-1 + FM-2").
+struct GroupSummary {
+  std::string name;
+  std::vector<std::string> modes;
+  std::vector<Summary> quantity;
+};
+
+struct Share {
+  std::string name;
+  std::vector<std::string> modes;
+  int count = 0;
+  Estimate share;  // Wilson interval
+};
+
+// Mean of the first n samples and its Student interval (Fig. 8).
+struct RunningMean {
+  std::vector<int> n;
+  std::vector<Estimate> mean;
+};
+// When an asked precision was met. Relative half-widths for means, half-widths for shares.
+struct Precision {
+  std::string what;   // name of a quantity, or "share"
+  double target = 0;  // 0.01: +- 1 %, or a share +- 0.05
+  int first_met = 0;  // sample size, at least kFewestSamples; 0: not met
+  int held_from = 0;  // from here on it stayed met; 0: it does not now
+  int expected = 0;   // size at which it will be, as the width falls with 1/sqrt(n); 0: it is met
+  double now = kUnset;
+};
+
+struct Correlation {
+  std::string input;  // a random variable of the study
+  int n = 0;
+  Estimate pearson, spearman, partial_rank;  // Fisher z intervals
+};
+// Correlation of every random input with one response in one group; correlation inside a mode is
+// conditioned on the outcome and no measure of cause.
+struct CorrelationTable {
+  std::string group, quantity;
+  int censored = 0;
+  std::vector<Correlation> input;
+};
+
+// Var E[Y | X] / Var Y from the given samples, by bins of equal count (all samples together).
+struct FirstOrderIndex {
+  std::string input, quantity;
+  int bins = 0;
+  Estimate index;
+};
+
+// Probability of each mode in bins of equal count of one input.
+struct ModeBin {
+  double low = 0, high = 0, mean = 0;  // of the input [SI]
+  int n = 0;
+  std::vector<Estimate> share;  // (modes of ModeAgainstInput), Wilson
+};
+struct ModeAgainstInput {
+  InputColumn column;  // of the input
+  std::vector<std::string> modes;
+  std::vector<ModeBin> bin;
+};
+
+// Mean of the curves at common displacements (Fig. 21); a curve counts up to its last row.
+struct CurvePoint {
+  double displacement = 0, drift = 0;  // [m], [-]
+  int n = 0;
+  double mean = 0, standard_deviation = 0, low = 0, high = 0;  // reaction, 5 and 95 % [N]
+};
+struct MeanCurve {
+  std::string group;
+  int n = 0;
+  std::vector<CurvePoint> point;
+};
+
+// A drift limit of the code against the samples: P(drift at 0.8 of the peak < limit).
+struct DriftLimit {
+  std::string element, mechanism, state, clause;
+  double limit = 0;            // [-]
+  int below = 0, unknown = 0;  // reached it; push ended before the limit
+  Estimate share;              // Wilson; Kaplan-Meier and Greenwood where some are unknown
+};
+
+// P(X > x), with censored values as such, and the lognormal that fits it.
+struct ExceedancePoint {
+  double value = 0;  // [SI]
+  Estimate probability;
+};
+struct Exceedance {
+  std::string quantity;  // of `quantities()`; displacements also as drift by load_height
+  int n = 0, censored = 0;
+  std::vector<ExceedancePoint> point;
+  Estimate median, beta;   // lognormal, maximum likelihood, percentile bootstrap [SI], [-]
+  double misfit = kUnset;  // largest gap between the fit and the samples' own curve [-]
+};
+
+struct InputSummary {
+  std::string name, unit;
+  bool is_random = true;
+  double mean = kUnset, cov = kUnset, min = kUnset, max = kUnset;  // as shown
+};
+
+// A sample that has no answer, and why.
+struct Unanswered {
+  int sample = 0;
+  std::string status, reason;
+};
+
+struct Statistics {
+  std::string study, design;
+  std::uint64_t seed = 0;
+  int asked = 0, run = 0, answered = 0;  // samples drawn, run, with a usable curve
+  double load_height = 0;                // of every drift [m]
+  double read_modes_at = kUnset;         // [m]
+  int replicates = 0;                    // of every bootstrap
+  std::map<std::string, int> status;     // of the samples that ran
+  std::vector<Unanswered> unanswered;
+  std::vector<std::string> modes;  // FM-1 ... FM-5 where any occurs, other names, "unclear"
+  std::vector<InputSummary> input;
+  std::vector<GroupSummary> group;   // all, modes taken together, then one by one
+  std::vector<Share> share;          // modes, then modes taken together
+  std::vector<RunningMean> running;  // (quantities())
+  std::vector<Precision> precision;
+  std::vector<CorrelationTable> correlation;
+  std::vector<FirstOrderIndex> first_order;
+  std::vector<ModeAgainstInput> mode_against_input;
+  std::vector<MeanCurve> mean_curve;  // all, then modes
+  std::vector<DriftLimit> drift_limit;
+  std::vector<Exceedance> exceedance;
+};
+
+// Fewest samples an until rule may stop at.
+inline constexpr int kFewestSamples = 20;
+
+// A sample counts when its push was completed or ended by collapse and left a curve; all others are
+// in `unanswered`. Any campaign will do, an empty one too. Cost: about a second for 250 samples.
+[[nodiscard]] Statistics statistics_of(const Campaign& campaign);
+
+// Whether this sample counts in the statistics.
+[[nodiscard]] bool is_answered(const SampleRecord& record);
+
+// Throws InputError with every fault of a malformed rule and its cure; "" is no rule.
+void check_rule(const std::string& rule);
+// True when every clause of the rule holds and kFewestSamples have answered; `measures` (optional)
+// says where each clause stands. "" is never met. Cheap: called after every sample.
+[[nodiscard]] bool precise_enough(const std::string& rule, const Campaign& campaign,
+                                  std::string* measures = nullptr);
+
+}  // namespace wythe

@@ -1,0 +1,86 @@
+// samples.csv of a campaign: one row a sample that ran, in order; only what its inputs decide.
+//
+// Nothing of the machine (times, jobs) stands here, so that an undisturbed, a resumed and a merged
+// campaign give the same bytes. Columns: docs/reference/store.md.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+// Fractions of the peak that have columns of their own; 0.8 always has.
+std::vector<double> more_fractions(const StudySpec& study) {
+  std::vector<double> fractions =
+      study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
+  std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
+  return fractions;
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
+
+const FallTo* fall_to(const Responses& responses, double fraction) {
+  for (const FallTo& fall : responses.falls)
+    if (std::fabs(fall.fraction - fraction) < 1e-9) return &fall;
+  return nullptr;
+}
+
+std::string title_row(const Campaign& campaign) {
+  std::string row = "sample";
+  for (const InputColumn& column : campaign.samples.column)
+    row += "," + quoted(column_title(column));
+  row +=
+      ",status,peak_reaction_kN,displacement_at_peak_mm,displacement_at_80_percent_mm,censored_80,"
+      "displacement_max_mm,failure_mode,censored_max";
+  for (const double fraction : more_fractions(campaign.study))
+    row += fmt::format(",displacement_at_{0:g}_percent_mm,censored_{0:g}", 100 * fraction);
+  return row + ",initial_stiffness_kN_per_mm,drift_max_percent,retried,state_hash\n";
+}
+
+// The cells after the status; as many empty ones where there is no answer.
+std::vector<std::string> answer_cells(const Campaign& campaign, const SampleRecord& record) {
+  const Responses& r = record.responses;
+  std::vector<std::string> cells = {
+      number(1e-3 * r.peak_reaction),     number(1e3 * r.displacement_at_peak),
+      number(1e3 * r.displacement_at_80), r.censored_80 ? "1" : "0",
+      number(1e3 * r.displacement_max),   quoted(record.failure_mode.name),
+      r.censored_max ? "1" : "0"};
+  for (const double fraction : more_fractions(campaign.study)) {
+    const FallTo* fall = fall_to(r, fraction);
+    cells.push_back(fall ? number(1e3 * fall->displacement) : "");
+    cells.emplace_back(!fall ? "" : fall->censored ? "1" : "0");
+  }
+  cells.push_back(number(1e-6 * r.initial_stiffness));
+  cells.push_back(number(1e2 * r.drift_max));
+  if (!record.answered())
+    for (std::string& cell : cells) cell.clear();
+  return cells;
+}
+
+}  // namespace
+
+std::string samples_csv(const Campaign& campaign) {
+  std::string text = title_row(campaign);
+  for (const SampleRecord& record : campaign.records) {
+    text += std::to_string(record.sample);
+    for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+      const InputColumn& column = campaign.samples.column[i];
+      text += "," + number(record.inputs[i] * column.to_unit + column.offset);
+    }
+    text += "," + quoted(record.status);
+    for (const std::string& cell : answer_cells(campaign, record)) text += "," + cell;
+    text += fmt::format(",{},{}\n", record.retried ? 1 : 0, record.state_hash);
+  }
+  return text;
+}
+
+}  // namespace wythe

@@ -1,0 +1,274 @@
+// statistics.json: the statistics of a campaign for other programs; keys in docs/reference/statistics.md.
+//
+// Numbers have nine significant digits, far below any interval here and without noise of binary
+// fractions; what is not a number or infinite is null.
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
+Json pair(const Interval& interval, double scale = 1) {
+  return Json::array({number(interval.low * scale), number(interval.high * scale)});
+}
+void add(Json& json, const std::string& key, const Estimate& estimate, double scale = 1) {
+  json[key] = number(estimate.value * scale);
+  json[key + "_interval"] = pair(estimate.interval, scale);
+}
+
+// "kN/mm" -> "kN_per_mm"
+std::string unit_in_key(const std::string& unit) {
+  std::string out;
+  for (char c : unit) {
+    if (c == '/') out += "_per_";
+    if (c == '%') out += "percent";
+    if (std::isalnum(static_cast<unsigned char>(c))) out += c;
+  }
+  return out;
+}
+std::string key_of(const Quantity& q) { return std::string(q.name) + "_" + unit_in_key(q.unit); }
+
+const Quantity& named(const std::string& name) {
+  for (const Quantity& q : quantities())
+    if (name == q.name) return q;
+  return quantities().front();
+}
+
+Json summary_of(const Summary& s, const Quantity& q) {
+  const double scale = q.to_unit;
+  Json json = {{"n", s.n}};
+  if (q.can_be_censored) json["censored"] = s.censored;
+  add(json, "mean", s.mean, scale);
+  add(json, "cov", s.cov);
+  add(json, "median", s.median, scale);
+  json["standard_deviation"] = number(s.standard_deviation * scale);
+  json["min"] = number(s.min * scale);
+  json["max"] = number(s.max * scale);
+  json["percentile_5"] = number(s.percentile_5 * scale);
+  json["percentile_95"] = number(s.percentile_95 * scale);
+  if (!q.can_be_censored) return json;
+  add(json, "survival_mean", s.survival_mean, scale);
+  add(json, "survival_median", s.survival_median, scale);
+  return json;
+}
+
+Json table_json(const Statistics& s) {
+  Json json = Json::object();
+  for (const GroupSummary& group : s.group) {
+    Json& of_group = json[group.name] = {{"modes", group.modes}};
+    for (std::size_t q = 0; q < group.quantity.size(); ++q)
+      of_group[key_of(quantities()[q])] = summary_of(group.quantity[q], quantities()[q]);
+  }
+  return json;
+}
+
+Json samples_json(const Statistics& s) {
+  Json status = Json::object();
+  for (const auto& [name, count] : s.status) status[name] = count;
+  Json unanswered = Json::array();
+  for (const Unanswered& u : s.unanswered)
+    unanswered.push_back({{"sample", u.sample}, {"status", u.status}, {"reason", u.reason}});
+  return {{"asked", s.asked},
+          {"run", s.run},
+          {"answered", s.answered},
+          {"status", status},
+          {"unanswered", unanswered}};
+}
+
+Json inputs_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const InputSummary& in : s.input) {
+    list.push_back({{"name", in.name},
+                    {"unit", in.unit},
+                    {"random", in.is_random},
+                    {"mean", number(in.mean)},
+                    {"cov", number(in.cov)},
+                    {"min", number(in.min)},
+                    {"max", number(in.max)}});
+  }
+  return list;
+}
+
+Json shares_json(const Statistics& s) {
+  Json json = Json::object();
+  for (const Share& share : s.share) {
+    Json& of_mode = json[share.name] = {{"modes", share.modes}, {"count", share.count}};
+    add(of_mode, "share", share.share);
+  }
+  return json;
+}
+
+Json running_json(const Statistics& s) {
+  Json json = Json::object();
+  for (std::size_t q = 0; q < s.running.size(); ++q) {
+    const double scale = quantities()[q].to_unit;
+    Json mean = Json::array(), low = Json::array(), high = Json::array();
+    for (const Estimate& e : s.running[q].mean) {
+      mean.push_back(number(e.value * scale));
+      low.push_back(number(e.interval.low * scale));
+      high.push_back(number(e.interval.high * scale));
+    }
+    json[key_of(quantities()[q])] = {
+        {"n", s.running[q].n}, {"mean", mean}, {"low", low}, {"high", high}};
+  }
+  return json;
+}
+
+Json precision_json(const Statistics& s) {
+  const auto size = [](int n) { return n > 0 ? Json(n) : Json(nullptr); };
+  Json list = Json::array();
+  for (const Precision& p : s.precision) {
+    list.push_back({{"what", p.what},
+                    {"half_width_asked", p.target},
+                    {"half_width_now", number(p.now)},
+                    {"first_met_at", size(p.first_met)},
+                    {"held_from", size(p.held_from)},
+                    {"expected_at", size(p.expected)}});
+  }
+  return list;
+}
+
+Json correlation_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const CorrelationTable& table : s.correlation) {
+    for (const Correlation& c : table.input) {
+      Json row = {{"group", table.group},
+                  {"response", table.quantity},
+                  {"input", c.input},
+                  {"n", c.n},
+                  {"censored", table.censored}};
+      add(row, "pearson", c.pearson);
+      add(row, "spearman", c.spearman);
+      add(row, "partial_rank", c.partial_rank);
+      list.push_back(std::move(row));
+    }
+  }
+  return list;
+}
+
+Json first_order_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const FirstOrderIndex& f : s.first_order) {
+    Json row = {{"response", f.quantity}, {"input", f.input}, {"bins", f.bins}};
+    add(row, "index", f.index);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json bin_json(const ModeBin& bin, const std::vector<std::string>& modes,
+              const InputColumn& column) {
+  const auto shown = [&](double si) { return number(si * column.to_unit + column.offset); };
+  Json json = {
+      {"n", bin.n}, {"low", shown(bin.low)}, {"high", shown(bin.high)}, {"mean", shown(bin.mean)}};
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    Json& of_mode = json["share"][modes[m]] = Json::object();
+    add(of_mode, "share", bin.share[m]);
+  }
+  return json;
+}
+
+Json modes_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const ModeAgainstInput& input : s.mode_against_input) {
+    Json bins = Json::array();
+    for (const ModeBin& bin : input.bin) bins.push_back(bin_json(bin, input.modes, input.column));
+    list.push_back({{"input", input.column.name}, {"unit", input.column.unit}, {"bins", bins}});
+  }
+  return list;
+}
+
+Json mean_curve_json(const MeanCurve& curve) {
+  Json json = {{"curves", curve.n}};
+  for (const char* key :
+       {"displacement_mm", "drift_percent", "n", "reaction_mean_kN",
+        "reaction_standard_deviation_kN", "reaction_5_percent_kN", "reaction_95_percent_kN"})
+    json[key] = Json::array();
+  for (const CurvePoint& p : curve.point) {
+    json["displacement_mm"].push_back(number(p.displacement * 1e3));
+    json["drift_percent"].push_back(number(p.drift * 1e2));
+    json["n"].push_back(p.n);
+    json["reaction_mean_kN"].push_back(number(p.mean * 1e-3));
+    json["reaction_standard_deviation_kN"].push_back(number(p.standard_deviation * 1e-3));
+    json["reaction_5_percent_kN"].push_back(number(p.low * 1e-3));
+    json["reaction_95_percent_kN"].push_back(number(p.high * 1e-3));
+  }
+  return json;
+}
+
+Json drift_limits_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const DriftLimit& d : s.drift_limit) {
+    Json row = {{"element", d.element},
+                {"mechanism", d.mechanism},
+                {"state", d.state},
+                {"clause", d.clause},
+                {"limit_drift_percent", number(d.limit * 1e2)},
+                {"below", d.below},
+                {"unknown", d.unknown}};
+    add(row, "share_below", d.share);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json exceedance_json(const Exceedance& e, const Quantity& q) {
+  const std::string unit = "_" + unit_in_key(q.unit);
+  Json value = Json::array(), probability = Json::array(), low = Json::array(),
+       high = Json::array();
+  for (const ExceedancePoint& p : e.point) {
+    value.push_back(number(p.value * q.to_unit));
+    probability.push_back(number(p.probability.value));
+    low.push_back(number(p.probability.interval.low));
+    high.push_back(number(p.probability.interval.high));
+  }
+  Json fit = Json::object();
+  add(fit, "median" + unit, e.median, q.to_unit);
+  add(fit, "beta", e.beta);
+  fit["misfit"] = number(e.misfit);
+  return {
+      {"n", e.n},   {"censored", e.censored}, {"value" + unit, value}, {"probability", probability},
+      {"low", low}, {"high", high},           {"lognormal", fit}};
+}
+
+}  // namespace
+
+std::string statistics_json(const Statistics& s) {
+  Json json = {{"study", s.study}, {"design", s.design}, {"seed", s.seed}};
+  json["samples"] = samples_json(s);
+  json["load_height_m"] = number(s.load_height);
+  json["read_modes_at_mm"] = number(s.read_modes_at * 1e3);
+  json["interval"] = {{"confidence", 0.95}, {"bootstrap_replicates", s.replicates}};
+  json["inputs"] = inputs_json(s);
+  json["modes"] = s.modes;
+  json["table"] = table_json(s);
+  json["shares"] = shares_json(s);
+  json["precision"] = precision_json(s);
+  json["drift_limits"] = drift_limits_json(s);
+  json["correlation"] = correlation_json(s);
+  json["first_order"] = first_order_json(s);
+  json["mode_against_input"] = modes_json(s);
+  json["running"] = running_json(s);
+  json["mean_curves"] = Json::object();
+  for (const MeanCurve& curve : s.mean_curve)
+    json["mean_curves"][curve.group] = mean_curve_json(curve);
+  json["exceedance"] = Json::object();
+  for (const Exceedance& e : s.exceedance)
+    json["exceedance"][key_of(named(e.quantity))] = exceedance_json(e, named(e.quantity));
+  // replace: a name that is not UTF-8 must not lose the campaign
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace wythe

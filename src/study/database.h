@@ -1,0 +1,102 @@
+// The door to SQLite: a connection, prepared statements, transactions. Every failure is an IoError
+// that names the file, what is wrong and the cure.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace wythe::study {
+
+struct Bytes {
+  std::string_view data;
+};
+
+class Database;
+
+class Statement {
+ public:
+  Statement(Database& database, const std::string& sql);
+
+  // Binds the next parameter; a NaN is stored as NULL.
+  void bind(double value);
+  void bind(std::int64_t value);
+  void bind(std::string_view text);
+  void bind(Bytes bytes);
+  void bind_null();
+  template <std::integral I>
+  void bind(I value) {
+    bind(static_cast<std::int64_t>(value));
+  }
+  void bind(const char* text) { bind(std::string_view(text)); }
+  void bind(const std::string& text) { bind(std::string_view(text)); }
+
+  // Runs to the next row: false when there is none.
+  bool step();
+  // Ready for the next binds.
+  void reset();
+  template <class... Values>
+  void run(const Values&... values) {
+    (bind(values), ...);
+    while (step()) continue;
+    reset();
+  }
+
+  // The next column of the row; NULL reads as NaN, 0 or "".
+  [[nodiscard]] double number();
+  [[nodiscard]] std::int64_t integer();
+  [[nodiscard]] std::string text();
+  [[nodiscard]] std::string_view bytes();  // until the next step
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  void check(int code) const;
+
+  Database& database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  int parameter_ = 0, column_ = 0;
+};
+
+class Database {
+ public:
+  enum class Access { kRead, kWrite };
+  Database(const std::filesystem::path& file, Access access);
+
+  void execute(const std::string& sql);
+  [[nodiscard]] std::int64_t integer(const std::string& sql);
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] sqlite3* handle() { return handle_.get(); }
+  // Throws what the last failure was.
+  [[noreturn]] void refuse(int code);
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const;
+  };
+  std::string name_;
+  std::unique_ptr<sqlite3, Close> handle_;
+};
+
+// All or nothing: rolled back unless commit() was reached.
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  ~Transaction();
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace wythe::study

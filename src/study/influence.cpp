@@ -1,0 +1,114 @@
+// What the inputs do to the answers: correlation, first-order indices, modes in bins of an input.
+#include <algorithm>
+#include <cmath>
+
+#include "study/correlation.h"
+#include "study/intervals.h"
+#include "study/statistics_parts.h"
+
+namespace wythe::study {
+namespace {
+
+constexpr int kMostBins = 5, kFewestInBin = 10;
+
+std::vector<int> random_columns(const Campaign& campaign) {
+  std::vector<int> columns;
+  for (std::size_t k = 0; k < campaign.samples.column.size(); ++k)
+    if (campaign.samples.column[k].is_random) columns.push_back(static_cast<int>(k));
+  return columns;
+}
+
+Column input_of(const std::vector<const SampleRecord*>& records, int column) {
+  Column values;
+  for (const SampleRecord* record : records) values.push_back(record->inputs.at(column));
+  return values;
+}
+
+Column response_of(const Group& group, const Quantity& quantity) {
+  Column values;
+  for (const Reading& r : readings_of(group, quantity)) values.push_back(r.value);
+  return values;
+}
+
+ModeBin bin_of(const Answered& samples, const Column& input, const std::vector<int>& bin,
+               int which) {
+  ModeBin out;
+  Moments moments;
+  std::vector<int> count(samples.modes.size(), 0);
+  for (int i = 0; i < samples.n(); ++i) {
+    if (bin[i] != which) continue;
+    out.low = moments.n() == 0 ? input[i] : std::min(out.low, input[i]);
+    out.high = moments.n() == 0 ? input[i] : std::max(out.high, input[i]);
+    moments.add(input[i]);
+    for (std::size_t m = 0; m < samples.modes.size(); ++m)
+      count[m] += samples.record[i]->failure_mode.name == samples.modes[m] ? 1 : 0;
+  }
+  out.n = moments.n(), out.mean = moments.mean();
+  for (int of_mode : count) out.share.push_back(wilson(of_mode, out.n));
+  return out;
+}
+
+}  // namespace
+
+std::vector<InputSummary> input_summaries(const Campaign& campaign) {
+  std::vector<InputSummary> out;
+  for (std::size_t k = 0; k < campaign.samples.column.size(); ++k) {
+    const InputColumn& column = campaign.samples.column[k];
+    InputSummary summary{.name = column.name, .unit = column.unit, .is_random = column.is_random};
+    Moments moments;
+    for (const std::vector<double>& row : campaign.samples.value) {
+      const double shown = row.at(k) * column.to_unit + column.offset;
+      summary.min = moments.n() == 0 ? shown : std::min(summary.min, shown);
+      summary.max = moments.n() == 0 ? shown : std::max(summary.max, shown);
+      moments.add(shown);
+    }
+    summary.mean = moments.mean();
+    summary.cov = moments.standard_deviation() / moments.mean();
+    out.push_back(summary);
+  }
+  return out;
+}
+
+CorrelationTable correlation_table(const Answered& samples, const Group& group,
+                                   const Quantity& quantity) {
+  CorrelationTable out{group.name, quantity.name, 0, {}};
+  for (const Reading& r : readings_of(group, quantity)) out.censored += r.censored ? 1 : 0;
+  const std::vector<int> random = random_columns(samples.campaign);
+  std::vector<Column> inputs;
+  for (int k : random) inputs.push_back(input_of(group.record, k));
+  out.input = correlate(inputs, response_of(group, quantity));
+  for (std::size_t i = 0; i < random.size(); ++i)
+    out.input[i].input = samples.campaign.samples.column[random[i]].name;
+  return out;
+}
+
+std::vector<FirstOrderIndex> first_order_indices(const Answered& samples) {
+  std::vector<FirstOrderIndex> out;
+  const Group all = all_of(samples);
+  for (const Quantity& quantity : quantities()) {
+    const Column response = response_of(all, quantity);
+    for (int k : random_columns(samples.campaign)) {
+      FirstOrderIndex index = first_order_index(input_of(all.record, k), response);
+      index.input = samples.campaign.samples.column[k].name;
+      index.quantity = quantity.name;
+      out.push_back(index);
+    }
+  }
+  return out;
+}
+
+std::vector<ModeAgainstInput> modes_against_inputs(const Answered& samples) {
+  std::vector<ModeAgainstInput> out;
+  const int bins = std::min(kMostBins, samples.n() / kFewestInBin);
+  if (bins < 2) return out;
+  for (int k : random_columns(samples.campaign)) {
+    const Column input = input_of(samples.record, k);
+    const std::vector<int> bin = equal_bins(input, bins);
+    ModeAgainstInput of_input{samples.campaign.samples.column[k], samples.modes, {}};
+    for (int b = 0; b < bins; ++b) of_input.bin.push_back(bin_of(samples, input, bin, b));
+    out.push_back(std::move(of_input));
+  }
+  return out;
+}
+
+}  // namespace wythe::study

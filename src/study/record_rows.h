@@ -1,0 +1,188 @@
+// How a SampleRecord lies in the store: every column of every table is named here once, and from
+// these lists come the schema, writing and reading (store.cpp).
+//
+//   each_column(v, record)    v(name, member) for the columns of `sample`
+//   each_answer(v, record)    its columns that are NULL where the sample has no answer
+//   each_list(v)              v.list(table, list of RecordLists, columns of a member)
+//
+// A visitor is called with double, bool, std::int64_t or std::string members. SI, exact.
+#pragma once
+
+#include <string>
+
+#include "wythe/campaign.h"
+
+namespace wythe::study {
+
+template <class Visitor, class Record>
+void each_column(Visitor& v, Record& r) {
+  v("status", r.status);
+  v("reason", r.reason);
+  v("retried", r.retried);
+  v("steps", r.steps);
+  v("time_step_s", r.time_step);
+  v("wall_seconds", r.wall_seconds);
+  v("state_hash", r.state_hash);
+  v("provenance", r.provenance);
+}
+
+template <class Visitor, class R>
+void each_response(Visitor& v, R& r) {
+  v("peak_reaction_N", r.peak_reaction);
+  v("displacement_at_peak_m", r.displacement_at_peak);
+  v("displacement_at_80_percent_m", r.displacement_at_80);
+  v("censored_80", r.censored_80);
+  v("displacement_max_m", r.displacement_max);
+  v("censored_max", r.censored_max);
+  v("initial_stiffness_N_per_m", r.initial_stiffness);
+  v("load_height_m", r.load_height);
+  v("drift_at_peak", r.drift_at_peak);
+  v("drift_at_80_percent", r.drift_at_80);
+  v("drift_max", r.drift_max);
+  v("work_to_peak_J", r.work_to_peak);
+  v("work_to_80_percent_J", r.work_to_80);
+  v("work_total_J", r.work_total);
+  v("bilinear_stiffness_N_per_m", r.bilinear.stiffness);
+  v("bilinear_force_N", r.bilinear.force);
+  v("bilinear_yield_displacement_m", r.bilinear.yield_displacement);
+  v("bilinear_ultimate_displacement_m", r.bilinear.ultimate_displacement);
+  v("bilinear_ductility", r.bilinear.ductility);
+  v("bilinear_censored", r.bilinear.censored);
+  v("collapse_displacement_m", r.collapse.displacement);
+  v("collapse_drift", r.collapse.drift);
+  v("collapse_censored", r.collapse.censored);
+  v("collapse_criterion", r.collapse.criterion);
+}
+
+template <class Visitor, class Mode>
+void each_mode_column(Visitor& v, Mode& m) {
+  v("failure_mode", m.name);
+  v("failure_sentence", m.sentence);
+  v("failure_read_at_m", m.read_at);
+}
+
+template <class Visitor, class Energy>
+void each_energy(Visitor& v, Energy& e) {
+  v("energy_loads_J", e.loads);
+  v("energy_drive_J", e.drive);
+  v("energy_kinetic_J", e.kinetic);
+  v("energy_elastic_J", e.elastic);
+  v("energy_friction_J", e.friction);
+  v("energy_fracture_J", e.fracture);
+  v("energy_crushing_J", e.crushing);
+  v("energy_damping_J", e.damping);
+  v("energy_gap_J", e.gap);
+  v("energy_gap_ratio", e.gap_ratio);
+}
+
+template <class Visitor, class Quasi>
+void each_quasi_static(Visitor& v, Quasi& q) {
+  v("unbalance_ratio_mean", q.unbalance_ratio_mean);
+  v("unbalance_ratio_max", q.unbalance_ratio_max);
+  v("kinetic_ratio_mean", q.kinetic_ratio_mean);
+  v("kinetic_ratio_max", q.kinetic_ratio_max);
+  v("shear_gap", q.shear_gap);
+  v("damping_share", q.damping_share);
+  v("rate_verdict", q.verdict);
+}
+
+template <class Visitor, class Record>
+void each_answer(Visitor& v, Record& r) {
+  each_response(v, r.responses);
+  each_mode_column(v, r.failure_mode);
+  each_energy(v, r.energy);
+  each_quasi_static(v, r.quasi_static);
+}
+
+template <class Visitor, class Evidence>
+void each_evidence_column(Visitor& v, Evidence& e) {
+  v("element", e.element);
+  v("measure", e.measure);
+  v("value", e.value);
+  v("threshold", e.threshold);
+  v("unit", e.unit);
+}
+
+// Signs lie in a table of their own, with the position of their element.
+struct SignRow {
+  std::int64_t of_element = 0;
+  ElementSign sign;
+};
+struct ScoreRow {
+  std::string name;
+  double score = 0;
+};
+
+// The lists of a record, flattened to rows; maps and nested lists become rows of their own.
+struct RecordLists {
+  std::vector<FallTo> falls;
+  std::vector<ScoreRow> scores;
+  std::vector<Evidence> evidence, flags;
+  std::vector<ElementState> elements;
+  std::vector<SignRow> signs;
+  std::vector<NameReading> readings;
+  std::vector<Feature> features;
+  std::vector<Event> events;
+};
+[[nodiscard]] RecordLists lists_of(const SampleRecord& record);
+void put_lists(RecordLists lists, SampleRecord& record);
+
+template <class Visitor>
+void each_list(Visitor& v) {
+  const auto evidence = [](auto& c, auto& e) { each_evidence_column(c, e); };
+  v.list("fall", &RecordLists::falls, [](auto& c, auto& f) {
+    c("fraction", f.fraction);
+    c("displacement_m", f.displacement);
+    c("drift", f.drift);
+    c("censored", f.censored);
+  });
+  v.list("score", &RecordLists::scores, [](auto& c, auto& s) {
+    c("failure_mode", s.name);
+    c("score", s.score);
+  });
+  v.list("evidence", &RecordLists::evidence, evidence);
+  v.list("flag", &RecordLists::flags, evidence);
+  v.list("element", &RecordLists::elements, [](auto& c, auto& e) {
+    c("element", e.element);
+    c("kind", e.kind);
+    c("state", e.state);
+    c("displacement_first_m", e.displacement_first);
+  });
+  v.list("sign", &RecordLists::signs, [](auto& c, auto& s) {
+    c("of_element", s.of_element);
+    c("state", s.sign.state);
+    c("measure", s.sign.measure);
+    c("value", s.sign.value);
+    c("threshold", s.sign.threshold);
+    c("unit", s.sign.unit);
+    c("displacement_first_m", s.sign.displacement_first);
+  });
+  v.list("reading", &RecordLists::readings, [](auto& c, auto& r) {
+    c("what", r.what);
+    c("failure_mode", r.name);
+  });
+  v.list("feature", &RecordLists::features, [](auto& c, auto& f) {
+    c("name", f.name);
+    c("displacement_m", f.displacement);
+    c("value", f.value);
+  });
+  v.list("event", &RecordLists::events, [](auto& c, auto& e) {
+    c("name", e.name);
+    c("displacement_m", e.displacement);
+    c("reaction_N", e.reaction);
+    c("place", e.where);
+  });
+}
+
+// Columns of a packed curve, in this order, each over all rows.
+inline constexpr int kCurveColumns = 8;
+[[nodiscard]] std::vector<double> curve_columns(const std::vector<CurveRow>& curve);
+[[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns);
+
+// Arrays of a packed state: 3 over blocks, 6 over contact points.
+inline constexpr int kBlockArrays = 3, kPointArrays = 6;
+[[nodiscard]] std::vector<double> state_arrays(const State& state);
+[[nodiscard]] State state_at_rest(const std::vector<double>& arrays, std::size_t blocks,
+                                  std::size_t points);
+
+}  // namespace wythe::study

@@ -1,0 +1,124 @@
+#include "study/sample_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "wythe/error.h"
+#include "wythe/failure_mode.h"
+
+namespace wythe {
+namespace study {
+namespace {
+
+constexpr double kSame = 1e-9;      // displacements that are one [m]
+constexpr double kRetryStep = 0.5;  // of the step that was unstable
+
+// The states wanted, the one the modes are read at among them, in order and each once.
+std::vector<double> state_displacements(const StudySpec& spec) {
+  std::vector<double> all = spec.states;
+  if (!std::isnan(spec.read_modes_at)) all.push_back(spec.read_modes_at);
+  std::sort(all.begin(), all.end());
+  const auto same = [](double a, double b) { return std::fabs(a - b) < kSame; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+void solve_once(const SampleTask& task, const SolveOptions& options, SampleRun& run) {
+  run.model = compile(run.spec);
+  State state = initial_state(run.model);
+  run.result = task.solver(run.model, state, options);
+}
+
+void read_answer(const StudySpec& spec, SampleRun& run) {
+  Result& r = run.result;
+  if (!spec.fractions.empty()) {
+    ResponseOptions read{.fractions = spec.fractions};
+    if (r.status == SolveStatus::kCollapsed) read.collapse = r.reason;
+    r.responses = read_responses(r.curve, read);
+  }
+  r.failure_mode = std::isnan(spec.read_modes_at)
+                       ? name_failure_mode(run.model, r)
+                       : name_failure_mode(run.model, r, spec.read_modes_at);
+  r.features = read_features(run.model, r);
+}
+
+}  // namespace
+
+SampleRun run_task(const SampleTask& task, int sample, const SolveOptions& options) {
+  SampleRun run;
+  run.settings = settings_of(task.samples, sample - 1);
+  try {
+    run.spec = task.build(run.settings);
+    const std::vector<double> states = state_displacements(task.spec);
+    if (!states.empty()) run.spec.output.states = states;
+    solve_once(task, options, run);
+    if (run.result.status == SolveStatus::kUnstable) {
+      run.spec.solve.step_fraction *= kRetryStep;
+      run.retried = true;
+      solve_once(task, options, run);
+    }
+  } catch (const InputError& error) {
+    const std::string why = refusal_of(run.settings, task.build);
+    run.refused = why.empty() ? error.what() : why;
+    return run;
+  }
+  read_answer(task.spec, run);
+  return run;
+}
+
+SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sample) {
+  const Result& r = run.result;
+  SampleRecord record;
+  record.sample = sample;
+  record.inputs = samples.value[static_cast<std::size_t>(sample - 1)];
+  record.status = run.refused.empty() ? to_string(r.status) : "refused";
+  record.reason = run.refused.empty() ? r.reason : run.refused;
+  record.retried = run.retried;
+  record.steps = r.steps;
+  record.time_step = r.time_step;
+  record.wall_seconds = r.wall_seconds;
+  record.curve = r.curve;
+  if (!run.refused.empty()) return record;
+  record.state_hash = r.state_hash;
+  if (!record.answered()) return record;
+  record.responses = r.responses;
+  record.failure_mode = r.failure_mode;
+  record.features = r.features;
+  record.events = r.events;
+  record.energy = r.energy;
+  record.quasi_static = r.quasi_static;
+  return record;
+}
+
+std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) {
+  const std::vector<double> wanted = state_displacements(spec);
+  std::vector<Snapshot> states;
+  bool missing = false;
+  for (const double displacement : wanted) {
+    const std::string label =
+        fmt::format("{:g} mm", 1e3 * displacement);  // as the recorder names it
+    const auto found = std::find_if(result.snapshots.begin(), result.snapshots.end(),
+                                    [&](const Snapshot& s) { return s.label == label; });
+    if (found == result.snapshots.end())
+      missing = true;
+    else
+      states.push_back(*found);
+  }
+  if (missing && !result.snapshots.empty() && result.snapshots.back().label == "end")
+    states.push_back(result.snapshots.back());
+  return states;
+}
+
+}  // namespace study
+
+SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
+                     const ModelBuilder& build, const SolveOptions& options) {
+  const auto solver = [](const Model& model, State& state, const SolveOptions& how) {
+    return solve(model, state, how);
+  };
+  return study::run_task({study, samples, build, solver}, sample, options);
+}
+
+}  // namespace wythe

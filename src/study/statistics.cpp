@@ -1,0 +1,117 @@
+// statistics_of(): the questions in order, each answered by a part (statistics_parts.h).
+#include "wythe/statistics.h"
+
+#include <algorithm>
+
+#include "study/bootstrap.h"
+#include "study/statistics_parts.h"
+
+namespace wythe {
+namespace {
+
+using study::Answered;
+using study::Group;
+
+constexpr int kFewestForTable = 10;  // samples in a mode for a table of its correlations
+
+const char* name_of(Design design) {
+  switch (design) {
+    case Design::kMonteCarlo: return "Monte Carlo";
+    case Design::kSobol: return "scrambled Sobol";
+    case Design::kLatinHypercube: break;
+  }
+  return "Latin hypercube";
+}
+
+void count_outcomes(const Campaign& campaign, Statistics& out) {
+  for (const SampleRecord& record : campaign.records) {
+    if (record.status.empty()) continue;  // has not run
+    ++out.run;
+    ++out.status[record.status];
+    if (!is_answered(record))
+      out.unanswered.push_back({record.sample, record.status, record.reason});
+  }
+}
+
+void describe_study(const Campaign& campaign, Statistics& out) {
+  out.study = campaign.study.name;
+  out.design = name_of(campaign.study.design);
+  out.seed = campaign.study.seed;
+  out.asked = std::max(campaign.samples.n_sample(), static_cast<int>(campaign.records.size()));
+  out.load_height = campaign.load_height;
+  out.read_modes_at = campaign.study.read_modes_at;
+  out.replicates = study::kReplicates;
+}
+
+void correlate_groups(const Answered& samples, Statistics& out) {
+  std::vector<Group> groups = {study::all_of(samples)};
+  for (Group& mode : study::modes_of(samples))
+    if (static_cast<int>(mode.record.size()) >= kFewestForTable) groups.push_back(std::move(mode));
+  for (const Group& group : groups)
+    for (const Quantity& quantity : quantities())
+      out.correlation.push_back(study::correlation_table(samples, group, quantity));
+}
+
+void summarise_groups(const Answered& samples, Statistics& out) {
+  out.group.push_back(study::summarise(study::all_of(samples)));
+  out.mean_curve.push_back(
+      study::mean_curve_of(study::all_of(samples), samples.campaign.load_height));
+  for (const Group& group : study::modes_of(samples)) {
+    out.group.push_back(study::summarise(group));
+    out.mean_curve.push_back(study::mean_curve_of(group, samples.campaign.load_height));
+  }
+  for (const Group& group : study::unions_of(samples)) out.group.push_back(study::summarise(group));
+}
+
+}  // namespace
+
+const std::vector<Quantity>& quantities() {
+  using R = const Responses&;
+  static const std::vector<Quantity> kQuantities = {
+      {"peak_reaction", "peak force", "kN", 1e-3, false,
+       [](R r) {
+         return Reading{r.peak_reaction, false};
+       }},
+      {"displacement_at_peak", "displacement at the peak", "mm", 1e3, false,
+       [](R r) {
+         return Reading{r.displacement_at_peak, false};
+       }},
+      {"displacement_at_80_percent", "displacement at 80 % of the peak", "mm", 1e3, true,
+       [](R r) {
+         return Reading{r.displacement_at_80, r.censored_80};
+       }},
+      {"displacement_max", "largest displacement", "mm", 1e3, true,
+       [](R r) {
+         return Reading{r.displacement_max, r.censored_max};
+       }},
+      {"initial_stiffness", "initial stiffness", "kN/mm", 1e-6, false, [](R r) {
+         return Reading{r.initial_stiffness, false};
+       }}};
+  return kQuantities;
+}
+
+bool is_answered(const SampleRecord& record) {
+  return record.answered() && record.has_curve() && record.responses.peak_reaction > 0;
+}
+
+Statistics statistics_of(const Campaign& campaign) {
+  const Answered samples = study::answered_of(campaign);
+  Statistics out;
+  describe_study(campaign, out);
+  count_outcomes(campaign, out);
+  out.answered = samples.n();
+  out.modes = samples.modes;
+  out.input = study::input_summaries(campaign);
+  summarise_groups(samples, out);
+  out.share = study::shares_of(samples);
+  out.running = study::running_means(samples);
+  out.precision = study::precisions(samples, out.running);
+  correlate_groups(samples, out);
+  out.first_order = study::first_order_indices(samples);
+  out.mode_against_input = study::modes_against_inputs(samples);
+  out.drift_limit = study::drift_limits(samples);
+  out.exceedance = study::exceedances(samples);
+  return out;
+}
+
+}  // namespace wythe

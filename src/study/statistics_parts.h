@@ -1,0 +1,52 @@
+// The parts of statistics_of(), one a question; statistics.cpp puts them in order.
+//
+// All read the answered samples only, in the order of their numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/statistics.h"
+
+namespace wythe::study {
+
+struct Answered {
+  const Campaign& campaign;
+  std::vector<const SampleRecord*> record;
+  std::vector<std::string> modes;  // as Statistics::modes
+  [[nodiscard]] int n() const { return static_cast<int>(record.size()); }
+};
+[[nodiscard]] Answered answered_of(const Campaign& campaign);
+
+// Samples taken together: all, one mode, some modes.
+struct Group {
+  std::string name;
+  std::vector<std::string> modes;
+  std::vector<const SampleRecord*> record;
+};
+[[nodiscard]] Group all_of(const Answered& samples);
+[[nodiscard]] std::vector<Group> modes_of(const Answered& samples);
+// FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel), where any such mode occurs.
+[[nodiscard]] std::vector<Group> unions_of(const Answered& samples);
+
+[[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
+
+// groups.cpp: Table 3 and shares
+[[nodiscard]] GroupSummary summarise(const Group& group);
+[[nodiscard]] std::vector<Share> shares_of(const Answered& samples);
+// running.cpp: how the answers settle
+[[nodiscard]] std::vector<RunningMean> running_means(const Answered& samples);
+[[nodiscard]] std::vector<Precision> precisions(const Answered& samples,
+                                                const std::vector<RunningMean>& running);
+// influence.cpp: inputs against answers
+[[nodiscard]] std::vector<InputSummary> input_summaries(const Campaign& campaign);
+[[nodiscard]] CorrelationTable correlation_table(const Answered& samples, const Group& group,
+                                                 const Quantity& quantity);
+[[nodiscard]] std::vector<FirstOrderIndex> first_order_indices(const Answered& samples);
+[[nodiscard]] std::vector<ModeAgainstInput> modes_against_inputs(const Answered& samples);
+// capacity.cpp: force and drift
+[[nodiscard]] MeanCurve mean_curve_of(const Group& group, double load_height);
+[[nodiscard]] std::vector<DriftLimit> drift_limits(const Answered& samples);
+[[nodiscard]] std::vector<Exceedance> exceedances(const Answered& samples);
+
+}  // namespace wythe::study

@@ -1,0 +1,98 @@
+#include "study/store_schema.h"
+
+#include <fmt/format.h>
+
+#include "study/record_rows.h"
+
+namespace wythe::study {
+namespace {
+
+// Every list of a record is a table of its own: sample, position, then its columns.
+struct ListTables {
+  std::string sql;
+  template <class Member, class Columns>
+  void list(const char* table, std::vector<Member> RecordLists::*, const Columns& columns) {
+    ColumnNames names;
+    Member member{};
+    columns(names, member);
+    sql +=
+        fmt::format("CREATE TABLE {} (sample INTEGER NOT NULL, position INTEGER NOT NULL", table);
+    for (const auto& [name, type] : names.columns) sql += fmt::format(", {} {}", name, type);
+    sql += ", PRIMARY KEY (sample, position)) WITHOUT ROWID;\n";
+  }
+};
+
+ColumnNames record_columns() {
+  ColumnNames names;
+  SampleRecord record;
+  each_column(names, record);
+  each_answer(names, record);
+  return names;
+}
+
+std::string quoted(const std::string& name) {
+  std::string out = "\"";
+  for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string schema_sql() {
+  std::string sql =
+      "CREATE TABLE study (position INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, value TEXT);\n"
+      "CREATE TABLE input (position INTEGER PRIMARY KEY, name TEXT NOT NULL, path TEXT, si_unit "
+      "TEXT,"
+      " unit TEXT, to_unit REAL, shift REAL, is_random INTEGER, cut_off REAL);\n"
+      "CREATE TABLE sample_input (sample INTEGER NOT NULL, position INTEGER NOT NULL, value REAL,"
+      " PRIMARY KEY (sample, position)) WITHOUT ROWID;\n"
+      "CREATE TABLE curve (sample INTEGER PRIMARY KEY, rows INTEGER NOT NULL, data BLOB NOT "
+      "NULL);\n"
+      "CREATE TABLE state (sample INTEGER NOT NULL, position INTEGER NOT NULL, label TEXT,"
+      " displacement_m REAL, reaction_N REAL, blocks INTEGER, points INTEGER, data BLOB NOT NULL,"
+      " PRIMARY KEY (sample, position));\n"
+      "CREATE TABLE sample (sample INTEGER PRIMARY KEY";
+  for (const auto& [name, type] : record_columns().columns)
+    sql += fmt::format(", {} {}", name, type);
+  sql += ");\n";
+  ListTables tables;
+  each_list(tables);
+  return sql + tables.sql;
+}
+
+std::string samples_view_sql(const SampleTable& samples) {
+  std::string sql = "DROP VIEW IF EXISTS samples;\nCREATE VIEW samples AS SELECT sample";
+  for (std::size_t i = 0; i < samples.column.size(); ++i) {
+    const InputColumn& column = samples.column[i];
+    sql += fmt::format(
+        ",\n (SELECT i.value * {:.17g} + {:.17g} FROM sample_input i WHERE i.sample = s.sample AND "
+        "i.position = {}) AS {}",
+        column.to_unit, column.offset, i, quoted(column_title(column)));
+  }
+  sql +=
+      ",\n status, peak_reaction_N / 1e3 AS peak_reaction_kN,"
+      " displacement_at_peak_m * 1e3 AS displacement_at_peak_mm,"
+      " displacement_at_80_percent_m * 1e3 AS displacement_at_80_percent_mm, censored_80,"
+      " displacement_max_m * 1e3 AS displacement_max_mm, failure_mode, censored_max,"
+      " initial_stiffness_N_per_m / 1e6 AS initial_stiffness_kN_per_mm,"
+      " drift_at_peak * 100 AS drift_at_peak_percent,"
+      " drift_at_80_percent * 100 AS drift_at_80_of_peak_percent,"
+      " drift_max * 100 AS drift_max_percent, reason\n"
+      "FROM sample s WHERE sample <= coalesce((SELECT CAST(value AS INTEGER) FROM study"
+      " WHERE key = 'until_met_at' AND value <> ''), 1000000000);\n";
+  return sql;
+}
+
+std::string sample_columns() {
+  std::string sql;
+  for (const auto& [name, type] : record_columns().columns) sql += (sql.empty() ? "" : ", ") + name;
+  return sql;
+}
+
+std::string insert_sql(const std::string& table, int columns) {
+  std::string places = "?";
+  for (int i = 1; i < columns; ++i) places += ",?";
+  return fmt::format("INSERT INTO {} VALUES ({})", table, places);
+}
+
+}  // namespace wythe::study

@@ -1,0 +1,26 @@
+// The tables of the store as SQL, made from the lists of record_rows.h.
+#pragma once
+
+#include <string>
+
+#include "wythe/study.h"
+
+namespace wythe::study {
+
+[[nodiscard]] std::string schema_sql();
+// The view `samples`: inputs and responses in the units of samples.csv, one row a sample.
+[[nodiscard]] std::string samples_view_sql(const SampleTable& samples);
+// Names of the columns of `sample` after the number, in the order of record_rows.h.
+[[nodiscard]] std::string sample_columns();
+[[nodiscard]] std::string insert_sql(const std::string& table, int columns);
+
+// Collects the names a list of record_rows.h gives its members.
+struct ColumnNames {
+  std::vector<std::pair<std::string, const char*>> columns;
+  void operator()(const char* name, const double&) { columns.emplace_back(name, "REAL"); }
+  void operator()(const char* name, const bool&) { columns.emplace_back(name, "INTEGER"); }
+  void operator()(const char* name, const std::int64_t&) { columns.emplace_back(name, "INTEGER"); }
+  void operator()(const char* name, const std::string&) { columns.emplace_back(name, "TEXT"); }
+};
+
+}  // namespace wythe::study

@@ -1,0 +1,26 @@
+// A StudySpec as rows of key and value, as the store keeps it, and back; and what changed between
+// two. Values are exact: shortest texts that read back to the same bits, SI.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "wythe/error.h"
+#include "wythe/study.h"
+
+namespace wythe::study {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+[[nodiscard]] Rows rows_of(const StudySpec& spec);
+[[nodiscard]] StudySpec study_of(const Rows& rows);
+// The value of a key, "" where there is none.
+[[nodiscard]] std::string value_of(const Rows& rows, const std::string& key);
+
+// One fault for everything that makes other samples or other answers: key, was, is. Name, note,
+// file names, the stop rule and the number of samples may change.
+[[nodiscard]] std::vector<Fault> changes(const StudySpec& was, const StudySpec& is,
+                                         const std::string& store);
+
+}  // namespace wythe::study

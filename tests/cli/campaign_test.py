@@ -1,0 +1,330 @@
+#!/usr/bin/env python3
+"""Campaigns as a user meets them: killed, stopped, resumed, sharded, replayed, and faulty stores."""
+import csv
+import pathlib
+import re
+import resource
+import shlex
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import unittest
+
+from cli_test import SMALL, SOURCE, WYTHE, wythe
+
+MODEL = SMALL.replace('until = "3 mm"', 'until = "1 mm"')
+STUDY = """
+[study]
+name = "small"
+model = "model.toml"
+samples = 6
+seed = 7
+states = ["0.5 mm"]
+read_modes_at = "0.5 mm"
+[variable.ft]
+path = "material.joint.tensile_strength"
+unit = "MPa"
+distribution = "normal"
+mean = "0.15 MPa"
+cov = 0.2
+[dependent.c]
+path = "material.joint.cohesion"
+unit = "MPa"
+formula = "1.5 * ft"
+"""
+CONTRACT = ["sample", "ft_MPa", "c_MPa", "status", "peak_reaction_kN", "displacement_at_peak_mm",
+            "displacement_at_80_percent_mm", "censored_80", "displacement_max_mm", "failure_mode"]
+
+
+class Base(unittest.TestCase):
+    """One undisturbed campaign, made once, to compare with."""
+    model = MODEL
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        (cls.folder / "model.toml").write_text(cls.model)
+        (cls.folder / "study.toml").write_text(STUDY)
+        cls.study = cls.folder / "study.toml"
+        cls.whole = cls.folder / "whole"
+        cls.done = wythe("campaign", cls.study, "--out", cls.whole)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def out(self):
+        return self.folder / self._testMethodName
+
+    def rows(self, out):
+        with (out / "samples.csv").open() as file:
+            return list(csv.DictReader(file))
+
+    def start(self, *arguments):
+        return subprocess.Popen([WYTHE, "campaign", str(self.study), "--out", str(self.out()), *arguments],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def after_samples(self, process, count):
+        """Waits for the progress line that says `count` samples are stored."""
+        for line in process.stderr:
+            if line.startswith(f"{count} of "):
+                return
+        self.fail("the campaign ended before")
+
+    def resume(self, out=None, *more):
+        return wythe("campaign", self.study, "--out", out or self.out(), "--resume", "--quiet", *more)
+
+    def copy(self):
+        """A finished campaign to spoil: only its store."""
+        self.out().mkdir()
+        (self.out() / "campaign.db").write_bytes((self.whole / "campaign.db").read_bytes())
+        return self.out() / "campaign.db"
+
+    def assert_equals_whole(self, out):
+        self.assertEqual((out / "samples.csv").read_bytes(), (self.whole / "samples.csv").read_bytes())
+
+    def refused(self, done, code, *words):
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+
+
+class Results(Base):
+    def test_files_table_and_progress(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        names = {p.name for p in self.whole.iterdir()}
+        self.assertEqual(names, {"campaign.db", "samples.csv", "statistics.json", "report.html"})
+        self.assertIn("samples 6 of 6: 6 completed", self.done.stdout)
+        self.assertRegex(self.done.stderr, r"6 of 6 samples  .* a minute.*  sample \d: [\d.]+ kN, ")
+
+    def test_samples_csv_has_the_contract_columns(self):
+        rows = self.rows(self.whole)
+        self.assertEqual(list(rows[0])[:len(CONTRACT)], CONTRACT)
+        self.assertEqual([r["sample"] for r in rows], list("123456"))
+        for row in rows:
+            self.assertAlmostEqual(float(row["c_MPa"]), 1.5 * float(row["ft_MPa"]), delta=1e-9)
+            self.assertGreater(float(row["peak_reaction_kN"]), 1)
+
+    def test_the_view_of_the_store_says_the_same(self):
+        rows = self.rows(self.whole)
+        with sqlite3.connect(self.whole / "campaign.db") as store:
+            store.row_factory = sqlite3.Row
+            seen = store.execute("SELECT * FROM samples ORDER BY sample").fetchall()
+        self.assertEqual(len(seen), len(rows))
+        for row, view in zip(rows, seen):
+            for name in CONTRACT:
+                if name in ("status", "failure_mode"):
+                    self.assertEqual(row[name], view[name])
+                else:  # the file has ten digits
+                    self.assertAlmostEqual(float(row[name]), view[name], delta=1e-9 * abs(view[name]))
+
+    def test_the_queries_of_the_documentation_run(self):
+        page = (SOURCE / "docs/reference/store.md").read_text()
+        queries = [q for block in re.findall(r"```sql\n(.*?)```", page, re.S) for q in block.split(";") if q.strip()]
+        self.assertGreater(len(queries), 5)
+        with sqlite3.connect(self.whole / "campaign.db") as store:
+            for query in queries:
+                store.execute(query).fetchall()
+
+    def test_samples_and_seed_are_those_asked(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--samples", 2, "--seed", 8, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        rows = self.rows(self.out())
+        first = self.rows(self.whole)[0]
+        self.assertEqual(len(rows), 2)
+        self.assertNotEqual(rows[0]["ft_MPa"], first["ft_MPa"])
+
+    def test_check_describes_a_study(self):
+        done = wythe("check", self.study)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("valid", "ft_MPa", "c_MPa", "6 samples"):
+            self.assertIn(word, done.stdout)
+
+    def test_report_writes_the_results_again(self):
+        self.copy()
+        done = wythe("report", self.out())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+        self.assertTrue((self.out() / "report.html").exists())
+
+
+class Disturbed(Base):
+    model = MODEL.replace("20 mm/s", "4 mm/s")  # a quarter of a second a sample: time to disturb it
+
+    def test_killed_and_resumed_equals_undisturbed(self):
+        process = self.start("--jobs", "1")
+        self.after_samples(process, 2)
+        process.kill()
+        process.communicate()
+        with sqlite3.connect(self.out() / "campaign.db") as store:
+            self.assertEqual(store.execute("PRAGMA integrity_check").fetchone()[0], "ok")
+            stored = store.execute("SELECT count(*) FROM sample").fetchone()[0]
+        self.assertGreaterEqual(stored, 2)
+        self.assertLess(stored, 6)
+        done = self.resume()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+
+    def test_interrupted_says_how_to_go_on(self):
+        process = self.start("--jobs", "1")
+        self.after_samples(process, 2)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, said)
+        self.assertRegex(said, r"stopped: [2-5] of 6 samples are stored, none is half done")
+        command = shlex.split(said.strip().splitlines()[-1])
+        self.assertEqual(command[-1], "--resume")
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+
+    def test_a_full_disk_is_said_and_resume_goes_on(self):
+        def small_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, resource.RLIM_INFINITY))
+
+        done = wythe("campaign", self.study, "--out", self.out(), "--quiet", preexec_fn=small_files)
+        self.refused(done, 4, "disk", "--resume")
+        with sqlite3.connect(self.out() / "campaign.db") as store:
+            self.assertGreater(store.execute("SELECT count(*) FROM sample").fetchone()[0], 0)
+        done = self.resume()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+
+    def test_a_second_campaign_in_the_folder(self):
+        process = self.start("--jobs", "1")
+        self.after_samples(process, 1)
+        done = self.resume()
+        process.communicate(timeout=60)
+        self.refused(done, 4, f"another campaign is writing there (process {process.pid} on ")
+        self.assert_equals_whole(self.out())
+
+    def test_resume_without_a_store_begins(self):
+        done = self.resume()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+
+    def test_resume_keeps_the_size_and_says_how_to_add(self):
+        wythe("campaign", self.study, "--out", self.out(), "--samples", 2, "--quiet")
+        done = self.resume()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("a design of 2 samples, the study asks for 6; --samples 6 adds the rest", done.stderr)
+        done = self.resume(None, "--samples", "6")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("samples 6 of 6", done.stdout)
+
+
+class Parts(Base):
+    def test_shards_merge_to_the_whole(self):
+        shards = [self.folder / f"shard_{i}" for i in (1, 2)]
+        for i, shard in enumerate(shards, 1):
+            done = wythe("campaign", self.study, "--out", shard, "--shard", f"{i}/2", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        done = wythe("merge", *shards, "--out", self.out())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assert_equals_whole(self.out())
+        for name in ("statistics.json", "report.html"):
+            self.assertTrue((self.out() / name).exists(), name)
+        done = wythe("merge", shards[0], "--out", self.folder / "half")
+        self.assertIn("3 samples are in none of these shards", done.stderr)
+
+    def test_replay_gives_the_same_bits_and_all_files(self):
+        done = wythe("replay", self.whole, "--sample", 3, "--out", self.out(), "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("equal to the campaign's to the bit", done.stdout)
+        names = {p.name for p in self.out().iterdir()}
+        for name in ("force_displacement.csv", "summary.json", "report.html", "run.pvd", "model.toml", "settings.txt"):
+            self.assertIn(name, names)
+
+    def test_replay_that_differs_exits_with_3(self):
+        store = self.copy()
+        with sqlite3.connect(store) as database:
+            database.execute("UPDATE sample SET state_hash = '0123456789abcdef' WHERE sample = 3")
+        done = wythe("replay", self.out(), "--sample", 3, "--out", self.folder / "replayed", "--quiet")
+        self.refused(done, 3, "differs from the campaign's", "0123456789abcdef", "the campaign was run by")
+
+    def test_replay_of_a_sample_that_is_not_there(self):
+        done = wythe("replay", self.whole, "--sample", 7, "--out", self.out())
+        self.refused(done, 2, "--sample", "write a number from 1 to 6")
+        self.refused(wythe("replay", self.folder / "nowhere", "--sample", 1, "--out", self.out()), 4,
+                     "holds no campaign")
+
+
+class Faults(Base):
+    def test_options_that_are_wrong(self):
+        for options in (["--samples", "0"], ["--samples", "1"], ["--shard", "0/2"], ["--shard", "two"], ["--jobs", "0"],
+                        ["--fly"], ["--until", "share < soon"], ["--set", "wall.thickness=-1 m"],
+                        ["--until", "interval(share) < 0.1", "--shard", "1/2"]):
+            done = wythe("campaign", self.study, "--out", self.out(), *options)
+            self.assertEqual(done.returncode, 2, f"{options}: {done.stderr}")
+            self.assertNotEqual(done.stderr, "")
+            self.assertFalse(self.out().exists(), options)
+
+    def test_an_existing_campaign_needs_resume(self):
+        before = (self.whole / "campaign.db").read_bytes()
+        self.refused(wythe("campaign", self.study, "--out", self.whole), 2, "holds a campaign already", "--resume")
+        self.assertEqual((self.whole / "campaign.db").read_bytes(), before)
+
+    def test_a_changed_study_is_named(self):
+        self.copy()
+        changed = self.folder / "changed.toml"
+        changed.write_text(STUDY.replace("cov = 0.2", "cov = 0.3"))
+        done = wythe("campaign", changed, "--out", self.out(), "--resume", "--set", "output.rows=600")
+        self.refused(done, 2, "variable.ft.cov: was 0.2 when the campaign began, is 0.3 now",
+                     "settings: was not given", "output.rows=600")
+        (self.folder / "model.toml").write_text(MODEL.replace('density = "2000', 'density = "2100'))
+        try:
+            done = self.resume()
+        finally:
+            (self.folder / "model.toml").write_text(MODEL)
+        self.refused(done, 2, 'density = "2000 kg/m^3": stood in the model when', 'density = "2100 kg/m^3": did not')
+
+    def test_a_locked_store(self):
+        store = self.copy()
+        other = sqlite3.connect(store, isolation_level=None)
+        other.execute("BEGIN IMMEDIATE")
+        done = self.resume(None, "--samples", "8")
+        other.execute("ROLLBACK")
+        other.close()
+        self.refused(done, 4, "locked by another program", str(store))
+        self.assertEqual(self.resume(None, "--samples", "8").returncode, 0)
+
+    def test_a_damaged_store(self):
+        store = self.copy()
+        store.write_bytes(store.read_bytes()[:store.stat().st_size // 2])
+        spoiled = store.read_bytes()
+        self.refused(self.resume(), 4, "damaged", str(store))
+        self.assertEqual(store.read_bytes(), spoiled)
+        store.write_bytes(b"not a database " * 1000)
+        self.refused(self.resume(), 4, "is not a campaign store")
+        self.refused(wythe("report", self.out()), 4, "is not a campaign store")
+
+    def test_a_newer_store(self):
+        store = self.copy()
+        with sqlite3.connect(store) as database:
+            database.execute("PRAGMA user_version = 99")
+        self.refused(self.resume(), 4, "newer wythe", "99")
+
+    def test_a_folder_that_cannot_be_written(self):
+        (self.folder / "file").write_text("x")
+        self.refused(wythe("campaign", self.study, "--out", self.folder / "file" / "out"), 4, "cannot be")
+
+    def test_samples_that_never_settle_are_outcomes(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--samples", 2, "--quiet", "--set",
+                     "solve.settle_ratio=1e-300", "--set", "solve.settle_limit=0.01 s")
+        self.assertEqual(done.returncode, 3, done.stderr)  # nothing to count
+        for row in self.rows(self.out()):
+            self.assertEqual(row["status"], "not_settled")
+            self.assertEqual(row["peak_reaction_kN"] + row["failure_mode"] + row["censored_80"], "")
+        self.assertIn("2 not_settled", done.stdout)
+
+    def test_help_has_an_example(self):
+        for command in ("campaign", "merge", "replay", "report"):
+            self.assertIn("example:", wythe(command, "--help").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

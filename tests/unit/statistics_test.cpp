@@ -1,0 +1,396 @@
+// Statistics of a campaign: hand values, groups, stop rule, what an odd campaign says.
+#include "wythe/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "scenes/sample_campaign.h"
+#include "study/bootstrap.h"
+#include "study/correlation.h"
+#include "study/intervals.h"
+#include "study/survival.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+
+namespace wythe {
+namespace {
+
+using namespace study;
+using scenes::sample_campaign;
+using scenes::sample_record;
+
+const Share& share_named(const Statistics& s, const std::string& name) {
+  for (const Share& share : s.share)
+    if (share.name == name) return share;
+  throw std::runtime_error("no share " + name);
+}
+const GroupSummary& group_named(const Statistics& s, const std::string& name) {
+  for (const GroupSummary& group : s.group)
+    if (group.name == name) return group;
+  throw std::runtime_error("no group " + name);
+}
+Campaign of_records(std::vector<SampleRecord> records) {
+  Campaign campaign;
+  campaign.records = std::move(records);
+  return campaign;
+}
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+// --- intervals ---------------------------------------------------------------------------------
+
+TEST(Wilson, meets_published_values) {
+  // Newcombe, Stat. Med. 17 (1998), table I, method 3: printed to four digits
+  const auto near = [](int k, int n, double low, double high) {
+    const Interval i = wilson(k, n).interval;
+    EXPECT_NEAR(i.low, low, 5e-5) << k << "/" << n;
+    EXPECT_NEAR(i.high, high, 5e-5) << k << "/" << n;
+  };
+  near(81, 263, 0.2553, 0.3662);
+  near(15, 148, 0.0624, 0.1605);
+  near(0, 20, 0.0, 0.1611);
+  near(1, 29, 0.0061, 0.1718);
+}
+
+TEST(Wilson, eight_percent_of_250_is_five_to_twelve) {
+  const Interval i = wilson(20, 250).interval;  // physics of the paper's FM-5 share
+  EXPECT_NEAR(i.low, 0.0525, 5e-4);
+  EXPECT_NEAR(i.high, 0.1203, 5e-4);
+}
+
+TEST(Wilson, none_and_all_reach_the_ends_exactly) {
+  EXPECT_EQ(wilson(0, 30).interval.low, 0);
+  EXPECT_EQ(wilson(30, 30).interval.high, 1);
+  EXPECT_EQ(wilson(0, 0).interval.width(), 1);
+}
+
+TEST(Quantiles, normal_and_student_meet_tables) {
+  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-14);
+  EXPECT_NEAR(normal_quantile(1e-6), -4.753424308822899, 1e-12);
+  EXPECT_NEAR(normal_quantile(0.5), 0, 1e-15);
+  // tables of Student's t, printed to three digits; the expansion errs by 1e-3 at 4 degrees
+  EXPECT_NEAR(student_95(4), 2.776, 2e-3);
+  EXPECT_NEAR(student_95(10), 2.228, 6e-4);
+  EXPECT_NEAR(student_95(30), 2.042, 6e-4);
+  EXPECT_NEAR(student_95(249), 1.9695, 6e-4);
+}
+
+TEST(Quantiles, of_a_sample_lie_straight_between_neighbours) {
+  EXPECT_DOUBLE_EQ(quantile_of({1, 2, 3, 4, 5}, 0.5), 3);
+  EXPECT_DOUBLE_EQ(quantile_of({1, 2, 3, 4, 5}, 0.05), 1.2);
+  EXPECT_TRUE(std::isnan(quantile_of({}, 0.5)));
+}
+
+TEST(Bootstrap, of_equal_values_has_no_width) {
+  const Estimate e = bca_bootstrap(8, [](const Counts&) { return 3.0; });
+  EXPECT_EQ(e.interval.low, 3);
+  EXPECT_EQ(e.interval.high, 3);
+}
+
+TEST(Bootstrap, few_samples_have_no_interval) {
+  EXPECT_TRUE(std::isnan(bca_bootstrap(4, [](const Counts& c) { return c[0]; }).interval.low));
+}
+
+// --- censored values ---------------------------------------------------------------------------
+
+TEST(KaplanMeier, follows_the_hand_example) {
+  // 3, 5, 5+, 8, 10+ : S = 4/5, 4/5 * 3/4, then 3/5 * 1/2
+  const std::vector<Reading> r =
+      in_order({{10, true}, {5, true}, {3, false}, {8, false}, {5, false}});
+  const std::vector<ExceedancePoint> km = kaplan_meier(r);
+  ASSERT_EQ(km.size(), 3u);
+  EXPECT_NEAR(km[0].probability.value, 0.8, 1e-15);
+  EXPECT_NEAR(km[1].probability.value, 0.6, 1e-15);
+  EXPECT_NEAR(km[2].probability.value, 0.3, 1e-15);
+  const Counts once(5, 1);
+  // 3 + 0.8 * 2 + 0.6 * 3 + 0.3 * 2
+  EXPECT_NEAR(survival_mean(r, once), 7.0, 1e-14);
+  EXPECT_EQ(survival_quantile(r, once, 0.5), 8);
+  EXPECT_TRUE(std::isinf(survival_quantile(r, once, 0.95)));
+  EXPECT_NEAR(survival_at(km, 7.9).value, 0.6, 1e-15);
+  EXPECT_EQ(survival_at(km, 1).value, 1);
+}
+
+TEST(KaplanMeier, interval_follows_greenwood_by_hand) {
+  const std::vector<ExceedancePoint> km =
+      kaplan_meier(in_order({{3, false}, {5, false}, {5, true}, {8, false}, {10, true}}));
+  // after 5: sum d / (n (n - d)) = 1/20 + 1/12; log-log bounds 0.6^exp(+-1.96 se / |log 0.6|)
+  const double se = std::sqrt(1.0 / 20 + 1.0 / 12) / std::fabs(std::log(0.6));
+  EXPECT_NEAR(km[1].probability.interval.low, std::pow(0.6, std::exp(1.959964 * se)), 1e-6);
+  EXPECT_NEAR(km[1].probability.interval.high, std::pow(0.6, std::exp(-1.959964 * se)), 1e-6);
+}
+
+TEST(KaplanMeier, without_censoring_is_the_share_that_goes_beyond) {
+  const std::vector<Reading> r = in_order({{4, false}, {1, false}, {2, false}, {3, false}});
+  EXPECT_NEAR(survival_mean(r, Counts(4, 1)), 2.5, 1e-14);
+  EXPECT_EQ(kaplan_meier(r).back().probability.value, 0);
+}
+
+TEST(LognormalFit, without_censoring_is_moments_of_logarithms) {
+  std::vector<Reading> r;
+  for (double log : {1.0, 2.0, 3.0, 6.0}) r.push_back({std::exp(log), false});
+  const Lognormal fit = fit_lognormal(r, Counts(4, 1));
+  EXPECT_NEAR(std::log(fit.median), 3, 1e-12);
+  EXPECT_NEAR(fit.beta, std::sqrt(14.0 / 4), 1e-12);  // greatest likelihood: divisor n
+}
+
+TEST(LognormalFit, needs_two_observed_values) {
+  EXPECT_TRUE(std::isnan(fit_lognormal({{2, false}, {3, true}}, {1, 1}).median));
+}
+
+// --- correlation -------------------------------------------------------------------------------
+
+TEST(Correlation, ranks_share_ties) {
+  EXPECT_EQ(ranks({30, 10, 20, 20}), (Column{4, 1, 2.5, 2.5}));
+}
+
+TEST(Correlation, spearman_sees_any_rising_curve_as_one) {
+  Column x, y;
+  for (int i = 0; i < 20; ++i) x.push_back(i), y.push_back(std::exp(i));
+  const Correlation c = correlate({x}, y).front();
+  EXPECT_DOUBLE_EQ(c.spearman.value, 1);
+  EXPECT_LT(c.pearson.value, 0.8);
+}
+
+TEST(Correlation, spearman_by_hand) {
+  // ranks differ by 1, -1, 0, 1, -1: 1 - 6 * 4 / (5 * 24)
+  const Correlation c = correlate({{1, 2, 3, 4, 5}}, {2, 1, 3, 5, 4}).front();
+  EXPECT_NEAR(c.spearman.value, 0.8, 1e-14);
+}
+
+TEST(Correlation, partial_follows_the_formula_of_three) {
+  const Column a = {1, 2, 3, 4, 5, 6}, b = {2, 1, 4, 3, 6, 5}, y = {1, 3, 2, 6, 4, 5};
+  const double ay = pearson(a, y), by = pearson(b, y), ab = pearson(a, b);
+  const double expected = (ay - ab * by) / std::sqrt((1 - ab * ab) * (1 - by * by));
+  EXPECT_NEAR(partial_correlations({a, b}, y)[0], expected, 1e-13);
+}
+
+TEST(Correlation, partial_finds_a_weak_input_behind_a_strong_one) {
+  // y = 10 a + b exactly: given the other, each decides alone
+  Column a, b, y;
+  RandomBits bits(3);
+  for (int i = 0; i < 200; ++i) {
+    a.push_back(bits.uniform()), b.push_back(bits.uniform());
+    y.push_back(10 * a.back() + b.back());
+  }
+  EXPECT_LT(pearson(b, y), 0.25);
+  EXPECT_NEAR(partial_correlations({a, b}, y)[0], 1, 1e-9);
+  EXPECT_NEAR(partial_correlations({a, b}, y)[1], 1, 1e-9);
+}
+
+TEST(Correlation, a_column_that_follows_from_another_has_no_partial) {
+  EXPECT_TRUE(std::isnan(partial_correlations({{1, 2, 3, 4}, {2, 4, 6, 8}}, {1, 3, 2, 4})[0]));
+}
+
+TEST(FirstOrder, bins_hold_equal_counts) {
+  const std::vector<int> bin = equal_bins({5, 1, 4, 2, 3, 6}, 3);
+  EXPECT_EQ(bin, (std::vector<int>{2, 0, 1, 0, 1, 2}));
+}
+
+// --- a campaign --------------------------------------------------------------------------------
+
+TEST(CampaignStatistics, table_by_hand) {
+  const Statistics s =
+      statistics_of(of_records({sample_record(1, 100e3, "FM-1"), sample_record(2, 120e3, "FM-1"),
+                                sample_record(3, 200e3, "FM-4")}));
+  const Summary& all = s.group[0].quantity[0];
+  EXPECT_EQ(all.n, 3);
+  EXPECT_DOUBLE_EQ(all.mean.value, 140e3);
+  EXPECT_DOUBLE_EQ(all.median.value, 120e3);
+  EXPECT_NEAR(all.cov.value, std::sqrt((1600 + 400 + 3600) / 2.0) * 1e3 / 140e3, 1e-12);
+  EXPECT_DOUBLE_EQ(group_named(s, "FM-1").quantity[0].mean.value, 110e3);
+  // 0.8 of the peak lies at 10 + 16 mm on every one of these curves
+  EXPECT_NEAR(all.max, 200e3, 1e-6);
+  EXPECT_NEAR(s.group[0].quantity[2].mean.value, 26e-3, 1e-12);
+  EXPECT_EQ(s.group[0].quantity[3].censored, 3);
+}
+
+TEST(CampaignStatistics, paper_modes_are_grouped_and_listed_in_order) {
+  const Statistics s =
+      statistics_of(of_records({sample_record(1, 1, "FM-4"), sample_record(2, 1, "FM-2"),
+                                sample_record(3, 1, "unclear"), sample_record(4, 1, "FM-3")}));
+  EXPECT_EQ(s.modes, (std::vector<std::string>{"FM-1", "FM-2", "FM-3", "FM-4", "FM-5", "unclear"}));
+  EXPECT_EQ(share_named(s, "FM-1 + FM-2").count, 1);
+  EXPECT_EQ(share_named(s, "FM-3 + FM-4").count, 2);
+  EXPECT_EQ(share_named(s, "FM-5").count, 0);
+  EXPECT_DOUBLE_EQ(share_named(s, "unclear").share.value, 0.25);
+}
+
+TEST(CampaignStatistics, plain_names_stand_as_they_are) {
+  const Statistics s =
+      statistics_of(of_records({sample_record(1, 1, "sliding of pier 2"),
+                                sample_record(2, 1, "rocking"), sample_record(3, 1, "unclear")}));
+  EXPECT_EQ(s.modes, (std::vector<std::string>{"rocking", "sliding of pier 2", "unclear"}));
+  EXPECT_EQ(s.share.size(), 3u);
+}
+
+TEST(CampaignStatistics, only_ended_pushes_count_and_the_rest_is_listed) {
+  SampleRecord unstable = sample_record(2, 300e3, "FM-1"), refused;
+  unstable.status = "unstable", unstable.reason = "it flew";
+  refused.sample = 3, refused.status = "refused", refused.reason = "snap-back";
+  const Statistics s =
+      statistics_of(of_records({sample_record(1, 100e3, "FM-1"), unstable, refused}));
+  EXPECT_EQ(s.run, 3);
+  EXPECT_EQ(s.answered, 1);
+  EXPECT_DOUBLE_EQ(s.group[0].quantity[0].max, 100e3);
+  ASSERT_EQ(s.unanswered.size(), 2u);
+  EXPECT_EQ(s.unanswered[1].reason, "snap-back");
+  EXPECT_EQ(s.status.at("refused"), 1);
+}
+
+TEST(CampaignStatistics, running_mean_is_the_mean_of_the_first_n) {
+  const Campaign campaign = sample_campaign(40);
+  const Statistics s = statistics_of(campaign);
+  double sum = 0;
+  for (int i = 0; i < 40; ++i) {
+    sum += campaign.records[i].responses.peak_reaction;
+    EXPECT_NEAR(s.running[0].mean[i].value, sum / (i + 1), 1e-6);
+  }
+  EXPECT_EQ(s.running[0].n.back(), 40);
+}
+
+TEST(CampaignStatistics, order_of_the_records_does_not_matter) {
+  Campaign campaign = sample_campaign(30);
+  const std::string forward = statistics_json(statistics_of(campaign));
+  std::swap(campaign.records[2], campaign.records[20]);
+  EXPECT_EQ(statistics_json(statistics_of(campaign)), forward);
+}
+
+TEST(CampaignStatistics, same_campaign_same_bytes) {
+  const Campaign campaign = sample_campaign(60);
+  const Statistics s = statistics_of(campaign), again = statistics_of(campaign);
+  EXPECT_EQ(statistics_json(s), statistics_json(again));
+  EXPECT_EQ(campaign_report(campaign, s), campaign_report(campaign, again));
+}
+
+TEST(CampaignStatistics, mean_curve_of_scaled_triangles_is_their_middle) {
+  const Statistics s =
+      statistics_of(of_records({sample_record(1, 100e3, "FM-1"), sample_record(2, 200e3, "FM-1")}));
+  for (const CurvePoint& p : s.mean_curve[0].point) {
+    const double mm = p.displacement * 1e3;
+    const double expected = 150e3 * (mm < 10 ? mm / 10 : 1 - 0.5 * (mm - 10) / 40);
+    EXPECT_NEAR(p.mean, expected, 1e-6 * 150e3) << mm;
+    EXPECT_EQ(p.n, 2);
+  }
+}
+
+TEST(CampaignStatistics, drift_limits_count_the_unknown_apart) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 10; ++i) {
+    records.push_back(sample_record(i, 100e3, "FM-1"));
+    Responses& r = records.back().responses;
+    r.displacement_at_80 = i <= 4 ? 0.4e-2 : 0.9e-2;  // of a height of 1 m: 0.4 and 0.9 %
+    r.censored_80 = i > 7;
+  }
+  Campaign campaign = of_records(records);
+  campaign.load_height = 1;
+  for (const DriftLimit& limit : statistics_of(campaign).drift_limit) {
+    if (limit.limit == 0.005) {
+      EXPECT_EQ(limit.below, 4);
+      EXPECT_EQ(limit.unknown, 0);
+      EXPECT_DOUBLE_EQ(limit.share.interval.low, wilson(4, 10).interval.low);
+    }
+    if (limit.limit == 0.01) {
+      EXPECT_EQ(limit.below, 7);
+      EXPECT_EQ(limit.unknown, 3);
+      EXPECT_NEAR(limit.share.value, 0.7, 1e-12);  // Kaplan-Meier: 1 - 6/10 * 3/6
+    }
+  }
+}
+
+TEST(CampaignStatistics, lower_bounds_alone_have_no_interval) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 30; ++i) records.push_back(sample_record(i, 100e3 + i, "FM-1"));
+  const Campaign campaign = of_records(records);
+  const Statistics s = statistics_of(campaign);
+  EXPECT_EQ(s.group[0].quantity[3].censored, 30);
+  EXPECT_TRUE(std::isnan(s.group[0].quantity[3].mean.interval.low));
+  EXPECT_FALSE(precise_enough("relative_interval(displacement_max) < 5 %", campaign));
+}
+
+// --- stop rule ---------------------------------------------------------------------------------
+
+std::string fault_of(const std::string& rule) {
+  try {
+    check_rule(rule);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(UntilRule, well_formed_rules_pass) {
+  EXPECT_EQ(fault_of("relative_interval(peak_reaction) < 1 % and interval(share) < 0.1"), "");
+  EXPECT_EQ(fault_of("  relative_interval( displacement_max )<0.02 "), "");
+  EXPECT_EQ(fault_of("interval(share)<10%"), "");
+  EXPECT_EQ(fault_of(""), "");
+}
+
+TEST(UntilRule, malformed_rules_say_what_to_write) {
+  EXPECT_NE(fault_of("relative_interval(peak_reactoin) < 1 %").find("did you mean peak_reaction?"),
+            std::string::npos);
+  EXPECT_NE(fault_of("intervall(share) < 0.1").find("did you mean interval?"), std::string::npos);
+  EXPECT_NE(fault_of("interval(peak_reaction) < 0.1").find("relative_interval(peak_reaction)"),
+            std::string::npos);
+  EXPECT_NE(fault_of("interval(share) < 0.1 and").find("a clause is missing"), std::string::npos);
+  EXPECT_NE(fault_of("interval(share) > 0.1").find("write e.g."), std::string::npos);
+  EXPECT_NE(fault_of("interval(share) < small").find("a number"), std::string::npos);
+  EXPECT_NE(fault_of("interval(share) < 0").find("must be positive"), std::string::npos);
+  EXPECT_NE(fault_of("interval(share) < 0.1 kN").find("a number"), std::string::npos);
+  EXPECT_NE(fault_of("interval(share) < 0.1 or interval(share) < 0.2"), "");
+}
+
+TEST(UntilRule, collects_every_fault) {
+  EXPECT_EQ(count(fault_of("interval(x) < 0.1 and relative_interval(y) < 1"), "until ="), 2);
+}
+
+TEST(UntilRule, is_met_as_soon_as_its_interval_is_narrow_enough) {
+  const Campaign campaign = sample_campaign(60);
+  Moments moments;
+  for (const SampleRecord& r : campaign.records) moments.add(r.responses.peak_reaction);
+  const double half = moments.student().interval.width() / 2 / moments.mean();
+  const auto rule = [](double limit) {
+    return "relative_interval(peak_reaction) < " + std::to_string(limit);
+  };
+  EXPECT_TRUE(precise_enough(rule(half + 1e-5), campaign));
+  EXPECT_FALSE(precise_enough(rule(half - 1e-5), campaign));
+  EXPECT_FALSE(precise_enough(rule(half + 1e-5) + " and interval(share) < 0.01", campaign));
+}
+
+TEST(UntilRule, never_stops_below_twenty_samples) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 19; ++i) records.push_back(sample_record(i, 100e3 + i, "FM-1"));
+  const std::string rule = "relative_interval(peak_reaction) < 5 %";
+  std::string said;
+  EXPECT_FALSE(precise_enough(rule, of_records(records), &said));
+  EXPECT_NE(said.find("at least 20"), std::string::npos);
+  records.push_back(sample_record(20, 100e3, "FM-1"));
+  EXPECT_TRUE(precise_enough(rule, of_records(records), &said));
+  EXPECT_NE(said.find("20 samples"), std::string::npos);
+  EXPECT_FALSE(precise_enough("", of_records(records), &said));
+}
+
+TEST(Precision, first_met_and_held_are_told_apart) {
+  // twenty equal samples, then one far off: 1 % is met at 20, lost at 21 and for long
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 20; ++i) records.push_back(sample_record(i, 100e3 + i, "FM-1"));
+  records.push_back(sample_record(21, 300e3, "FM-1"));
+  for (const Precision& p : statistics_of(of_records(records)).precision) {
+    if (p.what != "peak_reaction" || p.target != 0.01) continue;
+    EXPECT_EQ(p.first_met, 20);
+    EXPECT_EQ(p.held_from, 0);
+    EXPECT_GT(p.expected, 21);
+    return;
+  }
+  FAIL() << "no row";
+}
+
+}  // namespace
+}  // namespace wythe
