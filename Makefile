@@ -1,6 +1,7 @@
 # Short commands. PRESET=dev|release|audit|asan|tsan|coverage|bench (CMakePresets.json).
 PRESET ?= release
 DEMO ?= examples/tuff_wall/model.toml
+STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
@@ -21,10 +22,12 @@ configure: setup
 build: configure ## compile: build/<preset>/wythe
 	@cmake --build --preset $(PRESET)
 
-demo: configure  ## run one wall and say where its report is (DEMO=model.toml)
+demo: configure  ## run one wall, then 24 samples of its study; says where the reports are
 	@cmake --build --preset $(PRESET) --target wythe_cli
 	$(BUILD)/wythe run $(DEMO) --out $(BUILD)/demo
-	@echo "open $(BUILD)/demo/report.html"
+	@rm -rf $(BUILD)/demo_campaign
+	$(BUILD)/wythe campaign $(STUDY) --out $(BUILD)/demo_campaign --samples 24
+	@echo "open $(BUILD)/demo/report.html and $(BUILD)/demo_campaign/report.html"
 
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
