@@ -21,12 +21,15 @@ Span curves_span_x(const Statistics& s) {
   return x;
 }
 
-std::string one_curve(const Plot& plot, const Statistics& s, const SampleRecord& record) {
+std::string one_curve(const Plot& plot, const Statistics& s, const SampleRecord& record,
+                      CurvesTo to) {
   std::vector<Pixel> points;
   for (const CurveRow& row : record.curve)
-    points.push_back({row.displacement * 1e3, row.reaction * 1e-3});
+    if (to == CurvesTo::kEnd || row.displacement <= record.responses.displacement_at_80)
+      points.push_back({row.displacement * 1e3, row.reaction * 1e-3});
   const std::string drawn = plot.curve(points, (s.answered > 40 ? "thin " : "thin few ") +
                                                    mode_class(s.modes, record.failure_mode.name));
+  if (to != CurvesTo::kEnd) return drawn;
   // pointing at a curve tells the sample
   return fmt::format("<g><title>sample {}: {}, peak {}</title>{}</g>\n", record.sample,
                      escaped(record.failure_mode.name),
@@ -113,17 +116,19 @@ std::string limit_lines(const Plot& plot, const Statistics& s) {
 
 }  // namespace
 
-std::string curves_svg(const Campaign& campaign, const Statistics& s) {
+std::string curves_svg(const Campaign& campaign, const Statistics& s, CurvesTo to) {
   if (s.answered == 0) return "";
   Span y{0, 0};
   for (const SampleRecord& record : campaign.records)
     if (is_answered(record)) y.take(record.responses.peak_reaction * 1.08e-3);
   const Plot plot({.height = 480, .top = 44}, curves_span_x(s), y);
-  std::string out = plot.begin("Force-displacement curves of all samples, coloured by failure mode",
-                               "displacement [mm]", "reaction [kN]");
+  std::string out =
+      plot.begin(to == CurvesTo::kEnd ? "Force-displacement curves of all samples"
+                                      : "Force-displacement curves up to 80 % of their peak",
+                 "displacement [mm]", "reaction [kN]");
   out += drift_axis(plot, s.load_height);
   for (const SampleRecord& record : campaign.records)
-    if (is_answered(record)) out += one_curve(plot, s, record);
+    if (is_answered(record)) out += one_curve(plot, s, record, to);
   return out + Plot::end();
 }
 

@@ -15,7 +15,10 @@ namespace wythe::report {
 // Rules of all charts here, with the modes' colours.
 [[nodiscard]] std::string campaign_style();
 
-[[nodiscard]] std::string curves_svg(const Campaign& campaign, const Statistics& statistics);
+// Every curve, coloured by mode, to its end or to where it falls to 80 % of its peak.
+enum class CurvesTo { kEnd, k80Percent };
+[[nodiscard]] std::string curves_svg(const Campaign& campaign, const Statistics& statistics,
+                                     CurvesTo to = CurvesTo::kEnd);
 [[nodiscard]] std::string mean_curves_svg(const Statistics& statistics);
 [[nodiscard]] std::string shares_svg(const Statistics& statistics);
 // Running mean of quantity `q` of quantities().

@@ -20,7 +20,10 @@ std::string curves_section(const Campaign& campaign, const Statistics& s) {
          fmt::format(
              "<figcaption>Samples: {}, coloured by failure mode. Upper axis: drift at the "
              "load's height.</figcaption></figure>\n",
-             s.answered);
+             s.answered) +
+         "<details><summary>The same curves, each up to where it has fallen to 80\u202f% of its "
+         "peak</summary>\n<figure>" +
+         curves_svg(campaign, s, CurvesTo::k80Percent) + "</figure></details>\n";
 }
 
 std::string mean_curves_section(const Statistics& s) {
