@@ -70,6 +70,7 @@ void StageRun::end(StageEnd how) {
 }
 
 StageEnd StageRun::close() {
+  if (end_.finished && runaway_block(model_, wall_.place.view) >= 0) end(runs_away());
   finish(end_);
   wall_.place.bring_up(state_);
   wall_.result.stages.push_back({stage_.spec.name, state_.stage_time, state_.step - first_step_,
@@ -79,6 +80,19 @@ StageEnd StageRun::close() {
   return end_;
 }
 
+const std::string& StageRun::name_of(BlockId block) const {
+  return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+}
+
+StageEnd StageRun::runs_away() const {
+  return {
+      SolveStatus::kUnstable,
+      fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
+                  "solve.step_fraction",
+                  name_of(runaway_block(model_, wall_.place.view)), state_.time, stage_.spec.name),
+      false};
+}
+
 // Interrupt, budget, instability, and collapse: a block farther off than the push can have brought it.
 void StageRun::watch(double share) {
   if (state_.step % kWatchEvery != 0 || ended_) return;
@@ -86,22 +100,12 @@ void StageRun::watch(double share) {
   if (options.progress)
     options.progress({stage_.spec.name.c_str(), share, state_.drive_displacement,
                       wall_.result.curve.empty() ? 0.0 : wall_.result.curve.back().reaction});
-  const auto name = [&](BlockId block) {
-    return model_.anatomy.block_id[static_cast<std::size_t>(block)];
-  };
-  const BlockId runaway = runaway_block(model_, wall_.place.view);
-  if (runaway >= 0)
-    return end(
-        {SolveStatus::kUnstable,
-         fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; "
-                     "lower solve.step_fraction",
-                     name(runaway), state_.time, stage_.spec.name),
-         false});
+  if (runaway_block(model_, wall_.place.view) >= 0) return end(runs_away());
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
   const Furthest furthest = furthest_block(model_, wall_.place.view);
   if (furthest.distance > allowed)
     return end({SolveStatus::kCollapsed,
-                fmt::format("block {} has moved {:.0f} mm in stage \"{}\"", name(furthest.block),
+                fmt::format("block {} has moved {:.0f} mm in stage \"{}\"", name_of(furthest.block),
                             1e3 * furthest.distance, stage_.spec.name),
                 false});
   if (options.stop != nullptr && options.stop->load())

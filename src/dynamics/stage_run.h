@@ -66,6 +66,9 @@ class StageRun {
   Controls& controls_;
 
  private:
+  [[nodiscard]] const std::string& name_of(BlockId block) const;
+  [[nodiscard]] StageEnd runs_away() const;
+
   const std::vector<BlockId>* driven_;
   std::int64_t first_step_;
   bool ended_ = false;

@@ -92,7 +92,7 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.wall_seconds = r.wall_seconds;
   record.curve = r.curve;
   if (!run.refused.empty()) return record;
-  record.state_hash = r.state_hash;
+  if (r.status != SolveStatus::kUnstable) record.state_hash = r.state_hash;
   if (!record.answered()) return record;
   record.responses = r.responses;
   record.failure_mode = r.failure_mode;

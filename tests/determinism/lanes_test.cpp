@@ -116,21 +116,23 @@ std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, in
       solver.put(static_cast<int>(next), walls[next]->model, walls[next]->state, options);
     auto ended = solver.next();
     const auto k = static_cast<std::size_t>(ended.ticket);
-    EXPECT_EQ(ended.result.state_hash, walls[k]->alone) << "wall " << k << ", width " << width;
-    EXPECT_EQ(state_hash(walls[k]->state), walls[k]->alone) << "wall " << k;
     results[k] = std::move(ended.result);
+    // what is not a number has no bits to compare
+    if (results[k].status == SolveStatus::kUnstable) continue;
+    EXPECT_EQ(results[k].state_hash, walls[k]->alone) << "wall " << k << ", width " << width;
+    EXPECT_EQ(state_hash(walls[k]->state), walls[k]->alone) << "wall " << k;
   }
   return results;
 }
 
-TEST(Lanes, a_wall_that_flies_apart_leaves_its_neighbours_alone) {
+TEST(Lanes, a_wall_that_goes_unstable_leaves_its_neighbours_alone) {
   for (const int width : {2, 4, 8}) {
     std::vector<std::unique_ptr<Wall>> walls;
     for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) walls.push_back(wall_of(strength));
     walls.insert(walls.begin() + 1, wall_of(1.0, 5, 20));
     const std::vector<Result> results = solve_together(walls, width);
     for (std::size_t k = 0; k < results.size(); ++k)
-      EXPECT_EQ(results[k].status == SolveStatus::kCompleted, k != 1) << results[k].reason;
+      EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
   }
 }
 
