@@ -6,8 +6,12 @@
 // Every figure stands beside the hash of the state it was measured on.
 #include <benchmark/benchmark.h>
 
+#include <string>
+#include <vector>
+
 #include "bare_kernel.h"
 #include "contact/parameters.h"
+#include "dynamics/lane_step.h"
 #include "dynamics/step.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
@@ -83,26 +87,55 @@ void bare_kernel(benchmark::State& bench) {
 }
 BENCHMARK(bare_kernel);
 
-void step_engine(benchmark::State& bench, int threads) {
-  Cracked& wall = cracked();
-  State s = wall.state;
-  dynamics::Stepper stepper(wall.model, threads);
-  stepper.refresh(s);
-  stepper.choose_driven(wall.model.stages.back().driven);
+dynamics::Controls push_controls(const Cracked& wall) {
   dynamics::Controls controls;
   controls.dt = wall.dt;
-  controls.damping = 0.8;
+  controls.damping = 0.2;
   controls.push = &wall.model.stages.back();
+  return controls;
+}
+
+void step_engine(benchmark::State& bench, int threads, const dynamics::Kernels& kernels) {
+  Cracked& wall = cracked();
+  State s = wall.state;
+  dynamics::Stepper stepper(wall.model, threads, kernels);
+  stepper.refresh(s);
+  stepper.choose_driven(wall.model.stages.back().driven);
+  const dynamics::Controls controls = push_controls(wall);
   for (auto _ : bench) stepper.step(s, controls);
   report(bench, wall.model.n_point());
 }
 
-void engine_step(benchmark::State& bench) { step_engine(bench, 1); }
-BENCHMARK(engine_step);
+// Walls side by side: the same wall in every lane.
+void step_lanes(benchmark::State& bench, int lanes) {
+  Cracked& wall = cracked();
+  std::vector<State> states(static_cast<std::size_t>(lanes), wall.state);
+  dynamics::LaneStepper stepper(wall.model, lanes);
+  for (int lane = 0; lane < lanes; ++lane) {
+    stepper.put(lane, wall.model, states[static_cast<std::size_t>(lane)]);
+    dynamics::choose_driven(wall.model, stepper.place(lane).view, wall.model.stages.back().driven);
+    stepper.set(lane, push_controls(wall));
+  }
+  for (auto _ : bench) stepper.step();
+  report(bench, static_cast<std::int64_t>(lanes) * wall.model.n_point());
+}
 
-void engine_step_two_threads(benchmark::State& bench) { step_engine(bench, 2); }
-BENCHMARK(engine_step_two_threads)->UseRealTime();
+void add_engines() {
+  for (const dynamics::Kernels* set : dynamics::kernels_here())
+    benchmark::RegisterBenchmark((std::string("engine_step/") + set->name).c_str(),
+                                 [set](benchmark::State& bench) { step_engine(bench, 1, *set); });
+  for (const int lanes : {2, 4, 8})
+    benchmark::RegisterBenchmark(("engine_walls_side_by_side/" + std::to_string(lanes)).c_str(),
+                                 [lanes](benchmark::State& bench) { step_lanes(bench, lanes); });
+  benchmark::RegisterBenchmark("engine_step_two_threads", [](benchmark::State& bench) {
+    step_engine(bench, 2, dynamics::kernels_in_use());
+  })->UseRealTime();
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  add_engines();
+  benchmark::RunSpecifiedBenchmarks();
+}
