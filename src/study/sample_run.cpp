@@ -60,7 +60,7 @@ SampleRun run_task(const SampleTask& task, int sample, const SolveOptions& optio
       solve_once(task, options, run);
     }
   } catch (const InputError& error) {
-    const std::string why = refusal_of(run.settings, task.build);
+    const std::string why = refusal_of(task.samples, sample - 1, task.build);
     run.refused = why.empty() ? error.what() : why;
     return run;
   }
