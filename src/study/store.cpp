@@ -32,9 +32,9 @@ SELECT sample, position,
        CASE WHEN mm IS NULL THEN substr(what, 1, instr(what, ' x ') - 1) ELSE '' END AS threshold,
        CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor,
        failure_mode
-FROM (SELECT main.reading.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
+FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
              CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
-      FROM main.reading JOIN main.sample USING (sample)) AS r)";
+      FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
 
 // Binds the members of a record in order.
 struct Binder {
