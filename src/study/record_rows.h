@@ -158,11 +158,13 @@ void each_list(Visitor& v) {
     c("displacement_first_m", s.sign.displacement_first);
   });
   v.list("reading", &RecordLists::readings, [](auto& c, auto& r) {
+    std::string what = r.what();  // for queries; it follows from the others
+    c("what", what);
+    c("failure_mode", r.name);
     c("state", r.state);
     c("displacement_m", r.displacement);
     c("threshold", r.threshold);
     c("factor", r.factor);
-    c("failure_mode", r.name);
   });
   v.list("feature", &RecordLists::features, [](auto& c, auto& f) {
     c("name", f.name);

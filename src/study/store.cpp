@@ -24,14 +24,13 @@ constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application
 // one at that displacement, the peak, or the end.
 constexpr const char* kReadingsOfVersion1 = R"(
 CREATE TEMP VIEW reading AS
-SELECT sample, position,
+SELECT sample, position, what, failure_mode,
        CASE WHEN mm IS NULL THEN '' ELSE coalesce(
          (SELECT label FROM state WHERE state.sample = r.sample AND abs(1e3 * displacement_m - mm) < 0.006),
          CASE WHEN abs(1e3 * peak_m - mm) < 0.006 THEN 'peak' ELSE 'end' END) END AS state,
        coalesce(mm / 1e3, read_m) AS displacement_m,
        CASE WHEN mm IS NULL THEN substr(what, 1, instr(what, ' x ') - 1) ELSE '' END AS threshold,
-       CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor,
-       failure_mode
+       CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
 FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
              CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
       FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
