@@ -23,6 +23,7 @@ constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application
 // Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
 // one at that displacement, the peak, or the end.
 constexpr const char* kReadingsOfVersion1 = R"(
+PRAGMA query_only = 0;  -- a view of this connection's own, the file stays as it is
 CREATE TEMP VIEW reading AS
 SELECT sample, position, what, failure_mode,
        CASE WHEN mm IS NULL THEN '' ELSE coalesce(
@@ -33,7 +34,8 @@ SELECT sample, position, what, failure_mode,
        CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
 FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
              CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
-      FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
+      FROM main.reading AS old JOIN main.sample USING (sample)) AS r;
+PRAGMA query_only = 1)";
 
 // Binds the members of a record in order.
 struct Binder {

@@ -161,7 +161,8 @@ std::map<std::string, std::string> in_effect(const std::string& settings) {
   std::map<std::string, std::string> last;
   for (const std::string& line : lines_of(settings)) {
     const std::size_t equals = std::min(line.find('='), line.size());
-    last[std::string(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals));
+    last[std::string(trimmed(line.substr(0, equals)))] =
+        trimmed(line.substr(std::min(equals + 1, line.size())));
   }
   return last;
 }

@@ -432,7 +432,7 @@ TEST_F(StoreFile, a_lock_ends_with_its_holder) {
 
 TEST_F(StoreFile, a_newer_store_is_refused) {
   Database(name(), Database::Access::kWrite).execute("PRAGMA user_version = 99");
-  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 1)"))
+  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 2)"))
       << read_refusal();
 }
 

@@ -103,9 +103,11 @@ TEST(StudyRefused, one_path_set_twice) {
 }
 
 TEST(StudyRefused, one_name_twice_or_no_name) {
-  EXPECT_EQ(
-      study_fault("[dependent.c]", "[dependent.R]"),
-      "study.toml:16: dependent.R: there is a variable of this name; give it a name of its own");
+  EXPECT_TRUE(
+      study_fault("[dependent.c]", "[dependent.R]")
+          .starts_with(
+              "study.toml:16: dependent.R: there is a variable of this name; give it a name "
+              "of its own"));
   EXPECT_EQ(study_fault("[dependent.c]", "[dependent.tan]"),
             "study.toml:16: dependent.tan: tan is a function of formulas; rename it");
   EXPECT_EQ(
@@ -231,11 +233,11 @@ TEST(StudyRefused, faults_of_the_base_model_and_of_settings) {
 
 TEST(StudyRefused, a_setting_of_what_an_input_sets) {
   EXPECT_EQ(
-      joined(study_faults(kStudy, {"material.joint.tensile_strength=1 MPa"}), "\n"),
+      joined(study_faults(kStudy, {"material.joint.tensile_strength=0.14 MPa"}), "\n"),
       "--set: material.joint.tensile_strength: has no effect, it is set by variable.ft_j; leave "
       "it out, or change variable.ft_j instead, e.g. --set variable.ft_j.mean=...");
   EXPECT_TRUE(
-      study_fault("set = [\"wall.unit.split=none\"]", "set = [\"material.joint.cohesion=1 MPa\"]")
+      study_fault("set = [\"wall.unit.split=none\"]", "set = [\"material.joint.cohesion=0.2 MPa\"]")
           .starts_with("study.toml:37: study.set: material.joint.cohesion: has no effect, it "
                        "is set by dependent.c"));
 }

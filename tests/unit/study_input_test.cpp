@@ -194,10 +194,11 @@ TEST(Refusal, of_a_value_that_is_not_finite) {
 }
 
 TEST(Refusal, names_the_input_whose_formula_has_no_value) {
-  SampleTable table = draw_samples(parsed(kStudy));
-  table.value[2][3] = kUnlimited;
-  EXPECT_EQ(refusal_of(table, 2, model_builder(parsed(kStudy))), "c = inf: is not a finite number");
-  EXPECT_EQ(refusal_of(table, 1, model_builder(parsed(kStudy))), "");
+  SampleTable table = draw_samples(tuff_study());
+  table.value[2][5] = kUnlimited;
+  const ModelBuilder build = model_builder(tuff_study());
+  EXPECT_EQ(refusal_of(table, 2, build), "joint_cohesion = inf: is not a finite number");
+  EXPECT_EQ(refusal_of(table, 1, build), "");
 }
 
 // --- dependents --------------------------------------------------------------------------------------
