@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <functional>
 
 #include "campaign_commands.h"
 #include "commands.h"
 #include "wythe/error.h"
 #include "wythe/provenance.h"
+#include "wythe/solve.h"
 
 namespace {
 
@@ -17,7 +19,8 @@ constexpr int kInputError = 2, kEnvironmentError = 4;
 
 std::string version_text() {
   const wythe::Provenance p = wythe::provenance();
-  return fmt::format("wythe {} ({}, {}, {})", p.version, p.commit, p.compiler, p.build_type);
+  return fmt::format("wythe {} ({}, {}, {}; {})", p.version, p.commit, p.compiler, p.build_type,
+                     wythe::instruction_set());
 }
 
 void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
@@ -131,7 +134,7 @@ int parse_and_run(int argc, char** argv) {
   CLI::App app(
       "wythe: how strong a masonry wall is, how far it drifts, how it fails, and how sure we are");
   app.require_subcommand(1);
-  app.set_version_flag("--version", version_text());
+  app.set_version_flag("--version", std::function<std::string()>(version_text));
   int code = 0;
   RunArguments run_arguments;
   CheckArguments check_arguments;

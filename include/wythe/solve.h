@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "wythe/model.h"
 #include "wythe/result.h"
@@ -26,6 +27,11 @@ struct SolveOptions {
 
 // Never throws on mathematics: the status says what happened. Advances `state` to the end.
 [[nodiscard]] Result solve(const Model& model, State& state, const SolveOptions& options = {});
+
+// The instruction set in use and how many walls of a campaign a core steps side by side, e.g.
+// "avx2, 4 walls side by side". WYTHE_SIMD and WYTHE_LANES force others; throws InputError where they
+// ask for what is not there.
+[[nodiscard]] std::string instruction_set();
 
 // One line about steps and time before a run, for `wythe check`.
 struct RunEstimate {

@@ -12,28 +12,29 @@ struct BlockWork {
   Real loads, damping;  // [J]
 };
 
-// Block i and its Lanes<Real>::width - 1 neighbours; driven ones keep their motion (drive_pass).
-template <class Real>
-WYTHE_INLINE void move_block(const BlockArrays& v, const MoveControls& controls, std::size_t i,
-                             BlockWork<Real>& work) {
-  using L = Lanes<Real>;
-  const Real zero(0.0), dt(controls.dt), damping(controls.damping), scale(controls.mass_scaling);
-  const Real heavy = L::load(v.heavy_mass + i), load_m = L::load(v.load_m + i);
-  const Real load_x = L::load(v.load_x + i) + heavy * Real(controls.gravity_x);
-  const Real load_y = L::load(v.load_y + i) + heavy * Real(controls.gravity_y);
-  const Real fx = L::load(v.contact_x + i) + load_x, fy = L::load(v.contact_y + i) + load_y;
-  const Real fm = L::load(v.turn_freedom + i) * (L::load(v.contact_m + i) + load_m);
-  L::store(fx, v.total_x + i);
-  L::store(fy, v.total_y + i);
-  L::store(fm, v.total_m + i);
-  const auto is_free = L::load(v.is_free + i) > zero;
-  const Real m = L::load(v.mass + i) * scale, inertia = L::load(v.inertia + i) * scale;
+// The blocks a Real takes from i on; driven ones keep their motion (drive_pass).
+template <class Access, class Real>
+WYTHE_INLINE void move_block(const BlockArrays& v, Access access, const MoveControls& controls,
+                             std::size_t i, BlockWork<Real>& work) {
+  const Real zero(0.0), dt = access.of_wall(controls.dt),
+                        damping = access.of_wall(controls.damping);
+  const Real scale = access.of_wall(controls.mass_scaling);
+  const Real heavy = access.own(v.heavy_mass, i), load_m = access.own(v.load_m, i);
+  const Real load_x = access.own(v.load_x, i) + heavy * access.of_wall(controls.gravity_x);
+  const Real load_y = access.own(v.load_y, i) + heavy * access.of_wall(controls.gravity_y);
+  const Real fx = access.own(v.contact_x, i) + load_x, fy = access.own(v.contact_y, i) + load_y;
+  const Real fm = access.shared(v.turn_freedom, i) * (access.own(v.contact_m, i) + load_m);
+  access.keep(fx, v.total_x, i);
+  access.keep(fy, v.total_y, i);
+  access.keep(fm, v.total_m, i);
+  const auto is_free = access.own(v.is_free, i) > zero;
+  const Real m = access.own(v.mass, i) * scale, inertia = access.own(v.inertia, i) * scale;
   const auto advance = [&](double* velocity, double* place, Real force, Real inert)
       __attribute__((always_inline)) {
-    const Real v0 = L::load(velocity + i), u0 = L::load(place + i);
+    const Real v0 = access.own(velocity, i), u0 = access.own(place, i);
     const Moved<Real> moved = accelerate(v0, force, inert, dt, damping);
-    L::store(select(is_free, moved.velocity, v0), velocity + i);
-    L::store(select(is_free, u0 + dt * moved.velocity, u0), place + i);
+    access.keep(select(is_free, moved.velocity, v0), velocity, i);
+    access.keep(select(is_free, u0 + dt * moved.velocity, u0), place, i);
     return moved;
   };
   const Moved<Real> x = advance(v.vx, v.ux, fx, m);
@@ -45,32 +46,55 @@ WYTHE_INLINE void move_block(const BlockArrays& v, const MoveControls& controls,
   work = {work.loads + select(is_free, loads, zero), work.damping + select(is_free, damped, zero)};
 }
 
-// Blocks begin..end-1; for packs a whole number of groups.
-template <class Real>
-void move_run(const BlockArrays& v, const MoveControls& controls, std::size_t begin,
-              std::size_t end, BlockLanes& lanes) {
-  using L = Lanes<Real>;
-  constexpr int packs = kGroup / L::width;
-  BlockWork<Real> work[packs];
+// Blocks begin..end-1; for packs of neighbours a whole number of groups.
+template <class Access>
+void move_run(const BlockArrays& v, Access access, const MoveControls& controls, std::size_t begin,
+              std::size_t end, const BlockEnergy& energy) {
+  constexpr int packs = Access::packs;
+  BlockWork<typename Access::Real> work[packs];
   for (int k = 0; k < packs; ++k)
-    work[k] = {L::load(lanes.loads + k * L::width), L::load(lanes.damping + k * L::width)};
+    work[k] = {access.energy(energy.loads, k), access.energy(energy.damping, k)};
   int k = 0;
-  for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(L::width)) {
-    move_block(v, controls, i, work[k]);
+  for (std::size_t i = begin; i < end; i += Access::advance) {
+    move_block(v, access, controls, i, work[k]);
     k = (k + 1) % packs;
   }
   for (k = 0; k < packs; ++k) {
-    L::store(work[k].loads, lanes.loads + k * L::width);
-    L::store(work[k].damping, lanes.damping + k * L::width);
+    access.keep_energy(work[k].loads, energy.loads, k);
+    access.keep_energy(work[k].damping, energy.damping, k);
   }
 }
 
+template <class Access>
+void turn_run(const BlockArrays& v, Access access, std::size_t begin, std::size_t end) {
+  using Real = typename Access::Real;
+  for (std::size_t i = begin; i < end; i += Access::advance) {
+    const SinCos<Real> turned = sin_cos(Real(0.5) * access.own(v.theta, i));
+    access.keep_rows({access.own(v.ux, i), access.own(v.uy, i), turned.cos, turned.sin}, v.pose, i);
+  }
+}
+
+// Contact force on each block: the joints of which it is side a, then those of which it is side b.
 template <class Real>
-void turn_run(const BlockArrays& v, std::size_t begin, std::size_t end) {
-  using L = Lanes<Real>;
-  for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(L::width)) {
-    const SinCos<Real> turned = sin_cos(Real(0.5) * L::load(v.theta + i));
-    L::store_rows({L::load(v.ux + i), L::load(v.uy + i), turned.cos, turned.sin}, v.pose + 4 * i);
+void gather_run(const GatherArrays& v, Walls<Real> access, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    Real ax(0.0), ay(0.0), am(0.0), bx(0.0), by(0.0), bm(0.0);
+    const auto middle = v.middle[i], last = v.begin[i + 1];
+    for (auto e = v.begin[i]; e < middle; ++e) {
+      const Rows<Real> f = access.row(v.force, v.entry[e] >> 1);
+      ax = ax + f.c0;
+      ay = ay + f.c1;
+      am = am + f.c2;
+    }
+    for (auto e = middle; e < last; ++e) {
+      const Rows<Real> f = access.row(v.force, v.entry[e] >> 1);
+      bx = bx + f.c0;
+      by = by + f.c1;
+      bm = bm + f.c3;
+    }
+    access.keep(ax - bx, v.contact_x, i);
+    access.keep(ay - by, v.contact_y, i);
+    access.keep(am + bm, v.contact_m, i);
   }
 }
 

@@ -12,7 +12,7 @@
 // acts at the block's own point, so that a block may slide any distance.
 //
 // The half-angle cosines of two blocks multiply to those of the mean angle: no root, no division.
-// Real is one joint (double) or neighbours side by side (Pack); Lanes<Real> loads and stores them.
+// Access says what the lanes of a Real are: neighbours in one wall, or walls side by side (lanes.h).
 #pragma once
 
 #include "dynamics/kernels.h"
@@ -59,58 +59,51 @@ struct FaceJump {
 inline constexpr int kMaxFacePoints = 16;
 
 // The history of a joint's points; n_point = 0 stands for any number.
-template <int n_point, class V, class Real>
+template <int n_point, class V, class Access>
 struct FaceHistory {
-  contact::History<Real> at[n_point > 0 ? n_point : kMaxFacePoints];
+  using Real = typename Access::Real;
+  using H = contact::History<Real>;
+  H at[n_point > 0 ? n_point : kMaxFacePoints];
 
-  WYTHE_INLINE void load(const JointArrays& v, std::size_t j) {
-    each(v, j,
-         [](const double* array, std::ptrdiff_t n, Real contact::History<Real>::*member,
-            contact::History<Real>* h) {
-           if constexpr (n_point == 2) {
-             Lanes<Real>::load_pairs(array, h[0].*member, h[1].*member);
-           } else {
-             for (int k = 0; k < n; ++k) h[k].*member = Lanes<Real>::load_point(array + k, n);
-           }
-         });
+  WYTHE_INLINE void load(const JointArrays& v, Access access, std::size_t j) {
+    each(
+        v, [&](const double* array, Real H::*member) __attribute__((always_inline)) {
+          access.template points<n_point>(
+              array, j, v.n_face_point, [&](int k) __attribute__((always_inline))->Real & {
+                return at[k].*member;
+              });
+        });
   }
-  WYTHE_INLINE void store(const JointArrays& v, std::size_t j) {
-    each(v, j,
-         [](double* array, std::ptrdiff_t n, Real contact::History<Real>::*member,
-            const contact::History<Real>* h) {
-           if constexpr (n_point == 2) {
-             Lanes<Real>::store_pairs(h[0].*member, h[1].*member, array);
-           } else {
-             for (int k = 0; k < n; ++k) Lanes<Real>::store_point(h[k].*member, array + k, n);
-           }
-         });
+  WYTHE_INLINE void store(const JointArrays& v, Access access, std::size_t j) const {
+    each(
+        v, [&](double* array, Real H::*member) __attribute__((always_inline)) {
+          access.template keep_points<n_point>(
+              [&](int k) __attribute__((always_inline)) { return at[k].*member; }, array, j,
+              v.n_face_point);
+        });
   }
 
  private:
   template <class Do>
-  WYTHE_INLINE void each(const JointArrays& v, std::size_t j, const Do& act) {
-    using H = contact::History<Real>;
-    const auto n = static_cast<std::ptrdiff_t>(n_point > 0 ? n_point : v.n_face_point);
-    const auto p = static_cast<std::ptrdiff_t>(j) * n;
-    act(v.kappa + p, n, &H::kappa, at);
-    act(v.crush + p, n, &H::crush, at);
-    act(v.plastic_slip + p, n, &H::plastic_slip, at);
-    act(v.slip + p, n, &H::slip, at);
-    act(v.shear_damage + p, n, &H::shear_damage, at);
-    if constexpr (V::unloading == Unloading::kElastic)
-      act(v.tension_set + p, n, &H::tension_set, at);
+  WYTHE_INLINE static void each(const JointArrays& v, const Do& act) {
+    act(v.kappa, &H::kappa);
+    act(v.crush, &H::crush);
+    act(v.plastic_slip, &H::plastic_slip);
+    act(v.slip, &H::slip);
+    act(v.shear_damage, &H::shear_damage);
+    if constexpr (V::unloading == Unloading::kElastic) act(v.tension_set, &H::tension_set);
   }
 };
 
-template <class V, int n_point, class Real>
-[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v,
+template <class V, int n_point, class Access, class Real>
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v, Access access,
                                                       const contact::LawConstants<Real>& law,
                                                       std::size_t j, const FaceJump<Real>& jump,
                                                       JointWork<Real>& work) {
   const int n = n_point > 0 ? n_point : v.n_face_point;
-  const Real area = Lanes<Real>::load(v.area + j);
-  FaceHistory<n_point, V, Real> history;
-  history.load(v, j);
+  const Real area = access.shared(v.area, j);
+  FaceHistory<n_point, V, Access> history;
+  history.load(v, access, j);
   FaceForce<Real> sum{Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
 #pragma GCC unroll 2
   for (int k = 0; k < n; ++k) {
@@ -123,25 +116,25 @@ template <class V, int n_point, class Real>
     work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
             work.crushing + now.crushing * share};
   }
-  history.store(v, j);  // commit: the one place where history advances
+  history.store(v, access, j);  // commit: the one place where history advances
   return sum;
 }
 
-// Forces of joint j and its Lanes<Real>::width - 1 neighbours. A kernel: the block-block and the
-// ground case share all but the frame and the levers.
-template <class V, bool on_ground, int n_point, class Real>
-WYTHE_INLINE void joint_force(const JointArrays& v, const contact::LawConstants<Real>& law,
-                              std::size_t j, JointWork<Real>& work) {
-  using L = Lanes<Real>;
-  const Real half(0.5), ex = L::load(v.half_x + j), ey = L::load(v.half_y + j);
-  const Rows<Real> pose_b = L::load_rows(v.pose, v.b + j);
+// Forces of the joints a Real takes from j on. A kernel: the block-block and the ground case share
+// all but the frame and the levers.
+template <class V, bool on_ground, int n_point, class Access, class Real>
+WYTHE_INLINE void joint_force(const JointArrays& v, Access access,
+                              const contact::LawConstants<Real>& law, std::size_t j,
+                              JointWork<Real>& work) {
+  const Real half(0.5), ex = access.shared(v.half_x, j), ey = access.shared(v.half_y, j);
+  const Rows<Real> pose_b = access.rows(v.pose, v.b, j);
   FaceMotion<Real> ma{Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
   const FaceMotion<Real> mb =
-      face_motion(pose_b, L::load(v.arm_b_x + j), L::load(v.arm_b_y + j), ex, ey);
-  Real tx = L::load(v.tangent_x + j), ty = L::load(v.tangent_y + j);
+      face_motion(pose_b, access.shared(v.arm_b_x, j), access.shared(v.arm_b_y, j), ex, ey);
+  Real tx = access.shared(v.tangent_x, j), ty = access.shared(v.tangent_y, j);
   if constexpr (!on_ground) {
-    const Rows<Real> pose_a = L::load_rows(v.pose, v.a + j);
-    ma = face_motion(pose_a, L::load(v.arm_a_x + j), L::load(v.arm_a_y + j), ex, ey);
+    const Rows<Real> pose_a = access.rows(v.pose, v.a, j);
+    ma = face_motion(pose_a, access.shared(v.arm_a_x, j), access.shared(v.arm_a_y, j), ex, ey);
     const Real cos = pose_a.c2 * pose_b.c2 - pose_a.c3 * pose_b.c3;
     const Real sin = pose_a.c3 * pose_b.c2 + pose_a.c2 * pose_b.c3;
     const Real tx0 = tx;
@@ -151,7 +144,8 @@ WYTHE_INLINE void joint_force(const JointArrays& v, const contact::LawConstants<
   const Real jx = mb.move_x - ma.move_x, jy = mb.move_y - ma.move_y;
   const Real dx = mb.turn_x - ma.turn_x, dy = mb.turn_y - ma.turn_y;
   const FaceForce<Real> f = face_force<V, n_point>(
-      v, law, j, {jy * tx - jx * ty, jx * tx + jy * ty, dy * tx - dx * ty, dx * tx + dy * ty},
+      v, access, law, j,
+      FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty, dy * tx - dx * ty, dx * tx + dy * ty},
       work);
   // back to the wall's axes: n = (-ty, tx)
   const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
@@ -159,48 +153,64 @@ WYTHE_INLINE void joint_force(const JointArrays& v, const contact::LawConstants<
   if constexpr (on_ground) {
     const Real hx = ex + mb.turn_x, hy = ey + mb.turn_y;
     const Real moment_b = (mb.arm_y * fx - mb.arm_x * fy) + (hy * gx - hx * gy);
-    L::store_rows({fx, fy, Real(0.0), moment_b}, v.force + 4 * j);
+    access.keep_rows({fx, fy, Real(0.0), moment_b}, v.force, j);
   } else {
     const Real hx = ex + half * (ma.turn_x + mb.turn_x), hy = ey + half * (ma.turn_y + mb.turn_y);
     const Real couple = hx * gy - hy * gx;
     const Real ax = ma.arm_x + half * jx, ay = ma.arm_y + half * jy;
     const Real bx = mb.arm_x - half * jx, by = mb.arm_y - half * jy;
-    L::store_rows({fx, fy, (ax * fy - ay * fx) + couple, (by * fx - bx * fy) - couple},
-                  v.force + 4 * j);
+    access.keep_rows({fx, fy, (ax * fy - ay * fx) + couple, (by * fx - bx * fy) - couple}, v.force,
+                     j);
   }
 }
 
-// The same law in every lane.
+// The constants of a law, each by take(member).
+template <class Real, class Take>
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_by(const Take& take) {
+  using C = contact::LawConstants<double>;
+  return {
+      take(&C::kn),           take(&C::ks),           take(&C::inv_ks),     take(&C::inv_kn),
+      take(&C::ft),           take(&C::w0),           take(&C::ft_over_GI), take(&C::tension_onset),
+      take(&C::tension_rate), take(&C::c_res),        take(&C::c_drop),     take(&C::tan_res),
+      take(&C::tan_drop),     take(&C::half_inv_GII), take(&C::fc),         take(&C::p_full),
+      take(&C::inv_p_full),   take(&C::crush_gain)};
+}
+// The same law in every lane; the law of each wall.
 template <class Real>
-[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> same_in_lanes(
-    const contact::LawConstants<double>& m) {
-  return {Real(m.kn),           Real(m.ks),           Real(m.inv_ks),     Real(m.inv_kn),
-          Real(m.ft),           Real(m.w0),           Real(m.ft_over_GI), Real(m.tension_onset),
-          Real(m.tension_rate), Real(m.c_res),        Real(m.c_drop),     Real(m.tan_res),
-          Real(m.tan_drop),     Real(m.half_inv_GII), Real(m.fc),         Real(m.p_full),
-          Real(m.inv_p_full),   Real(m.crush_gain)};
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_of(
+    const contact::LawConstants<double>* law, Neighbours<Real>) {
+  return law_by<Real>([&](auto member) { return Real(law->*member); });
+}
+template <class Real>
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_of(
+    const contact::LawConstants<double>* law, Walls<Real>) {
+  return law_by<Real>([&](auto member) {
+    double lane[Lanes<Real>::width];
+    for (int k = 0; k < Lanes<Real>::width; ++k) lane[k] = law[k].*member;
+    return Lanes<Real>::load(lane);
+  });
 }
 
-// Joints begin..end-1, all of one law; for packs a whole number of groups.
-template <class V, bool on_ground, int n_point, class Real>
-void joint_run(const JointArrays& v, const contact::LawConstants<double>& constants,
-               std::size_t begin, std::size_t end, JointLanes& lanes) {
-  using L = Lanes<Real>;
-  constexpr int packs = kGroup / L::width;
-  const contact::LawConstants<Real> law = same_in_lanes<Real>(constants);
+// Joints begin..end-1, all of one law; for packs of neighbours a whole number of groups.
+template <class V, bool on_ground, int n_point, class Access>
+void joint_run(const JointArrays& v, Access access, const contact::LawConstants<double>* constants,
+               std::size_t begin, std::size_t end, const JointEnergy& energy) {
+  using Real = typename Access::Real;
+  constexpr int packs = Access::packs;
+  const contact::LawConstants<Real> law = law_of<Real>(constants, access);
   JointWork<Real> work[packs];
   for (int k = 0; k < packs; ++k)
-    work[k] = {L::load(lanes.friction + k * L::width), L::load(lanes.fracture + k * L::width),
-               L::load(lanes.crushing + k * L::width)};
+    work[k] = {access.energy(energy.friction, k), access.energy(energy.fracture, k),
+               access.energy(energy.crushing, k)};
   int k = 0;
-  for (std::size_t j = begin; j < end; j += static_cast<std::size_t>(L::width)) {
-    joint_force<V, on_ground, n_point>(v, law, j, work[k]);
+  for (std::size_t j = begin; j < end; j += Access::advance) {
+    joint_force<V, on_ground, n_point>(v, access, law, j, work[k]);
     k = (k + 1) % packs;
   }
   for (k = 0; k < packs; ++k) {
-    L::store(work[k].friction, lanes.friction + k * L::width);
-    L::store(work[k].fracture, lanes.fracture + k * L::width);
-    L::store(work[k].crushing, lanes.crushing + k * L::width);
+    access.keep_energy(work[k].friction, energy.friction, k);
+    access.keep_energy(work[k].fracture, energy.fracture, k);
+    access.keep_energy(work[k].crushing, energy.crushing, k);
   }
 }
 

@@ -3,36 +3,57 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include "dynamics/kernel_set.h"
+#include "wythe/error.h"
 
 namespace wythe::dynamics {
 namespace {
 
-const Kernels& choose() {
+// Sets this processor has, narrowest first.
+std::vector<const Kernels*> available() {
+  std::vector<const Kernels*> sets{&scalar_kernels()};
 #if defined(__x86_64__)
-  const char* forced = std::getenv("WYTHE_SIMD");
-  const auto is = [&](const char* name) {
-    return forced != nullptr && std::strcmp(forced, name) == 0;
-  };
-  if (is("scalar")) return scalar_kernels();
-  if (is("sse2")) return sse2_kernels();
-  return __builtin_cpu_supports("avx2") ? avx2_kernels() : sse2_kernels();
-#else
-  return scalar_kernels();
+  sets.push_back(&sse2_kernels());
+  if (__builtin_cpu_supports("avx2")) sets.push_back(&avx2_kernels());
+  if (__builtin_cpu_supports("avx512f")) sets.push_back(&avx512_kernels());
 #endif
+  return sets;
+}
+
+// Those up to the one WYTHE_SIMD asks for.
+std::vector<const Kernels*> choose() {
+  std::vector<const Kernels*> sets = available();
+  const char* forced = std::getenv("WYTHE_SIMD");
+  if (forced == nullptr || *forced == '\0') return sets;
+  std::string names;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    if (std::strcmp(sets[k]->name, forced) == 0) {
+      sets.resize(k + 1);
+      return sets;
+    }
+    names += (k > 0 ? ", " : "") + std::string(sets[k]->name);
+  }
+  throw InputError({{.file = "WYTHE_SIMD",
+                     .path = "",
+                     .value = forced,
+                     .problem = "is not an instruction set this processor has",
+                     .cure = "write one of " + names + ", or leave it out for the widest"}});
 }
 
 }  // namespace
 
 const Kernels& scalar_kernels() {
-  static constexpr Kernels kSet = kernel_set<double>("scalar");
+  static constexpr Kernels kSet = KernelsOf<double>::named("scalar");
   return kSet;
 }
 
-const Kernels& kernels_in_use() {
-  static const Kernels& chosen = choose();
-  return chosen;
+const std::vector<const Kernels*>& kernels_here() {
+  static const std::vector<const Kernels*> sets = choose();
+  return sets;
 }
+
+const Kernels& kernels_in_use() { return *kernels_here().back(); }
 
 }  // namespace wythe::dynamics

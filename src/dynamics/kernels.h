@@ -1,15 +1,19 @@
 // The hot loops of the step behind plain pointers, compiled once for each instruction set.
 //
 //   joints   a run of joints of one material: stresses, history, own force        (forces.h)
+//   gather   contact forces on a run of blocks                                     (blocks.h)
 //   move     central differences with local damping for a run of blocks           (blocks.h)
 //   turn     poses (displacement, half-angle cosine and sine) of a run of blocks   (blocks.h)
 //
-// All sets give the same bits: packs take kGroup neighbours, what is left over goes through the
-// scalar kernels, and energies are summed in kGroup lanes by everybody. WYTHE_SIMD=scalar|sse2|avx2
-// in the environment forces one (tests); otherwise the widest the processor has.
+// Each twice: for neighbours in one wall (in whole groups of kGroup; what is left over goes through
+// the scalar set), and for walls side by side, `width` of `stride` at a time. All give the same bits:
+// energies are summed in kGroup lanes of entities by everybody. WYTHE_SIMD=scalar|sse2|avx2|avx512 in
+// the environment forces a set (tests); otherwise it is the widest the processor has.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "contact/law.h"
 #include "wythe/model.h"
@@ -31,6 +35,14 @@ struct JointArrays {
   double* force;  // rows fx, fy, ma, mb
 };
 
+// What the gather reads and writes: entries of block i are begin[i] .. begin[i + 1], side b from
+// middle[i] on.
+struct GatherArrays {
+  const std::int32_t *begin, *middle, *entry;
+  const double* force;
+  double *contact_x, *contact_y, *contact_m;
+};
+
 // What the block passes read and write.
 struct BlockArrays {
   const double *mass, *heavy_mass, *inertia, *turn_freedom, *is_free;
@@ -40,35 +52,52 @@ struct BlockArrays {
   double* pose;
 };
 
+// One number a wall.
 struct MoveControls {
-  double dt, damping, mass_scaling, gravity_x, gravity_y;
+  const double *dt, *damping, *mass_scaling, *gravity_x, *gravity_y;
 };
 
-// Work of a run, lane by lane; lane = place in the run modulo kGroup [J].
-struct JointLanes {
-  double friction[kGroup] = {}, fracture[kGroup] = {}, crushing[kGroup] = {};
+// Work of a run [J]: kGroup sums (of each wall), lane = place in the run modulo kGroup.
+struct JointEnergy {
+  double *friction, *fracture, *crushing;
 };
-struct BlockLanes {
-  double loads[kGroup] = {}, damping[kGroup] = {};
+struct BlockEnergy {
+  double *loads, *damping;
 };
 
 struct Kernels {
   const char* name;
+  int width;
+
   void (*joints)(const JointArrays&, const JointMaterial& variant,
-                 const contact::LawConstants<double>&, bool on_ground, std::size_t begin,
-                 std::size_t end, JointLanes&);
+                 const contact::LawConstants<double>*, bool on_ground, std::size_t begin,
+                 std::size_t end, const JointEnergy&);
   void (*move)(const BlockArrays&, const MoveControls&, std::size_t begin, std::size_t end,
-               BlockLanes&);
+               const BlockEnergy&);
   void (*turn)(const BlockArrays&, std::size_t begin, std::size_t end);
+
+  // the same for `width` walls; law: one a wall
+  void (*wall_joints)(const JointArrays&, std::ptrdiff_t stride, const JointMaterial& variant,
+                      const contact::LawConstants<double>*, bool on_ground, std::size_t begin,
+                      std::size_t end, const JointEnergy&);
+  void (*wall_gather)(const GatherArrays&, std::ptrdiff_t stride, std::size_t begin,
+                      std::size_t end);
+  void (*wall_move)(const BlockArrays&, std::ptrdiff_t stride, const MoveControls&,
+                    std::size_t begin, std::size_t end, const BlockEnergy&);
+  void (*wall_turn)(const BlockArrays&, std::ptrdiff_t stride, std::size_t begin, std::size_t end);
 };
 
 [[nodiscard]] const Kernels& scalar_kernels();
-// The set in use: WYTHE_SIMD, else the widest this processor has.
+// The set in use: WYTHE_SIMD, else the widest this processor has. Throws InputError where the
+// environment asks for a set that is unknown or that this processor lacks.
 [[nodiscard]] const Kernels& kernels_in_use();
+// All this processor has, narrowest first.
+[[nodiscard]] const std::vector<const Kernels*>& kernels_here();
 
 #if defined(__x86_64__)
 [[nodiscard]] const Kernels& sse2_kernels();
 [[nodiscard]] const Kernels& avx2_kernels();
+[[nodiscard]] const Kernels& avx512_kernels();
 #endif
 
 }  // namespace wythe::dynamics

@@ -5,7 +5,7 @@
 namespace wythe::dynamics {
 
 const Kernels& avx2_kernels() {
-  static constexpr Kernels kSet = kernel_set<Pack<xsimd::avx2>>("avx2");
+  static constexpr Kernels kSet = KernelsOf<Pack<xsimd::avx2>>::named("avx2");
   return kSet;
 }
 

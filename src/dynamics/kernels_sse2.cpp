@@ -4,7 +4,7 @@
 namespace wythe::dynamics {
 
 const Kernels& sse2_kernels() {
-  static constexpr Kernels kSet = kernel_set<Pack<xsimd::sse2>>("sse2");
+  static constexpr Kernels kSet = KernelsOf<Pack<xsimd::sse2>>::named("sse2");
   return kSet;
 }
 

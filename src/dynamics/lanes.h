@@ -1,8 +1,14 @@
-// How a Real takes neighbours from flat arrays: one double, or a pack of them.
+// How a Real takes its lanes from flat arrays.
 //
-//   load, store              width neighbours
-//   load_rows, store_rows    columns of width rows of four (poses, joint forces)
-//   load_points, store_point point k of width joints, n points a joint
+//   Neighbours   lane k is joint (block) i + k of one wall: a single run
+//   Walls        lane k is wall k; every wall has its own state, all share geometry: a campaign
+//
+// Both know   shared(array, i)   geometry, one for all walls
+//             own(array, i), keep(value, array, i)          what each wall has for itself
+//             rows(array, ids, i), keep_rows(rows, array, i)  rows of four (poses, joint forces)
+//             points(array, i, n, at), keep_points(...)      the n points of joint i
+//             of_wall(array)     one number a wall (time step, damping)
+//             energy(array, k), keep_energy(...)   of pack k: entities are summed in kGroup lanes
 #pragma once
 
 #include <cstddef>
@@ -10,6 +16,8 @@
 #include <utility>
 
 #include "core/pack.h"
+#include "dynamics/kernels.h"
+#include "dynamics/shuffle.h"
 
 namespace wythe::dynamics {
 
@@ -21,6 +29,7 @@ struct Rows {
 template <class Real>
 struct Lanes;
 
+// Raw loads and stores: width neighbours, columns of width rows of four, point k of width joints.
 template <>
 struct Lanes<double> {
   static constexpr int width = 1;
@@ -71,64 +80,121 @@ struct Lanes<Pack<Arch>> {
   // Pairs (first, second) of width joints, taken apart and put together.
   WYTHE_INLINE static void load_pairs(const double* from, Real& first, Real& second) {
     const Vector low = raw(from), high = raw(from + width);
-    if constexpr (width == 2) {
-      first = real(__builtin_shufflevector(low, high, 0, 2));
-      second = real(__builtin_shufflevector(low, high, 1, 3));
-    } else {
-      first = real(__builtin_shufflevector(low, high, 0, 2, 4, 6));
-      second = real(__builtin_shufflevector(low, high, 1, 3, 5, 7));
-    }
+    first = real(shuffle::evens(low, high));
+    second = real(shuffle::odds(low, high));
   }
   WYTHE_INLINE static void store_pairs(Real first, Real second, double* to) {
-    const Vector a = first.lanes, b = second.lanes;
-    if constexpr (width == 2) {
-      real(__builtin_shufflevector(a, b, 0, 2)).store(to);
-      real(__builtin_shufflevector(a, b, 1, 3)).store(to + width);
-    } else {
-      real(__builtin_shufflevector(a, b, 0, 4, 1, 5)).store(to);
-      real(__builtin_shufflevector(a, b, 2, 6, 3, 7)).store(to + width);
-    }
+    real(shuffle::zip_low<Vector>(first.lanes, second.lanes)).store(to);
+    real(shuffle::zip_high<Vector>(first.lanes, second.lanes)).store(to + width);
   }
 
   WYTHE_INLINE static Rows<Real> load_rows(const double* rows, const std::int32_t* id) {
-    const auto row = [&](int k) { return rows + 4 * static_cast<std::ptrdiff_t>(id[k]); };
-    if constexpr (width == 2) {
-      const double *r0 = row(0), *r1 = row(1);
-      const Vector a = raw(r0), b = raw(r0 + 2), c = raw(r1), d = raw(r1 + 2);
-      return {real(__builtin_shufflevector(a, c, 0, 2)), real(__builtin_shufflevector(a, c, 1, 3)),
-              real(__builtin_shufflevector(b, d, 0, 2)), real(__builtin_shufflevector(b, d, 1, 3))};
-    } else {
-      return transpose(raw(row(0)), raw(row(1)), raw(row(2)), raw(row(3)));
-    }
+    Vector row[4];
+    shuffle::load_rows(rows, id, row);
+    shuffle::transpose(row);
+    return {real(row[0]), real(row[1]), real(row[2]), real(row[3])};
   }
   WYTHE_INLINE static void store_rows(const Rows<Real>& r, double* to) {
-    if constexpr (width == 2) {
-      const Vector a = r.c0.lanes, b = r.c1.lanes, c = r.c2.lanes, d = r.c3.lanes;
-      real(__builtin_shufflevector(a, b, 0, 2)).store(to);
-      real(__builtin_shufflevector(c, d, 0, 2)).store(to + 2);
-      real(__builtin_shufflevector(a, b, 1, 3)).store(to + 4);
-      real(__builtin_shufflevector(c, d, 1, 3)).store(to + 6);
-    } else {
-      const Rows<Real> t = transpose(r.c0.lanes, r.c1.lanes, r.c2.lanes, r.c3.lanes);
-      t.c0.store(to);
-      t.c1.store(to + 4);
-      t.c2.store(to + 8);
-      t.c3.store(to + 12);
-    }
+    Vector row[4] = {r.c0.lanes, r.c1.lanes, r.c2.lanes, r.c3.lanes};
+    shuffle::transpose(row);
+    shuffle::store_rows(row, to);
   }
 
  private:
   WYTHE_INLINE static Vector raw(const double* from) { return Real::load(from).lanes; }
   WYTHE_INLINE static Real real(Vector v) { return Real(typename Real::Batch(v)); }
-  WYTHE_INLINE static Rows<Real> transpose(Vector a, Vector b, Vector c, Vector d) {
-    const Vector ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    const Vector ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Vector cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const Vector cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    return {real(__builtin_shufflevector(ab0, cd0, 0, 1, 4, 5)),
-            real(__builtin_shufflevector(ab1, cd1, 0, 1, 4, 5)),
-            real(__builtin_shufflevector(ab0, cd0, 2, 3, 6, 7)),
-            real(__builtin_shufflevector(ab1, cd1, 2, 3, 6, 7))};
+};
+
+template <class R>
+struct Neighbours {
+  using Real = R;
+  using L = Lanes<Real>;
+  static constexpr std::size_t advance = L::width;  // joints (blocks) a pack takes
+  static constexpr int packs = kGroup / L::width;   // packs whose energies are summed apart
+  static constexpr bool any_points = true;          // a face may have any number, not only two
+
+  WYTHE_INLINE Real shared(const double* from, std::size_t i) const { return L::load(from + i); }
+  WYTHE_INLINE Real own(const double* from, std::size_t i) const { return L::load(from + i); }
+  WYTHE_INLINE void keep(Real value, double* to, std::size_t i) const { L::store(value, to + i); }
+  WYTHE_INLINE Real of_wall(const double* from) const { return Real(*from); }
+  WYTHE_INLINE Real energy(const double* from, int k) const { return L::load(from + k * L::width); }
+  WYTHE_INLINE void keep_energy(Real e, double* to, int k) const { L::store(e, to + k * L::width); }
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, std::size_t i) const {
+    return L::load_rows(from, id + i);
+  }
+  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, std::size_t i) const {
+    L::store_rows(r, to + 4 * i);
+  }
+  template <int n_point, class Put>
+  WYTHE_INLINE void points(const double* from, std::size_t i, std::ptrdiff_t n,
+                           const Put& put) const {
+    const double* first = from + static_cast<std::ptrdiff_t>(i) * n;
+    if constexpr (n_point == 2) {
+      L::load_pairs(first, put(0), put(1));
+    } else {
+      for (int k = 0; k < n; ++k) put(k) = L::load_point(first + k, n);
+    }
+  }
+  template <int n_point, class Get>
+  WYTHE_INLINE void keep_points(const Get& get, double* to, std::size_t i, std::ptrdiff_t n) const {
+    double* first = to + static_cast<std::ptrdiff_t>(i) * n;
+    if constexpr (n_point == 2) {
+      L::store_pairs(get(0), get(1), first);
+    } else {
+      for (int k = 0; k < n; ++k) L::store_point(get(k), first + k, n);
+    }
+  }
+};
+
+// Arrays that each wall has for itself hold `stride` walls side by side: entity i of wall k lies at
+// i stride + k. The pointers are those of the first wall this Real takes.
+template <class R>
+struct Walls {
+  using Real = R;
+  using L = Lanes<Real>;
+  static constexpr std::size_t advance = 1;
+  static constexpr int packs = kGroup;
+  static constexpr bool any_points = false;  // others are stepped alone (fit_together)
+  std::ptrdiff_t stride = 1;
+
+  WYTHE_INLINE Real shared(const double* from, std::size_t i) const { return Real(from[i]); }
+  WYTHE_INLINE Real own(const double* from, std::size_t i) const { return L::load(from + at(i)); }
+  WYTHE_INLINE void keep(Real value, double* to, std::size_t i) const {
+    L::store(value, to + at(i));
+  }
+  WYTHE_INLINE Real of_wall(const double* from) const { return L::load(from); }
+  WYTHE_INLINE Real energy(const double* from, int k) const { return L::load(from + k * stride); }
+  WYTHE_INLINE void keep_energy(Real e, double* to, int k) const { L::store(e, to + k * stride); }
+  WYTHE_INLINE Rows<Real> row(const double* from, std::int32_t id) const {
+    const double* row = from + 4 * at(static_cast<std::size_t>(id));
+    return {L::load(row), L::load(row + stride), L::load(row + 2 * stride),
+            L::load(row + 3 * stride)};
+  }
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, std::size_t i) const {
+    return row(from, id[i]);
+  }
+  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, std::size_t i) const {
+    double* row = to + 4 * at(i);
+    L::store(r.c0, row);
+    L::store(r.c1, row + stride);
+    L::store(r.c2, row + 2 * stride);
+    L::store(r.c3, row + 3 * stride);
+  }
+  template <int n_point, class Put>
+  WYTHE_INLINE void points(const double* from, std::size_t i, std::ptrdiff_t n,
+                           const Put& put) const {
+    const double* first = from + at(i) * n;
+    for (int k = 0; k < (n_point > 0 ? n_point : n); ++k) put(k) = L::load(first + k * stride);
+  }
+  template <int n_point, class Get>
+  WYTHE_INLINE void keep_points(const Get& get, double* to, std::size_t i, std::ptrdiff_t n) const {
+    double* first = to + at(i) * n;
+    for (int k = 0; k < (n_point > 0 ? n_point : n); ++k) L::store(get(k), first + k * stride);
+  }
+
+ private:
+  [[nodiscard]] WYTHE_INLINE std::ptrdiff_t at(std::size_t i) const {
+    return static_cast<std::ptrdiff_t>(i) * stride;
   }
 };
 

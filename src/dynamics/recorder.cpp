@@ -70,13 +70,14 @@ void Recorder::take_snapshot(const std::string& label, const State& state) {
   result_.snapshots.push_back({label, displacement_, reaction, state});
 }
 
-void Recorder::take(const Stepper& stepper, const State& state, const Controls& controls,
-                    double reaction, double displacement, double load_factor, double travelled) {
+void Recorder::take(const Place& place, State& state, const Controls& controls, double reaction,
+                    double displacement, double load_factor, double travelled) {
   if (start_time_ < 0) {
     start_time_ = state.time - state.stage_time;
     while (next_close_ < travelled) next_close_ += window_;
     work_at_start_ = state.work_drive;
     if (result_.curve.empty()) result_.curve.push_back({});
+    place.bring_up(state);
     take_snapshot("start", state);
   }
   displacement_ = displacement;
@@ -84,21 +85,23 @@ void Recorder::take(const Stepper& stepper, const State& state, const Controls& 
   reaction_sum_ += reaction;
   ++steps_;
   const bool closes = travelled >= next_close_;
-  sample(stepper, state, controls, closes);
+  sample(place.view, state, controls, closes);
   row_closed_ = closes;
-  if (closes) close_row(state);
+  if (!closes) return;
+  place.bring_up(state);
+  close_row(state);
 }
 
-void Recorder::sample(const Stepper& stepper, const State& state, const Controls& controls,
+void Recorder::sample(const WallView& wall, const State& state, const Controls& controls,
                       bool all) {
   if (state.step % kShearEvery == 0 || all) {
-    shear_sum_ += base_shear(model_, stepper.workspace(), stage_.drive_x, stage_.drive_y);
+    shear_sum_ += base_shear(model_, wall, stage_.drive_x, stage_.drive_y);
     const double work = std::fabs(state.work_drive - work_at_start_);
-    if (work > 0) kinetic_sum_ += kinetic_energy(model_, state, controls.mass_scaling) / work;
+    if (work > 0) kinetic_sum_ += kinetic_energy(model_, wall, controls.mass_scaling) / work;
     ++shear_samples_;
   }
   if (state.step % kUnbalanceEvery == 0 || all) {
-    unbalance_sum_ += unbalance_ratio(model_, stepper.workspace());
+    unbalance_sum_ += unbalance_ratio(model_, wall);
     ++unbalance_samples_;
   }
 }
@@ -167,11 +170,12 @@ bool Recorder::fell_below() const {
   return low_rows_ >= kRows;
 }
 
-void Recorder::finish(const Stepper& stepper, const State& state, const Controls& controls) {
+void Recorder::finish(const Place& place, State& state, const Controls& controls) {
   if (start_time_ < 0) return;
+  place.bring_up(state);
   // A window cut short is too noisy a mean to stand beside the others.
   if (2 * steps_ >= full_window_ && steps_ > 0) {
-    sample(stepper, state, controls, true);
+    sample(place.view, state, controls, true);
     close_row(state);
   }
   if (peak_ > 0) {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "dynamics/place.h"
 #include "dynamics/residual.h"
-#include "dynamics/step.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {
@@ -16,17 +16,17 @@ class Recorder {
   Recorder(const Model& model, const Stage& stage, double path, Result& result);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
-  void take(const Stepper& stepper, const State& state, const Controls& controls, double reaction,
+  void take(const Place& place, State& state, const Controls& controls, double reaction,
             double displacement, double load_factor, double travelled);
   // Closes the last window and adds the snapshot "end".
-  void finish(const Stepper& stepper, const State& state, const Controls& controls);
+  void finish(const Place& place, State& state, const Controls& controls);
   // True when the last rows, all beyond any displacement before, lie below the stage's stop_below
   // share of the peak so far.
   [[nodiscard]] bool fell_below() const;
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:
-  void sample(const Stepper& stepper, const State& state, const Controls& controls, bool all);
+  void sample(const WallView& wall, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);

@@ -5,23 +5,24 @@
 
 namespace wythe::dynamics {
 
-double unbalance_ratio(const Model& model, const Workspace& work) {
+double unbalance_ratio(const Model& model, const WallView& wall) {
   double unbalanced = 0, contact = 0;
-  for (std::size_t i = 0; i < work.total_x.size(); ++i)
-    if (work.is_free[i] > 0) unbalanced += std::fabs(work.total_x[i]) + std::fabs(work.total_y[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i)
+    if (wall.is_free[i] > 0) unbalanced += std::fabs(wall.total_x[i]) + std::fabs(wall.total_y[i]);
   for (std::size_t j = 0; j < static_cast<std::size_t>(model.n_joint); ++j) {
     const double sides = static_cast<int>(j) < model.n_pair ? 2.0 : 1.0;
-    contact += sides * (std::fabs(work.force[4 * j]) + std::fabs(work.force[4 * j + 1]));
+    contact += sides * (std::fabs(wall.force[4 * j]) + std::fabs(wall.force[4 * j + 1]));
   }
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }
 
-double kinetic_energy(const Model& model, const State& s, double mass_scaling) {
+double kinetic_energy(const Model& model, const WallView& wall, double mass_scaling) {
   double energy = 0;
-  for (std::size_t i = 0; i < s.vx.size(); ++i)
-    energy += 0.5 * model.mass[i] * (s.vx[i] * s.vx[i] + s.vy[i] * s.vy[i]) +
-              0.5 * model.inertia[i] * s.omega[i] * s.omega[i];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
+    const double vx = wall.vx[i], vy = wall.vy[i], omega = wall.omega[i];
+    energy += 0.5 * model.mass[i] * (vx * vx + vy * vy) + 0.5 * model.inertia[i] * omega * omega;
+  }
   return energy * mass_scaling;
 }
 
@@ -43,19 +44,20 @@ double elastic_energy(const Model& model, const State& state) {
   return energy;
 }
 
-double base_shear(const Model& model, const Workspace& work, double px, double py) {
+double base_shear(const Model& model, const WallView& wall, double px, double py) {
   double sum = 0;  // the force on side a, the ground, resists with the opposite sign
   for (auto j = static_cast<std::size_t>(model.n_pair); j < static_cast<std::size_t>(model.n_joint);
        ++j)
-    sum += work.force[4 * j] * px + work.force[4 * j + 1] * py;
+    sum += wall.force[4 * j] * px + wall.force[4 * j + 1] * py;
   return sum;
 }
 
-EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
+EnergyLedger energy_ledger(const Model& model, const State& s, const WallView& wall,
+                           double mass_scaling) {
   EnergyLedger e;
   e.loads = s.work_loads;
   e.drive = s.work_drive;
-  e.kinetic = kinetic_energy(model, s, mass_scaling);
+  e.kinetic = kinetic_energy(model, wall, mass_scaling);
   e.elastic = elastic_energy(model, s);
   e.friction = s.dissipated_friction;
   e.fracture = s.dissipated_fracture;
@@ -68,14 +70,25 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   return e;
 }
 
-BlockId runaway_block(const State& s) {
+BlockId runaway_block(const Model& model, const WallView& wall) {
   constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
-  for (std::size_t i = 0; i < s.vx.size(); ++i) {
-    const double speed = std::fabs(s.vx[i]) + std::fabs(s.vy[i]);
-    if (!(speed < kFast) || !std::isfinite(s.omega[i]) || !std::isfinite(s.theta[i]))
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
+    const double speed = std::fabs(wall.vx[i]) + std::fabs(wall.vy[i]);
+    if (!(speed < kFast) || !std::isfinite(wall.omega[i]) || !std::isfinite(wall.theta[i]))
       return static_cast<BlockId>(i);
   }
   return -1;
+}
+
+Furthest furthest_block(const Model& model, const WallView& wall) {
+  Furthest f;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
+    const double ux = wall.ux[i], uy = wall.uy[i];
+    const double moved = ux * ux + uy * uy;
+    if (moved > f.distance) f = {moved, static_cast<BlockId>(i)};
+  }
+  f.distance = std::sqrt(f.distance);
+  return f;
 }
 
 }  // namespace wythe::dynamics

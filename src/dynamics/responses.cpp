@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/stage_runner.h"
+#include "dynamics/stage_run.h"
 
 namespace wythe {
 namespace {

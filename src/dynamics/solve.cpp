@@ -1,4 +1,4 @@
-// solve(): the stages in order, then what the curve says.
+// solve() and WallRun: the stages in order, then what the curve says.
 #include "wythe/solve.h"
 
 #include <algorithm>
@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "dynamics/responses.h"
-#include "dynamics/stage_runner.h"
+#include "dynamics/step.h"
+#include "dynamics/wall_run.h"
 
 namespace wythe {
 namespace {
@@ -63,34 +64,78 @@ double top_displacement(const Model& model, const State& state) {
 
 }  // namespace
 
+namespace dynamics {
+
+WallRun::WallRun(const Model& model, State& state, const SolveOptions& options, Place place)
+    : model_(model),
+      state_(state),
+      options_(options),
+      wall_{model, state, options_, result_, std::move(place), {}},
+      start_(Clock::now()) {
+  options_.progress = throttled(model, state, options);
+  start_stages();
+}
+
+// The next stage that takes a step, if any.
+void WallRun::start_stages() {
+  while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
+    const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
+    result_.time_step = stage_time_step(model_, stage);
+    stage_ = StageRun::start(wall_, stage);
+    if (!stage_->ended()) return;
+    close_stage();  // nothing to do in it
+  }
+}
+
+void WallRun::close_stage() {
+  const StageEnd end = stage_->close();
+  stage_.reset();
+  result_.status = end.status;
+  result_.reason = end.reason;
+  if (!end.finished) return;
+  ++state_.stage;
+  state_.stage_time = 0;
+}
+
+const Controls& WallRun::next() {
+  stage_->prepare();
+  return wall_.controls;
+}
+
+void WallRun::look(double reaction) {
+  stage_->look(reaction);
+  if (!stage_->ended()) return;
+  const int stage = state_.stage;
+  close_stage();
+  if (state_.stage > stage) start_stages();
+}
+
+void WallRun::move_to(Place place) {
+  wall_.place = std::move(place);
+  if (stage_) choose_driven(model_, wall_.place.view, stage_->driven());
+}
+
+Result WallRun::finish() {
+  ResponseOptions read;
+  if (result_.status == SolveStatus::kCollapsed) read.collapse = result_.reason;
+  result_.responses = read_responses(result_.curve, read);
+  result_.quasi_static = judge_quasi_static(result_);
+  result_.top_displacement = top_displacement(model_, state_);
+  result_.steps = state_.step;
+  result_.state_hash = state_hash(state_);
+  add_curve_events(result_);
+  result_.wall_seconds = seconds_since(start_);
+  return std::move(result_);
+}
+
+}  // namespace dynamics
+
 Result solve(const Model& model, State& state, const SolveOptions& options) {
-  const auto start = Clock::now();
-  Result result;
-  SolveOptions inner = options;
-  inner.progress = throttled(model, state, options);
   dynamics::Stepper stepper(model, std::max(1, options.threads));
   stepper.refresh(state);
-  dynamics::StageRunner runner(model, state, stepper, inner, result);
-  while (static_cast<std::size_t>(state.stage) < model.stages.size()) {
-    const Stage& stage = model.stages[static_cast<std::size_t>(state.stage)];
-    result.time_step = dynamics::stage_time_step(model, stage);
-    const dynamics::StageEnd end = runner.run(stage);
-    result.status = end.status;
-    result.reason = end.reason;
-    if (!end.finished) break;
-    ++state.stage;
-    state.stage_time = 0;
-  }
-  ResponseOptions read;
-  if (result.status == SolveStatus::kCollapsed) read.collapse = result.reason;
-  result.responses = read_responses(result.curve, read);
-  result.quasi_static = dynamics::judge_quasi_static(result);
-  result.top_displacement = top_displacement(model, state);
-  result.steps = state.step;
-  result.state_hash = state_hash(state);
-  dynamics::add_curve_events(result);
-  result.wall_seconds = seconds_since(start);
-  return result;
+  dynamics::WallRun run(model, state, options, {stepper.view_of(state), {}});
+  while (!run.ended()) run.look(stepper.step(state, run.next()).reaction);
+  return run.finish();
 }
 
 RunEstimate estimate(const Model& model) {

@@ -2,9 +2,9 @@
 //
 //   joint_pass   each joint: opening, slip -> stresses -> its own force            (forces.h)
 //   gather_pass  each block: sum of its joints in CSR order
-//   load_pass    dead loads that follow their blocks
+//   load_pass    dead loads that follow their blocks                                (wall_pass.h)
 //   move_pass    central differences with local damping
-//   drive_pass   the driven blocks: prescribed velocity, common or through a spreader (drive_pass.cpp)
+//   drive_pass   the driven blocks: prescribed velocity, common or through a spreader (wall_pass.h)
 //   turn_pass    poses for the next step: displacement, half-angle cosine and sine
 //
 // Reads Model and Controls; writes State and Workspace.
@@ -14,19 +14,11 @@
 
 #include "core/parallel.h"
 #include "dynamics/kernels.h"
+#include "dynamics/wall_pass.h"
 #include "dynamics/workspace.h"
 #include "wythe/model.h"
 
 namespace wythe::dynamics {
-
-// What the stage asks of this step; set by stage_runner.cpp, constant within the step.
-struct Controls {
-  double dt = 0;                // [s]
-  double damping = 0;           // local damping lambda [-]
-  double mass_scaling = 1;      // inertia only; weights stay
-  const Stage* push = nullptr;  // null when nothing is driven
-  double drive_velocity = 0;    // along the push [m/s]
-};
 
 // What the drive did in this step.
 struct DriveForce {
@@ -45,13 +37,12 @@ class Stepper {
   void choose_driven(const std::vector<BlockId>& blocks);
 
   [[nodiscard]] const Workspace& workspace() const { return work_; }
+  [[nodiscard]] WallView view_of(State& state);
 
  private:
   void joint_pass(State& state);
   void gather_pass();
-  void load_pass(const State& state);
   void move_pass(State& state, const Controls& controls);
-  DriveForce drive_pass(State& state, const Controls& controls);
   void turn_pass(State& state);
   void sum_energy(State& state);
 

@@ -22,7 +22,8 @@ struct JointChunk {
 };
 
 struct Workspace {
-  explicit Workspace(const Model& model);
+  // Arrays of entities hold `lanes` walls side by side: entity i of wall k at i lanes + k.
+  explicit Workspace(const Model& model, int lanes = 1);
 
   std::vector<contact::LawConstants<double>> law;  // (n_material)
   std::vector<JointChunk> joint_chunks;

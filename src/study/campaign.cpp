@@ -1,6 +1,6 @@
 // run_campaign: checks, then opens or continues the store, then workers that take the next sample.
 //
-//   study ─ base compiles ─ samples drawn ─► store ─► jobs × { take ► run_task ► write } ─► outcome
+//   study ─ base compiles ─ samples drawn ─► store ─► jobs × { take ► lanes ► write } ─► outcome
 //
 // Nothing is written before every check has passed. Samples are handed out in order; the stop rule
 // looks at the samples 1 .. k that are all done, so it stops at the same k for any number of jobs.
@@ -11,10 +11,12 @@
 #include <cstdlib>
 #include <exception>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <thread>
 
+#include "dynamics/lane_solver.h"
 #include "study/folder_lock.h"
 #include "study/sample_run.h"
 #include "study/store.h"
@@ -153,7 +155,9 @@ class Runner {
       std::vector<std::jthread> workers;
       const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
       const int wanted = options_.jobs > 0 ? options_.jobs : cores;
-      const int jobs = std::min(wanted, static_cast<int>(pending_.size()));
+      const int left = static_cast<int>(pending_.size());
+      const int jobs = std::min(wanted, left);
+      if (jobs > 0) lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
       for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
     }
     if (failure_) std::rethrow_exception(failure_);
@@ -217,13 +221,7 @@ class Runner {
 
   void work() {
     try {
-      while (const int sample = take()) {
-        const SampleRun done = run_one(sample);
-        if (done.refused.empty() && done.result.status == SolveStatus::kInterrupted) return;
-        SampleRecord record = record_of(done, plan_.samples, sample);
-        record.provenance = options_.provenance;
-        keep(packed(std::move(record), asked_states(plan_.spec, done.result)));
-      }
+      solve_side_by_side();
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!failure_) failure_ = std::current_exception();
@@ -231,13 +229,48 @@ class Runner {
     }
   }
 
-  SampleRun run_one(int sample) {
+  // As many samples at once as fit side by side; the next one takes the place of each that ends.
+  void solve_side_by_side() {
+    const SampleTask task{plan_.spec, plan_.samples, build_};
     SolveOptions how;
     how.threads = 1;
     how.stop = &halt_;
-    // solve() reports a few times a second: the user's stop reaches every worker through halt_
+    // a run reports a few times a second: the user's stop reaches every worker through halt_
     how.progress = [this](const Progress&) { heed_user(); };
-    return run_sample(plan_.spec, plan_.samples, sample, build_, how);
+    std::map<int, std::unique_ptr<SampleJob>> under_way;
+    dynamics::LaneSolver lanes(lanes_);
+    const auto start = [&](SampleJob& job) {
+      lanes.put(job.sample(), job.model(), job.state(), how);
+    };
+    while (true) {
+      while (lanes.has_room()) {
+        const int sample = take();
+        if (sample == 0) break;
+        auto job = std::make_unique<SampleJob>(task, sample);
+        if (job->refused())
+          keep(*job);
+        else
+          start(*(under_way[sample] = std::move(job)));
+      }
+      if (lanes.running() == 0) return;
+      dynamics::LaneSolver::Ended ended = lanes.next();
+      const auto job = under_way.find(ended.ticket);
+      if (ended.result.status == SolveStatus::kInterrupted) return;
+      job->second->take(std::move(ended.result));
+      if (job->second->wants_another()) {
+        start(*job->second);
+      } else {
+        keep(*job->second);
+        under_way.erase(job);
+      }
+    }
+  }
+
+  void keep(SampleJob& job) {
+    const SampleRun done = job.finish();
+    SampleRecord record = record_of(done, plan_.samples, job.sample());
+    record.provenance = options_.provenance;
+    write(packed(std::move(record), asked_states(plan_.spec, done.result)));
   }
 
   void heed_user() {
@@ -252,7 +285,7 @@ class Runner {
     return pending_[next_++];
   }
 
-  void keep(PackedSample sample) {
+  void write(PackedSample sample) {
     const std::lock_guard lock(mutex_);
     --running_;
     if (met_ || failure_) return;
@@ -286,6 +319,7 @@ class Runner {
   std::vector<int> pending_;
   int total_ = 0, until_from_ = 0;
   std::atomic<bool> halt_{false};
+  int lanes_ = 1;  // samples a worker solves side by side
 
   std::mutex mutex_;
   Store& store_;

@@ -25,12 +25,6 @@ std::vector<double> state_displacements(const StudySpec& spec) {
   return all;
 }
 
-void solve_once(const SampleTask& task, const SolveOptions& options, SampleRun& run) {
-  run.model = compile(run.spec);
-  State state = initial_state(run.model);
-  run.result = task.solver(run.model, state, options);
-}
-
 void read_answer(const StudySpec& spec, SampleRun& run) {
   Result& r = run.result;
   if (!spec.fractions.empty()) {
@@ -46,26 +40,43 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
 
 }  // namespace
 
-SampleRun run_task(const SampleTask& task, int sample, const SolveOptions& options) {
-  SampleRun run;
-  run.settings = settings_of(task.samples, sample - 1);
+SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(sample) {
+  run_.settings = settings_of(task.samples, sample - 1);
   try {
-    run.spec = task.build(run.settings);
+    run_.spec = task.build(run_.settings);
     const std::vector<double> states = state_displacements(task.spec);
-    if (!states.empty()) run.spec.output.states = states;
-    solve_once(task, options, run);
-    if (run.result.status == SolveStatus::kUnstable) {
-      run.spec.solve.step_fraction *= kRetryStep;
-      run.retried = true;
-      solve_once(task, options, run);
-    }
+    if (!states.empty()) run_.spec.output.states = states;
+    build_model();
   } catch (const InputError& error) {
     const std::string why = refusal_of(task.samples, sample - 1, task.build);
-    run.refused = why.empty() ? error.what() : why;
-    return run;
+    run_.refused = why.empty() ? error.what() : why;
   }
-  read_answer(task.spec, run);
-  return run;
+}
+
+void SampleJob::build_model() {
+  run_.model = compile(run_.spec);
+  state_ = initial_state(run_.model);
+}
+
+bool SampleJob::wants_another() {
+  if (run_.result.status != SolveStatus::kUnstable || run_.retried) return false;
+  run_.spec.solve.step_fraction *= kRetryStep;
+  run_.retried = true;
+  build_model();
+  return true;
+}
+
+SampleRun SampleJob::finish() {
+  if (!refused()) read_answer(task_.spec, run_);
+  return std::move(run_);
+}
+
+SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
+                   const SolveOptions& options) {
+  SampleJob job(task, sample);
+  for (bool go_on = !job.refused(); go_on; go_on = job.wants_another())
+    job.take(solver(job.model(), job.state(), options));
+  return job.finish();
 }
 
 SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sample) {
@@ -118,7 +129,7 @@ SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sam
   const auto solver = [](const Model& model, State& state, const SolveOptions& how) {
     return solve(model, state, how);
   };
-  return study::run_task({study, samples, build, solver}, sample, options);
+  return study::run_task({study, samples, build}, sample, solver, options);
 }
 
 }  // namespace wythe

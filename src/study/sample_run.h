@@ -11,16 +11,47 @@
 
 namespace wythe::study {
 
-// Stands for solve() so that a test can play an unstable one.
-using Solver = std::function<Result(const Model&, State&, const SolveOptions&)>;
-
 struct SampleTask {
   const StudySpec& spec;
   const SampleTable& samples;
   const ModelBuilder& build;
-  Solver solver;
 };
-[[nodiscard]] SampleRun run_task(const SampleTask& task, int sample, const SolveOptions& options);
+
+// A sample under way, so that several can be solved side by side:
+//
+//   SampleJob job(task, sample);
+//   for (bool go_on = !job.refused(); go_on; go_on = job.wants_another())
+//     job.take(solve(job.model(), job.state(), options));
+//   SampleRun run = job.finish();
+class SampleJob {
+ public:
+  SampleJob(const SampleTask& task, int sample);
+  SampleJob(const SampleJob&) = delete;
+  SampleJob& operator=(const SampleJob&) = delete;
+
+  [[nodiscard]] int sample() const { return sample_; }
+  [[nodiscard]] bool refused() const { return !run_.refused.empty(); }
+  [[nodiscard]] const Model& model() const { return run_.model; }
+  [[nodiscard]] State& state() { return state_; }
+  void take(Result result) { run_.result = std::move(result); }
+  // True when the result was unstable for the first time: the model now has half the step.
+  [[nodiscard]] bool wants_another();
+  // Names the failure mode; call once.
+  [[nodiscard]] SampleRun finish();
+
+ private:
+  void build_model();
+
+  SampleTask task_;
+  int sample_;
+  SampleRun run_;
+  State state_;
+};
+
+// Stands for solve() so that a test can play an unstable one.
+using Solver = std::function<Result(const Model&, State&, const SolveOptions&)>;
+[[nodiscard]] SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
+                                 const SolveOptions& options);
 [[nodiscard]] SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sample);
 // The states a study asks for; where the push ended before the last of them, its end too.
 [[nodiscard]] std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result);

@@ -2,6 +2,7 @@
 """Campaigns as a user meets them: killed, stopped, resumed, sharded, replayed, and faulty stores."""
 import csv
 import json
+import os
 import pathlib
 import re
 import resource
@@ -218,6 +219,22 @@ class Disturbed(Base):
         done = self.resume(None, "--samples", "6")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("samples 6 of 6", done.stdout)
+
+
+class InstructionSets(Base):
+    def test_none_changes_a_byte_of_the_results(self):
+        sets = [name for name in ("scalar", "sse2", "avx2", "avx512")
+                if wythe("--version", env=os.environ | {"WYTHE_SIMD": name}).returncode == 0]
+        self.assertIn("scalar", sets)
+        for name in sets:
+            out = self.folder / name
+            self.assertEqual(wythe("campaign", self.study, "--out", out, "--quiet",
+                                   env=os.environ | {"WYTHE_SIMD": name}).returncode, 0)
+            self.assertEqual(self.hashes(out), self.hashes(self.whole), name)
+            self.assert_equals_whole(out)
+
+    def hashes(self, out):
+        return sqlite3.connect(out / "campaign.db").execute("SELECT sample, state_hash FROM sample").fetchall()
 
 
 class Parts(Base):

@@ -310,9 +310,16 @@ class Behaviour(Base):
         self.assertEqual(json.loads((self.out / "summary.json").read_text())["failure_mode"]["name"], "unclear")
 
     def test_version_and_help(self):
-        self.assertIn("wythe", wythe("--version").stdout)
+        self.assertRegex(wythe("--version").stdout, r"^wythe .*; (scalar|sse2|avx2|avx512), \d walls? side by side")
         for command in ("run", "check", "contact"):
             self.assertIn("example:", wythe(command, "--help").stdout)
+
+    def test_an_instruction_set_that_is_not_there_is_an_input_error(self):
+        for variable, value, cure in (("WYTHE_SIMD", "neon9", "scalar, sse2"), ("WYTHE_LANES", "3", "1, 2, 4 or 8")):
+            done = wythe("--version", env=os.environ | {variable: value})
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(variable, done.stderr)
+            self.assertIn(cure, done.stderr)
 
     def test_unknown_command_is_an_input_error(self):
         self.assertEqual(wythe("fly").returncode, 2)

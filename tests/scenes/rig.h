@@ -39,7 +39,7 @@ class Rig {
   void settle(double ratio, double limit = 20) {
     const double start = state.time;
     for (int k = 1; k <= 100; ++k) step();
-    while (dynamics::unbalance_ratio(model, stepper.workspace()) > ratio) {
+    while (dynamics::unbalance_ratio(model, view()) > ratio) {
       if (state.time - start > limit) throw std::runtime_error("the rig did not settle");
       for (int k = 0; k < 100; ++k) step();
     }
@@ -53,9 +53,10 @@ class Rig {
   [[nodiscard]] PointStress point(JointId joint, int k) const {
     return point_stresses(model, state)[static_cast<std::size_t>(joint * model.n_face_point + k)];
   }
-  [[nodiscard]] EnergyLedger energy() const {
-    return dynamics::energy_ledger(model, state, controls.mass_scaling);
+  [[nodiscard]] EnergyLedger energy() {
+    return dynamics::energy_ledger(model, state, view(), controls.mass_scaling);
   }
+  [[nodiscard]] dynamics::WallView view() { return stepper.view_of(state); }
 
   Model model;
   State state;

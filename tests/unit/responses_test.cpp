@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/stage_runner.h"
+#include "dynamics/stage_run.h"
 #include "io/summary_json.h"
 #include "report/sections.h"
 #include "scenes/sample_run.h"

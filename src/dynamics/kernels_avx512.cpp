@@ -1,0 +1,12 @@
+// Eight doubles at a time. Compiled with -mavx512f: every function here is a template over the
+// instruction set, none is shared with code for older processors (tools/check_kernels).
+#include "dynamics/kernel_set.h"
+
+namespace wythe::dynamics {
+
+const Kernels& avx512_kernels() {
+  static constexpr Kernels kSet = KernelsOf<Pack<xsimd::avx512f>>::named("avx512");
+  return kSet;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,135 @@
+#include "dynamics/lane_solver.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "wythe/error.h"
+#include "wythe/solve.h"
+
+namespace wythe {
+namespace dynamics {
+
+int lanes_in_use() {
+  const char* forced = std::getenv("WYTHE_LANES");
+  if (forced == nullptr || *forced == '\0') return kernels_in_use().width;
+  const std::string text = forced;
+  for (const int lanes : {1, 2, 4, 8})
+    if (text == std::to_string(lanes)) return lanes;
+  throw InputError({{.file = "WYTHE_LANES",
+                     .path = "",
+                     .value = text,
+                     .problem = "is not a number of walls that can be stepped side by side",
+                     .cure = "write 1, 2, 4 or 8, or leave it out for this processor's best"}});
+}
+
+}  // namespace dynamics
+
+std::string instruction_set() {
+  const int lanes = dynamics::lanes_in_use();
+  return fmt::format("{}, {} wall{} side by side", dynamics::kernels_in_use().name, lanes,
+                     lanes == 1 ? "" : "s");
+}
+
+namespace dynamics {
+
+LaneSolver::LaneSolver(int width) : width_(width) {}
+
+void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
+  auto wall = std::make_unique<Wall>(Wall{ticket, model, state, -1, nullptr, nullptr});
+  wall->alone = std::make_unique<Stepper>(model, 1);
+  wall->alone->refresh(state);
+  wall->run =
+      std::make_unique<WallRun>(model, state, options, Place{wall->alone->view_of(state), {}});
+  walls_.push_back(std::move(wall));
+  changed_ = true;
+}
+
+bool LaneSolver::fits(const Wall& wall) const {
+  return together_ && fit_together(wall.model, together_->model());
+}
+
+// Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
+void LaneSolver::settle_in(Wall& wall, int lane) {
+  if (lane >= 0) {
+    wall.alone.reset();
+    together_->put(lane, wall.model, wall.state);
+    wall.run->move_to(together_->place(lane));
+  } else if (!wall.alone) {
+    wall.alone = std::make_unique<Stepper>(wall.model, 1);
+    wall.alone->refresh(wall.state);
+    wall.run->move_to({wall.alone->view_of(wall.state), {}});
+  }
+  wall.lane = lane;
+}
+
+// As few lanes as hold the walls that are running, and every wall that fits in one of them.
+void LaneSolver::arrange() {
+  changed_ = false;
+  const Model& first = together_ && !walls_.empty() ? together_->model() : walls_.front()->model;
+  int fitting = 0;
+  for (const auto& wall : walls_) fitting += fit_together(wall->model, first) ? 1 : 0;
+  int lanes = 1;
+  while (lanes < fitting) lanes *= 2;
+  if (together_ && together_->lanes() != lanes) {
+    for (const auto& wall : walls_)
+      if (wall->lane >= 0) {
+        together_->drop(wall->lane);
+        wall->lane = -1;
+        settle_in(*wall, -1);
+      }
+    if (lanes < 2) {
+      together_.reset();
+      if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
+      return;
+    }
+    together_ = std::make_unique<LaneStepper>(together_->model(), lanes);
+  } else if (!together_) {
+    if (lanes < 2) return;
+    together_ = std::make_unique<LaneStepper>(first, lanes);
+  }
+  std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
+  for (const auto& wall : walls_)
+    if (wall->lane >= 0) taken[static_cast<std::size_t>(wall->lane)] = true;
+  for (const auto& wall : walls_) {
+    if (wall->lane >= 0 || !fits(*wall)) continue;
+    const auto free = std::find(taken.begin(), taken.end(), false);
+    *free = true;
+    settle_in(*wall, static_cast<int>(free - taken.begin()));
+  }
+}
+
+void LaneSolver::step() {
+  for (const auto& wall : walls_) {
+    const Controls& controls = wall->run->next();
+    if (wall->lane >= 0) {
+      together_->set(wall->lane, controls);
+      continue;
+    }
+    wall->run->look(wall->alone->step(wall->state, controls).reaction);
+    if (!together_) return;  // walls that share nothing take their turns one after the other
+  }
+  together_->step();
+  for (const auto& wall : walls_)
+    if (wall->lane >= 0) wall->run->look(together_->reaction(wall->lane));
+}
+
+LaneSolver::Ended LaneSolver::next() {
+  if (changed_) arrange();
+  const auto ended = [](const auto& wall) { return wall->run->ended(); };
+  auto found = std::find_if(walls_.begin(), walls_.end(), ended);
+  while (found == walls_.end()) {
+    step();
+    found = std::find_if(walls_.begin(), walls_.end(), ended);
+  }
+  const std::unique_ptr<Wall> wall = std::move(*found);
+  walls_.erase(found);
+  changed_ = true;
+  if (wall->lane >= 0) together_->drop(wall->lane);
+  return {wall->ticket, wall->run->finish()};
+}
+
+}  // namespace dynamics
+}  // namespace wythe

@@ -1,0 +1,229 @@
+#include "dynamics/lane_step.h"
+
+#include <algorithm>
+#include <array>
+
+#include "contact/parameters.h"
+#include "dynamics/step_arrays.h"
+
+namespace wythe::dynamics {
+namespace {
+
+// What a wall keeps from step to step: motion and history.
+constexpr std::array kKept{&State::ux,    &State::uy,           &State::theta,
+                           &State::vx,    &State::vy,           &State::omega,
+                           &State::kappa, &State::crush,        &State::plastic_slip,
+                           &State::slip,  &State::shear_damage, &State::tension_set};
+
+// The widest set that fills no more than the lanes.
+const Kernels& kernels_for(int lanes) {
+  const Kernels* widest = &scalar_kernels();
+  for (const Kernels* set : kernels_here())
+    if (set->width <= lanes) widest = set;
+  return *widest;
+}
+
+bool same_law(const Model& a, const Model& b) {
+  return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
+                    contact::same_variant);
+}
+
+JointArrays shifted(JointArrays v, int lane) {
+  v.pose += lane;
+  v.force += lane;
+  for (double** array :
+       {&v.kappa, &v.crush, &v.plastic_slip, &v.slip, &v.shear_damage, &v.tension_set})
+    *array += lane;
+  return v;
+}
+
+BlockArrays shifted(BlockArrays v, int lane) {
+  for (const double** array : {&v.mass, &v.heavy_mass, &v.inertia, &v.is_free, &v.contact_x,
+                               &v.contact_y, &v.contact_m, &v.load_x, &v.load_y, &v.load_m})
+    *array += lane;
+  for (double** array : {&v.total_x, &v.total_y, &v.total_m, &v.ux, &v.uy, &v.theta, &v.vx, &v.vy,
+                         &v.omega, &v.pose})
+    *array += lane;
+  return v;
+}
+
+GatherArrays shifted(GatherArrays v, int lane) {
+  v.force += lane;
+  for (double** array : {&v.contact_x, &v.contact_y, &v.contact_m}) *array += lane;
+  return v;
+}
+
+}  // namespace
+
+bool fit_together(const Model& a, const Model& b) {
+  return a.n_block == b.n_block && a.n_joint == b.n_joint && a.n_pair == b.n_pair &&
+         a.n_face_point == 2 && b.n_face_point == 2 && a.joint_a == b.joint_a &&
+         a.joint_b == b.joint_b && a.joint_material == b.joint_material && a.arm_a_x == b.arm_a_x &&
+         a.arm_a_y == b.arm_a_y && a.arm_b_x == b.arm_b_x && a.arm_b_y == b.arm_b_y &&
+         a.half_x == b.half_x && a.half_y == b.half_y && a.tangent_x == b.tangent_x &&
+         a.tangent_y == b.tangent_y && a.area == b.area && a.point_xi == b.point_xi &&
+         a.point_weight == b.point_weight && a.block_begin == b.block_begin &&
+         a.block_entry == b.block_entry && a.turn_freedom == b.turn_freedom && same_law(a, b);
+}
+
+LaneStepper::LaneStepper(const Model& model, int lanes)
+    : model_(model),
+      lanes_(lanes),
+      kernels_(kernels_for(lanes)),
+      wall_(at(lanes)),
+      work_(model, lanes),
+      all_(initial_state(model)) {
+  for (const auto array : kKept) (all_.*array).assign((all_.*array).size() * at(lanes), 0.0);
+  const auto in_all_lanes = [&](const std::vector<double>& of_block) {
+    std::vector<double> all;
+    for (const double value : of_block) all.insert(all.end(), at(lanes), value);
+    return all;
+  };
+  mass_ = in_all_lanes(model.mass);
+  heavy_mass_ = in_all_lanes(model.heavy_mass);
+  inertia_ = in_all_lanes(model.inertia);
+  for (auto* array : {&dt_, &damping_, &mass_scaling_, &gravity_x_, &gravity_y_})
+    array->assign(at(lanes), 0.0);
+  for (int lane = 0; lane < lanes; ++lane) set(lane, {});
+  turn_pass();
+}
+
+void LaneStepper::put(int lane, const Model& model, State& state) {
+  wall_[at(lane)] = {&model, &state, {}, 0};
+  copy_in(lane, state);
+  const Place there = place(lane);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
+    mass_[i * at(lanes_) + at(lane)] = model.mass[i];
+    heavy_mass_[i * at(lanes_) + at(lane)] = model.heavy_mass[i];
+    inertia_[i * at(lanes_) + at(lane)] = model.inertia[i];
+    there.view.load_x[i] = there.view.load_y[i] = there.view.load_m[i] = 0;
+  }
+  for (std::size_t m = 0; m < model.materials.size(); ++m)
+    work_.law[m * at(lanes_) + at(lane)] = contact::constants_of(model.materials[m]);
+  turn_pass();
+}
+
+void LaneStepper::drop(int lane) {
+  Wall& wall = wall_[at(lane)];
+  copy_out(lane, *wall.state);
+  wall = {};
+  set(lane, {});
+}
+
+Place LaneStepper::place(int lane) {
+  return {wall_view(work_, all_, lanes_, lane),
+          [this, lane](State& state) { copy_out(lane, state); }};
+}
+
+void LaneStepper::set(int lane, const Controls& controls) {
+  wall_[at(lane)].controls = controls;
+  dt_[at(lane)] = controls.dt;
+  damping_[at(lane)] = controls.damping;
+  mass_scaling_[at(lane)] = controls.mass_scaling;
+}
+
+void LaneStepper::copy_in(int lane, const State& state) {
+  for (const auto array : kKept) {
+    const Strided to{(all_.*array).data() + lane, lanes_};
+    for (std::size_t i = 0; i < (state.*array).size(); ++i) to[i] = (state.*array)[i];
+  }
+}
+
+void LaneStepper::copy_out(int lane, State& state) const {
+  for (const auto array : kKept) {
+    const double* from = (all_.*array).data() + lane;
+    for (double& value : state.*array) {
+      value = *from;
+      from += lanes_;
+    }
+  }
+}
+
+void LaneStepper::step() {
+  joint_pass();
+  gather_pass();
+  for (int lane = 0; lane < lanes_; ++lane)
+    if (const Wall& wall = wall_[at(lane)]; wall.model != nullptr)
+      load_pass(*wall.model, *wall.state, wall_view(work_, all_, lanes_, lane));
+  move_pass();
+  for (int lane = 0; lane < lanes_; ++lane)
+    if (Wall& wall = wall_[at(lane)]; wall.model != nullptr)
+      wall.reaction =
+          drive_pass(*wall.model, *wall.state, wall_view(work_, all_, lanes_, lane), wall.controls);
+  turn_pass();
+  for (int lane = 0; lane < lanes_; ++lane)
+    if (const Wall& wall = wall_[at(lane)]; wall.model != nullptr) {
+      add_energies(work_, lanes_, lane, *wall.state);
+      advance_clock(*wall.state, wall.controls);
+    }
+}
+
+void LaneStepper::joint_pass() {
+  const JointArrays arrays = joint_arrays(model_, work_, all_);
+  std::array<double, 3 * kGroup * kMostLanes> sums;
+  double* friction = sums.data();
+  double* fracture = friction + kGroup * lanes_;
+  double* crushing = fracture + kGroup * lanes_;
+  for (std::size_t c = 0; c < work_.joint_chunks.size(); ++c) {
+    const JointChunk& chunk = work_.joint_chunks[c];
+    const auto begin = static_cast<std::size_t>(chunk.begin);
+    const auto material = static_cast<std::size_t>(model_.joint_material[begin]);
+    sums.fill(0.0);
+    for (int lane = 0; lane < lanes_; lane += kernels_.width)
+      kernels_.wall_joints(shifted(arrays, lane), lanes_, model_.materials[material],
+                           &work_.law[material * at(lanes_) + at(lane)], chunk.on_ground, begin,
+                           static_cast<std::size_t>(chunk.end),
+                           {friction + lane, fracture + lane, crushing + lane});
+    for (int lane = 0; lane < lanes_; ++lane) {
+      ChunkEnergy& energy = work_.joint_energy[c * at(lanes_) + at(lane)];
+      energy.friction = sum_of_groups(friction + lane, lanes_);
+      energy.fracture = sum_of_groups(fracture + lane, lanes_);
+      energy.crushing = sum_of_groups(crushing + lane, lanes_);
+    }
+  }
+}
+
+void LaneStepper::gather_pass() {
+  const GatherArrays arrays = gather_arrays(model_, work_);
+  for (int lane = 0; lane < lanes_; lane += kernels_.width)
+    kernels_.wall_gather(shifted(arrays, lane), lanes_, 0,
+                         static_cast<std::size_t>(model_.n_block));
+}
+
+void LaneStepper::move_pass() {
+  BlockArrays arrays = block_arrays(model_, work_, all_);
+  arrays.mass = mass_.data();
+  arrays.heavy_mass = heavy_mass_.data();
+  arrays.inertia = inertia_.data();
+  for (int lane = 0; lane < lanes_; ++lane) {
+    const State* state = wall_[at(lane)].state;
+    gravity_x_[at(lane)] = state == nullptr ? 0.0 : state->gravity_x;
+    gravity_y_[at(lane)] = state == nullptr ? 0.0 : state->gravity_y;
+  }
+  std::array<double, 2 * kGroup * kMostLanes> sums;
+  double* loads = sums.data();
+  double* damping = loads + kGroup * lanes_;
+  for (int c = 0; c < work_.block_chunks; ++c) {
+    const Range range = block_range(model_, c);
+    sums.fill(0.0);
+    for (int lane = 0; lane < lanes_; lane += kernels_.width) {
+      const MoveControls move{&dt_[at(lane)], &damping_[at(lane)], &mass_scaling_[at(lane)],
+                              &gravity_x_[at(lane)], &gravity_y_[at(lane)]};
+      kernels_.wall_move(shifted(arrays, lane), lanes_, move, range.begin, range.end,
+                         {loads + lane, damping + lane});
+    }
+    for (int lane = 0; lane < lanes_; ++lane) {
+      ChunkEnergy& energy = work_.block_energy[at(c) * at(lanes_) + at(lane)];
+      energy.loads = sum_of_groups(loads + lane, lanes_);
+      energy.damping = sum_of_groups(damping + lane, lanes_);
+    }
+  }
+}
+
+void LaneStepper::turn_pass() {
+  const BlockArrays arrays = block_arrays(model_, work_, all_);
+  for (int lane = 0; lane < lanes_; lane += kernels_.width)
+    kernels_.wall_turn(shifted(arrays, lane), lanes_, 0, static_cast<std::size_t>(model_.n_block));
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,68 @@
+// One step of several walls side by side: wall k is lane k of every array and of every pack.
+//
+// The walls share blocks, joints and geometry; strengths, stiffnesses, masses, loads, state, time
+// step and stage are each wall's own. The passes are those of step.h, through the same kernels, so
+// that a wall's bits do not depend on its lane, its neighbours or the number of lanes.
+//
+//   joint_pass, gather_pass, move_pass, turn_pass   all walls at once
+//   load_pass, drive_pass, energies, clock          wall by wall: a few blocks each
+#pragma once
+
+#include <vector>
+
+#include "dynamics/kernels.h"
+#include "dynamics/place.h"
+#include "dynamics/workspace.h"
+
+namespace wythe::dynamics {
+
+inline constexpr int kMostLanes = 8;
+
+// True when two walls can be stepped side by side: one topology, one geometry, two points a face.
+[[nodiscard]] bool fit_together(const Model& a, const Model& b);
+
+class LaneStepper {
+ public:
+  // `lanes` 2, 4 or 8; `model` (copied) stands for all walls that fit it.
+  LaneStepper(const Model& model, int lanes);
+
+  [[nodiscard]] int lanes() const { return lanes_; }
+  [[nodiscard]] const Model& model() const { return model_; }
+  // A wall takes a lane; model and state have to live until it is dropped.
+  void put(int lane, const Model& model, State& state);
+  // The state's own arrays are brought up to date; the lane stands still from then on.
+  void drop(int lane);
+  [[nodiscard]] Place place(int lane);
+  void set(int lane, const Controls& controls);
+  void step();
+  [[nodiscard]] double reaction(int lane) const { return wall_[at(lane)].reaction; }
+
+ private:
+  struct Wall {
+    const Model* model = nullptr;  // null: the lane is idle
+    State* state = nullptr;
+    Controls controls;
+    double reaction = 0;
+  };
+
+  void joint_pass();
+  void gather_pass();
+  void move_pass();
+  void turn_pass();
+  void copy_in(int lane, const State& state);
+  void copy_out(int lane, State& state) const;
+  [[nodiscard]] static std::size_t at(int lane) { return static_cast<std::size_t>(lane); }
+
+  const Model model_;
+  const int lanes_;
+  const Kernels& kernels_;
+  std::vector<Wall> wall_;
+  Workspace work_;
+  State all_;  // its arrays hold all walls side by side; its numbers are unused
+
+  // of each wall: (n_block, lanes) and (lanes)
+  std::vector<double> mass_, heavy_mass_, inertia_;
+  std::vector<double> dt_, damping_, mass_scaling_, gravity_x_, gravity_y_;
+};
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,84 @@
+// One stage under way, a step at a time, so that any number of walls can be stepped together.
+//
+//   prepare()       controls, ramps and loads of the next step
+//   look(reaction)  after it: rows, settling, stop criteria, collapse
+//
+//   gravity, load   ramp with a smooth start, then settle below settle_ratio
+//   push            smooth start to the velocity, along one or several target displacements
+//   body force      lambda grows only while the unbalance is below settle_ratio: the largest carried
+//   tilt            the same with the direction of gravity
+//   hold            nothing new for a duration
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "dynamics/place.h"
+#include "wythe/result.h"
+#include "wythe/solve.h"
+
+namespace wythe::dynamics {
+
+// How a stage ended.
+struct StageEnd {
+  SolveStatus status = SolveStatus::kCompleted;
+  std::string reason;
+  bool finished = true;  // false: the run ends here
+};
+
+// What all stages of a run work on.
+struct WallUnderWay {
+  const Model& model;
+  State& state;
+  const SolveOptions& options;
+  Result& result;
+  Place place;
+  Controls controls;
+};
+
+class StageRun {
+ public:
+  static std::unique_ptr<StageRun> start(WallUnderWay& wall, const Stage& stage);
+  virtual ~StageRun() = default;
+  StageRun(const StageRun&) = delete;
+  StageRun& operator=(const StageRun&) = delete;
+
+  virtual void prepare() = 0;
+  virtual void look(double reaction) = 0;
+  [[nodiscard]] bool ended() const { return ended_; }
+  // Closes rows, writes the stage's report; call once, after the last look.
+  StageEnd close();
+  // Blocks that the step moves by the drive; marked anew when the wall changes its place.
+  [[nodiscard]] const std::vector<BlockId>& driven() const { return *driven_; }
+
+ protected:
+  StageRun(WallUnderWay& wall, const Stage& stage);
+  virtual void finish(StageEnd&) {}
+  void end(StageEnd how);
+  void drive(const Stage& push);
+  // Every few hundred steps: interrupt, budget, instability, collapse.
+  void watch(double share);
+
+  WallUnderWay& wall_;
+  const Model& model_;
+  const Stage& stage_;
+  State& state_;
+  Controls& controls_;
+
+ private:
+  const std::vector<BlockId>* driven_;
+  std::int64_t first_step_;
+  bool ended_ = false;
+  StageEnd end_;
+};
+
+// Smooth start: 0 at 0, 1 at 1, no slope at either end; 3 x^2 - 2 x^3.
+[[nodiscard]] double smooth_step(double x);
+
+// Time step of a stage [s]; quasi-static stages take the mass scaling.
+[[nodiscard]] double stage_time_step(const Model& model, const Stage& stage);
+[[nodiscard]] double stage_mass_scaling(const Model& model, const Stage& stage);
+// Length of the driven path of a push, all targets included [m].
+[[nodiscard]] double driven_path(const Stage& stage);
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,164 @@
+// A sample's bits do not depend on lane, neighbours, number of lanes, threads or instruction set.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dynamics/lane_solver.h"
+#include "scenes/scenes.h"
+#include "scenes/small_study.h"
+#include "wythe/campaign.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+using dynamics::LaneSolver;
+using scenes::TemporaryFolder;
+
+class ForcedLanes {
+ public:
+  explicit ForcedLanes(const std::string& lanes) { setenv("WYTHE_LANES", lanes.c_str(), 1); }
+  ~ForcedLanes() { unsetenv("WYTHE_LANES"); }
+};
+
+// --- campaigns -----------------------------------------------------------------------------------
+
+std::vector<SampleRecord> records(const StudySpec& study, const std::string& folder, int jobs) {
+  CampaignOptions options;
+  options.jobs = jobs;
+  run_campaign(study, model_builder(study), folder, options, {});
+  return read_campaign(folder).records;
+}
+
+void expect_same(const SampleRecord& a, const SampleRecord& b, const std::string& what) {
+  EXPECT_EQ(a.state_hash, b.state_hash) << what;
+  EXPECT_EQ(a.steps, b.steps) << what;
+  EXPECT_EQ(a.energy.friction, b.energy.friction) << what;
+  EXPECT_EQ(a.energy.fracture, b.energy.fracture) << what;
+  EXPECT_EQ(a.energy.damping, b.energy.damping) << what;
+  EXPECT_EQ(a.energy.loads, b.energy.loads) << what;
+  ASSERT_EQ(a.curve.size(), b.curve.size()) << what;
+  for (std::size_t k = 0; k < a.curve.size(); ++k) {
+    ASSERT_EQ(a.curve[k].reaction, b.curve[k].reaction) << what << ", row " << k;
+    ASSERT_EQ(a.curve[k].base_shear, b.curve[k].base_shear) << what << ", row " << k;
+    ASSERT_EQ(a.curve[k].kinetic_ratio, b.curve[k].kinetic_ratio) << what << ", row " << k;
+    ASSERT_EQ(a.curve[k].unbalance_ratio, b.curve[k].unbalance_ratio) << what << ", row " << k;
+  }
+}
+
+TEST(Lanes, no_number_of_lanes_or_jobs_changes_a_bit_of_24_samples) {
+  const TemporaryFolder folder;
+  const StudySpec study = scenes::small_study(24);
+  std::vector<SampleRecord> first;
+  for (const char* lanes : {"1", "2", "4", "8"})
+    for (const int jobs : {1, 2, 3}) {
+      const ForcedLanes forced(lanes);
+      const std::string what = std::string(lanes) + " lanes, jobs " + std::to_string(jobs);
+      const auto now = records(study, folder / what, jobs);
+      ASSERT_EQ(now.size(), 24U);
+      if (first.empty()) first = now;
+      for (std::size_t k = 0; k < now.size(); ++k)
+        expect_same(now[k], first[k], what + ", sample " + std::to_string(k + 1));
+    }
+  // not all walls do the same
+  EXPECT_NE(first[0].state_hash, first[1].state_hash);
+  EXPECT_GT(first[0].energy.fracture, 0);
+}
+
+TEST(Lanes, a_sample_alone_has_the_bits_it_has_among_others) {
+  const TemporaryFolder folder;
+  const StudySpec study = scenes::small_study(5);
+  const ForcedLanes forced("4");
+  const auto together = records(study, folder / "out", 1);
+  const SampleTable samples = draw_samples(study);
+  for (int sample = 1; sample <= 5; ++sample) {
+    const SampleRun alone = run_sample(study, samples, sample, model_builder(study), {});
+    EXPECT_EQ(alone.result.state_hash, together[static_cast<std::size_t>(sample - 1)].state_hash);
+  }
+}
+
+// --- single walls --------------------------------------------------------------------------------
+
+struct Wall {
+  Model model;
+  State state;
+  std::string alone;  // state hash of the wall solved by itself
+  // `haste` 1 keeps the stable step, 20 takes one twenty times as long.
+  Wall(const ModelSpec& spec, double haste) : model(compile(spec)), state(initial_state(model)) {
+    model.omega_max /= haste;
+    State own = initial_state(model);
+    alone = solve(model, own, {}).state_hash;
+  }
+};
+
+// Joint strength is the wall's own; all share the geometry unless `columns` says otherwise.
+std::unique_ptr<Wall> wall_of(double strength, int columns = 5, double haste = 1) {
+  ModelSpec spec = scenes::plain_wall(columns, 7, 0.2e-3, 0.05);
+  spec.material.at("joint").tensile_strength *= strength;
+  spec.material.at("joint").cohesion *= strength;
+  return std::make_unique<Wall>(spec, haste);
+}
+
+// Solves all walls with `width` lanes and compares every one with itself alone.
+std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width) {
+  LaneSolver solver(width);
+  std::vector<Result> results(walls.size());
+  const SolveOptions options;
+  std::size_t next = 0;
+  while (next < walls.size() || solver.running() > 0) {
+    for (; solver.has_room() && next < walls.size(); ++next)
+      solver.put(static_cast<int>(next), walls[next]->model, walls[next]->state, options);
+    auto ended = solver.next();
+    const auto k = static_cast<std::size_t>(ended.ticket);
+    EXPECT_EQ(ended.result.state_hash, walls[k]->alone) << "wall " << k << ", width " << width;
+    EXPECT_EQ(state_hash(walls[k]->state), walls[k]->alone) << "wall " << k;
+    results[k] = std::move(ended.result);
+  }
+  return results;
+}
+
+TEST(Lanes, a_wall_that_flies_apart_leaves_its_neighbours_alone) {
+  for (const int width : {2, 4, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) walls.push_back(wall_of(strength));
+    walls.insert(walls.begin() + 1, wall_of(1.0, 5, 20));
+    const std::vector<Result> results = solve_together(walls, width);
+    for (std::size_t k = 0; k < results.size(); ++k)
+      EXPECT_EQ(results[k].status == SolveStatus::kCompleted, k != 1) << results[k].reason;
+  }
+}
+
+TEST(Lanes, walls_that_do_not_fit_are_stepped_beside_the_others) {
+  const auto five = wall_of(1.0), other = wall_of(1.2), six = wall_of(1.0, 6);
+  EXPECT_TRUE(dynamics::fit_together(five->model, other->model));
+  EXPECT_FALSE(dynamics::fit_together(five->model, six->model));
+  std::vector<std::unique_ptr<Wall>> walls;
+  for (const int columns : {5, 6, 5, 6, 6, 5, 7}) walls.push_back(wall_of(1.0, columns));
+  solve_together(walls, 4);
+}
+
+TEST(Lanes, a_wall_with_another_law_does_not_fit) {
+  ModelSpec spec = scenes::plain_wall(5, 7, 0.2e-3, 0.05);
+  const Model bilinear = compile(spec);
+  for (auto& [name, material] : spec.material) material.softening = Softening::kExponential;
+  EXPECT_FALSE(dynamics::fit_together(bilinear, compile(spec)));
+}
+
+TEST(Lanes, a_wrong_number_of_lanes_is_refused) {
+  const ForcedLanes forced("3");
+  try {
+    static_cast<void>(dynamics::lanes_in_use());
+    FAIL() << "3 lanes were taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("1, 2, 4 or 8"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace wythe
