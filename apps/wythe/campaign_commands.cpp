@@ -36,6 +36,16 @@ std::string provenance_text() {
       {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
 }
 
+int whole_number(const std::string& option, const std::string& text, int least, int most,
+                 const std::string& cure) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end || number < least || number > most)
+    refuse(option, text, fmt::format("must be a whole number from {} to {}", least, most), cure);
+  return number;
+}
+
 // "2/4" -> shard 2 of 4.
 void read_shard(const std::string& text, CampaignOptions& options) {
   if (text.empty()) return;
@@ -65,14 +75,33 @@ std::string resume_command(const CampaignArguments& a) {
   return a.resume ? line : line + " --resume";
 }
 
-// The study as asked on this command line. Without --samples a resumed campaign keeps its size.
-StudySpec asked_study(const CampaignArguments& a) {
+// The study with the options that are short for a --set; their faults are named as typed.
+StudySpec study_with_options(const CampaignArguments& a) {
   std::vector<std::string> overrides = a.overrides;
-  if (a.samples) overrides.push_back(fmt::format("study.samples={}", *a.samples));
-  if (a.seed) overrides.push_back(fmt::format("study.seed={}", *a.seed));
-  StudySpec study = read_study(a.study, overrides);
-  if (!a.until.empty()) study.until = a.until;
-  if (!a.resume || a.samples || !holds_campaign(a.out)) return study;
+  std::map<std::string, std::string> option;
+  const auto add = [&](const char* name, const std::string& key, const std::string& value) {
+    if (value.empty()) return;
+    overrides.push_back(key + "=" + value);
+    option[key] = name;
+  };
+  add("--samples", "study.samples", a.samples);
+  add("--seed", "study.seed", a.seed);
+  add("--until", "study.until", a.until);
+  try {
+    return read_study(a.study, overrides);
+  } catch (const InputError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults)
+      if (fault.file == "--set" && option.contains(fault.path))
+        fault.file = option[fault.path], fault.path.clear();
+    throw InputError(std::move(faults));
+  }
+}
+
+// Without --samples a resumed campaign keeps its size.
+StudySpec asked_study(const CampaignArguments& a) {
+  StudySpec study = study_with_options(a);
+  if (!a.resume || !a.samples.empty() || !holds_campaign(a.out)) return study;
   const std::vector<int> stored = stored_batches(a.out);
   const int has = std::accumulate(stored.begin(), stored.end(), 0);
   const int asks = std::accumulate(study.batch.begin(), study.batch.end(), 0);
@@ -83,20 +112,26 @@ StudySpec asked_study(const CampaignArguments& a) {
   return study;
 }
 
-// samples.csv, statistics.json, report.html from the store, and the table on stdout.
-int write_results(const std::string& folder) {
-  const Campaign campaign = read_campaign(folder);
+// samples.csv, statistics.json, report.html from the store: never one newer than another.
+Statistics write_files(const std::string& folder, const Campaign& campaign) {
   write_text(folder + "/samples.csv", samples_csv(campaign));
-  const Statistics statistics = statistics_of(campaign);
+  Statistics statistics = statistics_of(campaign);
   write_text(folder + "/statistics.json", statistics_json(statistics));
   write_text(folder + "/report.html", campaign_report(campaign, statistics));
+  return statistics;
+}
+
+// The files, and the table on stdout.
+int write_results(const std::string& folder) {
+  const Campaign campaign = read_campaign(folder);
+  const Statistics statistics = write_files(folder, campaign);
   print_table(campaign, statistics);
   fmt::print("report {}/report.html\n", folder);
   return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
 }
 
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
-  write_text(a.out + "/samples.csv", samples_csv(read_campaign(a.out)));
+  (void)write_files(a.out, read_campaign(a.out));
   fmt::print(stderr, "stopped: {} of {} samples are stored, none is half done. Go on with\n  {}\n",
              outcome.done, outcome.total, resume_command(a));
   return kFailed;
@@ -106,13 +141,15 @@ int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) 
 
 int campaign(const CampaignArguments& a) {
   CampaignOptions options;
-  options.jobs = a.jobs;
+  if (!a.jobs.empty())
+    options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
   options.resume = a.resume;
   options.stop = &stop_asked();
   options.provenance = provenance_text();
   read_shard(a.shard, options);
   const StudySpec study = asked_study(a);
   const ModelBuilder build = model_builder(study);
+  check_folder(a.out, FolderFor::kCampaign);
   CampaignOutcome outcome;
   {
     CampaignPrinter printer(a.quiet);
@@ -122,8 +159,8 @@ int campaign(const CampaignArguments& a) {
   for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", note);
   if (outcome.interrupted) return say_interrupted(a, outcome);
   const int code = write_results(a.out);
-  if (outcome.precise_enough)
-    fmt::print("precise enough after {} samples: {}\n", outcome.done, outcome.until_state);
+  if (outcome.precise_at > 0)
+    fmt::print("precise enough after {} samples: {}\n", outcome.precise_at, outcome.until_state);
   else if (!outcome.until_state.empty())
     fmt::print("not yet precise enough: {}; more samples: --resume --samples N\n",
                outcome.until_state);
@@ -131,6 +168,7 @@ int campaign(const CampaignArguments& a) {
 }
 
 int merge(const MergeArguments& a) {
+  check_folder(a.out, FolderFor::kCampaign);
   merge_campaigns(a.folders, a.out);
   const Campaign whole = read_campaign(a.out);
   const auto missing = static_cast<std::size_t>(whole.samples.n_sample()) - whole.records.size();
@@ -215,22 +253,59 @@ int replay(const ReplayArguments& a) {
   return compare_replay(a, record_in(campaign, a.sample), run);
 }
 
+namespace {
+
+// A reason but for its numbers, which differ from sample to sample.
+std::string kind_of(const std::string& reason) {
+  std::string kind;
+  for (const char c : reason)
+    if (c < '0' || c > '9') kind += c;
+  std::erase_if(kind, [](char c) { return c == '.' || c == '-' || c == '+'; });
+  return kind;
+}
+
+// "1, 5, 9 and 12 more"
+std::string some_of(const std::vector<int>& samples) {
+  constexpr std::size_t kShown = 10;
+  const std::size_t shown = std::min(kShown, samples.size());
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", samples[i]);
+  return samples.size() == shown ? text
+                                 : text + fmt::format(" and {} more", samples.size() - shown);
+}
+
+void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
+  struct Refused {
+    std::string first;
+    std::vector<int> samples;
+  };
+  std::map<std::string, Refused> refused;
+  for (int s = 0; s < samples.n_sample(); ++s) {
+    const std::string why = refusal_of(samples, s, build);
+    if (why.empty()) continue;
+    Refused& same = refused[kind_of(why)];
+    if (same.samples.empty()) same.first = why;
+    same.samples.push_back(s + 1);
+  }
+  for (const auto& [kind, r] : refused)
+    fmt::print("{} sample{} will be refused ({}), e.g. {}\n", r.samples.size(),
+               r.samples.size() == 1 ? "" : "s", some_of(r.samples), r.first);
+}
+
+}  // namespace
+
 int check_study_file(const CheckArguments& a) {
   const StudySpec study = read_study(a.file, a.overrides);
   const ModelBuilder build = model_builder(study);
   const Model base = compile(build({}));
   const SampleTable samples = draw_samples(study);
-  std::map<std::string, int> refused;
-  for (int s = 0; s < samples.n_sample(); ++s) {
-    const std::string why = refusal_of(settings_of(samples, s), build);
-    if (!why.empty()) ++refused[why];
-  }
   fmt::print("{}: valid\n", a.file);
   fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,
              base.n_point());
   print_inputs(samples);
-  for (const auto& [why, count] : refused)
-    fmt::print("{} sample{} will be refused: {}\n", count, count == 1 ? "" : "s", why);
+  for (const std::string& note : notes_of(study, build({}))) fmt::print("note: {}\n", note);
+  print_refusals(samples, build);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   fmt::print("{} samples, about {:.0f} s on {:.0f} cores\n", samples.n_sample(),
              estimate(base).seconds * samples.n_sample() / cores, cores);

@@ -1,7 +1,6 @@
 // The commands about campaigns: run, join shards, replay a sample, rewrite results, check a study.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +10,8 @@ namespace wythe::app {
 
 struct CampaignArguments {
   std::string study, out, shard, until;
-  std::optional<int> samples;
-  std::optional<std::uint64_t> seed;
+  std::string samples, seed, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
-  int jobs = 0;
   bool resume = false, quiet = false;
   std::vector<std::string> command;  // as typed, to say how to go on
 };

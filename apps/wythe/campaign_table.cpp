@@ -28,6 +28,14 @@ std::string share_cell(const Statistics& statistics, const GroupSummary& group) 
   return "";
 }
 
+void print_entangled(const std::vector<InputCorrelation>& pairs) {
+  if (!pairs.empty() && std::fabs(pairs.front().rank) > kEntangled)
+    fmt::print(
+        "mind: {} and {} were drawn with a rank correlation of {:.3f}; what is said of either "
+        "holds a part of the other\n",
+        pairs.front().a, pairs.front().b, pairs.front().rank);
+}
+
 }  // namespace
 
 void print_table(const Campaign& campaign, const Statistics& statistics) {
@@ -54,6 +62,13 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
   }
   fmt::print(
       "means with their 95 % interval; CoV of the peak; censored displacements as recorded\n");
+  if (statistics.still_rising > 0)
+    fmt::print("{} of {} peaks are lower bounds: the force was still rising where the push ended\n",
+               statistics.still_rising, statistics.answered);
+  if (statistics.named_earlier > 0)
+    fmt::print("{} of {} pushes ended before {:g} mm, their modes are named at their end\n",
+               statistics.named_earlier, statistics.answered, 1e3 * statistics.read_modes_at);
+  print_entangled(statistics.input_correlation);
 }
 
 void print_inputs(const SampleTable& samples) {
@@ -74,6 +89,10 @@ void print_inputs(const SampleTable& samples) {
     fmt::print("{:<40} {:>14.6g} {:>8} {:>10}\n", column_title(column), mean,
                cell(100 * cov, "{:.2f}"), cut > 0 ? fmt::format("{:.3g}", 100 * cut) : "");
   }
+  const std::vector<InputCorrelation> pairs = input_correlations(samples);
+  if (!pairs.empty())
+    fmt::print("largest rank correlation of two inputs: {} and {} {:.3f}\n", pairs.front().a,
+               pairs.front().b, pairs.front().rank);
 }
 
 }  // namespace wythe::app

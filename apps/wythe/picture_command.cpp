@@ -1,5 +1,5 @@
 // wythe picture: the stored states of one sample of a campaign, side by side.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -32,8 +32,19 @@ int picture(const PictureArguments& a) {
   const ModelBuilder build = model_builder(campaign.study);
   const Model model = compile(build(settings_of(campaign.samples, a.sample - 1)));
   std::vector<Snapshot> states;
+  std::string stored;
   for (Snapshot& s : read_states(a.folder, a.sample))
-    if (is_wanted(s, a.at_mm)) states.push_back(std::move(s));
+    if (!is_wanted(s, a.at_mm))
+      stored += (stored.empty() ? "" : ", ") + fmt::format("{:.1f}", 1e3 * s.displacement);
+    else
+      states.push_back(std::move(s));
+  if (states.empty())
+    throw InputError({{.file = "--at",
+                       .path = "",
+                       .value = fmt::format("{}", fmt::join(a.at_mm, " ")),
+                       .problem = fmt::format("sample {} has no state there", a.sample),
+                       .cure = stored.empty() ? "none is stored: write study.states"
+                                              : "stored are, in mm: " + stored}});
   write_text(a.out, states_svg(model, states, a.scale, fmt::format("sample {}", a.sample)));
   fmt::print("{} states of sample {} -> {}\n", states.size(), a.sample, a.out);
   return 0;

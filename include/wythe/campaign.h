@@ -63,8 +63,8 @@ struct CampaignProgress {
 struct CampaignOutcome {
   int done = 0, total = 0;  // of this shard
   bool interrupted = false;
-  bool precise_enough = false;     // the study's `until` was met before all samples ran
-  std::string until_state;         // the rule's measures, in words
+  int precise_at = 0;       // samples that met the study's `until`, the first so many; 0: none
+  std::string until_state;  // the rule's measures, in words
   std::vector<std::string> notes;  // for the user, e.g. an unfinished design
 };
 

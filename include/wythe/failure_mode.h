@@ -30,6 +30,8 @@ struct ModeRules {
 // crack = 1 % of the course height (a tenth of a usual mortar bed), sliding = 3 cracks.
 [[nodiscard]] ModeRules rules_for(const Model& model);
 
+inline constexpr double kReadModesAt = 40e-3;  // where nothing else is asked [m]
+
 using ElementStates = std::vector<ElementState>;
 
 // What one state shows; first displacements are NaN.
@@ -44,7 +46,7 @@ using ElementStates = std::vector<ElementState>;
 // Reads the last snapshot of the push up to `read_at` [m], and the others for first displacements
 // and sensitivity. "unclear" where margins are small or there is no snapshot.
 [[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
-                                            double read_at = 40e-3);
+                                            double read_at = kReadModesAt);
 
 // Opening, slip and crushing of piers, spandrels, connections and base, summed in every snapshot.
 [[nodiscard]] std::vector<Feature> read_features(const Model& model, const Result& result);

@@ -17,11 +17,13 @@ namespace wythe {
 
 // `overrides` are "path=value" texts of --set; value is TOML, quotes may be left out:
 //   stage.push.velocity=1 mm/s     list members by name or by index
+// `blocks` stands for the content of the blocks file; "": the file is read.
 // Throws IoError when the file can't be read, InputError with every fault otherwise.
 [[nodiscard]] ModelSpec read_model(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
-                                    const std::vector<std::string>& overrides = {});
+                                    const std::vector<std::string>& overrides = {},
+                                    const std::string& blocks = "");
 // Every key with its value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
 // Names a spec: hash of everything write_model says and of its blocks.
@@ -58,7 +60,10 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 [[nodiscard]] std::string statistics_json(const Statistics& statistics);
 // Writes a whole file at once or throws IoError; never leaves half a file.
 void write_text(const std::string& path, const std::string& text);
-// Checks that `folder` can be written before a long run; throws IoError.
+// Throws InputError when `folder` holds results of the other kind, whose report would be lost.
+enum class FolderFor { kRun, kCampaign };
+void check_folder(const std::string& folder, FolderFor use);
+// Checks that the files of a run can be written into `folder` before it; throws IoError.
 void prepare_folder(const std::string& folder);
 
 }  // namespace wythe

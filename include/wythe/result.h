@@ -65,7 +65,7 @@ struct Responses {
   double peak_reaction = 0;         // [N]
   double displacement_at_peak = 0;  // [m]
   double displacement_at_80 = 0;    // [m], first crossing of 0.8 peak after the peak
-  bool censored_80 = true;          // never crossed: the last displacement stands
+  bool censored_80 = true;          // never crossed, no collapse: the last displacement stands
   double displacement_max = 0;      // [m], where the reaction stays below 0.2 peak
   bool censored_max = true;
   double initial_stiffness = 0;  // [N/m], secant between 10 and 30 % of the peak
@@ -126,10 +126,9 @@ struct ElementSign {
   std::string state;    // "flexural crack", "rocking", "diagonal shear crack", "sliding", ...
   std::string measure;  // in words
   double value = 0, threshold = 0;
-  std::string unit;  // of both: "mm", "-"
-  double displacement_first =
-      std::numeric_limits<double>::quiet_NaN();  // of the first stored state
-                                                 // that shows it [m]
+  std::string unit;                                                      // of both: "mm", "-"
+  double displacement_first = std::numeric_limits<double>::quiet_NaN();  // of the first state read
+                                                                         // that shows it [m]
   [[nodiscard]] bool holds() const { return value >= threshold; }
 };
 
@@ -139,14 +138,19 @@ struct ElementState {
   std::string kind;                // "pier", "spandrel", "connection", "toe"
   std::string state = "intact";    // the signs that hold, gravest first: "rocking, flexural crack"
   std::vector<ElementSign> signs;  // all that were looked for
-  // Displacement of the first stored state in which the element was not intact [m], NaN: intact.
+  // Displacement of the first state that showed a sign of `state` [m], NaN: intact.
   double displacement_first = std::numeric_limits<double>::quiet_NaN();
 };
 
-// The name another reading gives: at another stored displacement or with another threshold.
+// The name another reading gives: at another stored state or with another threshold.
 struct NameReading {
-  std::string what;  // "at 20 mm", "spandrel shear x 1.25"
   std::string name;
+  std::string state;        // label of the other state, "20 mm", "peak", "end"; "" at the same one
+  double displacement = 0;  // of the state read [m]
+  std::string threshold = {};  // the one changed, "crack width"; "" none
+  double factor = 1;           // of it
+  // "at 20 mm", "at the peak", "crack width x 1.25": the same words for every wall.
+  [[nodiscard]] std::string what() const;
 };
 
 struct FailureMode {
@@ -195,6 +199,7 @@ struct Result {
   FailureMode failure_mode;
   std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
+  std::vector<Snapshot> readings;  // one each millimetre, for first displacements
   std::vector<StageReport> stages;
   double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
   double top_displacement = 0;  // [m]

@@ -42,7 +42,7 @@ struct Quantity {
   Reading (*read)(const Responses&);
 };
 // peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max,
-// initial_stiffness: the order of every `quantity` and `response` array below.
+// initial_stiffness, displacement_at_50_percent, collapse_displacement: the order of every `quantity` and `response` array below.
 [[nodiscard]] const std::vector<Quantity>& quantities();
 
 // One cell of Table 3. Censored values enter mean, cov, min, max and median as they were recorded;
@@ -66,6 +66,19 @@ struct Share {
   std::vector<std::string> modes;
   int count = 0;
   Estimate share;  // Wilson interval
+};
+
+// In how many samples another reading of the same push gives another name.
+struct NameSensitivity {
+  NameReading reading;  // its name left empty
+  int n = 0, differs = 0;
+  Estimate share;  // Wilson
+};
+// In how many samples a severity flag is raised.
+struct FlagCount {
+  Evidence flag;  // its value left 0
+  int n = 0, raised = 0;
+  Estimate share;  // Wilson
 };
 
 // Mean of the first n samples and its Student interval (Fig. 8).
@@ -101,6 +114,7 @@ struct FirstOrderIndex {
   std::string input, quantity;
   int bins = 0;
   Estimate index;
+  std::vector<std::string> entangled;  // inputs whose rank correlation with it exceeds kEntangled
 };
 
 // Probability of each mode in bins of equal count of one input.
@@ -132,7 +146,10 @@ struct DriftLimit {
   std::string element, mechanism, state, clause;
   double limit = 0;            // [-]
   int below = 0, unknown = 0;  // reached it; push ended before the limit
-  Estimate share;              // Wilson; Kaplan-Meier and Greenwood where some are unknown
+  // Wilson; Kaplan-Meier and Greenwood where some are unknown. Beyond the farthest push the share is
+  // only known to be at least `share.value`; NaN where all are unknown.
+  Estimate share;
+  bool is_lower_bound = false;
 };
 
 // P(X > x), with censored values as such, and the lognormal that fits it.
@@ -154,6 +171,16 @@ struct InputSummary {
   double mean = kUnset, cov = kUnset, min = kUnset, max = kUnset;  // as shown
 };
 
+// Spearman's rank correlation of two random inputs, as drawn.
+struct InputCorrelation {
+  std::string a, b;
+  double rank = kUnset;
+};
+// All pairs, the strongest first.
+[[nodiscard]] std::vector<InputCorrelation> input_correlations(const SampleTable& samples);
+// Above it an index or a correlation of either input holds a part of the other's influence.
+inline constexpr double kEntangled = 0.1;
+
 // A sample that has no answer, and why.
 struct Unanswered {
   int sample = 0;
@@ -164,15 +191,20 @@ struct Statistics {
   std::string study, design;
   std::uint64_t seed = 0;
   int asked = 0, run = 0, answered = 0;  // samples drawn, run, with a usable curve
-  double load_height = 0;                // of every drift [m]
-  double read_modes_at = kUnset;         // [m]
+  int still_rising = 0;                  // answered, the peak at the end of the push: a lower bound
+  int named_earlier = 0;                 // answered, the push ended before read_modes_at
+  double load_height = 0;                // of the base model; drifts take each sample's own [m]
+  double read_modes_at = kUnset;         // asked for [m]
   int replicates = 0;                    // of every bootstrap
   std::map<std::string, int> status;     // of the samples that ran
   std::vector<Unanswered> unanswered;
   std::vector<std::string> modes;  // FM-1 ... FM-5 where any occurs, other names, "unclear"
   std::vector<InputSummary> input;
-  std::vector<GroupSummary> group;   // all, modes taken together, then one by one
-  std::vector<Share> share;          // modes, then modes taken together
+  std::vector<InputCorrelation> input_correlation;
+  std::vector<GroupSummary> group;  // all, modes taken together, then one by one
+  std::vector<Share> share;         // modes, then modes taken together
+  std::vector<NameSensitivity> name_sensitivity;
+  std::vector<FlagCount> flag;
   std::vector<RunningMean> running;  // (quantities())
   std::vector<Precision> precision;
   std::vector<CorrelationTable> correlation;

@@ -66,6 +66,7 @@ struct StudySpec {
   std::string file;                   // the study file, for messages
   std::string model_file;             // the base model's file, for messages and relative paths
   std::string model_text;             // the base model, as TOML
+  std::string blocks_text;            // what its blocks file holds, as JSON; "" without one
   std::vector<std::string> settings;  // of the base model, before the samples' own: "path=value"
   std::vector<VariableSpec> variable;
   std::vector<DependentSpec> dependent;
@@ -98,9 +99,14 @@ struct SampleTable {
 // definite, ... Faults name the key, not the line; parse_study (io.h) adds that.
 [[nodiscard]] std::vector<Fault> check_study(const StudySpec& study);
 
+// What the study asks and its base model's push does not reach: states and failure modes are then
+// read where the push ends.
+[[nodiscard]] std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base);
+
 // Draws every sample of the study. Sample i of a batch depends on (seed, i, n, design, batch) and on
-// the variables only, never on threads; a batch never on those after it, and without correlation no
-// variable's values on the other variables. Throws InputError with every fault of check_study().
+// the variables only, never on threads; a batch never on those after it. Without correlation no
+// variable's values depend on the others; in a Latin hypercube which of them meet in a sample does, on
+// the variables before it: what chance correlates is taken out. Throws InputError with every fault of check_study().
 [[nodiscard]] SampleTable draw_samples(const StudySpec& study);
 
 // "path=value unit" texts of one sample (0-based), 17 digits in SI units: exact.
@@ -112,6 +118,9 @@ using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& set
 // "" when the model with these settings compiles, else why it does not, in one line: a strength
 // below zero, snap-back, an inadmissible friction angle, a value that is not finite, ...
 [[nodiscard]] std::string refusal_of(const std::vector<std::string>& settings,
+                                     const ModelBuilder& build);
+// The same of a drawn sample (0-based); an input that is not finite is named by its formula's name.
+[[nodiscard]] std::string refusal_of(const SampleTable& samples, int sample,
                                      const ModelBuilder& build);
 
 }  // namespace wythe

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kShearEvery = 8;       // steps between samples of base shear and kinetic energy
 constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
+constexpr double kReadEvery = 1e-3;  // between readings, at rows [m]
 constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
 
 const char* kind_name(JointKind kind) {
@@ -57,6 +58,7 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, Result& 
   result_.curve.clear();
   result_.events.clear();
   result_.snapshots.clear();
+  result_.readings.clear();
   result_.joint_crack_displacement.clear();
   if (result_.joint_crack_displacement.empty())
     result_.joint_crack_displacement.assign(static_cast<std::size_t>(model.n_joint),
@@ -131,6 +133,12 @@ void Recorder::close_row(const State& state) {
   }
   while (next_state_ < state_at_.size() && std::fabs(displacement_) >= state_at_[next_state_])
     take_snapshot(fmt::format("{:g} mm", 1e3 * state_at_[next_state_++]), state);
+  if (std::fabs(displacement_) >= next_reading_) take_reading(state);
+}
+
+void Recorder::take_reading(const State& state) {
+  result_.readings.push_back({"", displacement_, 0, state});
+  next_reading_ = kReadEvery * (1 + std::floor(std::fabs(displacement_) / kReadEvery));
 }
 
 void Recorder::note_cracks(const State& state, double displacement, double reaction) {

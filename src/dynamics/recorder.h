@@ -30,6 +30,7 @@ class Recorder {
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
+  void take_reading(const State& state);
 
   const Model& model_;
   const Stage& stage_;
@@ -45,6 +46,7 @@ class Recorder {
   State peak_state_;
   double peak_displacement_ = 0;
   std::size_t next_state_ = 0;
+  double next_reading_ = 0;  // [m]
   std::vector<double> state_at_;
   bool row_closed_ = false;
   long full_window_ = 0;  // steps of the last window that was closed whole

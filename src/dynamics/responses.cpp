@@ -40,12 +40,12 @@ struct Place {
   bool censored = true;
 };
 
-// First fall to `reaction` after the peak, else the last row.
-Place fall_to(const Curve& curve, std::size_t peak, double reaction) {
+// First fall to `reaction` after the peak, else the last row: where the wall collapsed it fell there.
+Place fall_to(const Curve& curve, std::size_t peak, double reaction, bool collapsed) {
   for (std::size_t i = peak + 1; i < curve.size(); ++i)
     if (curve[i].reaction < reaction)
       return {i, crossing(curve[i - 1], curve[i], reaction), reaction, false};
-  return {curve.size() - 1, curve.back().displacement, curve.back().reaction, true};
+  return {curve.size() - 1, curve.back().displacement, curve.back().reaction, !collapsed};
 }
 
 // Work of the reaction along the curve up to a place on it; unloading gives work back.
@@ -133,11 +133,12 @@ Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptio
   const std::size_t peak = peak_row(curve);
   r.peak_reaction = curve[peak].reaction;
   r.displacement_at_peak = curve[peak].displacement;
-  const Place at_80 = fall_to(curve, peak, 0.8 * r.peak_reaction);
+  const bool collapsed = !options.collapse.empty();
+  const Place at_80 = fall_to(curve, peak, 0.8 * r.peak_reaction, collapsed);
   r.displacement_at_80 = at_80.displacement;
   r.censored_80 = at_80.censored;
   for (const double fraction : options.fractions) {
-    const Place fall = fall_to(curve, peak, fraction * r.peak_reaction);
+    const Place fall = fall_to(curve, peak, fraction * r.peak_reaction, collapsed);
     r.falls.push_back({fraction, fall.displacement, 0, fall.censored});
   }
   r.displacement_max = curve.back().displacement;

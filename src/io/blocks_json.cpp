@@ -206,10 +206,11 @@ class BlocksReader {
 
 }  // namespace
 
-void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec) {
+void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
+                 const std::string& text) {
   const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   try {
-    BlocksReader(context, file, spec).read(read_text(file));
+    BlocksReader(context, file, spec).read(text.empty() ? read_text(file) : text);
   } catch (const IoError& error) {
     const toml::node* node = root["wall"]["blocks"].node();
     context.fault("wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),
@@ -217,7 +218,7 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec)
   }
 }
 
-std::string blocks_text(const std::vector<BlockSpec>& blocks) {
+std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) {
   Json list = Json::array();
   for (const BlockSpec& block : blocks)
     list.push_back({{"id", block.id},
@@ -225,7 +226,10 @@ std::string blocks_text(const std::vector<BlockSpec>& blocks) {
                     {"material", block.material},
                     {"fixed", block.fixed},
                     {"beam", block.beam}});
-  return Json{{"units", "m"}, {"blocks", list}}.dump(1) + "\n";
+  Json file = {{"units", "m"}};
+  if (std::isfinite(thickness)) file["thickness"] = thickness;
+  file["blocks"] = std::move(list);
+  return file.dump(1) + "\n";
 }
 
 }  // namespace wythe::io

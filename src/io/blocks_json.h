@@ -10,9 +10,12 @@ namespace wythe::io {
 
 // Reads spec.wall.blocks (relative to spec.folder) into spec.block, and its thickness where
 // wall.thickness is unset. Faults stand at wall.blocks, in the blocks file, with the block's id.
-void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec);
+// `text` stands for the file where it is given.
+void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
+                 const std::string& text);
 
 // The same blocks as a blocks file in its native form, exact to the bit.
-[[nodiscard]] std::string blocks_text(const std::vector<BlockSpec>& blocks);
+[[nodiscard]] std::string blocks_text(const std::vector<BlockSpec>& blocks,
+                                      double thickness = kUnset);
 
 }  // namespace wythe::io

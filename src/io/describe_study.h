@@ -81,6 +81,8 @@ void describe(Visitor& v, StudyHead& h) {
          .doc = "The base model, relative to the study file."});
   v.text("model_text", s.model_text, {.fallback = "none",
          .doc = "The base model itself; then `model` is only its name."});
+  v.text("blocks_text", s.blocks_text, {.fallback = "none",
+         .doc = "What its blocks file holds, as JSON; then that file is not read."});
   v.texts("set", s.settings, {.fallback = "none", .example = "[\"stage.push.velocity=5 mm/s\"]",
           .doc = "Settings of the base model, as for --set."});
   v.choice("design", s.design, kDesignWords, {.example = "latin_hypercube",

@@ -34,14 +34,14 @@ void finish(Reader& reader, ModelSpec& model) {
 }  // namespace io
 
 ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
-                      const std::vector<std::string>& overrides) {
+                      const std::vector<std::string>& overrides, const std::string& blocks) {
   toml::table root = io::parse_toml(toml_text, file_name);
   io::ReadContext context{file_name};
   io::apply_overrides(context, root, overrides);
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);
-  if (!spec.wall.blocks.empty()) io::read_blocks(context, root, spec);
+  if (!spec.wall.blocks.empty()) io::read_blocks(context, root, spec, blocks);
   io::throw_faults(context);
   return spec;
 }

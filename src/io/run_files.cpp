@@ -79,7 +79,20 @@ std::uint64_t spec_hash(const ModelSpec& spec) {
   return hash.value();
 }
 
+void check_folder(const std::string& folder, FolderFor use) {
+  const bool run = use == FolderFor::kRun;
+  std::error_code error;
+  if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
+  throw InputError({{.file = folder,
+                     .path = "",
+                     .value = "",
+                     .problem = run ? "holds a campaign, whose report would be lost"
+                                    : "holds the results of a run, whose report would be lost",
+                     .cure = "name another folder"}});
+}
+
 void prepare_folder(const std::string& folder) {
+  check_folder(folder, FolderFor::kRun);
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
     throw IoError(folder + ": is a file; name a folder for the results");

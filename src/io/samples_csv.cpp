@@ -43,7 +43,9 @@ std::string title_row(const Campaign& campaign) {
       "displacement_max_mm,failure_mode,censored_max";
   for (const double fraction : more_fractions(campaign.study))
     row += fmt::format(",displacement_at_{0:g}_percent_mm,censored_{0:g}", 100 * fraction);
-  return row + ",initial_stiffness_kN_per_mm,drift_max_percent,retried,state_hash\n";
+  return row +
+         ",initial_stiffness_kN_per_mm,drift_max_percent,collapse_displacement_mm,"
+         "censored_collapse,collapse_criterion,retried,state_hash\n";
 }
 
 // The cells after the status; as many empty ones where there is no answer.
@@ -61,6 +63,9 @@ std::vector<std::string> answer_cells(const Campaign& campaign, const SampleReco
   }
   cells.push_back(number(1e-6 * r.initial_stiffness));
   cells.push_back(number(1e2 * r.drift_max));
+  cells.push_back(number(1e3 * r.collapse.displacement));
+  cells.emplace_back(r.collapse.censored ? "1" : "0");
+  cells.push_back(quoted(r.collapse.criterion));
   if (!record.answered())
     for (std::string& cell : cells) cell.clear();
   return cells;

@@ -83,6 +83,8 @@ Json samples_json(const Statistics& s) {
   return {{"asked", s.asked},
           {"run", s.run},
           {"answered", s.answered},
+          {"still_rising", s.still_rising},
+          {"named_earlier", s.named_earlier},
           {"status", status},
           {"unanswered", unanswered}};
 }
@@ -101,6 +103,13 @@ Json inputs_json(const Statistics& s) {
   return list;
 }
 
+Json input_correlation_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const InputCorrelation& c : s.input_correlation)
+    list.push_back({{"a", c.a}, {"b", c.b}, {"spearman", number(c.rank)}});
+  return list;
+}
+
 Json shares_json(const Statistics& s) {
   Json json = Json::object();
   for (const Share& share : s.share) {
@@ -108,6 +117,35 @@ Json shares_json(const Statistics& s) {
     add(of_mode, "share", share.share);
   }
   return json;
+}
+
+Json sensitivity_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const NameSensitivity& n : s.name_sensitivity) {
+    const NameReading& r = n.reading;
+    Json row = {{"reading", r.what()}, {"state", r.state.empty() ? Json(nullptr) : Json(r.state)}};
+    row["threshold"] = r.threshold.empty() ? Json(nullptr) : Json(r.threshold);
+    row["factor"] = number(r.factor);
+    row["n"] = n.n, row["differs"] = n.differs;
+    add(row, "share", n.share);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json flags_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const FlagCount& f : s.flag) {
+    Json row = {{"element", f.flag.element},
+                {"measure", f.flag.measure},
+                {"threshold", number(f.flag.threshold)},
+                {"unit", f.flag.unit},
+                {"n", f.n},
+                {"raised", f.raised}};
+    add(row, "share", f.share);
+    list.push_back(std::move(row));
+  }
+  return list;
 }
 
 Json running_json(const Statistics& s) {
@@ -163,6 +201,7 @@ Json first_order_json(const Statistics& s) {
   for (const FirstOrderIndex& f : s.first_order) {
     Json row = {{"response", f.quantity}, {"input", f.input}, {"bins", f.bins}};
     add(row, "index", f.index);
+    row["entangled_with"] = f.entangled;
     list.push_back(std::move(row));
   }
   return list;
@@ -219,6 +258,7 @@ Json drift_limits_json(const Statistics& s) {
                 {"below", d.below},
                 {"unknown", d.unknown}};
     add(row, "share_below", d.share);
+    row["share_below_is_lower_bound"] = d.is_lower_bound;
     list.push_back(std::move(row));
   }
   return list;
@@ -252,9 +292,12 @@ std::string statistics_json(const Statistics& s) {
   json["read_modes_at_mm"] = number(s.read_modes_at * 1e3);
   json["interval"] = {{"confidence", 0.95}, {"bootstrap_replicates", s.replicates}};
   json["inputs"] = inputs_json(s);
+  json["input_correlation"] = input_correlation_json(s);
   json["modes"] = s.modes;
   json["table"] = table_json(s);
   json["shares"] = shares_json(s);
+  json["name_sensitivity"] = sensitivity_json(s);
+  json["flags"] = flags_json(s);
   json["precision"] = precision_json(s);
   json["drift_limits"] = drift_limits_json(s);
   json["correlation"] = correlation_json(s);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "io/blocks_json.h"
 #include "io/describe_study.h"
 #include "io/model_key.h"
 #include "io/toml_reader.h"
@@ -83,6 +84,7 @@ class StudyReader {
     for (const auto& [name, table] : in_file_order(context_, root_.get("dependent"), "dependent"))
       read_dependent(name, *table);
     read_correlations();
+    check_settings();
     check_parts();
     throw_all();
     return std::move(study_);
@@ -177,14 +179,22 @@ class StudyReader {
     }
     const bool inside = !study_.model_text.empty();
     study_.model_file = inside ? model : beside(context_.file, model);
-    if (!inside) study_.model_text = read_text(study_.model_file);
+    if (inside) return;
+    try {
+      study_.model_text = read_text(study_.model_file);
+    } catch (const IoError& error) {
+      reader.refuse("model", error.what(), "name the base model, relative to the study file");
+    }
   }
 
   // --- base model --------------------------------------------------------------------------------
 
   void list_model_keys() {
     try {
-      keys_ = number_keys(parse_model(study_.model_text, study_.model_file, study_.settings));
+      ModelSpec base =
+          parse_model(study_.model_text, study_.model_file, study_.settings, study_.blocks_text);
+      if (!base.block.empty()) study_.blocks_text = blocks_text(base.block, base.wall.thickness);
+      keys_ = number_keys(std::move(base));
     } catch (const InputError& error) {
       for (Fault fault : error.faults()) model_faults_.push_back(placed(std::move(fault)));
     }
@@ -311,7 +321,11 @@ class StudyReader {
         .column = variable.column,
         .si_unit = variable.si_unit,
         .unit = reader.has("unit") && variable.unit != "1" ? variable.unit : ""};
-    variable.values = read_value_column(request, faults);
+    try {
+      variable.values = read_value_column(request, faults);
+    } catch (const IoError& error) {
+      reader.refuse("file", error.what(), "name a CSV file, relative to the study file");
+    }
     for (const Fault& fault : faults.all()) model_faults_.push_back(fault);
     if (!faults.empty()) spoiled_.push_back(under("variable", variable.name));
   }
@@ -329,6 +343,25 @@ class StudyReader {
     settle(dependent, place, unit);
     if (!reader.has("formula")) reader.miss("formula", "is missing");
     reader.refuse_unknown();
+  }
+
+  // A setting of a key that an input sets too would change nothing.
+  void check_settings() {
+    for (const std::string& text : study_.settings) {
+      const std::string path(trimmed(text.substr(0, text.find('='))));
+      const ModelKey* key = find_key(keys_, path);
+      for (const auto& [place, sets] : path_) {
+        if (key == nullptr || sets != key->path) continue;
+        model_faults_.push_back(placed(
+            {.file = "--set",
+             .path = path,
+             .value = "",
+             .problem = fmt::format("has no effect, it is set by {}", place),
+             .cure = fmt::format("leave it out, or change {} instead, e.g. --set {}", place,
+                                 place.starts_with("variable") ? place + ".mean=..."
+                                                               : place + ".formula=\"...\"")}));
+      }
+    }
   }
 
   // --- correlation -------------------------------------------------------------------------------
@@ -482,12 +515,12 @@ ModelBuilder model_builder(const StudySpec& study) {
   std::vector<std::string> texts;
   for (const double state : states) texts.push_back(fmt::format("\"{:.17g} m\"", state));
   if (!texts.empty()) settings.push_back("output.states=[" + joined(texts, ", ") + "]");
-  return
-      [=, text = study.model_text, file = study.model_file](const std::vector<std::string>& own) {
-        std::vector<std::string> all = settings;
-        all.insert(all.end(), own.begin(), own.end());
-        return parse_model(text, file, all);
-      };
+  return [=, text = study.model_text, file = study.model_file,
+          blocks = study.blocks_text](const std::vector<std::string>& own) {
+    std::vector<std::string> all = settings;
+    all.insert(all.end(), own.begin(), own.end());
+    return parse_model(text, file, all, blocks);
+  };
 }
 
 }  // namespace wythe

@@ -75,7 +75,7 @@ Json failure_mode_json(const FailureMode& mode) {
   for (const auto& [name, score] : mode.scores) scores[name] = score;
   Json sensitivity = Json::array();
   for (const NameReading& other : mode.sensitivity)
-    sensitivity.push_back({{"what", other.what}, {"name", other.name}});
+    sensitivity.push_back({{"what", other.what()}, {"name", other.name}});
   return {{"name", mode.name},
           {"sentence", mode.sentence},
           {"read_at_mm", mode.read_at * 1e3},

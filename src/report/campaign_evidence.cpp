@@ -132,6 +132,12 @@ std::string influence_section(const Campaign& campaign, const Statistics& s) {
   for (std::size_t q : {kPeak, kAt80})
     out += fmt::format("<details><summary>All measures: {}</summary>\n{}</details>\n",
                        quantities()[q].words, influence_table(s, q));
+  for (const InputCorrelation& c : s.input_correlation)
+    if (std::fabs(c.rank) > kEntangled)
+      out += fmt::format(
+          "<p>Mind: {} and {} were drawn with a rank correlation of {}; an index of either holds a "
+          "part of the other’s influence.</p>\n",
+          escaped(c.a), escaped(c.b), rounded(c.rank, 2));
   out +=
       "<p class=\"soft\">The first-order index is the part of the variance that the input "
       "explains alone; estimated from bins, it scatters around 0 for an input without influence, "

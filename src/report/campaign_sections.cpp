@@ -29,14 +29,16 @@ std::string sure_of(const Estimate& e) {
                      percent(e.interval.width() / 2 / std::fabs(e.value)));
 }
 
-std::string how_strong(const Summary& peak) {
+// A peak at the end of the push is what was asked of the wall, not what it resists.
+std::string how_strong(const Summary& peak, int still_rising) {
+  const char* bound = 2 * still_rising > peak.n ? "at least " : "";
   if (peak.n == 1)
-    return fmt::format("One sample answered: the wall resists <b>{}</b>.",
+    return fmt::format("One sample answered: the wall resists <b>{}{}</b>.", bound,
                        quantity(peak.mean.value * 1e-3, "kN"));
   return fmt::format(
-      "In {} samples the wall resists <b>{}</b> on average, nine times in ten between "
+      "In {} samples the wall resists <b>{}{}</b> on average, nine times in ten between "
       "<b>{}</b> and <b>{}</b>{}.",
-      peak.n, quantity(peak.mean.value * 1e-3, "kN"), rounded(peak.percentile_5 * 1e-3),
+      peak.n, bound, quantity(peak.mean.value * 1e-3, "kN"), rounded(peak.percentile_5 * 1e-3),
       quantity(peak.percentile_95 * 1e-3, "kN"), sure_of(peak.mean));
 }
 
@@ -151,8 +153,8 @@ std::string campaign_headline(const Statistics& s) {
         "is listed below.</p>\n",
         s.run);
   const std::vector<Summary>& all = s.group.front().quantity;
-  return "<p class=\"headline\">" + how_strong(all[kPeak]) + how_far(s, all[kAt80]) +
-         how_it_fails(s) + "</p>\n";
+  return "<p class=\"headline\">" + how_strong(all[kPeak], s.still_rising) +
+         how_far(s, all[kAt80]) + how_it_fails(s) + "</p>\n";
 }
 
 std::string campaign_warning(const Statistics& s) {
@@ -162,6 +164,15 @@ std::string campaign_warning(const Statistics& s) {
         "{} of {} samples gave no answer and are in none of the numbers; they are "
         "listed with their causes below. ",
         s.run - s.answered, s.run);
+  if (s.still_rising > 0)
+    words += fmt::format(
+        "In {} of {} samples the force was still rising where the push ended: their peaks are "
+        "lower "
+        "bounds. ",
+        s.still_rising, s.answered);
+  if (s.named_earlier > 0)
+    words += fmt::format("{} of {} pushes ended before {}; their modes are named at their end. ",
+                         s.named_earlier, s.answered, quantity(s.read_modes_at * 1e3, "mm"));
   if (s.run < s.asked)
     words += fmt::format("{} of {} samples have not run. ", s.asked - s.run, s.asked);
   if (s.answered > 0 && s.answered < kFewestSamples)
@@ -244,12 +255,13 @@ std::string capacity_section(const Statistics& s) {
   if (s.drift_limit.empty()) return out;
   Rows rows = {{"drift limit of the code", "for", "samples below it", "share below it"}};
   for (const DriftLimit& d : s.drift_limit)
-    rows.push_back({quantity(d.limit * 100, "%", 4),
-                    fmt::format("{}, {}, {}", d.element, d.mechanism, d.state),
-                    d.unknown > 0 ? fmt::format("{} <span class=\"pm\">({} unknown)</span>",
-                                                d.below, d.unknown)
-                                  : std::to_string(d.below),
-                    with_interval({d.share.value, d.share.interval}, 100)});
+    rows.push_back(
+        {quantity(d.limit * 100, "%", 4),
+         fmt::format("{}, {}, {}", d.element, d.mechanism, d.state),
+         d.unknown > 0
+             ? fmt::format("{} <span class=\"pm\">({} unknown)</span>", d.below, d.unknown)
+             : std::to_string(d.below),
+         (d.is_lower_bound && d.share.value > 0 ? "at least " : "") + with_interval(d.share, 100)});
   return out +
          fmt::format("<h3>Drift at 80\u202f% of the peak against {}</h3>\n",
                      escaped(s.drift_limit.front().clause)) +

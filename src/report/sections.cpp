@@ -231,7 +231,7 @@ std::string sensitivity_sentence(const FailureMode& mode) {
   for (const NameReading& r : mode.sensitivity)
     if (r.name != mode.name)
       others +=
-          fmt::format("{}{}: {}", others.empty() ? "" : "; ", escaped(r.what), escaped(r.name));
+          fmt::format("{}{}: {}", others.empty() ? "" : "; ", escaped(r.what()), escaped(r.name));
   const std::size_t n = mode.sensitivity.size();
   if (others.empty())
     return fmt::format(

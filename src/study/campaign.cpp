@@ -16,7 +16,6 @@
 #include <numeric>
 #include <thread>
 
-#include "core/hash.h"
 #include "dynamics/lane_solver.h"
 #include "study/folder_lock.h"
 #include "study/sample_run.h"
@@ -56,17 +55,6 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
             .cure = "run without --shard, or drop --until"});
 }
 
-std::string hash_of(const std::vector<BlockSpec>& blocks) {
-  if (blocks.empty()) return "";
-  Hash hash;
-  for (const BlockSpec& block : blocks) {
-    hash.add(block.id + "\n" + block.material + (block.fixed ? "\nfixed" : ""));
-    for (const auto& corner : block.polygon)
-      for (const double number : corner) hash.add(number);
-  }
-  return hash.text();
-}
-
 // The base model has to stand by itself; its drifts are those of every sample.
 StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   const ModelSpec base = build({});
@@ -77,7 +65,6 @@ StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   head.load_height = model.stages.back().load_height;
   for (const Stage& stage : model.stages)
     if (stage.spec.kind == StageKind::kPush) head.load_height = stage.load_height;
-  head.blocks_hash = hash_of(base.block);
   return head;
 }
 
@@ -110,12 +97,6 @@ void refuse_changes(Store& store, const StudySpec& was, const StudySpec& asked,
                       .problem = fmt::format("was {} when the campaign began, is {} now",
                                              stored.shard, head.shard),
                       .cure = "give each shard a folder of its own"});
-  if (stored.blocks_hash != head.blocks_hash)
-    faults.push_back({.file = name,
-                      .path = "wall.blocks",
-                      .value = "",
-                      .problem = "the blocks file has changed since the campaign began",
-                      .cure = "put it back, or begin another campaign in another folder"});
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
@@ -183,7 +164,7 @@ class Runner {
     CampaignOutcome outcome;
     outcome.done = done_;
     outcome.total = total_;
-    outcome.precise_enough = met_;
+    outcome.precise_at = met_ ? static_cast<int>(campaign_.records.size()) : 0;
     outcome.interrupted = !met_ && done_ < total_;
     outcome.until_state = until_state_;
     outcome.notes = plan_.notes;
@@ -371,6 +352,7 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
   if (!there) study::create_store(folder, asked, plan.samples, head);
   study::Store store(folder, study::Store::Access::kWrite);
   if (there) plan = study::continue_store(store, asked, head);
+  for (std::string& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
   return study::Runner(std::move(plan), store, build, options, progress).run();
 }
 

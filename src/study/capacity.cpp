@@ -31,20 +31,33 @@ double reaction_at(const std::vector<CurveRow>& rows, double displacement) {
   return a.reaction + share * (b.reaction - a.reaction);
 }
 
-CurvePoint point_at(const std::vector<std::vector<CurveRow>>& curves, double displacement) {
+struct SampleCurve {
+  double height = 0;  // of the load [m]
+  std::vector<CurveRow> rows;
+};
+
+CurvePoint point_at(const std::vector<SampleCurve>& curves, double displacement) {
   std::vector<double> reactions;
-  Moments moments;
-  for (const std::vector<CurveRow>& rows : curves) {
-    const double reaction = reaction_at(rows, displacement);
+  Moments moments, drifts;
+  for (const SampleCurve& curve : curves) {
+    const double reaction = reaction_at(curve.rows, displacement);
     if (std::isnan(reaction)) continue;
     reactions.push_back(reaction);
     moments.add(reaction);
+    drifts.add(curve.height > 0 ? displacement / curve.height : kUnset);
   }
   std::sort(reactions.begin(), reactions.end());
   CurvePoint point{.displacement = displacement, .n = moments.n(), .mean = moments.mean()};
+  point.drift = drifts.mean();
   point.standard_deviation = moments.standard_deviation();
   point.low = quantile_of(reactions, 0.05), point.high = quantile_of(reactions, 0.95);
   return point;
+}
+
+// A variable may move the load: its own height counts before the base model's.
+double height_of(const SampleRecord& record, double base_height) {
+  const double own = record.responses.load_height;
+  return own > 0 ? own : base_height;
 }
 
 struct CodeLimit {
@@ -60,18 +73,11 @@ constexpr CodeLimit kCodeLimits[] = {
 constexpr double kLifeSafety = 0.75;
 constexpr const char* kClause = "Circolare 21 January 2019 n. 7, C8.7.1.3.1.1";
 
-DriftLimit limit_against(DriftLimit limit, const std::vector<Reading>& drifts,
-                         const std::vector<ExceedancePoint>& survival) {
-  for (const Reading& drift : drifts) {
-    if (drift.value >= limit.limit) continue;
-    ++(drift.censored ? limit.unknown : limit.below);
-  }
-  if (limit.unknown == 0) {
-    limit.share = wilson(limit.below, static_cast<int>(drifts.size()));
-  } else {
-    const Estimate beyond = survival_at(survival, limit.limit);
-    limit.share = {1 - beyond.value, {1 - beyond.interval.high, 1 - beyond.interval.low}};
-  }
+DriftLimit limit_against(DriftLimit limit, const std::vector<Reading>& drifts) {
+  for (const Reading& drift : drifts)
+    if (drift.value < limit.limit) ++(drift.censored ? limit.unknown : limit.below);
+  limit.share = share_before(drifts, limit.limit);
+  limit.is_lower_bound = limit.unknown > 0 && !(drifts.back().value >= limit.limit);
   return limit;
 }
 
@@ -83,31 +89,30 @@ const Quantity& quantity_named(const std::string& name) {
 
 }  // namespace
 
-MeanCurve mean_curve_of(const Group& group, double load_height) {
+MeanCurve mean_curve_of(const Group& group, double base_height) {
   MeanCurve out{group.name, static_cast<int>(group.record.size()), {}};
-  std::vector<std::vector<CurveRow>> curves;
+  std::vector<SampleCurve> curves;
   double farthest = 0;
   for (const SampleRecord* record : group.record) {
-    curves.push_back(forward_rows(record->curve));
-    farthest = std::max(farthest, curves.back().back().displacement);
+    curves.push_back({height_of(*record, base_height), forward_rows(record->curve)});
+    farthest = std::max(farthest, curves.back().rows.back().displacement);
   }
   if (curves.empty()) return out;
-  for (int i = 0; i <= kGrid; ++i) {
-    CurvePoint point = point_at(curves, i == kGrid ? farthest : farthest * i / kGrid);
-    point.drift = load_height > 0 ? point.displacement / load_height : kUnset;
-    out.point.push_back(point);
-  }
+  for (int i = 0; i <= kGrid; ++i)
+    out.point.push_back(point_at(curves, i == kGrid ? farthest : farthest * i / kGrid));
   return out;
 }
 
 std::vector<DriftLimit> drift_limits(const Answered& samples) {
-  const double height = samples.campaign.load_height;
-  if (samples.n() == 0 || !(height > 0)) return {};
+  if (samples.n() == 0) return {};
   std::vector<Reading> drifts =
       readings_of(all_of(samples), quantity_named("displacement_at_80_percent"));
-  for (Reading& drift : drifts) drift.value /= height;
+  for (std::size_t i = 0; i < drifts.size(); ++i) {
+    const double height = height_of(*samples.record[i], samples.campaign.load_height);
+    if (!(height > 0)) return {};
+    drifts[i].value /= height;
+  }
   drifts = in_order(std::move(drifts));
-  const std::vector<ExceedancePoint> survival = kaplan_meier(drifts);
   std::vector<DriftLimit> out;
   for (const CodeLimit& code : kCodeLimits) {
     for (const bool collapse : {false, true}) {
@@ -115,7 +120,7 @@ std::vector<DriftLimit> drift_limits(const Answered& samples) {
       limit.element = code.element, limit.mechanism = code.mechanism;
       limit.state = collapse ? "near collapse" : "life safety", limit.clause = kClause;
       limit.limit = code.near_collapse * (collapse ? 1 : kLifeSafety);
-      out.push_back(limit_against(limit, drifts, survival));
+      out.push_back(limit_against(limit, drifts));
     }
   }
   return out;
@@ -124,7 +129,9 @@ std::vector<DriftLimit> drift_limits(const Answered& samples) {
 std::vector<Exceedance> exceedances(const Answered& samples) {
   if (samples.n() == 0) return {};
   std::vector<Exceedance> out;
-  for (const char* name : {"peak_reaction", "displacement_at_80_percent", "displacement_max"})
+  for (const char* name :
+       {"peak_reaction", "displacement_at_80_percent", "displacement_at_50_percent",
+        "displacement_max", "collapse_displacement"})
     out.push_back(exceedance_of(name, readings_of(all_of(samples), quantity_named(name))));
   return out;
 }

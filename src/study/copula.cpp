@@ -99,14 +99,14 @@ std::string pairs_text(const StudySpec& study, const Copula& copula) {
 double gaussian_of_rank(double rank) { return 2 * std::sin(std::numbers::pi * rank / 6); }
 double rank_of_gaussian(double rho) { return 6 / std::numbers::pi * std::asin(rho / 2); }
 
-Copula copula_of(const StudySpec& study) {
+Copula copula_of(const StudySpec& study, bool all) {
   Copula out;
   std::vector<std::size_t> place(study.variable.size(), study.variable.size());
   for (std::size_t v = 0; v < study.variable.size(); ++v) {
     const std::string& name = study.variable[v].name;
     const bool tied =
-        std::any_of(study.correlation.begin(), study.correlation.end(),
-                    [&](const CorrelationSpec& c) { return c.a == name || c.b == name; });
+        all || std::any_of(study.correlation.begin(), study.correlation.end(),
+                           [&](const CorrelationSpec& c) { return c.a == name || c.b == name; });
     if (!tied) continue;
     place[v] = out.variable.size();
     out.variable.push_back(v);

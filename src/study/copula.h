@@ -8,13 +8,13 @@
 
 namespace wythe {
 
-// The variables that stand in a pair, in the study's order, and the matrix between them.
+// Variables in the study's order, and the matrix between them.
 struct Copula {
   std::vector<std::size_t> variable;
   CorrelationMatrix matrix{0};
 };
-// Every pair must name two variables.
-[[nodiscard]] Copula copula_of(const StudySpec& study);
+// Every pair must name two variables. `all`: the variables in no pair too, correlated with none.
+[[nodiscard]] Copula copula_of(const StudySpec& study, bool all = false);
 
 // Spearman's rank correlation of two jointly normal variables and their linear correlation:
 //   rho = 2 sin(pi rank / 6),   rank = 6/pi asin(rho / 2)

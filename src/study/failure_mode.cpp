@@ -46,14 +46,26 @@ const Reading* reading_at(const std::vector<Reading>& readings, double read_at) 
   return found;
 }
 
+// All states up to the one that is read, in order of time.
+std::vector<const Snapshot*> states_up_to(const Snapshot& read, const Result& result) {
+  std::vector<const Snapshot*> states;
+  for (const auto* list : {&result.readings, &result.snapshots})
+    for (const Snapshot& s : *list)
+      if (s.label != "start" && s.state.step <= read.state.step) states.push_back(&s);
+  std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
+    return a->state.step < b->state.step;
+  });
+  return states;
+}
+
 void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t k = 0; k < elements[e].signs.size(); ++k) {
-      if (!seen[e].signs[k].holds()) continue;
-      double& sign_first = elements[e].signs[k].displacement_first;
+      ElementSign& sign = elements[e].signs[k];
       double& first = elements[e].displacement_first;
-      if (std::isnan(sign_first)) sign_first = displacement;
-      if (std::isnan(first)) first = displacement;
+      if (!seen[e].signs[k].holds() || !std::isnan(sign.displacement_first)) continue;
+      sign.displacement_first = displacement;
+      if (sign.holds() && std::isnan(first)) first = displacement;
     }
   }
 }
@@ -75,20 +87,26 @@ std::vector<NameReading> sensitivity_of(const WallParts& parts,
   std::vector<NameReading> names;
   for (const Reading& r : readings)
     if (&r != &read)
-      names.push_back({fmt::format("at {:g} mm", 0.01 * std::round(1e5 * r.snapshot->displacement)),
-                       study::name_parts(parts, r.joints, rules).name});
+      names.push_back({study::name_parts(parts, r.joints, rules).name, r.snapshot->label,
+                       r.snapshot->displacement});
   for (const Change& change : kChanges) {
     for (const double factor : {0.75, 1.25}) {
       ModeRules changed = rules;
       changed.*change.threshold *= factor;
-      names.push_back({fmt::format("{} x {:g}", change.word, factor),
-                       study::name_parts(parts, read.joints, changed).name});
+      names.push_back({study::name_parts(parts, read.joints, changed).name, "",
+                       read.snapshot->displacement, change.word, factor});
     }
   }
   return names;
 }
 
 }  // namespace
+
+std::string NameReading::what() const {
+  if (!threshold.empty()) return fmt::format("{} x {:g}", threshold, factor);
+  const bool is_place = state == "peak" || state == "end";
+  return fmt::format("at {}{}", is_place ? "the " : "", state);
+}
 
 ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
   return study::element_states(study::find_parts(model), study::read_joint_motion(model, state),
@@ -123,9 +141,9 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   const ModeRules rules = rules_for(model);
   FailureMode mode = study::name_parts(parts, read->joints, rules);
   mode.read_at = read->snapshot->displacement;
-  for (const Reading& r : readings)
-    note_first(study::element_states(parts, r.joints, rules), r.snapshot->displacement,
-               mode.elements);
+  for (const Snapshot* s : states_up_to(*read->snapshot, result))
+    note_first(study::element_states(parts, study::read_joint_motion(model, s->state), rules),
+               s->displacement, mode.elements);
   mode.flags = study::state_flags(model, parts, read->joints, rules);
   mode.flags.push_back(study::drop_flag(result.curve, rules));
   mode.sensitivity = sensitivity_of(parts, readings, *read, rules);

@@ -1,4 +1,4 @@
-// Samples taken together: the modes that occur, Table 3 of each group, shares.
+// Samples taken together: the modes that occur, Table 3 of each group, shares, how firm names are.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -107,6 +107,13 @@ Share share_of(const Group& group, int n) {
   return {group.name, group.modes, count, wilson(count, n)};
 }
 
+// The one of `all` that `is_it`, added at the end where there is none.
+template <class Item, class Test>
+Item& found_or_added(std::vector<Item>& all, const Test& is_it) {
+  const auto found = std::find_if(all.begin(), all.end(), is_it);
+  return found != all.end() ? *found : all.emplace_back();
+}
+
 }  // namespace
 
 Answered answered_of(const Campaign& campaign) {
@@ -145,6 +152,11 @@ std::vector<Reading> readings_of(const Group& group, const Quantity& quantity) {
   return readings;
 }
 
+bool all_censored(const Group& group, const Quantity& quantity) {
+  const std::vector<Reading> readings = readings_of(group, quantity);
+  return std::all_of(readings.begin(), readings.end(), [](const Reading& r) { return r.censored; });
+}
+
 GroupSummary summarise(const Group& group) {
   GroupSummary out{group.name, group.modes, {}};
   for (const Quantity& quantity : quantities())
@@ -157,6 +169,33 @@ std::vector<Share> shares_of(const Answered& samples) {
   for (const Group& group : modes_of(samples)) shares.push_back(share_of(group, samples.n()));
   for (const Group& group : unions_of(samples)) shares.push_back(share_of(group, samples.n()));
   return shares;
+}
+
+std::vector<NameSensitivity> name_sensitivities(const Answered& samples) {
+  std::vector<NameSensitivity> all;
+  for (const SampleRecord* record : samples.record)
+    for (const NameReading& other : record->failure_mode.sensitivity) {
+      NameSensitivity& s = found_or_added(
+          all, [&](const NameSensitivity& a) { return a.reading.what() == other.what(); });
+      if (s.n++ == 0) s.reading = other, s.reading.name.clear();
+      s.differs += other.name != record->failure_mode.name ? 1 : 0;
+    }
+  for (NameSensitivity& s : all) s.share = wilson(s.differs, s.n);
+  return all;
+}
+
+std::vector<FlagCount> flag_counts(const Answered& samples) {
+  std::vector<FlagCount> all;
+  for (const SampleRecord* record : samples.record)
+    for (const Evidence& flag : record->failure_mode.flags) {
+      FlagCount& f = found_or_added(all, [&](const FlagCount& a) {
+        return a.flag.element == flag.element && a.flag.measure == flag.measure;
+      });
+      if (f.n++ == 0) f.flag = flag, f.flag.value = 0;
+      f.raised += flag.holds() ? 1 : 0;
+    }
+  for (FlagCount& f : all) f.share = wilson(f.raised, f.n);
+  return all;
 }
 
 }  // namespace wythe::study

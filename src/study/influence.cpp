@@ -11,11 +11,20 @@ namespace {
 
 constexpr int kMostBins = 5, kFewestInBin = 10;
 
-std::vector<int> random_columns(const Campaign& campaign) {
+std::vector<int> random_columns(const SampleTable& samples) {
   std::vector<int> columns;
-  for (std::size_t k = 0; k < campaign.samples.column.size(); ++k)
-    if (campaign.samples.column[k].is_random) columns.push_back(static_cast<int>(k));
+  for (std::size_t k = 0; k < samples.column.size(); ++k)
+    if (samples.column[k].is_random) columns.push_back(static_cast<int>(k));
   return columns;
+}
+
+std::vector<std::string> entangled_with(const std::string& input,
+                                        const std::vector<InputCorrelation>& pairs) {
+  std::vector<std::string> others;
+  for (const InputCorrelation& p : pairs)
+    if (std::fabs(p.rank) > kEntangled && (p.a == input || p.b == input))
+      others.push_back(p.a == input ? p.b : p.a);
+  return others;
 }
 
 Column input_of(const std::vector<const SampleRecord*>& records, int column) {
@@ -73,7 +82,7 @@ CorrelationTable correlation_table(const Answered& samples, const Group& group,
                                    const Quantity& quantity) {
   CorrelationTable out{group.name, quantity.name, 0, {}};
   for (const Reading& r : readings_of(group, quantity)) out.censored += r.censored ? 1 : 0;
-  const std::vector<int> random = random_columns(samples.campaign);
+  const std::vector<int> random = random_columns(samples.campaign.samples);
   std::vector<Column> inputs;
   for (int k : random) inputs.push_back(input_of(group.record, k));
   out.input = correlate(inputs, response_of(group, quantity));
@@ -85,12 +94,15 @@ CorrelationTable correlation_table(const Answered& samples, const Group& group,
 std::vector<FirstOrderIndex> first_order_indices(const Answered& samples) {
   std::vector<FirstOrderIndex> out;
   const Group all = all_of(samples);
+  const std::vector<InputCorrelation> pairs = input_correlations(samples.campaign.samples);
   for (const Quantity& quantity : quantities()) {
+    if (all_censored(all, quantity)) continue;
     const Column response = response_of(all, quantity);
-    for (int k : random_columns(samples.campaign)) {
+    for (int k : random_columns(samples.campaign.samples)) {
       FirstOrderIndex index = first_order_index(input_of(all.record, k), response);
       index.input = samples.campaign.samples.column[k].name;
       index.quantity = quantity.name;
+      index.entangled = entangled_with(index.input, pairs);
       out.push_back(index);
     }
   }
@@ -101,7 +113,7 @@ std::vector<ModeAgainstInput> modes_against_inputs(const Answered& samples) {
   std::vector<ModeAgainstInput> out;
   const int bins = std::min(kMostBins, samples.n() / kFewestInBin);
   if (bins < 2) return out;
-  for (int k : random_columns(samples.campaign)) {
+  for (int k : random_columns(samples.campaign.samples)) {
     const Column input = input_of(samples.record, k);
     const std::vector<int> bin = equal_bins(input, bins);
     ModeAgainstInput of_input{samples.campaign.samples.column[k], samples.modes, {}};
@@ -112,3 +124,28 @@ std::vector<ModeAgainstInput> modes_against_inputs(const Answered& samples) {
 }
 
 }  // namespace wythe::study
+
+namespace wythe {
+
+std::vector<InputCorrelation> input_correlations(const SampleTable& samples) {
+  std::vector<InputCorrelation> pairs;
+  std::vector<study::Column> drawn;
+  const std::vector<int> random = study::random_columns(samples);
+  for (const int k : random) {
+    study::Column& column = drawn.emplace_back();
+    for (const std::vector<double>& row : samples.value) column.push_back(row.at(k));
+    column = study::ranks(column);
+  }
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    for (std::size_t j = i + 1; j < drawn.size(); ++j)
+      pairs.push_back({samples.column[random[i]].name, samples.column[random[j]].name,
+                       study::pearson(drawn[i], drawn[j])});
+  std::erase_if(pairs, [](const InputCorrelation& p) { return std::isnan(p.rank); });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const InputCorrelation& a, const InputCorrelation& b) {
+                     return std::fabs(a.rank) > std::fabs(b.rank);
+                   });
+  return pairs;
+}
+
+}  // namespace wythe

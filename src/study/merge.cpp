@@ -24,9 +24,11 @@ class Comparison {
   void add(const std::string& folder) {
     if (!holds_store(folder)) throw IoError(folder + ": holds no campaign (no campaign.db)");
     Store store(folder, Store::Access::kRead);
+    if (!store.is_current())
+      throw IoError(store.database().name() +
+                    ": was written by an older wythe; merge with that one, or run it again");
     store.check_whole();
     const StudySpec spec = store.study();
-    const std::string blocks = store.head().blocks_hash;
     if (first_.empty()) {
       first_ = folder;
       spec_ = spec;
@@ -60,9 +62,9 @@ class Comparison {
         fault.problem.replace(at, from.size(), "in " + first_);
       faults_.push_back(std::move(fault));
     }
-    if (spec.batch != spec_.batch || store.head().blocks_hash != head_.blocks_hash)
+    if (spec.batch != spec_.batch)
       faults_.push_back({.file = name,
-                         .path = spec.batch != spec_.batch ? "samples" : "wall.blocks",
+                         .path = "samples",
                          .value = "",
                          .problem = "is not that of " + first_,
                          .cure = ""});

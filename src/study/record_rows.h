@@ -158,13 +158,18 @@ void each_list(Visitor& v) {
     c("displacement_first_m", s.sign.displacement_first);
   });
   v.list("reading", &RecordLists::readings, [](auto& c, auto& r) {
-    c("what", r.what);
+    std::string what = r.what();  // for queries; it follows from the others
+    c("what", what);
     c("failure_mode", r.name);
+    c("state", r.state);
+    c("displacement_m", r.displacement);
+    c("threshold", r.threshold);
+    c("factor", r.factor);
   });
   v.list("feature", &RecordLists::features, [](auto& c, auto& f) {
     c("name", f.name);
     c("displacement_m", f.displacement);
-    c("value", f.value);
+    c("value_m", f.value);
   });
   v.list("event", &RecordLists::events, [](auto& c, auto& e) {
     c("name", e.name);

@@ -48,7 +48,7 @@ SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(
     if (!states.empty()) run_.spec.output.states = states;
     build_model();
   } catch (const InputError& error) {
-    const std::string why = refusal_of(run_.settings, task.build);
+    const std::string why = refusal_of(task.samples, sample - 1, task.build);
     run_.refused = why.empty() ? error.what() : why;
   }
 }

@@ -40,7 +40,7 @@ Columns design_of(const StudySpec& study, int batch) {
                            .seed = study.seed,
                            .batch = batch},
                           names);
-  const Copula copula = copula_of(study);
+  const Copula copula = copula_of(study, study.design == Design::kLatinHypercube);
   Columns tied;
   for (const std::size_t variable : copula.variable) tied.push_back(std::move(u[variable]));
   impose_correlation(tied, copula.matrix, study.design);
@@ -113,6 +113,14 @@ std::string refusal_of(const std::vector<std::string>& settings, const ModelBuil
                  : fmt::format("{} = {}: {}{}", first.path, shortened(first.value), first.problem,
                                more);
   }
+}
+
+std::string refusal_of(const SampleTable& samples, int sample, const ModelBuilder& build) {
+  const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
+  for (std::size_t j = 0; j < samples.column.size(); ++j)
+    if (!std::isfinite(row[j]))
+      return fmt::format("{} = {:g}: is not a finite number", samples.column[j].name, row[j]);
+  return refusal_of(settings_of(samples, sample), build);
 }
 
 }  // namespace wythe

@@ -33,6 +33,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of nearest_positive_definite(), times n: rounding every entry to three digits, ranks or not, moves
 // an eigenvalue by at most 5.3e-4 (n - 1).
 constexpr double kLeastEigenvalue = 6e-4;
+constexpr std::size_t kFewestPerColumn = 3;  // samples that make_uncorrelated() needs for each
 constexpr double kLeast = 0x1p-54;  // u lies in [kLeast, 1 - kLeast]: quantiles stay finite
 
 std::mutex& generator_mutex() {
@@ -266,6 +267,34 @@ std::vector<double> arranged(std::vector<double> column, const std::vector<doubl
   return out;
 }
 
+// Each column less its projections on those before it, with mean 0 and mean square 1.
+void make_uncorrelated(Columns& z) {
+  const auto n = static_cast<double>(z.front().size());
+  const auto product = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0) / n;
+  };
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    const double mean = std::accumulate(z[j].begin(), z[j].end(), 0.0) / n;
+    for (double& value : z[j]) value -= mean;
+    for (std::size_t k = 0; k < j; ++k) {
+      const double share = product(z[j], z[k]);
+      for (std::size_t i = 0; i < z[j].size(); ++i) z[j][i] -= share * z[k][i];
+    }
+    const double size = std::sqrt(product(z[j], z[j]));
+    for (double& value : z[j]) value /= size;
+  }
+}
+
+// Puts the values of each column in the order of the uncorrelated ones; three times, which leaves rank
+// correlations of at most 0.004 in 250 samples.
+void take_out_chance(Columns& u) {
+  for (int round = 0; round < 3; ++round) {
+    Columns order = u;
+    make_uncorrelated(order);
+    for (std::size_t j = 0; j < u.size(); ++j) u[j] = arranged(std::move(u[j]), order[j]);
+  }
+}
+
 }  // namespace
 
 CorrelationMatrix::CorrelationMatrix(std::size_t size) : n(size), value(size * size, 0.0) {
@@ -300,6 +329,7 @@ CorrelationMatrix nearest_positive_definite(const CorrelationMatrix& matrix) {
 void impose_correlation(Columns& u, const CorrelationMatrix& matrix, Design design) {
   if (u.empty()) return;
   const std::size_t n = u.front().size();
+  if (design == Design::kLatinHypercube && n >= kFewestPerColumn * u.size()) take_out_chance(u);
   OT::Sample scores(n, u.size());
   for (std::size_t j = 0; j < u.size(); ++j)
     for (std::size_t i = 0; i < n; ++i) scores(i, j) = OT::DistFunc::qNormal(u[j][i]);

@@ -2,9 +2,11 @@
 #include "wythe/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "study/bootstrap.h"
 #include "study/statistics_parts.h"
+#include "wythe/failure_mode.h"
 
 namespace wythe {
 namespace {
@@ -13,6 +15,7 @@ using study::Answered;
 using study::Group;
 
 constexpr int kFewestForTable = 10;  // samples in a mode for a table of its correlations
+constexpr double kNearly = 0.99;     // a state is stored at the first row that has gone so far
 
 const char* name_of(Design design) {
   switch (design) {
@@ -23,13 +26,22 @@ const char* name_of(Design design) {
   return "Latin hypercube";
 }
 
+// The largest reaction is the last: the wall may resist more than the push asked of it.
+bool is_still_rising(const SampleRecord& record) {
+  return record.responses.displacement_at_peak >= record.curve.back().displacement;
+}
+
 void count_outcomes(const Campaign& campaign, Statistics& out) {
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;  // has not run
     ++out.run;
     ++out.status[record.status];
-    if (!is_answered(record))
+    if (!is_answered(record)) {
       out.unanswered.push_back({record.sample, record.status, record.reason});
+      continue;
+    }
+    out.still_rising += is_still_rising(record) ? 1 : 0;
+    out.named_earlier += record.failure_mode.read_at < kNearly * out.read_modes_at ? 1 : 0;
   }
 }
 
@@ -39,8 +51,16 @@ void describe_study(const Campaign& campaign, Statistics& out) {
   out.seed = campaign.study.seed;
   out.asked = std::max(campaign.samples.n_sample(), static_cast<int>(campaign.records.size()));
   out.load_height = campaign.load_height;
-  out.read_modes_at = campaign.study.read_modes_at;
+  const double read_at = campaign.study.read_modes_at;
+  out.read_modes_at = std::isnan(read_at) ? kReadModesAt : read_at;
   out.replicates = study::kReplicates;
+}
+
+// Where a study asked for other fractions, what it reached at 0.8 is a lower bound of it.
+Reading at_half(const Responses& r) {
+  for (const FallTo& fall : r.falls)
+    if (std::fabs(fall.fraction - 0.5) < 1e-9) return {fall.displacement, fall.censored};
+  return {r.displacement_at_80, true};
 }
 
 void correlate_groups(const Answered& samples, Statistics& out) {
@@ -49,7 +69,8 @@ void correlate_groups(const Answered& samples, Statistics& out) {
     if (static_cast<int>(mode.record.size()) >= kFewestForTable) groups.push_back(std::move(mode));
   for (const Group& group : groups)
     for (const Quantity& quantity : quantities())
-      out.correlation.push_back(study::correlation_table(samples, group, quantity));
+      if (!study::all_censored(group, quantity))
+        out.correlation.push_back(study::correlation_table(samples, group, quantity));
 }
 
 void summarise_groups(const Answered& samples, Statistics& out) {
@@ -84,8 +105,13 @@ const std::vector<Quantity>& quantities() {
        [](R r) {
          return Reading{r.displacement_max, r.censored_max};
        }},
-      {"initial_stiffness", "initial stiffness", "kN/mm", 1e-6, false, [](R r) {
+      {"initial_stiffness", "initial stiffness", "kN/mm", 1e-6, false,
+       [](R r) {
          return Reading{r.initial_stiffness, false};
+       }},
+      {"displacement_at_50_percent", "displacement at 50 % of the peak", "mm", 1e3, true, at_half},
+      {"collapse_displacement", "displacement at collapse", "mm", 1e3, true, [](R r) {
+         return Reading{r.collapse.displacement, r.collapse.censored};
        }}};
   return kQuantities;
 }
@@ -102,8 +128,11 @@ Statistics statistics_of(const Campaign& campaign) {
   out.answered = samples.n();
   out.modes = samples.modes;
   out.input = study::input_summaries(campaign);
+  out.input_correlation = input_correlations(campaign.samples);
   summarise_groups(samples, out);
   out.share = study::shares_of(samples);
+  out.name_sensitivity = study::name_sensitivities(samples);
+  out.flag = study::flag_counts(samples);
   out.running = study::running_means(samples);
   out.precision = study::precisions(samples, out.running);
   correlate_groups(samples, out);

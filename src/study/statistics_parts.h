@@ -30,10 +30,14 @@ struct Group {
 [[nodiscard]] std::vector<Group> unions_of(const Answered& samples);
 
 [[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
+// Lower bounds alone show no influence of anything.
+[[nodiscard]] bool all_censored(const Group& group, const Quantity& quantity);
 
-// groups.cpp: Table 3 and shares
+// groups.cpp: Table 3, shares, how firm the names are
 [[nodiscard]] GroupSummary summarise(const Group& group);
 [[nodiscard]] std::vector<Share> shares_of(const Answered& samples);
+[[nodiscard]] std::vector<NameSensitivity> name_sensitivities(const Answered& samples);
+[[nodiscard]] std::vector<FlagCount> flag_counts(const Answered& samples);
 // running.cpp: how the answers settle
 [[nodiscard]] std::vector<RunningMean> running_means(const Answered& samples);
 [[nodiscard]] std::vector<Precision> precisions(const Answered& samples,
@@ -45,7 +49,7 @@ struct Group {
 [[nodiscard]] std::vector<FirstOrderIndex> first_order_indices(const Answered& samples);
 [[nodiscard]] std::vector<ModeAgainstInput> modes_against_inputs(const Answered& samples);
 // capacity.cpp: force and drift
-[[nodiscard]] MeanCurve mean_curve_of(const Group& group, double load_height);
+[[nodiscard]] MeanCurve mean_curve_of(const Group& group, double base_height);
 [[nodiscard]] std::vector<DriftLimit> drift_limits(const Answered& samples);
 [[nodiscard]] std::vector<Exceedance> exceedances(const Answered& samples);
 

@@ -20,6 +20,23 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
 
+// Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
+// one at that displacement, the peak, or the end.
+constexpr const char* kReadingsOfVersion1 = R"(
+PRAGMA query_only = 0;  -- a view of this connection's own, the file stays as it is
+CREATE TEMP VIEW reading AS
+SELECT sample, position, what, failure_mode,
+       CASE WHEN mm IS NULL THEN '' ELSE coalesce(
+         (SELECT label FROM state WHERE state.sample = r.sample AND abs(1e3 * displacement_m - mm) < 0.006),
+         CASE WHEN abs(1e3 * peak_m - mm) < 0.006 THEN 'peak' ELSE 'end' END) END AS state,
+       coalesce(mm / 1e3, read_m) AS displacement_m,
+       CASE WHEN mm IS NULL THEN substr(what, 1, instr(what, ' x ') - 1) ELSE '' END AS threshold,
+       CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
+FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
+             CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
+      FROM main.reading AS old JOIN main.sample USING (sample)) AS r;
+PRAGMA query_only = 1)";
+
 // Binds the members of a record in order.
 struct Binder {
   Statement& statement;
@@ -131,6 +148,13 @@ void write_columns(Database& database, const SampleTable& samples) {
   }
 }
 
+// File names alone: a store is passed on, its study needs no other file.
+StudySpec without_folders(StudySpec spec) {
+  for (std::string* file : {&spec.file, &spec.model_file})
+    *file = fs::path(*file).filename().string();
+  return spec;
+}
+
 }  // namespace
 
 fs::path store_path(const std::string& folder) { return fs::path(folder) / kStoreName; }
@@ -154,21 +178,28 @@ PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {
 }
 
 Store::Store(const std::string& folder, Access access) : database_(store_path(folder), access) {
-  check_version();
+  check_version(access);
   if (access == Access::kWrite) database_.execute("PRAGMA synchronous = NORMAL");
 }
 
-void Store::check_version() {
+void Store::check_version(Access access) {
   const std::string& name = database_.name();
   const std::int64_t application = database_.integer("PRAGMA application_id");
-  const std::int64_t version = database_.integer("PRAGMA user_version");
+  version_ = database_.integer("PRAGMA user_version");
   if (application != kApplication)
     throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
-  if (version > kSchemaVersion)
+  if (version_ > kSchemaVersion)
     throw IoError(
         fmt::format("{}: was written by a newer wythe (store version {}, this one reads up "
                     "to {}); use that version or a later one",
-                    name, version, kSchemaVersion));
+                    name, version_, kSchemaVersion));
+  if (is_current()) return;
+  if (access == Access::kWrite)
+    throw IoError(
+        fmt::format("{}: was written by an older wythe (store version {}, now {}); it can be read, "
+                    "reported and replayed; to add samples begin a campaign in another folder",
+                    name, version_, kSchemaVersion));
+  database_.execute(kReadingsOfVersion1);
 }
 
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
@@ -181,12 +212,11 @@ void create_store(const std::string& folder, const StudySpec& spec, const Sample
   Transaction transaction(database);
   database.execute(schema_sql());
   database.execute(samples_view_sql(samples));
-  Rows rows = rows_of(spec);
+  Rows rows = rows_of(without_folders(spec));
   rows.insert(rows.begin(), {{"schema_version", std::to_string(kSchemaVersion)},
                              {"provenance", head.provenance},
                              {"shard", head.shard},
                              {"load_height_m", fmt::format("{}", head.load_height)},
-                             {"blocks_hash", head.blocks_hash},
                              {"until_met_at", ""}});
   write_study_rows(database, rows);
   write_columns(database, samples);
@@ -217,8 +247,8 @@ StudySpec Store::study() {
 }
 
 StoreHead Store::head() {
-  return {value("shard"), value("provenance"), std::strtod(value("load_height_m").c_str(), nullptr),
-          value("blocks_hash")};
+  return {value("shard"), value("provenance"),
+          std::strtod(value("load_height_m").c_str(), nullptr)};
 }
 
 SampleTable Store::samples() {

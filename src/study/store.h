@@ -19,7 +19,7 @@
 
 namespace wythe::study {
 
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;  // 1 can be read, not written
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
@@ -30,8 +30,7 @@ inline constexpr const char* kStoreName = "campaign.db";
 struct StoreHead {
   std::string shard = "1/1";
   std::string provenance;
-  double load_height = 0;   // [m]
-  std::string blocks_hash;  // of a blocks file, "" without
+  double load_height = 0;  // [m]
 };
 
 // A sample ready to be written; packing it needs no lock.
@@ -63,13 +62,16 @@ class Store {
   void set_value(const std::string& key, const std::string& value);
   void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
   void write(const PackedSample& sample);
+  // False for an older schema, which is only shown as the present one.
+  [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
   // Reads every page; IoError when one is damaged.
   void check_whole();
   [[nodiscard]] Database& database() { return database_; }
 
  private:
-  void check_version();
+  void check_version(Access access);
   Database database_;
+  std::int64_t version_ = kSchemaVersion;
 };
 
 // Makes the file and what a campaign begins with.

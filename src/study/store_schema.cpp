@@ -77,7 +77,9 @@ std::string samples_view_sql(const SampleTable& samples) {
       " initial_stiffness_N_per_m / 1e6 AS initial_stiffness_kN_per_mm,"
       " drift_at_peak * 100 AS drift_at_peak_percent,"
       " drift_at_80_percent * 100 AS drift_at_80_of_peak_percent,"
-      " drift_max * 100 AS drift_max_percent, reason\n"
+      " drift_max * 100 AS drift_max_percent,"
+      " collapse_displacement_m * 1e3 AS collapse_displacement_mm,"
+      " collapse_censored AS censored_collapse, collapse_criterion, reason\n"
       "FROM sample s WHERE sample <= coalesce((SELECT CAST(value AS INTEGER) FROM study"
       " WHERE key = 'until_met_at' AND value <> ''), 1000000000);\n";
   return sql;

@@ -13,6 +13,8 @@
 #include "study/formula_parser.h"
 #include "study/sampling.h"
 #include "units/quantity_error.h"
+#include "wythe/failure_mode.h"
+#include "wythe/statistics.h"
 #include "wythe/units.h"
 
 namespace wythe {
@@ -265,8 +267,10 @@ class StudyCheck {
     }
     for (const DependentSpec& dependent : study_.dependent)
       check_input("dependent." + dependent.name, dependent);
+    check_until();
     const Dependents checked(study_, faults_);
     check_correlation(study_, faults_);
+    if (faults_.empty()) check_use();
     return faults_.all();
   }
 
@@ -288,6 +292,11 @@ class StudyCheck {
         refuse("study.fractions", fmt::format("{:g}", fraction),
                "must be more than 0 and less than 1, a share of the peak",
                "write e.g. fractions = [0.8, 0.5]");
+    std::set<std::string> shares;  // as the columns of samples.csv name them
+    for (const double fraction : study_.fractions)
+      if (!shares.insert(fmt::format("{:g}", 100 * fraction)).second)
+        refuse("study.fractions", fmt::format("{:g}", fraction), "stands there twice",
+               "leave one of them out");
     for (const double state : study_.states)
       if (!(state > 0))
         refuse("study.states", format_quantity(state, "m", "mm"), "must be more than 0 mm",
@@ -301,6 +310,32 @@ class StudyCheck {
              fmt::format("has at most {} variables, the study has {}", most_sobol_variables(),
                          variables),
              "write design = \"latin_hypercube\"");
+  }
+
+  // A variable that sets no key must stand in a formula.
+  void check_use() {
+    std::set<std::string> used;
+    std::vector<std::string> known;
+    for (const VariableSpec& variable : study_.variable) known.push_back(variable.name);
+    for (const DependentSpec& dependent : study_.dependent) known.push_back(dependent.name);
+    for (const DependentSpec& dependent : study_.dependent) {
+      const Formula formula(dependent.formula, known);
+      used.insert(formula.inputs().begin(), formula.inputs().end());
+    }
+    for (const VariableSpec& variable : study_.variable)
+      if (variable.path.empty() && !used.contains(variable.name))
+        refuse("variable." + variable.name, "",
+               "nothing uses it: it has no path, and no formula names it",
+               "write path = \"...\", use it in a formula, or leave it out");
+  }
+
+  void check_until() {
+    try {
+      if (!study_.until.empty()) check_rule(study_.until);
+    } catch (const InputError& error) {
+      for (const Fault& fault : error.faults())
+        refuse("study.until", study_.until, fault.problem, fault.cure);
+    }
   }
 
   void check_input(const std::string& place, const InputSpec& input) {
@@ -341,5 +376,26 @@ void check_variable(const VariableSpec& spec, const std::string& file, FaultList
 }
 
 std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study).run(); }
+
+std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base) {
+  double end = 0;  // of the farthest push [m]
+  for (const StageSpec& stage : base.stage) {
+    if (stage.kind != StageKind::kPush) continue;
+    if (!std::isnan(stage.until)) end = std::max(end, stage.until);
+    for (const double target : stage.targets) end = std::max(end, std::fabs(target));
+  }
+  if (!(end > 0)) return {};
+  const double read_at = std::isnan(study.read_modes_at) ? kReadModesAt : study.read_modes_at;
+  std::vector<std::string> notes;
+  const auto note = [&](const char* what, double at) {
+    if (at > end * (1 + 1e-9))
+      notes.push_back(fmt::format("{} at {}, the push ends at {}: what is read, is read there",
+                                  what, format_quantity(at, "m", "mm"),
+                                  format_quantity(end, "m", "mm")));
+  };
+  for (const double state : study.states) note("study.states asks for a state", state);
+  note("failure modes are named", read_at);
+  return notes;
+}
 
 }  // namespace wythe

@@ -133,6 +133,7 @@ void each_key(V& v, Study& s) {
   v.text("file", s.file);
   v.text("model_file", s.model_file);
   v.text("model", s.model_text);
+  v.text("blocks", s.blocks_text);
   v.texts("settings", s.settings);
   v.word("design", s.design, kDesigns);
   v.numbers("samples", s.batch);
@@ -153,6 +154,17 @@ bool may_change(const std::string& key) {
   static const std::set<std::string> kFree = {"name",       "note",    "file",
                                               "model_file", "samples", "until"};
   return kFree.contains(key);
+}
+
+// Settings in any order, of one path the last: what they do to the model.
+std::map<std::string, std::string> in_effect(const std::string& settings) {
+  std::map<std::string, std::string> last;
+  for (const std::string& line : lines_of(settings)) {
+    const std::size_t equals = std::min(line.find('='), line.size());
+    last[std::string(trimmed(line.substr(0, equals)))] =
+        trimmed(line.substr(std::min(equals + 1, line.size())));
+  }
+  return last;
 }
 
 // A model's lines as TOML means them: without comments, blanks around, and empty lines.
@@ -267,6 +279,15 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
   std::vector<Fault> faults;
   const auto add = [&](const std::string& key, const std::string& old, const std::string& value) {
     if (may_change(key) || key == "model" || old == value) return;
+    if (key == "settings" && in_effect(old) == in_effect(value)) return;
+    if (key == "blocks") {
+      faults.push_back({.file = store,
+                        .path = "wall.blocks",
+                        .value = "",
+                        .problem = "holds other blocks than when the campaign began",
+                        .cure = ""});
+      return;
+    }
     const auto shown = [](const std::string& text) {
       return text.empty() ? std::string("not given")
                           : fmt::format("{}", fmt::join(lines_of(text), ", "));

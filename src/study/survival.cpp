@@ -119,11 +119,24 @@ std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& readings) 
   return points;
 }
 
-Estimate survival_at(const std::vector<ExceedancePoint>& points, double x) {
-  Estimate at{1, {1, 1}};
-  for (const ExceedancePoint& p : points)
-    if (p.value <= x) at = p.probability;
-  return at;
+Estimate share_before(const std::vector<Reading>& readings, double x) {
+  const auto n = static_cast<int>(readings.size());
+  const auto is_before = [&](const Reading& r) { return r.value < x; };
+  const auto before = std::count_if(readings.begin(), readings.end(), is_before);
+  const auto fallen = static_cast<int>(std::count_if(readings.begin(), readings.begin() + before,
+                                                     [](const Reading& r) { return !r.censored; }));
+  const bool all_known = fallen == before;
+  if (all_known || before == n) {
+    if (!all_known && fallen == 0) return {};
+    Estimate share = wilson(fallen, n);
+    if (!all_known) share.interval.high = 1;
+    return share;
+  }
+  if (fallen == 0) return wilson(0, n - static_cast<int>(before));
+  Estimate beyond;
+  for (const ExceedancePoint& p : kaplan_meier(readings))
+    if (p.value < x) beyond = p.probability;
+  return {1 - beyond.value, {1 - beyond.interval.high, 1 - beyond.interval.low}};
 }
 
 double survival_mean(const std::vector<Reading>& readings, const Counts& count) {

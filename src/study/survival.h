@@ -18,8 +18,10 @@ namespace wythe::study {
 
 // Share that goes beyond each observed value, and its interval; readings in order.
 [[nodiscard]] std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& in_order);
-// P(X > x) by the points of kaplan_meier.
-[[nodiscard]] Estimate survival_at(const std::vector<ExceedancePoint>& points, double x);
+// Share that has fallen before x: (7.3) where nothing is unknown, Kaplan-Meier up to the last reading,
+// Wilson's of those still going on where none has fallen yet. Beyond the last reading only a lower
+// bound is known: those that fell, up to all; nothing where all are unknown.
+[[nodiscard]] Estimate share_before(const std::vector<Reading>& in_order, double x);
 
 // The same, weighted: what the bootstrap calls.
 [[nodiscard]] double survival_mean(const std::vector<Reading>& in_order, const Counts& count);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Campaigns as a user meets them: killed, stopped, resumed, sharded, replayed, and faulty stores."""
 import csv
+import json
 import os
 import pathlib
 import re
@@ -176,6 +177,8 @@ class Disturbed(Base):
         _, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 3, said)
         self.assertRegex(said, r"stopped: [2-5] of 6 samples are stored, none is half done")
+        asked = json.loads((self.out() / "statistics.json").read_text())["samples"]
+        self.assertEqual(asked["run"], len(self.rows(self.out())))  # the files say what the store holds
         command = shlex.split(said.strip().splitlines()[-1])
         self.assertEqual(command[-1], "--resume")
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -279,6 +282,51 @@ class Faults(Base):
             self.assertEqual(done.returncode, 2, f"{options}: {done.stderr}")
             self.assertNotEqual(done.stderr, "")
             self.assertFalse(self.out().exists(), options)
+
+    def test_options_are_named_as_typed(self):
+        for option, value, words in (("--seed", "-1", "must be a whole number from 0"),
+                                     ("--samples", "0", "must be at least 2"),
+                                     ("--samples", "2.5", "must be a whole number"),
+                                     ("--jobs", "0", "leave it out for one sample a core"),
+                                     ("--until", "x", "write e.g.")):
+            done = wythe("campaign", self.study, "--out", self.out(), option, value)
+            self.refused(done, 2, words)
+            self.assertTrue(done.stderr.startswith(option + ":"), done.stderr)
+
+    def test_results_of_the_other_kind_are_not_written_over(self):
+        before = (self.whole / "report.html").read_bytes()
+        for command in (["replay", self.whole, "--sample", 1], ["run", self.folder / "model.toml"]):
+            self.refused(wythe(*command, "--out", self.whole, "--quiet"), 2, "holds a campaign", "another folder")
+        self.assertEqual((self.whole / "report.html").read_bytes(), before)
+        done = wythe("replay", self.whole, "--sample", 1, "--out", self.out(), "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for command in (["campaign", self.study], ["merge", self.whole]):
+            self.refused(wythe(*command, "--out", self.out()), 2, "holds the results of a run")
+
+    def test_a_state_that_is_not_stored(self):
+        picture = self.folder / "old.svg"
+        picture.write_text("old")
+        done = wythe("picture", self.whole, "--sample", 1, "--at", 7, "--out", picture)
+        self.refused(done, 2, "--at: 7: sample 1 has no state there", "stored are, in mm: 0.5")
+        self.assertEqual(picture.read_text(), "old")
+
+    def test_check_names_the_samples_that_will_be_refused(self):
+        study = self.folder / "wide.toml"
+        study.write_text(STUDY.replace("cov = 0.2", "cov = 1.2").replace("samples = 6", "samples = 40"))
+        done = wythe("check", study)
+        lines = [line for line in done.stdout.splitlines() if "will be refused" in line]
+        self.assertEqual(len(lines), 2, done.stdout)  # many values, two reasons: below zero, snap-back
+        for line in lines:
+            self.assertRegex(line, r"^\d+ samples will be refused \((\d+, )+\d+\), e.g. material.joint")
+
+    def test_a_push_that_ends_before_the_reading_is_said(self):
+        study = self.folder / "short.toml"
+        study.write_text(STUDY.replace('read_modes_at = "0.5 mm"', 'read_modes_at = "5 mm"'))
+        self.assertIn("note: failure modes are named at 5 mm, the push ends at 1 mm", wythe("check", study).stdout)
+        done = wythe("campaign", study, "--out", self.out(), "--samples", 2, "--quiet")
+        self.assertIn("failure modes are named at 5 mm, the push ends at 1 mm", done.stderr)
+        self.assertIn("2 of 2 pushes ended before 5 mm", done.stdout)
+        self.assertEqual(json.loads((self.out() / "statistics.json").read_text())["samples"]["named_earlier"], 2)
 
     def test_an_existing_campaign_needs_resume(self):
         before = (self.whole / "campaign.db").read_bytes()

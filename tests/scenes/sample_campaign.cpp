@@ -60,6 +60,7 @@ SampleRecord record_of(int sample, const std::vector<double>& z, study::RandomBi
                           (ductile ? 38e-3 : 17e-3) * std::exp(0.25 * normal(bits)));
   record.responses = read_responses(record.curve);
   record.failure_mode.name = mode;
+  record.failure_mode.read_at = 40e-3;
   return record;
 }
 
@@ -106,6 +107,7 @@ SampleRecord sample_record(int sample, double peak, const std::string& mode) {
   }
   record.responses = read_responses(record.curve);
   record.failure_mode.name = mode;
+  record.failure_mode.read_at = 40e-3;
   return record;
 }
 

@@ -15,6 +15,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
+#include "wythe/statistics.h"
 
 namespace wythe {
 namespace {
@@ -222,6 +223,45 @@ TEST(Campaign, samples_that_are_not_admissible_are_counted_not_redrawn) {
   EXPECT_TRUE(has(csv(folder / "out"), ",refused,,,,,,,")) << csv(folder / "out");
 }
 
+// The wall of two blocks that a blocks file holds: run, then replayed with the file gone.
+TEST(Campaign, the_blocks_file_is_in_the_store) {
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& height) {
+    write_text(folder / "blocks.json",
+               R"({"units": "m", "thickness": 0.2, "blocks": [)"
+               R"({"id": "base", "polygon": [[0, 0], [0.4, 0], [0.4, 0.2], [0, 0.2]]},)"
+               R"({"id": "top", "polygon": [[0, 0.2], [0.4, 0.2], [0.4, )" +
+                   height + R"(], [0, )" + height + "]]}]}");
+  };
+  write("0.5");
+  StudySpec small = scenes::small_study(2);
+  const std::string wall = "[wall]\nblocks = \"blocks.json\"\n[wall.unit]\n";
+  std::string model = small.model_text;
+  model.replace(0, model.find("density"), wall);
+  model.replace(model.find("y = \"0.75 m\""), 12, "y = \"0.4 m\"");
+  write_text(folder / "model.toml", model);
+  write_text(folder / "study.toml",
+             "[study]\nmodel = \"model.toml\"\nsamples = 2\nseed = 1\nread_modes_at = \"0.4 mm\"\n"
+             "[variable.ft]\npath = \"material.joint.tensile_strength\"\n"
+             "distribution = \"normal\"\nmean = \"0.15 MPa\"\ncov = 0.1\n");
+  const StudySpec asked = read_study(folder / "study.toml");
+  run(asked, folder / "out");
+  const Campaign before = read_campaign(folder / "out");
+  ASSERT_EQ(before.records.size(), 2U);
+  EXPECT_EQ(before.records[0].status, "completed") << before.records[0].reason;
+  write("0.6");  // other blocks are another campaign
+  const StudySpec changed = read_study(folder / "study.toml");
+  const std::string said =
+      refusal<InputError>([&] { run(changed, folder / "out", {.resume = true}); });
+  EXPECT_TRUE(has(said, "wall.blocks: holds other blocks")) << said;
+  fs::remove(folder / "blocks.json");
+  fs::remove(folder / "model.toml");
+  const SampleRun again =
+      run_sample(before.study, before.samples, 1, model_builder(before.study), {});
+  EXPECT_EQ(again.refused, "");
+  EXPECT_EQ(again.result.state_hash, before.records[0].state_hash);
+}
+
 TEST(Campaign, a_broken_base_model_writes_nothing) {
   const TemporaryFolder folder;
   StudySpec broken = scenes::small_study(2);
@@ -245,21 +285,22 @@ TEST(Campaign, the_stop_rule_stops_at_the_same_sample_for_any_jobs) {
   asked.until = "relative_interval(peak_reaction) < 50 %";
   const CampaignOutcome one = run(asked, folder / "one", {.jobs = 1});
   const CampaignOutcome three = run(asked, folder / "three", {.jobs = 3});
-  EXPECT_TRUE(one.precise_enough);
-  EXPECT_TRUE(three.precise_enough);
+  EXPECT_EQ(one.precise_at, three.precise_at);
+  EXPECT_LE(one.precise_at, one.done);
+  EXPECT_GE(three.precise_at, kFewestSamples);
   EXPECT_FALSE(one.interrupted);
   EXPECT_FALSE(one.until_state.empty());
   EXPECT_EQ(read_campaign(folder / "one").records.size(), 20U);  // the fewest a rule may stop at
   EXPECT_EQ(csv(folder / "three"), csv(folder / "one"));
   // the same again has nothing to do; without the rule all samples run and all count
-  EXPECT_TRUE(run(asked, folder / "one", {.resume = true}).precise_enough);
+  EXPECT_TRUE(run(asked, folder / "one", {.resume = true}).precise_at > 0);
   asked.until.clear();
   const CampaignOutcome all = run(asked, folder / "one", {.resume = true});
   EXPECT_EQ(all.done, 26);
   EXPECT_EQ(read_campaign(folder / "one").records.size(), 26U);
   // a rule asked later never takes away what is there
   asked.until = "relative_interval(peak_reaction) < 50 %";
-  EXPECT_TRUE(run(asked, folder / "one", {.resume = true}).precise_enough);
+  EXPECT_TRUE(run(asked, folder / "one", {.resume = true}).precise_at > 0);
   EXPECT_EQ(read_campaign(folder / "one").records.size(), 26U);
 }
 

@@ -154,6 +154,18 @@ TEST(Drive, reaction_balances_the_base_shear_when_pushed_slowly) {
   EXPECT_NEAR(last.displacement, 0.2e-3, 1e-9 + 2e-3 * result.time_step);  // ends within a step
 }
 
+TEST(Drive, a_state_is_kept_for_reading_each_millimetre) {
+  const Model model = compile(scenes::small_wall(3.2e-3, 0.1));
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  ASSERT_EQ(result.readings.size(), 4U);  // the first row, then 1, 2, 3 mm
+  for (std::size_t i = 1; i < 4; ++i) {
+    const double at = result.readings[i].displacement;
+    EXPECT_GE(at, 1e-3 * static_cast<double>(i));
+    EXPECT_LT(at, 1e-3 * static_cast<double>(i) + 2 * 3.2e-3 / model.output.rows);
+  }
+}
+
 TEST(Scenes, tuff_wall_is_the_paper_s) {
   const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 1e-3));
   EXPECT_EQ(model.anatomy.masonry_blocks_before_lintels, 825);

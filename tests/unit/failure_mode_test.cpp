@@ -9,6 +9,7 @@
 //             |/   |           |/   |
 #include "wythe/failure_mode.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -330,7 +331,7 @@ Result run_of(const Parts& parts, const std::vector<double>& displacements) {
   result.snapshots.push_back({"start", 0, 0, initial_state(tuff_wall())});
   for (const double d : displacements) {
     const State state = moved(tuff_wall(), mechanism(parts, d / 3.12));
-    result.snapshots.push_back({"state", d, 0, state});
+    result.snapshots.push_back({fmt::format("{:g} mm", 1e3 * d), d, 0, state});
     result.snapshots.back().state.step = static_cast<std::int64_t>(1e6 * d);
     CurveRow row;
     row.displacement = d;
@@ -361,11 +362,25 @@ TEST(NameFailureMode, signs_know_when_they_first_showed) {
   EXPECT_TRUE(std::isnan(sign_of(mode.elements, "left pier", study::kDiagonal).displacement_first));
 }
 
+TEST(NameFailureMode, readings_between_the_states_tell_when_and_later_ones_nothing) {
+  // states at 10 mm steps, readings each millimetre; the crack of the heel is one from 2.0 mm on
+  Result result = run_of(kFm4, {10e-3, 20e-3, 40e-3});
+  result.readings = run_of(kFm4, {1e-3, 2e-3, 3e-3, 11e-3}).snapshots;
+  const FailureMode mode = name_failure_mode(tuff_wall(), result);
+  EXPECT_DOUBLE_EQ(sign_of(mode.elements, "left pier", study::kFlexural).displacement_first, 3e-3);
+  // read at 1 mm nothing has happened yet: what comes after is not its past
+  result.snapshots.insert(result.snapshots.begin() + 1, result.readings[1]);
+  for (const ElementState& e : name_failure_mode(tuff_wall(), result, 1e-3).elements) {
+    EXPECT_EQ(e.state, "intact") << e.element;
+    EXPECT_TRUE(std::isnan(e.displacement_first)) << e.element;
+  }
+}
+
 TEST(NameFailureMode, says_what_other_readings_would_name) {
   const FailureMode mode = name_failure_mode(tuff_wall(), run_of(kFm4, {0.1e-3, 20e-3, 40e-3}));
   const auto name_of = [&](const std::string& what) {
     for (const NameReading& r : mode.sensitivity)
-      if (r.what == what) return r.name;
+      if (r.what() == what) return r.name;
     return std::string("absent");
   };
   EXPECT_EQ(name_of("at 0.1 mm"), "unclear");

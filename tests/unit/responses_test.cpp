@@ -252,7 +252,7 @@ TEST(FailureModeShown, with_elements_flags_and_other_readings) {
   pier.signs = {rocking};
   mode.elements = {pier};
   mode.flags = {{"left pier", "growth of its width", 9, 8, "mm"}};
-  mode.sensitivity = {{"at 10 mm", "FM-5"}, {"at 20 mm", mode.name}};
+  mode.sensitivity = {{"FM-5", "10 mm", 10e-3}, {mode.name, "20 mm", 20e-3}};
 
   const auto json =
       nlohmann::json::parse(io::summary_json(scenes::sample_model(), result))["failure_mode"];

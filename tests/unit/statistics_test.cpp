@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -114,8 +115,26 @@ TEST(KaplanMeier, follows_the_hand_example) {
   EXPECT_NEAR(survival_mean(r, once), 7.0, 1e-14);
   EXPECT_EQ(survival_quantile(r, once, 0.5), 8);
   EXPECT_TRUE(std::isinf(survival_quantile(r, once, 0.95)));
-  EXPECT_NEAR(survival_at(km, 7.9).value, 0.6, 1e-15);
-  EXPECT_EQ(survival_at(km, 1).value, 1);
+  EXPECT_NEAR(share_before(r, 7.9).value, 0.4, 1e-15);
+}
+
+TEST(KaplanMeier, a_share_is_never_more_certain_than_the_samples) {
+  const std::vector<Reading> r =
+      in_order({{10, true}, {5, true}, {3, false}, {8, false}, {5, false}});
+  // none of five has fallen before 1: no less can be said than by Wilson
+  EXPECT_EQ(share_before(r, 1).value, 0);
+  EXPECT_DOUBLE_EQ(share_before(r, 1).interval.high, wilson(0, 5).interval.high);
+  // beyond the last reading three of five are known to have fallen, the others may have
+  EXPECT_DOUBLE_EQ(share_before(r, 12).value, 0.6);
+  EXPECT_DOUBLE_EQ(share_before(r, 12).interval.low, wilson(3, 5).interval.low);
+  EXPECT_EQ(share_before(r, 12).interval.high, 1);
+  // one left early, then none fell: those still going on count
+  const std::vector<Reading> late = in_order({{1, true}, {4, false}, {5, true}, {6, true}});
+  EXPECT_DOUBLE_EQ(share_before(late, 3).interval.high, wilson(0, 3).interval.high);
+  const std::vector<Reading> unknown = in_order({{2, true}, {2, true}});
+  EXPECT_TRUE(std::isnan(share_before(unknown, 5).value));
+  EXPECT_TRUE(std::isnan(share_before(unknown, 5).interval.low));
+  EXPECT_DOUBLE_EQ(share_before(unknown, 1).interval.high, wilson(0, 2).interval.high);
 }
 
 TEST(KaplanMeier, interval_follows_greenwood_by_hand) {
@@ -288,21 +307,163 @@ TEST(CampaignStatistics, drift_limits_count_the_unknown_apart) {
     Responses& r = records.back().responses;
     r.displacement_at_80 = i <= 4 ? 0.4e-2 : 0.9e-2;  // of a height of 1 m: 0.4 and 0.9 %
     r.censored_80 = i > 7;
+    r.load_height = 1;
   }
-  Campaign campaign = of_records(records);
-  campaign.load_height = 1;
-  for (const DriftLimit& limit : statistics_of(campaign).drift_limit) {
+  for (const DriftLimit& limit : statistics_of(of_records(records)).drift_limit) {
     if (limit.limit == 0.005) {
       EXPECT_EQ(limit.below, 4);
       EXPECT_EQ(limit.unknown, 0);
       EXPECT_DOUBLE_EQ(limit.share.interval.low, wilson(4, 10).interval.low);
+      EXPECT_FALSE(limit.is_lower_bound);
     }
     if (limit.limit == 0.01) {
       EXPECT_EQ(limit.below, 7);
       EXPECT_EQ(limit.unknown, 3);
-      EXPECT_NEAR(limit.share.value, 0.7, 1e-12);  // Kaplan-Meier: 1 - 6/10 * 3/6
+      EXPECT_DOUBLE_EQ(limit.share.value, 0.7);  // at least: all pushes end at 0.9 %
+      EXPECT_DOUBLE_EQ(limit.share.interval.low, wilson(7, 10).interval.low);
+      EXPECT_EQ(limit.share.interval.high, 1);
+      EXPECT_TRUE(limit.is_lower_bound);
     }
   }
+}
+
+TEST(CampaignStatistics, drift_limits_of_pushes_that_end_before_them_are_unknown) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 10; ++i) {
+    records.push_back(sample_record(i, 100e3, "FM-1"));
+    Responses& r = records.back().responses;
+    r.displacement_at_80 = 2e-3, r.censored_80 = true, r.load_height = 3;
+  }
+  for (const DriftLimit& limit : statistics_of(of_records(records)).drift_limit) {
+    EXPECT_EQ(limit.unknown, 10);
+    EXPECT_TRUE(std::isnan(limit.share.value));
+    EXPECT_TRUE(std::isnan(limit.share.interval.high));
+  }
+}
+
+TEST(CampaignStatistics, drifts_are_over_each_samples_own_height) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 10; ++i) {
+    records.push_back(sample_record(i, 100e3, "FM-1"));
+    Responses& r = records.back().responses;
+    r.displacement_at_80 = 12e-3, r.censored_80 = false;
+    r.load_height = i <= 5 ? 2 : 3;  // drifts of 0.6 and 0.4 %
+  }
+  Campaign campaign = of_records(records);
+  campaign.load_height = 2;
+  const Statistics s = statistics_of(campaign);
+  for (const DriftLimit& limit : s.drift_limit) {
+    EXPECT_EQ(limit.below, limit.limit > 0.006 ? 10 : limit.limit > 0.004 ? 5 : 0) << limit.limit;
+  }
+  const CurvePoint& end = s.mean_curve[0].point.back();
+  EXPECT_NEAR(end.drift, (50e-3 / 2 + 50e-3 / 3) / 2, 1e-12);
+}
+
+TEST(CampaignStatistics, a_collapse_is_an_event_and_not_a_lower_bound) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 30; ++i) {
+    records.push_back(sample_record(i, 100e3 + 1e3 * i, "FM-1"));
+    const bool collapsed = i <= 10;
+    if (collapsed) records.back().status = "collapsed";
+    auto& curve = records.back().curve;
+    if (collapsed) curve.resize(curve.size() - static_cast<std::size_t>(i));
+    records.back().responses = read_responses(curve, {.collapse = collapsed ? "a block fell" : ""});
+  }
+  const Statistics s = statistics_of(of_records(records));
+  const auto q = static_cast<std::size_t>(std::find_if(quantities().begin(), quantities().end(),
+                                                       [](const Quantity& quantity) {
+                                                         return std::string(quantity.name) ==
+                                                                "collapse_displacement";
+                                                       }) -
+                                          quantities().begin());
+  ASSERT_LT(q, quantities().size());
+  EXPECT_EQ(s.group[0].quantity[q].censored, 20);
+  EXPECT_DOUBLE_EQ(s.group[0].quantity[q].min, 40e-3);
+  // Kaplan-Meier: ten fell at 40 ... 49 mm, one each, the others go on to 50 mm
+  EXPECT_NEAR(s.group[0].quantity[q].survival_mean.value, 50e-3 - (55e-3 / 30), 1e-9);
+  const Campaign campaign = of_records(records);
+  EXPECT_NE(samples_csv(campaign).find("collapse_displacement_mm"), std::string::npos);
+  EXPECT_NE(samples_csv(campaign).find(",49,0,a block fell,"), std::string::npos);
+}
+
+TEST(CampaignStatistics, lower_bounds_alone_have_no_correlation) {
+  const Campaign campaign = sample_campaign(60);
+  const Statistics s = statistics_of(campaign);
+  for (const CorrelationTable& table : s.correlation) EXPECT_NE(table.quantity, "displacement_max");
+  for (const FirstOrderIndex& index : s.first_order) EXPECT_NE(index.quantity, "displacement_max");
+}
+
+TEST(CampaignStatistics, displacement_at_half_the_peak_is_a_bound_where_it_was_not_read) {
+  std::vector<SampleRecord> records = {sample_record(1, 100e3, "FM-1"),
+                                       sample_record(2, 100e3, "FM-1")};
+  records[1].responses.falls.clear();
+  const Statistics s = statistics_of(of_records(records));
+  const Summary& half = s.group[0].quantity[5];
+  EXPECT_EQ(std::string(quantities()[5].name), "displacement_at_50_percent");
+  EXPECT_EQ(half.censored, 2);  // the first falls to 0.5 at its very end, the second was not read
+  EXPECT_NEAR(half.max, 50e-3, 1e-9);
+  EXPECT_NEAR(half.min, 26e-3, 1e-9);  // 0.8 was crossed there
+}
+
+TEST(CampaignStatistics, inputs_drawn_together_are_named_beside_their_indices) {
+  Campaign campaign = sample_campaign(60);
+  for (std::size_t i = 0; i < 60; ++i)  // the third follows the first
+    campaign.samples.value[i][2] = campaign.records[i].inputs[2] = campaign.samples.value[i][0];
+  const Statistics s = statistics_of(campaign);
+  EXPECT_EQ(s.input_correlation.size(), 10u);
+  EXPECT_EQ(s.input_correlation[0].a, "fc");
+  EXPECT_EQ(s.input_correlation[0].b, "ft_u");
+  EXPECT_NEAR(s.input_correlation[0].rank, 1, 1e-12);
+  for (const FirstOrderIndex& f : s.first_order) {
+    if (f.input != "fc") continue;
+    ASSERT_FALSE(f.entangled.empty());
+    EXPECT_EQ(f.entangled[0], "ft_u");
+  }
+  EXPECT_NE(campaign_report(campaign, s).find("rank correlation of 1"), std::string::npos);
+}
+
+TEST(CampaignStatistics, changes_of_the_name_and_flags_are_counted_over_samples) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 10; ++i) {
+    records.push_back(sample_record(i, 100e3, "FM-1"));
+    FailureMode& mode = records.back().failure_mode;
+    // the peak lies elsewhere in every sample and is one reading all the same
+    mode.sensitivity = {{"FM-5", "peak", 1e-3 * i},
+                        {i <= 3 ? "FM-1" : "unclear", "20 mm", 20e-3},
+                        {i <= 9 ? "FM-1" : "FM-2", "", 40e-3, "crack width", 0.75}};
+    mode.flags = {{"reaction", "sudden fall", i <= 4 ? 0.3 : 0.1, 0.2, "share"}};
+  }
+  const Statistics s = statistics_of(of_records(records));
+  ASSERT_EQ(s.name_sensitivity.size(), 3u);
+  EXPECT_EQ(s.name_sensitivity[0].reading.what(), "at the peak");
+  EXPECT_EQ(s.name_sensitivity[0].differs, 10);
+  EXPECT_EQ(s.name_sensitivity[1].reading.what(), "at 20 mm");
+  EXPECT_EQ(s.name_sensitivity[1].differs, 7);
+  EXPECT_EQ(s.name_sensitivity[2].reading.what(), "crack width x 0.75");
+  EXPECT_EQ(s.name_sensitivity[2].differs, 1);
+  ASSERT_EQ(s.flag.size(), 1u);
+  EXPECT_EQ(s.flag[0].raised, 4);
+  EXPECT_DOUBLE_EQ(s.flag[0].share.interval.low, wilson(4, 10).interval.low);
+  const std::string json = statistics_json(s);
+  EXPECT_NE(json.find("\"reading\": \"at 20 mm\""), std::string::npos);
+  EXPECT_NE(json.find("\"raised\": 4"), std::string::npos);
+}
+
+TEST(CampaignStatistics, a_peak_at_the_end_and_an_early_name_are_counted) {
+  std::vector<SampleRecord> records = {sample_record(1, 100e3, "FM-1"),
+                                       sample_record(2, 100e3, "FM-1")};
+  records[0].curve.resize(9);  // still rising
+  records[0].responses = read_responses(records[0].curve);
+  records[0].failure_mode.read_at = 8e-3;
+  records[1].failure_mode.read_at = 40.05e-3;
+  Campaign campaign = of_records(records);
+  campaign.study.read_modes_at = 40e-3;
+  const Statistics s = statistics_of(campaign);
+  EXPECT_EQ(s.still_rising, 1);
+  EXPECT_EQ(s.named_earlier, 1);
+  const std::string page = campaign_report(campaign, s);
+  EXPECT_NE(page.find("still rising"), std::string::npos);
+  EXPECT_NE(page.find("before 40\u202fmm"), std::string::npos);
 }
 
 TEST(CampaignStatistics, lower_bounds_alone_have_no_interval) {

@@ -93,7 +93,7 @@ SampleRecord full_record(int sample) {
   element.signs = {{"rocking", "rise of the heel", 2, 1, "mm", 0.01},
                    {"sliding", "slip", 0.1, 1, "mm", kNan}};
   r.failure_mode.elements = {element, {"spandrel", "spandrel", "intact", {}, kNan}};
-  r.failure_mode.sensitivity = {{"at 20 mm", "unclear"}};
+  r.failure_mode.sensitivity = {{"unclear", "20 mm", 0.02, "crack width", 0.75}};
   r.features = {{"left_pier_slip", 0.01, 0.123}};
   r.events = {{"first crack", 0.001, 2e4, "bed joint at (0, 0) m"}};
   r.energy.fracture = 12.5;
@@ -162,7 +162,7 @@ State random_state(std::size_t blocks, std::size_t points) {
 class StoreFile : public testing::Test {
  protected:
   void SetUp() override {
-    create_store(out_, scenes::small_study(2), two_samples(), {"1/1", "this program", 0.75, ""});
+    create_store(out_, scenes::small_study(2), two_samples(), {"1/1", "this program", 0.75});
   }
   [[nodiscard]] std::string read_refusal() const {
     return refusal([&] { static_cast<void>(read_campaign(out_)); });
@@ -256,6 +256,61 @@ TEST(StudyRows, changes_name_the_key_and_both_values) {
   EXPECT_EQ(faults[2].value, "until = \"0.5 mm\"");
   EXPECT_EQ(faults[3].value, "until = \"0.6 mm\"");
   EXPECT_FALSE(faults[3].cure.empty());
+}
+
+TEST(StudyRows, settings_in_another_order_are_the_same) {
+  StudySpec was = scenes::small_study(12), is = was;
+  was.settings = {"output.rows=50", "solve.damping = 0.7"};
+  is.settings = {"solve.damping=0.7", "output.rows=40", "output.rows=50"};  // the last one counts
+  EXPECT_TRUE(changes(was, is, "db").empty());
+  is.settings = {"solve.damping=0.7", "output.rows=50", "output.rows=40"};
+  EXPECT_EQ(changes(was, is, "db").size(), 1U);
+}
+
+TEST(StudyRows, other_blocks_are_a_change_told_in_words) {
+  StudySpec was = scenes::small_study(12), is = was;
+  was.blocks_text = R"({"blocks": [1]})", is.blocks_text = R"({"blocks": [2]})";
+  const std::vector<Fault> faults = changes(was, is, "db");
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].path, "wall.blocks");
+}
+
+TEST_F(StoreFile, says_nothing_of_the_folders_it_was_made_in) {
+  StudySpec spec = scenes::small_study(2);
+  spec.file = "/somewhere/private/study.toml", spec.model_file = "/somewhere/private/model.toml";
+  create_store(folder_ / "other", spec, two_samples(), {"1/1", "this program", 0.75});
+  const StudySpec back = read_campaign(folder_ / "other").study;
+  EXPECT_EQ(back.file, "study.toml");
+  EXPECT_EQ(back.model_file, "model.toml");
+}
+
+// Version 1 told a reading in words only, with the displacement of each sample's own row.
+TEST_F(StoreFile, of_version_1_is_read_and_not_written) {
+  {
+    Store store(out_, Store::Access::kWrite);
+    SampleRecord record = full_record(1);
+    record.responses.displacement_at_peak = 9.7e-3;
+    store.write(packed(record, {{"20 mm", 0.02003, 0, random_state(2, 2)}}));
+    store.database().execute(
+        "DROP TABLE reading; CREATE TABLE reading (sample INTEGER NOT NULL, position INTEGER NOT "
+        "NULL, what TEXT, failure_mode TEXT, PRIMARY KEY (sample, position)) WITHOUT ROWID;"
+        "INSERT INTO reading VALUES (1, 0, 'at 9.7 mm', 'FM-5'), (1, 1, 'at 20.03 mm', 'FM-1'),"
+        "(1, 2, 'at 50 mm', 'FM-3'), (1, 3, 'crack width x 0.75', 'unclear');"
+        "PRAGMA user_version = 1");
+  }
+  const SampleRecord record = read_campaign(out_).records.at(0);
+  const std::vector<NameReading>& r = record.failure_mode.sensitivity;
+  ASSERT_EQ(r.size(), 4U);
+  EXPECT_EQ(r[0].what(), "at the peak");
+  EXPECT_EQ(r[1].what(), "at 20 mm");
+  EXPECT_NEAR(r[1].displacement, 20.03e-3, 1e-12);
+  EXPECT_EQ(r[2].what(), "at the end");
+  EXPECT_EQ(r[3].what(), "crack width x 0.75");
+  EXPECT_EQ(r[3].name, "unclear");
+  EXPECT_EQ(record.failure_mode.scores, full_record(1).failure_mode.scores);
+  const std::string said = refusal([&] { Store(out_, Store::Access::kWrite); });
+  EXPECT_TRUE(has(said, "older wythe (store version 1, now 2)")) << said;
+  EXPECT_TRUE(has(refusal([&] { merge_campaigns({out_}, folder_ / "merged"); }), "older wythe"));
 }
 
 TEST_F(StoreFile, a_sample_comes_back_whole) {
@@ -377,7 +432,7 @@ TEST_F(StoreFile, a_lock_ends_with_its_holder) {
 
 TEST_F(StoreFile, a_newer_store_is_refused) {
   Database(name(), Database::Access::kWrite).execute("PRAGMA user_version = 99");
-  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 1)"))
+  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 2)"))
       << read_refusal();
 }
 

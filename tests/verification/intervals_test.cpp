@@ -129,14 +129,14 @@ TEST(Coverage, kaplan_meier_mean_of_censored_times) {
 }
 
 TEST(Coverage, kaplan_meier_point) {
-  verify(covers("log-log interval of a survival, 100 exponentials, each cut at a random time"),
-         coverage(std::exp(-0.5), [](RandomBits& bits) {
+  verify(covers("log-log interval of a share, 100 exponentials, each cut at a random time"),
+         coverage(1 - std::exp(-0.5), [](RandomBits& bits) {
            std::vector<Reading> r;
            for (int i = 0; i < 100; ++i) {
              const double x = -std::log(bits.uniform()), cut = 2 * bits.uniform();
              r.push_back({std::fmin(x, cut), x > cut});
            }
-           return survival_at(kaplan_meier(in_order(std::move(r))), 0.5).interval;
+           return share_before(in_order(std::move(r)), 0.5).interval;
          }));
 }
 
