@@ -81,6 +81,7 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options) {
     refuse_unbalanced(model, loads, yield, units);
   if (by_forces.status == ProgrammeStatus::kUnbounded) refuse_unlimited(model, by_forces, yield);
   const KinematicAnswer by_motion = solve_kinematic(model, loads, yield, units);
+  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, by_forces, yield);
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
     throw std::runtime_error("limit analysis: the linear programme was not solved");

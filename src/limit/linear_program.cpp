@@ -5,8 +5,12 @@
 #include <coin/CoinPackedMatrix.hpp>
 #include <coin/CoinPackedVector.hpp>
 
+#include <cmath>
+
 namespace wythe::limit {
 namespace {
+
+constexpr double kFar = 1e8;  // objectives are multiples of a block's weight
 
 double bound(double value) {
   if (value == kFree) return COIN_DBL_MAX;
@@ -75,12 +79,13 @@ void LinearProgramme::append() {
 }
 
 // Interior point with crossover to a vertex: 0.3 s where the simplex alone takes 3.5 s (5615 rows,
-// the tuff wall). It does not tell why there is no answer; the simplex does.
+// the tuff wall). It does not tell why there is no answer; the simplex does, and
+// where there is no limit it may stop far out instead.
 void LinearProgramme::solve_first() {
   ClpSolve interior;
   interior.setSolveType(ClpSolve::useBarrier);
   solver_->clp.initialSolve(interior);
-  if (solver_->clp.status() == 0) return;
+  if (solver_->clp.status() == 0 && std::fabs(solver_->clp.objectiveValue()) < kFar) return;
   solver_ = std::make_unique<Solver>();
   load();
   solver_->clp.primal();
