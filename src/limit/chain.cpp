@@ -188,6 +188,7 @@ CapacityCurve follow(const Chain& chain) {
   for (int i = 0; i <= kStates; ++i)
     if (const auto pose = follower.pose(sense * end.turn * i / kStates))
       curve.states.push_back(follower.state(*pose));
+  curve.states.front().displacement = 0;
   if (curve.end == ChainEnd::kNoForce) curve.states.back().force = 0;
   return curve;
 }
