@@ -175,7 +175,7 @@ struct ComparedRun {
   double bound = -1;       // limit load of its own model, where it has one [N] or [-]
 };
 struct CurveVerdict {
-  std::string run, mechanism;
+  std::string run, mode, mechanism;
   double peak_ratio = 0;  // peak of the run / force of the mechanism at rest
   double gap = 0;         // mean |difference| over the run's post-peak branch [N]
   double gap_share = 0;   // the same, of the run's peak

@@ -157,6 +157,7 @@ Json verdicts_json(const Comparison& c) {
   Json list = Json::array();
   for (const CurveVerdict& v : c.curves)
     list.push_back({{"run", v.run},
+                    {"mode", v.mode},
                     {"mechanism", v.mechanism},
                     {"peak_ratio", v.peak_ratio},
                     {"post_peak_gap_kN", v.gap * kPerKilo},

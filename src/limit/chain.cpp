@@ -6,7 +6,7 @@
 //                w2 = -(a x c)/(b x c),  w3 = (a x b)/(c x b)
 //   virtual work F (v_load . d) + sum P . v = 0
 //
-// Equations (7.3) to (7.8) of docs/theory/limit_analysis.md. Called by cut_mechanism() and tests.
+// Equations (6.5) to (6.7) of docs/theory/limit_analysis.md. Called by cut_mechanism() and tests.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -27,7 +27,7 @@ double force_of(const std::vector<CurveRow>& curve, double displacement) {
   return a.reaction + share * (after->reaction - a.reaction);
 }
 
-double bound_peak(const ComparedRun& run) {
+double peak_of(const ComparedRun& run) {
   if (run.load_factor > 0) return run.load_factor;
   return run.curve.empty() ? 0 : run.curve[peak_row(run.curve)].reaction;
 }
@@ -45,15 +45,14 @@ std::vector<const Mechanism*> mechanisms_of(const ComparedRun& run,
 // Means over the runs of one mode, mechanism by mechanism.
 std::vector<GroupVerdict> groups_of(const Comparison& c) {
   std::map<std::pair<std::string, std::string>, GroupVerdict> groups;
-  std::map<std::string, const ComparedRun*> run_named;
-  for (const ComparedRun& run : c.runs) run_named[run.name] = &run;
+  std::map<std::string, double> peak;
+  for (const ComparedRun& run : c.runs) peak[run.name] = peak_of(run);
   for (const CurveVerdict& v : c.curves) {
-    const ComparedRun& run = *run_named.at(v.run);
-    GroupVerdict& g = groups[{run.mode, v.mechanism}];
-    g.mode = run.mode;
+    GroupVerdict& g = groups[{v.mode, v.mechanism}];
+    g.mode = v.mode;
     g.mechanism = v.mechanism;
     ++g.runs;
-    g.mean_peak += bound_peak(run);
+    g.mean_peak += peak.at(v.run);
     g.peak_ratio += v.peak_ratio;
     g.gap += v.gap;
     g.gap_share += v.gap_share;
@@ -70,7 +69,7 @@ std::vector<GroupVerdict> groups_of(const Comparison& c) {
 
 // The mean over displacement, by the trapezoidal rule on the run's own rows.
 CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism) {
-  CurveVerdict v{.run = run.name, .mechanism = mechanism.file_name()};
+  CurveVerdict v{.run = run.name, .mode = run.mode, .mechanism = mechanism.file_name()};
   if (run.curve.size() < 2) return v;
   const std::size_t peak = peak_row(run.curve);
   v.peak_ratio = run.curve[peak].reaction / mechanism.curve.states.front().force;
@@ -94,8 +93,8 @@ Comparison compare(std::string with, std::vector<ComparedRun> runs,
   c.with = std::move(with);
   c.runs = std::move(runs);
   for (const ComparedRun& run : c.runs) {
-    if (bound_peak(run) > 0 && run.bound >= 0)
-      c.bounds.push_back({run.name, bound_peak(run), run.bound, kAllowance + run.rate_effect});
+    if (peak_of(run) > 0 && run.bound >= 0)
+      c.bounds.push_back({run.name, peak_of(run), run.bound, kAllowance + run.rate_effect});
     if (run.curve.size() < 2 || run.load_factor > 0) continue;
     for (const Mechanism* m : mechanisms_of(run, mechanisms)) c.curves.push_back(compare(run, *m));
   }

@@ -308,7 +308,7 @@ std::vector<NamedNumber> numbers_of(const Portal& p, const Cutter::Axial& axial,
 }
 
 // Hinges must open the way they are drawn: both piers with the push, the spandrel against it. So
-// C1 C12 must be steeper than C12 C23 prolonged is: the far pier's lever, (7.6) of the theory page.
+// C1 C12 must be steeper than C12 C23 prolonged is: the far pier's lever, (6.8) of the theory page.
 void check_lever(const Portal& p, const Mechanism& m) {
   const std::vector<Point>& c = m.chain.hinges;
   const double width = std::fabs(c[2].x - c[1].x), far = std::fabs(c[3].x - c[2].x);
