@@ -90,17 +90,16 @@ class Limit(unittest.TestCase):
     def test_beside_a_run_and_a_run_that_cannot_be(self):
         run = self.out("run")
         dry = self.folder / "dry.toml"
-        text = DOOR
+        text = SMALL.replace('until = "3 mm"', 'until = "1 mm"')
         for line in ('tensile_strength = "0.15 MPa"', 'tensile_strength = "0.5 MPa"'):
             text = text.replace(line, 'tensile_strength = "0 MPa"')
         for line in ('cohesion = "0.15 MPa"', 'cohesion = "0.75 MPa"'):
             text = text.replace(line, 'cohesion = "0 MPa"')
         dry.write_text(text)
         self.assertEqual(wythe("run", dry, "--out", run, "--quiet").returncode, 0)
-        done = self.limit("--out", run, "--with", run, model=dry)
+        done = self.limit("--out", run, "--with", run, "--only", "lp", model=dry)
         data = json.loads((run / "mechanisms.json").read_text())["comparison"]
         self.assertTrue(data["bounds"][0]["holds"], data["bounds"])
-        self.assertGreater(len(data["curves"]), 0)
         self.assertTrue((run / "limit.html").exists(), "the run's own report stays")
         self.assertNotIn("error of the run", done.stderr)
         # the same run with ten times its force: no wall of these joints does that
@@ -114,7 +113,7 @@ class Limit(unittest.TestCase):
             cells[3] = str(10 * float(cells[3]))
             scaled.append(",".join(cells))
         (false / "force_displacement.csv").write_text("\n".join(scaled) + "\n")
-        done = self.limit("--out", self.out(), "--with", false, "--only", "infinite", model=dry, code=3)
+        done = self.limit("--out", self.out(), "--with", false, "--only", "lp", model=dry, code=3)
         self.assertIn("error of the run", done.stderr)
 
     def test_beside_a_campaign(self):
@@ -125,6 +124,7 @@ class Limit(unittest.TestCase):
         self.limit("--out", self.out(), "--with", campaign, "--only", "infinite")
         data = json.loads((self.out() / "mechanisms.json").read_text())["comparison"]
         self.assertEqual(data["runs"], 3)
+        self.assertGreaterEqual(len(data["curves"]), 3)
         self.assertTrue(all(c["run"].startswith("sample ") for c in data["curves"]))
 
     def refused(self, text, words, *arguments):

@@ -234,7 +234,9 @@ TEST(MacroBlock, crushing_never_raises_a_curve) {
         EXPECT_LE(first.curve.force_at(s.displacement), s.force + round_off);
         // where one block is a third of the spandrel's depth, Macro-Block 2 is another lever: less
         // force, but farther
-        if (source == "tuff") EXPECT_LE(second.curve.force_at(s.displacement), s.force + round_off);
+        if (source == "tuff") {
+          EXPECT_LE(second.curve.force_at(s.displacement), s.force + round_off);
+        }
       }
     }
   }
