@@ -25,4 +25,12 @@ struct ContactArguments {
 };
 int contact(const ContactArguments& arguments);
 
+struct LimitArguments {
+  std::string model, out, with;
+  std::vector<std::string> overrides;
+  std::vector<std::string> only;  // of lp, infinite, macro_block_1, macro_block_2; empty: all
+  bool assessment = false;
+};
+int limit(const LimitArguments& arguments);
+
 }  // namespace wythe::app

@@ -109,6 +109,22 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   command->callback([&] { code = replay(a); });
 }
 
+void add_limit(CLI::App& app, LimitArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "limit", "macro-block mechanisms FM-1 and FM-4, and limit analysis of the blocks");
+  command->footer(
+      "example: wythe limit examples/tuff_wall/model.toml --out out/limit --with out/campaign");
+  command->add_option("model", a.model, "the wall, MODEL.toml")->required();
+  command->add_option("--out", a.out, "folder for the results, made if absent")->required();
+  command->add_option("--with", a.with, "folder of a run or a campaign to compare with");
+  add_overrides(command, a.overrides);
+  command->add_option("--only", a.only, "some of: lp infinite macro_block_1 macro_block_2")
+      ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2"}));
+  command->add_flag("--assessment", a.assessment,
+                    "displacement-based data after Circolare 7/2019, C8.7.1.2.1");
+  command->callback([&] { code = limit(a); });
+}
+
 void add_report(CLI::App& app, ReportArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
       "report", "write samples.csv, statistics.json and report.html again from a campaign's store");
@@ -151,6 +167,8 @@ int parse_and_run(int argc, char** argv) {
   add_merge(app, merge_arguments, code);
   add_replay(app, replay_arguments, code);
   add_report(app, report_arguments, code);
+  LimitArguments limit_arguments;
+  add_limit(app, limit_arguments, code);
   PictureArguments picture_arguments;
   add_picture(app, picture_arguments, code);
   try {

@@ -7,6 +7,7 @@
 
 #include "wythe/campaign.h"
 #include "wythe/contact_law.h"
+#include "wythe/limit.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
 #include "wythe/statistics.h"
@@ -58,6 +59,12 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 [[nodiscard]] std::string samples_csv(const Campaign& campaign);
 // statistics.json of a campaign; keys: docs/reference/statistics.md.
 [[nodiscard]] std::string statistics_json(const Statistics& statistics);
+// mechanisms.json and mechanism_<name>.csv of `wythe limit`; keys: docs/reference/limit.md.
+[[nodiscard]] std::string mechanisms_json(const Model& model, const SecondOpinion& opinion);
+[[nodiscard]] std::string mechanism_csv(const CapacityCurve& curve);
+// The run, or the samples that answered, in a folder of `wythe run` or `wythe campaign`. Throws
+// InputError when it holds neither, IoError when its files are damaged.
+[[nodiscard]] std::vector<ComparedRun> read_compared_runs(const std::string& folder);
 // Writes a whole file at once or throws IoError; never leaves half a file.
 void write_text(const std::string& path, const std::string& text);
 // Throws InputError when `folder` holds results of the other kind, whose report would be lost.

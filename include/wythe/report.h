@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wythe/campaign.h"
+#include "wythe/limit.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
 #include "wythe/statistics.h"
@@ -21,5 +22,11 @@ namespace wythe {
                                      const Result& result);
 // report.html of a campaign; whatever it holds, nothing included.
 [[nodiscard]] std::string campaign_report(const Campaign& campaign, const Statistics& statistics);
+// A mechanism before and after: bodies, hinges, load, as an SVG document.
+[[nodiscard]] std::string mechanism_svg(const Model& model, const Mechanism& mechanism);
+// What `wythe limit` found, as a part of a page, and as a page of its own.
+[[nodiscard]] std::string limit_section(const Model& model, const SecondOpinion& opinion);
+[[nodiscard]] std::string limit_report(const ModelSpec& spec, const Model& model,
+                                       const SecondOpinion& opinion);
 
 }  // namespace wythe

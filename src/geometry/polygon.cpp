@@ -100,6 +100,13 @@ bool folds_back(const Triangle& t) {
 
 }  // namespace
 
+Polygon part_inside(const Polygon& outline, const Polygon& convex) {
+  Polygon shape = outline;
+  for (std::size_t i = 0; i < convex.size() && !shape.empty(); ++i)
+    shape = keep_left(shape, convex[i], convex[(i + 1) % convex.size()]);
+  return shape.size() < 3 ? Polygon{} : shape;
+}
+
 double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
 PolygonMoments moments(const Polygon& outline) {

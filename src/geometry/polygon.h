@@ -34,4 +34,8 @@ struct Rect {
 // Common area of two simple anticlockwise polygons, convex or not [m^2].
 [[nodiscard]] double overlap_area(const Polygon& a, const Polygon& b);
 
+// The part of a simple outline inside a convex anticlockwise one; empty where they do not meet. Edges
+// may run back over each other where the outline is not convex: its moments are right.
+[[nodiscard]] Polygon part_inside(const Polygon& outline, const Polygon& convex);
+
 }  // namespace wythe::geometry

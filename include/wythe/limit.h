@@ -1,0 +1,229 @@
+// A second opinion on a model without time stepping: limit analysis of its blocks, and the collapse
+// of three macro-blocks cut from it.
+//
+//   Model --limit_load()--> LimitAnswer           largest load rigid-plastic joints carry, by linear
+//                                                 programming; static and kinematic theorem
+//   Model --find_portal()--> Portal               two piers, one opening, a spandrel
+//   Portal --cut_mechanism()--> Mechanism         FM-1 or FM-4: bodies, hinges, their loads
+//   Chain --follow()--> CapacityCurve             force against displacement, down to no force
+//   curves of runs --compare()--> Verdict         do they agree
+//
+// Theory: docs/theory/limit_analysis.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/model.h"
+#include "wythe/result.h"
+
+namespace wythe {
+
+// --- limit analysis of the block model ------------------------------------------------------------
+
+// What a joint resists beside compression and friction.
+enum class JointStrength { kDry, kBonded };  // bonded: tension cut-off ft and cohesion c
+enum class FrictionChoice { kPeak, kResidual };
+// How crushing bounds a joint: not at all; each contact point by its share of fc A, as the D-RBA has
+// it; or a stress block at fc, M <= N l/2 (1 - N/(fc A)).
+enum class CrushingChoice { kNone, kPoints, kStressBlock };
+
+struct LimitOptions {
+  JointStrength strength = JointStrength::kDry;
+  FrictionChoice friction = FrictionChoice::kPeak;
+  CrushingChoice crushing = CrushingChoice::kNone;
+};
+
+// What grows: the force of the push stage along its direction [N], or lambda W on every block
+// (body force and tilt, lambda = tan of the angle) [-].
+struct LimitAnswer {
+  LimitOptions options;
+  bool is_force = true;
+  double load = 0;       // static theorem: largest load in balance within the joints' strength
+  double kinematic = 0;  // kinematic theorem: least load that drives a mechanism; equal to `load`
+  // joint forces at that load (n_point): compression on each point [N]
+  std::vector<double> point_force;
+  std::vector<double> shear_force;  // along t on the block b [N] (n_joint)
+  // collapse mechanism, per unit velocity of the load (n_block) [-], [-], [1/m]
+  std::vector<double> vx, vy, omega;
+  double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load
+  int rows = 0, columns = 0, cuts = 0;  // size of the static programme; tangents added
+  double seconds = 0;
+};
+// Associated flow, small displacements. Throws InputError when nothing grows, when the dead loads
+// alone cannot be carried (says which block cannot stand), and when the load is without limit.
+[[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options);
+
+// --- a chain of macro-blocks ------------------------------------------------------------------------
+
+struct Point {
+  double x = 0, y = 0;  // [m]
+};
+// A load that keeps its direction and follows a point of its body: self-weight at the centroid, ...
+struct BodyLoad {
+  Point at;               // at the start
+  double fx = 0, fy = 0;  // [N]
+  bool is_weight = false;
+};
+struct MacroBlock {
+  std::string name;  // "left pier", "spandrel", "right pier"
+  std::vector<Point> outline;
+  std::vector<BodyLoad> loads;
+};
+// Rigid bodies hinged to each other and to the ground at both ends, one degree of freedom:
+//
+//             C12 o------o            one body:  hinges {C1}
+//     body 1     /  body 2 \  C23     three:     hinges {C1, C12, C23, C3}
+//               /           o
+//          C1  o             \  body 3
+//         =====               o  C3
+//                            =====
+struct Chain {
+  std::vector<MacroBlock> bodies;  // 1 or 3
+  std::vector<Point> hinges;       // 1 or 4
+  int loaded_body = 0;
+  Point load_point;      // where the horizontal force acts, on the loaded body
+  double direction = 1;  // of the force: +1 or -1 along x
+};
+
+struct ChainState {
+  double displacement = 0;       // of the load point along the force [m]
+  double force = 0;              // that holds the chain in balance [N]
+  std::vector<double> rotation;  // of each body, anticlockwise, since the start [rad]
+  std::vector<double> rate;      // of each body's rotation per that of the first [-]
+  std::vector<Point> hinges;     // where they are now
+};
+enum class ChainEnd { kNoForce, kLocked, kTurnsBack };
+[[nodiscard]] const char* to_string(ChainEnd end);
+struct CapacityCurve {
+  std::vector<ChainState> states;  // from rest on
+  ChainEnd end = ChainEnd::kNoForce;
+  [[nodiscard]] double force_at(double displacement) const;  // 0 beyond the end
+};
+// Where a point of a body has come to.
+[[nodiscard]] Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at);
+// Virtual work on the geometry as it turns: F v_load + sum P v = 0. Throws InputError where the load
+// point does not move, or where the chain falls without a force.
+[[nodiscard]] CapacityCurve follow(const Chain& chain);
+
+// Displacement-based assessment of a chain after Circolare 7/2019, C8.7.1.2.1: equivalent system of
+// one degree of freedom. Which shares of d0 the limit states take is the caller's.
+struct Assessment {
+  double alpha0 = 0;              // force at rest / weight of all moving loads [-]
+  double alpha0_by_weights = 0;   // multiplier of horizontal forces proportional to all loads [-]
+  double participating_mass = 0;  // M* = (sum P dx)^2 / (g sum P dx^2) [kg]
+  double mass_share = 0;          // e* = g M* / sum P [-]
+  double acceleration0 = 0;       // a0* = alpha0 by weights g / e* [m/s^2], confidence factor 1
+  double displacement0 = 0;       // d0, of the load point where the force is nil [m]
+  double life_safety = 0, near_collapse = 0;  // displacements of the limit states [m]
+};
+struct LimitStateShares {
+  double life_safety = 0.4, near_collapse = 0.6;  // of d0
+};
+[[nodiscard]] Assessment assess(const Chain& chain, const CapacityCurve& curve, double gravity,
+                                const LimitStateShares& shares = {});
+
+// --- macro-blocks of a wall with one opening --------------------------------------------------------
+
+enum class Hypothesis { kInfinite, kMacroBlock1, kMacroBlock2 };
+[[nodiscard]] const char* to_string(Hypothesis hypothesis);  // "infinite", "macro_block_1", ...
+
+// What the mechanisms need of a wall, found in its blocks. All heights above the wall's base.
+struct Portal {
+  double left = 0, right = 0;            // ends of the wall [m]
+  double jamb_left = 0, jamb_right = 0;  // of the opening [m]
+  double foot = 0, head = 0, top = 0;    // sill, head of the opening, top of the wall [m]
+  double thickness = 0;                  // [m]
+  double block_height = 0;               // of one course [m]
+  double compressive_strength = 0;       // fc [Pa], of the weakest bed or foundation joint
+  std::string strength_material;         // whose it is
+  Point load_point;                      // mean centroid of the driven blocks
+  double direction = 1;                  // of the push, along x
+};
+// Throws InputError with every fault: not one opening, no horizontal push, a loading beam, a load
+// point outside the wall.
+[[nodiscard]] Portal find_portal(const Model& model);
+
+struct NamedNumber {
+  std::string name;
+  double value = 0;
+  std::string unit;
+};
+struct Mechanism {
+  std::string mode;  // "FM-1", "FM-4"
+  Hypothesis hypothesis = Hypothesis::kInfinite;
+  Chain chain;
+  std::vector<NamedNumber> inputs;  // every number that entered
+  CapacityCurve curve;
+  // "mechanism_fm1_infinite"
+  [[nodiscard]] std::string file_name() const;
+};
+// `mode`: "FM-1" or "FM-4". Throws InputError where fc is needed and unlimited, and where crushing
+// takes a pier's whole foot.
+[[nodiscard]] Mechanism cut_mechanism(const Model& model, const Portal& portal,
+                                      const std::string& mode, Hypothesis hypothesis);
+
+// --- beside runs ------------------------------------------------------------------------------------
+
+// A run to compare with: a stored run, or a sample of a campaign.
+struct ComparedRun {
+  std::string name;  // "run", "sample 17"
+  std::string mode;  // its failure mode
+  std::vector<CurveRow> curve = {};
+  double load_factor = 0;  // of a body force or tilt
+  double rate_effect = 0;  // share of the drive's work that damping and motion took [-]
+  double bound = -1;       // limit load of its own model, where it has one [N] or [-]
+};
+struct CurveVerdict {
+  std::string run, mode, mechanism;
+  double peak_ratio = 0;  // peak of the run / force of the mechanism at rest
+  double gap = 0;         // mean |difference| over the run's post-peak branch [N]
+  double gap_share = 0;   // the same, of the run's peak
+};
+// The peak of a run beside what limit analysis says it cannot pass.
+struct BoundVerdict {
+  std::string run;
+  double peak = 0, bound = 0;  // [N] or [-]
+  double allowance = 0;        // 1 % and the run's rate effect [-]
+  [[nodiscard]] bool holds() const { return peak <= bound * (1 + allowance); }
+};
+struct EnvelopePoint {
+  double displacement = 0, low = 0, mean = 0, high = 0;  // [m], [N]
+  int runs = 0;
+};
+// Runs of one mode together.
+struct GroupVerdict {
+  std::string mode, mechanism;
+  int runs = 0;
+  double mean_peak = 0;                           // of the runs [N]
+  double peak_ratio = 0, gap = 0, gap_share = 0;  // means of the single ones
+};
+struct Comparison {
+  std::string with;  // the folder
+  std::vector<ComparedRun> runs;
+  std::vector<CurveVerdict> curves;
+  std::vector<GroupVerdict> groups;
+  std::vector<BoundVerdict> bounds;
+};
+[[nodiscard]] CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism);
+// Each run with the mechanisms of its mode, or with all of them where its mode has none.
+[[nodiscard]] Comparison compare(std::string with, std::vector<ComparedRun> runs,
+                                 const std::vector<Mechanism>& mechanisms);
+// Lowest, mean and highest force of runs at equal displacements, as far as half of them reach.
+[[nodiscard]] std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs,
+                                                  const std::string& mode);
+
+// What `wythe limit` writes.
+struct NamedLimit {
+  std::string name;  // "dry", "bonded", ...
+  LimitAnswer answer;
+};
+struct SecondOpinion {
+  std::vector<NamedLimit> limits;
+  std::vector<Mechanism> mechanisms;
+  std::vector<Assessment> assessments;  // of each mechanism, or none
+  LimitStateShares shares;
+  Comparison comparison;
+};
+
+}  // namespace wythe

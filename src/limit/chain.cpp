@@ -1,0 +1,235 @@
+// A chain of one or three rigid bodies: positions, rates, and the force that holds it in balance.
+//
+//   a = C12 - C1,  b = C23 - C12,  c = C23 - C3 (as they are now)
+//   closure      C1 + a + b = C3 + c        positions: C23 is where two circles meet
+//   rates        a + w2 b = w3 c            per unit rate of body 1
+//                w2 = -(a x c)/(b x c),  w3 = (a x b)/(c x b)
+//   virtual work F (v_load . d) + sum P . v = 0
+//
+// Equations (6.5) to (6.7) of docs/theory/limit_analysis.md. Called by cut_mechanism() and tests.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "wythe/error.h"
+#include "wythe/limit.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kMarch = 2e-4;    // of rotation, looking for the end [rad]
+constexpr double kFarthest = 1.5;  // no chain turns farther [rad]
+constexpr int kStates = 500;       // of a curve
+constexpr double kLocked = 1e-9;   // b x c over their lengths
+
+Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+Point turned(Point a, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * a.x - s * a.y, s * a.x + c * a.y};
+}
+double angle_between(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
+
+// Bodies turned, first of all by `rotation` of the first.
+struct Pose {
+  std::vector<double> rotation, rate;
+  std::vector<Point> hinges;
+};
+
+class Follower {
+ public:
+  explicit Follower(const Chain& chain) : c_(chain) {}
+
+  [[nodiscard]] std::optional<Pose> pose(double turn) const {
+    if (c_.bodies.size() == 1) return Pose{{turn}, {1.0}, c_.hinges};
+    const Point p0 = c_.hinges[0], p3 = c_.hinges[3];
+    const Point a0 = c_.hinges[1] - p0, b0 = c_.hinges[2] - c_.hinges[1], c0 = c_.hinges[2] - p3;
+    const Point a = turned(a0, turn), p1 = p0 + a;
+    const std::optional<Point> p2 = meet(p1, dot(b0, b0), p3, dot(c0, c0), cross(b0, c0));
+    if (!p2) return std::nullopt;
+    const Point b = *p2 - p1, c = *p2 - p3;
+    const double area = cross(b, c);
+    if (std::fabs(area) <= kLocked * std::sqrt(dot(b, b) * dot(c, c))) return std::nullopt;
+    return Pose{{turn, angle_between(b0, b), angle_between(c0, c)},
+                {1.0, -cross(a, c) / area, -cross(a, b) / area},
+                {p0, p1, *p2, p3}};
+  }
+
+  // The hinge of the pose that a body turns about, and the velocity of that hinge.
+  struct Pivot {
+    Point before, now, velocity;
+  };
+  [[nodiscard]] Pivot pivot(const Pose& pose, std::size_t body) const {
+    if (body == 0) return {c_.hinges[0], pose.hinges[0], {0, 0}};
+    if (body == 2) return {c_.hinges[3], pose.hinges[3], {0, 0}};
+    const Point arm = pose.hinges[1] - pose.hinges[0];
+    return {c_.hinges[1], pose.hinges[1], {-arm.y, arm.x}};
+  }
+  [[nodiscard]] Point place(const Pose& pose, std::size_t body, Point at) const {
+    const Pivot p = pivot(pose, body);
+    return p.now + turned(at - p.before, pose.rotation[body]);
+  }
+  // Per unit rate of the first body.
+  [[nodiscard]] Point velocity(const Pose& pose, std::size_t body, Point at) const {
+    const Pivot p = pivot(pose, body);
+    const Point arm = turned(at - p.before, pose.rotation[body]);
+    const double w = pose.rate[body];
+    return {p.velocity.x - w * arm.y, p.velocity.y + w * arm.x};
+  }
+
+  [[nodiscard]] double load_speed(const Pose& pose) const {
+    return c_.direction * velocity(pose, loaded(), c_.load_point).x;
+  }
+  [[nodiscard]] double dead_power(const Pose& pose) const {
+    double power = 0;
+    for (std::size_t i = 0; i < c_.bodies.size(); ++i) {
+      for (const BodyLoad& load : c_.bodies[i].loads) {
+        const Point v = velocity(pose, i, load.at);
+        power += load.fx * v.x + load.fy * v.y;
+      }
+    }
+    return power;
+  }
+  [[nodiscard]] ChainState state(const Pose& pose) const {
+    ChainState s;
+    const Point now = place(pose, loaded(), c_.load_point);
+    s.displacement = c_.direction * (now.x - c_.load_point.x);
+    s.force = -dead_power(pose) / load_speed(pose);
+    s.rotation = pose.rotation;
+    s.rate = pose.rate;
+    s.hinges = pose.hinges;
+    return s;
+  }
+
+ private:
+  [[nodiscard]] std::size_t loaded() const { return static_cast<std::size_t>(c_.loaded_body); }
+
+  // Where the circles about p1 and p3 (radii squared) meet, on the side b x c tells.
+  static std::optional<Point> meet(Point p1, double r1, Point p3, double r3, double side) {
+    const Point base = p3 - p1;
+    const double length2 = dot(base, base);
+    const double along = (r1 - r3 + length2) / (2 * length2);
+    const double height2 = r1 / length2 - along * along;
+    if (height2 < 0) return std::nullopt;
+    // b x c = base x b, for c = b - base
+    const double height = std::copysign(std::sqrt(height2), side);
+    return p1 + Point{along * base.x - height * base.y, along * base.y + height * base.x};
+  }
+
+  const Chain& c_;
+};
+
+[[noreturn]] void refuse(const std::string& problem, const std::string& cure) {
+  throw InputError({{.file = "", .path = "wall", .value = "", .problem = problem, .cure = cure}});
+}
+
+struct End {
+  double turn = 0;
+  ChainEnd why = ChainEnd::kNoForce;
+};
+
+// Whether the chain still stands at this turn, and if not why.
+std::optional<ChainEnd> ends_at(const Follower& follower, double sense, double turn) {
+  const std::optional<Pose> pose = follower.pose(sense * turn);
+  if (!pose) return ChainEnd::kLocked;
+  if (sense * follower.load_speed(*pose) <= 0) return ChainEnd::kTurnsBack;
+  if (follower.state(*pose).force <= 0) return ChainEnd::kNoForce;
+  return std::nullopt;
+}
+
+End find_end(const Follower& follower, double sense) {
+  double before = 0, after = kMarch;
+  std::optional<ChainEnd> why;
+  while (!(why = ends_at(follower, sense, after)) && after < kFarthest) {
+    before = after;
+    after += kMarch;
+  }
+  if (!why) return {after, ChainEnd::kLocked};
+  for (int i = 0; i < 60 && after - before > 0; ++i) {
+    const double middle = 0.5 * (before + after);
+    const std::optional<ChainEnd> ended = ends_at(follower, sense, middle);
+    (ended ? after : before) = middle;
+    if (ended) why = ended;
+  }
+  return {before, *why};
+}
+
+}  // namespace
+
+const char* to_string(ChainEnd end) {
+  switch (end) {
+    case ChainEnd::kNoForce: return "the force is zero";
+    case ChainEnd::kLocked: return "the chain locks";
+    case ChainEnd::kTurnsBack: return "the load point turns back";
+  }
+  return "";
+}
+
+Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at) {
+  return Follower(chain).place({state.rotation, state.rate, state.hinges}, body, at);
+}
+
+CapacityCurve follow(const Chain& chain) {
+  const Follower follower(chain);
+  const std::optional<Pose> rest = follower.pose(0);
+  if (!rest) refuse("the chain of macro-blocks is locked", "check the hinges");
+  const double speed = follower.load_speed(*rest);
+  if (std::fabs(speed) < 1e-9)
+    refuse("the load point does not move in this mechanism", "push higher, beside the spandrel");
+  const double sense = speed > 0 ? 1 : -1;
+  if (follower.state(*rest).force <= 0)
+    refuse("this mechanism falls under the dead loads alone",
+           "lower the loads on the spandrel, or check the push's direction");
+  const End end = find_end(follower, sense);
+  CapacityCurve curve;
+  curve.end = end.why;
+  for (int i = 0; i <= kStates; ++i)
+    if (const auto pose = follower.pose(sense * end.turn * i / kStates))
+      curve.states.push_back(follower.state(*pose));
+  curve.states.front().displacement = 0;
+  if (curve.end == ChainEnd::kNoForce) curve.states.back().force = 0;
+  return curve;
+}
+
+double CapacityCurve::force_at(double displacement) const {
+  const auto after = std::find_if(states.begin(), states.end(), [&](const ChainState& s) {
+    return s.displacement >= displacement;
+  });
+  if (after == states.end()) return 0;
+  if (after == states.begin()) return after->force;
+  const ChainState& a = *(after - 1);
+  const double share = (displacement - a.displacement) / (after->displacement - a.displacement);
+  return a.force + share * (after->force - a.force);
+}
+
+Assessment assess(const Chain& chain, const CapacityCurve& curve, double gravity,
+                  const LimitStateShares& shares) {
+  const Follower follower(chain);
+  const Pose rest = follower.pose(0).value();
+  const double sense = follower.load_speed(rest) > 0 ? 1 : -1;
+  double weight = 0, first = 0, second = 0, lifted = 0;
+  for (std::size_t i = 0; i < chain.bodies.size(); ++i) {
+    for (const BodyLoad& load : chain.bodies[i].loads) {
+      const Point v = follower.velocity(rest, i, load.at);
+      const double p = -load.fy, along = sense * chain.direction * v.x;
+      weight += p;
+      first += p * along;
+      second += p * along * along;
+      lifted += p * sense * v.y;
+    }
+  }
+  Assessment a;
+  a.alpha0 = curve.states.front().force / weight;
+  a.alpha0_by_weights = lifted / first;
+  a.participating_mass = first * first / (gravity * second);
+  a.mass_share = gravity * a.participating_mass / weight;
+  a.acceleration0 = a.alpha0_by_weights * gravity / a.mass_share;
+  a.displacement0 = curve.states.back().displacement;
+  a.life_safety = shares.life_safety * a.displacement0;
+  a.near_collapse = shares.near_collapse * a.displacement0;
+  return a;
+}
+
+}  // namespace wythe

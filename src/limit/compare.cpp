@@ -1,0 +1,132 @@
+// Beside the curves of runs: peaks, post-peak branches, bounds.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "wythe/limit.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kAllowance = 0.01;  // of the bound, beside the run's rate effect
+
+std::size_t peak_row(const std::vector<CurveRow>& curve) {
+  const auto peak = std::max_element(
+      curve.begin(), curve.end(),
+      [](const CurveRow& a, const CurveRow& b) { return a.reaction < b.reaction; });
+  return static_cast<std::size_t>(peak - curve.begin());
+}
+
+double force_of(const std::vector<CurveRow>& curve, double displacement) {
+  const auto after = std::find_if(curve.begin(), curve.end(), [&](const CurveRow& row) {
+    return row.displacement >= displacement;
+  });
+  if (after == curve.begin()) return after->reaction;
+  const CurveRow& a = *(after - 1);
+  const double share = (displacement - a.displacement) / (after->displacement - a.displacement);
+  return a.reaction + share * (after->reaction - a.reaction);
+}
+
+double peak_of(const ComparedRun& run) {
+  if (run.load_factor > 0) return run.load_factor;
+  return run.curve.empty() ? 0 : run.curve[peak_row(run.curve)].reaction;
+}
+
+std::vector<const Mechanism*> mechanisms_of(const ComparedRun& run,
+                                            const std::vector<Mechanism>& mechanisms) {
+  std::vector<const Mechanism*> own, all;
+  for (const Mechanism& m : mechanisms) {
+    all.push_back(&m);
+    if (m.mode == run.mode) own.push_back(&m);
+  }
+  return own.empty() ? all : own;
+}
+
+// Means over the runs of one mode, mechanism by mechanism.
+std::vector<GroupVerdict> groups_of(const Comparison& c) {
+  std::map<std::pair<std::string, std::string>, GroupVerdict> groups;
+  std::map<std::string, double> peak;
+  for (const ComparedRun& run : c.runs) peak[run.name] = peak_of(run);
+  for (const CurveVerdict& v : c.curves) {
+    GroupVerdict& g = groups[{v.mode, v.mechanism}];
+    g.mode = v.mode;
+    g.mechanism = v.mechanism;
+    ++g.runs;
+    g.mean_peak += peak.at(v.run);
+    g.peak_ratio += v.peak_ratio;
+    g.gap += v.gap;
+    g.gap_share += v.gap_share;
+  }
+  std::vector<GroupVerdict> out;
+  for (auto& [key, g] : groups) {
+    for (double* mean : {&g.mean_peak, &g.peak_ratio, &g.gap, &g.gap_share}) *mean /= g.runs;
+    out.push_back(g);
+  }
+  return out;
+}
+
+}  // namespace
+
+// The mean over displacement, by the trapezoidal rule on the run's own rows.
+CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism) {
+  CurveVerdict v{.run = run.name, .mode = run.mode, .mechanism = mechanism.file_name()};
+  if (run.curve.size() < 2) return v;
+  const std::size_t peak = peak_row(run.curve);
+  v.peak_ratio = run.curve[peak].reaction / mechanism.curve.states.front().force;
+  const auto gap_at = [&](std::size_t i) {
+    const CurveRow& row = run.curve[i];
+    return std::fabs(row.reaction - mechanism.curve.force_at(row.displacement));
+  };
+  double area = 0;
+  for (std::size_t i = peak + 1; i < run.curve.size(); ++i)
+    area += 0.5 * (gap_at(i) + gap_at(i - 1)) *
+            (run.curve[i].displacement - run.curve[i - 1].displacement);
+  const double length = run.curve.back().displacement - run.curve[peak].displacement;
+  v.gap = length > 0 ? area / length : gap_at(peak);
+  v.gap_share = v.gap / run.curve[peak].reaction;
+  return v;
+}
+
+Comparison compare(std::string with, std::vector<ComparedRun> runs,
+                   const std::vector<Mechanism>& mechanisms) {
+  Comparison c;
+  c.with = std::move(with);
+  c.runs = std::move(runs);
+  for (const ComparedRun& run : c.runs) {
+    if (peak_of(run) > 0 && run.bound >= 0)
+      c.bounds.push_back({run.name, peak_of(run), run.bound, kAllowance + run.rate_effect});
+    if (run.curve.size() < 2 || run.load_factor > 0) continue;
+    for (const Mechanism* m : mechanisms_of(run, mechanisms)) c.curves.push_back(compare(run, *m));
+  }
+  c.groups = groups_of(c);
+  return c;
+}
+
+std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs, const std::string& mode) {
+  std::vector<const ComparedRun*> of_mode;
+  double farthest = 0;
+  for (const ComparedRun& run : runs) {
+    if (run.mode != mode || run.curve.size() < 2) continue;
+    of_mode.push_back(&run);
+    farthest = std::max(farthest, run.curve.back().displacement);
+  }
+  constexpr int kPoints = 250;
+  std::vector<EnvelopePoint> points;
+  for (int i = 0; i <= kPoints; ++i) {
+    EnvelopePoint p{.displacement = farthest * i / kPoints};
+    for (const ComparedRun* run : of_mode) {
+      if (run->curve.back().displacement < p.displacement) continue;
+      const double force = force_of(run->curve, p.displacement);
+      p.low = p.runs == 0 ? force : std::min(p.low, force);
+      p.high = p.runs == 0 ? force : std::max(p.high, force);
+      p.mean += force;
+      ++p.runs;
+    }
+    if (2 * p.runs < static_cast<int>(of_mode.size()) || p.runs == 0) break;
+    p.mean /= p.runs;
+    points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace wythe

@@ -1,0 +1,51 @@
+// What a joint resists: its yield surface for limit analysis.
+//
+//   p_k   compression on point k, at centre + xi_k e      s   shear on block b along t
+//   N = sum p_k      M = sum p_k xi_k l/2
+//
+//   sliding     |s| <= c A + mu N
+//   tension     p_k >= -ft A w_k                        w_k: share of the point, sums to 1
+//   crushing    p_k <= fc A w_k                         (points)
+//               |M| <= l/2 (N + T)(C - N)/(C + T)       (stress block; T = ft A, C = fc A), convex,
+//               cut by tangents where the solution breaks it: `Tangent`
+//
+// Without crushing two end points say the same as any number, so only kPoints keeps the model's.
+#pragma once
+
+#include <vector>
+
+#include "wythe/limit.h"
+#include "wythe/model.h"
+
+namespace wythe::limit {
+
+struct JointYield {
+  double cohesion = 0;     // c A [N], infinite where the joint cannot slide
+  double friction = 0;     // mu [-]
+  double tension = 0;      // T [N], may be infinite
+  double compression = 0;  // C [N], may be infinite
+  double half_length = 0;  // l/2 [m]
+};
+
+// sign * M <= moment + slope (N - normal), i.e. sign M - slope N <= capacity.
+struct Tangent {
+  int joint = 0;
+  double sign = 1, slope = 0, capacity = 0;  // [-], [m], [N m]
+};
+
+struct YieldModel {
+  std::vector<double> xi, weight;  // of the points used
+  std::vector<JointYield> joint;   // (n_joint)
+  std::vector<Tangent> tangent;    // grows while the stress block is being cut
+  bool stress_block = false;
+  [[nodiscard]] std::size_t points() const { return xi.size(); }
+};
+
+[[nodiscard]] YieldModel yield_of(const Model& model, const LimitOptions& options);
+// Adds tangents where N, M of a joint lie outside its stress block; returns how many.
+int cut_stress_blocks(YieldModel& yield, const std::vector<double>& point_force);
+// Leaves only tangents the solution touches: the others change nothing, and many nearly parallel
+// ones cost the kinematic programme its digits.
+void drop_idle_tangents(YieldModel& yield, const std::vector<double>& point_force);
+
+}  // namespace wythe::limit

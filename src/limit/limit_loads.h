@@ -1,0 +1,31 @@
+// The loads of a model as limit analysis sees them: what stands still and what grows.
+//
+// Reads the stages: gravity and load stages give the dead loads, the last push, body force or tilt
+// gives what grows. Called by limit_load.cpp and by the macro-block mechanisms.
+#pragma once
+
+#include <vector>
+
+#include "wythe/model.h"
+
+namespace wythe::limit {
+
+struct BlockForce {
+  double fx = 0, fy = 0, moment = 0;  // on a centroid [N], [N m]
+};
+
+struct LimitLoads {
+  std::vector<BlockForce> dead;     // (n_block)
+  std::vector<BlockForce> growing;  // per unit of the load (n_block); none under `together`
+  const Stage* stage = nullptr;     // what grows
+  bool is_force = true;
+  bool together = false;  // driven blocks share one velocity, their forces sum up to the load
+  std::vector<char> held_across, held_turn;  // motions the test rig prevents (n_block)
+};
+
+// Throws InputError when no stage grows.
+[[nodiscard]] LimitLoads limit_loads(const Model& model);
+// The stage that grows: the last push, body force or tilt; nullptr: none.
+[[nodiscard]] const Stage* growing_stage(const Model& model);
+
+}  // namespace wythe::limit

@@ -1,0 +1,291 @@
+// Limit analysis of block models: published walls, closed forms, and both theorems at once.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "scenes/scenes.h"
+#include "verification/record.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/limit.h"
+
+namespace wythe::verification {
+namespace {
+
+using scenes::degrees;
+
+constexpr double kGravity = 9.81;
+
+StageSpec body_force() {
+  StageSpec stage;
+  stage.name = "body force";
+  stage.kind = StageKind::kBodyForce;
+  stage.direction = Direction::kPlusX;
+  stage.rate = 0.1;
+  stage.factor = 2;
+  return stage;
+}
+
+ModelSpec with_stages(ModelSpec spec, StageSpec growing) {
+  spec.stage = {scenes::gravity_stage(), std::move(growing)};
+  return spec;
+}
+
+Model ferris_wall(const std::string& name) {
+  return compile(
+      read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
+                 {"wall.blocks=data/" + name + ".json"}));
+}
+
+// The static and the kinematic programme are built apart; at the optimum they agree to `kGap`.
+constexpr double kGap = 1e-6;
+
+void expect_no_gap(const LimitAnswer& answer) {
+  EXPECT_NEAR(answer.kinematic / answer.load, 1, kGap);
+}
+
+TEST(LimitLoad, Ferris_and_Tin_Loi_walls) {
+  const struct {
+    const char* file;
+    const char* what;
+    double factor;
+  } walls[] = {{"wall1", "wall 1, 33 blocks", 0.64286},
+               {"wall2", "wall 2, 55 blocks", 0.58000},
+               {"wall4", "wall 4, 55 blocks, two openings", 0.33195}};
+  for (const auto& wall : walls) {
+    const LimitAnswer answer = limit_load(ferris_wall(wall.file), {});
+    EXPECT_FALSE(answer.is_force);
+    expect_no_gap(answer);
+    verify({"LP-FTL", std::string("associated load factor of Ferris and Tin-Loi's ") + wall.what,
+            "-", wall.factor, 1e-4, "published with 5 digits"},
+           answer.load);
+  }
+}
+
+TEST(LimitLoad, block_overturns_or_slides_whichever_is_less) {
+  for (const double friction : {0.1, 0.7}) {
+    ModelSpec spec = scenes::block_on_ground(
+        0.4, 1.6, scenes::dry_joint(20e9, 8e9, std::atan(friction)), 0.3, 2000);
+    const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
+    expect_no_gap(answer);
+    verify({"CF20", "block under a body force, friction " + fmt::format("{}", friction), "-",
+            std::min(0.4 / 1.6, friction), 1e-9, "round-off of the simplex"},
+           answer.load);
+  }
+}
+
+// 200 kN on a weightless pier 1.70 x 2.62 m, pushed at its head.
+ModelSpec loaded_pier(double compressive_strength) {
+  JointMaterial joint = scenes::dry_joint(20e9, 8e9, degrees(60));
+  joint.compressive_strength = compressive_strength;
+  // enough for any strength asked here: no snap-back
+  joint.compressive_energy = std::isinf(compressive_strength) ? kUnset : 1e15;
+  ModelSpec spec = scenes::block_on_ground(1.70, 2.62, joint, 0.31, 1e-6);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 0.01)};
+  return spec;
+}
+
+double rocking_force(double compressive_strength, CrushingChoice crushing) {
+  Model model = compile(loaded_pier(compressive_strength));
+  scenes::add_load(model, {.block = 0, .fy = -200e3});
+  const LimitAnswer answer = limit_load(model, {.crushing = crushing});
+  EXPECT_TRUE(answer.is_force);
+  expect_no_gap(answer);
+  // the push acts at the centroid: F h/2 is what F' h is at the head
+  return answer.load / 2;
+}
+
+TEST(LimitLoad, CF16_rocking_of_a_pier) {
+  verify({"CF16a", "rocking strength by linear programming, unlimited fc", "kN", 64.8855, 1e-5,
+          "six digits; the block weighs 1e-8 of its load"},
+         1e-3 * rocking_force(kUnlimited, CrushingChoice::kNone));
+  const double sigma = 200e3 / (1.70 * 0.31);
+  verify({"CF16b", "the same with a stress block at 0.85 fc", "kN",
+          64.8855 * (1 - sigma / (0.85 * 3.96e6)), 1e-5, "tangents cut to 1e-9"},
+         1e-3 * rocking_force(0.85 * 3.96e6, CrushingChoice::kStressBlock));
+}
+
+TEST(LimitLoad, crushing_at_two_points_bites_only_beyond_half_the_strength) {
+  const double half = 200e3 / (1.70 * 0.31) * 2;  // fc at which one point carries all of N
+  EXPECT_NEAR(rocking_force(1.01 * half, CrushingChoice::kPoints),
+              rocking_force(kUnlimited, CrushingChoice::kNone), 1);
+  EXPECT_LT(rocking_force(0.9 * half, CrushingChoice::kPoints),
+            0.95 * rocking_force(kUnlimited, CrushingChoice::kNone));
+}
+
+TEST(LimitLoad, unlimited_strength_is_the_limit_of_a_large_one) {
+  const double infinite = rocking_force(kUnlimited, CrushingChoice::kStressBlock);
+  EXPECT_NEAR(rocking_force(1e12, CrushingChoice::kStressBlock) / infinite, 1, 1e-6);
+}
+
+TEST(LimitLoad, without_friction_a_stack_carries_nothing) {
+  const ModelSpec spec = scenes::stack(3, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0), 0.3, 2000);
+  const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
+  EXPECT_NEAR(answer.load, 0, 1e-9);
+}
+
+// Cohesion and tensile strength, closed forms of one joint; the base is c A wide.
+TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
+  ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, 2000);
+  const double weight = 1.0 * 0.1 * 0.31 * 2000 * kGravity;
+  const LimitAnswer answer =
+      limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
+  verify({"LP-1", "bonded slab slides: c A / W + mu", "-",
+          0.15e6 * 0.31 / weight + std::tan(degrees(16.2)), 1e-9, "round-off of the simplex"},
+         answer.load);
+}
+
+TEST(LimitLoad, bonded_tower_tears_at_its_base) {
+  JointMaterial joint = scenes::paper_joint();
+  joint.cohesion = 10e6;
+  joint.mode_2_energy = 1e5;
+  ModelSpec spec = scenes::block_on_ground(0.2, 2.0, joint, 0.31, 2000);
+  const double weight = 0.2 * 2.0 * 0.31 * 2000 * kGravity, area = 0.2 * 0.31;
+  // points at the ends: M = (N + ft A/2 2) l/2 with N = W and the far point at its cut-off
+  const double moment = (weight / 2 + 0.15e6 * area / 2) * 0.2;
+  const LimitAnswer answer =
+      limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
+  verify({"LP-2", "bonded tower tears at its base", "-", moment / (weight * 1.0), 1e-9,
+          "round-off of the simplex"},
+         answer.load);
+}
+
+// --- properties
+
+TEST(LimitLoad, joint_forces_balance_every_block_and_respect_friction) {
+  const Model model = ferris_wall("wall4");
+  const LimitAnswer answer = limit_load(model, {});
+  std::vector<double> fx(static_cast<std::size_t>(model.n_block)), fy = fx, m = fx;
+  for (std::size_t i = 0; i < fx.size(); ++i) {
+    const double w = model.solve.gravity * model.heavy_mass[i];
+    fx[i] = answer.load * w;
+    fy[i] = -w;
+  }
+  for (int j = 0; j < model.n_joint; ++j) {
+    const double tx = model.tangent_x[j], ty = model.tangent_y[j];
+    double normal = 0;
+    for (int k = 0; k < 2; ++k) {
+      const double p = answer.point_force[static_cast<std::size_t>(2 * j + k)];
+      const double s = answer.shear_force[static_cast<std::size_t>(j)] / 2, xi = k == 0 ? -1 : 1;
+      EXPECT_GE(p, -1e-6 * model.weight);
+      normal += p;
+      const double px = p * -ty + s * tx, py = p * tx + s * ty;  // on b
+      const auto act = [&](BlockId block, double sign, double x, double y) {
+        if (block == kGroundBlock) return;
+        const auto i = static_cast<std::size_t>(block);
+        x += xi * model.half_x[j];
+        y += xi * model.half_y[j];
+        fx[i] += sign * px;
+        fy[i] += sign * py;
+        m[i] += sign * (x * py - y * px);
+      };
+      act(model.joint_b[j], 1, model.arm_b_x[j], model.arm_b_y[j]);
+      act(model.joint_a[j], -1, model.arm_a_x[j], model.arm_a_y[j]);
+    }
+    EXPECT_LE(std::fabs(answer.shear_force[static_cast<std::size_t>(j)]),
+              0.65 * normal + 1e-6 * model.weight);
+  }
+  for (std::size_t i = 0; i < fx.size(); ++i) {
+    EXPECT_NEAR(fx[i], 0, 1e-6 * model.weight);
+    EXPECT_NEAR(fy[i], 0, 1e-6 * model.weight);
+    EXPECT_NEAR(m[i], 0, 1e-6 * model.weight);
+  }
+}
+
+// A push on the small wall with a window, everything counted: cohesion, tension, crushing.
+TEST(LimitLoad, both_theorems_agree_whatever_the_joints_resist) {
+  const Model model = compile(scenes::small_wall());
+  double dry = 0, bonded = 0;
+  for (const auto strength : {JointStrength::kDry, JointStrength::kBonded}) {
+    double before = INFINITY;
+    for (const auto crushing :
+         {CrushingChoice::kNone, CrushingChoice::kPoints, CrushingChoice::kStressBlock}) {
+      const LimitAnswer answer = limit_load(model, {.strength = strength, .crushing = crushing});
+      expect_no_gap(answer);
+      EXPECT_GT(answer.load, 0);
+      EXPECT_LE(answer.load, before * (1 + kGap)) << "a tighter yield surface carries no more";
+      before = answer.load;
+    }
+    (strength == JointStrength::kDry ? dry : bonded) = before;
+  }
+  EXPECT_GT(bonded, 1.5 * dry);
+}
+
+TEST(LimitLoad, mirror_and_scale) {
+  ModelSpec spec = scenes::half_units({}, scenes::dry_joint(20e9, 8e9, degrees(35)));
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("r6c0", Direction::kPlusX, 0.01, 0.01)};
+  const double load = limit_load(compile(spec), {}).load;
+  EXPECT_NEAR(limit_load(compile(scenes::mirrored(spec)), {}).load / load, 1, 1e-9);
+  // lengths x 2 with gravity / 2: weights x 4
+  EXPECT_NEAR(limit_load(compile(scenes::scaled(spec, 2)), {}).load / (4 * load), 1, 1e-9);
+}
+
+// The paper's wall, the largest programme of this project. Processor time: others may share the
+// machine.
+TEST(LimitLoad, tuff_wall_within_ten_seconds) {
+  const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 0.05));
+  const auto answer_within = [&](const LimitOptions& options, double seconds) {
+    const std::clock_t start = std::clock();
+    const LimitAnswer answer = limit_load(model, options);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, seconds);
+    expect_no_gap(answer);
+    return answer.load;
+  };
+  const double dry = answer_within({}, 10);
+  const double residual = answer_within(
+      {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kStressBlock}, 10);
+  const double bonded = answer_within({.strength = JointStrength::kBonded}, 10);
+  EXPECT_LT(residual, dry);
+  EXPECT_LT(dry, bonded);
+}
+
+// --- what has no answer
+
+std::string refusal(const Model& model, const LimitOptions& options = {}) {
+  try {
+    (void)limit_load(model, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LimitLoad, a_block_without_neighbours_flies) {
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.block[1].id = "balloon";
+  Model model = compile(with_stages(spec, body_force()));
+  // compile() refuses such walls: the joint is taken away afterwards
+  const auto between = model.joint_a[0] == kGroundBlock ? 1 : 0;
+  model.joint_b[between] = model.joint_a[between];
+  model.block_begin.assign({0, 1, 1});
+  const std::string text = refusal(model);
+  EXPECT_NE(text.find("balloon"), std::string::npos) << text;
+  EXPECT_NE(text.find("flies"), std::string::npos) << text;
+}
+
+TEST(LimitLoad, a_block_that_overhangs_cannot_stand) {
+  ModelSpec spec = scenes::stack(1, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.block.push_back(scenes::rectangle("ledge", 0.3, 0.2, 1.0, 0.1));
+  const std::string text = refusal(compile(with_stages(spec, body_force())));
+  EXPECT_NE(text.find("cannot stand"), std::string::npos) << text;
+}
+
+TEST(LimitLoad, a_load_no_mechanism_follows_has_no_limit) {
+  JointMaterial joint = scenes::dry_joint(20e9, 8e9, 0.5);
+  joint.tensile_strength = joint.cohesion = kUnlimited;
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kMinusY, 0.01, 0.01)};
+  const std::string text = refusal(compile(spec));
+  EXPECT_NE(text.find("without end"), std::string::npos) << text;
+  EXPECT_NE(text.find("b0"), std::string::npos) << text;
+}
+
+TEST(LimitLoad, nothing_that_grows_is_refused) {
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.stage = {scenes::gravity_stage()};
+  EXPECT_NE(refusal(compile(spec)).find("no stage has a load that grows"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace wythe::verification
