@@ -181,6 +181,23 @@ template <class Real>
           Real(m.inv_p_full),   Real(m.crush_gain)};
 }
 
+template <class Real, int packs>
+WYTHE_INLINE void load_work(const JointLanes& lanes, JointWork<Real> (&work)[packs]) {
+  using L = Lanes<Real>;
+  for (int k = 0; k < packs; ++k)
+    work[k] = {L::load(lanes.friction + k * L::width), L::load(lanes.fracture + k * L::width),
+               L::load(lanes.crushing + k * L::width)};
+}
+template <class Real, int packs>
+WYTHE_INLINE void store_work(const JointWork<Real> (&work)[packs], JointLanes& lanes) {
+  using L = Lanes<Real>;
+  for (int k = 0; k < packs; ++k) {
+    L::store(work[k].friction, lanes.friction + k * L::width);
+    L::store(work[k].fracture, lanes.fracture + k * L::width);
+    L::store(work[k].crushing, lanes.crushing + k * L::width);
+  }
+}
+
 // Joints begin..end-1, all of one law; for packs a whole number of groups.
 template <class V, bool on_ground, int n_point, class Real>
 void joint_run(const JointArrays& v, const contact::LawConstants<double>& constants,
@@ -189,19 +206,13 @@ void joint_run(const JointArrays& v, const contact::LawConstants<double>& consta
   constexpr int packs = kGroup / L::width;
   const contact::LawConstants<Real> law = same_in_lanes<Real>(constants);
   JointWork<Real> work[packs];
-  for (int k = 0; k < packs; ++k)
-    work[k] = {L::load(lanes.friction + k * L::width), L::load(lanes.fracture + k * L::width),
-               L::load(lanes.crushing + k * L::width)};
+  load_work(lanes, work);
   int k = 0;
   for (std::size_t j = begin; j < end; j += static_cast<std::size_t>(L::width)) {
     joint_force<V, on_ground, n_point>(v, law, j, work[k]);
     k = (k + 1) % packs;
   }
-  for (k = 0; k < packs; ++k) {
-    L::store(work[k].friction, lanes.friction + k * L::width);
-    L::store(work[k].fracture, lanes.fracture + k * L::width);
-    L::store(work[k].crushing, lanes.crushing + k * L::width);
-  }
+  store_work(work, lanes);
 }
 
 }  // namespace wythe::dynamics

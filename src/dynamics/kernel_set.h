@@ -4,6 +4,7 @@
 #include "contact/parameters.h"
 #include "dynamics/blocks.h"
 #include "dynamics/forces.h"
+#include "dynamics/zones.h"
 
 namespace wythe::dynamics {
 
@@ -20,8 +21,16 @@ void joints_of(const JointArrays& v, const JointMaterial& variant,
 }
 
 template <class Real>
+void edges_of(const EdgeArrays& v, const JointMaterial& variant,
+              const contact::LawConstants<double>& law, std::size_t begin, std::size_t end,
+              JointLanes& lanes) {
+  contact::with_variant(
+      variant, [&](auto chosen) { edge_run<decltype(chosen), Real>(v, law, begin, end, lanes); });
+}
+
+template <class Real>
 [[nodiscard]] constexpr Kernels kernel_set(const char* name) {
-  return {name, joints_of<Real>, move_run<Real>, turn_run<Real>};
+  return {name, joints_of<Real>, move_run<Real>, turn_run<Real>, zone_run<Real>, edges_of<Real>};
 }
 
 }  // namespace wythe::dynamics

@@ -3,6 +3,8 @@
 //   joints   a run of joints of one material: stresses, history, own force        (forces.h)
 //   move     central differences with local damping for a run of blocks           (blocks.h)
 //   turn     poses (displacement, half-angle cosine and sine) of a run of blocks   (blocks.h)
+//   zones    a run of zones of one shape: forces on their corners                  (zones.h)
+//   edges    a run of zone contacts of one material                               (zones.h)
 //
 // All sets give the same bits: packs take kGroup neighbours, what is left over goes through the
 // scalar kernels, and energies are summed in kGroup lanes by everybody. WYTHE_SIMD=scalar|sse2|avx2
@@ -40,6 +42,24 @@ struct BlockArrays {
   double* pose;
 };
 
+// What the passes over deformable blocks read and write.
+struct ZoneArrays {
+  const std::int32_t* corner[4];
+  std::size_t n_zone;
+  const double *ux, *uy;      // of nodes
+  double *force_x, *force_y;  // four columns of n_zone, one a corner
+};
+struct EdgeArrays {
+  JointArrays joint;  // pose, area, history and two points, seen from the first contact
+  const BlockId* block;
+  const std::int32_t *p, *q;
+  const double *share_0, *share_1, *arm_0_x, *arm_0_y, *arm_1_x, *arm_1_y;
+  const double *tangent_x, *tangent_y;
+  const double *ux, *uy;  // of nodes
+  double* block_force;    // rows fx, fy, m on the rigid block, 0
+  double* edge_force;     // rows px, py, qx, qy on the nodes
+};
+
 struct MoveControls {
   double dt, damping, mass_scaling, gravity_x, gravity_y;
 };
@@ -60,6 +80,10 @@ struct Kernels {
   void (*move)(const BlockArrays&, const MoveControls&, std::size_t begin, std::size_t end,
                BlockLanes&);
   void (*turn)(const BlockArrays&, std::size_t begin, std::size_t end);
+  void (*zones)(const ZoneArrays&, const ZoneShape&, std::size_t begin, std::size_t end);
+  void (*edges)(const EdgeArrays&, const JointMaterial& variant,
+                const contact::LawConstants<double>&, std::size_t begin, std::size_t end,
+                JointLanes&);
 };
 
 [[nodiscard]] const Kernels& scalar_kernels();

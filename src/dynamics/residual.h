@@ -17,7 +17,7 @@ namespace wythe::dynamics {
 // Where work went since the start; gap is what the ledger misses.
 [[nodiscard]] EnergyLedger energy_ledger(const Model& model, const State& state,
                                          double mass_scaling);
-// First block whose motion is not finite or faster than 100 m/s, or -1.
+// First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
 [[nodiscard]] BlockId runaway_block(const State& state);
 
 }  // namespace wythe::dynamics

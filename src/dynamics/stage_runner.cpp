@@ -241,6 +241,15 @@ double StageRunner::furthest_block(BlockId* block) const {
   return std::sqrt(furthest);
 }
 
+std::string StageRunner::name_of(BlockId block) const {
+  if (block < model_.n_block) return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+  const int node = block - model_.n_block;
+  std::string name = "of zones";
+  for (const SolidBody& body : model_.solids.bodies)
+    if (node >= body.first_node) name = body.id;
+  return name;
+}
+
 // Interrupt, budget, instability, and collapse: a block farther off than the push can have brought it.
 StageEnd StageRunner::watch(const Stage& stage, double share) {
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
@@ -253,8 +262,7 @@ StageEnd StageRunner::watch(const Stage& stage, double share) {
         SolveStatus::kUnstable,
         fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
                     "solve.step_fraction",
-                    model_.anatomy.block_id[static_cast<std::size_t>(runaway)], state_.time,
-                    stage.spec.name),
+                    name_of(runaway), state_.time, stage.spec.name),
         false};
   BlockId block = 0;
   const double moved = furthest_block(&block);

@@ -39,6 +39,7 @@ class StageRunner {
   [[nodiscard]] StageEnd unsettled(const Stage& stage, double ratio) const;
   [[nodiscard]] StageEnd standstill(const Stage& stage, double carried, double moved,
                                     double then) const;
+  [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] double furthest_block(BlockId* block) const;
 
   const Model& model_;

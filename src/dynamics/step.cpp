@@ -97,6 +97,32 @@ std::vector<std::int32_t> middle_of_entries(const Model& m) {
   return middle;
 }
 
+// Runs of at most kChunk with the same `kind`.
+std::vector<JointChunk> cut_runs(const std::vector<std::int32_t>& kind) {
+  std::vector<JointChunk> chunks;
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(kind.size()); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const bool fits = !chunks.empty() && k - chunks.back().begin < kChunk && kind[i] == kind[i - 1];
+    if (!fits) chunks.push_back({k, k, false});
+    chunks.back().end = k + 1;
+  }
+  return chunks;
+}
+
+void size_for_solids(const Solids& s, Workspace& w) {
+  const auto zones = static_cast<std::size_t>(s.n_zone), nodes = static_cast<std::size_t>(s.n_node);
+  const auto contacts = static_cast<std::size_t>(s.n_contact);
+  w.zone_chunks = cut_runs(s.zone_shape);
+  w.contact_chunks = cut_runs(s.contact_material);
+  w.node_chunks = (s.n_node + kChunk - 1) / kChunk;
+  for (auto* array : {&w.zone_force_x, &w.zone_force_y}) array->assign(4 * zones, 0.0);
+  for (auto* array : {&w.contact_block_force, &w.contact_edge_force})
+    array->assign(4 * contacts, 0.0);
+  for (auto* array : {&w.node_total_x, &w.node_total_y}) array->assign(nodes, 0.0);
+  w.contact_energy.resize(w.contact_chunks.size());
+  w.node_energy.resize(static_cast<std::size_t>(w.node_chunks));
+}
+
 }  // namespace
 
 Workspace::Workspace(const Model& m) {
@@ -107,12 +133,14 @@ Workspace::Workspace(const Model& m) {
   for (auto* array : {&contact_x, &contact_y, &contact_m, &load_x, &load_y, &load_m, &total_x,
                       &total_y, &total_m})
     array->assign(nb, 0.0);
-  pose.assign(4 * nb, 0.0);
+  pose.assign(4 * nb + 4, 0.0);
+  pose[4 * nb + 2] = 1.0;
   force.assign(4 * nj, 0.0);
   is_free.assign(nb, 1.0);
   block_middle = middle_of_entries(m);
   joint_energy.resize(joint_chunks.size());
   block_energy.resize(static_cast<std::size_t>(block_chunks));
+  size_for_solids(m.solids, *this);
 }
 
 Stepper::Stepper(const Model& model, int threads, const Kernels& kernels)
@@ -125,9 +153,13 @@ void Stepper::choose_driven(const std::vector<BlockId>& blocks) {
 
 DriveForce Stepper::step(State& state, const Controls& controls) {
   joint_pass(state);
+  zone_pass(state);
+  zone_contact_pass(state);
   gather_pass();
+  gather_zone_contacts();
   load_pass(state);
   move_pass(state, controls);
+  node_pass(state, controls);
   const DriveForce drive = drive_pass(state, controls);
   turn_pass(state);
   sum_energy(state);
@@ -239,10 +271,16 @@ void Stepper::sum_energy(State& s) {
     s.dissipated_fracture += e.fracture;
     s.dissipated_crushing += e.crushing;
   }
-  for (const ChunkEnergy& e : work_.block_energy) {
-    s.work_loads += e.loads;
-    s.work_damping += e.damping;
+  for (const ChunkEnergy& e : work_.contact_energy) {
+    s.dissipated_friction += e.friction;
+    s.dissipated_fracture += e.fracture;
+    s.dissipated_crushing += e.crushing;
   }
+  for (const auto* energies : {&work_.block_energy, &work_.node_energy})
+    for (const ChunkEnergy& e : *energies) {
+      s.work_loads += e.loads;
+      s.work_damping += e.damping;
+    }
 }
 
 }  // namespace wythe::dynamics

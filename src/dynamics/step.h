@@ -1,9 +1,12 @@
 // One time step of a wall, as a list of calls (step.cpp), and the pieces it is made of.
 //
 //   joint_pass   each joint: opening, slip -> stresses -> its own force            (forces.h)
-//   gather_pass  each block: sum of its joints in CSR order
+//   zone_pass    each zone of a deformable block: forces on its corners            (zones.h)
+//   zone_contact_pass   each contact of a zone's edge: as joint_pass
+//   gather_pass  each block: sum of its joints in CSR order, then of its zone contacts
 //   load_pass    dead loads that follow their blocks
 //   move_pass    central differences with local damping
+//   node_pass    the same for the nodes of zones                                   (zone_pass.cpp)
 //   drive_pass   the driven blocks: prescribed velocity, common or through a spreader (drive_pass.cpp)
 //   turn_pass    poses for the next step: displacement, half-angle cosine and sine
 //
@@ -47,10 +50,21 @@ class Stepper {
   [[nodiscard]] const Workspace& workspace() const { return work_; }
 
  private:
+  // Work on chunks; a single one is done at once, without waking anybody.
+  template <class Work>
+  void for_each_chunk(int chunks, const Work& work) {
+    if (chunks > 1) return workers_.for_each_chunk(chunks, work);
+    if (chunks == 1) work(0);
+  }
+
   void joint_pass(State& state);
+  void zone_pass(const State& state);
+  void zone_contact_pass(State& state);
   void gather_pass();
+  void gather_zone_contacts();
   void load_pass(const State& state);
   void move_pass(State& state, const Controls& controls);
+  void node_pass(State& state, const Controls& controls);
   DriveForce drive_pass(State& state, const Controls& controls);
   void turn_pass(State& state);
   void sum_energy(State& state);

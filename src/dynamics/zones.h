@@ -1,0 +1,115 @@
+// The passes of the step over deformable blocks: zones, their contacts with rigid blocks, nodes.
+//
+// A contact's two points stand on a face of a rigid block a and on an edge p-q of a zone. The frame
+// turns with a, and both forces act where the edge's point is now:
+//
+//   j = x_edge - x_face,  w = j . n(theta_a),  s = j . t(theta_a)
+//   f = area/2 (sigma n + tau t) on a at x_edge, -f on the edge, (1 - share) to p and share to q
+//
+// This is exactly work-conjugate to w and s and keeps linear and angular momentum.
+#pragma once
+
+#include "dynamics/forces.h"
+#include "dynamics/motion.h"
+#include "solids/zone.h"
+
+namespace wythe::dynamics {
+
+template <class Real>
+[[nodiscard]] WYTHE_INLINE Real gather(const double* values, const std::int32_t* id) {
+  constexpr int width = Lanes<Real>::width;
+  double lane[width];
+  for (int k = 0; k < width; ++k) lane[k] = values[id[k]];
+  return Lanes<Real>::load(lane);
+}
+
+// Zones begin..end-1, all of one shape.
+template <class Real>
+void zone_run(const ZoneArrays& v, const ZoneShape& shape, std::size_t begin, std::size_t end) {
+  using L = Lanes<Real>;
+  for (std::size_t z = begin; z < end; z += static_cast<std::size_t>(L::width)) {
+    solids::ZoneVectors<Real> u;
+    for (int k = 0; k < 4; ++k) {
+      u.x[k] = gather<Real>(v.ux, v.corner[k] + z);
+      u.y[k] = gather<Real>(v.uy, v.corner[k] + z);
+    }
+    const solids::ZoneVectors<Real> f = solids::zone_force(shape, u);
+    for (int k = 0; k < 4; ++k) {
+      L::store(f.x[k], v.force_x + static_cast<std::size_t>(k) * v.n_zone + z);
+      L::store(f.y[k], v.force_y + static_cast<std::size_t>(k) * v.n_zone + z);
+    }
+  }
+}
+
+// Displacement and place of one point on both sides.
+template <class Real>
+struct EdgePoint {
+  Real jump_x, jump_y;  // edge against face
+  Real arm_x, arm_y;    // of the edge's point, from a's centroid
+};
+
+template <class Real>
+[[nodiscard]] WYTHE_INLINE EdgePoint<Real> edge_point(const Rows<Real>& pose, Real arm_x,
+                                                      Real arm_y, Real edge_x, Real edge_y) {
+  const Real c = pose.c2, s = pose.c3;
+  const Real drop = Real(-2.0) * s * s, sine = Real(2.0) * s * c;
+  const Real dx = drop * arm_x - sine * arm_y, dy = sine * arm_x + drop * arm_y;
+  const Real jx = edge_x - (pose.c0 + dx), jy = edge_y - (pose.c1 + dy);
+  return {jx, jy, arm_x + dx + jx, arm_y + dy + jy};
+}
+
+template <class V, class Real>
+WYTHE_INLINE void edge_force(const EdgeArrays& v, const contact::LawConstants<Real>& law,
+                             std::size_t c, JointWork<Real>& work) {
+  using L = Lanes<Real>;
+  const Real one(1.0), half(0.5);
+  const Rows<Real> pose = L::load_rows(v.joint.pose, v.block + c);
+  const Real share_0 = L::load(v.share_0 + c), share_1 = L::load(v.share_1 + c);
+  const Real px = gather<Real>(v.ux, v.p + c), py = gather<Real>(v.uy, v.p + c);
+  const Real qx = gather<Real>(v.ux, v.q + c), qy = gather<Real>(v.uy, v.q + c);
+  const auto on_edge = [&](Real from, Real to, Real share) __attribute__((always_inline)) {
+    return (one - share) * from + share * to;
+  };
+  const EdgePoint<Real> e0 = edge_point(pose, L::load(v.arm_0_x + c), L::load(v.arm_0_y + c),
+                                        on_edge(px, qx, share_0), on_edge(py, qy, share_0));
+  const EdgePoint<Real> e1 = edge_point(pose, L::load(v.arm_1_x + c), L::load(v.arm_1_y + c),
+                                        on_edge(px, qx, share_1), on_edge(py, qy, share_1));
+  // t turned by theta_a; n on its left
+  const Real cosine = one - Real(2.0) * pose.c3 * pose.c3, sine = Real(2.0) * pose.c3 * pose.c2;
+  const Real tx0 = L::load(v.tangent_x + c), ty0 = L::load(v.tangent_y + c);
+  const Real tx = cosine * tx0 - sine * ty0, ty = sine * tx0 + cosine * ty0;
+  const Real n0 = e0.jump_y * tx - e0.jump_x * ty, t0 = e0.jump_x * tx + e0.jump_y * ty;
+  const Real n1 = e1.jump_y * tx - e1.jump_x * ty, t1 = e1.jump_x * tx + e1.jump_y * ty;
+  const FaceForce<Real> f = face_force<V, 2>(
+      v.joint, law, c, {half * (n0 + n1), half * (t0 + t1), half * (n1 - n0), half * (t1 - t0)},
+      work);
+  // sums back to the points, in the wall's axes
+  const Real fn0 = half * (f.fn - f.gn), fn1 = half * (f.fn + f.gn);
+  const Real ft0 = half * (f.ft - f.gt), ft1 = half * (f.ft + f.gt);
+  const Real x0 = ft0 * tx - fn0 * ty, y0 = ft0 * ty + fn0 * tx;
+  const Real x1 = ft1 * tx - fn1 * ty, y1 = ft1 * ty + fn1 * tx;
+  const Real moment = (e0.arm_x * y0 - e0.arm_y * x0) + (e1.arm_x * y1 - e1.arm_y * x1);
+  L::store_rows({x0 + x1, y0 + y1, moment, Real(0.0)}, v.block_force + 4 * c);
+  const Real to_q_x = share_0 * x0 + share_1 * x1, to_q_y = share_0 * y0 + share_1 * y1;
+  L::store_rows({to_q_x - (x0 + x1), to_q_y - (y0 + y1), Real(0.0) - to_q_x, Real(0.0) - to_q_y},
+                v.edge_force + 4 * c);
+}
+
+// Contacts begin..end-1, all of one law.
+template <class V, class Real>
+void edge_run(const EdgeArrays& v, const contact::LawConstants<double>& constants,
+              std::size_t begin, std::size_t end, JointLanes& lanes) {
+  using L = Lanes<Real>;
+  constexpr int packs = kGroup / L::width;
+  const contact::LawConstants<Real> law = same_in_lanes<Real>(constants);
+  JointWork<Real> work[packs];
+  load_work(lanes, work);
+  int k = 0;
+  for (std::size_t c = begin; c < end; c += static_cast<std::size_t>(L::width)) {
+    edge_force<V>(v, law, c, work[k]);
+    k = (k + 1) % packs;
+  }
+  store_work(work, lanes);
+}
+
+}  // namespace wythe::dynamics
