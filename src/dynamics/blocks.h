@@ -45,6 +45,21 @@ WYTHE_INLINE void move_block(const BlockArrays& v, const MoveControls& controls,
   work = {work.loads + select(is_free, loads, zero), work.damping + select(is_free, damped, zero)};
 }
 
+template <class Real, int packs>
+WYTHE_INLINE void load_work(const BlockLanes& lanes, BlockWork<Real> (&work)[packs]) {
+  using L = Lanes<Real>;
+  for (int k = 0; k < packs; ++k)
+    work[k] = {L::load(lanes.loads + k * L::width), L::load(lanes.damping + k * L::width)};
+}
+template <class Real, int packs>
+WYTHE_INLINE void store_work(const BlockWork<Real> (&work)[packs], BlockLanes& lanes) {
+  using L = Lanes<Real>;
+  for (int k = 0; k < packs; ++k) {
+    L::store(work[k].loads, lanes.loads + k * L::width);
+    L::store(work[k].damping, lanes.damping + k * L::width);
+  }
+}
+
 // Blocks begin..end-1; for packs a whole number of groups.
 template <class Real>
 void move_run(const BlockArrays& v, const MoveControls& controls, std::size_t begin,
@@ -52,17 +67,13 @@ void move_run(const BlockArrays& v, const MoveControls& controls, std::size_t be
   using L = Lanes<Real>;
   constexpr int packs = kGroup / L::width;
   BlockWork<Real> work[packs];
-  for (int k = 0; k < packs; ++k)
-    work[k] = {L::load(lanes.loads + k * L::width), L::load(lanes.damping + k * L::width)};
+  load_work(lanes, work);
   int k = 0;
   for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(L::width)) {
     move_block(v, controls, i, work[k]);
     k = (k + 1) % packs;
   }
-  for (k = 0; k < packs; ++k) {
-    L::store(work[k].loads, lanes.loads + k * L::width);
-    L::store(work[k].damping, lanes.damping + k * L::width);
-  }
+  store_work(work, lanes);
 }
 
 template <class Real>

@@ -30,7 +30,8 @@ void edges_of(const EdgeArrays& v, const JointMaterial& variant,
 
 template <class Real>
 [[nodiscard]] constexpr Kernels kernel_set(const char* name) {
-  return {name, joints_of<Real>, move_run<Real>, turn_run<Real>, zone_run<Real>, edges_of<Real>};
+  return {name,           joints_of<Real>, move_run<Real>, turn_run<Real>,
+          zone_run<Real>, edges_of<Real>,  node_run<Real>};
 }
 
 }  // namespace wythe::dynamics

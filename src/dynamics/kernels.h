@@ -5,6 +5,7 @@
 //   turn     poses (displacement, half-angle cosine and sine) of a run of blocks   (blocks.h)
 //   zones    a run of zones of one shape: forces on their corners                  (zones.h)
 //   edges    a run of zone contacts of one material                               (zones.h)
+//   nodes    central differences with local damping for a run of nodes of zones   (zones.h)
 //
 // All sets give the same bits: packs take kGroup neighbours, what is left over goes through the
 // scalar kernels, and energies are summed in kGroup lanes by everybody. WYTHE_SIMD=scalar|sse2|avx2
@@ -45,9 +46,8 @@ struct BlockArrays {
 // What the passes over deformable blocks read and write.
 struct ZoneArrays {
   const std::int32_t* corner[4];
-  std::size_t n_zone;
-  const double *ux, *uy;      // of nodes
-  double *force_x, *force_y;  // four columns of n_zone, one a corner
+  const double *ux, *uy;           // of nodes
+  double *low_force, *high_force;  // rows x0, y0, x1, y1 and x2, y2, x3, y3 on the corners
 };
 struct EdgeArrays {
   JointArrays joint;  // pose, area, history and two points, seen from the first contact
@@ -58,6 +58,12 @@ struct EdgeArrays {
   const double *ux, *uy;  // of nodes
   double* block_force;    // rows fx, fy, m on the rigid block, 0
   double* edge_force;     // rows px, py, qx, qy on the nodes
+};
+
+struct NodeArrays {
+  const double *mass, *heavy_mass, *free_x, *free_y;
+  double *total_x, *total_y;  // in: forces of zones and contacts; out: with gravity, 0 where held
+  double *ux, *uy, *vx, *vy;
 };
 
 struct MoveControls {
@@ -84,6 +90,8 @@ struct Kernels {
   void (*edges)(const EdgeArrays&, const JointMaterial& variant,
                 const contact::LawConstants<double>&, std::size_t begin, std::size_t end,
                 JointLanes&);
+  void (*nodes)(const NodeArrays&, const MoveControls&, std::size_t begin, std::size_t end,
+                BlockLanes&);
 };
 
 [[nodiscard]] const Kernels& scalar_kernels();

@@ -232,12 +232,17 @@ StageEnd StageRunner::run_hold(const Stage& stage) {
 
 double StageRunner::furthest_block(BlockId* block) const {
   double furthest = 0;
-  for (std::size_t i = 0; i < state_.ux.size(); ++i) {
-    const double moved = state_.ux[i] * state_.ux[i] + state_.uy[i] * state_.uy[i];
-    if (moved <= furthest) continue;
-    furthest = moved;
-    if (block != nullptr) *block = static_cast<BlockId>(i);
-  }
+  // nodes of zones count on after the blocks
+  const auto look = [&](const std::vector<double>& ux, const std::vector<double>& uy, int first) {
+    for (std::size_t i = 0; i < ux.size(); ++i) {
+      const double moved = ux[i] * ux[i] + uy[i] * uy[i];
+      if (moved <= furthest) continue;
+      furthest = moved;
+      if (block != nullptr) *block = first + static_cast<BlockId>(i);
+    }
+  };
+  look(state_.ux, state_.uy, 0);
+  look(state_.node_ux, state_.node_uy, model_.n_block);
   return std::sqrt(furthest);
 }
 
@@ -268,8 +273,7 @@ StageEnd StageRunner::watch(const Stage& stage, double share) {
   const double moved = furthest_block(&block);
   if (moved > allowed)
     return {SolveStatus::kCollapsed,
-            fmt::format("block {} has moved {:.0f} mm in stage \"{}\"",
-                        model_.anatomy.block_id[static_cast<std::size_t>(block)], 1e3 * moved,
+            fmt::format("block {} has moved {:.0f} mm in stage \"{}\"", name_of(block), 1e3 * moved,
                         stage.spec.name),
             false};
   if (options_.stop != nullptr && options_.stop->load())

@@ -115,7 +115,7 @@ void size_for_solids(const Solids& s, Workspace& w) {
   w.zone_chunks = cut_runs(s.zone_shape);
   w.contact_chunks = cut_runs(s.contact_material);
   w.node_chunks = (s.n_node + kChunk - 1) / kChunk;
-  for (auto* array : {&w.zone_force_x, &w.zone_force_y}) array->assign(4 * zones, 0.0);
+  w.zone_force.assign(8 * zones, 0.0);
   for (auto* array : {&w.contact_block_force, &w.contact_edge_force})
     array->assign(4 * contacts, 0.0);
   for (auto* array : {&w.node_total_x, &w.node_total_y}) array->assign(nodes, 0.0);

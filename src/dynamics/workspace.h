@@ -44,8 +44,8 @@ struct Workspace {
   std::vector<double> is_free;  // 0: moved by drive_pass (n_block), set at a stage's start
   std::vector<std::int32_t> block_middle;  // first entry of a block where it is side b (n_block)
 
-  // written by zone_pass: forces on the corners (4, n_zone) [N]
-  std::vector<double> zone_force_x, zone_force_y;
+  // written by zone_pass: rows of the forces on corners 0 and 1, then those on 2 and 3 (2, n_zone, 4)
+  std::vector<double> zone_force;  // [N]
   // written by zone_contact_pass: rows on the rigid block and on the edge's nodes (n_contact, 4)
   std::vector<double> contact_block_force, contact_edge_force;
   // written by node_pass: forces on each node with gravity (n_node) [N]

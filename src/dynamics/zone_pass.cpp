@@ -1,6 +1,7 @@
 // The passes of the step that concern deformable blocks (docs/theory/zones.md).
+#include <algorithm>
+
 #include "contact/parameters.h"
-#include "dynamics/motion.h"
 #include "dynamics/step.h"
 
 namespace wythe::dynamics {
@@ -11,11 +12,10 @@ constexpr double kXi[2] = {-1.0, 1.0}, kHalf[2] = {0.5, 0.5};
 ZoneArrays zone_arrays(const Solids& m, Workspace& w, const State& s) {
   return {
       .corner = {m.corner[0].data(), m.corner[1].data(), m.corner[2].data(), m.corner[3].data()},
-      .n_zone = static_cast<std::size_t>(m.n_zone),
       .ux = s.node_ux.data(),
       .uy = s.node_uy.data(),
-      .force_x = w.zone_force_x.data(),
-      .force_y = w.zone_force_y.data()};
+      .low_force = w.zone_force.data(),
+      .high_force = w.zone_force.data() + 4 * static_cast<std::size_t>(m.n_zone)};
 }
 
 // History of the contacts follows that of the joints.
@@ -72,26 +72,34 @@ void run_chunk(const JointChunk& chunk, const Kernels& kernels, const Run& run) 
   run(scalar_kernels(), grouped, end);
 }
 
+NodeArrays node_arrays(const Solids& m, Workspace& w, State& s) {
+  return {.mass = m.node_mass.data(),
+          .heavy_mass = m.node_heavy_mass.data(),
+          .free_x = m.node_free_x.data(),
+          .free_y = m.node_free_y.data(),
+          .total_x = w.node_total_x.data(),
+          .total_y = w.node_total_y.data(),
+          .ux = s.node_ux.data(),
+          .uy = s.node_uy.data(),
+          .vx = s.node_vx.data(),
+          .vy = s.node_vy.data()};
+}
+
 // Forces of zones and contacts on node i, in the order of its lists.
-struct NodeForce {
+void sum_on_node(const Solids& m, Workspace& w, std::size_t i) {
   double x = 0, y = 0;
-};
-NodeForce force_on_node(const Solids& m, const Workspace& w, std::size_t i) {
-  NodeForce f;
-  const auto zones = static_cast<std::size_t>(m.n_zone);
-  for (auto e = m.zone_begin[i]; e < m.zone_begin[i + 1]; ++e) {
-    const auto entry = static_cast<std::size_t>(m.zone_entry[static_cast<std::size_t>(e)]);
-    const std::size_t at = (entry & 3U) * zones + (entry >> 2U);
-    f.x += w.zone_force_x[at];
-    f.y += w.zone_force_y[at];
-  }
-  for (auto e = m.contact_begin[i]; e < m.contact_begin[i + 1]; ++e) {
-    const auto entry = static_cast<std::size_t>(m.contact_entry[static_cast<std::size_t>(e)]);
-    const double* row = w.contact_edge_force.data() + 4 * (entry >> 1U) + 2 * (entry & 1U);
-    f.x += row[0];
-    f.y += row[1];
-  }
-  return f;
+  const auto add = [&](const std::vector<std::int32_t>& begin,
+                       const std::vector<std::int32_t>& list, const double* force) {
+    for (auto e = begin[i]; e < begin[i + 1]; ++e) {
+      const double* at = force + list[static_cast<std::size_t>(e)];
+      x += at[0];
+      y += at[1];
+    }
+  };
+  add(m.zone_begin, m.zone_entry, w.zone_force.data());
+  add(m.contact_begin, m.contact_entry, w.contact_edge_force.data());
+  w.node_total_x[i] = x;
+  w.node_total_y[i] = y;
 }
 
 }  // namespace
@@ -143,27 +151,19 @@ void Stepper::gather_zone_contacts() {
 
 void Stepper::node_pass(State& s, const Controls& controls) {
   const Solids& m = model_.solids;
-  const double dt = controls.dt, lambda = controls.damping;
+  const NodeArrays arrays = node_arrays(m, work_, s);
+  const MoveControls move{controls.dt, controls.damping, controls.mass_scaling, s.gravity_x,
+                          s.gravity_y};
   for_each_chunk(work_.node_chunks, [&](int c) {
-    const auto begin = static_cast<std::size_t>(c) * kChunk;
-    const std::size_t end = std::min(begin + kChunk, static_cast<std::size_t>(m.n_node));
-    ChunkEnergy energy;
-    for (std::size_t i = begin; i < end; ++i) {
-      const NodeForce f = force_on_node(m, work_, i);
-      const double heavy = m.node_heavy_mass[i], inertia = m.node_mass[i] * controls.mass_scaling;
-      const double load_x = heavy * s.gravity_x, load_y = heavy * s.gravity_y;
-      const double x = work_.node_total_x[i] = m.node_free_x[i] * (f.x + load_x);
-      const double y = work_.node_total_y[i] = m.node_free_y[i] * (f.y + load_y);
-      const Moved<double> mx = accelerate(s.node_vx[i], x, inertia, dt, lambda);
-      const Moved<double> my = accelerate(s.node_vy[i], y, inertia, dt, lambda);
-      s.node_vx[i] = mx.velocity;
-      s.node_vy[i] = my.velocity;
-      s.node_ux[i] += dt * mx.velocity;
-      s.node_uy[i] += dt * my.velocity;
-      energy.loads += dt * (load_x * mx.mean_velocity + load_y * my.mean_velocity);
-      energy.damping += mx.damping_work + my.damping_work;
-    }
-    work_.node_energy[static_cast<std::size_t>(c)] = energy;
+    const JointChunk chunk{c * kChunk, std::min((c + 1) * kChunk, m.n_node), false};
+    for (auto i = chunk.begin; i < chunk.end; ++i)
+      sum_on_node(m, work_, static_cast<std::size_t>(i));
+    BlockLanes lanes;
+    run_chunk(chunk, kernels_, [&](const Kernels& kernels, std::size_t begin, std::size_t end) {
+      kernels.nodes(arrays, move, begin, end, lanes);
+    });
+    work_.node_energy[static_cast<std::size_t>(c)].loads = sum_of(lanes.loads);
+    work_.node_energy[static_cast<std::size_t>(c)].damping = sum_of(lanes.damping);
   });
 }
 

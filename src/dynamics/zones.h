@@ -9,8 +9,8 @@
 // This is exactly work-conjugate to w and s and keeps linear and angular momentum.
 #pragma once
 
+#include "dynamics/blocks.h"
 #include "dynamics/forces.h"
-#include "dynamics/motion.h"
 #include "solids/zone.h"
 
 namespace wythe::dynamics {
@@ -34,10 +34,8 @@ void zone_run(const ZoneArrays& v, const ZoneShape& shape, std::size_t begin, st
       u.y[k] = gather<Real>(v.uy, v.corner[k] + z);
     }
     const solids::ZoneVectors<Real> f = solids::zone_force(shape, u);
-    for (int k = 0; k < 4; ++k) {
-      L::store(f.x[k], v.force_x + static_cast<std::size_t>(k) * v.n_zone + z);
-      L::store(f.y[k], v.force_y + static_cast<std::size_t>(k) * v.n_zone + z);
-    }
+    L::store_rows({f.x[0], f.y[0], f.x[1], f.y[1]}, v.low_force + 4 * z);
+    L::store_rows({f.x[2], f.y[2], f.x[3], f.y[3]}, v.high_force + 4 * z);
   }
 }
 
@@ -93,6 +91,47 @@ WYTHE_INLINE void edge_force(const EdgeArrays& v, const contact::LawConstants<Re
   const Real to_q_x = share_0 * x0 + share_1 * x1, to_q_y = share_0 * y0 + share_1 * y1;
   L::store_rows({to_q_x - (x0 + x1), to_q_y - (y0 + y1), Real(0.0) - to_q_x, Real(0.0) - to_q_y},
                 v.edge_force + 4 * c);
+}
+
+// Node i and its neighbours.
+template <class Real>
+WYTHE_INLINE void move_node(const NodeArrays& v, const MoveControls& controls, std::size_t i,
+                            BlockWork<Real>& work) {
+  using L = Lanes<Real>;
+  const Real dt(controls.dt), damping(controls.damping);
+  const Real heavy = L::load(v.heavy_mass + i);
+  const Real inertia = L::load(v.mass + i) * Real(controls.mass_scaling);
+  const Real load_x = heavy * Real(controls.gravity_x), load_y = heavy * Real(controls.gravity_y);
+  const Real fx = L::load(v.free_x + i) * (L::load(v.total_x + i) + load_x);
+  const Real fy = L::load(v.free_y + i) * (L::load(v.total_y + i) + load_y);
+  L::store(fx, v.total_x + i);
+  L::store(fy, v.total_y + i);
+  const auto advance = [&](double* velocity, double* place, Real force)
+      __attribute__((always_inline)) {
+    const Moved<Real> moved = accelerate(L::load(velocity + i), force, inertia, dt, damping);
+    L::store(moved.velocity, velocity + i);
+    L::store(L::load(place + i) + dt * moved.velocity, place + i);
+    return moved;
+  };
+  const Moved<Real> x = advance(v.vx, v.ux, fx);
+  const Moved<Real> y = advance(v.vy, v.uy, fy);
+  work = {work.loads + dt * (load_x * x.mean_velocity + load_y * y.mean_velocity),
+          work.damping + (x.damping_work + y.damping_work)};
+}
+
+template <class Real>
+void node_run(const NodeArrays& v, const MoveControls& controls, std::size_t begin, std::size_t end,
+              BlockLanes& lanes) {
+  using L = Lanes<Real>;
+  constexpr int packs = kGroup / L::width;
+  BlockWork<Real> work[packs];
+  load_work(lanes, work);
+  int k = 0;
+  for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(L::width)) {
+    move_node(v, controls, i, work[k]);
+    k = (k + 1) % packs;
+  }
+  store_work(work, lanes);
 }
 
 // Contacts begin..end-1, all of one law.

@@ -132,6 +132,10 @@ Model compile(const ModelSpec& spec) {
   compile_solids(spec, assembly, model, faults);
   faults.throw_if_any();
   const BlockMap map = compile_blocks(spec, assembly, model);
+  if (model.n_block == 0 && !model.solids.bodies.empty())
+    faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
+                "leave at least one rigid block: loads and pushes act on those", 0});
+  faults.throw_if_any();
   compile_joints(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, model, faults);
   faults.throw_if_any();

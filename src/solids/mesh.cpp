@@ -54,17 +54,17 @@ void set_rim(SolidBody& body) {
   for (int j = body.rows; j > 0; --j) body.rim.push_back(body.node(0, j));
 }
 
-// Row of each node: the numbers k for which node_of(k) is that node.
-template <class NodeOf>
-void list_by_node(int n_node, int count, const NodeOf& node_of, std::vector<std::int32_t>& begin,
-                  std::vector<std::int32_t>& entry) {
+// Row of each node: place_of(k) for all k for which node_of(k) is that node.
+template <class NodeOf, class PlaceOf>
+void list_by_node(int n_node, int count, const NodeOf& node_of, const PlaceOf& place_of,
+                  std::vector<std::int32_t>& begin, std::vector<std::int32_t>& entry) {
   begin.assign(static_cast<std::size_t>(n_node) + 1, 0);
   for (int k = 0; k < count; ++k) ++begin[static_cast<std::size_t>(node_of(k)) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   entry.resize(static_cast<std::size_t>(count));
   std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
   for (int k = 0; k < count; ++k)
-    entry[static_cast<std::size_t>(next[static_cast<std::size_t>(node_of(k))]++)] = k;
+    entry[static_cast<std::size_t>(next[static_cast<std::size_t>(node_of(k))]++)] = place_of(k);
 }
 
 }  // namespace
@@ -112,14 +112,19 @@ SolidBody& add_triangles(const Triangles& mesh, const ZoneMaterial& material, So
 
 void join_nodes(Solids& s) {
   const auto at = [](int k, int n) { return static_cast<std::size_t>(k / n); };
+  // where the step writes the forces: corners 0 and 1 of all zones, then 2 and 3; p, then q
+  const auto zone_place = [&](int k) {
+    return 2 * s.n_zone * ((k % 4) & 2) + k / 4 * 4 + k % 2 * 2;
+  };
+  const auto contact_place = [](int k) { return k / 2 * 4 + k % 2 * 2; };
   list_by_node(
       s.n_node, 4 * s.n_zone,
-      [&](int k) { return s.corner[static_cast<std::size_t>(k % 4)][at(k, 4)]; }, s.zone_begin,
-      s.zone_entry);
+      [&](int k) { return s.corner[static_cast<std::size_t>(k % 4)][at(k, 4)]; }, zone_place,
+      s.zone_begin, s.zone_entry);
   list_by_node(
       s.n_node, 2 * s.n_contact,
-      [&](int k) { return (k % 2 == 0 ? s.contact_p : s.contact_q)[at(k, 2)]; }, s.contact_begin,
-      s.contact_entry);
+      [&](int k) { return (k % 2 == 0 ? s.contact_p : s.contact_q)[at(k, 2)]; }, contact_place,
+      s.contact_begin, s.contact_entry);
 }
 
 }  // namespace wythe::solids

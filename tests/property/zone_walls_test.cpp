@@ -170,7 +170,7 @@ TEST(ZoneWalls, the_energy_ledger_closes) {
 }
 
 // Without damping, whose sign at rest is left to chance (symmetry_test.cpp): 2000 steps of a push that
-// cracks joints; round-off grows to less than 1e-9 of the largest displacement.
+// cracks joints; round-off grows to 3e-9 of the largest displacement, the tolerance is 1e-8.
 Rig& pushed(Rig& rig) {
   rig.controls.damping = 0;
   rig.state.gravity_y = -9.81;
@@ -191,8 +191,8 @@ TEST(ZoneWalls, the_mirror_image_answers_alike) {
     for (int i = 0; i <= body.columns; ++i) {
       const auto a = static_cast<std::size_t>(body.node(i, j));
       const auto b = static_cast<std::size_t>(body.node(body.columns - i, j));
-      EXPECT_NEAR(here.state.node_ux[a], -there.state.node_ux[b], 1e-9 * largest);
-      EXPECT_NEAR(here.state.node_uy[a], there.state.node_uy[b], 1e-9 * largest);
+      EXPECT_NEAR(here.state.node_ux[a], -there.state.node_ux[b], 1e-8 * largest);
+      EXPECT_NEAR(here.state.node_uy[a], there.state.node_uy[b], 1e-8 * largest);
     }
 }
 
@@ -203,8 +203,8 @@ TEST(ZoneWalls, the_order_of_the_blocks_does_not_matter) {
   double largest = 0;
   for (const double u : here.state.node_ux) largest = std::max(largest, std::fabs(u));
   for (std::size_t i = 0; i < here.state.node_ux.size(); ++i) {
-    EXPECT_NEAR(here.state.node_ux[i], there.state.node_ux[i], 1e-9 * largest);
-    EXPECT_NEAR(here.state.node_uy[i], there.state.node_uy[i], 1e-9 * largest);
+    EXPECT_NEAR(here.state.node_ux[i], there.state.node_ux[i], 1e-8 * largest);
+    EXPECT_NEAR(here.state.node_uy[i], there.state.node_uy[i], 1e-8 * largest);
   }
 }
 
@@ -224,27 +224,36 @@ TEST(ZoneWalls, an_uncut_block_and_one_of_very_stiff_zones_answer_alike) {
 
 // --- the lintel of a generated wall -------------------------------------------------------------------
 
-TEST(ZoneWalls, a_lintel_of_zones_sags_and_its_measures_stand_in_the_curve) {
-  const End end = run(scenes::lintel_wall(LintelModel::kZones));
+TEST(ZoneWalls, a_lintel_of_zones_sags_under_its_spandrel) {
+  const End end = run(scenes::lintel_wall(LintelModel::kZones, 0.05e-3));
   ASSERT_EQ(end.model.solids.bodies.size(), 1U);
   const SolidBody& body = end.model.solids.bodies[0];
   EXPECT_EQ(body.role, BlockRole::kLintel);
   EXPECT_EQ(body.rows, 2);
   EXPECT_NEAR(body.x1 - body.x0, 4 * 0.155, 1e-9);
-  const CurveRow& last = end.result.curve.back();
-  EXPECT_GT(last.lintel_deflection, 0);
-  EXPECT_LT(last.lintel_deflection, 1e-3);
-  // the axial force is that of the mean strain of the middle columns, within the bending of zones
-  const auto x = [&](int column) {
-    double sum = 0;
-    for (int j = 0; j <= body.rows; ++j)
-      sum += end.state.node_ux[static_cast<std::size_t>(body.node(column, j))];
-    return sum / (body.rows + 1);
-  };
-  const int middle = body.columns / 2;
-  const double strain = (x(middle + 1) - x(middle - 1)) / (2 * (body.x1 - body.x0) / body.columns);
-  const double bound = 0.3e9 * 0.11 * 0.31;
-  EXPECT_NEAR(last.lintel_axial / bound, strain, 0.3 * std::fabs(strain) + 1e-6);
+  EXPECT_GT(end.result.curve.back().lintel_deflection, 0);
+}
+
+// Bent to the curvature k and stretched by e about mid-span: sag k L^2/8, turn of the ends k L,
+// force E A e.
+TEST(ZoneWalls, the_measures_of_a_lintel_are_those_of_its_motion) {
+  const Model model = compile(scenes::lintel_wall(LintelModel::kZones));
+  const SolidBody& body = model.solids.bodies[0];
+  const double length = body.x1 - body.x0, depth = body.y1 - body.y0;
+  const double cx = 0.5 * (body.x0 + body.x1), cy = 0.5 * (body.y0 + body.y1);
+  constexpr double kCurvature = 1e-5, kStretch = 3e-5;
+  State state = initial_state(model);
+  for (std::size_t i = 0; i < state.node_ux.size(); ++i) {
+    const double x = model.solids.node_x[i] - cx, y = model.solids.node_y[i] - cy;
+    state.node_ux[i] = kStretch * x - kCurvature * x * y + 0.02;
+    state.node_uy[i] = 0.5 * kCurvature * x * x - 0.2 * kStretch * y - 0.01;
+  }
+  const dynamics::LintelMeasures now = dynamics::lintel_measures(model, state);
+  ASSERT_EQ(body.columns % 2, 1);  // no node stands at mid-span: half a zone off on either side
+  const double half = 0.5 * length / body.columns;
+  EXPECT_NEAR(now.deflection, 0.5 * kCurvature * (0.25 * length * length - half * half), 1e-15);
+  EXPECT_NEAR(now.end_rotation, kCurvature * length, 1e-4 * kCurvature * length);
+  EXPECT_NEAR(now.axial / (0.3e9 * 0.31 * depth * kStretch), 1, 1e-3);  // turns of 3e-6
 }
 
 TEST(ZoneWalls, bearing_and_top_of_a_lintel_take_their_own_bonds) {

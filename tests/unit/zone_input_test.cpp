@@ -178,6 +178,11 @@ TEST(ZoneInput, neighbours_loads_and_pushes_need_rigid_blocks) {
   EXPECT_TRUE(has(refusal(spec), "stage.0.pressure = b2: would act on a block of zones"))
       << refusal(spec);
   spec = three_blocks();
+  spec.block[0].fixed = true;
+  spec.block.pop_back();
+  EXPECT_TRUE(has(refusal(spec), "wall.blocks: every moving block is cut into zones"))
+      << refusal(spec);
+  spec = three_blocks();
   spec.block[1].beam = true;
   EXPECT_TRUE(has(refusal(spec), "wall.blocks.b1.zones = 2: the loading beam is rigid"))
       << refusal(spec);
