@@ -38,8 +38,12 @@ struct JointMaterial {
   Unloading unloading = Unloading::kSecant;
   // For a material that is also a body (timber lintel, plate): density [kg/m^3] and moduli [Pa].
   double density = kUnset;
-  double youngs_modulus = kUnset;
+  double youngs_modulus = kUnset;  // along the body (the grain)
   double shear_modulus = kUnset;
+  double youngs_modulus_across = kUnset;  // unset: isotropic
+  double poisson_ratio = kUnset;          // unset: E/2G - 1
+  // Principal stresses of a zone from which the run says so; it stays elastic [Pa].
+  double tension_limit = kUnset, compression_limit = kUnset;
 };
 
 // One sentence a fault: missing or inadmissible parameters and snap-back (a softening branch

@@ -13,6 +13,7 @@
 // Joints 0..n_pair-1 are between blocks, n_pair..n_joint-1 on the ground.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -76,6 +77,71 @@ struct Anatomy {
   std::vector<std::string> notes;  // what the builder fitted or left out
 };
 
+// Everything zones of one shape and material share (src/solids). A triangle is a zone whose last two
+// corners are one node.
+struct ZoneShape {
+  double x[4] = {}, y[4] = {};            // corners seen from their mean, anticlockwise [m]
+  double grad_x[4] = {}, grad_y[4] = {};  // gradient of each corner's share, in the middle [1/m]
+  double stiffness[8][8] = {};            // corner forces per displacement [N/m], thickness in it;
+                                          // order x1 y1 x2 y2 ...
+  double elasticity[3][3] = {};           // mean stresses x, y, xy per strain [Pa]
+  double share[4] = {};                   // of the mass, at each corner [-]
+  double area = 0;                        // [m^2]
+  double thickness = 0;                   // [m]
+  double omega_squared = 0;               // highest of one zone on its own mass [1/s^2]
+  double mass = 0;                        // [kg]
+  bool operator==(const ZoneShape&) const = default;
+};
+
+// One deformable block: columns x rows zones, counted from the lower left, or triangles.
+struct SolidBody {
+  std::string id;
+  BlockRole role = BlockRole::kMasonry;
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // bounds [m]
+  int columns = 0, rows = 0;              // 0 for triangles
+  int first_node = 0, n_node = 0, first_zone = 0, n_zone = 0;
+  std::vector<std::int32_t> rim;  // nodes of its outline, anticlockwise, each once
+  double tension_limit = kUnset, compression_limit = kUnset;  // [Pa]
+  [[nodiscard]] int node(int i, int j) const { return first_node + j * (columns + 1) + i; }
+  [[nodiscard]] int zone(int i, int j) const { return first_zone + j * columns + i; }
+};
+
+// The deformable blocks: nodes, zones between them, and their contacts with rigid blocks.
+//
+//        q           p-q  an edge of a zone; a contact is the overlap of one edge with one face of a
+//   a    |           rigid block a (the ground: block n_block, at rest). Its two points are the ends
+//   =====o 1         of the overlap, half the area each; on the edge they are shared linearly:
+//        |           point k is (1 - share_k) p + share_k q.
+//   =====o 0         n from a to the zone, on the left of t.
+//        p
+struct Solids {
+  int n_node = 0, n_zone = 0, n_contact = 0;
+
+  // read by zone_pass (one row per zone)
+  std::array<std::vector<std::int32_t>, 4> corner;  // nodes, anticlockwise
+  std::vector<std::int32_t> zone_shape;             // into shapes; equal for all of a body
+  std::vector<ZoneShape> shapes;
+
+  // read by zone_contact_pass (one row per contact, sorted by material)
+  std::vector<BlockId> contact_block;                        // n_block on the ground
+  std::vector<std::int32_t> contact_p, contact_q;            // nodes of the edge
+  std::vector<double> share_0, share_1;                      // [-]
+  std::vector<double> arm_0_x, arm_0_y, arm_1_x, arm_1_y;    // points seen from a's centroid [m]
+  std::vector<double> contact_tangent_x, contact_tangent_y;  // t
+  std::vector<double> contact_area;                          // [m^2]
+  std::vector<std::int32_t> contact_material;                // into Model::materials
+  std::vector<std::int32_t> contact_body;                    // into bodies
+
+  // read by node_pass (one row per node)
+  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry 4 zone + corner
+  std::vector<std::int32_t> contact_begin, contact_entry;  // CSR; entry 2 contact + (0: p, 1: q)
+  std::vector<double> node_x, node_y;                      // at the start [m]
+  std::vector<double> node_mass, node_heavy_mass;          // inertia; what gravity pulls [kg]
+  std::vector<double> node_free_x, node_free_y;            // 1, or 0 where the node is held
+
+  std::vector<SolidBody> bodies;
+};
+
 struct Model {
   int n_block = 0, n_joint = 0, n_pair = 0, n_face_point = 2;
 
@@ -101,6 +167,8 @@ struct Model {
   std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)
   std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
+  Solids solids;  // deformable blocks; empty in a wall of rigid ones
+
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
   BlockId stiffest_block = 0;  // where the bound is reached
@@ -114,6 +182,8 @@ struct Model {
   std::uint64_t spec_hash = 0;
 
   [[nodiscard]] int n_point() const { return n_joint * n_face_point; }
+  // With the two points of each zone contact, which follow those of the joints.
+  [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }
 };
 
 // Exactly what a restart needs; saving and restoring it is invisible.
@@ -122,7 +192,11 @@ struct State {
   std::vector<double> ux, uy, theta;  // [m], [m], [rad]
   std::vector<double> vx, vy, omega;  // at the half step [m/s], [rad/s]
 
-  // written by forces, committed history of the joint law (n_point)
+  // written by node_pass (n_node)
+  std::vector<double> node_ux, node_uy;  // [m]
+  std::vector<double> node_vx, node_vy;  // at the half step [m/s]
+
+  // written by forces, committed history of the joint law (n_history)
   std::vector<double> kappa;         // largest opening reached [m]
   std::vector<double> crush;         // crushing shortening -w_p [m]
   std::vector<double> plastic_slip;  // signed plastic slip [m]

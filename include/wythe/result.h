@@ -1,6 +1,7 @@
 // What a run answers: the curve, the numbers an engineer quotes, and the evidence.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -23,14 +24,17 @@ enum class SolveStatus {
 
 // One row of force_displacement.csv, averaged over its window. SI.
 struct CurveRow {
-  double time = 0;             // [s], since the start of its stage
-  double displacement = 0;     // mean of the driven blocks along the push, starts at 0 [m]
-  double drift = 0;            // displacement / load height [-]
-  double reaction = 0;         // [N], + resists the push
-  double base_shear = 0;       // [N], + resists the push
-  double unbalance_ratio = 0;  // mean |unbalanced| / mean |contact force| [-]
-  double kinetic_ratio = 0;    // kinetic energy / work of the drive so far [-]
-  double load_factor = 0;      // lambda (body force) or tan of the tilt [-]
+  double time = 0;                 // [s], since the start of its stage
+  double displacement = 0;         // mean of the driven blocks along the push, starts at 0 [m]
+  double drift = 0;                // displacement / load height [-]
+  double reaction = 0;             // [N], + resists the push
+  double base_shear = 0;           // [N], + resists the push
+  double unbalance_ratio = 0;      // mean |unbalanced| / mean |contact force| [-]
+  double kinetic_ratio = 0;        // kinetic energy / work of the drive so far [-]
+  double load_factor = 0;          // lambda (body force) or tan of the tilt [-]
+  double lintel_deflection = 0;    // sag of the first lintel of zones, against its ends [m]
+  double lintel_end_rotation = 0;  // right end against left end, anticlockwise + [rad]
+  double lintel_axial = 0;         // at mid-span, tension + [N]
 };
 
 // Where the reaction first falls to `fraction` of the peak after it.
@@ -185,6 +189,13 @@ struct StageReport {
   double unbalance_ratio = 0;  // at the end
   bool settled = false;
 };
+
+// Mean stresses of a zone in the wall's axes, and where its corners are now.
+struct ZoneStress {
+  double sigma_x = 0, sigma_y = 0, tau = 0;  // [Pa]
+  std::array<double, 4> x{}, y{};            // [m]
+};
+[[nodiscard]] std::vector<ZoneStress> zone_stresses(const Model& model, const State& state);
 
 struct Result {
   SolveStatus status = SolveStatus::kCompleted;

@@ -20,12 +20,34 @@ enum class Split { kMiddle, kNone };
 enum class Fit { kWhole, kCut };
 enum class Freedom { kFree, kBlocked };
 
+// A lintel of rigid segments joined by springs, or one deformable block of zones.
+enum class LintelModel { kSegments, kZones };
+// Zones: both pairs of constant-strain triangles of a quadrilateral laid over each other, with half
+// the weight each; mixed gives them one common volumetric strain.
+enum class ZoneKind { kMixed, kCst };
+enum class Plane { kStress, kStrain };
+
+// How a deformable block is cut and what holds out of its plane.
+struct ZoneSpec {
+  int zones = 0;           // through the depth; 0: the block is rigid
+  double length = kUnset;  // of a zone [m]; unset: as long as deep
+  ZoneKind kind = ZoneKind::kMixed;
+  Plane plane = Plane::kStress;
+};
+
 struct LintelSpec {
   std::string kind;            // "" no lintel; "timber", "stone", ...: a word for the reader
   double depth = kUnset;       // structural depth [m]; occupies the nearest whole number of courses
   double bearing = kUnset;     // length of support on each side [m]
   std::string material;        // key in `material`: density, youngs_modulus, shear_modulus
   std::string bond = "joint";  // joint material between lintel and masonry
+  std::string bearing_bond = "";  // of the faces it rests on; "": bond
+  std::string top_bond = "";      // of the faces above it; "": bond
+  LintelModel model = LintelModel::kSegments;
+  int zones = 2;                // through the depth, for model = zones
+  double zone_length = kUnset;  // [m]
+  ZoneKind zone_kind = ZoneKind::kMixed;
+  Plane plane = Plane::kStress;
 };
 
 struct OpeningSpec {
@@ -142,6 +164,7 @@ struct BlockSpec {
   std::string material = "masonry";  // names a material with a density, else wall.unit.density
   bool fixed = false;                // a support: never moves
   bool beam = false;                 // the loading beam: at = { beam = true } and beam_load find it
+  ZoneSpec zone = {};                // deformable where zone.zones > 0
 };
 
 struct ModelSpec {

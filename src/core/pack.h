@@ -65,6 +65,10 @@ template <class Arch>
   return Pack<Arch>(xsimd::abs(a.lanes));
 }
 template <class Arch>
+[[nodiscard]] WYTHE_INLINE Pack<Arch> square_root(Pack<Arch> a) {
+  return Pack<Arch>(xsimd::sqrt(a.lanes));
+}
+template <class Arch>
 [[nodiscard]] WYTHE_INLINE Pack<Arch> sign(Pack<Arch> a) {
   const Pack<Arch> zero(0.0), one(1.0);
   return select(a > zero, one, zero) - select(a < zero, one, zero);

@@ -17,6 +17,7 @@ namespace wythe {
 [[nodiscard]] inline double minimum(double a, double b) { return a < b ? a : b; }
 [[nodiscard]] inline double maximum(double a, double b) { return a > b ? a : b; }
 [[nodiscard]] inline double magnitude(double a) { return std::fabs(a); }
+[[nodiscard]] inline double square_root(double a) { return std::sqrt(a); }  // IEEE: exact bits
 // -1, 0 or 1; 0 at 0 keeps mirror images mirrored (physics: sgn(0) = 0).
 [[nodiscard]] inline double sign(double a) { return (a > 0.0 ? 1.0 : 0.0) - (a < 0.0 ? 1.0 : 0.0); }
 [[nodiscard]] inline double value_of(double a) { return a; }

@@ -46,23 +46,32 @@ WYTHE_INLINE void move_block(const BlockArrays& v, Access access, const MoveCont
   work = {work.loads + select(is_free, loads, zero), work.damping + select(is_free, damped, zero)};
 }
 
+template <class Access, class Real, int packs>
+WYTHE_INLINE void load_work(Access access, const BlockEnergy& e, BlockWork<Real> (&work)[packs]) {
+  for (int k = 0; k < packs; ++k)
+    work[k] = {access.energy(e.loads, k), access.energy(e.damping, k)};
+}
+template <class Access, class Real, int packs>
+WYTHE_INLINE void store_work(Access access, const BlockWork<Real> (&work)[packs],
+                             const BlockEnergy& e) {
+  for (int k = 0; k < packs; ++k) {
+    access.keep_energy(work[k].loads, e.loads, k);
+    access.keep_energy(work[k].damping, e.damping, k);
+  }
+}
+
 // Blocks begin..end-1; for packs of neighbours a whole number of groups.
 template <class Access>
 void move_run(const BlockArrays& v, Access access, const MoveControls& controls, std::size_t begin,
               std::size_t end, const BlockEnergy& energy) {
-  constexpr int packs = Access::packs;
-  BlockWork<typename Access::Real> work[packs];
-  for (int k = 0; k < packs; ++k)
-    work[k] = {access.energy(energy.loads, k), access.energy(energy.damping, k)};
+  BlockWork<typename Access::Real> work[Access::packs];
+  load_work(access, energy, work);
   int k = 0;
   for (std::size_t i = begin; i < end; i += Access::advance) {
     move_block(v, access, controls, i, work[k]);
-    k = (k + 1) % packs;
+    k = (k + 1) % Access::packs;
   }
-  for (k = 0; k < packs; ++k) {
-    access.keep_energy(work[k].loads, energy.loads, k);
-    access.keep_energy(work[k].damping, energy.damping, k);
-  }
+  store_work(access, work, energy);
 }
 
 template <class Access>

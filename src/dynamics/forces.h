@@ -191,27 +191,36 @@ template <class Real>
   });
 }
 
+template <class Access, class Real, int packs>
+WYTHE_INLINE void load_work(Access access, const JointEnergy& e, JointWork<Real> (&work)[packs]) {
+  for (int k = 0; k < packs; ++k)
+    work[k] = {access.energy(e.friction, k), access.energy(e.fracture, k),
+               access.energy(e.crushing, k)};
+}
+template <class Access, class Real, int packs>
+WYTHE_INLINE void store_work(Access access, const JointWork<Real> (&work)[packs],
+                             const JointEnergy& e) {
+  for (int k = 0; k < packs; ++k) {
+    access.keep_energy(work[k].friction, e.friction, k);
+    access.keep_energy(work[k].fracture, e.fracture, k);
+    access.keep_energy(work[k].crushing, e.crushing, k);
+  }
+}
+
 // Joints begin..end-1, all of one law; for packs of neighbours a whole number of groups.
 template <class V, bool on_ground, int n_point, class Access>
 void joint_run(const JointArrays& v, Access access, const contact::LawConstants<double>* constants,
                std::size_t begin, std::size_t end, const JointEnergy& energy) {
   using Real = typename Access::Real;
-  constexpr int packs = Access::packs;
   const contact::LawConstants<Real> law = law_of<Real>(constants, access);
-  JointWork<Real> work[packs];
-  for (int k = 0; k < packs; ++k)
-    work[k] = {access.energy(energy.friction, k), access.energy(energy.fracture, k),
-               access.energy(energy.crushing, k)};
+  JointWork<Real> work[Access::packs];
+  load_work(access, energy, work);
   int k = 0;
   for (std::size_t j = begin; j < end; j += Access::advance) {
     joint_force<V, on_ground, n_point>(v, access, law, j, work[k]);
-    k = (k + 1) % packs;
+    k = (k + 1) % Access::packs;
   }
-  for (k = 0; k < packs; ++k) {
-    access.keep_energy(work[k].friction, energy.friction, k);
-    access.keep_energy(work[k].fracture, energy.fracture, k);
-    access.keep_energy(work[k].crushing, energy.crushing, k);
-  }
+  store_work(access, work, energy);
 }
 
 }  // namespace wythe::dynamics

@@ -4,6 +4,7 @@
 #include "contact/parameters.h"
 #include "dynamics/blocks.h"
 #include "dynamics/forces.h"
+#include "dynamics/zones.h"
 
 namespace wythe::dynamics {
 
@@ -17,6 +18,15 @@ void joints_of(const JointArrays& v, Access access, const JointMaterial& variant
     if constexpr (Access::any_points)
       if (v.n_face_point != 2) return joint_run<V, false, 0>(v, access, law, begin, end, energy);
     joint_run<V, false, 2>(v, access, law, begin, end, energy);
+  });
+}
+
+template <class Access>
+void edges_of(const EdgeArrays& v, Access access, const JointMaterial& variant,
+              const contact::LawConstants<double>* law, std::size_t begin, std::size_t end,
+              const JointEnergy& energy) {
+  contact::with_variant(variant, [&](auto chosen) {
+    edge_run<decltype(chosen)>(v, access, law, begin, end, energy);
   });
 }
 
@@ -55,9 +65,38 @@ struct KernelsOf {
     turn_run(v, Wall{stride}, begin, end);
   }
 
+  static void zones(const ZoneArrays& v, const ZoneShape& shape, std::size_t begin,
+                    std::size_t end) {
+    zone_run(v, Side{}, shape, begin, end);
+  }
+  static void edges(const EdgeArrays& v, const JointMaterial& variant,
+                    const contact::LawConstants<double>* law, std::size_t begin, std::size_t end,
+                    const JointEnergy& energy) {
+    edges_of(v, Side{}, variant, law, begin, end, energy);
+  }
+  static void nodes(const NodeArrays& v, const MoveControls& controls, std::size_t begin,
+                    std::size_t end, const BlockEnergy& energy) {
+    node_run(v, Side{}, controls, begin, end, energy);
+  }
+  static void wall_zones(const ZoneArrays& v, std::ptrdiff_t stride, const ZoneShape& shape,
+                         std::size_t begin, std::size_t end) {
+    zone_run(v, Wall{stride}, shape, begin, end);
+  }
+  static void wall_edges(const EdgeArrays& v, std::ptrdiff_t stride, const JointMaterial& variant,
+                         const contact::LawConstants<double>* law, std::size_t begin,
+                         std::size_t end, const JointEnergy& energy) {
+    edges_of(v, Wall{stride}, variant, law, begin, end, energy);
+  }
+  static void wall_nodes(const NodeArrays& v, std::ptrdiff_t stride, const MoveControls& controls,
+                         std::size_t begin, std::size_t end, const BlockEnergy& energy) {
+    node_run(v, Wall{stride}, controls, begin, end, energy);
+  }
+
   [[nodiscard]] static constexpr Kernels named(const char* name) {
-    return {name,        Lanes<Real>::width, joints,    move,     turn,
-            wall_joints, wall_gather,        wall_move, wall_turn};
+    return {
+        name,      Lanes<Real>::width, joints,      move,      turn,      zones,      edges,
+        nodes,     wall_joints,        wall_gather, wall_move, wall_turn, wall_zones, wall_edges,
+        wall_nodes};
   }
 };
 

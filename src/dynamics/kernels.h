@@ -4,6 +4,9 @@
 //   gather   contact forces on a run of blocks                                     (blocks.h)
 //   move     central differences with local damping for a run of blocks           (blocks.h)
 //   turn     poses (displacement, half-angle cosine and sine) of a run of blocks   (blocks.h)
+//   zones    a run of zones of one shape: forces on their corners                  (zones.h)
+//   edges    a run of zone contacts of one material                               (zones.h)
+//   nodes    central differences with local damping for a run of nodes of zones   (zones.h)
 //
 // Each twice: for neighbours in one wall (in whole groups of kGroup; what is left over goes through
 // the scalar set), and for walls side by side, `width` of `stride` at a time. All give the same bits:
@@ -52,6 +55,28 @@ struct BlockArrays {
   double* pose;
 };
 
+// What the passes over deformable blocks read and write.
+struct ZoneArrays {
+  const std::int32_t* corner[4];
+  const double *ux, *uy;           // of nodes
+  double *low_force, *high_force;  // rows x0, y0, x1, y1 and x2, y2, x3, y3 on the corners
+};
+struct EdgeArrays {
+  JointArrays joint;  // pose, area, history and two points, seen from the first contact
+  const BlockId* block;
+  const std::int32_t *p, *q;
+  const double *share_0, *share_1, *arm_0_x, *arm_0_y, *arm_1_x, *arm_1_y;
+  const double *tangent_x, *tangent_y;
+  const double *ux, *uy;  // of nodes
+  double* block_force;    // rows fx, fy, m on the rigid block, 0
+  double* edge_force;     // rows px, py, qx, qy on the nodes
+};
+struct NodeArrays {
+  const double *mass, *heavy_mass, *free_x, *free_y;
+  double *total_x, *total_y;  // in: forces of zones and contacts; out: with gravity, 0 where held
+  double *ux, *uy, *vx, *vy;
+};
+
 // One number a wall.
 struct MoveControls {
   const double *dt, *damping, *mass_scaling, *gravity_x, *gravity_y;
@@ -75,6 +100,12 @@ struct Kernels {
   void (*move)(const BlockArrays&, const MoveControls&, std::size_t begin, std::size_t end,
                const BlockEnergy&);
   void (*turn)(const BlockArrays&, std::size_t begin, std::size_t end);
+  void (*zones)(const ZoneArrays&, const ZoneShape&, std::size_t begin, std::size_t end);
+  void (*edges)(const EdgeArrays&, const JointMaterial& variant,
+                const contact::LawConstants<double>*, std::size_t begin, std::size_t end,
+                const JointEnergy&);
+  void (*nodes)(const NodeArrays&, const MoveControls&, std::size_t begin, std::size_t end,
+                const BlockEnergy&);
 
   // the same for `width` walls; law: one a wall
   void (*wall_joints)(const JointArrays&, std::ptrdiff_t stride, const JointMaterial& variant,
@@ -85,6 +116,13 @@ struct Kernels {
   void (*wall_move)(const BlockArrays&, std::ptrdiff_t stride, const MoveControls&,
                     std::size_t begin, std::size_t end, const BlockEnergy&);
   void (*wall_turn)(const BlockArrays&, std::ptrdiff_t stride, std::size_t begin, std::size_t end);
+  void (*wall_zones)(const ZoneArrays&, std::ptrdiff_t stride, const ZoneShape&, std::size_t begin,
+                     std::size_t end);
+  void (*wall_edges)(const EdgeArrays&, std::ptrdiff_t stride, const JointMaterial& variant,
+                     const contact::LawConstants<double>*, std::size_t begin, std::size_t end,
+                     const JointEnergy&);
+  void (*wall_nodes)(const NodeArrays&, std::ptrdiff_t stride, const MoveControls&,
+                     std::size_t begin, std::size_t end, const BlockEnergy&);
 };
 
 [[nodiscard]] const Kernels& scalar_kernels();

@@ -10,10 +10,11 @@ namespace wythe::dynamics {
 namespace {
 
 // What a wall keeps from step to step: motion and history.
-constexpr std::array kKept{&State::ux,    &State::uy,           &State::theta,
-                           &State::vx,    &State::vy,           &State::omega,
-                           &State::kappa, &State::crush,        &State::plastic_slip,
-                           &State::slip,  &State::shear_damage, &State::tension_set};
+constexpr std::array kKept{
+    &State::ux,           &State::uy,      &State::theta,        &State::vx,
+    &State::vy,           &State::omega,   &State::kappa,        &State::crush,
+    &State::plastic_slip, &State::slip,    &State::shear_damage, &State::tension_set,
+    &State::node_ux,      &State::node_uy, &State::node_vx,      &State::node_vy};
 
 // The widest set that fills no more than the lanes.
 const Kernels& kernels_for(int lanes) {
@@ -26,6 +27,20 @@ const Kernels& kernels_for(int lanes) {
 bool same_law(const Model& a, const Model& b) {
   return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
                     contact::same_variant);
+}
+
+bool same_solids(const Solids& a, const Solids& b) {
+  return a.n_node == b.n_node && a.n_zone == b.n_zone && a.n_contact == b.n_contact &&
+         a.corner == b.corner && a.zone_shape == b.zone_shape && a.shapes == b.shapes &&
+         a.contact_block == b.contact_block && a.contact_p == b.contact_p &&
+         a.contact_q == b.contact_q && a.share_0 == b.share_0 && a.share_1 == b.share_1 &&
+         a.arm_0_x == b.arm_0_x && a.arm_0_y == b.arm_0_y && a.arm_1_x == b.arm_1_x &&
+         a.arm_1_y == b.arm_1_y && a.contact_tangent_x == b.contact_tangent_x &&
+         a.contact_tangent_y == b.contact_tangent_y && a.contact_area == b.contact_area &&
+         a.contact_material == b.contact_material && a.zone_begin == b.zone_begin &&
+         a.zone_entry == b.zone_entry && a.contact_begin == b.contact_begin &&
+         a.contact_entry == b.contact_entry && a.node_free_x == b.node_free_x &&
+         a.node_free_y == b.node_free_y;
 }
 
 JointArrays shifted(JointArrays v, int lane) {
@@ -63,7 +78,8 @@ bool fit_together(const Model& a, const Model& b) {
          a.half_x == b.half_x && a.half_y == b.half_y && a.tangent_x == b.tangent_x &&
          a.tangent_y == b.tangent_y && a.area == b.area && a.point_xi == b.point_xi &&
          a.point_weight == b.point_weight && a.block_begin == b.block_begin &&
-         a.block_entry == b.block_entry && a.turn_freedom == b.turn_freedom && same_law(a, b);
+         a.block_entry == b.block_entry && a.turn_freedom == b.turn_freedom && same_law(a, b) &&
+         same_solids(a.solids, b.solids);
 }
 
 LaneStepper::LaneStepper(const Model& model, int lanes)
@@ -82,6 +98,8 @@ LaneStepper::LaneStepper(const Model& model, int lanes)
   mass_ = in_all_lanes(model.mass);
   heavy_mass_ = in_all_lanes(model.heavy_mass);
   inertia_ = in_all_lanes(model.inertia);
+  node_mass_ = in_all_lanes(model.solids.node_mass);
+  node_heavy_mass_ = in_all_lanes(model.solids.node_heavy_mass);
   for (auto* array : {&dt_, &damping_, &mass_scaling_, &gravity_x_, &gravity_y_})
     array->assign(at(lanes), 0.0);
   for (int lane = 0; lane < lanes; ++lane) set(lane, {});
@@ -91,13 +109,16 @@ LaneStepper::LaneStepper(const Model& model, int lanes)
 void LaneStepper::put(int lane, const Model& model, State& state) {
   wall_[at(lane)] = {&model, &state, {}, 0};
   copy_in(lane, state);
-  const Place there = place(lane);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
-    mass_[i * at(lanes_) + at(lane)] = model.mass[i];
-    heavy_mass_[i * at(lanes_) + at(lane)] = model.heavy_mass[i];
-    inertia_[i * at(lanes_) + at(lane)] = model.inertia[i];
-    there.view.load_x[i] = there.view.load_y[i] = there.view.load_m[i] = 0;
-  }
+  const auto into_lane = [&](const std::vector<double>& from, std::vector<double>& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[i * at(lanes_) + at(lane)] = from[i];
+  };
+  into_lane(model.mass, mass_);
+  into_lane(model.heavy_mass, heavy_mass_);
+  into_lane(model.inertia, inertia_);
+  into_lane(model.solids.node_mass, node_mass_);
+  into_lane(model.solids.node_heavy_mass, node_heavy_mass_);
+  const std::vector<double> none(at(model.n_block), 0.0);
+  for (auto* array : {&work_.load_x, &work_.load_y, &work_.load_m}) into_lane(none, *array);
   for (std::size_t m = 0; m < model.materials.size(); ++m)
     work_.law[m * at(lanes_) + at(lane)] = contact::constants_of(model.materials[m]);
   turn_pass();
@@ -141,11 +162,20 @@ void LaneStepper::copy_out(int lane, State& state) const {
 
 void LaneStepper::step() {
   joint_pass();
+  zone_pass();
+  zone_contact_pass();
   gather_pass();
+  gather_zone_contacts(model_, work_, lanes_);
   for (int lane = 0; lane < lanes_; ++lane)
     if (const Wall& wall = wall_[at(lane)]; wall.model != nullptr)
       load_pass(*wall.model, *wall.state, wall_view(work_, all_, lanes_, lane));
+  for (int lane = 0; lane < lanes_; ++lane) {
+    const State* state = wall_[at(lane)].state;
+    gravity_x_[at(lane)] = state == nullptr ? 0.0 : state->gravity_x;
+    gravity_y_[at(lane)] = state == nullptr ? 0.0 : state->gravity_y;
+  }
   move_pass();
+  node_pass();
   for (int lane = 0; lane < lanes_; ++lane)
     if (Wall& wall = wall_[at(lane)]; wall.model != nullptr)
       wall.reaction =
@@ -160,26 +190,15 @@ void LaneStepper::step() {
 
 void LaneStepper::joint_pass() {
   const JointArrays arrays = joint_arrays(model_, work_, all_);
-  std::array<double, 3 * kGroup * kMostLanes> sums;
-  double* friction = sums.data();
-  double* fracture = friction + kGroup * lanes_;
-  double* crushing = fracture + kGroup * lanes_;
   for (std::size_t c = 0; c < work_.joint_chunks.size(); ++c) {
     const JointChunk& chunk = work_.joint_chunks[c];
     const auto begin = static_cast<std::size_t>(chunk.begin);
     const auto material = static_cast<std::size_t>(model_.joint_material[begin]);
-    sums.fill(0.0);
-    for (int lane = 0; lane < lanes_; lane += kernels_.width)
+    sum_joints(c, work_.joint_energy, [&](int lane, const JointEnergy& energy) {
       kernels_.wall_joints(shifted(arrays, lane), lanes_, model_.materials[material],
                            &work_.law[material * at(lanes_) + at(lane)], chunk.on_ground, begin,
-                           static_cast<std::size_t>(chunk.end),
-                           {friction + lane, fracture + lane, crushing + lane});
-    for (int lane = 0; lane < lanes_; ++lane) {
-      ChunkEnergy& energy = work_.joint_energy[c * at(lanes_) + at(lane)];
-      energy.friction = sum_of_groups(friction + lane, lanes_);
-      energy.fracture = sum_of_groups(fracture + lane, lanes_);
-      energy.crushing = sum_of_groups(crushing + lane, lanes_);
-    }
+                           static_cast<std::size_t>(chunk.end), energy);
+    });
   }
 }
 
@@ -190,33 +209,22 @@ void LaneStepper::gather_pass() {
                          static_cast<std::size_t>(model_.n_block));
 }
 
+MoveControls LaneStepper::move_controls(int lane) const {
+  return {&dt_[at(lane)], &damping_[at(lane)], &mass_scaling_[at(lane)], &gravity_x_[at(lane)],
+          &gravity_y_[at(lane)]};
+}
+
 void LaneStepper::move_pass() {
   BlockArrays arrays = block_arrays(model_, work_, all_);
   arrays.mass = mass_.data();
   arrays.heavy_mass = heavy_mass_.data();
   arrays.inertia = inertia_.data();
-  for (int lane = 0; lane < lanes_; ++lane) {
-    const State* state = wall_[at(lane)].state;
-    gravity_x_[at(lane)] = state == nullptr ? 0.0 : state->gravity_x;
-    gravity_y_[at(lane)] = state == nullptr ? 0.0 : state->gravity_y;
-  }
-  std::array<double, 2 * kGroup * kMostLanes> sums;
-  double* loads = sums.data();
-  double* damping = loads + kGroup * lanes_;
   for (int c = 0; c < work_.block_chunks; ++c) {
     const Range range = block_range(model_, c);
-    sums.fill(0.0);
-    for (int lane = 0; lane < lanes_; lane += kernels_.width) {
-      const MoveControls move{&dt_[at(lane)], &damping_[at(lane)], &mass_scaling_[at(lane)],
-                              &gravity_x_[at(lane)], &gravity_y_[at(lane)]};
-      kernels_.wall_move(shifted(arrays, lane), lanes_, move, range.begin, range.end,
-                         {loads + lane, damping + lane});
-    }
-    for (int lane = 0; lane < lanes_; ++lane) {
-      ChunkEnergy& energy = work_.block_energy[at(c) * at(lanes_) + at(lane)];
-      energy.loads = sum_of_groups(loads + lane, lanes_);
-      energy.damping = sum_of_groups(damping + lane, lanes_);
-    }
+    sum_blocks(at(c), work_.block_energy, [&](int lane, const BlockEnergy& energy) {
+      kernels_.wall_move(shifted(arrays, lane), lanes_, move_controls(lane), range.begin, range.end,
+                         energy);
+    });
   }
 }
 

@@ -5,6 +5,7 @@
 //
 // Both know   shared(array, i)   geometry, one for all walls
 //             own(array, i), keep(value, array, i)          what each wall has for itself
+//             of(array, ids, i)  what each wall has at entity ids[i]
 //             rows(array, ids, i), keep_rows(rows, array, i)  rows of four (poses, joint forces)
 //             points(array, i, n, at), keep_points(...)      the n points of joint i
 //             of_wall(array)     one number a wall (time step, damping)
@@ -125,6 +126,11 @@ struct Neighbours {
   WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, std::size_t i) const {
     L::store_rows(r, to + 4 * i);
   }
+  WYTHE_INLINE Real of(const double* from, const std::int32_t* id, std::size_t i) const {
+    double lane[L::width];
+    for (int k = 0; k < L::width; ++k) lane[k] = from[id[i + static_cast<std::size_t>(k)]];
+    return L::load(lane);
+  }
   template <int n_point, class Put>
   WYTHE_INLINE void points(const double* from, std::size_t i, std::ptrdiff_t n,
                            const Put& put) const {
@@ -179,6 +185,9 @@ struct Walls {
     L::store(r.c1, row + stride);
     L::store(r.c2, row + 2 * stride);
     L::store(r.c3, row + 3 * stride);
+  }
+  WYTHE_INLINE Real of(const double* from, const std::int32_t* id, std::size_t i) const {
+    return L::load(from + at(static_cast<std::size_t>(id[i])));
   }
   template <int n_point, class Put>
   WYTHE_INLINE void points(const double* from, std::size_t i, std::ptrdiff_t n,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/zone_state.h"
+
 namespace wythe::dynamics {
 namespace {
 
@@ -116,6 +118,10 @@ void Recorder::close_row(const State& state) {
   row.unbalance_ratio = unbalance_sum_ / static_cast<double>(std::max(1L, unbalance_samples_));
   row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
   row.load_factor = load_factor_;
+  const LintelMeasures lintel = lintel_measures(model_, state);
+  row.lintel_deflection = lintel.deflection;
+  row.lintel_end_rotation = lintel.end_rotation;
+  row.lintel_axial = lintel.axial;
   result_.curve.push_back(row);
   const bool low = row.reaction < stage_.spec.stop_below * peak_;
   low_rows_ = low && std::fabs(displacement_) >= furthest_ ? low_rows_ + 1 : 0;
@@ -126,6 +132,7 @@ void Recorder::close_row(const State& state) {
   next_close_ += window_;
 
   note_cracks(state, row.displacement, row.reaction);
+  note_limits(state, row.displacement, row.reaction);
   if (row.reaction > peak_) {
     peak_ = row.reaction;
     peak_state_ = state;
@@ -162,6 +169,19 @@ void Recorder::note_cracks(const State& state, double displacement, double react
     mark("first full crack", p);
     double& when = result_.joint_crack_displacement[j];
     if (std::isnan(when)) when = displacement;
+  }
+}
+
+// Once a body and sense: zones stay elastic, so the user must know.
+void Recorder::note_limits(const State& state, double displacement, double reaction) {
+  for (const BeyondLimit& beyond : beyond_limits(model_, state)) {
+    const std::string name = fmt::format("{} beyond its {} limit", beyond.body->id,
+                                         beyond.tension ? "tension" : "compression");
+    if (has_event(result_, name.c_str())) continue;
+    result_.events.push_back(
+        {name, displacement, reaction,
+         fmt::format("{:.3g} MPa at ({:.2f}, {:.2f}) m, limit {:.3g} MPa; it stays elastic",
+                     1e-6 * beyond.stress, clean(beyond.x), clean(beyond.y), 1e-6 * beyond.limit)});
   }
 }
 

@@ -29,6 +29,7 @@ class Recorder {
   void sample(const WallView& wall, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
+  void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_reading(const State& state);
 

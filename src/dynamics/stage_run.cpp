@@ -80,8 +80,13 @@ StageEnd StageRun::close() {
   return end_;
 }
 
-const std::string& StageRun::name_of(BlockId block) const {
-  return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+std::string StageRun::name_of(BlockId block) const {
+  if (block < model_.n_block) return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+  const int node = block - model_.n_block;
+  std::string name = "of zones";
+  for (const SolidBody& body : model_.solids.bodies)
+    if (node >= body.first_node) name = body.id;
+  return name;
 }
 
 StageEnd StageRun::runs_away() const {

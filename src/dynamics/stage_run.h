@@ -66,7 +66,7 @@ class StageRun {
   Controls& controls_;
 
  private:
-  [[nodiscard]] const std::string& name_of(BlockId block) const;
+  [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] StageEnd runs_away() const;
 
   const std::vector<BlockId>* driven_;

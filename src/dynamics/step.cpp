@@ -21,6 +21,32 @@ std::vector<JointChunk> cut_joints(const Model& m) {
   return chunks;
 }
 
+// Runs of at most kChunk with the same `kind`.
+std::vector<JointChunk> cut_runs(const std::vector<std::int32_t>& kind) {
+  std::vector<JointChunk> chunks;
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(kind.size()); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const bool fits = !chunks.empty() && k - chunks.back().begin < kChunk && kind[i] == kind[i - 1];
+    if (!fits) chunks.push_back({k, k, false});
+    chunks.back().end = k + 1;
+  }
+  return chunks;
+}
+
+void size_for_solids(const Solids& s, std::size_t walls, Workspace& w) {
+  const auto zones = static_cast<std::size_t>(s.n_zone), nodes = static_cast<std::size_t>(s.n_node);
+  const auto contacts = static_cast<std::size_t>(s.n_contact);
+  w.zone_chunks = cut_runs(s.zone_shape);
+  w.contact_chunks = cut_runs(s.contact_material);
+  w.node_chunks = (s.n_node + kChunk - 1) / kChunk;
+  w.zone_force.assign(8 * zones * walls, 0.0);
+  for (auto* array : {&w.contact_block_force, &w.contact_edge_force})
+    array->assign(4 * contacts * walls, 0.0);
+  for (auto* array : {&w.node_total_x, &w.node_total_y}) array->assign(nodes * walls, 0.0);
+  w.contact_energy.resize(w.contact_chunks.size() * walls);
+  w.node_energy.resize(static_cast<std::size_t>(w.node_chunks) * walls);
+}
+
 // Entries of a block's list where it is side a come first: where they end.
 std::vector<std::int32_t> middle_of_entries(const Model& m) {
   std::vector<std::int32_t> middle;
@@ -44,7 +70,9 @@ Workspace::Workspace(const Model& m, int lanes) {
   for (auto* array : {&contact_x, &contact_y, &contact_m, &load_x, &load_y, &load_m, &total_x,
                       &total_y, &total_m})
     array->assign(nb * walls, 0.0);
-  pose.assign(4 * nb * walls, 0.0);
+  pose.assign(4 * (nb + 1) * walls, 0.0);
+  for (std::size_t k = 0; k < walls; ++k) pose[(4 * nb + 2) * walls + k] = 1.0;  // the ground's
+  size_for_solids(m.solids, walls, *this);
   force.assign(4 * nj * walls, 0.0);
   is_free.assign(nb * walls, 1.0);
   block_middle = middle_of_entries(m);
@@ -64,10 +92,14 @@ WallView Stepper::view_of(State& state) { return wall_view(work_, state, 1, 0); 
 
 DriveForce Stepper::step(State& state, const Controls& controls) {
   joint_pass(state);
+  zone_pass(state);
+  zone_contact_pass(state);
   gather_pass();
+  gather_zone_contacts(model_, work_, 1);
   const WallView view = view_of(state);
   load_pass(model_, state, view);
   move_pass(state, controls);
+  node_pass(state, controls);
   const double reaction = drive_pass(model_, state, view, controls);
   turn_pass(state);
   sum_energy(state);

@@ -89,7 +89,14 @@ namespace wythe::dynamics {
           .total_m = at(w.total_m),
           .is_free = at(w.is_free),
           .pose = at(w.pose),
-          .force = at(w.force)};
+          .force = at(w.force),
+          .node_ux = at(s.node_ux),
+          .node_uy = at(s.node_uy),
+          .node_vx = at(s.node_vx),
+          .node_vy = at(s.node_vy),
+          .node_total_x = at(w.node_total_x),
+          .node_total_y = at(w.node_total_y),
+          .contact_block_force = at(w.contact_block_force)};
 }
 
 struct Range {
@@ -102,18 +109,23 @@ struct Range {
   return {begin, std::min(begin + kChunk, static_cast<std::size_t>(m.n_block))};
 }
 
+// Adds the zone contacts' forces to their rigid blocks, in the contacts' order, after the joints.
+void gather_zone_contacts(const Model& model, Workspace& work, int lanes);
+
 // What the chunks of wall `lane` have done, in order, into its ledger.
 inline void add_energies(const Workspace& w, int lanes, int lane, State& s) {
   const auto stride = static_cast<std::size_t>(lanes), first = static_cast<std::size_t>(lane);
-  for (std::size_t c = first; c < w.joint_energy.size(); c += stride) {
-    s.dissipated_friction += w.joint_energy[c].friction;
-    s.dissipated_fracture += w.joint_energy[c].fracture;
-    s.dissipated_crushing += w.joint_energy[c].crushing;
-  }
-  for (std::size_t c = first; c < w.block_energy.size(); c += stride) {
-    s.work_loads += w.block_energy[c].loads;
-    s.work_damping += w.block_energy[c].damping;
-  }
+  for (const auto* energies : {&w.joint_energy, &w.contact_energy})
+    for (std::size_t c = first; c < energies->size(); c += stride) {
+      s.dissipated_friction += (*energies)[c].friction;
+      s.dissipated_fracture += (*energies)[c].fracture;
+      s.dissipated_crushing += (*energies)[c].crushing;
+    }
+  for (const auto* energies : {&w.block_energy, &w.node_energy})
+    for (std::size_t c = first; c < energies->size(); c += stride) {
+      s.work_loads += (*energies)[c].loads;
+      s.work_damping += (*energies)[c].damping;
+    }
 }
 
 }  // namespace wythe::dynamics

@@ -24,6 +24,10 @@ struct WallView {
   Strided is_free;                          // 0: moved by drive_pass (n_block)
   Strided pose;                             // rows ux, uy, cos, sin of half the angle (n_block, 4)
   Strided force;                            // rows fx, fy, ma, mb (n_joint, 4)
+
+  Strided node_ux, node_uy, node_vx, node_vy;  // nodes of zones (n_node)
+  Strided node_total_x, node_total_y;          // forces on them with gravity (n_node)
+  Strided contact_block_force;                 // rows fx, fy, m on the rigid block (n_contact, 4)
 };
 
 }  // namespace wythe::dynamics

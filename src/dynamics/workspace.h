@@ -29,7 +29,8 @@ struct Workspace {
   std::vector<JointChunk> joint_chunks;
   int block_chunks = 0;
 
-  // written by turn_pass: rows ux [m], uy [m], cos theta/2, sin theta/2 (n_block, 4)
+  // written by turn_pass: rows ux [m], uy [m], cos theta/2, sin theta/2 (n_block + 1, 4); the last
+  // is the ground's, at rest
   std::vector<double> pose;
 
   // written by forces: rows of the force on side a along x and y [N], the moments on a and b about
@@ -44,7 +45,17 @@ struct Workspace {
   std::vector<double> is_free;  // 0: moved by drive_pass (n_block), set at a stage's start
   std::vector<std::int32_t> block_middle;  // first entry of a block where it is side b (n_block)
 
-  std::vector<ChunkEnergy> joint_energy, block_energy;  // (chunks)
+  // written by zone_pass: rows of the forces on corners 0 and 1, then those on 2 and 3 (2, n_zone, 4)
+  std::vector<double> zone_force;  // [N]
+  // written by zone_contact_pass: rows on the rigid block and on the edge's nodes (n_contact, 4)
+  std::vector<double> contact_block_force, contact_edge_force;
+  // written by node_pass: forces on each node with gravity (n_node) [N]
+  std::vector<double> node_total_x, node_total_y;
+  std::vector<JointChunk> contact_chunks;  // on_ground unused
+  std::vector<JointChunk> zone_chunks;     // of one shape
+  int node_chunks = 0;
+
+  std::vector<ChunkEnergy> joint_energy, block_energy, contact_energy, node_energy;  // (chunks)
 };
 
 inline constexpr int kChunk = 256;  // joints or blocks; fixed, so sums do not depend on threads

@@ -18,6 +18,11 @@
 namespace wythe::geometry {
 namespace {
 
+ZoneSpec zones_of(const LintelSpec& lintel) {
+  if (lintel.model == LintelModel::kSegments) return {};
+  return {lintel.zones, lintel.zone_length, lintel.zone_kind, lintel.plane};
+}
+
 void add_segments(const ModelSpec& spec, const PlacedOpening& opening, std::vector<Block>& blocks) {
   const std::size_t index = static_cast<std::size_t>(opening.index);
   if (opening.segment.empty()) return;
@@ -32,6 +37,7 @@ void add_segments(const ModelSpec& spec, const PlacedOpening& opening, std::vect
     block.thickness = spec.wall.thickness;
     block.role = Role::kLintel;
     block.opening = opening.index;
+    block.zone = zones_of(spec.wall.opening[index].lintel);
     blocks.push_back(block);
   }
 }

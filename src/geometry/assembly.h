@@ -33,6 +33,7 @@ struct Block {
   int course = -1;             // 0 at the bottom, -1 where it has no meaning
   int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
   int opening = -1;            // lintel segments: index of their opening
+  ZoneSpec zone;               // deformable where zone.zones > 0
 };
 
 enum class FaceKind {

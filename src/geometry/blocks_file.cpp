@@ -63,6 +63,14 @@ Role role_of(const BlockSpec& block) {
   return block.beam ? Role::kBeam : Role::kMasonry;
 }
 
+// Supports do not move and the beam takes loads: neither is cut into zones.
+void refuse_zones(const BlockSpec& block, FaultList& faults) {
+  if (block.zone.zones == 0 || !(block.fixed || block.beam)) return;
+  add_fault(faults, path_of(block) + ".zones", std::to_string(block.zone.zones),
+            block.fixed ? "a fixed block does not deform" : "the loading beam is rigid",
+            "leave zones out of this block");
+}
+
 void refuse_repeated_ids(const ModelSpec& spec, FaultList& faults) {
   std::set<std::string> seen;
   for (const BlockSpec& block : spec.block) {
@@ -149,6 +157,8 @@ std::vector<Block> blocks_from_file(const ModelSpec& spec, FaultList& faults) {
     block.density = density_of(spec, stated);
     block.thickness = spec.wall.thickness;
     block.role = role_of(stated);
+    block.zone = stated.zone;
+    refuse_zones(stated, faults);
     if (add_outline(stated, block, faults)) blocks.push_back(std::move(block));
   }
   number_courses(blocks);

@@ -41,9 +41,19 @@ std::string foundation_or_joint(const ModelSpec& spec, const std::string& name) 
   return name == "foundation" && !spec.material.contains(name) ? "joint" : name;
 }
 
-std::string pair_material(const ModelSpec& spec, const Block& a, const Block& b, FaceKind kind) {
+// A lintel's ends, its bearing and what lies on it may have materials of their own.
+std::string bond_material(const LintelSpec& lintel, const Block& a, const Contact& contact) {
+  const Vec2 t = contact.p1 - contact.p0;
+  const bool level = std::abs(t.y) <= kAlongAxis * length(t);
+  const bool on_top = a.role == Role::kLintel;  // a is the lower block
+  const std::string& own = on_top ? lintel.top_bond : lintel.bearing_bond;
+  return level && !own.empty() ? own : lintel.bond;
+}
+
+std::string pair_material(const ModelSpec& spec, const Block& a, const Block& b, FaceKind kind,
+                          const Contact& contact) {
   if (kind == FaceKind::kLintelChain) return lintel_between(spec, a, b).material;
-  if (kind == FaceKind::kLintelBond) return lintel_between(spec, a, b).bond;
+  if (kind == FaceKind::kLintelBond) return bond_material(lintel_between(spec, a, b), a, contact);
   if (kind == FaceKind::kPlate) return foundation_or_joint(spec, plate_joint(spec));
   if (kind == FaceKind::kSplit) return "unit";
   const std::string plain = kind == FaceKind::kBeam ? spec.wall.beam.joint : "joint";
@@ -60,7 +70,8 @@ std::string ground_material(const ModelSpec& spec, const Block& block, const Blo
 
 Face pair_face(const ModelSpec& spec, const Block& a, const Block& b, const Contact& contact) {
   const FaceKind kind = kind_of(a, b, contact);
-  return {contact.a, contact.b, contact.p0, contact.p1, kind, pair_material(spec, a, b, kind)};
+  return {contact.a,  contact.b, contact.p0,
+          contact.p1, kind,      pair_material(spec, a, b, kind, contact)};
 }
 
 // The ground is always side a: a contact whose b is the support is turned round.
@@ -118,7 +129,9 @@ void add_lintel_uses(const ModelSpec& spec, Uses& uses) {
   for (const OpeningSpec& opening : spec.wall.opening) {
     if (opening.lintel.kind.empty()) continue;
     uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
-    uses.emplace(opening.lintel.bond, FaceKind::kLintelBond);
+    for (const auto* bond :
+         {&opening.lintel.bond, &opening.lintel.bearing_bond, &opening.lintel.top_bond})
+      if (!bond->empty()) uses.emplace(*bond, FaceKind::kLintelBond);
   }
 }
 

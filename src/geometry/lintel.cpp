@@ -118,7 +118,8 @@ void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpenin
   if (!fits) return;
   note_size(opening, "depth", lintel.depth, body.y1 - body.y0, notes);
   note_size(opening, "bearing", lintel.bearing, body.x1 - opening.hole.x1, notes);
-  opening.segment = cut_chain(body, columns);
+  opening.segment =
+      lintel.model == LintelModel::kZones ? std::vector<Rect>{body} : cut_chain(body, columns);
 }
 
 }  // namespace wythe::geometry

@@ -2,6 +2,8 @@
 //
 //   {"units": "m", "thickness": 0.2, "blocks": [{"id": "b1", "polygon": [[x, y], ...],
 //    "material": "stone", "fixed": false, "beam": false}, ...]}
+//                                                    or "zones": 4, "zone_length": 0.05, "zone_kind":
+//                                                    "mixed", "plane": "stress" of a deformable one
 //   {"units": "m", "blocks_xyxy": [[x0, y0, x1, y1], ...], "loading_beam_xyxy": [x0, y0, x1, y1]}
 #include "io/blocks_json.h"
 
@@ -14,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "io/describe.h"
 #include "wythe/io.h"
 
 namespace wythe::io {
@@ -25,6 +28,13 @@ using Point = std::array<double, 2>;
 std::string short_dump(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+template <class Enum, std::size_t n>
+std::string word_of(const Word<Enum> (&words)[n], Enum value) {
+  for (const Word<Enum>& word : words)
+    if (word.value == value) return word.word;
+  return "";
 }
 
 class BlocksReader {
@@ -111,6 +121,7 @@ class BlocksReader {
     read_word(json, "material", block.material, block.id);
     read_flag(json, "fixed", block.fixed, block.id);
     read_flag(json, "beam", block.beam, block.id);
+    read_zones(json, block);
     refuse_unknown(json, block.id);
     read_outline(json.value("polygon", Json()), block);
     keep(std::move(block));
@@ -135,8 +146,46 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
   }
 
+  void read_zones(const Json& json, BlockSpec& block) {
+    ZoneSpec& zone = block.zone;
+    if (json.contains("zones")) {
+      const Json& count = json["zones"];
+      if (count.is_number_integer() && count.get<std::int64_t>() >= 0 && count < 10000)
+        zone.zones = count.get<int>();
+      else
+        refuse(block.id + ".zones", short_dump(count), "must be a whole number of zones, 0 or more",
+               R"(write e.g. "zones": 2)");
+    }
+    if (json.contains("zone_length")) {
+      const auto length = read_number(json["zone_length"]);
+      if (length && *length > 0)
+        zone.length = *length;
+      else
+        refuse(block.id + ".zone_length", short_dump(json["zone_length"]),
+               "must be a number more than 0", "leave it out for zones as long as deep");
+    }
+    read_choice(json, "zone_kind", kZoneKindWords, zone.kind, block.id);
+    read_choice(json, "plane", kPlaneWords, zone.plane, block.id);
+  }
+
+  template <class Enum, std::size_t n>
+  void read_choice(const Json& json, const char* name, const Word<Enum> (&words)[n], Enum& value,
+                   const std::string& id) {
+    if (!json.contains(name)) return;
+    std::string allowed;
+    for (const Word<Enum>& word : words) {
+      allowed += (allowed.empty() ? "\"" : ", \"") + std::string(word.word) + "\"";
+      if (json[name] == word.word) {
+        value = word.value;
+        return;
+      }
+    }
+    refuse(id + '.' + name, short_dump(json[name]), "must be one of " + allowed, "");
+  }
+
   void refuse_unknown(const Json& json, const std::string& id) {
-    static const std::vector<std::string> kKnown = {"id", "polygon", "material", "fixed", "beam"};
+    static const std::vector<std::string> kKnown = {
+        "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
     for (const auto& item : json.items())
       if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end())
         refuse(id + '.' + item.key(), short_dump(item.value()), "no such key",
@@ -220,12 +269,18 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
 
 std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) {
   Json list = Json::array();
-  for (const BlockSpec& block : blocks)
+  for (const BlockSpec& block : blocks) {
     list.push_back({{"id", block.id},
                     {"polygon", block.polygon},
                     {"material", block.material},
                     {"fixed", block.fixed},
                     {"beam", block.beam}});
+    if (block.zone.zones == 0) continue;
+    list.back()["zones"] = block.zone.zones;
+    if (!std::isnan(block.zone.length)) list.back()["zone_length"] = block.zone.length;
+    list.back()["zone_kind"] = word_of(kZoneKindWords, block.zone.kind);
+    list.back()["plane"] = word_of(kPlaneWords, block.zone.plane);
+  }
   Json file = {{"units", "m"}};
   if (std::isfinite(thickness)) file["thickness"] = thickness;
   file["blocks"] = std::move(list);

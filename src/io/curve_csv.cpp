@@ -4,15 +4,20 @@
 
 namespace wythe::io {
 
-std::string curve_csv(const std::vector<CurveRow>& curve) {
+std::string curve_csv(const std::vector<CurveRow>& curve, bool has_lintel) {
   std::string text =
       "time_s,displacement_mm,drift_percent,reaction_kN,base_shear_kN,unbalance_ratio,"
-      "kinetic_ratio\n";
+      "kinetic_ratio";
+  text += has_lintel ? ",lintel_deflection_mm,lintel_end_rotation_mrad,lintel_axial_kN\n" : "\n";
   // ten digits: far below any error of the method, and 0.3 mm reads 0.3
   for (const CurveRow& row : curve) {
-    text += fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}\n", row.time,
+    text += fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g},{:.6g}", row.time,
                         row.displacement * 1e3, row.drift * 1e2, row.reaction * 1e-3,
                         row.base_shear * 1e-3, row.unbalance_ratio, row.kinetic_ratio);
+    if (has_lintel)
+      text += fmt::format(",{:.10g},{:.10g},{:.10g}", row.lintel_deflection * 1e3,
+                          row.lintel_end_rotation * 1e3, row.lintel_axial * 1e-3);
+    text += '\n';
   }
   return text;
 }

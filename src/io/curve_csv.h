@@ -1,4 +1,5 @@
-// force_displacement.csv: the push-over curve with the unit in each column's name.
+// force_displacement.csv: the push-over curve with the unit in each column's name; where a lintel is
+// made of zones, what it does follows in columns of its own.
 #pragma once
 
 #include <string>
@@ -8,6 +9,6 @@
 
 namespace wythe::io {
 
-[[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve);
+[[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, bool has_lintel = false);
 
 }  // namespace wythe::io

@@ -25,6 +25,12 @@ inline constexpr Word<Split> kSplitWords[] = {{"middle", Split::kMiddle}, {"none
 inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
 inline constexpr Word<Freedom> kFreedomWords[] = {{"free", Freedom::kFree},
                                                   {"blocked", Freedom::kBlocked}};
+inline constexpr Word<LintelModel> kLintelModelWords[] = {{"segments", LintelModel::kSegments},
+                                                          {"zones", LintelModel::kZones}};
+inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
+                                                    {"cst", ZoneKind::kCst}};
+inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
+                                              {"strain", Plane::kStrain}};
 inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kBilinear},
                                                       {"exponential", Softening::kExponential},
                                                       {"polynomial", Softening::kPolynomial},
@@ -73,6 +79,22 @@ void describe(Visitor& v, LintelSpec& s) {
          .doc = "Name of the material with the lintel's density and moduli."});
   v.text("bond", s.bond, {.example = "joint",
          .doc = "Name of the joint material between lintel and masonry."});
+  v.text("bearing_bond", s.bearing_bond, {.fallback = "bond", .example = "joint",
+         .doc = "Joint material of the faces the lintel rests on, where it differs."});
+  v.text("top_bond", s.top_bond, {.fallback = "bond", .example = "joint",
+         .doc = "Joint material of the masonry that lies on the lintel, where it differs."});
+  v.choice("model", s.model, kLintelModelWords, {.example = "zones",
+           .doc = "A chain of rigid segments, or one deformable block of zones."});
+  v.integer("zones", s.zones, {.range = kFromOne, .example = "2",
+            .doc = "Zones through the depth, with model = zones."});
+  v.quantity("zone_length", s.zone_length, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "as long as deep", .example = "55 mm",
+             .doc = "Length of a zone along the lintel, fitted to a whole number of zones."});
+  v.choice("zone_kind", s.zone_kind, kZoneKindWords, {.example = "mixed",
+           .doc = "Constant-strain triangles as they are (`cst`, locking), or with one volumetric "
+                  "strain for a whole zone (`mixed`)."});
+  v.choice("plane", s.plane, kPlaneWords, {.example = "stress",
+           .doc = "Plane stress, or plane strain."});
 }
 
 template <class Visitor>
@@ -215,6 +237,18 @@ void describe(Visitor& v, JointMaterial& m) {
   v.quantity("shear_modulus", m.shear_modulus, {.unit = "Pa", .shown = "GPa",
              .range = kPositive, .fallback = "needed for a lintel", .example = "0.6 GPa",
              .doc = "G of a lintel."});
+  v.quantity("youngs_modulus_across", m.youngs_modulus_across, {.unit = "Pa", .shown = "GPa",
+             .range = kPositive, .fallback = "isotropic", .example = "0.4 GPa",
+             .doc = "E across the grain, of a lintel of zones."});
+  v.number("poisson_ratio", m.poisson_ratio, {.range = kPoisson, .fallback = "E/2G - 1",
+           .example = "0.4", .doc = "Strain across over strain along, of a lintel of zones; needed "
+                                    "with youngs_modulus_across."});
+  v.quantity("tension_limit", m.tension_limit, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .fallback = "none", .example = "20 MPa",
+             .doc = "Principal tension of a zone from which the run says so; it stays elastic."});
+  v.quantity("compression_limit", m.compression_limit, {.unit = "Pa", .shown = "MPa",
+             .range = kPositive, .fallback = "none", .example = "20 MPa",
+             .doc = "Principal compression of a zone from which the run says so; it stays elastic."});
 }
 
 template <class Visitor>

@@ -25,6 +25,7 @@ inline constexpr double kQuarterTurn = 1.57079632679489661923;  // [rad]
 inline constexpr Range kAnyValue{};
 inline constexpr Range kPositive{.low = 0, .low_open = true};
 inline constexpr Range kNotNegative{.low = 0};
+inline constexpr Range kPoisson{.low = 0, .high = 0.5, .high_open = true};
 inline constexpr Range kFromOne{.low = 1};
 inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};
 inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};

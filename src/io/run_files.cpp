@@ -1,9 +1,11 @@
 // The files of `wythe run`, all but report.html (contract: docs/reference/results.md).
 //
 //   force_displacement.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
+//   state_zones_NN.vtu (with deformable blocks)
 //   run.pvd                  summary.json, written last: where it is, the others are whole
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -32,7 +34,8 @@ void remove_stale(const std::string& folder) {
   fs::remove(inside(folder, "summary.json"), error);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const bool is_state = name.starts_with("state_blocks_") || name.starts_with("state_joints_");
+    const bool is_state = name.starts_with("state_blocks_") || name.starts_with("state_joints_") ||
+                          name.starts_with("state_zones_");
     std::error_code ignored;
     if (is_state && name.ends_with(".vtu")) fs::remove(entry.path(), ignored);
   }
@@ -51,9 +54,20 @@ void write_states(const std::string& folder, const Model& model,
     const double millimetres = snapshot.displacement * 1e3;
     series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
     series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});
+    if (model.solids.n_zone > 0) {
+      const std::string zones = fmt::format("state_zones_{:02}.vtu", number);
+      io::write_file(inside(folder, zones), io::zones_vtu(model, snapshot.state));
+      series.push_back({.time = millimetres, .part = 2, .name = "zones", .file = zones});
+    }
     ++number;
   }
   io::write_file(inside(folder, "run.pvd"), io::series_pvd(series));
+}
+
+bool has_lintel_of_zones(const Model& model) {
+  const auto& bodies = model.solids.bodies;
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const SolidBody& body) { return body.role == BlockRole::kLintel; });
 }
 
 // The spec as it was understood: stages and settings with their resolved defaults; a blocks file
@@ -109,7 +123,8 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
                const Result& result) {
   prepare_folder(folder);
   remove_stale(folder);
-  io::write_file(inside(folder, "force_displacement.csv"), io::curve_csv(result.curve));
+  io::write_file(inside(folder, "force_displacement.csv"),
+                 io::curve_csv(result.curve, has_lintel_of_zones(model)));
   io::write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
   io::write_file(inside(folder, "summary.json"), io::summary_json(model, result));

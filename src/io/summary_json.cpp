@@ -183,6 +183,11 @@ std::string summary_json(const Model& model, const Result& result) {
   json["blocks"] = model.n_block;
   json["joints"] = model.n_joint;
   json["points"] = model.n_point();
+  if (model.solids.n_zone > 0) {
+    json["zones"] = model.solids.n_zone;
+    json["zone_nodes"] = model.solids.n_node;
+    json["zone_contacts"] = model.solids.n_contact;
+  }
   json["steps"] = result.steps;
   json["time_step_s"] = result.time_step;
   json["wall_seconds"] = result.wall_seconds;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "dynamics/zone_state.h"
 #include "model/deformed.h"
 
 namespace wythe::io {
@@ -104,21 +105,27 @@ struct JointColumns {
   std::vector<std::int32_t> kind, joint;
 };
 
-// Reduces the points of one joint to its row (see vtu.h for the rule of each column).
-void add_joint(JointColumns& columns, const Model& model, JointId joint,
-               const std::vector<PointStress>& points) {
+// The points of one joint or contact, with their shares of its area.
+struct PointRange {
+  const PointStress* first;
+  const double* weight;
+  int count;
+};
+
+// Reduces them to a row (see vtu.h for the rule of each column).
+void add_row(JointColumns& columns, const PointRange& points, JointKind kind, JointId joint) {
   PointStress row;
   row.opening = -HUGE_VAL;
-  for (int k = 0; k < model.n_face_point; ++k) {
-    const PointStress& point = points[joint * model.n_face_point + k];
+  for (int k = 0; k < points.count; ++k) {
+    const PointStress& point = points.first[k];
     row.opening = std::fmax(row.opening, point.opening);
     if (std::abs(point.slip) > std::abs(row.slip)) row.slip = point.slip;
     row.damage = std::fmax(row.damage, point.damage);
     row.damage_tension = std::fmax(row.damage_tension, point.damage_tension);
     row.damage_shear = std::fmax(row.damage_shear, point.damage_shear);
     row.crushing = std::fmax(row.crushing, point.crushing);
-    row.normal_stress += model.point_weight[k] * point.normal_stress;
-    row.shear_stress += model.point_weight[k] * point.shear_stress;
+    row.normal_stress += points.weight[k] * point.normal_stress;
+    row.shear_stress += points.weight[k] * point.shear_stress;
   }
   columns.opening.push_back(row.opening * 1e3);
   columns.slip.push_back(row.slip * 1e3);
@@ -128,8 +135,19 @@ void add_joint(JointColumns& columns, const Model& model, JointId joint,
   columns.normal.push_back(row.normal_stress * 1e-6);
   columns.shear.push_back(row.shear_stress * 1e-6);
   columns.crushing.push_back(row.crushing);
-  columns.kind.push_back(static_cast<std::int32_t>(model.anatomy.joint_kind[joint]));
+  columns.kind.push_back(static_cast<std::int32_t>(kind));
   columns.joint.push_back(joint);
+}
+
+// Lines and rows of the zone contacts.
+void add_contacts(const Model& model, const State& state, Mesh& mesh, JointColumns& columns) {
+  static constexpr double kHalf[2] = {0.5, 0.5};
+  const std::vector<PointStress> points = dynamics::contact_stresses(model, state);
+  for (std::size_t c = 0; 2 * c < points.size(); ++c) {
+    for (std::size_t k = 0; k < 2; ++k) mesh.add_point({points[2 * c + k].x, points[2 * c + k].y});
+    mesh.close_cell();
+    add_row(columns, {&points[2 * c], kHalf, 2}, JointKind::kLintelBond, -1);
+  }
 }
 
 }  // namespace
@@ -161,8 +179,11 @@ std::string joints_vtu(const Model& model, const State& state,
   for (JointId j = 0; j < model.n_joint; ++j) {
     for (const PlacedPoint& p : placed_joint(model, state, j)) mesh.add_point(p);
     mesh.close_cell();
-    add_joint(columns, model, j, points);
+    add_row(columns,
+            {&points[j * model.n_face_point], model.point_weight.data(), model.n_face_point},
+            model.anatomy.joint_kind[j], j);
   }
+  add_contacts(model, state, mesh, columns);
   return mesh_vtu(mesh, state,
                   data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
                       data_array("damage", columns.damage) +
@@ -172,6 +193,41 @@ std::string joints_vtu(const Model& model, const State& state,
                       data_array("shear_stress_MPa", columns.shear) +
                       data_array("crushing", columns.crushing) + data_array("kind", columns.kind) +
                       data_array("joint", columns.joint));
+}
+
+std::string zones_vtu(const Model& model, const State& state) {
+  Mesh mesh;
+  std::vector<double> displacement, x, y, xy, first, second;
+  std::vector<std::int32_t> body, zone;
+  const std::vector<ZoneStress> stresses = zone_stresses(model, state);
+  for (std::size_t b = 0; b < model.solids.bodies.size(); ++b)
+    for (int z = 0; z < model.solids.bodies[b].n_zone; ++z) {
+      const auto at = static_cast<std::size_t>(model.solids.bodies[b].first_zone + z);
+      const ZoneStress& now = stresses[at];
+      const bool triangle = model.solids.corner[2][at] == model.solids.corner[3][at];
+      double moved_x = 0, moved_y = 0;
+      for (std::size_t k = 0; k < (triangle ? 3 : 4); ++k) {
+        const auto node = static_cast<std::size_t>(model.solids.corner[k][at]);
+        mesh.add_point({now.x[k], now.y[k]});
+        moved_x += state.node_ux[node] / (triangle ? 3 : 4);
+        moved_y += state.node_uy[node] / (triangle ? 3 : 4);
+      }
+      mesh.close_cell();
+      displacement.insert(displacement.end(), {moved_x * 1e3, moved_y * 1e3, 0.0});
+      const auto [greatest, least] = dynamics::principal_stresses(now);
+      x.push_back(now.sigma_x * 1e-6);
+      y.push_back(now.sigma_y * 1e-6);
+      xy.push_back(now.tau * 1e-6);
+      first.push_back(greatest * 1e-6);
+      second.push_back(least * 1e-6);
+      body.push_back(static_cast<std::int32_t>(b));
+      zone.push_back(static_cast<std::int32_t>(at));
+    }
+  return mesh_vtu(mesh, state,
+                  data_array("displacement_mm", displacement, 3) + data_array("stress_x_MPa", x) +
+                      data_array("stress_y_MPa", y) + data_array("stress_xy_MPa", xy) +
+                      data_array("principal_1_MPa", first) + data_array("principal_2_MPa", second) +
+                      data_array("body", body) + data_array("zone", zone));
 }
 
 std::string series_pvd(const std::vector<SeriesEntry>& entries) {

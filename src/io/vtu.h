@@ -1,4 +1,5 @@
-// VTK XML files of a state, for ParaView: blocks as polygons, joints as lines, both where they are.
+// VTK XML files of a state, for ParaView: blocks and zones as polygons, joints as lines, all where they
+// are.
 //
 // Arrays are base64 of little-endian doubles, so that every bit and every NaN survives.
 #pragma once
@@ -14,10 +15,14 @@ namespace wythe::io {
 // Cells: blocks. displacement_mm (3), rotation_mrad, role (BlockRole), course, block (BlockId).
 [[nodiscard]] std::string blocks_vtu(const Model& model, const State& state);
 
-// Cells: joints. Of a joint's points: opening_mm, damages and crushing are the largest, slip_mm the
+// Cells: joints, then the contacts of deformable blocks (kind 5, joint -1). Of a joint's points: opening_mm, damages and crushing are the largest, slip_mm the
 // one of largest magnitude, stresses the area-weighted mean; kind (JointKind), joint (JointId).
 [[nodiscard]] std::string joints_vtu(const Model& model, const State& state,
                                      const std::vector<PointStress>& points);
+
+// Cells: zones of deformable blocks. displacement_mm (3) of the middle; mean stresses stress_x_MPa,
+// stress_y_MPa, stress_xy_MPa, principal_1_MPa, principal_2_MPa (tension positive); body, zone.
+[[nodiscard]] std::string zones_vtu(const Model& model, const State& state);
 
 // One row of the series; `time` is what ParaView's time slider shows: the displacement [mm].
 struct SeriesEntry {

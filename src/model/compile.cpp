@@ -79,6 +79,7 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
   anatomy.support_begin.push_back(0);
   anatomy.outline_begin.push_back(0);
   double smallest = std::numeric_limits<double>::infinity();
+  int bodies = 0;
   for (const geometry::Block& block : assembly.blocks) {
     if (block.role == Role::kSupport) {
       map.push_back(kGroundBlock);
@@ -87,6 +88,10 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
         anatomy.support_y.push_back(v.y);
       }
       anatomy.support_begin.push_back(static_cast<int>(anatomy.support_x.size()));
+      continue;
+    }
+    if (block.zone.zones > 0) {
+      map.push_back(solid_id(bodies++));
       continue;
     }
     map.push_back(model.n_block++);
@@ -124,12 +129,19 @@ Model compile(const ModelSpec& spec) {
   model.solve = spec.solve;
   model.output = spec.output;
   copy_report(assembly, model.anatomy);
+  compile_solids(spec, assembly, model, faults);
+  faults.throw_if_any();
   const BlockMap map = compile_blocks(spec, assembly, model);
+  if (model.n_block == 0 && !model.solids.bodies.empty())
+    faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
+                "leave at least one rigid block: loads and pushes act on those", 0});
+  faults.throw_if_any();
   compile_joints(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, model, faults);
   faults.throw_if_any();
   bound_step(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
   return model;
 }
 

@@ -34,6 +34,24 @@ std::vector<PlacedPoint> placed_outline(const Model& model, const State& state, 
   return outline;
 }
 
+PlacedPoint placed_node(const Model& model, const State& state, int node, double scale) {
+  const auto i = static_cast<std::size_t>(node);
+  return {model.solids.node_x[i] + scale * state.node_ux[i],
+          model.solids.node_y[i] + scale * state.node_uy[i]};
+}
+
+std::array<PlacedPoint, 2> placed_contact(const Model& model, const State& state, int contact,
+                                          double scale) {
+  const Solids& s = model.solids;
+  const auto c = static_cast<std::size_t>(contact);
+  const PlacedPoint p = placed_node(model, state, s.contact_p[c], scale);
+  const PlacedPoint q = placed_node(model, state, s.contact_q[c], scale);
+  const auto between = [&](double share) {
+    return PlacedPoint{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+  };
+  return {between(s.share_0[c]), between(s.share_1[c])};
+}
+
 std::array<PlacedPoint, 2> placed_joint(const Model& model, const State& state, JointId joint,
                                         double scale) {
   const BlockId a = model.joint_a[joint];

@@ -19,6 +19,12 @@ struct PlacedPoint {
 [[nodiscard]] std::vector<PlacedPoint> placed_outline(const Model& model, const State& state,
                                                       BlockId block, double scale = 1);
 
+// Where a node of zones is [m].
+[[nodiscard]] PlacedPoint placed_node(const Model& model, const State& state, int node,
+                                      double scale = 1);
+// Both ends of a zone contact, on the zone's edge [m].
+[[nodiscard]] std::array<PlacedPoint, 2> placed_contact(const Model& model, const State& state,
+                                                        int contact, double scale = 1);
 // Both ends of a joint, half way between its two faces [m]; a ground face stays where it was.
 [[nodiscard]] std::array<PlacedPoint, 2> placed_joint(const Model& model, const State& state,
                                                       JointId joint, double scale = 1);

@@ -102,13 +102,20 @@ double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& 
   return spec.wall.opening[static_cast<std::size_t>(opening)].lintel.depth;
 }
 
+bool touches_solid(const Face& face, const BlockMap& map) {
+  const auto solid = [&](int block) {
+    return block != geometry::kGround && is_solid(map[static_cast<std::size_t>(block)]);
+  };
+  return solid(face.a) || solid(face.b);
+}
+
 // Order for the step: pairs before ground, then runs of one variant and one material, else as found.
-std::vector<std::size_t> joint_order(const Assembly& assembly, const BlockMap& map,
+std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const BlockMap& map,
                                      const std::vector<int>& material, const Model& model) {
-  std::vector<std::size_t> order(assembly.faces.size());
+  std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto key = [&](std::size_t f) {
-    const Face& face = assembly.faces[f];
+    const Face& face = faces[f];
     const bool ground =
         face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
     const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
@@ -190,7 +197,14 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
   MaterialTable table(spec, model, faults);
   std::vector<int> material;
   std::vector<double> half_scale;
+  std::vector<Face> faces;  // between rigid blocks
+  std::vector<SolidFace> solid_faces;
   for (const Face& face : assembly.faces) {
+    if (touches_solid(face, map)) {
+      solid_faces.push_back({&face, table.index_of(face.material)});
+      continue;
+    }
+    faces.push_back(face);
     if (face.kind != FaceKind::kLintelChain) {
       material.push_back(table.index_of(face.material));
       half_scale.push_back(1.0);
@@ -204,9 +218,11 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
     material.push_back(table.chain_index(face, spacing, depth));
     half_scale.push_back(chain_half_scale(model, depth, length_of(face)));
   }
-  for (const std::size_t f : joint_order(assembly, map, material, model))
-    add_joint(assembly.faces[f], material[f], half_scale[f], map, assembly, model);
+  for (const std::size_t f : joint_order(faces, map, material, model))
+    add_joint(faces[f], material[f], half_scale[f], map, assembly, model);
   set_gather_lists(model);
+  if (!model.solids.bodies.empty())
+    compile_contacts(assembly, map, std::move(solid_faces), model, faults);
 }
 
 }  // namespace wythe

@@ -7,8 +7,18 @@
 
 namespace wythe {
 
-// Index of each assembly block among the moving blocks, kGroundBlock for supports.
+// Index of each assembly block among the moving rigid blocks, kGroundBlock for supports, solid_id()
+// for deformable ones.
 using BlockMap = std::vector<BlockId>;
+[[nodiscard]] constexpr BlockId solid_id(int body) { return -2 - body; }
+[[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
+[[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
+
+// A face of a deformable block and its joint material.
+struct SolidFace {
+  const geometry::Face* face;
+  int material;
+};
 
 // mass, inertia, centroids, outlines and names.
 [[nodiscard]] BlockMap compile_blocks(const ModelSpec& spec, const geometry::Assembly& assembly,
@@ -16,6 +26,12 @@ using BlockMap = std::vector<BlockId>;
 // joints, points, gather lists and the materials they refer to; chains get their beam stiffness.
 void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
+// deformable blocks: nodes and zones.
+void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
+                    FaultList& faults);
+// the faces of deformable blocks; called by compile_joints, which finds their materials.
+void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
+                      std::vector<SolidFace> faces, Model& model, FaultList& faults);
 // stages with loads and driven blocks.
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);

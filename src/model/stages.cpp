@@ -106,6 +106,13 @@ class StageCompiler {
     return top;
   }
 
+  void refuse_zones(std::size_t block, const char* key) {
+    fault(key, assembly_.blocks[block].id,
+          "would act on a block of zones; loads and pushes act on "
+          "rigid blocks",
+          "put a rigid block between, or leave the block's zones out");
+  }
+
   // Dead line load `q` [N/m] on the masonry's upper edges between x0 and x1.
   void press(Stage& stage, double x0, double x1, double q, const char* key) {
     double pressed = 0;
@@ -119,6 +126,7 @@ class StageCompiler {
         if (std::fabs(p.y - top) > tolerance || std::fabs(n.y - top) > tolerance) continue;
         const double from = std::max(std::min(p.x, n.x), x0), to = std::min(std::max(p.x, n.x), x1);
         if (to - from <= tolerance) continue;
+        if (is_solid(map_[b])) return refuse_zones(b, key);
         const auto i = static_cast<std::size_t>(map_[b]);
         stage.loads.push_back({map_[b], 0.5 * (from + to) - model_.centroid_x[i],
                                top - model_.centroid_y[i], 0.0, -q * (to - from)});
@@ -166,6 +174,7 @@ class StageCompiler {
     double height = 0;
     for (const std::size_t b : found) {
       if (map_[b] == kGroundBlock) continue;
+      if (is_solid(map_[b])) return refuse_zones(b, "at");
       stage.driven.push_back(map_[b]);
       height += model_.centroid_y[static_cast<std::size_t>(map_[b])];
     }

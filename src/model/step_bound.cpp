@@ -11,6 +11,15 @@
 namespace wythe {
 namespace {
 
+// Stiffness of one point at (rx, ry) from a block's centroid, in (ux, uy, theta).
+Eigen::Matrix3d point_stiffness(const JointMaterial& material, double area, double tx, double ty,
+                                double rx, double ry) {
+  const Eigen::Vector3d n(-ty, tx, rx * tx + ry * ty);
+  const Eigen::Vector3d t(tx, ty, rx * ty - ry * tx);
+  return area * (material.normal_stiffness * n * n.transpose() +
+                 material.shear_stiffness * t * t.transpose());
+}
+
 // Stiffness that joint j's points give to a block whose face centre is at `arm`, in (ux, uy, theta).
 Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, double arm_x, double arm_y) {
   const JointMaterial& material = m.materials[static_cast<std::size_t>(m.joint_material[j])];
@@ -19,18 +28,54 @@ Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, double arm_x, doubl
   for (std::size_t p = 0; p < m.point_xi.size(); ++p) {
     const double rx = arm_x + m.point_xi[p] * m.half_x[j];
     const double ry = arm_y + m.point_xi[p] * m.half_y[j];
-    const double area = m.area[j] * m.point_weight[p];
-    const Eigen::Vector3d n(-ty, tx, rx * tx + ry * ty);
-    const Eigen::Vector3d t(tx, ty, rx * ty - ry * tx);
-    k += area * (material.normal_stiffness * n * n.transpose() +
-                 material.shear_stiffness * t * t.transpose());
+    k += point_stiffness(material, m.area[j] * m.point_weight[p], tx, ty, rx, ry);
   }
   return k;
 }
 
+// Stiffness that the zone contacts give to each rigid block they touch.
+std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
+  const Solids& s = m.solids;
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block) + 1,
+                                   Eigen::Matrix3d::Zero());
+  for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
+    const auto& material = m.materials[static_cast<std::size_t>(s.contact_material[c])];
+    const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
+    const double half = 0.5 * s.contact_area[c];
+    sum[static_cast<std::size_t>(s.contact_block[c])] +=
+        point_stiffness(material, half, tx, ty, s.arm_0_x[c], s.arm_0_y[c]) +
+        point_stiffness(material, half, tx, ty, s.arm_1_x[c], s.arm_1_y[c]);
+  }
+  return sum;
+}
+
+// omega^2 at each node: its share of each zone's own frequency, and twice its share of each contact
+// (once on the ground).
+std::vector<double> node_bounds(const Model& m) {
+  const Solids& s = m.solids;
+  std::vector<double> stiffness(static_cast<std::size_t>(s.n_node), 0.0);
+  for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
+    const ZoneShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[z])];
+    for (std::size_t k = 0; k < 4; ++k)
+      stiffness[static_cast<std::size_t>(s.corner[k][z])] +=
+          shape.share[k] * shape.mass * shape.omega_squared;
+  }
+  for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
+    const auto& material = m.materials[static_cast<std::size_t>(s.contact_material[c])];
+    const double sides = s.contact_block[c] == m.n_block ? 1.0 : 2.0;
+    const double k = sides * 0.5 * s.contact_area[c] *
+                     std::max(material.normal_stiffness, material.shear_stiffness);
+    const double to_q = s.share_0[c] + s.share_1[c];
+    stiffness[static_cast<std::size_t>(s.contact_q[c])] += k * to_q;
+    stiffness[static_cast<std::size_t>(s.contact_p[c])] += k * (2 - to_q);
+  }
+  for (std::size_t i = 0; i < stiffness.size(); ++i) stiffness[i] /= s.node_mass[i];
+  return stiffness;
+}
+
 // Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2].
-double own_bound(const Model& m, std::size_t i) {
-  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones) {
+  Eigen::Matrix3d k = 2.0 * zones;
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[static_cast<std::size_t>(e)];
     const auto j = static_cast<std::size_t>(entry >> 1);
@@ -65,12 +110,68 @@ double raise_light_inertia(Model& m, std::vector<double>& bound, int& raised) {
   return added;
 }
 
+// The body a node belongs to.
+const SolidBody& body_of(const Solids& s, std::size_t node) {
+  std::size_t k = 0;
+  while (k + 1 < s.bodies.size() && static_cast<int>(node) >= s.bodies[k + 1].first_node) ++k;
+  return s.bodies[k];
+}
+
+std::string place_of(const Solids& s, std::size_t node) {
+  return fmt::format("{} at ({:.3f}, {:.3f}) m", body_of(s, node).id, s.node_x[node],
+                     s.node_y[node]);
+}
+
+// The same for nodes of zones, against the masonry's bound `limit`; says which body gained what.
+void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
+  Solids& s = m.solids;
+  for (const SolidBody& body : s.bodies) {
+    double before = 0, added = 0, worst = 1;
+    std::size_t at = 0;
+    for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      before += s.node_mass[i];
+      if (!(bound[i] > limit)) continue;
+      const double factor = bound[i] / limit;
+      if (factor > worst) at = i;
+      worst = std::max(worst, factor);
+      added += (factor - 1) * s.node_mass[i];
+      s.node_mass[i] *= factor;
+      bound[i] = limit;
+    }
+    if (added > 0)
+      m.anatomy.notes.push_back(fmt::format(
+          "{}: inertia (not weight) of its nodes raised to the masonry's stable step: +{:.0f} % of "
+          "the block's mass, up to {:.1f} times at ({:.3f}, {:.3f}) m{}",
+          body.id, 100 * added / before, worst, s.node_x[at], s.node_y[at],
+          added > before ? "; fewer or longer zones need less (zone_length)" : ""));
+  }
+}
+
+// Takes the nodes of zones into the bound of the step.
+void bound_nodes(Model& m, double blocks) {
+  std::vector<double> bound = node_bounds(m);
+  if (bound.empty()) return;
+  if (m.solve.raise_light_inertia && blocks > 0) raise_light_nodes(m, blocks, bound);
+  const auto greatest = std::max_element(bound.begin(), bound.end());
+  if (!(*greatest > blocks)) return;
+  m.omega_max = std::sqrt(*greatest);
+  if (blocks > 0)
+    m.anatomy.notes.push_back(
+        fmt::format("the node of {} rules the time step: {:.1f} times shorter than the rigid "
+                    "blocks need; write "
+                    "fewer or longer zones (zone_length), or solve.raise_light_inertia = true",
+                    place_of(m.solids, static_cast<std::size_t>(greatest - bound.begin())),
+                    std::sqrt(*greatest / blocks)));
+}
+
 }  // namespace
 
 void bound_step(Model& m) {
   std::vector<double> bound;
+  const std::vector<Eigen::Matrix3d> zones = contact_stiffness(m);
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
-    bound.push_back(own_bound(m, i));
+    bound.push_back(own_bound(m, i, zones[i]));
   if (m.solve.raise_light_inertia) {
     int raised = 0;
     const double added = raise_light_inertia(m, bound, raised);
@@ -81,9 +182,14 @@ void bound_step(Model& m) {
           "of the wall's mass",
           raised, raised == 1 ? "" : "s", 100 * added / (all - added)));
   }
-  const auto greatest = std::max_element(bound.begin(), bound.end());
-  m.stiffest_block = static_cast<BlockId>(greatest - bound.begin());
-  m.omega_max = std::sqrt(*greatest);
+  double blocks = 0;
+  if (!bound.empty()) {
+    const auto greatest = std::max_element(bound.begin(), bound.end());
+    m.stiffest_block = static_cast<BlockId>(greatest - bound.begin());
+    blocks = *greatest;
+  }
+  m.omega_max = std::sqrt(blocks);
+  bound_nodes(m, blocks);
 }
 
 }  // namespace wythe

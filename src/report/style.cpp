@@ -21,6 +21,7 @@ svg text.bold{font-weight:600}
 .stone0,.stone1,.stone2,.stone3,.timber,.plate{stroke:none}
 .support{fill:var(--ground);opacity:.55}
 .mortar{stroke:var(--mortar);stroke-width:.9;fill:none}.split{stroke:var(--split);stroke-width:.5;fill:none}
+.zone{stroke:var(--split);stroke-width:.5;fill:none;opacity:.5}
 .ground{stroke:var(--ground);stroke-width:1.6;fill:none}.hatch{stroke:var(--ground);stroke-width:.8;fill:none}
 .rest{stroke:var(--soft);stroke-width:.8;stroke-dasharray:2 4;fill:none;opacity:.6}
 .crack{fill:none;stroke-linecap:round}.open{stroke:var(--open)}.slip{stroke:var(--slip)}

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/zone_state.h"
 #include "model/deformed.h"
 #include "report/html.h"
 #include "report/style.h"
@@ -57,6 +58,7 @@ Bounds bounds_of(const Model& model, const State& state, double scale) {
   now = rest;
   for (BlockId b = 0; b < model.n_block; ++b)
     for (const PlacedPoint& p : placed_outline(model, state, b, scale)) now.add(p);
+  for (int i = 0; i < model.solids.n_node; ++i) now.add(placed_node(model, state, i, scale));
   const double reach = 0.5 * std::max(rest.x1 - rest.x0, rest.y1 - rest.y0);
   return {.x0 = std::max(now.x0, rest.x0 - reach),
           .x1 = std::min(now.x1, rest.x1 + reach),
@@ -98,11 +100,27 @@ std::string draw_blocks(const Model& model, const State& state, double scale,
                                                       : plates;
     group += path_data(outline, true);
   }
+  for (const SolidBody& body : model.solids.bodies) {
+    std::vector<Pixel> rim;
+    for (const int node : body.rim) rim.push_back(canvas(placed_node(model, state, node, scale)));
+    (body.role == BlockRole::kLintel ? timber : stones[0]) += path_data(rim, true);
+  }
   std::string out;
   for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
   if (!timber.empty()) out += path(timber, "timber");
   if (!plates.empty()) out += path(plates, "plate");
   return out;
+}
+
+std::string draw_zones(const Model& model, const State& state, double scale, const Canvas& canvas) {
+  std::string edges;
+  for (std::size_t z = 0; z < model.solids.zone_shape.size(); ++z) {
+    std::vector<Pixel> outline;
+    for (const auto& corner : model.solids.corner)
+      outline.push_back(canvas(placed_node(model, state, corner[z], scale)));
+    edges += path_data(outline, true);
+  }
+  return edges.empty() ? "" : path(edges, "zone");
 }
 
 // Fixed blocks, and a hatched line under every run of ground joints.
@@ -142,10 +160,10 @@ std::string draw_rest(const Model& model, const Canvas& canvas) {
               "rest");
 }
 
-JointFace face_of(const Model& model, JointId joint, const std::vector<PointStress>& points) {
+JointFace face_of(const PointStress* points, int count) {
   JointFace face;
-  for (int k = 0; k < model.n_face_point; ++k) {
-    const PointStress& p = points[joint * model.n_face_point + k];
+  for (int k = 0; k < count; ++k) {
+    const PointStress& p = points[k];
     face.opening = std::fmax(face.opening, p.opening);
     face.slip = std::fmax(face.slip, std::abs(p.slip));
     face.damage = std::fmax(face.damage, p.damage);
@@ -179,8 +197,8 @@ const char* crack_class(const JointFace& face, WallPicture& picture) {
   return face.opening >= face.slip ? "crack open" : "crack slip";
 }
 
-std::string draw_crack(const Model& model, JointId joint, const JointFace& face, Pixel from,
-                       Pixel to, WallPicture& picture) {
+std::string draw_crack(JointKind kind, const JointFace& face, Pixel from, Pixel to,
+                       WallPicture& picture) {
   const double movement = std::max({face.opening, face.slip, 0.0});
   const std::string css = crack_class(face, picture);
   const bool is_softening = face.damage < 0.999;
@@ -194,8 +212,8 @@ std::string draw_crack(const Model& model, JointId joint, const JointFace& face,
       "x2=\"{:.1f}\" "
       "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
       css, width, is_softening ? 0.25 + 0.65 * face.damage : 1.0, from.x, from.y, to.x, to.y,
-      kind_word(model.anatomy.joint_kind[joint]), rounded(std::max(0.0, face.opening) * 1e3, 2),
-      rounded(face.slip * 1e3, 2), rounded(face.damage, 2));
+      kind_word(kind), rounded(std::max(0.0, face.opening) * 1e3, 2), rounded(face.slip * 1e3, 2),
+      rounded(face.damage, 2));
 }
 
 // Sound joints as mortar lines, cracked ones by what they did.
@@ -207,13 +225,22 @@ std::string draw_joints(const Model& model, const State& state, double scale, co
     const Pixel from = canvas(ends[0]);
     const Pixel to = canvas(ends[1]);
     const JointKind kind = model.anatomy.joint_kind[j];
-    const JointFace face = face_of(model, j, points);
+    const JointFace face = face_of(&points[j * model.n_face_point], model.n_face_point);
     if (face.damage > 0.01)
-      cracks += draw_crack(model, j, face, from, to, picture);
+      cracks += draw_crack(kind, face, from, to, picture);
     else if (kind == JointKind::kSplit)
       split += path_data({from, to}, false);
     else if (kind != JointKind::kLintelChain)
       mortar += path_data({from, to}, false);
+  }
+  const std::vector<PointStress> contacts = dynamics::contact_stresses(model, state);
+  for (int c = 0; c < model.solids.n_contact; ++c) {
+    const auto ends = placed_contact(model, state, c, scale);
+    const JointFace face = face_of(&contacts[2 * static_cast<std::size_t>(c)], 2);
+    if (face.damage > 0.01)
+      cracks += draw_crack(JointKind::kLintelBond, face, canvas(ends[0]), canvas(ends[1]), picture);
+    else
+      mortar += path_data({canvas(ends[0]), canvas(ends[1])}, false);
   }
   return path(split, "split") + path(mortar, "mortar") + cracks;
 }
@@ -297,7 +324,7 @@ WallPicture draw_wall(const Model& model, const State& state, double scale) {
   const Canvas canvas = canvas_of(bounds_of(model, state, scale));
   picture.svg = svg_begin(canvas.width, canvas.height, "wall", "The wall, displacements magnified");
   picture.svg += draw_rest(model, canvas) + draw_supports(model, canvas) +
-                 draw_blocks(model, state, scale, canvas);
+                 draw_blocks(model, state, scale, canvas) + draw_zones(model, state, scale, canvas);
   picture.svg += draw_joints(model, state, scale, canvas, points, picture);
   picture.svg += draw_crushed(model, state, scale, canvas, points, picture);
   picture.svg += draw_arrow(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";

@@ -57,6 +57,12 @@ std::string pack_floats(std::span<const double> numbers) {
   return compressed(narrow.data(), narrow.size() * sizeof(float));
 }
 
+std::size_t packed_floats(std::string_view bytes) {
+  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR) return 0;
+  return static_cast<std::size_t>(size / sizeof(float));
+}
+
 std::vector<double> unpack_doubles(std::string_view bytes, std::size_t count,
                                    const std::string& what) {
   return decompressed<double>(bytes, count, what);

@@ -15,6 +15,7 @@ constexpr std::vector<double> State::*kBlock[kBlockArrays] = {&State::ux, &State
 constexpr std::vector<double> State::*kPoint[kPointArrays] = {
     &State::kappa, &State::crush,        &State::plastic_slip,
     &State::slip,  &State::shear_damage, &State::tension_set};
+constexpr std::vector<double> State::*kNode[kNodeArrays] = {&State::node_ux, &State::node_uy};
 
 }  // namespace
 
@@ -65,12 +66,14 @@ std::vector<CurveRow> curve_rows(const std::vector<double>& columns) {
 
 std::vector<double> state_arrays(const State& state) {
   std::vector<double> arrays;
-  arrays.reserve(kBlockArrays * state.ux.size() + kPointArrays * state.kappa.size());
+  arrays.reserve(kBlockArrays * state.ux.size() + kPointArrays * state.kappa.size() +
+                 kNodeArrays * state.node_ux.size());
   const auto add = [&](const std::vector<double>& array) {
     arrays.insert(arrays.end(), array.begin(), array.end());
   };
   for (const auto member : kBlock) add(state.*member);
   for (const auto member : kPoint) add(state.*member);
+  for (const auto member : kNode) add(state.*member);
   return arrays;
 }
 
@@ -83,6 +86,9 @@ State state_at_rest(const std::vector<double>& arrays, std::size_t blocks, std::
   };
   for (const auto member : kBlock) take(state.*member, blocks);
   for (const auto member : kPoint) take(state.*member, points);
+  const std::size_t nodes = static_cast<std::size_t>(arrays.end() - next) / kNodeArrays;
+  for (const auto member : kNode) take(state.*member, nodes);
+  for (auto* velocity : {&state.node_vx, &state.node_vy}) velocity->assign(nodes, 0.0);
   for (auto* velocity : {&state.vx, &state.vy, &state.omega}) velocity->assign(blocks, 0.0);
   return state;
 }

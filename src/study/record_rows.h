@@ -184,8 +184,9 @@ inline constexpr int kCurveColumns = 8;
 [[nodiscard]] std::vector<double> curve_columns(const std::vector<CurveRow>& curve);
 [[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns);
 
-// Arrays of a packed state: 3 over blocks, 6 over contact points.
-inline constexpr int kBlockArrays = 3, kPointArrays = 6;
+// Arrays of a packed state: 3 over blocks, 6 over contact points, 2 over nodes of zones; of these the
+// number follows from the size.
+inline constexpr int kBlockArrays = 3, kPointArrays = 6, kNodeArrays = 2;
 [[nodiscard]] std::vector<double> state_arrays(const State& state);
 [[nodiscard]] State state_at_rest(const std::vector<double>& arrays, std::size_t blocks,
                                   std::size_t points);

@@ -340,8 +340,11 @@ std::vector<Snapshot> Store::states(int sample) {
     s.reaction = select.number();
     const auto blocks = static_cast<std::size_t>(select.integer());
     const auto points = static_cast<std::size_t>(select.integer());
+    const std::string_view packed = select.bytes();
+    const std::size_t least = kBlockArrays * blocks + kPointArrays * points;
+    const std::size_t more = std::max(least, packed_floats(packed)) - least;
     const std::vector<double> arrays =
-        unpack_floats(select.bytes(), kBlockArrays * blocks + kPointArrays * points,
+        unpack_floats(packed, least + more / kNodeArrays * kNodeArrays,
                       fmt::format("{}: state {} of sample {}", database_.name(), s.label, sample));
     s.state = state_at_rest(arrays, blocks, points);
   }

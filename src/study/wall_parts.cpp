@@ -14,27 +14,39 @@ constexpr double kReach = 2.5;  // columns on either side of a jamb: the connect
 
 bool is_wall(BlockRole role) { return role == BlockRole::kMasonry || role == BlockRole::kLintel; }
 
-Box hull_of(const Anatomy& a, std::size_t block) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  Box box{kFar, -kFar, kFar, -kFar};
-  for (int i = a.outline_begin[block]; i < a.outline_begin[block + 1]; ++i) {
-    const auto v = static_cast<std::size_t>(i);
-    box.x0 = std::min(box.x0, a.outline_x[v]);
-    box.x1 = std::max(box.x1, a.outline_x[v]);
-    box.y0 = std::min(box.y0, a.outline_y[v]);
-    box.y1 = std::max(box.y1, a.outline_y[v]);
-  }
-  return box;
+// Corners of a block, rigid or of zones.
+struct Outline {
+  std::vector<double> x, y;
+};
+
+Outline outline_of(const Anatomy& a, std::size_t block) {
+  const auto from = a.outline_begin[block], to = a.outline_begin[block + 1];
+  return {{a.outline_x.begin() + from, a.outline_x.begin() + to},
+          {a.outline_y.begin() + from, a.outline_y.begin() + to}};
 }
 
-bool is_inside(const Anatomy& a, std::size_t block, double x, double y) {
+Outline outline_of(const Solids& s, const SolidBody& body) {
+  Outline outline;
+  for (const std::int32_t node : body.rim) {
+    outline.x.push_back(s.node_x[static_cast<std::size_t>(node)]);
+    outline.y.push_back(s.node_y[static_cast<std::size_t>(node)]);
+  }
+  return outline;
+}
+
+Box hull_of(const Outline& o) {
+  const auto [x0, x1] = std::minmax_element(o.x.begin(), o.x.end());
+  const auto [y0, y1] = std::minmax_element(o.y.begin(), o.y.end());
+  return {*x0, *x1, *y0, *y1};
+}
+
+Box hull_of(const Anatomy& a, std::size_t block) { return hull_of(outline_of(a, block)); }
+
+bool is_inside(const Outline& o, double x, double y) {
   bool inside = false;
-  const int begin = a.outline_begin[block], end = a.outline_begin[block + 1];
-  for (int i = begin, j = end - 1; i < end; j = i++) {
-    const auto p = static_cast<std::size_t>(i), q = static_cast<std::size_t>(j);
-    const double yp = a.outline_y[p], yq = a.outline_y[q];
-    if ((yp > y) == (yq > y)) continue;
-    const double cross = a.outline_x[p] + (y - yp) / (yq - yp) * (a.outline_x[q] - a.outline_x[p]);
+  for (std::size_t p = 0, q = o.x.size() - 1; p < o.x.size(); q = p++) {
+    if ((o.y[p] > y) == (o.y[q] > y)) continue;
+    const double cross = o.x[p] + (y - o.y[p]) / (o.y[q] - o.y[p]) * (o.x[q] - o.x[p]);
     if (x < cross) inside = !inside;
   }
   return inside;
@@ -44,6 +56,14 @@ struct Frame {
   Box wall;
   double column = 0, course = 0;
   std::vector<double> xs, ys;  // of all corners, sorted
+
+  void take(const Box& box) {
+    if (xs.empty()) wall = box;
+    wall = {std::min(wall.x0, box.x0), std::max(wall.x1, box.x1), std::min(wall.y0, box.y0),
+            std::max(wall.y1, box.y1)};
+    xs.insert(xs.end(), {box.x0, box.x1});
+    ys.insert(ys.end(), {box.y0, box.y1});
+  }
 };
 
 double median(std::vector<double> values) {
@@ -60,14 +80,11 @@ Frame frame_of(const Model& m) {
   for (std::size_t b = 0; b < a.block_role.size(); ++b) {
     if (!is_wall(a.block_role[b])) continue;
     const Box box = hull_of(a, b);
-    if (widths.empty()) f.wall = box;
-    f.wall = {std::min(f.wall.x0, box.x0), std::max(f.wall.x1, box.x1), std::min(f.wall.y0, box.y0),
-              std::max(f.wall.y1, box.y1)};
+    f.take(box);
     widths.push_back(box.width());
     heights.push_back(box.height());
-    f.xs.insert(f.xs.end(), {box.x0, box.x1});
-    f.ys.insert(f.ys.end(), {box.y0, box.y1});
   }
+  for (const SolidBody& body : m.solids.bodies) f.take({body.x0, body.x1, body.y0, body.y1});
   std::sort(f.xs.begin(), f.xs.end());
   std::sort(f.ys.begin(), f.ys.end());
   f.column = a.half_unit > 0 ? a.half_unit : median(widths);
@@ -94,7 +111,8 @@ class Raster {
     dy_ = wall_.height() / ny_;
     cell_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), kEmpty);
     for (std::size_t b = 0; b < m.anatomy.block_role.size(); ++b)
-      if (is_wall(m.anatomy.block_role[b])) paint(m.anatomy, b);
+      if (is_wall(m.anatomy.block_role[b])) paint(outline_of(m.anatomy, b));
+    for (const SolidBody& body : m.solids.bodies) paint(outline_of(m.solids, body));
   }
 
   // Bounding boxes of the holes that touch neither side nor the top.
@@ -126,13 +144,13 @@ class Raster {
                  static_cast<std::size_t>(j)];
   }
 
-  void paint(const Anatomy& a, std::size_t block) {
-    const Box box = hull_of(a, block);
+  void paint(const Outline& outline) {
+    const Box box = hull_of(outline);
     const int i0 = std::max(0, static_cast<int>((box.x0 - wall_.x0) / dx_) - 1);
     const int j0 = std::max(0, static_cast<int>((box.y0 - wall_.y0) / dy_) - 1);
     for (int i = i0; i < nx_ && wall_.x0 + i * dx_ < box.x1; ++i)
       for (int j = j0; j < ny_ && wall_.y0 + j * dy_ < box.y1; ++j)
-        if (is_inside(a, block, wall_.x0 + (i + 0.5) * dx_, wall_.y0 + (j + 0.5) * dy_))
+        if (is_inside(outline, wall_.x0 + (i + 0.5) * dx_, wall_.y0 + (j + 0.5) * dy_))
           at(i, j) = kFull;
   }
 
@@ -290,6 +308,9 @@ class Finder {
       if (spandrel.holds(model_.centroid_x[b], model_.centroid_y[b]))
         depth = std::max(depth, hull_of(a, b).y1 - spandrel.y0);
     }
+    for (const SolidBody& body : model_.solids.bodies)
+      if (spandrel.holds(0.5 * (body.x0 + body.x1), 0.5 * (body.y0 + body.y1)))
+        depth = std::max(depth, body.y1 - spandrel.y0);
     return depth;
   }
 

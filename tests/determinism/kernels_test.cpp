@@ -8,6 +8,7 @@
 
 #include "dynamics/step.h"
 #include "scenes/scenes.h"
+#include "scenes/zones.h"
 
 namespace wythe {
 namespace {
@@ -31,6 +32,8 @@ State scattered(const Model& model, double turn) {
   State state = initial_state(model);
   Shares share;
   for (auto* array : {&state.ux, &state.uy})
+    for (double& u : *array) u = 2e-4 * share.next();
+  for (auto* array : {&state.node_ux, &state.node_uy})
     for (double& u : *array) u = 2e-4 * share.next();
   for (double& theta : state.theta) theta = turn * share.next();
   for (double& slip : state.plastic_slip) slip = 1e-5 * share.next();
@@ -86,6 +89,25 @@ TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one) {
                   << set->name << ", " << points << " points, turn " << turn;
           }
         }
+}
+
+// 15 x 3 zones and their contacts: whole packs and what is left over.
+TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one_on_zones) {
+  for (const ZoneKind kind : {ZoneKind::kMixed, ZoneKind::kCst})
+    for (const Unloading unloading : {Unloading::kSecant, Unloading::kElastic}) {
+      ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
+      spec.wall.opening[0].lintel.zones = 3;
+      spec.wall.opening[0].lintel.zone_kind = kind;
+      spec.material["joint"].unloading = unloading;
+      const Model model = compile(spec);
+      ASSERT_NE(model.solids.n_zone % dynamics::kGroup, 0);
+      ASSERT_NE(model.solids.n_contact % dynamics::kGroup, 0);
+      for (const double turn : {1e-4, 0.4}) {
+        const End scalar = step_with(*sets()[0], model, turn);
+        for (const Kernels* set : sets())
+          EXPECT_TRUE(step_with(*set, model, turn) == scalar) << set->name << ", turn " << turn;
+      }
+    }
 }
 
 TEST(Kernels, one_is_chosen_for_this_processor) {

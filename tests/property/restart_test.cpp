@@ -6,6 +6,7 @@
 
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
+#include "scenes/zones.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -73,6 +74,10 @@ void expect_invisible(const ModelSpec& spec, const std::vector<std::int64_t>& pi
 
 TEST(Restart, settling_loading_and_pushing_in_pieces_gives_the_same_bits) {
   expect_invisible(scenes::small_wall(), {500, 1500, 2500});
+}
+
+TEST(Restart, a_wall_with_a_lintel_of_zones_in_pieces_gives_the_same_bits) {
+  expect_invisible(scenes::lintel_wall(LintelModel::kZones, 0.3e-3), {1500});
 }
 
 TEST(Restart, a_cyclic_push_in_pieces_gives_the_same_bits) {

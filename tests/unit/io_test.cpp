@@ -200,7 +200,8 @@ TEST(ModelRefused, unknown_key_with_the_known) {
   EXPECT_EQ(
       fault_of("kind = \"timber\"", "colour = \"red\""),
       "model.toml:16: wall.opening.0.lintel.colour = red: no such key colour; known here: kind, "
-      "depth, bearing, material, bond");
+      "depth, bearing, material, bond, bearing_bond, top_bond, model, zones, zone_length, "
+      "zone_kind, plane");
 }
 
 TEST(ModelRefused, syntax_error_with_its_line) {
