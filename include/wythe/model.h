@@ -133,8 +133,8 @@ struct Solids {
   std::vector<std::int32_t> contact_body;                    // into bodies
 
   // read by node_pass (one row per node)
-  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry 4 zone + corner
-  std::vector<std::int32_t> contact_begin, contact_entry;  // CSR; entry 2 contact + (0: p, 1: q)
+  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: place of a corner's
+  std::vector<std::int32_t> contact_begin, contact_entry;  // or an end's force in Workspace
   std::vector<double> node_x, node_y;                      // at the start [m]
   std::vector<double> node_mass, node_heavy_mass;          // inertia; what gravity pulls [kg]
   std::vector<double> node_free_x, node_free_y;            // 1, or 0 where the node is held
