@@ -11,6 +11,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   int threads = 1;
   bool quiet = false;
+  std::string language = "en";  // of the report
 };
 int run(const RunArguments& arguments);
 

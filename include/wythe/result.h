@@ -195,6 +195,7 @@ struct Result {
   FailureMode failure_mode;
   std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
+  std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
   double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
   double top_displacement = 0;  // [m]

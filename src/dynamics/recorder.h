@@ -13,7 +13,8 @@ namespace wythe::dynamics {
 class Recorder {
  public:
   // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
-  Recorder(const Model& model, const Stage& stage, double path, Result& result);
+  // Of the path, `frames` states are kept for moving pictures, closer where cracks begin.
+  Recorder(const Model& model, const Stage& stage, double path, int frames, Result& result);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const Stepper& stepper, const State& state, const Controls& controls, double reaction,
@@ -30,11 +31,13 @@ class Recorder {
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
+  void take_frame(const State& state, double travelled);
 
   const Model& model_;
   const Stage& stage_;
   Result& result_;
-  double window_;
+  double path_, window_;
+  int frames_, next_frame_ = 1;
   double start_time_;
   double work_at_start_;
   double next_close_;

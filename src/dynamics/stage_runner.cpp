@@ -108,7 +108,7 @@ StageEnd StageRunner::run_push(const Stage& stage) {
   const std::vector<double> targets =
       stage.spec.targets.empty() ? std::vector<double>{stage.spec.until} : stage.spec.targets;
   const double path = driven_path(stage);
-  Recorder recorder(model_, stage, path, result_);
+  Recorder recorder(model_, stage, path, options_.frames, result_);
   controls_.push = &stage;
   if (state_.stage_time == 0) state_.drive_displacement = state_.travelled = state_.turn_time = 0;
   StageEnd end;
@@ -156,7 +156,7 @@ StageEnd StageRunner::run_factor(const Stage& stage) {
   const bool tilting = stage.spec.kind == StageKind::kTilt;
   const double rate = tilting ? stage.spec.tilt_rate : stage.spec.rate;
   const double last = tilting ? stage.spec.tilt_until : stage.spec.factor;
-  Recorder recorder(model_, stage, last, result_);
+  Recorder recorder(model_, stage, last, options_.frames, result_);
   const double balanced = model_.solve.settle_ratio;
   double factor = state_.body_factor;
   double last_growth = state_.stage_time, moved_then = furthest_block(nullptr);

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "dynamics/stage_runner.h"
-#include "io/summary_json.h"
 #include "report/sections.h"
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
+#include "wythe/io.h"
 #include "wythe/result.h"
 
 namespace wythe {
@@ -224,7 +224,7 @@ TEST(SummaryJson, carries_every_response_with_its_unit) {
   Result result = scenes::sample_result();
   result.responses = read_responses(over_two_metres(curve_of({{0, 0}, {2e-3, 100e3}, {12e-3, 0}})));
   result.features = {{"spandrel_slip", 20e-3, 3e-3}};
-  const auto json = nlohmann::json::parse(io::summary_json(scenes::sample_model(), result));
+  const auto json = nlohmann::json::parse(summary_json(scenes::sample_model(), result));
   EXPECT_DOUBLE_EQ(json["load_height_m"], 2);
   EXPECT_NEAR(json["drift_percent_at_80"], 0.2, 1e-12);
   EXPECT_NEAR(json["work_to_80_percent_J"], 280, 1e-9);
@@ -255,7 +255,7 @@ TEST(FailureModeShown, with_elements_flags_and_other_readings) {
   mode.sensitivity = {{"at 10 mm", "FM-5"}, {"at 20 mm", mode.name}};
 
   const auto json =
-      nlohmann::json::parse(io::summary_json(scenes::sample_model(), result))["failure_mode"];
+      nlohmann::json::parse(summary_json(scenes::sample_model(), result))["failure_mode"];
   EXPECT_NEAR(json["elements"][0]["signs"][0]["displacement_first_mm"], 10, 1e-12);
   EXPECT_TRUE(json["elements"][0]["signs"][0]["holds"]);
   EXPECT_TRUE(json["elements"][0]["displacement_first_mm"].is_null());
