@@ -6,6 +6,7 @@ import { later } from "./dom";
 import { build, fail, type Section } from "./page";
 import { say, speak } from "./texts";
 import { runSections } from "./run";
+import { campaignSections } from "./campaign/page";
 
 async function start(): Promise<void> {
   speak(document.documentElement.lang);
@@ -18,6 +19,7 @@ async function start(): Promise<void> {
     const bundle = await unpack(fromBase64(text));
     switch (bundle.header.kind) {
       case "run": sections = runSections(bundle); break;
+      case "campaign": sections = campaignSections(bundle); break;
       default: throw new Error(`unknown kind of page: ${bundle.header.kind}`);
     }
     build(sections);

@@ -39,6 +39,9 @@ export function num(value: number | null | undefined, digits = 3): string {
   return localised(sign + text);
 }
 
+// A number of so many decimals: correlations.
+export const fixed = (value: number | null, decimals = 2): string => (value === null ? "–" : num(Number(value.toFixed(decimals)), 4));
+
 export function qty(value: number | null | undefined, unit: string, digits = 3): string {
   const text = num(value, digits);
   return !Number.isFinite(value ?? NaN) || unit === "" ? text : `${text}\u202f${unit}`;

@@ -4,7 +4,7 @@ import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { num, qty, say } from "./texts";
 import { canvasFor, drawWall, jointAt, type Canvas, type Look } from "./wall2d";
-import type { Scene } from "./wall3d";
+import { makeScene, type Scene } from "./wall3d";
 import { crackOf, fittingScale, kKinds, kMeasures, kSteps, type Frames, type Measure, type Wall } from "./wall";
 
 export interface FrameInfo { label: string; displacement: number; reaction: number }
@@ -54,6 +54,7 @@ export class WallView {
     if (width === this.width) return;
     this.width = width;
     this.canvas = canvasFor(this.spec.wall, width, this.spec.tallest ?? 560);
+    if (this.solid) this.scene?.resize(width, this.canvas.height);
     this.redraw();
   }
   show(frame: number, quiet = false): void {
@@ -160,20 +161,18 @@ export class WallView {
     this.solid = want;
     this.stage.classList.toggle("solid", want);
     if (!want) return this.redraw();
-    void import("./wall3d").then(({ makeScene }) => {
-      this.scene ??= makeScene(this.spec.wall, this.spec.frames);
-      if (!this.scene) {
-        this.solid = false;
-        this.stage.classList.remove("solid");
-        this.element.querySelectorAll(".segment").forEach((s, i) => s.setAttribute("aria-pressed", String(i === 0)));
-        if (!this.element.querySelector(".no-webgl"))
-          this.stage.after(h("p", { class: "note no-webgl", role: "status" }, say("wall.no_webgl")));
-        return this.redraw();
-      }
-      this.stage.replaceChildren(this.scene.element);
-      this.scene.resize(this.width, this.canvas.height);
-      this.redraw();
-    });
+    this.scene ??= makeScene(this.spec.wall, this.spec.frames);
+    if (!this.scene) return this.withoutWebGl();
+    this.stage.replaceChildren(this.scene.element);
+    this.scene.resize(this.width, this.canvas.height);
+    this.redraw();
+  }
+  private withoutWebGl(): void {
+    this.solid = false;
+    this.stage.classList.remove("solid");
+    if (!this.element.querySelector(".no-webgl"))
+      this.stage.after(h("p", { class: "note no-webgl", role: "status" }, say("wall.no_webgl")));
+    this.redraw();
   }
 
   private legend(): HTMLElement {
