@@ -95,7 +95,7 @@ class RunPage {
     const c = this.curve, force = this.byFactor ? c.factor : c.reaction;
     const y = rangeOf([0, ...force]), x = rangeOf([0, ...c.displacement]);
     const air = 0.1 * (y[1] - y[0]);
-    const height = Math.max(280, Math.min(470, 0.72 * width));
+    const height = Math.max(280, Math.min(520, 0.84 * width));
     const last = c.displacement.findIndex((d, i) => Math.abs(d) > 1e-6 && Math.abs(c.drift[i]) > 0);
     const plot = new Plot({ width, height, x: [x[0], x[1] * 1.01], y: [y[0] < -0.02 * y[1] ? y[0] - air : 0, y[1] + air],
       xLabel: say("axis.displacement"), yLabel: say(this.byFactor ? "axis.factor" : "axis.reaction"), title: say("curve.alt", this.altPlaces()),

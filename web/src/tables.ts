@@ -18,8 +18,8 @@ function bodyRow(row: Row, columns: Column[]): HTMLElement {
 }
 
 export function table(columns: Column[], rows: Row[], caption = "", css = ""): HTMLElement {
-  const heads = columns.map((c) => h("th", { scope: "col", class: c.left ? "left" : undefined, title: c.title }, c.head));
-  return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": caption || say("table") },
+  const heads = columns.map((c) => c.head === "" ? h("td") : h("th", { scope: "col", class: c.left ? "left" : undefined, title: c.title }, c.head));
+  return h("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": caption || say("table") },
     h("table", { class: css }, caption ? h("caption", {}, caption) : null,
       columns.some((c) => c.head !== "") ? h("thead", {}, h("tr", {}, heads)) : null,
       h("tbody", {}, rows.map((r) => bodyRow(r, columns)))));
@@ -57,6 +57,6 @@ export function sortable(columns: Column[], rows: Row[], caption: string): HTMLE
     body.replaceChildren(...order.map((r) => bodyRow(r, columns)));
   };
   fill();
-  return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": caption },
+  return h("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": caption },
     h("table", {}, h("caption", {}, caption), h("thead", {}, h("tr", {}, heads)), body));
 }

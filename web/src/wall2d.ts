@@ -118,10 +118,10 @@ function drawForces(wall: Wall, frames: Frames, pose: Pose, look: Look, canvas: 
   if (!(largest > 0)) return [];
   const bins = 6;
   const paths: string[][] = Array.from({ length: bins }, () => []);
-  const reach = 0.045 * Math.max(wall.length, wall.height);
+  const reach = 0.04 * Math.max(wall.length, wall.height);
   for (let j = 0; j < wall.joints; ++j) {
     const force = Math.hypot(frame.compression[j], frame.shear[j]);
-    if (force < 0.01 * largest) continue;
+    if (force < 0.03 * largest) continue;
     const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
     const tx = wall.halfX[j] / half, ty = wall.halfY[j] / half;  // n is on the left of t
     const fx = -ty * frame.compression[j] + tx * frame.shear[j], fy = tx * frame.compression[j] + ty * frame.shear[j];
@@ -131,7 +131,7 @@ function drawForces(wall: Wall, frames: Frames, pose: Pose, look: Look, canvas: 
     paths[bin].push(`M${canvas.X(x - fx * long).toFixed(1)} ${canvas.Y(y - fy * long).toFixed(1)}` +
                     `L${canvas.X(x + fx * long).toFixed(1)} ${canvas.Y(y + fy * long).toFixed(1)}`);
   }
-  return paths.map((d, i) => svg("path", { class: "thrust", "stroke-width": (0.6 + 0.75 * i).toFixed(2), d: d.join(""), "data-marks": d.length }))
+  return paths.map((d, i) => svg("path", { class: "thrust", "stroke-width": (0.5 + 0.55 * i).toFixed(2), d: d.join(""), "data-marks": d.length }))
     .filter((p) => p.getAttribute("data-marks") !== "0");
 }
 

@@ -66,7 +66,7 @@ class WallScene implements Scene {
     this.element.title = say("wall.turn");
     const { x0, x1, y0, y1 } = wall.bounds;
     this.middle = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    this.near = 2.05 * Math.max(x1 - x0, 1.2 * (y1 - y0));
+    this.near = 1.85 * Math.max(0.9 * (x1 - x0), 1.15 * (y1 - y0));
     this.prisms = makePrisms(wall);
     this.sheets.setAttribute("position", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
     this.sheets.setAttribute("color", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
@@ -123,7 +123,7 @@ class WallScene implements Scene {
     const position = this.sheets.getAttribute("position") as BufferAttribute, colour = this.sheets.getAttribute("color") as BufferAttribute;
     const frame = this.frames.at(look.frame), cracks = { open: css("open"), slip: css("slip"), closed: css("closed"), softening: css("closed") };
     const hue = look.measure === "cracks" ? css("open") : css(look.measure === "crushing" ? "crush" : look.measure === "opening" ? "open" : look.measure);
-    const quiet = css("mortar");
+    const quiet = css("mortar"), thin = 0.0032 * Math.max(this.wall.length, this.wall.height);
     let v = 0;
     for (let j = 0; j < this.wall.joints; ++j) {
       let c: Color;
@@ -132,14 +132,14 @@ class WallScene implements Scene {
         const crack = crackOf(frame, j);
         if (crack === "sound" || crack === "softening") continue;
         c = cracks[crack];
-        wide = 0.004 + 0.5 * Math.max(frame.opening[j], 0);
+        wide = thin * (crack === "closed" ? 0.5 : 1) + 0.5 * Math.max(frame.opening[j], 0);
       } else {
         const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
         if (step === 0) continue;
         c = quiet.clone().lerp(hue, 0.2 + 0.8 * step / 6);
-        wide = 0.004 + 0.002 * step;
+        wide = thin * (0.4 + 0.25 * step);
       }
-      v = this.sheet(pose, j, Math.min(wide, 0.03), c, position, colour, v);
+      v = this.sheet(pose, j, Math.min(wide, 4 * thin), c, position, colour, v);
     }
     this.sheets.setDrawRange(0, v);
     position.needsUpdate = colour.needsUpdate = true;

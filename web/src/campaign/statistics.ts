@@ -65,7 +65,7 @@ function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
 }
 
 export function tableThree(campaign: Campaign): HTMLElement {
-  const place = h("div");
+  const place = h("div", { id: "table3-rows" });
   const pick = h("select", { id: "table3-quantity" }, campaign.quantities.map((q, i) => h("option", { value: i }, quantityLabel(q))));
   const heads = (q: Quantity): Column[] => [{ head: say("mode"), left: true }, { head: say("samples") }, { head: say("mean") }, { head: "CoV" }, { head: say("median") },
     { head: say("smallest") }, { head: say("largest") }, { head: say("table3.range") }, ...(q.canBeCensored ? [{ head: say("table3.survival"), title: say("table3.survival.means") }] : [])];
