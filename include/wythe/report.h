@@ -36,6 +36,10 @@ struct SampleWalls {
 [[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,
                                         const SampleWalls& walls = {});
 
+// Of a limit analysis; `mechanisms_json` is the text of its mechanisms.json.
+[[nodiscard]] std::string limit_data(const ModelSpec& spec, const Model& model,
+                                     const std::string& mechanisms_json);
+
 // The page of such bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is none of report_languages().
 [[nodiscard]] std::string report_page(const std::string& data, const std::string& language = "en");

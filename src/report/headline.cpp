@@ -224,6 +224,85 @@ class CampaignHeadline {
   const Texts& texts_;
 };
 
+// --- a limit analysis ----------------------------------------------------------------------------
+
+class LimitHeadline {
+ public:
+  LimitHeadline(const Json& header, const Texts& texts) : o_(header["opinion"]), texts_(texts) {
+    for (const Json& m : o_["mechanisms"])
+      if (weakest_ == nullptr ||
+          number_in(m, "force_at_rest_kN") < number_in(*weakest_, "force_at_rest_kN"))
+        weakest_ = &m;
+  }
+
+  [[nodiscard]] std::string sentence() const {
+    std::string words;
+    const auto add = [&](const std::string& more) { words += (words.empty() ? "" : " ") + more; };
+    if (weakest_ != nullptr)
+      add(texts_.say(
+          "limit.weakest",
+          {{"mode", bold(mode())}, {"force", bold(force())}, {"hypothesis", hypothesis()}}));
+    const Json& loads = o_["limit_loads"];
+    if (loads.size() > 1)
+      add(texts_.say("limit.bracket",
+                     {{"low", bold(load(extreme(false)))}, {"high", bold(load(extreme(true)))}}));
+    else if (!loads.empty())
+      add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
+    if (const int passed = passing(); passed >= 0)
+      add(texts_.say(passed == 0 ? "limit.none_passes" : "limit.some_pass",
+                     {{"n", std::to_string(passed)}}));
+    return words.empty() ? texts_.say("limit.nothing") : words;
+  }
+
+  [[nodiscard]] std::string warning() const {
+    const int passed = passing();
+    return passed > 0 ? texts_.say("limit.warning", {{"n", std::to_string(passed)}}) : "";
+  }
+
+  [[nodiscard]] std::string cards() const {
+    std::vector<Card> cards;
+    if (weakest_ != nullptr)
+      cards.push_back({force(), texts_.say("card.weakest"), mode() + ", " + hypothesis()});
+    for (const Json& l : o_["limit_loads"])
+      cards.push_back({load(l), texts_.say("card.limit_load"),
+                       escaped(texts_.phrase(l["name"].get<std::string>()))});
+    return draw_cards(cards);
+  }
+
+ private:
+  [[nodiscard]] std::string mode() const { return escaped((*weakest_)["mode"].get<std::string>()); }
+  [[nodiscard]] std::string force() const {
+    return texts_.quantity(number_in(*weakest_, "force_at_rest_kN"), "kN");
+  }
+  [[nodiscard]] std::string hypothesis() const {
+    return texts_.say("hypothesis." + (*weakest_)["hypothesis"].get<std::string>());
+  }
+  [[nodiscard]] static double value_of(const Json& l) {
+    return l.contains("static_kN") ? number_in(l, "static_kN") : number_in(l, "static");
+  }
+  [[nodiscard]] std::string load(const Json& l) const {
+    return l.contains("static_kN") ? texts_.quantity(value_of(l), "kN")
+                                   : "λ = " + texts_.number(value_of(l));
+  }
+  [[nodiscard]] const Json& extreme(bool largest) const {
+    const Json& loads = o_["limit_loads"];
+    const auto less = [](const Json& a, const Json& b) { return value_of(a) < value_of(b); };
+    return largest ? *std::max_element(loads.begin(), loads.end(), less)
+                   : *std::min_element(loads.begin(), loads.end(), less);
+  }
+  // Runs whose peak lies above their limit load; -1 where none was compared.
+  [[nodiscard]] int passing() const {
+    const Json& c = o_["comparison"];
+    if (!c.is_object() || c["bounds"].empty()) return -1;
+    return static_cast<int>(std::count_if(c["bounds"].begin(), c["bounds"].end(),
+                                          [](const Json& b) { return !b["holds"].get<bool>(); }));
+  }
+
+  const Json& o_;
+  const Texts& texts_;
+  const Json* weakest_ = nullptr;
+};
+
 template <class Headline>
 std::string put_together(const Json& header, const Texts& texts, const std::string& kind) {
   const Headline headline(header, texts);
@@ -241,6 +320,7 @@ std::string put_together(const Json& header, const Texts& texts, const std::stri
 std::string headline_of(const Json& header, const Texts& texts) {
   if (header["kind"] == "campaign")
     return put_together<CampaignHeadline>(header, texts, "campaign");
+  if (header["kind"] == "limit") return put_together<LimitHeadline>(header, texts, "limit");
   return put_together<RunHeadline>(header, texts, "run");
 }
 

@@ -181,6 +181,25 @@ TEST(RunData, header_has_the_summary_and_one_entry_a_state) {
   EXPECT_EQ(header["arrays"]["curve.reaction_kN"]["count"], 4);
 }
 
+TEST(LimitReport, headline_says_the_weakest_mechanism_and_the_bracket) {
+  const std::string found = R"({
+    "mechanisms": [
+      {"mode": "FM-1", "hypothesis": "infinite", "force_at_rest_kN": 180.0},
+      {"mode": "FM-4", "hypothesis": "macro_block_2", "force_at_rest_kN": 151.5}],
+    "limit_loads": [{"name": "dry", "static_kN": 90.0}, {"name": "bonded", "static_kN": 240.0}],
+    "comparison": {"bounds": [{"holds": true}, {"holds": false}]}})";
+  const std::string data = limit_data(scenes::sample_spec(), scenes::sample_model(), found);
+  const std::string head = static_part(report_page(data));
+  EXPECT_EQ(count(head, "<b>FM-4</b>: <b>152\u202fkN</b> (Macro-Block 2)"), 1);
+  EXPECT_EQ(count(head, "between <b>90\u202fkN</b> and <b>240\u202fkN</b>"), 1);
+  EXPECT_EQ(count(head, "rate effect included: 1. That is an error"), 1);
+  EXPECT_EQ(count(head, "class=\"card\""), 3);
+  const std::string nothing = R"({"mechanisms": [], "limit_loads": [], "comparison": null})";
+  EXPECT_EQ(
+      count(report_page(limit_data({}, scenes::sample_model(), nothing)), "Nothing was asked for"),
+      1);
+}
+
 TEST(Bundle, rounding_is_within_half_a_step_and_says_its_step) {
   Bundle bundle;
   bundle.header["kind"] = "test";

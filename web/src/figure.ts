@@ -6,12 +6,11 @@ import { say } from "./texts";
 export interface FigureSpec {
   id: string;
   title: string;
-  draw: (width: number) => SVGSVGElement;
+  draw: (width: number, onPaper: boolean) => SVGSVGElement;
   sheet?: () => Sheet;         // the numbers behind the drawing
   caption?: Child;
   above?: Child;               // controls and legend
-  wide?: boolean;
-  grow?: number;               // draw at least so wide and scroll
+  wide?: boolean;              // as wide as the page
 }
 
 const all = new Set<Figure>();
@@ -46,14 +45,11 @@ export class Figure {
   }
   redraw(): void {
     if (this.width === 0) return;
-    this.stage.replaceChildren(this.spec.draw(this.width));
+    this.stage.replaceChildren(this.spec.draw(this.width, false));
   }
   print(width: number): void {
-    const was = this.width;
-    this.width = width;
-    this.redraw();
-    this.width = was;
     this.printing = true;
+    this.stage.replaceChildren(this.spec.draw(width, true));
   }
   afterPrint(): void {
     this.printing = false;

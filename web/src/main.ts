@@ -7,6 +7,7 @@ import { build, fail, type Section } from "./page";
 import { say, speak } from "./texts";
 import { runSections } from "./run";
 import { campaignSections } from "./campaign/page";
+import { limitSections } from "./limit";
 
 async function start(): Promise<void> {
   speak(document.documentElement.lang);
@@ -20,6 +21,7 @@ async function start(): Promise<void> {
     switch (bundle.header.kind) {
       case "run": sections = runSections(bundle); break;
       case "campaign": sections = campaignSections(bundle); break;
+      case "limit": sections = limitSections(bundle); break;
       default: throw new Error(`unknown kind of page: ${bundle.header.kind}`);
     }
     build(sections);

@@ -71,8 +71,7 @@ class RunPage {
     const curve = this.curve.displacement.length > 1 ? this.curveFigure().element
       : h("p", { class: "note" }, say("run.no_curve"));
     const wall = this.view?.element ?? h("p", { class: "note" }, say("run.no_states"));
-    if (this.view) this.printStates(this.view);
-    return [h("div", { class: "hero" }, curve, wall), this.eventList()];
+    return [h("div", { class: "hero" }, curve, wall), this.eventList(), this.view ? this.printStates(this.view) : null];
   }
 
   private curveFigure(): Figure {
@@ -82,7 +81,7 @@ class RunPage {
     if (this.s.bilinear?.force_kN > 0) items.push([swatch("fit"), say("curve.bilinear")]);
     const figure = new Figure({
       id: "curve", title: say(`curve.${kind}.title`), above: legend(items),
-      draw: (width) => this.drawCurve(width),
+      wide: true, draw: (width, onPaper) => this.drawCurve(width, onPaper),
       caption: say("curve.caption"),
       sheet: () => ({ head: ["displacement_mm", "drift_percent", "reaction_kN", "base_shear_kN", "unbalance_ratio", "kinetic_ratio", "load_factor"],
         rows: this.curve.displacement.map((d, i) => [d, this.curve.drift[i], this.curve.reaction[i], this.curve.base[i],
@@ -91,11 +90,11 @@ class RunPage {
     return figure;
   }
 
-  private drawCurve(width: number): SVGSVGElement {
+  private drawCurve(width: number, onPaper: boolean): SVGSVGElement {
     const c = this.curve, force = this.byFactor ? c.factor : c.reaction;
     const y = rangeOf([0, ...force]), x = rangeOf([0, ...c.displacement]);
     const air = 0.1 * (y[1] - y[0]);
-    const height = Math.max(280, Math.min(520, 0.84 * width));
+    const height = onPaper ? 0.42 * width : Math.max(280, Math.min(520, 0.84 * width));
     const last = c.displacement.findIndex((d, i) => Math.abs(d) > 1e-6 && Math.abs(c.drift[i]) > 0);
     const plot = new Plot({ width, height, x: [x[0], x[1] * 1.01], y: [y[0] < -0.02 * y[1] ? y[0] - air : 0, y[1] + air],
       xLabel: say("axis.displacement"), yLabel: say(this.byFactor ? "axis.factor" : "axis.reaction"), title: say("curve.alt", this.altPlaces()),
@@ -190,15 +189,15 @@ class RunPage {
   }
 
   // Pictures of the labelled states, for paper only.
-  private printStates(view: WallView): void {
+  private printStates(view: WallView): HTMLElement {
     const place = h("div", { class: "print-only pictures" });
-    view.element.after(place);
     aroundPrint(() => {
       const labelled = this.header.frames.map((f: any, i: number) => [f, i]).filter(([f]: any) => f.labels.length > 0 && f.labels[0] !== "start");
       const peak = labelled.filter(([f]: any) => f.labels.includes("peak")), end = labelled.slice(-1);
       place.replaceChildren(...[...new Map([...peak, ...end].map((p: any) => [p[1], p])).values()].map(([, i]: any) =>
         h("figure", {}, view.picture(i, 400), h("figcaption", {}, `${view.spec.info[i].label}: ${qty(view.spec.info[i].displacement, "mm")}, ${qty(view.spec.info[i].reaction, "kN")}`))));
     }, () => place.replaceChildren());
+    return place;
   }
 
   // --- how it failed -------------------------------------------------------------------------------

@@ -178,7 +178,7 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
     return h("label", {}, h("span", {}, say(name)), select);
   };
   const figure: Figure = new Figure({
-    id: "sensitivity", title: say("sensitivity.title"), caption,
+    id: "sensitivity", title: say("sensitivity.title"), caption, wide: true,
     above: h("div", { class: "controls" }, pick("response", campaign.quantities.map((c) => c.name), (v) => say(`quantity.${v}`), (v) => { q = campaign.quantities.find((c) => c.name === v)!; }),
       pick("measure", kMeasures, (v) => say(`sensitivity.${v}`), (v) => { measure = v as typeof measure; }), pick("mode", groups, modeLabel, (v) => { group = v; })),
     draw: (width) => {
@@ -209,7 +209,7 @@ export function sensitivityTable(campaign: Campaign): Child {
   if (rows.length === 0) return null;
   const indices = campaign.statistics.first_order as any[];
   const of = (c: any, key: string): { show: Child; sort: number | null } => ({ show: withInterval(c[key], c[`${key}_interval`], 2), sort: c[key] ?? null });
-  return h("details", { class: "print-open" }, h("summary", {}, say("sensitivity.all")), sortable(
+  return h("details", {}, h("summary", {}, say("sensitivity.all")), sortable(
     [{ head: say("response"), left: true }, { head: say("input"), left: true }, ...kMeasures.map((m) => ({ head: say(`sensitivity.${m}`) }))],
     rows.map((c) => {
       const index = indices.find((f) => f.input === c.input && f.response === c.response) ?? {};

@@ -40,6 +40,7 @@ export class SamplePanel {
   private fill(): void {
     const s = this.campaign.selected;
     if (!s) return;
+    this.element.classList.toggle("picked", this.campaign.picked);
     this.number.value = String(s.sample);
     this.body.replaceChildren(...this.content(s));
   }
