@@ -16,9 +16,14 @@ if (!run || !campaign) {
   console.error("usage: tools/report_pictures.mjs RUN_DIR CAMPAIGN_DIR");
   process.exit(2);
 }
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-                                        args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"] });
-for (const [name, folder, height] of [["report_run", run, 1120], ["report_campaign", campaign, 1120]]) {
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
+});
+for (const [name, folder, height] of [
+  ["report_run", run, 1120],
+  ["report_campaign", campaign, 1120],
+]) {
   const page = await browser.newPage({ viewport: { width: 1280, height }, deviceScaleFactor: 1 });
   await page.goto(pathToFileURL(path.join(path.resolve(folder), "report.html")).href);
   await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");

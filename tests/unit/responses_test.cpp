@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "dynamics/stage_runner.h"
-#include "report/sections.h"
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"
@@ -237,7 +236,7 @@ TEST(SummaryJson, carries_every_response_with_its_unit) {
   EXPECT_NEAR(json["features"][0]["value_mm"], 3, 1e-12);
 }
 
-// What a mode says of its elements, in summary.json and on the page.
+// What a mode says of its elements, in summary.json; the page is tested in tests/web.
 TEST(FailureModeShown, with_elements_flags_and_other_readings) {
   Result result = scenes::sample_result();
   FailureMode& mode = result.failure_mode;
@@ -262,12 +261,6 @@ TEST(FailureModeShown, with_elements_flags_and_other_readings) {
   EXPECT_TRUE(json["flags"][0]["raised"]);
   EXPECT_NEAR(json["flags"][0]["margin"], 0.125, 1e-12);
   EXPECT_EQ(json["sensitivity"][0]["name"], "FM-5");
-
-  const std::string page = report::failure_section(mode);
-  EXPECT_NE(page.find("growth of its width"), std::string::npos);
-  EXPECT_NE(page.find("Of 2 other readings"), std::string::npos);
-  EXPECT_NE(page.find("at 10 mm: FM-5"), std::string::npos);
-  EXPECT_EQ(page.find("at 20 mm: "), std::string::npos);  // the same name is no news
 }
 
 TEST(QuasiStatic, verdict_follows_the_drag) {

@@ -16,7 +16,7 @@ const wallModule = await viewerModule("wall");
 // A bundle as src/report/bundle.cpp lays it out.
 function packed(header, arrays = [], version = 1) {
   const text = Buffer.from(JSON.stringify(header));
-  const length = text.length + (8 - (12 + text.length) % 8) % 8;
+  const length = text.length + ((8 - ((12 + text.length) % 8)) % 8);
   const head = Buffer.alloc(12 + length, " ");
   head.write("WYTHE\0\0", 0, "latin1");
   head[7] = version;
@@ -38,9 +38,20 @@ test("arrays of every type are read at their places, rounded ones as numbers", a
   arrays.writeInt16LE(-32767, 16);
   arrays.writeInt16LE(100, 18);
   arrays[24] = 255;
-  const bundle = await unpack(packed({ kind: "run", arrays: {
-    f: { type: "float32", at: 0, count: 2 }, i: { type: "int32", at: 8, count: 1 },
-    r: { type: "int16", at: 16, count: 2, step: 0.001 }, b: { type: "uint8", at: 24, count: 1 } } }, [arrays]));
+  const bundle = await unpack(
+    packed(
+      {
+        kind: "run",
+        arrays: {
+          f: { type: "float32", at: 0, count: 2 },
+          i: { type: "int32", at: 8, count: 1 },
+          r: { type: "int16", at: 16, count: 2, step: 0.001 },
+          b: { type: "uint8", at: 24, count: 1 },
+        },
+      },
+      [arrays],
+    ),
+  );
   assert.deepEqual([...bundle.array("f")], [1.5, -2]);
   assert.deepEqual([...bundle.array("i")], [-7]);
   assert.ok(Math.abs(bundle.array("r")[0] + 32.767) < 1e-5);
@@ -53,13 +64,18 @@ test("damaged, foreign and newer data are told apart", async () => {
   const good = packed({ kind: "run", arrays: {} });
   await assert.rejects(unpack(good.slice(0, good.length - 6)), /damaged/);
   await assert.rejects(unpack(new Uint8Array([1, 2, 3])), /damaged/);
-  await assert.rejects(unpack(new Uint8Array(deflateSync(Buffer.from("something else altogether")))), /not a report/);
+  await assert.rejects(
+    unpack(new Uint8Array(deflateSync(Buffer.from("something else altogether")))),
+    /not a report/,
+  );
   await assert.rejects(unpack(packed({ arrays: {} }, [], 9)), /version 9/);
 });
 
 test("the engine's own data are read: counts agree with the header", async () => {
   const summary = makeRun("bundle_run");
-  const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder("bundle_run"), "report.data"))));
+  const bundle = await unpack(
+    new Uint8Array(fs.readFileSync(path.join(folder("bundle_run"), "report.data"))),
+  );
   assert.equal(bundle.header.kind, "run");
   assert.equal(bundle.header.wall.blocks, summary.blocks);
   const frames = bundle.header.frames.length;
@@ -67,7 +83,12 @@ test("the engine's own data are read: counts agree with the header", async () =>
   assert.equal(bundle.array("frame.ux").length, frames * summary.blocks);
   assert.equal(bundle.array("frame.opening").length, frames * summary.joints);
   // the curve is that of the CSV, to single precision
-  const rows = fs.readFileSync(path.join(folder("bundle_run"), "force_displacement.csv"), "utf8").trim().split("\n").slice(1).map((l) => l.split(",").map(Number));
+  const rows = fs
+    .readFileSync(path.join(folder("bundle_run"), "force_displacement.csv"), "utf8")
+    .trim()
+    .split("\n")
+    .slice(1)
+    .map((l) => l.split(",").map(Number));
   const reaction = bundle.array("curve.reaction_kN");
   assert.equal(reaction.length, rows.length);
   rows.forEach((row, i) => assert.ok(Math.abs(row[3] - reaction[i]) <= 1e-6 * Math.max(1, Math.abs(row[3]))));
@@ -76,9 +97,13 @@ test("the engine's own data are read: counts agree with the header", async () =>
 test("a pose at scale 1 puts blocks where the engine's VTK files have them", async () => {
   makeRun("pose_run");
   const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder("pose_run"), "report.data"))));
-  const wall = wallModule.readWall(bundle), frames = new wallModule.Frames(bundle, wall);
+  const wall = wallModule.readWall(bundle),
+    frames = new wallModule.Frames(bundle, wall);
   const pose = new wallModule.Pose(wall, frames.at(frames.count - 1), 1);
-  const files = fs.readdirSync(folder("pose_run")).filter((n) => n.startsWith("state_blocks")).sort();
+  const files = fs
+    .readdirSync(folder("pose_run"))
+    .filter((n) => n.startsWith("state_blocks"))
+    .sort();
   const vtu = fs.readFileSync(path.join(folder("pose_run"), files.at(-1)), "utf8");
   const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
   const points = new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
@@ -94,7 +119,16 @@ test("a pose at scale 1 puts blocks where the engine's VTK files have them", asy
 
 test("numbers read as in the engine, in both languages", () => {
   texts.speak("en");
-  const cases = [[163.42, "163"], [11.04, "11"], [0.003514, "0.00351"], [-1234.5, "−1235"], [2.4e-7, "2.4·10⁻⁷"], [0, "0"], [NaN, "–"], [null, "–"]];
+  const cases = [
+    [163.42, "163"],
+    [11.04, "11"],
+    [0.003514, "0.00351"],
+    [-1234.5, "−1235"],
+    [2.4e-7, "2.4·10⁻⁷"],
+    [0, "0"],
+    [NaN, "–"],
+    [null, "–"],
+  ];
   for (const [value, words] of cases) assert.equal(texts.num(value), words);
   assert.equal(texts.qty(1.25, "mm"), "1.25\u202fmm");
   texts.speak("it");
@@ -113,9 +147,23 @@ test("ticks are round and inside, ranges hold their values, thinning keeps corne
   const [low, high] = rangeOf([5, 5]);
   assert.ok(low < 5 && high > 5);
   const corner = Array.from({ length: 101 }, (_, i) => [i, i < 50 ? 0 : i - 50]);
-  assert.deepEqual(thinned(corner, 0.4), [[0, 0], [50, 0], [100, 50]]);
+  assert.deepEqual(thinned(corner, 0.4), [
+    [0, 0],
+    [50, 0],
+    [100, 50],
+  ]);
 });
 
 test("CSV quotes what needs it and defuses formulas", () => {
-  assert.equal(toCsv({ head: ["a", 'b"c'], rows: [[1.5, "x,y"], [null, "=1+1"], [NaN, "-"]] }), 'a,"b""c"\n1.5,"x,y"\n,\'=1+1\n,\'-\n');
+  assert.equal(
+    toCsv({
+      head: ["a", 'b"c'],
+      rows: [
+        [1.5, "x,y"],
+        [null, "=1+1"],
+        [NaN, "-"],
+      ],
+    }),
+    'a,"b""c"\n1.5,"x,y"\n,\'=1+1\n,\'-\n',
+  );
 });

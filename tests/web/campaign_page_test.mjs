@@ -3,7 +3,17 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { downloaded, folder, launch, open, pageOf, pdfPages, run, screenshot, violations } from "./helpers.mjs";
+import {
+  downloaded,
+  folder,
+  launch,
+  open,
+  pageOf,
+  pdfPages,
+  run,
+  screenshot,
+  violations,
+} from "./helpers.mjs";
 import { makeCampaign } from "./small_study.mjs";
 
 let browser, page, s;
@@ -29,7 +39,12 @@ test("headline says how strong, how far, how it fails", async () => {
 
 test("one curve a sample, coloured by its mode", async () => {
   assert.equal(await page.locator("#curves path.sample").count(), 24);
-  for (const [mode, share] of modes()) assert.equal(await page.locator(`#curves path.sample.m${mode === "unclear" ? 0 : mode[3]}`).count(), share.count, mode);
+  for (const [mode, share] of modes())
+    assert.equal(
+      await page.locator(`#curves path.sample.m${mode === "unclear" ? 0 : mode[3]}`).count(),
+      share.count,
+      mode,
+    );
 });
 
 test("a mode's toggle hides and shows its curves, dots and mean", async () => {
@@ -54,7 +69,10 @@ test("curves can be cut at 0.8 of the peak, and shown as means and envelopes", a
   await page.locator("#curves [data-option=means]").click();
   assert.equal(await page.locator("#curves path.sample").count(), 0);
   assert.equal(await page.locator("#curves path.mean").count(), modes().length);
-  assert.equal(await page.locator("#curves path.envelope").count(), modes().filter(([, v]) => v.count > 1).length);
+  assert.equal(
+    await page.locator("#curves path.envelope").count(),
+    modes().filter(([, v]) => v.count > 1).length,
+  );
   await page.locator("#curves [data-option=both]").click();
   assert.equal(await page.locator("#curves path.sample").count(), 24);
   await page.locator("#curves [data-option=curves]").click();
@@ -64,35 +82,61 @@ test("curves can be cut at 0.8 of the peak, and shown as means and envelopes", a
 test("shares, Table 3, means, exceedance and running mean have the statistics' marks", async () => {
   assert.equal(await page.locator("#shares [data-share]").count(), Object.keys(s.shares).length);
   assert.equal(await page.locator("#shares .whisker").count(), Object.keys(s.shares).length);
-  assert.equal(await page.locator("#table3-rows tbody tr").count(), Object.values(s.table).filter((g) => g.peak_reaction_kN.n > 0).length);
+  assert.equal(
+    await page.locator("#table3-rows tbody tr").count(),
+    Object.values(s.table).filter((g) => g.peak_reaction_kN.n > 0).length,
+  );
   assert.equal(await page.locator("#mean-curves [data-mean]").count(), Object.keys(s.mean_curves).length - 1);
   const limits = new Set(s.drift_limits.map((l) => l.limit_drift_percent));
-  assert.ok(await page.locator("#mean-curves [data-limit]").count() <= limits.size);
-  assert.equal(await page.locator("#exceedance-peak_reaction path.step").getAttribute("data-steps"), String(s.exceedance.peak_reaction_kN.probability.length));
+  assert.ok((await page.locator("#mean-curves [data-limit]").count()) <= limits.size);
+  assert.equal(
+    await page.locator("#exceedance-peak_reaction path.step").getAttribute("data-steps"),
+    String(s.exceedance.peak_reaction_kN.probability.length),
+  );
   assert.equal(await page.locator("#running path.step").getAttribute("data-points"), "24");
   assert.equal(await page.locator("#drift-limits tbody tr").count(), s.drift_limits.length);
 });
 
 test("Table 3 sorts by a column, both ways, and shows every response", async () => {
-  const column = () => page.locator("#table3-rows tbody tr td:nth-child(2)").allInnerTexts().then((t) => t.map((v) => parseInt(v, 10)));
+  const column = () =>
+    page
+      .locator("#table3-rows tbody tr td:nth-child(2)")
+      .allInnerTexts()
+      .then((t) => t.map((v) => parseInt(v, 10)));
   const head = page.locator("#table3-rows thead th").nth(1);
   await head.locator("button").click();
   const down = await column();
-  assert.deepEqual(down, [...down].sort((a, b) => b - a));
+  assert.deepEqual(
+    down,
+    [...down].sort((a, b) => b - a),
+  );
   assert.equal(await head.getAttribute("aria-sort"), "descending");
   await head.locator("button").click();
-  assert.deepEqual(await column(), [...down].reverse().sort((a, b) => a - b));
+  assert.deepEqual(
+    await column(),
+    [...down].reverse().sort((a, b) => a - b),
+  );
   await page.locator("#table3 select").selectOption({ index: 2 });
   assert.match(await page.locator("#table3-rows caption").innerText(), /80/);
 });
 
 test("scatter draws every sample for any input and response, with its correlation", async () => {
-  for (const [input, response] of [["phi", "peak_reaction"], ["c_j", "displacement_at_peak"], ["fc", "initial_stiffness"]]) {
+  for (const [input, response] of [
+    ["phi", "peak_reaction"],
+    ["c_j", "displacement_at_peak"],
+    ["fc", "initial_stiffness"],
+  ]) {
     await page.locator("#scatter-1 .pick-input").selectOption(input);
     await page.locator("#scatter-1 .pick-response").selectOption(response);
     assert.equal(await page.locator("#scatter-1 circle.dot").count(), 24);
     const c = s.correlation.find((r) => r.group === "all" && r.input === input && r.response === response);
-    if (c) assert.ok((await page.locator("#scatter-1 figcaption").innerText()).includes(String(Math.abs(Number(c.spearman.toFixed(2))))), `${input} ${response}`);
+    if (c)
+      assert.ok(
+        (await page.locator("#scatter-1 figcaption").innerText()).includes(
+          String(Math.abs(Number(c.spearman.toFixed(2)))),
+        ),
+        `${input} ${response}`,
+      );
   }
 });
 
@@ -101,38 +145,54 @@ test("sensitivity has a bar for each random input, for every measure", async () 
   for (const measure of ["spearman", "pearson", "partial_rank", "first_order"]) {
     await page.locator("#sensitivity select").nth(1).selectOption(measure);
     const bars = await page.locator("#sensitivity [data-input]").count();
-    assert.ok(bars === random || measure === "first_order" && bars <= random, `${measure}: ${bars}`);
+    assert.ok(bars === random || (measure === "first_order" && bars <= random), `${measure}: ${bars}`);
   }
 });
 
 test("histograms hold every sample", async () => {
   const histograms = page.locator("#histograms figure");
   assert.equal(await histograms.count(), s.inputs.filter((i) => i.random).length);
-  for (let i = 0; i < await histograms.count(); ++i) {
-    const counts = await histograms.nth(i).locator("rect[data-count]").evaluateAll((r) => r.map((e) => Number(e.dataset.count)));
-    assert.equal(counts.reduce((a, b) => a + b, 0), 24);
+  for (let i = 0; i < (await histograms.count()); ++i) {
+    const counts = await histograms
+      .nth(i)
+      .locator("rect[data-count]")
+      .evaluateAll((r) => r.map((e) => Number(e.dataset.count)));
+    assert.equal(
+      counts.reduce((a, b) => a + b, 0),
+      24,
+    );
     assert.equal(await histograms.nth(i).locator("path.fit").count(), 1);
   }
 });
 
 test("pressing on a curve opens the sample: curve, inputs, wall, command", async () => {
-  const [x, y, sample] = await page.locator("#curves path.sample").nth(7).evaluate((p) => {
-    p.scrollIntoView({ block: "center" });
-    const at = p.getPointAtLength(0.9 * p.getTotalLength()), m = p.getScreenCTM();
-    return [at.x * m.a + m.e, at.y * m.d + m.f, p.dataset.sample];
-  });
+  const [x, y, sample] = await page
+    .locator("#curves path.sample")
+    .nth(7)
+    .evaluate((p) => {
+      p.scrollIntoView({ block: "center" });
+      const at = p.getPointAtLength(0.9 * p.getTotalLength()),
+        m = p.getScreenCTM();
+      return [at.x * m.a + m.e, at.y * m.d + m.f, p.dataset.sample];
+    });
   await page.mouse.click(x, y);
   const opened = await page.locator("#sample-number").inputValue();
   assert.equal(await page.locator("#curves [data-selected]").getAttribute("data-selected"), opened);
   assert.ok(sample.length > 0);
   assert.equal(await page.locator("#sample-curve path.selected").count(), 1);
   assert.equal(await page.locator("#sample .input-item").count(), s.inputs.length);
-  assert.ok(await page.locator("#sample-wall path.stone").count() > 0);
-  assert.match(await page.locator("#sample .replay").innerText(), new RegExp(`^wythe replay DIR --sample ${opened} --out`));
+  assert.ok((await page.locator("#sample-wall path.stone").count()) > 0);
+  assert.match(
+    await page.locator("#sample .replay").innerText(),
+    new RegExp(`^wythe replay DIR --sample ${opened} --out`),
+  );
 });
 
 test("the replay command of the page works and gives the same bits", async () => {
-  const words = (await page.locator("#sample .replay").innerText()).split(" ").slice(1).map((w) => (w === "DIR" ? folder("campaign") : w));
+  const words = (await page.locator("#sample .replay").innerText())
+    .split(" ")
+    .slice(1)
+    .map((w) => (w === "DIR" ? folder("campaign") : w));
   words[words.length - 1] = folder("replayed");
   assert.match(run(...words, "--quiet"), /equal to the campaign's to the bit/);
 });
@@ -154,14 +214,23 @@ test("every figure exports what can be read", async () => {
   const figures = await page.locator("figure[id]").evaluateAll((f) => f.map((e) => e.id));
   assert.ok(figures.length >= 14, figures.join());
   for (const id of figures) {
-    const press = (kind) => downloaded(page, () => page.locator(`[id="${id}"] [data-export=${kind}]`).click());
+    const press = (kind) =>
+      downloaded(page, () => page.locator(`[id="${id}"] [data-export=${kind}]`).click());
     const svg = (await press("svg")).toString();
-    const fault = await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ?? "", svg);
+    const fault = await page.evaluate(
+      (text) =>
+        new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ??
+        "",
+      svg,
+    );
     assert.equal(fault, "", id);
     const rows = (await press("csv")).toString().trim().split("\n");
     assert.ok(rows.length > 1, id);
   }
-  const rows = (await downloaded(page, () => page.locator("#shares [data-export=csv]").click())).toString().trim().split("\n");
+  const rows = (await downloaded(page, () => page.locator("#shares [data-export=csv]").click()))
+    .toString()
+    .trim()
+    .split("\n");
   assert.equal(rows.length, 1 + Object.keys(s.shares).length);
 });
 
@@ -170,7 +239,10 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
     for (const width of [1440, 390]) {
       const other = await open(browser, pageOf("campaign"), { width, scheme });
       assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
-      assert.ok(await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `wider than the screen at ${width}`);
+      assert.ok(
+        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+        `wider than the screen at ${width}`,
+      );
       await screenshot(other, `campaign_${width}_${scheme}`);
       await other.context().close();
     }
@@ -184,7 +256,9 @@ test("prints as an appendix of A4 pages", async () => {
 
 test("the first paint comes within a second", async () => {
   const other = await open(browser, pageOf("campaign"));
-  const paint = await other.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0].startTime);
+  const paint = await other.evaluate(
+    () => performance.getEntriesByName("first-contentful-paint")[0].startTime,
+  );
   // the headline is in the HTML; a busy machine may take three times as long as a free one
   assert.ok(paint < 3000, `${paint} ms`);
   await other.context().close();

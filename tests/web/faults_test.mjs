@@ -8,7 +8,9 @@ import { folder, launch, open, pageOf, run } from "./helpers.mjs";
 import { makeCampaign, makeRun } from "./small_study.mjs";
 
 let browser;
-before(async () => { browser = await launch(); });
+before(async () => {
+  browser = await launch();
+});
 after(() => browser?.close());
 
 async function words(name) {
@@ -22,11 +24,14 @@ async function words(name) {
 
 test("an empty campaign says so", async () => {
   makeCampaign("empty", "--samples", "4");
-  execFileSync("python3", ["-c", `
+  execFileSync("python3", [
+    "-c",
+    `
 import sqlite3
 with sqlite3.connect(r"${path.join(folder("empty"), "campaign.db")}") as db:
     for table in ("sample", "curve", "state"): db.execute("DELETE FROM " + table)
-`]);
+`,
+  ]);
   run("report", folder("empty"));
   assert.match(await words("empty"), /No sample has run yet/);
 });
@@ -40,11 +45,14 @@ test("two samples have curves, no intervals, and a word about it", async () => {
 
 test("one sample says so", async () => {
   makeCampaign("one", "--samples", "4");
-  execFileSync("python3", ["-c", `
+  execFileSync("python3", [
+    "-c",
+    `
 import sqlite3
 with sqlite3.connect(r"${path.join(folder("one"), "campaign.db")}") as db:
     for table in ("sample", "curve", "state"): db.execute("DELETE FROM " + table + " WHERE sample <> 2")
-`]);
+`,
+  ]);
   run("report", folder("one"));
   const text = await words("one");
   assert.match(text, /One sample answered/);
@@ -52,7 +60,15 @@ with sqlite3.connect(r"${path.join(folder("one"), "campaign.db")}") as db:
 });
 
 test("when all failed the page lists the causes", async () => {
-  makeCampaign("failed", "--samples", "2", "--set", "solve.settle_ratio=1e-300", "--set", "solve.settle_limit=0.01 s");
+  makeCampaign(
+    "failed",
+    "--samples",
+    "2",
+    "--set",
+    "solve.settle_ratio=1e-300",
+    "--set",
+    "solve.settle_limit=0.01 s",
+  );
   const text = await words("failed");
   assert.match(text, /None of the 2 samples/);
   assert.match(text, /did not settle/);
@@ -60,20 +76,27 @@ test("when all failed the page lists the causes", async () => {
 
 test("missing states: the page says so and shows the rest", async () => {
   makeCampaign("stateless", "--samples", "6");
-  execFileSync("python3", ["-c", `
+  execFileSync("python3", [
+    "-c",
+    `
 import sqlite3
 with sqlite3.connect(r"${path.join(folder("stateless"), "campaign.db")}") as db: db.execute("DELETE FROM state")
-`]);
+`,
+  ]);
   run("report", folder("stateless"));
   assert.match(await words("stateless"), /No states of the walls are stored/);
 });
 
 test("a damaged database gives a message and leaves the old page", () => {
   makeCampaign("damaged", "--samples", "2");
-  const db = path.join(folder("damaged"), "campaign.db"), page = path.join(folder("damaged"), "report.html");
+  const db = path.join(folder("damaged"), "campaign.db"),
+    page = path.join(folder("damaged"), "report.html");
   const before = fs.readFileSync(page);
   fs.truncateSync(db, Math.floor(fs.statSync(db).size / 2));
-  assert.throws(() => run("report", folder("damaged")), (error) => error.status === 4 && /damaged/.test(error.stderr));
+  assert.throws(
+    () => run("report", folder("damaged")),
+    (error) => error.status === 4 && /damaged/.test(error.stderr),
+  );
   assert.ok(fs.readFileSync(page).equals(before));
 });
 
@@ -81,9 +104,15 @@ test("damaged data of a run give a message", () => {
   makeRun("spoilt");
   const data = path.join(folder("spoilt"), "report.data");
   fs.truncateSync(data, 1000);
-  assert.throws(() => run("report", folder("spoilt")), (error) => error.status === 4 && /damaged/.test(error.stderr) && error.stderr.includes("spoilt"));
+  assert.throws(
+    () => run("report", folder("spoilt")),
+    (error) => error.status === 4 && /damaged/.test(error.stderr) && error.stderr.includes("spoilt"),
+  );
   fs.rmSync(data);
-  assert.throws(() => run("report", folder("spoilt")), (error) => error.status === 4 && /report\.data/.test(error.stderr));
+  assert.throws(
+    () => run("report", folder("spoilt")),
+    (error) => error.status === 4 && /report\.data/.test(error.stderr),
+  );
 });
 
 test("a page whose data were cut keeps its headline and says what is wrong", async () => {
@@ -99,13 +128,16 @@ test("a page whose data were cut keeps its headline and says what is wrong", asy
 });
 
 test("an unknown language is refused before anything runs", () => {
-  assert.throws(() => run("report", folder("cut"), "--lang", "xx"), (error) => error.status === 2 && /en, it/.test(error.stderr));
+  assert.throws(
+    () => run("report", folder("cut"), "--lang", "xx"),
+    (error) => error.status === 2 && /en, it/.test(error.stderr),
+  );
 });
 
 test("a run that is only gravity has a page without a curve", async () => {
   makeRun("standing");
   const model = fs.readFileSync(path.join(folder("inputs"), "model.toml"), "utf8");
-  const quiet = model.slice(0, model.lastIndexOf("[[stage]]")) ;
+  const quiet = model.slice(0, model.lastIndexOf("[[stage]]"));
   fs.writeFileSync(path.join(folder("inputs"), "quiet.toml"), quiet);
   run("run", path.join(folder("inputs"), "quiet.toml"), "--out", folder("standing"), "--quiet");
   const text = await words("standing");

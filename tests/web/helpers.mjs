@@ -26,23 +26,44 @@ export const pageOf = (name) => pathToFileURL(path.join(folder(name), "report.ht
 // --- browser -----------------------------------------------------------------------------------------
 
 export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium";
-const kArguments = ["--no-sandbox", "--no-first-run", "--disable-background-networking", "--disable-component-update",
-                    "--disable-sync", "--disable-gpu"];
+const kArguments = [
+  "--no-sandbox",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-gpu",
+];
 
-export const launch = (...more) => chromium.launch({ executablePath: browserPath, args: [...kArguments, ...more] });
+export const launch = (...more) =>
+  chromium.launch({ executablePath: browserPath, args: [...kArguments, ...more] });
 
 // Opens a page and waits until it is built. `page.faults` collects what must not happen.
 export async function open(browser, url, options = {}) {
-  const context = await browser.newContext({ viewport: { width: options.width ?? 1440, height: 900 }, colorScheme: options.scheme ?? "light",
-                                             acceptDownloads: true, javaScriptEnabled: options.javaScript ?? true, reducedMotion: "reduce" });
+  const context = await browser.newContext({
+    viewport: { width: options.width ?? 1440, height: 900 },
+    colorScheme: options.scheme ?? "light",
+    acceptDownloads: true,
+    javaScriptEnabled: options.javaScript ?? true,
+    reducedMotion: "reduce",
+  });
   const page = await context.newPage();
   page.faults = [];
-  page.on("console", (m) => { if (m.type() === "error") page.faults.push(`console: ${m.text()}`); });
+  page.on("console", (m) => {
+    if (m.type() === "error") page.faults.push(`console: ${m.text()}`);
+  });
   page.on("pageerror", (e) => page.faults.push(`error: ${e.message}`));
-  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url()) || (r.url().startsWith("file:") && r.url() !== url)) page.faults.push(`request: ${r.url()}`); });
-  page.on("dialog", (d) => { page.faults.push(`dialog: ${d.message()}`); void d.dismiss(); });
+  page.on("request", (r) => {
+    if (!/^(file|data|blob):/.test(r.url()) || (r.url().startsWith("file:") && r.url() !== url))
+      page.faults.push(`request: ${r.url()}`);
+  });
+  page.on("dialog", (d) => {
+    page.faults.push(`dialog: ${d.message()}`);
+    void d.dismiss();
+  });
   await page.goto(url);
-  if (options.javaScript !== false) await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 60000 });
+  if (options.javaScript !== false)
+    await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 60000 });
   return page;
 }
 
@@ -56,7 +77,9 @@ export async function violations(page) {
   await page.evaluate(axe);
   return page.evaluate(async () => {
     const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map((v) => `${v.id}: ${v.nodes.length} x ${v.nodes[0].target.join(" ")}: ${v.nodes[0].failureSummary}`);
+    return violations.map(
+      (v) => `${v.id}: ${v.nodes.length} x ${v.nodes[0].target.join(" ")}: ${v.nodes[0].failureSummary}`,
+    );
   });
 }
 
@@ -73,6 +96,13 @@ export async function screenshot(page, name) {
 // A module of web/src as it is, bundled for Node.
 export async function viewerModule(name) {
   const outfile = path.join(results, "modules", `${name}.mjs`);
-  await esbuild.build({ entryPoints: [path.join(root, "web/src", `${name}.ts`)], outfile, bundle: true, format: "esm", platform: "node", logLevel: "error" });
+  await esbuild.build({
+    entryPoints: [path.join(root, "web/src", `${name}.ts`)],
+    outfile,
+    bundle: true,
+    format: "esm",
+    platform: "node",
+    logLevel: "error",
+  });
   return import(pathToFileURL(outfile).href);
 }

@@ -3,11 +3,27 @@ import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { browserPath, downloaded, folder, launch, open, pageOf, pdfPages, run, screenshot, violations } from "./helpers.mjs";
+import {
+  browserPath,
+  downloaded,
+  folder,
+  launch,
+  open,
+  pageOf,
+  pdfPages,
+  run,
+  screenshot,
+  violations,
+} from "./helpers.mjs";
 import { makeRun } from "./small_study.mjs";
 
 let browser, page, summary;
-const csvRows = (bytes) => bytes.toString().trim().split("\n").map((l) => l.split(","));
+const csvRows = (bytes) =>
+  bytes
+    .toString()
+    .trim()
+    .split("\n")
+    .map((l) => l.split(","));
 
 before(async () => {
   assert.ok(fs.existsSync(browserPath));
@@ -27,7 +43,10 @@ test("headline and key numbers are in the page", async () => {
 });
 
 test("names with markup are text", async () => {
-  assert.equal(await page.locator("script:not([type])").count(), await page.evaluate(() => [...document.scripts].filter((s) => !s.type).length));
+  assert.equal(
+    await page.locator("script:not([type])").count(),
+    await page.evaluate(() => [...document.scripts].filter((s) => !s.type).length),
+  );
   assert.ok((await page.locator("#inputs").innerText()).includes("<script>alert('door')</script>"));
   assert.ok((await page.locator("#inputs").innerText()).includes("<script>alert('note')</script>"));
 });
@@ -40,16 +59,23 @@ test("the curve has its line, its events and its peak", async () => {
 });
 
 test("the wall has every block, and every joint or a chain's silence", async () => {
-  const marks = (css) => page.locator(`#wall ${css}`).evaluateAll((e) => e.reduce((n, p) => n + Number(p.dataset.marks), 0));
-  assert.equal(await marks("path.stone") + await marks("path.timber") + await marks("path.plate"), summary.blocks);
-  const drawn = await marks("path.mortar") + await marks("path.split") + await marks("path.crack");
+  const marks = (css) =>
+    page.locator(`#wall ${css}`).evaluateAll((e) => e.reduce((n, p) => n + Number(p.dataset.marks), 0));
+  assert.equal(
+    (await marks("path.stone")) + (await marks("path.timber")) + (await marks("path.plate")),
+    summary.blocks,
+  );
+  const drawn = (await marks("path.mortar")) + (await marks("path.split")) + (await marks("path.crack"));
   assert.ok(drawn > 0.9 * summary.joints && drawn <= summary.joints, `${drawn} of ${summary.joints}`);
 });
 
 test("the time slider moves the wall and the cursor on the curve", async () => {
   const slider = page.locator("#wall .time input");
-  const state = async () => [await page.locator("#wall path.stone0").getAttribute("d"), await page.locator("#curve .cursor-line").getAttribute("x1"),
-                             await page.locator("#wall .wall-caption").innerText()];
+  const state = async () => [
+    await page.locator("#wall path.stone0").getAttribute("d"),
+    await page.locator("#curve .cursor-line").getAttribute("x1"),
+    await page.locator("#wall .wall-caption").innerText(),
+  ];
   const end = await state();
   await slider.focus();
   await page.keyboard.press("Home");
@@ -67,9 +93,15 @@ test("pressing on the curve moves the wall", async () => {
 });
 
 test("play runs to the end and stops", async () => {
-  await page.locator("#wall .time input").evaluate((s) => { s.value = Number(s.max) - 3; s.dispatchEvent(new Event("input")); });
+  await page.locator("#wall .time input").evaluate((s) => {
+    s.value = Number(s.max) - 3;
+    s.dispatchEvent(new Event("input"));
+  });
   await page.locator("#wall .play").click();
-  await page.waitForFunction(() => { const s = document.querySelector("#wall .time input"); return s.value === s.max; });
+  await page.waitForFunction(() => {
+    const s = document.querySelector("#wall .time input");
+    return s.value === s.max;
+  });
   await page.waitForFunction(() => document.querySelector("#wall .play").textContent === "▶");
 });
 
@@ -80,20 +112,24 @@ test("the magnification, the measure and the forces change the picture", async (
   assert.notEqual(await page.locator("#wall path.stone0").getAttribute("d"), before);
   for (const measure of ["opening", "slip", "damage"]) {
     await page.locator("#wall select").selectOption(measure);
-    assert.ok(await page.locator(`#wall path.joint.${measure}`).count() > 0, measure);
+    assert.ok((await page.locator(`#wall path.joint.${measure}`).count()) > 0, measure);
     assert.equal(await page.locator("#wall path.crack").count(), 0);
   }
   await page.locator("#wall select").selectOption("cracks");
   await page.locator("#wall .check input").check();
-  assert.ok(await page.locator("#wall path.thrust").count() > 1);
+  assert.ok((await page.locator("#wall path.thrust").count()) > 1);
   await page.locator("#wall .check input").uncheck();
 });
 
 test("pointing at a joint tells its numbers", async () => {
-  const [x, y] = await page.locator("#wall path.crack").first().evaluate((p) => {
-    const at = p.getPointAtLength(2), m = p.getScreenCTM();
-    return [at.x * m.a + m.e, at.y * m.d + m.f];
-  });
+  const [x, y] = await page
+    .locator("#wall path.crack")
+    .first()
+    .evaluate((p) => {
+      const at = p.getPointAtLength(2),
+        m = p.getScreenCTM();
+      return [at.x * m.a + m.e, at.y * m.d + m.f];
+    });
   await page.mouse.move(x, y);
   assert.match(await page.locator(".tip").innerText(), /opening/);
 });
@@ -131,8 +167,27 @@ test("energy, ratios, elements and inputs are all there", async () => {
   assert.equal(await page.locator("#ratios path.force, #ratios path.base").count(), 2);
   const rows = await page.locator("#failure table").first().locator("tbody tr").count();
   assert.equal(rows, summary.failure_mode.elements.length);
-  assert.ok(await page.locator("#inputs table").count() >= 4);
+  assert.ok((await page.locator("#inputs table").count()) >= 4);
   assert.ok((await page.locator("#provenance").innerText()).includes(summary.state_hash));
+});
+
+test("the failure mode stands beside its flags and the readings that name it otherwise", async () => {
+  const mode = summary.failure_mode,
+    words = await page.locator("#failure").innerText();
+  assert.ok(words.includes("growth of its width"));
+  assert.equal(await page.locator("#failure table").nth(1).locator("tbody tr").count(), mode.flags.length);
+  const others = mode.sensitivity.filter((r) => r.name !== mode.name);
+  assert.match(
+    words,
+    new RegExp(
+      others.length > 0
+        ? `Of ${mode.sensitivity.length} other readings`
+        : `Read in ${mode.sensitivity.length} other ways`,
+    ),
+  );
+  for (const r of others) assert.ok(words.includes(`${r.what}: ${r.name}`), r.what);
+  for (const r of mode.sensitivity.filter((r) => r.name === mode.name))
+    assert.ok(!words.includes(`${r.what}: `), r.what);
 });
 
 test("every figure exports SVG, PNG and CSV that can be read", async () => {
@@ -141,7 +196,12 @@ test("every figure exports SVG, PNG and CSV that can be read", async () => {
   for (const id of figures) {
     const press = (kind) => downloaded(page, () => page.locator(`#${id} [data-export=${kind}]`).click());
     const svg = (await press("svg")).toString();
-    const fault = await page.evaluate((text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ?? "", svg);
+    const fault = await page.evaluate(
+      (text) =>
+        new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ??
+        "",
+      svg,
+    );
     assert.equal(fault, "", id);
     assert.ok(!svg.includes("var(--") && svg.includes("<path"), id);
     const png = await press("png");
@@ -153,7 +213,10 @@ test("every figure exports SVG, PNG and CSV that can be read", async () => {
 
 test("the curve's CSV has every row of the run", async () => {
   const rows = csvRows(await downloaded(page, () => page.locator("#curve [data-export=csv]").click()));
-  const file = fs.readFileSync(path.join(folder("run"), "force_displacement.csv"), "utf8").trim().split("\n");
+  const file = fs
+    .readFileSync(path.join(folder("run"), "force_displacement.csv"), "utf8")
+    .trim()
+    .split("\n");
   assert.equal(rows.length, file.length);
 });
 
@@ -173,7 +236,10 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
     for (const width of [1440, 390]) {
       const other = await open(browser, pageOf("run"), { width, scheme });
       assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
-      assert.ok(await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), `wider than the screen at ${width}`);
+      assert.ok(
+        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+        `wider than the screen at ${width}`,
+      );
       await screenshot(other, `run_${width}_${scheme}`);
       await other.context().close();
     }

@@ -108,7 +108,7 @@ export function makeCampaign(name, ...more) {
   try {
     run("campaign", input("study.toml"), "--out", folder(name), "--quiet", ...more);
   } catch (error) {
-    if (error.status !== 3) throw error;  // no sample answered: the page says so
+    if (error.status !== 3) throw error; // no sample answered: the page says so
   }
   return JSON.parse(fs.readFileSync(path.join(folder(name), "statistics.json"), "utf8"));
 }

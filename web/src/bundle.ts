@@ -1,11 +1,19 @@
 // The bytes of a page, unpacked: JSON header and typed arrays (src/report/bundle.h has the layout).
 
 export type Numbers = Float32Array | Int32Array | Uint8Array | Float64Array;
-export interface Place { type: "float32" | "int32" | "int16" | "uint8"; at: number; count: number; step?: number }
+export interface Place {
+  type: "float32" | "int32" | "int16" | "uint8";
+  at: number;
+  count: number;
+  step?: number;
+}
 
 export class Bundle {
-  constructor(readonly header: any, private readonly bytes: ArrayBuffer,
-              private readonly begin: number) {}
+  constructor(
+    readonly header: any,
+    private readonly bytes: ArrayBuffer,
+    private readonly begin: number,
+  ) {}
 
   has(name: string): boolean {
     return name in this.header.arrays;
@@ -17,11 +25,14 @@ export class Bundle {
     if (!place) throw new Error(`the data lack ${name}`);
     const at = this.begin + place.at;
     switch (place.type) {
-      case "float32": return new Float32Array(this.bytes, at, place.count);
-      case "int32": return new Int32Array(this.bytes, at, place.count);
-      case "uint8": return new Uint8Array(this.bytes, at, place.count);
-      case "int16": return Float32Array.from(new Int16Array(this.bytes, at, place.count),
-                                             (v) => v * (place.step ?? 1));
+      case "float32":
+        return new Float32Array(this.bytes, at, place.count);
+      case "int32":
+        return new Int32Array(this.bytes, at, place.count);
+      case "uint8":
+        return new Uint8Array(this.bytes, at, place.count);
+      case "int16":
+        return Float32Array.from(new Int16Array(this.bytes, at, place.count), (v) => v * (place.step ?? 1));
     }
     throw new Error(`the data hold ${name} in an unknown form`);
   }

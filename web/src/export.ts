@@ -1,6 +1,9 @@
 // Drawings and tables as files: SVG with its colours inside, PNG at twice the size, CSV.
 
-export interface Sheet { head: string[]; rows: (string | number | null)[][] }
+export interface Sheet {
+  head: string[];
+  rows: (string | number | null)[][];
+}
 
 export function toCsv({ head, rows }: Sheet): string {
   const cell = (v: string | number | null): string => {
@@ -22,8 +25,22 @@ export function download(name: string, type: string, content: string | Blob): vo
   setTimeout(() => URL.revokeObjectURL(url), 5000);
 }
 
-const kStyles = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin",
-                 "opacity", "font-family", "font-size", "font-weight", "text-anchor", "paint-order", "display"];
+const kStyles = [
+  "fill",
+  "fill-opacity",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "stroke-linecap",
+  "stroke-linejoin",
+  "opacity",
+  "font-family",
+  "font-size",
+  "font-weight",
+  "text-anchor",
+  "paint-order",
+  "display",
+];
 
 // The drawing as a document of its own: the page's colours written into it.
 export function standalone(drawing: SVGSVGElement): string {
@@ -47,7 +64,10 @@ export function standalone(drawing: SVGSVGElement): string {
   paper.setAttribute("y", String(view.y));
   paper.setAttribute("width", "100%");
   paper.setAttribute("height", "100%");
-  paper.setAttribute("fill", getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() || "#fff");
+  paper.setAttribute(
+    "fill",
+    getComputedStyle(document.documentElement).getPropertyValue("--paper").trim() || "#fff",
+  );
   copy.insertBefore(paper, copy.firstChild);
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(copy)}\n`;
 }
@@ -66,7 +86,9 @@ export async function toPng(drawing: SVGSVGElement, scale = 2): Promise<Blob> {
     canvas.width = Math.round(view.width * scale);
     canvas.height = Math.round(view.height * scale);
     canvas.getContext("2d")!.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return await new Promise((done, fail) => canvas.toBlob((b) => b ? done(b) : fail(new Error("no image")), "image/png"));
+    return await new Promise((done, fail) =>
+      canvas.toBlob((b) => (b ? done(b) : fail(new Error("no image"))), "image/png"),
+    );
   } finally {
     URL.revokeObjectURL(url);
   }

@@ -19,10 +19,17 @@ async function start(): Promise<void> {
     if (typeof DecompressionStream === "undefined") throw new Error(say("old_browser"));
     const bundle = await unpack(fromBase64(text));
     switch (bundle.header.kind) {
-      case "run": sections = runSections(bundle); break;
-      case "campaign": sections = campaignSections(bundle); break;
-      case "limit": sections = limitSections(bundle); break;
-      default: throw new Error(`unknown kind of page: ${bundle.header.kind}`);
+      case "run":
+        sections = runSections(bundle);
+        break;
+      case "campaign":
+        sections = campaignSections(bundle);
+        break;
+      case "limit":
+        sections = limitSections(bundle);
+        break;
+      default:
+        throw new Error(`unknown kind of page: ${bundle.header.kind}`);
     }
     build(sections);
     later(() => undefined);

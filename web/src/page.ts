@@ -3,7 +3,11 @@ import { finishLater, h, type Child } from "./dom";
 import { prepareFiguresForPrint, restoreFigures } from "./figure";
 import { say } from "./texts";
 
-export interface Section { id: string; title: string; content: Child }
+export interface Section {
+  id: string;
+  title: string;
+  content: Child;
+}
 
 function themeButton(): HTMLElement {
   const root = document.documentElement;
@@ -25,7 +29,8 @@ function themeButton(): HTMLElement {
   return button;
 }
 
-const before: (() => void)[] = [], after: (() => void)[] = [];
+const before: (() => void)[] = [],
+  after: (() => void)[] = [];
 export function aroundPrint(prepare: () => void, restore: () => void): void {
   before.push(prepare);
   after.push(restore);
@@ -52,15 +57,35 @@ export function build(sections: Section[]): void {
   const main = document.getElementById("page")!;
   main.querySelector("noscript")?.remove();
   const shown = sections.filter((s) => s.content);
-  const nav = h("nav", { class: "bar", "aria-label": say("contents") },
-    h("div", { class: "bar-inner" },
-      h("ul", {}, shown.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title)))),
-      h("div", { class: "bar-tools" }, themeButton(),
-        h("button", { type: "button", class: "bar-button", onclick: () => window.print() }, say("print")))));
+  const nav = h(
+    "nav",
+    { class: "bar", "aria-label": say("contents") },
+    h(
+      "div",
+      { class: "bar-inner" },
+      h(
+        "ul",
+        {},
+        shown.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title))),
+      ),
+      h(
+        "div",
+        { class: "bar-tools" },
+        themeButton(),
+        h("button", { type: "button", class: "bar-button", onclick: () => window.print() }, say("print")),
+      ),
+    ),
+  );
   document.body.insertBefore(nav, main);
   for (const s of shown)
-    main.appendChild(h("section", { id: s.id, "aria-labelledby": `${s.id}-title` },
-      h("h2", { id: `${s.id}-title` }, s.title), s.content));
+    main.appendChild(
+      h(
+        "section",
+        { id: s.id, "aria-labelledby": `${s.id}-title` },
+        h("h2", { id: `${s.id}-title` }, s.title),
+        s.content,
+      ),
+    );
   main.appendChild(h("footer", {}, say("footer")));
   watchPrinting();
   markHere(nav);
@@ -70,12 +95,15 @@ export function build(sections: Section[]): void {
 function markHere(nav: HTMLElement): void {
   if (typeof IntersectionObserver === "undefined") return;
   const links = new Map([...nav.querySelectorAll("a")].map((a) => [a.getAttribute("href")!.slice(1), a]));
-  const watch = new IntersectionObserver((entries) => {
-    for (const entry of entries) {
-      if (!entry.isIntersecting) continue;
-      links.forEach((a, id) => a.toggleAttribute("aria-current", id === entry.target.id));
-    }
-  }, { rootMargin: "-15% 0px -75% 0px" });
+  const watch = new IntersectionObserver(
+    (entries) => {
+      for (const entry of entries) {
+        if (!entry.isIntersecting) continue;
+        links.forEach((a, id) => a.toggleAttribute("aria-current", id === entry.target.id));
+      }
+    },
+    { rootMargin: "-15% 0px -75% 0px" },
+  );
   for (const section of document.querySelectorAll("main > section[id]")) watch.observe(section);
 }
 

@@ -30,7 +30,7 @@ export function num(value: number | null | undefined, digits = 3): string {
   const sign = value < 0 ? "−" : "";
   if (size < 1e-4 || size >= 1e7) {
     const [mantissa, power] = size.toExponential(Math.max(0, digits - 2)).split("e");
-    const raised = power.replace("+", "").replace(/./g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]);
+    const raised = power.replace("+", "").replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]));
     return localised(`${sign}${mantissa}·10${raised}`);
   }
   const whole = Math.floor(Math.log10(size)) + 1;
@@ -40,7 +40,8 @@ export function num(value: number | null | undefined, digits = 3): string {
 }
 
 // A number of so many decimals: correlations.
-export const fixed = (value: number | null, decimals = 2): string => (value === null ? "–" : num(Number(value.toFixed(decimals)), 4));
+export const fixed = (value: number | null, decimals = 2): string =>
+  value === null ? "–" : num(Number(value.toFixed(decimals)), 4);
 
 export function qty(value: number | null | undefined, unit: string, digits = 3): string {
   const text = num(value, digits);
@@ -50,10 +51,12 @@ export function qty(value: number | null | undefined, unit: string, digits = 3):
 function escapedForPattern(text: string): string {
   return text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 }
-const patterns = Object.keys(phrases).filter((p) => p.includes("{}")).map((p) => ({
-  english: p,
-  matcher: new RegExp("^" + p.split("{}").map(escapedForPattern).join("(.*?)") + "$", "s"),
-}));
+const patterns = Object.keys(phrases)
+  .filter((p) => p.includes("{}"))
+  .map((p) => ({
+    english: p,
+    matcher: new RegExp("^" + p.split("{}").map(escapedForPattern).join("(.*?)") + "$", "s"),
+  }));
 
 // A phrase of the engine in the page's language; lists are taken apart, unknown words stay.
 export function phrase(english: string): string {

@@ -2,19 +2,50 @@
 // kinematics as src/model/deformed.h: a block turns about its centroid and moves.
 import type { Bundle, Numbers } from "./bundle";
 
-export const kKinds = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
-export const kLintel = 1, kPlate = 2, kBeam = 3;
+export const kKinds = [
+  "bed",
+  "head",
+  "split",
+  "foundation",
+  "lintel_chain",
+  "lintel_bond",
+  "plate",
+  "beam",
+  "other",
+];
+export const kLintel = 1,
+  kPlate = 2,
+  kBeam = 3;
 
 export interface Wall {
-  length: number; height: number; thickness: number; courses: number;
-  blocks: number; joints: number; pairs: number;
+  length: number;
+  height: number;
+  thickness: number;
+  courses: number;
+  blocks: number;
+  joints: number;
+  pairs: number;
   push: [number, number] | null;
   driven: Numbers | null;
-  outlineBegin: Numbers; outlineX: Numbers; outlineY: Numbers;
-  centroidX: Numbers; centroidY: Numbers; blockThickness: Numbers; role: Numbers;
-  jointA: Numbers; jointB: Numbers; kind: Numbers;
-  armAX: Numbers; armAY: Numbers; armBX: Numbers; armBY: Numbers; halfX: Numbers; halfY: Numbers;
-  supportBegin: Numbers; supportX: Numbers; supportY: Numbers;
+  outlineBegin: Numbers;
+  outlineX: Numbers;
+  outlineY: Numbers;
+  centroidX: Numbers;
+  centroidY: Numbers;
+  blockThickness: Numbers;
+  role: Numbers;
+  jointA: Numbers;
+  jointB: Numbers;
+  kind: Numbers;
+  armAX: Numbers;
+  armAY: Numbers;
+  armBX: Numbers;
+  armBY: Numbers;
+  halfX: Numbers;
+  halfY: Numbers;
+  supportBegin: Numbers;
+  supportX: Numbers;
+  supportY: Numbers;
   bounds: { x0: number; x1: number; y0: number; y1: number };
 }
 
@@ -23,19 +54,37 @@ export function readWall(bundle: Bundle): Wall | null {
   if (!head) return null;
   const get = (name: string): Numbers => bundle.array(`wall.${name}`);
   const wall = {
-    ...head, push: head.push ?? null, driven: head.push ? get("driven") : null,
-    outlineBegin: get("outline_begin"), outlineX: get("outline_x"), outlineY: get("outline_y"),
-    centroidX: get("centroid_x"), centroidY: get("centroid_y"), blockThickness: get("thickness"), role: get("role"),
-    jointA: get("joint_a"), jointB: get("joint_b"), kind: get("kind"),
-    armAX: get("arm_a_x"), armAY: get("arm_a_y"), armBX: get("arm_b_x"), armBY: get("arm_b_y"),
-    halfX: get("half_x"), halfY: get("half_y"),
-    supportBegin: get("support_begin"), supportX: get("support_x"), supportY: get("support_y"),
+    ...head,
+    push: head.push ?? null,
+    driven: head.push ? get("driven") : null,
+    outlineBegin: get("outline_begin"),
+    outlineX: get("outline_x"),
+    outlineY: get("outline_y"),
+    centroidX: get("centroid_x"),
+    centroidY: get("centroid_y"),
+    blockThickness: get("thickness"),
+    role: get("role"),
+    jointA: get("joint_a"),
+    jointB: get("joint_b"),
+    kind: get("kind"),
+    armAX: get("arm_a_x"),
+    armAY: get("arm_a_y"),
+    armBX: get("arm_b_x"),
+    armBY: get("arm_b_y"),
+    halfX: get("half_x"),
+    halfY: get("half_y"),
+    supportBegin: get("support_begin"),
+    supportX: get("support_x"),
+    supportY: get("support_y"),
   };
   const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
-  const take = (xs: Numbers, ys: Numbers): void => xs.forEach((x: number, i: number) => {
-    bounds.x0 = Math.min(bounds.x0, x); bounds.x1 = Math.max(bounds.x1, x);
-    bounds.y0 = Math.min(bounds.y0, ys[i]); bounds.y1 = Math.max(bounds.y1, ys[i]);
-  });
+  const take = (xs: Numbers, ys: Numbers): void =>
+    xs.forEach((x: number, i: number) => {
+      bounds.x0 = Math.min(bounds.x0, x);
+      bounds.x1 = Math.max(bounds.x1, x);
+      bounds.y0 = Math.min(bounds.y0, ys[i]);
+      bounds.y1 = Math.max(bounds.y1, ys[i]);
+    });
   take(wall.outlineX, wall.outlineY);
   take(wall.supportX, wall.supportY);
   return { ...wall, bounds };
@@ -47,9 +96,23 @@ export class Frames {
   private readonly arrays: Record<string, Numbers> = {};
   readonly hasForces: boolean;
 
-  constructor(bundle: Bundle, readonly wall: Wall) {
+  constructor(
+    bundle: Bundle,
+    readonly wall: Wall,
+  ) {
     this.count = bundle.header.frames?.length ?? 0;
-    for (const name of ["ux", "uy", "theta", "opening", "slip", "damage", "crushing", "compression", "shear", "eccentricity"])
+    for (const name of [
+      "ux",
+      "uy",
+      "theta",
+      "opening",
+      "slip",
+      "damage",
+      "crushing",
+      "compression",
+      "shear",
+      "eccentricity",
+    ])
       if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
     this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
   }
@@ -60,30 +123,54 @@ export class Frames {
     const { blocks, joints } = this.wall;
     const joint = (name: string): Numbers => this.slice(name, frame, joints);
     return {
-      ux: this.slice("ux", frame, blocks), uy: this.slice("uy", frame, blocks), theta: this.slice("theta", frame, blocks),
-      opening: joint("opening"), slip: joint("slip"), damage: joint("damage"), crushing: joint("crushing"),
-      compression: this.hasForces ? joint("compression") : null, shear: this.hasForces ? joint("shear") : null,
+      ux: this.slice("ux", frame, blocks),
+      uy: this.slice("uy", frame, blocks),
+      theta: this.slice("theta", frame, blocks),
+      opening: joint("opening"),
+      slip: joint("slip"),
+      damage: joint("damage"),
+      crushing: joint("crushing"),
+      compression: this.hasForces ? joint("compression") : null,
+      shear: this.hasForces ? joint("shear") : null,
       eccentricity: this.hasForces ? joint("eccentricity") : null,
     };
   }
 }
 export interface Frame {
-  ux: Numbers; uy: Numbers; theta: Numbers;
-  opening: Numbers; slip: Numbers; damage: Numbers; crushing: Numbers;  // [m], [m], 0-255, 0-255
-  compression: Numbers | null; shear: Numbers | null; eccentricity: Numbers | null;  // [N], [N], -1 to 1
+  ux: Numbers;
+  uy: Numbers;
+  theta: Numbers;
+  opening: Numbers;
+  slip: Numbers;
+  damage: Numbers;
+  crushing: Numbers; // [m], [m], 0-255, 0-255
+  compression: Numbers | null;
+  shear: Numbers | null;
+  eccentricity: Numbers | null; // [N], [N], -1 to 1
 }
 
 const kQuarter = Math.PI / 2;
 // Poses of all blocks at a magnification: centroid, cosine and sine.
 export class Pose {
-  readonly x: Float64Array; readonly y: Float64Array; readonly c: Float64Array; readonly s: Float64Array;
-  constructor(readonly wall: Wall, readonly frame: Frame, readonly scale: number) {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly c: Float64Array;
+  readonly s: Float64Array;
+  constructor(
+    readonly wall: Wall,
+    readonly frame: Frame,
+    readonly scale: number,
+  ) {
     const n = wall.blocks;
-    this.x = new Float64Array(n); this.y = new Float64Array(n); this.c = new Float64Array(n); this.s = new Float64Array(n);
+    this.x = new Float64Array(n);
+    this.y = new Float64Array(n);
+    this.c = new Float64Array(n);
+    this.s = new Float64Array(n);
     for (let b = 0; b < n; ++b) {
       const theta = frame.theta[b];
       // magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin
-      const turn = Math.abs(theta) > kQuarter ? theta : Math.min(kQuarter, Math.max(-kQuarter, theta * scale));
+      const turn =
+        Math.abs(theta) > kQuarter ? theta : Math.min(kQuarter, Math.max(-kQuarter, theta * scale));
       this.c[b] = Math.cos(turn);
       this.s[b] = Math.sin(turn);
       this.x[b] = wall.centroidX[b] + scale * frame.ux[b];
@@ -92,17 +179,26 @@ export class Pose {
   }
   // Where corner i of the outlines is now; it belongs to block b.
   corner(b: number, i: number): [number, number] {
-    const ax = this.wall.outlineX[i] - this.wall.centroidX[b], ay = this.wall.outlineY[i] - this.wall.centroidY[b];
+    const ax = this.wall.outlineX[i] - this.wall.centroidX[b],
+      ay = this.wall.outlineY[i] - this.wall.centroidY[b];
     return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
   }
   // A point of a joint, half way between its faces; xi from -1 to 1 along it.
   joint(j: number, xi: number): [number, number] {
-    const w = this.wall, a = w.jointA[j], b = w.jointB[j];
-    const bx = w.armBX[j] + xi * w.halfX[j], by = w.armBY[j] + xi * w.halfY[j];
-    const x = this.x[b] + this.c[b] * bx - this.s[b] * by, y = this.y[b] + this.s[b] * bx + this.c[b] * by;
+    const w = this.wall,
+      a = w.jointA[j],
+      b = w.jointB[j];
+    const bx = w.armBX[j] + xi * w.halfX[j],
+      by = w.armBY[j] + xi * w.halfY[j];
+    const x = this.x[b] + this.c[b] * bx - this.s[b] * by,
+      y = this.y[b] + this.s[b] * bx + this.c[b] * by;
     if (a < 0) return [(x + w.centroidX[b] + bx) / 2, (y + w.centroidY[b] + by) / 2];
-    const ax = w.armAX[j] + xi * w.halfX[j], ay = w.armAY[j] + xi * w.halfY[j];
-    return [(x + this.x[a] + this.c[a] * ax - this.s[a] * ay) / 2, (y + this.y[a] + this.s[a] * ax + this.c[a] * ay) / 2];
+    const ax = w.armAX[j] + xi * w.halfX[j],
+      ay = w.armAY[j] + xi * w.halfY[j];
+    return [
+      (x + this.x[a] + this.c[a] * ax - this.s[a] * ay) / 2,
+      (y + this.y[a] + this.s[a] * ax + this.c[a] * ay) / 2,
+    ];
   }
 }
 
@@ -127,10 +223,14 @@ export const kSteps: Record<Exclude<Measure, "cracks">, number[]> = {
 };
 export function valueOf(frame: Frame, j: number, measure: Exclude<Measure, "cracks">): number {
   switch (measure) {
-    case "opening": return frame.opening[j] * 1e3;
-    case "slip": return Math.abs(frame.slip[j]) * 1e3;
-    case "damage": return frame.damage[j] / 255;
-    case "crushing": return frame.crushing[j] / 255;
+    case "opening":
+      return frame.opening[j] * 1e3;
+    case "slip":
+      return Math.abs(frame.slip[j]) * 1e3;
+    case "damage":
+      return frame.damage[j] / 255;
+    case "crushing":
+      return frame.crushing[j] / 255;
   }
 }
 // 0: below the first bound; k: above the k-th.
@@ -139,14 +239,15 @@ export function stepOf(value: number, bounds: number[]): number {
   while (k < bounds.length && value >= bounds[k]) ++k;
   return k;
 }
-const kVisible = 0.05;  // openings and slips below are closed [mm]
+const kVisible = 0.05; // openings and slips below are closed [mm]
 // How a joint shows among the cracks.
 export type Crack = "sound" | "softening" | "closed" | "open" | "slip";
 export function crackOf(frame: Frame, j: number): Crack {
   const damage = frame.damage[j] / 255;
   if (damage <= 0.012) return "sound";
   if (damage < 0.998) return "softening";
-  const opening = frame.opening[j] * 1e3, slip = Math.abs(frame.slip[j]) * 1e3;
+  const opening = frame.opening[j] * 1e3,
+    slip = Math.abs(frame.slip[j]) * 1e3;
   if (Math.max(opening, slip) < kVisible) return "closed";
   return opening >= slip ? "open" : "slip";
 }

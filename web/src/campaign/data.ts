@@ -3,18 +3,36 @@ import type { Bundle, Numbers } from "../bundle";
 import { phrase, say } from "../texts";
 
 export interface Sample {
-  sample: number; status: string; reason: string; answered: boolean;
-  mode: string; sentence: string; response: (number | null)[]; censored: boolean[];
-  verdict: string; stateHash: string;
-  displacement: Numbers; reaction: Numbers;  // [mm], [kN]
+  sample: number;
+  status: string;
+  reason: string;
+  answered: boolean;
+  mode: string;
+  sentence: string;
+  response: (number | null)[];
+  censored: boolean[];
+  verdict: string;
+  stateHash: string;
+  displacement: Numbers;
+  reaction: Numbers; // [mm], [kN]
 }
 export interface Input {
-  name: string; title: string; unit: string; path: string; random: boolean;
-  distribution?: string; formula?: string;
+  name: string;
+  title: string;
+  unit: string;
+  path: string;
+  random: boolean;
+  distribution?: string;
+  formula?: string;
   density: { x: number[]; y: number[] } | null;
-  values: Numbers;  // one a drawn sample, in the unit shown
+  values: Numbers; // one a drawn sample, in the unit shown
 }
-export interface Quantity { name: string; unit: string; canBeCensored: boolean; key: string }
+export interface Quantity {
+  name: string;
+  unit: string;
+  canBeCensored: boolean;
+  key: string;
+}
 
 const isPaperMode = (mode: string): boolean => /^FM-[1-5]$/.test(mode);
 
@@ -22,7 +40,9 @@ const isPaperMode = (mode: string): boolean => /^FM-[1-5]$/.test(mode);
 export function modeClass(modes: string[], mode: string): string {
   if (isPaperMode(mode)) return `m${mode[3]}`;
   if (mode === "unclear") return "m0";
-  const others = modes.slice(0, Math.max(0, modes.indexOf(mode))).filter((m) => !isPaperMode(m) && m !== "unclear").length;
+  const others = modes
+    .slice(0, Math.max(0, modes.indexOf(mode)))
+    .filter((m) => !isPaperMode(m) && m !== "unclear").length;
   // a campaign without the paper's modes has the paper's colours for its own
   return modes.some(isPaperMode) ? `m${6 + (others % 3)}` : `m${1 + (others % 8)}`;
 }
@@ -40,7 +60,7 @@ export class Campaign {
   // what the reader has chosen, and who wants to know
   readonly hidden = new Set<string>();
   selected: Sample | null = null;
-  picked = false;  // by the reader, not by the page
+  picked = false; // by the reader, not by the page
   private readonly modeListeners: (() => void)[] = [];
   private readonly sampleListeners: (() => void)[] = [];
 
@@ -48,8 +68,12 @@ export class Campaign {
     this.header = bundle.header;
     this.statistics = this.header.statistics;
     this.loadHeight = this.statistics.load_height_m ?? 0;
-    this.quantities = this.header.quantities.map((q: any) => ({ name: q.name, unit: q.unit, canBeCensored: q.can_be_censored,
-                                                                key: `${q.name}_${q.unit.replace("/", "_per_")}` }));
+    this.quantities = this.header.quantities.map((q: any) => ({
+      name: q.name,
+      unit: q.unit,
+      canBeCensored: q.can_be_censored,
+      key: `${q.name}_${q.unit.replace("/", "_per_")}`,
+    }));
     this.samples = this.readSamples();
     this.answered = this.samples.filter((s) => s.answered);
     const named = new Set(this.answered.map((s) => s.mode));
@@ -58,20 +82,35 @@ export class Campaign {
   }
 
   private readSamples(): Sample[] {
-    const displacement = this.bundle.array("curve.displacement_mm"), reaction = this.bundle.array("curve.reaction_kN");
+    const displacement = this.bundle.array("curve.displacement_mm"),
+      reaction = this.bundle.array("curve.reaction_kN");
     let at = 0;
     return (this.header.samples as any[]).map((s) => {
       const from = at;
       at += s.rows;
-      return { sample: s.sample, status: s.status, reason: s.reason, answered: s.answered, mode: s.mode ?? "", sentence: s.sentence ?? "",
-               response: s.response ?? [], censored: s.censored ?? [], verdict: s.verdict ?? "", stateHash: s.state_hash ?? "",
-               displacement: displacement.subarray(from, at), reaction: reaction.subarray(from, at) };
+      return {
+        sample: s.sample,
+        status: s.status,
+        reason: s.reason,
+        answered: s.answered,
+        mode: s.mode ?? "",
+        sentence: s.sentence ?? "",
+        response: s.response ?? [],
+        censored: s.censored ?? [],
+        verdict: s.verdict ?? "",
+        stateHash: s.state_hash ?? "",
+        displacement: displacement.subarray(from, at),
+        reaction: reaction.subarray(from, at),
+      };
     });
   }
   private readInputs(): Input[] {
     const drawn = this.header.drawn as number;
     const all = this.bundle.array("input");
-    return (this.header.inputs as any[]).map((input, k) => ({ ...input, values: all.subarray(k * drawn, (k + 1) * drawn) }));
+    return (this.header.inputs as any[]).map((input, k) => ({
+      ...input,
+      values: all.subarray(k * drawn, (k + 1) * drawn),
+    }));
   }
 
   css(mode: string): string {
@@ -101,14 +140,17 @@ export class Campaign {
   }
 }
 
-export const inputLabel = (input: { name: string; unit: string }): string => (input.unit ? `${input.name} [${input.unit}]` : input.name);
+export const inputLabel = (input: { name: string; unit: string }): string =>
+  input.unit ? `${input.name} [${input.unit}]` : input.name;
 export const quantityLabel = (q: Quantity): string => `${say(`quantity.${q.name}`)} [${q.unit}]`;
 export const modeLabel = (mode: string): string => (mode === "all" ? say("all") : phrase(mode));
 
 // Rows of a curve up to its first fall to 0.8 of the peak after it (Fig. 20b).
 export function rowsToEighty(s: Sample): number {
   let peak = 0;
-  s.reaction.forEach((r: number, i: number) => { if (r > s.reaction[peak]) peak = i; });
+  s.reaction.forEach((r: number, i: number) => {
+    if (r > s.reaction[peak]) peak = i;
+  });
   for (let i = peak; i < s.reaction.length; ++i) if (s.reaction[i] < 0.8 * s.reaction[peak]) return i + 1;
   return s.reaction.length;
 }
@@ -117,7 +159,8 @@ export function rowsToEighty(s: Sample): number {
 export function reactionAt(s: Sample, displacement: number, rows = s.displacement.length): number {
   const d = s.displacement;
   if (rows < 2 || displacement > d[rows - 1]) return NaN;
-  let low = 0, high = rows - 1;
+  let low = 0,
+    high = rows - 1;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (d[middle] <= displacement) low = middle;
