@@ -141,7 +141,7 @@ TEST(Report, a_run_that_went_wrong_says_so) {
 TEST(Report, an_empty_result_still_makes_a_page) {
   const std::string page = report_page(run_data(ModelSpec{}, scenes::sample_model(), Result{}));
   EXPECT_EQ(unclosed_tag(static_part(page)), "");
-  EXPECT_EQ(count(page, "nothing pushed it"), 1);
+  EXPECT_EQ(count(static_part(page), "nothing pushed it"), 1);
 }
 
 TEST(Report, load_factor_stands_in_where_nothing_is_pushed) {
