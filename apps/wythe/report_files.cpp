@@ -23,7 +23,7 @@ constexpr const char* kPage = "/report.html";
 std::string read_bytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) throw IoError(path + ": cannot be read");
+  if (!file) throw IoError("cannot be read");
   return bytes;
 }
 
@@ -60,7 +60,13 @@ int report(const ReportArguments& a) {
     throw IoError(a.folder +
                   ": holds neither a campaign (campaign.db) nor the data of a report "
                   "(report.data); name a folder that run, campaign, replay or limit wrote");
-  write_text(a.folder + kPage, report_page(read_bytes(a.folder + kData), a.language));
+  std::string page;
+  try {
+    page = report_page(read_bytes(a.folder + kData), a.language);
+  } catch (const IoError& error) {
+    throw IoError(a.folder + kData + ": " + error.what());
+  }
+  write_text(a.folder + kPage, page);
   fmt::print("report {}{}\n", a.folder, kPage);
   return 0;
 }

@@ -20,7 +20,7 @@ constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kAlign = 8;
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw IoError("the report's data " + what + "; run the model again to write them anew");
+  throw IoError("the data of a report " + what + "; run the model again to write them anew");
 }
 
 std::string deflated(const std::string& bytes) {

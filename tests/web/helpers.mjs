@@ -67,7 +67,9 @@ export async function open(browser, url, options = {}) {
   return page;
 }
 
+// Chromium drops downloads that follow each other too closely: ten a second.
 export async function downloaded(page, click) {
+  await page.waitForTimeout(150);
   const [download] = await Promise.all([page.waitForEvent("download"), click()]);
   return fs.readFileSync(await download.path());
 }

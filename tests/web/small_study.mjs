@@ -90,8 +90,12 @@ formula = "phi"
 
 export function writeInputs() {
   fs.mkdirSync(folder("inputs"), { recursive: true });
-  fs.writeFileSync(path.join(folder("inputs"), "model.toml"), kModel);
-  fs.writeFileSync(path.join(folder("inputs"), "study.toml"), kStudy);
+  for (const [name, text] of [["model.toml", kModel], ["study.toml", kStudy]]) {
+    // whole or not at all: other tests read them at the same time
+    const draft = path.join(folder("inputs"), `${name}.${process.pid}`);
+    fs.writeFileSync(draft, text);
+    fs.renameSync(draft, path.join(folder("inputs"), name));
+  }
 }
 const input = (name) => path.join(folder("inputs"), name);
 
