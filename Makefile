@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test bench docs format check install clean
+.PHONY: all help setup build demo test bench docs web format check install clean
 all: build
 
 help:            ## this list
@@ -39,6 +39,9 @@ bench: configure ## ns per point update: law, bare kernel, engine
 docs: configure  ## write docs/reference from the specs' descriptions
 	@cmake --build --preset $(PRESET) --target wythe_reference
 	$(BUILD)/wythe_reference docs/reference/model.md
+
+web: setup       ## build the report viewer: src/report/assets/viewer.html
+	@cd web && npm ci --no-audit --no-fund && npm run build
 
 format:          ## clang-format all C++
 	clang-format -i $(SOURCES)

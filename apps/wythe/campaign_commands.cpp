@@ -11,11 +11,11 @@
 #include "campaign_table.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "report_files.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
-#include "wythe/report.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 
@@ -113,25 +113,17 @@ StudySpec asked_study(const CampaignArguments& a) {
 }
 
 // samples.csv, statistics.json, report.html from the store: never one newer than another.
-Statistics write_files(const std::string& folder, const Campaign& campaign) {
+Statistics write_files(const std::string& folder, const Campaign& campaign,
+                       const std::string& language) {
   write_text(folder + "/samples.csv", samples_csv(campaign));
   Statistics statistics = statistics_of(campaign);
   write_text(folder + "/statistics.json", statistics_json(statistics));
-  write_text(folder + "/report.html", campaign_report(campaign, statistics));
+  write_campaign_report(folder, campaign, statistics, language);
   return statistics;
 }
 
-// The files, and the table on stdout.
-int write_results(const std::string& folder) {
-  const Campaign campaign = read_campaign(folder);
-  const Statistics statistics = write_files(folder, campaign);
-  print_table(campaign, statistics);
-  fmt::print("report {}/report.html\n", folder);
-  return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
-}
-
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
-  (void)write_files(a.out, read_campaign(a.out));
+  (void)write_files(a.out, read_campaign(a.out), a.language);
   fmt::print(stderr, "stopped: {} of {} samples are stored, none is half done. Go on with\n  {}\n",
              outcome.done, outcome.total, resume_command(a));
   return kFailed;
@@ -139,7 +131,16 @@ int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) 
 
 }  // namespace
 
+int write_results(const std::string& folder, const std::string& language) {
+  const Campaign campaign = read_campaign(folder);
+  const Statistics statistics = write_files(folder, campaign, language);
+  print_table(campaign, statistics);
+  fmt::print("report {}/report.html\n", folder);
+  return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
+}
+
 int campaign(const CampaignArguments& a) {
+  check_language(a.language);
   CampaignOptions options;
   if (!a.jobs.empty())
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
@@ -158,7 +159,7 @@ int campaign(const CampaignArguments& a) {
   }
   for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", note);
   if (outcome.interrupted) return say_interrupted(a, outcome);
-  const int code = write_results(a.out);
+  const int code = write_results(a.out, a.language);
   if (outcome.precise_at > 0)
     fmt::print("precise enough after {} samples: {}\n", outcome.precise_at, outcome.until_state);
   else if (!outcome.until_state.empty())
@@ -169,6 +170,7 @@ int campaign(const CampaignArguments& a) {
 
 int merge(const MergeArguments& a) {
   check_folder(a.out, FolderFor::kCampaign);
+  check_language(a.language);
   merge_campaigns(a.folders, a.out);
   const Campaign whole = read_campaign(a.out);
   const auto missing = static_cast<std::size_t>(whole.samples.n_sample()) - whole.records.size();
@@ -177,13 +179,7 @@ int merge(const MergeArguments& a) {
                "note: {} samples are in none of these shards; they can be run in {} with "
                "--resume\n",
                missing, a.out);
-  return write_results(a.out);
-}
-
-int report(const ReportArguments& a) {
-  if (!holds_campaign(a.folder))
-    throw IoError(a.folder + ": holds no campaign (no campaign.db); a run writes its own report");
-  return write_results(a.folder);
+  return write_results(a.out, a.language);
 }
 
 namespace {
@@ -202,7 +198,7 @@ std::string lines(const std::vector<std::string>& texts) {
 
 void write_replay(const ReplayArguments& a, const Campaign& campaign, const SampleRun& run) {
   write_run(a.out, run.spec, run.model, run.result);
-  write_text(a.out + "/report.html", run_report(run.spec, run.model, run.result));
+  write_run_report(a.out, run.spec, run.model, run.result, a.language);
   write_text(a.out + "/model.toml", campaign.study.model_text);
   write_text(a.out + "/settings.txt", lines(campaign.study.settings) + lines(run.settings));
 }
@@ -234,6 +230,7 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const S
 }  // namespace
 
 int replay(const ReplayArguments& a) {
+  check_language(a.language);
   const Campaign campaign = read_campaign(a.folder);
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     refuse("--sample", std::to_string(a.sample), "is not in the campaign",
@@ -242,6 +239,7 @@ int replay(const ReplayArguments& a) {
   SolveOptions options;
   options.threads = a.threads;
   options.stop = &stop_asked();
+  options.frames = kFrames;
   SampleRun run;
   {
     ProgressPrinter progress(a.quiet);

@@ -13,27 +13,26 @@ struct CampaignArguments {
   std::string samples, seed, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
+  std::string language = "en";       // of the report
   std::vector<std::string> command;  // as typed, to say how to go on
 };
 int campaign(const CampaignArguments& arguments);
 
 struct MergeArguments {
   std::vector<std::string> folders;
-  std::string out;
+  std::string out, language = "en";
 };
 int merge(const MergeArguments& arguments);
 
 struct ReplayArguments {
-  std::string folder, out;
+  std::string folder, out, language = "en";
   int sample = 0, threads = 1;
   bool quiet = false;
 };
 int replay(const ReplayArguments& arguments);
 
-struct ReportArguments {
-  std::string folder;
-};
-int report(const ReportArguments& arguments);
+// samples.csv, statistics.json, report.html from the store, and the table on stdout.
+int write_results(const std::string& folder, const std::string& language);
 
 struct PictureArguments {
   std::string folder, out;

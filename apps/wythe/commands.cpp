@@ -5,9 +5,9 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "report_files.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
-#include "wythe/report.h"
 #include "wythe/solve.h"
 
 namespace wythe::app {
@@ -45,12 +45,14 @@ int run(const RunArguments& arguments) {
   const ModelSpec spec = read_model(arguments.model, arguments.overrides);
   Model model = compile(spec);
   model.spec_hash = spec_hash(spec);
+  check_language(arguments.language);
   prepare_folder(arguments.out);
   if (!arguments.quiet) print_model(model);
   State state = initial_state(model);
   SolveOptions options;
   options.threads = arguments.threads;
   options.stop = &stop_asked();
+  options.frames = kFrames;
   Result result;
   {
     ProgressPrinter progress(arguments.quiet);
@@ -60,7 +62,7 @@ int run(const RunArguments& arguments) {
   result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
   write_run(arguments.out, spec, model, result);
-  write_text(arguments.out + "/report.html", run_report(spec, model, result));
+  write_run_report(arguments.out, spec, model, result, arguments.language);
   print_result(result, arguments.out);
   return exit_code(result.status);
 }

@@ -11,6 +11,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   int threads = 1;
   bool quiet = false;
+  std::string language = "en";  // of the report
 };
 int run(const RunArguments& arguments);
 
@@ -26,7 +27,7 @@ struct ContactArguments {
 int contact(const ContactArguments& arguments);
 
 struct LimitArguments {
-  std::string model, out, with;
+  std::string model, out, with, language = "en";
   std::vector<std::string> overrides;
   std::vector<std::string> only;  // of lp, infinite, macro_block_1, macro_block_2; empty: all
   bool assessment = false;

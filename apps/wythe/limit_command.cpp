@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "report_files.h"
 #include "wythe/campaign.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
@@ -79,10 +80,10 @@ int print_comparison(const Comparison& c) {
   return code;
 }
 
-// report.html, unless the folder is a run's or a campaign's and has that one's.
+// "report", unless the folder is a run's or a campaign's and has that one's.
 std::string page_name(const std::string& folder) {
   const bool taken = std::filesystem::exists(folder + "/summary.json") || holds_campaign(folder);
-  return folder + (taken ? "/limit.html" : "/report.html");
+  return taken ? "limit" : "report";
 }
 
 void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& model,
@@ -93,13 +94,15 @@ void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& 
     write_text(path + ".csv", mechanism_csv(m.curve));
     write_text(path + ".svg", mechanism_svg(model, m));
   }
-  write_text(page_name(a.out), limit_report(spec, model, opinion));
-  write_text(a.out + "/mechanisms.json", mechanisms_json(model, opinion));
+  const std::string json = mechanisms_json(model, opinion);
+  write_text(a.out + "/mechanisms.json", json);
+  write_page(a.out, page_name(a.out), limit_data(spec, model, json), a.language);
 }
 
 }  // namespace
 
 int limit(const LimitArguments& a) {
+  check_language(a.language);
   const ModelSpec spec = read_model(a.model, a.overrides);
   const Model model = compile(spec);
   std::vector<ComparedRun> runs;
@@ -111,7 +114,7 @@ int limit(const LimitArguments& a) {
   write_opinion(a, spec, model, opinion);
   print_opinion(opinion);
   const int code = print_comparison(opinion.comparison);
-  fmt::print("report {}\n", page_name(a.out));
+  fmt::print("report {}/{}.html\n", a.out, page_name(a.out));
   return code;
 }
 

@@ -7,6 +7,7 @@
 
 #include "campaign_commands.h"
 #include "commands.h"
+#include "report_files.h"
 #include "wythe/error.h"
 #include "wythe/provenance.h"
 #include "wythe/solve.h"
@@ -32,6 +33,10 @@ void add_overrides(CLI::App* command, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
+void add_language(CLI::App* command, std::string& language) {
+  command->add_option("--lang", language, "language of report.html: en or it");
+}
+
 void add_run(CLI::App& app, RunArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("run", "push one wall and write its curve, states and report");
@@ -44,6 +49,7 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
   command->add_option("--threads", a.threads, "threads inside this wall; same bits for any number")
       ->check(CLI::Range(1, 256));
   command->add_flag("--quiet", a.quiet, "no progress");
+  add_language(command, a.language);
   command->callback([&] { code = run(a); });
 }
 
@@ -85,6 +91,7 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_option("--until", a.until,
                       "stop when precise enough, e.g. \"relative_interval(peak_reaction) < 1 %\"");
   command->add_flag("--quiet", a.quiet, "no progress");
+  add_language(command, a.language);
   command->callback([&] { code = campaign(a); });
 }
 
@@ -93,6 +100,7 @@ void add_merge(CLI::App& app, MergeArguments& a, int& code) {
   command->footer("example: wythe merge out/shard_1 out/shard_2 --out out/campaign");
   command->add_option("folders", a.folders, "folders of the shards")->required();
   command->add_option("--out", a.out, "folder for the whole, made if absent")->required();
+  add_language(command, a.language);
   command->callback([&] { code = merge(a); });
 }
 
@@ -106,6 +114,7 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   command->add_option("--threads", a.threads, "threads inside this wall; same bits for any number")
       ->check(CLI::Range(1, 256));
   command->add_flag("--quiet", a.quiet, "no progress");
+  add_language(command, a.language);
   command->callback([&] { code = replay(a); });
 }
 
@@ -122,14 +131,16 @@ void add_limit(CLI::App& app, LimitArguments& a, int& code) {
       ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2"}));
   command->add_flag("--assessment", a.assessment,
                     "displacement-based data after Circolare 7/2019, C8.7.1.2.1");
+  add_language(command, a.language);
   command->callback([&] { code = limit(a); });
 }
 
 void add_report(CLI::App& app, ReportArguments& a, int& code) {
-  CLI::App* command = app.add_subcommand(
-      "report", "write samples.csv, statistics.json and report.html again from a campaign's store");
-  command->footer("example: wythe report out/campaign");
-  command->add_option("folder", a.folder, "folder of the campaign")->required();
+  CLI::App* command =
+      app.add_subcommand("report", "write report.html again from what a folder of results holds");
+  command->footer("example: wythe report out/campaign --lang it");
+  command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
+  add_language(command, a.language);
   command->callback([&] { code = report(a); });
 }
 

@@ -55,6 +55,8 @@ void write_contact_answer(const std::string& path, const std::vector<ContactPath
 // Writes the files of a run into `folder` (made if absent); report.html is write_report's.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);
+// summary.json of a run; keys: docs/reference/results.md.
+[[nodiscard]] std::string summary_json(const Model& model, const Result& result);
 // samples.csv of a campaign; columns: docs/reference/store.md.
 [[nodiscard]] std::string samples_csv(const Campaign& campaign);
 // statistics.json of a campaign; keys: docs/reference/statistics.md.

@@ -1,6 +1,12 @@
-// report.html: one self-contained page for a run, or for a campaign.
+// report.html: one self-contained page for a run, a campaign or a limit analysis; and SVG pictures.
+//
+//   Result, Campaign, ... --*_data()--> bytes --report_page()--> report.html
+//
+// The bytes hold all the page shows (a JSON header and arrays, compressed) and no words of a
+// language; a run keeps them beside its files as report.data, so that its page can be made again.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,15 +24,28 @@ namespace wythe {
 // States of one wall side by side with their displacements, as an SVG document; `scale` 0: fitting.
 [[nodiscard]] std::string states_svg(const Model& model, const std::vector<Snapshot>& states,
                                      double scale, const std::string& title);
-[[nodiscard]] std::string run_report(const ModelSpec& spec, const Model& model,
-                                     const Result& result);
-// report.html of a campaign; whatever it holds, nothing included.
-[[nodiscard]] std::string campaign_report(const Campaign& campaign, const Statistics& statistics);
 // A mechanism before and after: bodies, hinges, load, as an SVG document.
 [[nodiscard]] std::string mechanism_svg(const Model& model, const Mechanism& mechanism);
-// What `wythe limit` found, as a part of a page, and as a page of its own.
-[[nodiscard]] std::string limit_section(const Model& model, const SecondOpinion& opinion);
-[[nodiscard]] std::string limit_report(const ModelSpec& spec, const Model& model,
-                                       const SecondOpinion& opinion);
+
+// Snapshots and frames, curve, numbers and inputs of a run.
+[[nodiscard]] std::string run_data(const ModelSpec& spec, const Model& model, const Result& result);
+
+// How the walls of a campaign's samples are drawn; without them its page has no walls.
+struct SampleWalls {
+  ModelBuilder build;                                // of the study
+  std::function<std::vector<Snapshot>(int)> states;  // of a sample, 1-based; the last one is drawn
+};
+// Whatever the campaign holds, nothing included. Cost: a model compiled for each sample's wall.
+[[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,
+                                        const SampleWalls& walls = {});
+
+// Of a limit analysis; `mechanisms_json` is the text of its mechanisms.json.
+[[nodiscard]] std::string limit_data(const ModelSpec& spec, const Model& model,
+                                     const std::string& mechanisms_json);
+
+// The page of such bytes. Throws IoError where they are damaged or of another version, InputError
+// where the language is none of report_languages().
+[[nodiscard]] std::string report_page(const std::string& data, const std::string& language = "en");
+[[nodiscard]] std::vector<std::string> report_languages();
 
 }  // namespace wythe

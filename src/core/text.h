@@ -1,6 +1,8 @@
-// Nearest names, for messages that say "did you mean ...".
+// Nearest names, for messages that say "did you mean ..."; and bytes as text.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,5 +23,8 @@ namespace wythe {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view between);
+
+// RFC 4648, with padding.
+[[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace wythe

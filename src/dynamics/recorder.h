@@ -13,7 +13,8 @@ namespace wythe::dynamics {
 class Recorder {
  public:
   // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
-  Recorder(const Model& model, const Stage& stage, double path, Result& result);
+  // Of the path, `frames` states are kept for moving pictures, closer where cracks begin.
+  Recorder(const Model& model, const Stage& stage, double path, int frames, Result& result);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const Place& place, State& state, const Controls& controls, double reaction,
@@ -32,11 +33,13 @@ class Recorder {
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_reading(const State& state);
+  void take_frame(const State& state, double travelled);
 
   const Model& model_;
   const Stage& stage_;
   Result& result_;
-  double window_;
+  double path_, window_;
+  int frames_, next_frame_ = 1;
   double start_time_;
   double work_at_start_;
   double next_close_;

@@ -13,7 +13,6 @@
 #include "core/hash.h"
 #include "io/blocks_json.h"
 #include "io/curve_csv.h"
-#include "io/summary_json.h"
 #include "io/vtu.h"
 #include "io/write_file.h"
 #include "wythe/error.h"
@@ -127,7 +126,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
                  io::curve_csv(result.curve, has_lintel_of_zones(model)));
   io::write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
-  io::write_file(inside(folder, "summary.json"), io::summary_json(model, result));
+  io::write_file(inside(folder, "summary.json"), summary_json(model, result));
 }
 
 void write_text(const std::string& path, const std::string& text) { io::write_file(path, text); }

@@ -1,12 +1,12 @@
-#include "io/summary_json.h"
-
+// summary.json of a run: the numbers an engineer quotes, with their evidence and their provenance.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "wythe/io.h"
 #include "wythe/provenance.h"
 
-namespace wythe::io {
+namespace wythe {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -197,4 +197,4 @@ std::string summary_json(const Model& model, const Result& result) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace wythe::io
+}  // namespace wythe

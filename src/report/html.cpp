@@ -69,17 +69,4 @@ std::string quantity(double value, std::string_view unit, int digits) {
   return text + "\u202f" + escaped(unit);
 }
 
-std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view css_class) {
-  std::string out = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n", css_class);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i == 0) out += "<thead>";
-    if (i == 1) out += "<tbody>\n";
-    out += "<tr>";
-    for (const std::string& cell : rows[i])
-      out += i == 0 ? fmt::format("<th>{}</th>", cell) : fmt::format("<td>{}</td>", cell);
-    out += i == 0 ? "</tr></thead>\n" : "</tr>\n";
-  }
-  return out + (rows.size() > 1 ? "</tbody>" : "") + "</table></div>\n";
-}
-
 }  // namespace wythe::report

@@ -1,35 +1,46 @@
-// run_report(): the sections in the order a reader asks: what, how, why, can I trust it, what went in.
-#include <fmt/format.h>
-
+// report_page(): the built viewer (assets/viewer.html) with the headline and the data put in.
+#include "core/check.h"
+#include "core/text.h"
+#include "report/assets.h"
+#include "report/bundle.h"
+#include "report/headline.h"
 #include "report/html.h"
-#include "report/sections.h"
-#include "report/style.h"
-#include "wythe/provenance.h"
+#include "report/texts.h"
 #include "wythe/report.h"
 
 namespace wythe {
+namespace {
 
-std::string run_report(const ModelSpec& spec, const Model& model, const Result& result) {
-  using namespace report;
-  const std::string name = escaped(spec.name.empty() ? "Wall" : spec.name);
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}: wythe</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
-      name, picture_style(), page_style());
-  page += fmt::format(
-      "<header>\n<p class=\"kind\">Discrete rigid block analysis</p>\n<h1>{}</h1>\n{}{}</header>\n",
-      name, headline(model, result), warning(result));
-  page += key_numbers(result) + curve_section(result) + pictures_section(model, result);
-  page += failure_section(result.failure_mode);
-  page += quasi_static_section(result.quasi_static) + energy_section(result.energy);
-  page += stages_section(result) + inputs_section(spec, model) + provenance_section(model, result);
-  page += fmt::format(
-      "<footer>wythe {}. The numbers are in summary.json and "
-      "force_displacement.csv, the states in run.pvd for ParaView, the model as "
-      "understood in model.used.toml.</footer>\n",
-      provenance().version);
-  return page + "</main>\n</body>\n</html>\n";
+using namespace report;
+
+void put(std::string& page, std::string_view mark, const std::string& content) {
+  const std::size_t at = page.find(mark);
+  WYTHE_ASSERT(at != std::string::npos, "the viewer lacks one of its marks");
+  page.replace(at, mark.size(), content);
 }
+
+std::span<const std::uint8_t> bytes_of(const std::string& data) {
+  return {reinterpret_cast<const std::uint8_t*>(data.data()), data.size()};
+}
+
+}  // namespace
+
+std::string report_page(const std::string& data, const std::string& language) {
+  const Texts texts(language);
+  const Json header = header_of(data);
+  const std::string kind = header["kind"], title = header.value("title", "");
+  std::string page(kViewerHtml);
+  put(page, "<html lang=\"en\"", "<html lang=\"" + language + "\"");
+  put(page, "<title>wythe</title>",
+      "<title>" + escaped(title.empty() ? texts.say("untitled." + kind) : title) +
+          ": wythe</title>");
+  put(page, "<!--wythe:headline-->",
+      headline_of(header, texts) + "<noscript><p class=\"warning\">" + texts.say("noscript") +
+          "</p></noscript>");
+  put(page, "<!--wythe:data-->", base64(bytes_of(data)));
+  return page;
+}
+
+std::vector<std::string> report_languages() { return languages(); }
 
 }  // namespace wythe

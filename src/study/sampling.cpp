@@ -137,6 +137,11 @@ Margin::Margin(const VariableSpec& spec)
   if (upper_ < kInfinity) above_ = whole_->distribution.computeComplementaryCDF(upper_);
 }
 
+double Margin::density(double x) const {
+  if (!whole_->values.empty() || x < lower_ || x > upper_ || !(kept() > 0)) return 0;
+  return whole_->distribution.computePDF(x) / kept();
+}
+
 Margin::~Margin() = default;
 Margin::Margin(Margin&&) noexcept = default;
 Margin& Margin::operator=(Margin&&) noexcept = default;

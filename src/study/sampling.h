@@ -24,6 +24,8 @@ class Margin {
 
   // Value below which a share `u` of the truncated distribution lies [SI]; 0 < u < 1.
   [[nodiscard]] double quantile(double u) const;
+  // Density of the truncated distribution [1/SI]; 0 everywhere for measured values.
+  [[nodiscard]] double density(double x) const;
   // Share of the distribution as stated that lies outside `lower` and `upper`.
   [[nodiscard]] double cut_off() const { return below_ + above_; }
   // Share that is left, never below 0.

@@ -114,9 +114,27 @@ class Run(Base):
 
     def test_writes_the_contract_files(self):
         names = {p.name for p in self.result.iterdir()}
-        for name in ("force_displacement.csv", "summary.json", "run.pvd", "report.html", "model.used.toml"):
+        for name in ("force_displacement.csv", "summary.json", "run.pvd", "report.html", "report.data", "model.used.toml"):
             self.assertIn(name, names)
         self.assertTrue(any(re.match(r"state_.*\.vtu", n) for n in names))
+
+    def test_report_makes_the_page_again_in_either_language(self):
+        page = self.result / "report.html"
+        first = page.read_bytes()
+        page.unlink()
+        done = wythe("report", self.result)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(page.read_bytes(), first)
+        self.assertIn(b'<html lang="en"', first)
+        self.assertEqual(wythe("report", self.result, "--lang", "it").returncode, 0)
+        self.assertIn('La parete resiste a', page.read_text())
+        page.write_bytes(first)
+        refused = wythe("report", self.result, "--lang", "xx")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("en, it", refused.stderr)
+        nowhere = wythe("report", self.result.parent / "nowhere")
+        self.assertEqual(nowhere.returncode, 4)
+        self.assertIn("report.data", nowhere.stderr)
 
     def test_curve_has_the_contract_columns_and_500_rows(self):
         with open(self.result / "force_displacement.csv") as file:

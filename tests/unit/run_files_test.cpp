@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "io/curve_csv.h"
-#include "io/summary_json.h"
 #include "io/vtu.h"
 #include "io/write_file.h"
 #include "scenes/sample_run.h"
@@ -75,7 +74,7 @@ TEST(CurveCsv, columns_carry_their_units_and_values) {
 
 TEST(SummaryJson, numbers_are_in_the_units_of_their_names) {
   const auto json =
-      nlohmann::json::parse(io::summary_json(scenes::sample_model(), scenes::sample_result()));
+      nlohmann::json::parse(summary_json(scenes::sample_model(), scenes::sample_result()));
   EXPECT_EQ(json["status"], "completed");
   EXPECT_DOUBLE_EQ(json["peak_reaction_kN"], 10);
   EXPECT_DOUBLE_EQ(json["displacement_at_peak_mm"], 2);
@@ -93,7 +92,7 @@ TEST(SummaryJson, numbers_are_in_the_units_of_their_names) {
 
 TEST(SummaryJson, lists_stay_lists_of_objects) {
   const auto json =
-      nlohmann::json::parse(io::summary_json(scenes::sample_model(), scenes::sample_result()));
+      nlohmann::json::parse(summary_json(scenes::sample_model(), scenes::sample_result()));
   EXPECT_EQ(json["failure_mode"]["name"], "FM-1");
   EXPECT_DOUBLE_EQ(json["failure_mode"]["scores"]["FM-1"], 0.8);
   EXPECT_EQ(json["failure_mode"]["evidence"][0]["unit"], "mm");
@@ -104,7 +103,7 @@ TEST(SummaryJson, lists_stay_lists_of_objects) {
 
 TEST(SummaryJson, what_is_no_number_is_null) {
   const auto json =
-      nlohmann::json::parse(io::summary_json(scenes::sample_model(), scenes::sample_result()));
+      nlohmann::json::parse(summary_json(scenes::sample_model(), scenes::sample_result()));
   EXPECT_TRUE(json["energy_J"]["gap_ratio"].is_null());
 }
 

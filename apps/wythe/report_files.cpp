@@ -1,0 +1,78 @@
+#include "report_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "campaign_commands.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+
+namespace wythe::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kData = "/report.data";
+constexpr const char* kPage = "/report.html";
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file) throw IoError("cannot be read");
+  return bytes;
+}
+
+}  // namespace
+
+void check_language(const std::string& language) {
+  const std::vector<std::string> known = report_languages();
+  if (std::find(known.begin(), known.end(), language) != known.end()) return;
+  throw InputError({{.file = "--lang",
+                     .path = "",
+                     .value = language,
+                     .problem = "is no language of the report",
+                     .cure = fmt::format("write one of: {}", fmt::join(known, ", "))}});
+}
+
+void write_page(const std::string& folder, const std::string& name, const std::string& data,
+                const std::string& language) {
+  write_text(folder + "/" + name + ".data", data);
+  write_text(folder + "/" + name + ".html", report_page(data, language));
+}
+
+void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
+                      const Result& result, const std::string& language) {
+  write_page(folder, "report", run_data(spec, model, result), language);
+}
+
+void write_campaign_report(const std::string& folder, const Campaign& campaign,
+                           const Statistics& statistics, const std::string& language) {
+  const SampleWalls walls = {.build = model_builder(campaign.study),
+                             .states = [&](int sample) { return read_states(folder, sample); }};
+  write_text(folder + kPage, report_page(campaign_data(campaign, statistics, walls), language));
+}
+
+int report(const ReportArguments& a) {
+  check_language(a.language);
+  if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
+  if (!fs::exists(a.folder + kData))
+    throw IoError(a.folder +
+                  ": holds neither a campaign (campaign.db) nor the data of a report "
+                  "(report.data); name a folder that run, campaign, replay or limit wrote");
+  std::string page;
+  try {
+    page = report_page(read_bytes(a.folder + kData), a.language);
+  } catch (const IoError& error) {
+    throw IoError(a.folder + kData + ": " + error.what());
+  }
+  write_text(a.folder + kPage, page);
+  fmt::print("report {}{}\n", a.folder, kPage);
+  return 0;
+}
+
+}  // namespace wythe::app

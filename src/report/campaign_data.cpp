@@ -1,0 +1,203 @@
+// campaign_data(): what the page of a campaign shows. Statistics are those of statistics.json.
+//
+// Curves go along in single precision; walls as the last stored state of each sample, the first
+// samples' as far as kMostWalls and kMostWallBytes allow.
+#include <algorithm>
+#include <cmath>
+
+#include "report/bundle.h"
+#include "report/model_inputs.h"
+#include "report/wall_arrays.h"
+#include "study/sampling.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+
+namespace wythe {
+namespace {
+
+using namespace report;
+
+constexpr int kDensityPoints = 121;
+constexpr double kMostWallNumbers = 4e6;  // about 5 MB of the page
+
+// --- what was drawn ------------------------------------------------------------------------------
+
+double shown(const InputColumn& column, double si) { return si * column.to_unit + column.offset; }
+
+const char* kind_word(DistributionKind kind) {
+  switch (kind) {
+    case DistributionKind::kNormal: return "normal";
+    case DistributionKind::kLognormal: return "lognormal";
+    case DistributionKind::kUniform: return "uniform";
+    case DistributionKind::kTriangular: return "triangular";
+    case DistributionKind::kBeta: return "beta";
+    case DistributionKind::kWeibull: return "weibull";
+    case DistributionKind::kEmpirical: return "empirical";
+  }
+  return "";
+}
+
+// Density over the range of the samples, in the unit shown.
+Json density_of(const Campaign& campaign, std::size_t k) {
+  const InputColumn& column = campaign.samples.column[k];
+  if (k >= campaign.study.variable.size() || campaign.samples.value.empty()) return nullptr;
+  const VariableSpec& variable = campaign.study.variable[k];
+  if (variable.distribution == DistributionKind::kEmpirical) return nullptr;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const auto& row : campaign.samples.value)
+    low = std::min(low, row[k]), high = std::max(high, row[k]);
+  const Margin margin(variable);
+  Json x = Json::array(), y = Json::array();
+  for (int i = 0; i < kDensityPoints; ++i) {
+    const double at = low + (high - low) * i / (kDensityPoints - 1);
+    x.push_back(shown(column, at));
+    y.push_back(margin.density(at) / std::fabs(column.to_unit));
+  }
+  return {{"x", x}, {"y", y}};
+}
+
+void add_inputs(Bundle& bundle, const Campaign& campaign) {
+  Json list = Json::array();
+  std::vector<float> values;
+  for (std::size_t k = 0; k < campaign.samples.column.size(); ++k) {
+    const InputColumn& column = campaign.samples.column[k];
+    const auto& variables = campaign.study.variable;
+    const auto& dependents = campaign.study.dependent;
+    Json input = {{"name", column.name},
+                  {"title", column_title(column)},
+                  {"unit", column.unit == "1" ? "" : column.unit},
+                  {"path", column.path},
+                  {"random", column.is_random}};
+    if (k < variables.size())
+      input["distribution"] = kind_word(variables[k].distribution);
+    else if (k - variables.size() < dependents.size())
+      input["formula"] = dependents[k - variables.size()].formula;
+    input["density"] = density_of(campaign, k);
+    list.push_back(input);
+    for (const auto& row : campaign.samples.value)
+      values.push_back(static_cast<float>(shown(column, row[k])));
+  }
+  bundle.header["inputs"] = list;
+  bundle.header["drawn"] = campaign.samples.value.size();
+  bundle.add("input", std::span<const float>(values));  // (n_column, n_sample)
+}
+
+// --- what came out -------------------------------------------------------------------------------
+
+Json sample_of(const SampleRecord& r) {
+  Json json = {{"sample", r.sample},
+               {"status", r.status},
+               {"reason", r.reason},
+               {"answered", is_answered(r)},
+               {"rows", r.curve.size()}};
+  if (!is_answered(r)) return json;
+  json["mode"] = r.failure_mode.name;
+  json["sentence"] = r.failure_mode.sentence;
+  for (const Quantity& q : quantities()) {
+    const Reading reading = q.read(r.responses);
+    json["response"].push_back(reading.value * q.to_unit);
+    json["censored"].push_back(reading.censored);
+  }
+  json["verdict"] = r.quasi_static.verdict;
+  json["state_hash"] = r.state_hash;
+  return json;
+}
+
+void add_samples(Bundle& bundle, const Campaign& campaign) {
+  Json list = Json::array();
+  std::vector<float> displacement, reaction;
+  for (const SampleRecord& r : campaign.records) {
+    list.push_back(sample_of(r));
+    for (const CurveRow& row : r.curve) {
+      displacement.push_back(static_cast<float>(row.displacement * 1e3));
+      reaction.push_back(static_cast<float>(row.reaction * 1e-3));
+    }
+  }
+  bundle.header["samples"] = list;
+  bundle.add("curve.displacement_mm", std::span<const float>(displacement));
+  bundle.add("curve.reaction_kN", std::span<const float>(reaction));
+}
+
+Json quantities_json() {
+  Json list = Json::array();
+  for (const Quantity& q : quantities())
+    list.push_back({{"name", q.name}, {"unit", q.unit}, {"can_be_censored", q.can_be_censored}});
+  return list;
+}
+
+// --- walls at their ends ---------------------------------------------------------------------------
+
+// One sample's wall, or why it has none.
+struct SampleWall {
+  Model model;
+  std::vector<Snapshot> last;  // one or none
+};
+
+SampleWall wall_of(const Campaign& campaign, const SampleWalls& walls, int sample) {
+  SampleWall wall;
+  std::vector<Snapshot> states = walls.states(sample);
+  if (states.empty()) return wall;
+  wall.last.push_back(std::move(states.back()));
+  wall.model = compile(walls.build(settings_of(campaign.samples, sample - 1)));
+  return wall;
+}
+
+bool same_shape(const Model& a, const Model& b) {
+  return a.joint_a == b.joint_a && a.joint_b == b.joint_b &&
+         a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
+}
+
+void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& walls) {
+  if (!walls.build || !walls.states || campaign.records.empty()) return;
+  Json frames = Json::array();
+  FrameArrays arrays(false);
+  Model first;
+  for (const SampleRecord& r : campaign.records) {
+    if (!is_answered(r)) continue;
+    const SampleWall wall = wall_of(campaign, walls, r.sample);
+    if (wall.last.empty()) continue;
+    if (arrays.count() == 0) {
+      first = wall.model;
+      add_wall(bundle, first);
+      bundle.header["model"] = model_inputs(walls.build({}), first);
+    }
+    // a wall of another shape has no place among these frames
+    if (!same_shape(first, wall.model)) continue;
+    const double numbers = 3.0 * first.n_block + 4.0 * first.n_joint;
+    if (numbers * (arrays.count() + 1) > kMostWallNumbers) break;
+    const Snapshot& s = wall.last.front();
+    arrays.add(wall.model, s.state);
+    frames.push_back({{"sample", r.sample},
+                      {"displacement_mm", s.displacement * 1e3},
+                      {"reaction_kN", s.reaction * 1e-3}});
+  }
+  bundle.header["frames"] = frames;
+  arrays.write(bundle);
+}
+
+}  // namespace
+
+std::string campaign_data(const Campaign& campaign, const Statistics& statistics,
+                          const SampleWalls& walls) {
+  Bundle bundle;
+  bundle.header["kind"] = "campaign";
+  bundle.header["title"] = campaign.study.name;
+  bundle.header["note"] = campaign.study.note;
+  bundle.header["statistics"] = Json::parse(statistics_json(statistics));
+  bundle.header["quantities"] = quantities_json();
+  bundle.header["provenance"] = campaign.provenance;
+  bundle.header["model_file"] = campaign.study.model_file;
+  bundle.header["model_text"] = campaign.study.model_text;
+  if (!campaign.study.until.empty()) {
+    std::string measures;
+    const bool met = precise_enough(campaign.study.until, campaign, &measures);
+    bundle.header["until"] = {{"rule", campaign.study.until}, {"met", met}, {"measures", measures}};
+  }
+  add_inputs(bundle, campaign);
+  add_samples(bundle, campaign);
+  add_walls(bundle, campaign, walls);
+  return bundle.packed();
+}
+
+}  // namespace wythe

@@ -1,0 +1,154 @@
+#include "report/model_inputs.h"
+
+#include <cmath>
+#include <limits>
+
+namespace wythe::report {
+namespace {
+
+constexpr double kDegree = 57.29577951308232;  // per radian
+
+// A row of the material table: SI value times factor is the value shown.
+struct MaterialRow {
+  const char* key;
+  const char* unit;
+  double factor;
+  double JointMaterial::*value;
+};
+
+constexpr MaterialRow kMaterialRows[] = {
+    {"normal_stiffness", "GPa/m", 1e-9, &JointMaterial::normal_stiffness},
+    {"shear_stiffness", "GPa/m", 1e-9, &JointMaterial::shear_stiffness},
+    {"tensile_strength", "MPa", 1e-6, &JointMaterial::tensile_strength},
+    {"cohesion", "MPa", 1e-6, &JointMaterial::cohesion},
+    {"friction_angle", "°", kDegree, &JointMaterial::friction_angle},
+    {"residual_friction_angle", "°", kDegree, &JointMaterial::residual_friction_angle},
+    {"residual_cohesion", "MPa", 1e-6, &JointMaterial::residual_cohesion},
+    {"mode_1_energy", "N/m", 1, &JointMaterial::mode_1_energy},
+    {"mode_2_energy", "N/m", 1, &JointMaterial::mode_2_energy},
+    {"compressive_strength", "MPa", 1e-6, &JointMaterial::compressive_strength},
+    {"compressive_energy", "N/m", 1, &JointMaterial::compressive_energy},
+    {"density", "kg/m³", 1, &JointMaterial::density},
+    {"youngs_modulus", "GPa", 1e-9, &JointMaterial::youngs_modulus},
+    {"shear_modulus", "GPa", 1e-9, &JointMaterial::shear_modulus}};
+
+// JSON has no infinity: "unlimited" stands for it, null for what is not stated.
+Json number(double value) {
+  if (std::isinf(value)) return "unlimited";
+  return value;
+}
+
+Json row(const char* key, double value, const char* unit) { return {key, number(value), unit}; }
+
+// One column a material; rows that no material states are left out.
+Json materials_of(const std::map<std::string, JointMaterial>& materials) {
+  Json names = Json::array(), rows = Json::array();
+  for (const auto& [name, material] : materials) names.push_back(name);
+  for (const MaterialRow& r : kMaterialRows) {
+    Json cells = Json::array();
+    bool stated = false;
+    for (const auto& [name, material] : materials) {
+      cells.push_back(number(material.*r.value * r.factor));
+      stated = stated || !std::isnan(material.*r.value);
+    }
+    if (stated) rows.push_back({r.key, r.unit, cells});
+  }
+  return {{"names", names}, {"rows", rows}};
+}
+
+Json wall_rows(const ModelSpec& spec, const Model& model) {
+  const Anatomy& a = model.anatomy;
+  Json rows = {row("length", a.length, "m"), row("height", a.height, "m"),
+               row("thickness", a.thickness, "m")};
+  if (!spec.wall.blocks.empty()) rows.push_back({"blocks_file", spec.wall.blocks, ""});
+  if (a.courses > 0) {
+    rows.push_back(row("courses", a.courses, ""));
+    rows.push_back(row("course_height", a.course_height * 1e3, "mm"));
+    rows.push_back(row("half_unit", a.half_unit * 1e3, "mm"));
+  }
+  if (!std::isnan(spec.wall.unit.density))
+    rows.push_back(row("unit_density", spec.wall.unit.density, "kg/m³"));
+  rows.push_back(row("weight", model.weight * 1e-3, "kN"));
+  return rows;
+}
+
+Json openings_of(const WallSpec& wall) {
+  Json list = Json::array();
+  for (const OpeningSpec& o : wall.opening)
+    list.push_back({{"name", o.name},
+                    {"x", o.x},
+                    {"y", o.y},
+                    {"width", o.width},
+                    {"height", o.height},
+                    {"lintel", o.lintel.kind},
+                    {"lintel_depth_mm", o.lintel.depth * 1e3},
+                    {"lintel_bearing_mm", o.lintel.bearing * 1e3}});
+  return list;
+}
+
+const char* kind_word(StageKind kind) {
+  switch (kind) {
+    case StageKind::kGravity: return "gravity";
+    case StageKind::kLoad: return "load";
+    case StageKind::kPush: return "push";
+    case StageKind::kBodyForce: return "body_force";
+    case StageKind::kTilt: return "tilt";
+    case StageKind::kHold: return "hold";
+  }
+  return "";
+}
+
+const char* direction_word(Direction direction) {
+  switch (direction) {
+    case Direction::kPlusX: return "+x";
+    case Direction::kMinusX: return "−x";
+    case Direction::kPlusY: return "+y";
+    case Direction::kMinusY: return "−y";
+  }
+  return "";
+}
+
+Json stage_of(const Stage& stage) {
+  const StageSpec& s = stage.spec;
+  Json rows = Json::array();
+  const auto add = [&](const char* key, double value, const char* unit, double factor) {
+    if (!std::isnan(value)) rows.push_back(row(key, value * factor, unit));
+  };
+  if (s.kind == StageKind::kPush) rows.push_back({"direction", direction_word(s.direction), ""});
+  add("pier_load", s.pier_load, "kN", 1e-3);
+  add("pressure", s.pressure, "MPa", 1e-6);
+  add("beam_load", s.beam_load, "kN", 1e-3);
+  add("velocity", s.velocity, "mm/s", 1e3);
+  add("until", s.until, "mm", 1e3);
+  for (double target : s.targets) add("target", target, "mm", 1e3);
+  add("load_factor_rate", s.rate, "1/s", 1);
+  add("load_factor_until", s.factor, "", 1);
+  add("tilt_rate", s.tilt_rate, "°/s", kDegree);
+  add("tilt_until", s.tilt_until, "°", kDegree);
+  add("duration", s.duration, "s", 1);
+  add("damping", s.damping, "", 1);
+  if (!stage.driven.empty()) {
+    rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
+    rows.push_back(row("load_height", stage.load_height, "m"));
+  }
+  return {{"name", s.name}, {"kind", kind_word(s.kind)}, {"rows", rows}};
+}
+
+}  // namespace
+
+Json model_inputs(const ModelSpec& spec, const Model& model) {
+  Json stages = Json::array();
+  for (const Stage& stage : model.stages) stages.push_back(stage_of(stage));
+  const SolveSpec& s = spec.solve;
+  return {{"wall", wall_rows(spec, model)},
+          {"openings", openings_of(spec.wall)},
+          {"materials", materials_of(spec.material)},
+          {"stages", stages},
+          {"settings",
+           {row("points_per_face", s.points_per_face, ""), row("damping", s.damping, ""),
+            row("step_fraction", s.step_fraction, ""), row("gravity", s.gravity, "m/s²"),
+            row("mass_scaling", s.mass_scaling, "")}},
+          {"notes", model.anatomy.notes}};
+}
+
+}  // namespace wythe::report

@@ -1,0 +1,13 @@
+// What went into a model, in tables: each row a key of the page's texts, a value and its unit.
+#pragma once
+
+#include "report/bundle.h"
+#include "wythe/model.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::report {
+
+// {wall: [[key, value, unit], ...], openings, materials: {names, rows}, stages, settings, notes}
+[[nodiscard]] Json model_inputs(const ModelSpec& spec, const Model& model);
+
+}  // namespace wythe::report

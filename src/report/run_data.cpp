@@ -1,0 +1,111 @@
+// run_data(): what the page of a run shows. Numbers are those of summary.json, its keys too.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "dynamics/residual.h"
+#include "report/bundle.h"
+#include "report/model_inputs.h"
+#include "report/wall_arrays.h"
+#include "wythe/io.h"
+#include "wythe/report.h"
+
+namespace wythe {
+namespace {
+
+using namespace report;
+
+struct Frame {
+  const Snapshot* snapshot;
+  std::vector<std::string> labels;  // "peak"; none for those between
+};
+
+// Snapshots and frames by time, each state once with all its labels.
+std::vector<Frame> frames_of(const Result& result) {
+  std::vector<Frame> all;
+  for (const auto* list : {&result.snapshots, &result.frames})
+    for (const Snapshot& s : *list)
+      all.push_back(
+          {&s, s.label.empty() ? std::vector<std::string>{} : std::vector<std::string>{s.label}});
+  std::stable_sort(all.begin(), all.end(), [](const Frame& a, const Frame& b) {
+    return a.snapshot->state.time < b.snapshot->state.time;
+  });
+  std::vector<Frame> frames;
+  for (Frame& f : all) {
+    const bool same = !frames.empty() &&
+                      frames.back().snapshot->state.time == f.snapshot->state.time &&
+                      frames.back().snapshot->state.ux == f.snapshot->state.ux;
+    if (same)
+      frames.back().labels.insert(frames.back().labels.end(), f.labels.begin(), f.labels.end());
+    else
+      frames.push_back(std::move(f));
+  }
+  return frames;
+}
+
+// Works since the start of the push, so that the ledger of the pictures begins at zero.
+Json energy_of(const Model& model, const std::vector<Frame>& frames) {
+  Json rows = Json::array();
+  for (const Frame& f : frames) {
+    const EnergyLedger e = dynamics::energy_ledger(model, f.snapshot->state, 1);
+    rows.push_back({{"loads", e.loads},
+                    {"drive", e.drive},
+                    {"kinetic", e.kinetic},
+                    {"elastic", e.elastic},
+                    {"friction", e.friction},
+                    {"fracture", e.fracture},
+                    {"crushing", e.crushing},
+                    {"damping", e.damping}});
+  }
+  return rows;
+}
+
+void add_frames(Bundle& bundle, const Model& model, const Result& result) {
+  const std::vector<Frame> frames = frames_of(result);
+  Json list = Json::array();
+  FrameArrays arrays(true);
+  for (const Frame& f : frames) {
+    arrays.add(model, f.snapshot->state);
+    list.push_back({{"labels", f.labels},
+                    {"displacement_mm", f.snapshot->displacement * 1e3},
+                    {"reaction_kN", f.snapshot->reaction * 1e-3}});
+  }
+  bundle.header["frames"] = list;
+  bundle.header["energy"] = energy_of(model, frames);
+  arrays.write(bundle);
+}
+
+void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve) {
+  const auto column = [&](const char* name, double CurveRow::*value, double factor) {
+    std::vector<float> values;
+    values.reserve(curve.size());
+    for (const CurveRow& row : curve) values.push_back(static_cast<float>(row.*value * factor));
+    bundle.add(fmt::format("curve.{}", name), std::span<const float>(values));
+  };
+  column("displacement_mm", &CurveRow::displacement, 1e3);
+  column("drift_percent", &CurveRow::drift, 1e2);
+  column("reaction_kN", &CurveRow::reaction, 1e-3);
+  column("base_shear_kN", &CurveRow::base_shear, 1e-3);
+  column("unbalance_ratio", &CurveRow::unbalance_ratio, 1);
+  column("kinetic_ratio", &CurveRow::kinetic_ratio, 1);
+  column("load_factor", &CurveRow::load_factor, 1);
+}
+
+}  // namespace
+
+std::string run_data(const ModelSpec& spec, const Model& model, const Result& result) {
+  Bundle bundle;
+  bundle.header["kind"] = "run";
+  bundle.header["title"] = spec.name;
+  bundle.header["note"] = spec.note;
+  bundle.header["weight_kN"] = model.weight * 1e-3;
+  bundle.header["summary"] = Json::parse(summary_json(model, result));
+  bundle.header["inputs"] = model_inputs(spec, model);
+  bundle.header["model_text"] = write_model(spec);
+  add_wall(bundle, model);
+  add_curve(bundle, result.curve);
+  add_frames(bundle, model, result);
+  return bundle.packed();
+}
+
+}  // namespace wythe

@@ -1,0 +1,39 @@
+// What a page says, in the languages of assets/texts.json: the one table of words that the static
+// headline (C++) and the viewer (web/src/texts.ts) share.
+//
+//   texts    key -> one text a language, with {places} for values
+//   phrases  an English phrase of the engine ("left pier", "FM-1", "at {} mm") -> other languages
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace wythe::report {
+
+using Places = std::initializer_list<std::pair<std::string_view, std::string>>;
+
+class Texts {
+ public:
+  // Throws InputError where the language is not in the table.
+  explicit Texts(const std::string& language);
+
+  // The text as markup, values of its places put in as they are: they must be markup already.
+  [[nodiscard]] std::string say(const std::string& key, Places places = {}) const;
+  // A phrase of the engine, as text; what is not in the table stays as it is. Lists ("a; b", "a: b",
+  // "a, b", "a + b") are taken apart, a {} of a pattern stands for a phrase or a number.
+  [[nodiscard]] std::string phrase(const std::string& english) const;
+  // rounded() and quantity() of html.h with the language's decimal sign.
+  [[nodiscard]] std::string number(double value, int digits = 3) const;
+  [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3) const;
+
+ private:
+  [[nodiscard]] std::string localised(std::string number) const;
+  std::size_t language_;  // its place in every row of the table
+};
+
+[[nodiscard]] std::vector<std::string> languages();
+
+}  // namespace wythe::report

@@ -1,0 +1,35 @@
+// A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads them).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/bundle.h"
+#include "wythe/model.h"
+#include "wythe/result.h"
+
+namespace wythe::report {
+
+// Shapes at the start: blocks, joints, supports, what is pushed. Header: "wall".
+void add_wall(Bundle& bundle, const Model& model);
+
+// States in the order they are to be shown; every one has the same blocks and joints.
+class FrameArrays {
+ public:
+  // With forces: compression, shear and eccentricity of every joint as well.
+  explicit FrameArrays(bool with_forces) : with_forces_(with_forces) {}
+  void add(const Model& model, const State& state);
+  [[nodiscard]] int count() const { return count_; }
+  void write(Bundle& bundle) const;
+
+ private:
+  bool with_forces_;
+  int count_ = 0;
+  std::vector<double> ux_, uy_, theta_;      // (n_frame, n_block) [m], [m], [rad]
+  std::vector<double> opening_, slip_;       // (n_frame, n_joint) largest of a joint's points [m]
+  std::vector<double> compression_, shear_;  // [N]
+  std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1
+  std::vector<std::uint8_t> damage_, crushing_;
+};
+
+}  // namespace wythe::report

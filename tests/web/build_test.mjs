@@ -1,0 +1,90 @@
+// The committed page is what a fresh build makes; its size, its words, its packages.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { folder, root } from "./helpers.mjs";
+
+const assets = path.join(root, "src/report/assets");
+const table = JSON.parse(fs.readFileSync(path.join(assets, "texts.json"), "utf8"));
+const sources = (dir) =>
+  fs
+    .readdirSync(dir, { withFileTypes: true })
+    .flatMap((e) => (e.isDirectory() ? sources(path.join(dir, e.name)) : [path.join(dir, e.name)]));
+
+test("the viewer's types are sound", () => {
+  execFileSync("npx", ["tsc"], { cwd: path.join(root, "web"), stdio: "pipe" });
+});
+
+test("the committed page equals a fresh build", () => {
+  const out = folder("fresh");
+  fs.mkdirSync(out, { recursive: true });
+  execFileSync("npx", ["vite", "build"], {
+    cwd: path.join(root, "web"),
+    env: { ...process.env, VIEWER_OUT: out },
+    stdio: "pipe",
+  });
+  const same = fs
+    .readFileSync(path.join(out, "viewer.html"))
+    .equals(fs.readFileSync(path.join(assets, "viewer.html")));
+  assert.ok(same, "src/report/assets/viewer.html is not what web/ builds: run make web");
+});
+
+test("the page is within 1.2 MB and asks for nothing", () => {
+  const page = fs.readFileSync(path.join(assets, "viewer.html"), "utf8");
+  assert.ok(Buffer.byteLength(page) < 1.2e6, `${Buffer.byteLength(page)} bytes`);
+  for (const door of [/<script[^>]+src=/, /<link[^>]+href="(?!data:)/, /@import/, /url\((?!#|"?data:)/])
+    assert.doesNotMatch(page, door);
+  assert.match(page, /default-src 'none'/);
+  for (const mark of [
+    "<!--wythe:headline-->",
+    "<!--wythe:data-->",
+    "<title>wythe</title>",
+    '<html lang="en"',
+  ])
+    assert.equal(page.split(mark).length, 2, mark);
+});
+
+test("every text has all languages and the same places in each", () => {
+  const places = (text) => (text.match(/\{\w*\}/g) ?? []).sort().join();
+  for (const [key, row] of Object.entries(table.texts)) {
+    assert.equal(row.length, table.languages.length, key);
+    for (const text of row) {
+      assert.notEqual(text.trim(), "", key);
+      assert.equal(places(text), places(row[0]), key);
+    }
+  }
+  for (const [english, others] of Object.entries(table.phrases)) {
+    assert.equal(others.length, table.languages.length - 1, english);
+    for (const text of others) assert.equal(places(text), places(english), english);
+  }
+});
+
+test("every text that is asked for is in the table, and none is there for nothing", () => {
+  const code = [...sources(path.join(root, "web/src")), ...sources(path.join(root, "src/report"))]
+    .filter((f) => /\.(ts|cpp)$/.test(f))
+    .map((f) => fs.readFileSync(f, "utf8"))
+    .join("\n");
+  const asked = [...code.matchAll(/say\(\s*"([^"]+)"/g)].map((m) => m[1]);
+  assert.ok(asked.length > 150);
+  for (const key of asked) if (!key.endsWith(".")) assert.ok(key in table.texts, `no text ${key}`);
+  // keys put together at run time: `status.${...}`, "input." + key of model_inputs.cpp
+  const prefixes = [
+    ...code.matchAll(/say\(\s*[`"]([a-z_0-9]+\.)(?:\$\{|")/g),
+    ...code.matchAll(/say\([^)]*[?:]\s*"([a-z_0-9.]+)"/g),
+  ].map((m) => m[1]);
+  for (const key of Object.keys(table.texts)) {
+    const used =
+      code.includes(`"${key}"`) ||
+      prefixes.some((p) => key.startsWith(p)) ||
+      /^(kind|untitled|assumption|measure|crack|curve|curves)\./.test(key);
+    assert.ok(used, `${key} is never said`);
+  }
+});
+
+test("the lock file names no registry", () => {
+  const lock = fs.readFileSync(path.join(root, "web/package-lock.json"), "utf8");
+  assert.doesNotMatch(lock, /"resolved"/);
+  assert.doesNotMatch(lock, /https?:\/\/(?!opencollective|github|tidelift|www\.patreon)[^"]*registry/);
+});

@@ -1,0 +1,169 @@
+// Unit tests of the viewer's own parts, without a browser: decoding, numbers, ticks, thinning, poses.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { deflateSync } from "node:zlib";
+import { folder, viewerModule } from "./helpers.mjs";
+import { makeRun } from "./small_study.mjs";
+
+const { fromBase64, unpack } = await viewerModule("bundle");
+const texts = await viewerModule("texts");
+const { rangeOf, thinned, ticks } = await viewerModule("plot");
+const { toCsv } = await viewerModule("export");
+const wallModule = await viewerModule("wall");
+
+// A bundle as src/report/bundle.cpp lays it out.
+function packed(header, arrays = [], version = 1) {
+  const text = Buffer.from(JSON.stringify(header));
+  const length = text.length + ((8 - ((12 + text.length) % 8)) % 8);
+  const head = Buffer.alloc(12 + length, " ");
+  head.write("WYTHE\0\0", 0, "latin1");
+  head[7] = version;
+  head.writeUInt32LE(length, 8);
+  text.copy(head, 12);
+  return new Uint8Array(deflateSync(Buffer.concat([head, ...arrays])));
+}
+
+test("base64 gives back every byte", () => {
+  const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
+  assert.deepEqual(fromBase64(Buffer.from(bytes).toString("base64")), bytes);
+});
+
+test("arrays of every type are read at their places, rounded ones as numbers", async () => {
+  const arrays = Buffer.alloc(40);
+  arrays.writeFloatLE(1.5, 0);
+  arrays.writeFloatLE(-2, 4);
+  arrays.writeInt32LE(-7, 8);
+  arrays.writeInt16LE(-32767, 16);
+  arrays.writeInt16LE(100, 18);
+  arrays[24] = 255;
+  const bundle = await unpack(
+    packed(
+      {
+        kind: "run",
+        arrays: {
+          f: { type: "float32", at: 0, count: 2 },
+          i: { type: "int32", at: 8, count: 1 },
+          r: { type: "int16", at: 16, count: 2, step: 0.001 },
+          b: { type: "uint8", at: 24, count: 1 },
+        },
+      },
+      [arrays],
+    ),
+  );
+  assert.deepEqual([...bundle.array("f")], [1.5, -2]);
+  assert.deepEqual([...bundle.array("i")], [-7]);
+  assert.ok(Math.abs(bundle.array("r")[0] + 32.767) < 1e-5);
+  assert.equal(bundle.array("b")[0], 255);
+  assert.ok(bundle.has("f") && !bundle.has("g"));
+  assert.throws(() => bundle.array("g"), /lack g/);
+});
+
+test("damaged, foreign and newer data are told apart", async () => {
+  const good = packed({ kind: "run", arrays: {} });
+  await assert.rejects(unpack(good.slice(0, good.length - 6)), /damaged/);
+  await assert.rejects(unpack(new Uint8Array([1, 2, 3])), /damaged/);
+  await assert.rejects(
+    unpack(new Uint8Array(deflateSync(Buffer.from("something else altogether")))),
+    /not a report/,
+  );
+  await assert.rejects(unpack(packed({ arrays: {} }, [], 9)), /version 9/);
+});
+
+test("the engine's own data are read: counts agree with the header", async () => {
+  const summary = makeRun("bundle_run");
+  const bundle = await unpack(
+    new Uint8Array(fs.readFileSync(path.join(folder("bundle_run"), "report.data"))),
+  );
+  assert.equal(bundle.header.kind, "run");
+  assert.equal(bundle.header.wall.blocks, summary.blocks);
+  const frames = bundle.header.frames.length;
+  assert.ok(frames >= 20 && frames <= 70, `${frames} frames`);
+  assert.equal(bundle.array("frame.ux").length, frames * summary.blocks);
+  assert.equal(bundle.array("frame.opening").length, frames * summary.joints);
+  // the curve is that of the CSV, to single precision
+  const rows = fs
+    .readFileSync(path.join(folder("bundle_run"), "force_displacement.csv"), "utf8")
+    .trim()
+    .split("\n")
+    .slice(1)
+    .map((l) => l.split(",").map(Number));
+  const reaction = bundle.array("curve.reaction_kN");
+  assert.equal(reaction.length, rows.length);
+  rows.forEach((row, i) => assert.ok(Math.abs(row[3] - reaction[i]) <= 1e-6 * Math.max(1, Math.abs(row[3]))));
+});
+
+test("a pose at scale 1 puts blocks where the engine's VTK files have them", async () => {
+  makeRun("pose_run");
+  const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder("pose_run"), "report.data"))));
+  const wall = wallModule.readWall(bundle),
+    frames = new wallModule.Frames(bundle, wall);
+  const pose = new wallModule.Pose(wall, frames.at(frames.count - 1), 1);
+  const files = fs
+    .readdirSync(folder("pose_run"))
+    .filter((n) => n.startsWith("state_blocks"))
+    .sort();
+  const vtu = fs.readFileSync(path.join(folder("pose_run"), files.at(-1)), "utf8");
+  const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
+  const points = new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
+  let worst = 0;
+  for (let b = 0, k = 0; b < wall.blocks; ++b)
+    for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i, ++k) {
+      const [x, y] = pose.corner(b, i);
+      worst = Math.max(worst, Math.hypot(x - points[3 * k], y - points[3 * k + 1]));
+    }
+  // 16 bits of the largest displacement (some 20 mm) and single-precision outlines
+  assert.ok(worst < 2e-6, `off by ${worst} m`);
+});
+
+test("numbers read as in the engine, in both languages", () => {
+  texts.speak("en");
+  const cases = [
+    [163.42, "163"],
+    [11.04, "11"],
+    [0.003514, "0.00351"],
+    [-1234.5, "−1235"],
+    [2.4e-7, "2.4·10⁻⁷"],
+    [0, "0"],
+    [NaN, "–"],
+    [null, "–"],
+  ];
+  for (const [value, words] of cases) assert.equal(texts.num(value), words);
+  assert.equal(texts.qty(1.25, "mm"), "1.25\u202fmm");
+  texts.speak("it");
+  assert.equal(texts.num(0.351), "0,351");
+  assert.equal(texts.phrase("left toe of the right pier"), "piede sinistro del maschio destro");
+  assert.equal(texts.phrase("crack width x 1.25"), "ampiezza di fessura × 1,25");
+  assert.equal(texts.phrase("no such words"), "no such words");
+  texts.speak("en");
+  assert.equal(texts.phrase("left pier"), "left pier");
+});
+
+test("ticks are round and inside, ranges hold their values, thinning keeps corners", () => {
+  assert.deepEqual(ticks([0, 50], 10), [0, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50]);
+  assert.deepEqual(ticks([-0.35, 0.35], 5), [-0.2, 0, 0.2]);
+  assert.deepEqual(rangeOf([3, null, NaN, 1]), [1, 3]);
+  const [low, high] = rangeOf([5, 5]);
+  assert.ok(low < 5 && high > 5);
+  const corner = Array.from({ length: 101 }, (_, i) => [i, i < 50 ? 0 : i - 50]);
+  assert.deepEqual(thinned(corner, 0.4), [
+    [0, 0],
+    [50, 0],
+    [100, 50],
+  ]);
+});
+
+test("CSV quotes what needs it and defuses formulas", () => {
+  assert.equal(
+    toCsv({
+      head: ["a", 'b"c'],
+      rows: [
+        [1.5, "x,y"],
+        [null, "=1+1"],
+        [NaN, "-"],
+      ],
+    }),
+    'a,"b""c"\n1.5,"x,y"\n,\'=1+1\n,\'-\n',
+  );
+});

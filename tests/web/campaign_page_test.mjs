@@ -1,0 +1,265 @@
+// The page of a real campaign of 24 samples in a browser.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import {
+  downloaded,
+  folder,
+  launch,
+  open,
+  pageOf,
+  pdfPages,
+  run,
+  screenshot,
+  violations,
+} from "./helpers.mjs";
+import { makeCampaign } from "./small_study.mjs";
+
+let browser, page, s;
+const modes = () => Object.entries(s.shares).filter(([, v]) => v.modes.length === 1 && v.count > 0);
+
+before(async () => {
+  s = makeCampaign("campaign");
+  browser = await launch();
+  page = await open(browser, pageOf("campaign"));
+});
+after(() => browser?.close());
+
+test("opens without errors, requests or dialogs", () => {
+  assert.deepEqual(page.faults, []);
+  assert.equal(s.samples.answered, 24);
+});
+
+test("headline says how strong, how far, how it fails", async () => {
+  const words = await page.locator("#headline .answer").innerText();
+  assert.match(words, /In 24 samples the wall resists/);
+  assert.match(words, /It fails most often by FM-\d/);
+});
+
+test("one curve a sample, coloured by its mode", async () => {
+  assert.equal(await page.locator("#curves path.sample").count(), 24);
+  for (const [mode, share] of modes())
+    assert.equal(
+      await page.locator(`#curves path.sample.m${mode === "unclear" ? 0 : mode[3]}`).count(),
+      share.count,
+      mode,
+    );
+});
+
+test("a mode's toggle hides and shows its curves, dots and mean", async () => {
+  const [mode, share] = modes()[0];
+  const chip = page.locator(`#curves [data-mode="${mode}"]`);
+  const dots = await page.locator("#scatter-1 circle.dot").count();
+  await chip.click();
+  assert.equal(await page.locator("#curves path.sample").count(), 24 - share.count);
+  assert.equal(await page.locator("#scatter-1 circle.dot").count(), dots - share.count);
+  assert.equal(await page.locator(`#mean-curves [data-mean="${mode}"]`).count(), 0);
+  assert.equal(await chip.getAttribute("aria-pressed"), "false");
+  await chip.click();
+  assert.equal(await page.locator("#curves path.sample").count(), 24);
+  assert.equal(await page.locator(`#mean-curves [data-mean="${mode}"]`).count(), 1);
+});
+
+test("curves can be cut at 0.8 of the peak, and shown as means and envelopes", async () => {
+  const path0 = page.locator("#curves path.sample").first();
+  const whole = (await path0.getAttribute("d")).length;
+  await page.locator("#curves [data-option=truncated]").click();
+  assert.ok((await path0.getAttribute("d")).length < whole);
+  await page.locator("#curves [data-option=means]").click();
+  assert.equal(await page.locator("#curves path.sample").count(), 0);
+  assert.equal(await page.locator("#curves path.mean").count(), modes().length);
+  assert.equal(
+    await page.locator("#curves path.envelope").count(),
+    modes().filter(([, v]) => v.count > 1).length,
+  );
+  await page.locator("#curves [data-option=both]").click();
+  assert.equal(await page.locator("#curves path.sample").count(), 24);
+  await page.locator("#curves [data-option=curves]").click();
+  await page.locator("#curves [data-option=whole]").click();
+});
+
+test("shares, Table 3, means, exceedance and running mean have the statistics' marks", async () => {
+  assert.equal(await page.locator("#shares [data-share]").count(), Object.keys(s.shares).length);
+  assert.equal(await page.locator("#shares .whisker").count(), Object.keys(s.shares).length);
+  assert.equal(
+    await page.locator("#table3-rows tbody tr").count(),
+    Object.values(s.table).filter((g) => g.peak_reaction_kN.n > 0).length,
+  );
+  assert.equal(await page.locator("#mean-curves [data-mean]").count(), Object.entries(s.mean_curves).filter(([name, c]) => name !== "all" && c.curves > 0).length);
+  const limits = new Set(s.drift_limits.map((l) => l.limit_drift_percent));
+  assert.ok((await page.locator("#mean-curves [data-limit]").count()) <= limits.size);
+  assert.equal(
+    await page.locator("#exceedance-peak_reaction path.step").getAttribute("data-steps"),
+    String(s.exceedance.peak_reaction_kN.probability.length),
+  );
+  assert.equal(await page.locator("#running path.step").getAttribute("data-points"), "24");
+  assert.equal(await page.locator("#drift-limits tbody tr").count(), s.drift_limits.length);
+});
+
+test("Table 3 sorts by a column, both ways, and shows every response", async () => {
+  const column = () =>
+    page
+      .locator("#table3-rows tbody tr td:nth-child(2)")
+      .allInnerTexts()
+      .then((t) => t.map((v) => parseInt(v, 10)));
+  const head = page.locator("#table3-rows thead th").nth(1);
+  await head.locator("button").click();
+  const down = await column();
+  assert.deepEqual(
+    down,
+    [...down].sort((a, b) => b - a),
+  );
+  assert.equal(await head.getAttribute("aria-sort"), "descending");
+  await head.locator("button").click();
+  assert.deepEqual(
+    await column(),
+    [...down].reverse().sort((a, b) => a - b),
+  );
+  await page.locator("#table3 select").selectOption({ index: 2 });
+  assert.match(await page.locator("#table3-rows caption").innerText(), /80/);
+});
+
+test("scatter draws every sample for any input and response, with its correlation", async () => {
+  for (const [input, response] of [
+    ["phi", "peak_reaction"],
+    ["c_j", "displacement_at_peak"],
+    ["fc", "initial_stiffness"],
+  ]) {
+    await page.locator("#scatter-1 .pick-input").selectOption(input);
+    await page.locator("#scatter-1 .pick-response").selectOption(response);
+    assert.equal(await page.locator("#scatter-1 circle.dot").count(), 24);
+    const c = s.correlation.find((r) => r.group === "all" && r.input === input && r.response === response);
+    if (c)
+      assert.ok(
+        (await page.locator("#scatter-1 figcaption").innerText()).includes(
+          String(Math.abs(Number(c.spearman.toFixed(2)))),
+        ),
+        `${input} ${response}`,
+      );
+  }
+});
+
+test("sensitivity has a bar for each random input, for every measure", async () => {
+  const random = s.inputs.filter((i) => i.random).length;
+  for (const measure of ["spearman", "pearson", "partial_rank", "first_order"]) {
+    await page.locator("#sensitivity select").nth(1).selectOption(measure);
+    const bars = await page.locator("#sensitivity [data-input]").count();
+    assert.ok(bars === random || (measure === "first_order" && bars <= random), `${measure}: ${bars}`);
+  }
+});
+
+test("histograms hold every sample", async () => {
+  const histograms = page.locator("#histograms figure");
+  assert.equal(await histograms.count(), s.inputs.filter((i) => i.random).length);
+  for (let i = 0; i < (await histograms.count()); ++i) {
+    const counts = await histograms
+      .nth(i)
+      .locator("rect[data-count]")
+      .evaluateAll((r) => r.map((e) => Number(e.dataset.count)));
+    assert.equal(
+      counts.reduce((a, b) => a + b, 0),
+      24,
+    );
+    assert.equal(await histograms.nth(i).locator("path.fit").count(), 1);
+  }
+});
+
+test("pressing on a curve opens the sample: curve, inputs, wall, command", async () => {
+  const [x, y, sample] = await page
+    .locator("#curves path.sample")
+    .nth(7)
+    .evaluate((p) => {
+      p.scrollIntoView({ block: "center" });
+      const at = p.getPointAtLength(0.9 * p.getTotalLength()),
+        m = p.getScreenCTM();
+      return [at.x * m.a + m.e, at.y * m.d + m.f, p.dataset.sample];
+    });
+  await page.mouse.click(x, y);
+  const opened = await page.locator("#sample-number").inputValue();
+  assert.equal(await page.locator("#curves [data-selected]").getAttribute("data-selected"), opened);
+  assert.ok(sample.length > 0);
+  assert.equal(await page.locator("#sample-curve path.selected").count(), 1);
+  assert.equal(await page.locator("#sample .input-item").count(), s.inputs.length);
+  assert.ok((await page.locator("#sample-wall path.stone").count()) > 0);
+  assert.match(
+    await page.locator("#sample .replay").innerText(),
+    new RegExp(`^wythe replay DIR --sample ${opened} --out`),
+  );
+});
+
+test("the replay command of the page works and gives the same bits", async () => {
+  const words = (await page.locator("#sample .replay").innerText())
+    .split(" ")
+    .slice(1)
+    .map((w) => (w === "DIR" ? folder("campaign") : w));
+  words[words.length - 1] = folder("replayed");
+  assert.match(run(...words, "--quiet"), /equal to the campaign's to the bit/);
+});
+
+test("samples are reached by keyboard and number too", async () => {
+  await page.locator("#sample-number").fill("3");
+  await page.locator("#sample-number").press("Enter");
+  assert.match(await page.locator("#sample .lead").innerText(), /^sample 3:/);
+  await page.locator("#sample .button").nth(1).press("Enter");
+  assert.match(await page.locator("#sample .lead").innerText(), /^sample 4:/);
+  await page.locator("#sample-number").fill("99");
+  await page.locator("#sample-number").press("Enter");
+  assert.match(await page.locator("#sample").innerText(), /No sample 99/);
+});
+
+test("every figure exports what can be read", async () => {
+  await page.locator("#sample-number").fill("2");
+  await page.locator("#sample-number").press("Enter");
+  const figures = await page.locator("figure[id]").evaluateAll((f) => f.map((e) => e.id));
+  assert.ok(figures.length >= 14, figures.join());
+  for (const id of figures) {
+    const press = (kind) =>
+      downloaded(page, () => page.locator(`[id="${id}"] [data-export=${kind}]`).click());
+    const svg = (await press("svg")).toString();
+    const fault = await page.evaluate(
+      (text) =>
+        new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ??
+        "",
+      svg,
+    );
+    assert.equal(fault, "", id);
+    const rows = (await press("csv")).toString().trim().split("\n");
+    assert.ok(rows.length > 1, id);
+  }
+  const rows = (await downloaded(page, () => page.locator("#shares [data-export=csv]").click()))
+    .toString()
+    .trim()
+    .split("\n");
+  assert.equal(rows.length, 1 + Object.keys(s.shares).length);
+});
+
+test("axe finds nothing, in light and dark, wide and narrow", async () => {
+  for (const scheme of ["light", "dark"])
+    for (const width of [1440, 390]) {
+      const other = await open(browser, pageOf("campaign"), { width, scheme });
+      assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
+      assert.ok(
+        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+        `wider than the screen at ${width}`,
+      );
+      await screenshot(other, `campaign_${width}_${scheme}`);
+      await other.context().close();
+    }
+});
+
+test("prints as an appendix of A4 pages", async () => {
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  fs.writeFileSync(path.join(folder("campaign"), "report.pdf"), pdf);
+  assert.ok(pdfPages(pdf) >= 7 && pdfPages(pdf) <= 11, `${pdfPages(pdf)} pages`);
+});
+
+test("the first paint comes within a second", async () => {
+  const other = await open(browser, pageOf("campaign"));
+  const paint = await other.evaluate(
+    () => performance.getEntriesByName("first-contentful-paint")[0].startTime,
+  );
+  // the headline is in the HTML; a busy machine may take three times as long as a free one
+  assert.ok(paint < 3000, `${paint} ms`);
+  await other.context().close();
+});

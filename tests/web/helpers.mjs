@@ -1,0 +1,110 @@
+// What the tests of the viewer share: results made by the program once, a browser, a page that is
+// watched for errors and network requests.
+import { execFileSync } from "node:child_process";
+import { createRequire } from "node:module";
+import fs from "node:fs";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+const require = createRequire(path.join(root, "web/package.json"));
+const { chromium } = require("playwright-core");
+export const esbuild = createRequire(require.resolve("vite")).call(null, "esbuild");
+export const axe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+const build = process.env.BUILD ?? path.join(root, "build/release");
+const wythe = process.env.WYTHE ?? path.join(build, "wythe");
+export const results = path.join(build, "tests/web");
+export const shots = path.join(root, "build/screenshots");
+
+export function run(...words) {
+  return execFileSync(wythe, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+}
+export const folder = (name) => path.join(results, name);
+export const pageOf = (name) => pathToFileURL(path.join(folder(name), "report.html")).href;
+
+// --- browser -----------------------------------------------------------------------------------------
+
+export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const kArguments = [
+  "--no-sandbox",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-gpu",
+];
+
+export const launch = (...more) =>
+  chromium.launch({ executablePath: browserPath, args: [...kArguments, ...more] });
+
+// Opens a page and waits until it is built. `page.faults` collects what must not happen.
+export async function open(browser, url, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: options.width ?? 1440, height: 900 },
+    colorScheme: options.scheme ?? "light",
+    acceptDownloads: true,
+    javaScriptEnabled: options.javaScript ?? true,
+    reducedMotion: "reduce",
+  });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("console", (m) => {
+    if (m.type() === "error") page.faults.push(`console: ${m.text()}`);
+  });
+  page.on("pageerror", (e) => page.faults.push(`error: ${e.message}`));
+  page.on("request", (r) => {
+    if (!/^(file|data|blob):/.test(r.url()) || (r.url().startsWith("file:") && r.url() !== url))
+      page.faults.push(`request: ${r.url()}`);
+  });
+  page.on("dialog", (d) => {
+    page.faults.push(`dialog: ${d.message()}`);
+    void d.dismiss();
+  });
+  await page.goto(url);
+  if (options.javaScript !== false)
+    await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 60000 });
+  return page;
+}
+
+// Chromium drops downloads that follow each other too closely: ten a second.
+export async function downloaded(page, click) {
+  await page.waitForTimeout(150);
+  const [download] = await Promise.all([page.waitForEvent("download"), click()]);
+  return fs.readFileSync(await download.path());
+}
+
+// Violations of axe-core, one line each.
+export async function violations(page) {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map(
+      (v) => `${v.id}: ${v.nodes.length} x ${v.nodes[0].target.join(" ")}: ${v.nodes[0].failureSummary}`,
+    );
+  });
+}
+
+// Pages of a PDF: its page objects; streams of Chromium's PDFs leave them readable.
+export const pdfPages = (pdf) => (pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g) ?? []).length;
+
+export async function screenshot(page, name) {
+  fs.mkdirSync(shots, { recursive: true });
+  await page.screenshot({ path: path.join(shots, `${name}.png`), fullPage: true });
+}
+
+// --- TypeScript of the viewer ---------------------------------------------------------------------------
+
+// A module of web/src as it is, bundled for Node.
+export async function viewerModule(name) {
+  const outfile = path.join(results, "modules", `${name}.mjs`);
+  await esbuild.build({
+    entryPoints: [path.join(root, "web/src", `${name}.ts`)],
+    outfile,
+    bundle: true,
+    format: "esm",
+    platform: "node",
+    logLevel: "error",
+  });
+  return import(pathToFileURL(outfile).href);
+}

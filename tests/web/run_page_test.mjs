@@ -1,0 +1,276 @@
+// The page of a real run in a browser: what it draws, what moves, what it exports, how it prints.
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import {
+  browserPath,
+  downloaded,
+  folder,
+  launch,
+  open,
+  pageOf,
+  pdfPages,
+  run,
+  screenshot,
+  violations,
+} from "./helpers.mjs";
+import { makeRun } from "./small_study.mjs";
+
+let browser, page, summary;
+const csvRows = (bytes) =>
+  bytes
+    .toString()
+    .trim()
+    .split("\n")
+    .map((l) => l.split(","));
+
+before(async () => {
+  assert.ok(fs.existsSync(browserPath));
+  summary = makeRun("run");
+  browser = await launch();
+  page = await open(browser, pageOf("run"));
+});
+after(() => browser?.close());
+
+test("opens without errors, requests or dialogs", () => assert.deepEqual(page.faults, []));
+
+test("headline and key numbers are in the page", async () => {
+  const words = await page.locator("#headline .answer").innerText();
+  assert.match(words, /The wall resists [\d.]+\skN at [\d.]+\smm/);
+  assert.ok(words.includes(summary.failure_mode.name));
+  assert.equal(await page.locator(".card").count(), 5);
+});
+
+test("names with markup are text", async () => {
+  assert.equal(
+    await page.locator("script:not([type])").count(),
+    await page.evaluate(() => [...document.scripts].filter((s) => !s.type).length),
+  );
+  assert.ok((await page.locator("#inputs").innerText()).includes("<script>alert('door')</script>"));
+  assert.ok((await page.locator("#inputs").innerText()).includes("<script>alert('note')</script>"));
+});
+
+test("the curve has its line, its events and its peak", async () => {
+  assert.equal(await page.locator("#curve .event").count(), summary.events.length);
+  assert.equal(await page.locator("#curve path.force").count(), 1);
+  assert.equal(await page.locator("#curve path.base").count(), 1);
+  assert.equal(await page.locator("#curve circle.peak").count(), summary.censored_80 ? 1 : 2);
+});
+
+test("the wall has every block, and every joint or a chain's silence", async () => {
+  const marks = (css) =>
+    page.locator(`#wall ${css}`).evaluateAll((e) => e.reduce((n, p) => n + Number(p.dataset.marks), 0));
+  assert.equal(
+    (await marks("path.stone")) + (await marks("path.timber")) + (await marks("path.plate")),
+    summary.blocks,
+  );
+  const drawn = (await marks("path.mortar")) + (await marks("path.split")) + (await marks("path.crack"));
+  assert.ok(drawn > 0.9 * summary.joints && drawn <= summary.joints, `${drawn} of ${summary.joints}`);
+});
+
+test("the time slider moves the wall and the cursor on the curve", async () => {
+  const slider = page.locator("#wall .time input");
+  const state = async () => [
+    await page.locator("#wall path.stone0").getAttribute("d"),
+    await page.locator("#curve .cursor-line").getAttribute("x1"),
+    await page.locator("#wall .wall-caption").innerText(),
+  ];
+  const end = await state();
+  await slider.focus();
+  await page.keyboard.press("Home");
+  const start = await state();
+  end.forEach((v, i) => assert.notEqual(v, start[i]));
+  await page.keyboard.press("End");
+  assert.deepEqual(await state(), end);
+});
+
+test("pressing on the curve moves the wall", async () => {
+  const before = await page.locator("#wall .wall-caption").innerText();
+  const box = await page.locator("#curve svg.plot").boundingBox();
+  await page.mouse.click(box.x + 0.4 * box.width, box.y + 0.5 * box.height);
+  assert.notEqual(await page.locator("#wall .wall-caption").innerText(), before);
+});
+
+test("play runs to the end and stops", async () => {
+  await page.locator("#wall .time input").evaluate((s) => {
+    s.value = Number(s.max) - 3;
+    s.dispatchEvent(new Event("input"));
+  });
+  await page.locator("#wall .play").click();
+  await page.waitForFunction(() => {
+    const s = document.querySelector("#wall .time input");
+    return s.value === s.max;
+  });
+  await page.waitForFunction(() => document.querySelector("#wall .play").textContent === "▶");
+});
+
+test("the magnification, the measure and the forces change the picture", async () => {
+  const before = await page.locator("#wall path.stone0").getAttribute("d");
+  await page.locator("#wall input.scale").focus();
+  await page.keyboard.press("End");
+  assert.notEqual(await page.locator("#wall path.stone0").getAttribute("d"), before);
+  for (const measure of ["opening", "slip", "damage"]) {
+    await page.locator("#wall select").selectOption(measure);
+    assert.ok((await page.locator(`#wall path.joint.${measure}`).count()) > 0, measure);
+    assert.equal(await page.locator("#wall path.crack").count(), 0);
+  }
+  await page.locator("#wall select").selectOption("cracks");
+  await page.locator("#wall .check input").check();
+  assert.ok((await page.locator("#wall path.thrust").count()) > 1);
+  await page.locator("#wall .check input").uncheck();
+});
+
+test("pointing at a joint tells its numbers", async () => {
+  const [x, y] = await page
+    .locator("#wall path.crack")
+    .first()
+    .evaluate((p) => {
+      const at = p.getPointAtLength(2),
+        m = p.getScreenCTM();
+      return [at.x * m.a + m.e, at.y * m.d + m.f];
+    });
+  await page.mouse.move(x, y);
+  assert.match(await page.locator(".tip").innerText(), /opening/);
+});
+
+test("without WebGL the view in the plane stays, with a note", async () => {
+  const flat = await launch("--disable-3d-apis");
+  const other = await open(flat, pageOf("run"));
+  await other.locator("#wall .segment").nth(1).click();
+  assert.equal(await other.locator("#wall .no-webgl").count(), 1);
+  assert.equal(await other.locator("#wall svg.wall").count(), 1);
+  assert.equal(await other.locator("#wall .segment").nth(0).getAttribute("aria-pressed"), "true");
+  assert.deepEqual(other.faults, []);
+  await flat.close();
+});
+
+test("with WebGL the wall stands in space and turns", async () => {
+  const solid = await launch("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+  const other = await open(solid, pageOf("run"));
+  await other.locator("#wall .segment").nth(1).click();
+  const canvas = other.locator("#wall canvas");
+  await canvas.waitFor();
+  const picture = () => canvas.evaluate((c) => c.toDataURL());
+  const before = await picture();
+  assert.ok(before.length > 5000, "the picture is empty");
+  await canvas.focus();
+  await other.keyboard.press("ArrowLeft");
+  assert.notEqual(await picture(), before);
+  await screenshot(other, "run_3d_1440_light");
+  assert.deepEqual(other.faults, []);
+  await solid.close();
+});
+
+test("energy, ratios, elements and inputs are all there", async () => {
+  assert.equal(await page.locator("#energy-chart path.area").count(), 6);
+  assert.equal(await page.locator("#ratios path.force, #ratios path.base").count(), 2);
+  const rows = await page.locator("#failure table").first().locator("tbody tr").count();
+  assert.equal(rows, summary.failure_mode.elements.length);
+  assert.ok((await page.locator("#inputs table").count()) >= 4);
+  assert.ok((await page.locator("#provenance").innerText()).includes(summary.state_hash));
+});
+
+test("the failure mode stands beside its flags and the readings that name it otherwise", async () => {
+  const mode = summary.failure_mode,
+    words = await page.locator("#failure").innerText();
+  assert.ok(words.includes("growth of its width"));
+  assert.equal(await page.locator("#failure table").nth(1).locator("tbody tr").count(), mode.flags.length);
+  const others = mode.sensitivity.filter((r) => r.name !== mode.name);
+  assert.match(
+    words,
+    new RegExp(
+      others.length > 0
+        ? `Of ${mode.sensitivity.length} other readings`
+        : `Read in ${mode.sensitivity.length} other ways`,
+    ),
+  );
+  for (const r of others) assert.ok(words.includes(`${r.what}: ${r.name}`), r.what);
+  for (const r of mode.sensitivity.filter((r) => r.name === mode.name))
+    assert.ok(!words.includes(`${r.what}: `), r.what);
+});
+
+test("every figure exports SVG, PNG and CSV that can be read", async () => {
+  const figures = await page.locator("figure[id]").evaluateAll((f) => f.map((e) => e.id));
+  assert.deepEqual(figures.sort(), ["curve", "energy-chart", "ratios", "wall"]);
+  for (const id of figures) {
+    const press = (kind) => downloaded(page, () => page.locator(`#${id} [data-export=${kind}]`).click());
+    const svg = (await press("svg")).toString();
+    const fault = await page.evaluate(
+      (text) =>
+        new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ??
+        "",
+      svg,
+    );
+    assert.equal(fault, "", id);
+    assert.ok(!svg.includes("var(--") && svg.includes("<path"), id);
+    const png = await press("png");
+    assert.equal(png.subarray(1, 4).toString(), "PNG", id);
+    const rows = csvRows(await press("csv"));
+    assert.ok(rows.length > 5 && rows.every((r) => r.length === rows[0].length), id);
+  }
+});
+
+test("the curve's CSV has every row of the run", async () => {
+  const rows = csvRows(await downloaded(page, () => page.locator("#curve [data-export=csv]").click()));
+  const file = fs
+    .readFileSync(path.join(folder("run"), "force_displacement.csv"), "utf8")
+    .trim()
+    .split("\n");
+  assert.equal(rows.length, file.length);
+});
+
+test("the theme can be chosen", async () => {
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await paper();
+  const button = page.locator(".bar-tools button").first();
+  await button.click();
+  await button.click();
+  assert.notEqual(await paper(), light);
+  await button.click();
+  assert.equal(await paper(), light);
+});
+
+test("axe finds nothing, in light and dark, wide and narrow", async () => {
+  for (const scheme of ["light", "dark"])
+    for (const width of [1440, 390]) {
+      const other = await open(browser, pageOf("run"), { width, scheme });
+      assert.deepEqual(await violations(other), [], `${scheme} ${width}`);
+      assert.ok(
+        await other.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth),
+        `wider than the screen at ${width}`,
+      );
+      await screenshot(other, `run_${width}_${scheme}`);
+      await other.context().close();
+    }
+});
+
+test("prints as an appendix of A4 pages", async () => {
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  fs.writeFileSync(path.join(folder("run"), "report.pdf"), pdf);
+  assert.ok(pdfPages(pdf) >= 4 && pdfPages(pdf) <= 5, `${pdfPages(pdf)} pages`);
+  assert.match(pdf.toString("latin1"), /MediaBox \[0 0 59[45][.\d]* 84[12][.\d]*\]/);
+});
+
+test("without scripts the main result is still told", async () => {
+  const other = await open(browser, pageOf("run"), { javaScript: false });
+  assert.match(await other.locator("main").innerText(), /The wall resists[^]*peak reaction[^]*JavaScript/);
+  await other.context().close();
+});
+
+test("wythe report writes the page again, in Italian too", async () => {
+  const file = path.join(folder("run"), "report.html");
+  const first = fs.readFileSync(file);
+  run("report", folder("run"));
+  assert.ok(fs.readFileSync(file).equals(first));
+  run("report", folder("run"), "--lang", "it");
+  const other = await open(browser, pageOf("run"));
+  assert.equal(await other.evaluate(() => document.documentElement.lang), "it");
+  const words = await other.locator("main").innerText();
+  assert.match(words, /La parete resiste a/);
+  assert.match(words, /Come collassa/);
+  assert.match(words, /\d,\d/);
+  assert.deepEqual(other.faults, []);
+  run("report", folder("run"));
+  await other.context().close();
+});

@@ -1,0 +1,380 @@
+// All force-displacement curves by failure mode (Fig. 20), and their means against drift (Fig. 21).
+import { append, h, svg, type Child } from "../dom";
+import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
+import { Plot, rangeOf, type Point } from "../plot";
+import { num, phrase, qty, say } from "../texts";
+import { modeLabel, reactionAt, rowsToEighty, type Campaign, type Sample } from "./data";
+
+const kGrid = 120;
+
+interface Envelope {
+  x: number[];
+  mean: number[];
+  low: number[];
+  high: number[];
+}
+
+// Mean and extremes of the curves that go on, where at least half of them do.
+function envelopeOf(samples: Sample[], rows: (s: Sample) => number, end: number): Envelope {
+  const e: Envelope = { x: [], mean: [], low: [], high: [] };
+  for (let i = 0; i <= kGrid; ++i) {
+    const x = (end * i) / kGrid;
+    const values = samples.map((s) => reactionAt(s, x, rows(s))).filter(Number.isFinite);
+    if (values.length === 0 || 2 * values.length < samples.length) break;
+    e.x.push(x);
+    e.mean.push(values.reduce((a, b) => a + b, 0) / values.length);
+    e.low.push(Math.min(...values));
+    e.high.push(Math.max(...values));
+  }
+  return e;
+}
+
+// Buttons that show and hide the modes, with their counts.
+export function modeChips(campaign: Campaign): HTMLElement {
+  const chips = campaign.modes.map((mode) => {
+    const count = campaign.answered.filter((s) => s.mode === mode).length;
+    const chip = h(
+      "button",
+      {
+        type: "button",
+        class: `chip-button ${campaign.css(mode)}`,
+        "data-mode": mode,
+        "aria-pressed": "true",
+        onclick: () => campaign.toggle(mode),
+      },
+      h("span", { class: "dot", "aria-hidden": "true" }),
+      modeLabel(mode),
+      h("span", { class: "soft" }, count),
+    );
+    campaign.onModes(() => chip.setAttribute("aria-pressed", String(campaign.shown(mode))));
+    return chip;
+  });
+  return h("div", { class: "chips", role: "group", "aria-label": say("modes.toggle") }, chips);
+}
+
+export class Curves {
+  private truncated = false;
+  private show = "curves";
+  private readonly figure: Figure;
+
+  constructor(private readonly campaign: Campaign) {
+    const caption = h("span");
+    this.figure = new Figure({
+      id: "curves",
+      title: say("curves.title"),
+      wide: true,
+      above: h("div", { class: "controls" }, modeChips(campaign), this.controls()),
+      draw: (width) => {
+        caption.textContent = say(this.truncated ? "curves.caption.truncated" : "curves.caption");
+        return this.draw(width);
+      },
+      caption,
+      sheet: () => this.sheet(),
+    });
+    campaign.onModes(() => this.figure.redraw());
+    campaign.onSample(() => this.figure.redraw());
+  }
+  get element(): HTMLElement {
+    return this.figure.element;
+  }
+
+  private controls(): Child {
+    const group = (name: string, options: string[], at: string, pick: (o: string) => void): HTMLElement => {
+      const buttons = options.map((o) =>
+        h(
+          "button",
+          { type: "button", class: "segment", "data-option": o, "aria-pressed": String(o === at) },
+          say(`curves.${o}`),
+        ),
+      );
+      buttons.forEach((b, i) =>
+        b.addEventListener("click", () => {
+          buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === b)));
+          pick(options[i]);
+          this.figure.redraw();
+        }),
+      );
+      return h("div", { class: "segments", role: "group", "aria-label": say(`curves.${name}`) }, buttons);
+    };
+    return [
+      group("extent", ["whole", "truncated"], "whole", (o) => {
+        this.truncated = o === "truncated";
+      }),
+      group("content", ["curves", "means", "both"], "curves", (o) => {
+        this.show = o;
+      }),
+    ];
+  }
+  private readonly rows = (s: Sample): number => (this.truncated ? rowsToEighty(s) : s.displacement.length);
+  private visible(): Sample[] {
+    return this.campaign.answered.filter((s) => this.campaign.shown(s.mode));
+  }
+
+  private draw(width: number): SVGSVGElement {
+    const all = this.campaign.answered;
+    const end = Math.max(...all.map((s) => s.displacement[this.rows(s) - 1] ?? 0));
+    const top = Math.max(...all.map((s) => s.response[0] ?? 0));
+    const drift = this.campaign.driftPerMillimetre;
+    const low = Math.min(0, ...all.map((s) => Math.min(...s.reaction.subarray(0, this.rows(s)))));
+    const plot = new Plot({
+      width,
+      height: Math.max(300, Math.min(520, 0.5 * width)),
+      x: [Math.min(0, ...all.map((s) => Math.min(...s.displacement))), end * 1.005],
+      y: [low < -0.02 * top ? low : 0, 1.06 * top],
+      xLabel: say("axis.displacement"),
+      yLabel: say("axis.reaction"),
+      title: say("curves.alt", { n: all.length }),
+      topAxis: drift > 0 ? { label: say("drift"), unit: "%", factor: drift } : undefined,
+    });
+    const visible = this.visible();
+    if (this.show !== "curves") this.drawEnvelopes(plot, visible, end);
+    if (this.show !== "means") this.drawSamples(plot, visible);
+    if (this.show !== "curves") this.drawMeans(plot, visible, end);
+    this.drawSelected(plot);
+    this.listen(plot);
+    return plot.svg;
+  }
+  private drawSamples(plot: Plot, samples: Sample[]): void {
+    const css = samples.length > 60 ? "sample many" : samples.length > 12 ? "sample" : "sample few";
+    const g = svg("g", { class: this.show === "both" ? "samples faint" : "samples" });
+    append(
+      g,
+      samples.map((s) =>
+        svg("path", {
+          class: `${css} ${this.campaign.css(s.mode)}`,
+          "data-sample": s.sample,
+          d: plot.path(this.points(s)),
+        }),
+      ),
+    );
+    plot.add(g);
+  }
+  private points(s: Sample): Point[] {
+    return Array.from({ length: this.rows(s) }, (_, i): Point => [s.displacement[i], s.reaction[i]]);
+  }
+  private drawEnvelopes(plot: Plot, samples: Sample[], end: number): void {
+    for (const mode of this.campaign.modes) {
+      const of = samples.filter((s) => s.mode === mode);
+      if (of.length < 2) continue;
+      const e = envelopeOf(of, this.rows, end);
+      plot.band(e.x, e.low, e.high, `envelope ${this.campaign.css(mode)}`);
+    }
+  }
+  private drawMeans(plot: Plot, samples: Sample[], end: number): void {
+    for (const mode of this.campaign.modes) {
+      const of = samples.filter((s) => s.mode === mode);
+      if (of.length === 0) continue;
+      const e = envelopeOf(of, this.rows, end);
+      plot.line(
+        e.x.map((x, i): Point => [x, e.mean[i]]),
+        `mean ${this.campaign.css(mode)}`,
+        { "data-mean": mode },
+      );
+    }
+  }
+  private drawSelected(plot: Plot): void {
+    const s = this.campaign.selected;
+    if (!s || !s.answered || !this.campaign.picked) return;
+    plot.line(this.points(s), "selected-back");
+    plot.line(this.points(s), `selected ${this.campaign.css(s.mode)}`, { "data-selected": s.sample });
+  }
+
+  private nearest(plot: Plot, px: number, py: number): Sample | null {
+    let best = 14,
+      found: Sample | null = null;
+    const x = plot.xAt(px);
+    for (const s of this.visible()) {
+      const r = reactionAt(s, x, this.rows(s));
+      const off = Number.isFinite(r) ? Math.abs(plot.Y(r) - py) : Infinity;
+      if (off < best) {
+        best = off;
+        found = s;
+      }
+    }
+    return found;
+  }
+  private listen(plot: Plot): void {
+    let lit: Element | null = null;
+    const leave = (): void => {
+      lit?.classList.remove("lit");
+      lit = null;
+      hideTip();
+    };
+    plot.svg.addEventListener("pointermove", (event) => {
+      const s = this.nearest(plot, ...pointIn(plot.svg, event));
+      leave();
+      if (!s) return;
+      lit = plot.marks.querySelector(`[data-sample="${s.sample}"]`);
+      lit?.classList.add("lit");
+      showTip(event, [
+        say("sample.n", { n: s.sample }),
+        [say("mode"), modeLabel(s.mode)],
+        [say("quantity.peak_reaction"), qty(s.response[0], "kN")],
+        [say("quantity.displacement_at_80_percent"), (s.censored[2] ? "≥ " : "") + qty(s.response[2], "mm")],
+        say("sample.click"),
+      ]);
+    });
+    plot.svg.addEventListener("pointerleave", leave);
+    plot.svg.addEventListener("click", (event) => {
+      const s = this.nearest(plot, ...pointIn(plot.svg, event));
+      if (!s) return;
+      hideTip();
+      this.campaign.select(s);
+      document.getElementById("sample")?.scrollIntoView({ block: "start" });
+    });
+    plot.svg.style.cursor = "pointer";
+  }
+  private sheet(): { head: string[]; rows: (string | number)[][] } {
+    const rows: (string | number)[][] = [];
+    for (const s of this.visible())
+      for (let i = 0; i < this.rows(s); ++i) rows.push([s.sample, s.mode, s.displacement[i], s.reaction[i]]);
+    return { head: ["sample", "failure_mode", "displacement_mm", "reaction_kN"], rows };
+  }
+}
+
+// Means of the statistics at equal displacement against drift, with the code's limits (Fig. 21).
+export function meanCurves(campaign: Campaign): HTMLElement | null {
+  const curves = campaign.statistics.mean_curves as Record<string, any>;
+  const byDrift = campaign.loadHeight > 0;
+  const groups = Object.keys(curves).filter((g) => g !== "all" || campaign.modes.length < 2);
+  if (campaign.answered.length < 2) return null;
+  // a mean stands on at least half of its curves
+  const kept = (c: any): number[] =>
+    c.n.map((_: number, i: number) => i).filter((i: number) => 2 * c.n[i] >= c.curves);
+  const x = (c: any): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i] : c.displacement_mm[i]));
+  const pick = (c: any, key: string): number[] => kept(c).map((i) => c[key][i]);
+  const limits = byDrift ? (campaign.statistics.drift_limits as any[]) : [];
+  const figure = new Figure({
+    id: "mean-curves",
+    title: say("means.title"),
+    wide: true,
+    above: [
+      legend([
+        [swatch("mean all"), say("means.mean")],
+        [swatch("spread all", "box"), say("means.band")],
+        [swatch("limit life"), say("limit.life safety")],
+        [swatch("limit"), say("limit.near collapse")],
+      ]),
+      modeChips(campaign),
+    ],
+    caption: [
+      say("means.caption"),
+      limits.length > 0 ? ` ${say("means.limits", { clause: limits[0].clause })}` : "",
+    ],
+    draw: (width) => {
+      const shown = groups.filter((g) => g === "all" || campaign.shown(g));
+      const xs = groups.flatMap((g) => x(curves[g])),
+        ys = groups.flatMap((g) => pick(curves[g], "reaction_95_percent_kN"));
+      const plot = new Plot({
+        width,
+        height: Math.max(320, Math.min(500, 0.47 * width)),
+        x: rangeOf([0, ...xs]),
+        y: [0, 1.05 * rangeOf(ys)[1]],
+        top: limits.length > 0 ? 58 : 14,
+        right: 84,
+        xLabel: byDrift ? say("axis.drift") : say("axis.displacement"),
+        yLabel: say("axis.reaction"),
+        title: say("means.title"),
+      });
+      drawLimits(plot, limits);
+      for (const g of shown)
+        if (curves[g].curves >= 5)
+          plot.band(
+            x(curves[g]),
+            pick(curves[g], "reaction_5_percent_kN"),
+            pick(curves[g], "reaction_95_percent_kN"),
+            `spread ${g === "all" ? "all" : campaign.css(g)}`,
+          );
+      const tags: { y: number; x: number; name: string; css: string }[] = [];
+      for (const g of shown) {
+        const css = g === "all" ? "all" : campaign.css(g),
+          gx = x(curves[g]),
+          gy = pick(curves[g], "reaction_mean_kN");
+        if (gx.length === 0) continue;
+        plot.line(
+          gx.map((v, i): Point => [v, gy[i]]),
+          `mean ${css}`,
+          { "data-mean": g },
+        );
+        tags.push({ x: plot.X(gx[gx.length - 1]), y: plot.Y(gy[gy.length - 1]), name: modeLabel(g), css });
+      }
+      let free = -Infinity;
+      for (const tag of tags.sort((a, b) => a.y - b.y)) {
+        const y = Math.max(tag.y, free);
+        free = y + 15;
+        plot.text(
+          plot.right + 7,
+          y + 4,
+          tag.name.length > 11 ? tag.name.slice(0, 10) + "…" : tag.name,
+          `strong tag ${tag.css}`,
+        );
+      }
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: [
+        "group",
+        "displacement_mm",
+        "drift_percent",
+        "n",
+        "reaction_mean_kN",
+        "reaction_standard_deviation_kN",
+        "reaction_5_percent_kN",
+        "reaction_95_percent_kN",
+      ],
+      rows: Object.entries(curves).flatMap(([g, c]) =>
+        c.n.map((n: number, i: number) => [
+          g,
+          c.displacement_mm[i],
+          c.drift_percent[i],
+          n,
+          c.reaction_mean_kN[i],
+          c.reaction_standard_deviation_kN[i],
+          c.reaction_5_percent_kN[i],
+          c.reaction_95_percent_kN[i],
+        ]),
+      ),
+    }),
+  });
+  campaign.onModes(() => figure.redraw());
+  return figure.element;
+}
+
+// Upright lines at the code's drift limits; what shares a limit shares a line.
+export function drawLimits(plot: Plot, limits: any[], only?: string): void {
+  const byValue = new Map<number, any[]>();
+  for (const l of limits) {
+    if (only && l.state !== only) continue;
+    if (l.limit_drift_percent > plot.spec.x[1]) continue;
+    byValue.set(l.limit_drift_percent, [...(byValue.get(l.limit_drift_percent) ?? []), l]);
+  }
+  let lastEnd = -Infinity,
+    row = 0;
+  const labels: (() => void)[] = []; // above the ticks of their neighbours
+  for (const [value, list] of [...byValue].sort((a, b) => a[0] - b[0])) {
+    const x = plot.X(value);
+    const words = `${num(value, 4)}\u202f% ${[...new Set(list.map((l) => `${phrase(l.element.split(" ")[0])}, ${phrase(l.mechanism.split(" ")[0])}`))].join("; ")}`;
+    const long = 6.3 * words.length,
+      atRight = x + long > plot.right + 80;
+    row = x - (atRight ? long : 0) < lastEnd + 6 ? (row + 1) % 3 : 0;
+    lastEnd = Math.max(lastEnd, atRight ? x : x + long);
+    plot.marks.appendChild(
+      svg("line", {
+        class: list.every((l) => l.state === "life safety") ? "limit life" : "limit",
+        x1: x,
+        x2: x,
+        y1: plot.top,
+        y2: plot.bottom,
+        "data-limit": value,
+      }),
+    );
+    plot.over.appendChild(
+      svg("line", { class: "limit-tick", x1: x, x2: x, y1: plot.top, y2: plot.top - 5 - 15 * row }),
+    );
+    const y = plot.top - 9 - 15 * row;
+    labels.push(() =>
+      plot.text(x + (atRight ? -2 : 0), y, words, "small halo", { "text-anchor": atRight ? "end" : "start" }),
+    );
+  }
+  for (const write of labels) write();
+}

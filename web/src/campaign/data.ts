@@ -1,0 +1,171 @@
+// A campaign as its page uses it: samples with curves, inputs, modes; and what the reader has chosen.
+import type { Bundle, Numbers } from "../bundle";
+import { phrase, say } from "../texts";
+
+export interface Sample {
+  sample: number;
+  status: string;
+  reason: string;
+  answered: boolean;
+  mode: string;
+  sentence: string;
+  response: (number | null)[];
+  censored: boolean[];
+  verdict: string;
+  stateHash: string;
+  displacement: Numbers;
+  reaction: Numbers; // [mm], [kN]
+}
+export interface Input {
+  name: string;
+  title: string;
+  unit: string;
+  path: string;
+  random: boolean;
+  distribution?: string;
+  formula?: string;
+  density: { x: number[]; y: number[] } | null;
+  values: Numbers; // one a drawn sample, in the unit shown
+}
+export interface Quantity {
+  name: string;
+  unit: string;
+  canBeCensored: boolean;
+  key: string;
+}
+
+const isPaperMode = (mode: string): boolean => /^FM-[1-5]$/.test(mode);
+
+// Style class of a mode's colour: FM-1 ... FM-5 have their own, other names take turns.
+export function modeClass(modes: string[], mode: string): string {
+  if (isPaperMode(mode)) return `m${mode[3]}`;
+  if (mode === "unclear") return "m0";
+  const others = modes
+    .slice(0, Math.max(0, modes.indexOf(mode)))
+    .filter((m) => !isPaperMode(m) && m !== "unclear").length;
+  // a campaign without the paper's modes has the paper's colours for its own
+  return modes.some(isPaperMode) ? `m${6 + (others % 3)}` : `m${1 + (others % 8)}`;
+}
+
+export class Campaign {
+  readonly header: any;
+  readonly statistics: any;
+  readonly samples: Sample[];
+  readonly answered: Sample[];
+  readonly inputs: Input[];
+  readonly quantities: Quantity[];
+  readonly modes: string[];
+  readonly loadHeight: number;
+
+  // what the reader has chosen, and who wants to know
+  readonly hidden = new Set<string>();
+  selected: Sample | null = null;
+  picked = false; // by the reader, not by the page
+  private readonly modeListeners: (() => void)[] = [];
+  private readonly sampleListeners: (() => void)[] = [];
+
+  constructor(readonly bundle: Bundle) {
+    this.header = bundle.header;
+    this.statistics = this.header.statistics;
+    this.loadHeight = this.statistics.load_height_m ?? 0;
+    this.quantities = this.header.quantities.map((q: any) => ({
+      name: q.name,
+      unit: q.unit,
+      canBeCensored: q.can_be_censored,
+      key: `${q.name}_${q.unit.replace("/", "_per_")}`,
+    }));
+    this.samples = this.readSamples();
+    this.answered = this.samples.filter((s) => s.answered);
+    const named = new Set(this.answered.map((s) => s.mode));
+    this.modes = (this.statistics.modes as string[]).filter((m) => named.has(m));
+    this.inputs = this.readInputs();
+  }
+
+  private readSamples(): Sample[] {
+    const displacement = this.bundle.array("curve.displacement_mm"),
+      reaction = this.bundle.array("curve.reaction_kN");
+    let at = 0;
+    return (this.header.samples as any[]).map((s) => {
+      const from = at;
+      at += s.rows;
+      return {
+        sample: s.sample,
+        status: s.status,
+        reason: s.reason,
+        answered: s.answered,
+        mode: s.mode ?? "",
+        sentence: s.sentence ?? "",
+        response: s.response ?? [],
+        censored: s.censored ?? [],
+        verdict: s.verdict ?? "",
+        stateHash: s.state_hash ?? "",
+        displacement: displacement.subarray(from, at),
+        reaction: reaction.subarray(from, at),
+      };
+    });
+  }
+  private readInputs(): Input[] {
+    const drawn = this.header.drawn as number;
+    const all = this.bundle.array("input");
+    return (this.header.inputs as any[]).map((input, k) => ({
+      ...input,
+      values: all.subarray(k * drawn, (k + 1) * drawn),
+    }));
+  }
+
+  css(mode: string): string {
+    return modeClass(this.statistics.modes, mode);
+  }
+  shown(mode: string): boolean {
+    return !this.hidden.has(mode);
+  }
+  toggle(mode: string): void {
+    if (!this.hidden.delete(mode)) this.hidden.add(mode);
+    for (const tell of this.modeListeners) tell();
+  }
+  select(sample: Sample, byReader = true): void {
+    this.selected = sample;
+    this.picked ||= byReader;
+    for (const tell of this.sampleListeners) tell();
+  }
+  onModes(tell: () => void): void {
+    this.modeListeners.push(tell);
+  }
+  onSample(tell: () => void): void {
+    this.sampleListeners.push(tell);
+  }
+  // Percent of drift in a millimetre; 0 where the load's height is not known.
+  get driftPerMillimetre(): number {
+    return this.loadHeight > 0 ? 0.1 / this.loadHeight : 0;
+  }
+}
+
+export const inputLabel = (input: { name: string; unit: string }): string =>
+  input.unit ? `${input.name} [${input.unit}]` : input.name;
+export const quantityLabel = (q: Quantity): string => `${say(`quantity.${q.name}`)} [${q.unit}]`;
+export const modeLabel = (mode: string): string => (mode === "all" ? say("all") : phrase(mode));
+
+// Rows of a curve up to its first fall to 0.8 of the peak after it (Fig. 20b).
+export function rowsToEighty(s: Sample): number {
+  let peak = 0;
+  s.reaction.forEach((r: number, i: number) => {
+    if (r > s.reaction[peak]) peak = i;
+  });
+  for (let i = peak; i < s.reaction.length; ++i) if (s.reaction[i] < 0.8 * s.reaction[peak]) return i + 1;
+  return s.reaction.length;
+}
+
+// Reaction at a displacement, straight between rows; NaN beyond the last row.
+export function reactionAt(s: Sample, displacement: number, rows = s.displacement.length): number {
+  const d = s.displacement;
+  if (rows < 2 || displacement > d[rows - 1]) return NaN;
+  let low = 0,
+    high = rows - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (d[middle] <= displacement) low = middle;
+    else high = middle;
+  }
+  const share = d[high] > d[low] ? (displacement - d[low]) / (d[high] - d[low]) : 0;
+  return s.reaction[low] + share * (s.reaction[high] - s.reaction[low]);
+}

@@ -1,0 +1,153 @@
+// The page of a campaign, in the order a reader asks: how strong, how far, how it fails, what decides
+// it, how sure, one sample, from what.
+import type { Bundle } from "../bundle";
+import { h, later, type Child } from "../dom";
+import { assumptions, inputTables, provenanceTable } from "../inputs";
+import type { Section } from "../page";
+import { table } from "../tables";
+import { phrase, say, sentence } from "../texts";
+import { Curves, meanCurves } from "./curves";
+import { Campaign, modeLabel } from "./data";
+import { histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
+import { SamplePanel } from "./sample";
+import { driftLimits, exceedance, precision, running, shares, tableThree } from "./statistics";
+
+const kListed = 200;
+
+function unanswered(campaign: Campaign): Child {
+  const list = campaign.statistics.samples.unanswered as any[];
+  if (list.length === 0) return null;
+  return [
+    table(
+      [
+        { head: say("sample"), left: true },
+        { head: say("status"), left: true },
+        { head: say("cause"), left: true },
+      ],
+      list
+        .slice(0, kListed)
+        .map((u) => [String(u.sample), phrase(u.status), u.reason ? sentence(u.reason) : "–"]),
+      say("unanswered.title"),
+    ),
+    list.length > kListed
+      ? h("p", { class: "soft small" }, say("unanswered.more", { n: kListed, of: list.length }))
+      : null,
+  ];
+}
+
+// What the names of the modes mean, as the samples say it.
+function modeWords(campaign: Campaign): Child {
+  const rows = campaign.modes.map((mode) => {
+    const sample = campaign.answered.find((s) => s.mode === mode && s.sentence !== "")!;
+    const words = mode === "unclear" ? say("modes.unclear") : sample ? sentence(sample.sentence) : "–";
+    return h(
+      "div",
+      { class: "mode-word" },
+      h(
+        "dt",
+        {},
+        h("span", { class: `dot-mark ${campaign.css(mode)}`, "aria-hidden": "true" }),
+        modeLabel(mode),
+      ),
+      h("dd", {}, words),
+    );
+  });
+  return h("div", { class: "panel" }, h("h3", {}, say("modes.words")), h("dl", {}, rows));
+}
+
+function study(campaign: Campaign): Child {
+  const model = campaign.header.model;
+  return [
+    histograms(campaign),
+    inputTable(campaign),
+    model ? h("details", {}, h("summary", {}, say("study.base")), inputTables(model, "")) : null,
+  ];
+}
+
+function provenance(campaign: Campaign): Child {
+  return [
+    assumptions(),
+    provenanceTable([
+      [say("provenance.program"), campaign.header.provenance || "–"],
+      [
+        say("study.design"),
+        `${phrase(campaign.statistics.design)}, ${say("seed", { seed: campaign.statistics.seed })}`,
+      ],
+      [say("study.model"), campaign.header.model_file || "–"],
+    ]),
+    h(
+      "details",
+      {},
+      h("summary", {}, say("provenance.model_text")),
+      h("pre", { tabindex: 0 }, campaign.header.model_text),
+    ),
+  ];
+}
+
+export function campaignSections(bundle: Bundle): Section[] {
+  const campaign = new Campaign(bundle);
+  const some = campaign.answered.length > 0,
+    several = campaign.answered.length > 1;
+  const panel = campaign.samples.length > 0 ? new SamplePanel(campaign) : null;
+  const sections: Section[] = [
+    { id: "all-curves", title: say("section.curves"), content: some ? new Curves(campaign).element : null },
+    {
+      id: "modes",
+      title: say("section.modes"),
+      content: several
+        ? [
+            h("div", { class: "pair" }, shares(campaign), modeWords(campaign)),
+            meanCurves(campaign),
+            h("div", { class: "spaced" }, tableThree(campaign)),
+          ]
+        : null,
+    },
+    {
+      id: "capacity",
+      title: say("section.capacity"),
+      content: several
+        ? [
+            h(
+              "div",
+              { class: "pair" },
+              ["peak_reaction", "displacement_at_80_percent", "displacement_max"].map((q) =>
+                exceedance(campaign, q),
+              ),
+            ),
+            driftLimits(campaign),
+          ]
+        : null,
+    },
+    {
+      id: "influence",
+      title: say("section.influence"),
+      content:
+        campaign.answered.length >= 5
+          ? [
+              scatters(campaign),
+              h("div", { class: "spaced" }, sensitivity(campaign)),
+              sensitivityTable(campaign),
+              modeBins(campaign),
+            ]
+          : null,
+    },
+    {
+      id: "sure",
+      title: say("section.sure"),
+      content:
+        campaign.answered.length >= 5
+          ? h("div", { class: "pair" }, running(campaign), h("div", {}, precision(campaign)))
+          : null,
+    },
+    { id: "sample", title: say("section.sample"), content: panel?.element },
+    { id: "unanswered", title: say("section.unanswered"), content: unanswered(campaign) },
+    {
+      id: "study",
+      title: say("section.study"),
+      content: campaign.inputs.length > 0 ? study(campaign) : null,
+    },
+    { id: "provenance", title: say("section.provenance"), content: provenance(campaign) },
+  ];
+  if (panel) later(() => campaign.select(campaign.answered[0] ?? campaign.samples[0], false));
+  return sections;
+}

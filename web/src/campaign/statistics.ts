@@ -1,0 +1,411 @@
+// Shares of the modes (Fig. 10), Table 3, exceedance and drift limits, running means (Fig. 8).
+import { h, svg, type Child } from "../dom";
+import { Figure, legend, swatch } from "../figure";
+import { Plot, rangeOf, type Point } from "../plot";
+import { sortable, table, type Cell, type Column } from "../tables";
+import { capital, num, phrase, qty, say } from "../texts";
+import { drawLimits } from "./curves";
+import { modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
+
+// A value with its interval small beneath it.
+export function withInterval(
+  value: number | null,
+  interval: (number | null)[] | null | undefined,
+  digits = 3,
+  factor = 1,
+): Child {
+  const show = (v: number | null | undefined): string =>
+    v === null || v === undefined ? "–" : num(v * factor, digits);
+  if (!interval || interval[0] === null || interval[0] === undefined) return show(value);
+  return [
+    show(value),
+    h(
+      "span",
+      { class: "pm" },
+      `${show(interval[0])} … ${interval[1] === null ? say("beyond") : show(interval[1])}`,
+    ),
+  ];
+}
+
+export function shares(campaign: Campaign): HTMLElement | null {
+  const all = Object.entries(campaign.statistics.shares as Record<string, any>);
+  if (all.length === 0 || campaign.answered.length === 0) return null;
+  const readAt = campaign.statistics.read_modes_at_mm;
+  const figure = new Figure({
+    id: "shares",
+    title: say("shares.title"),
+    caption: [say("shares.caption"), readAt ? ` ${say("shares.read_at", { at: qty(readAt, "mm") })}` : ""],
+    draw: (width) => {
+      const row = 34,
+        left = Math.min(140, Math.max(70, ...all.map(([n]) => 8 * modeLabel(n).length + 12)));
+      const most = Math.max(10, ...all.map(([, s]) => 100 * s.share_interval[1]));
+      const plot = new Plot({
+        width,
+        height: row * all.length + 56,
+        left,
+        top: 6,
+        right: 66,
+        x: [0, most],
+        y: [all.length, 0],
+        noY: true,
+        xLabel: say("axis.share"),
+        yLabel: "",
+        title: say("shares.title"),
+      });
+      all.forEach(([name, s], i) => {
+        const single = s.modes.length === 1,
+          y = plot.Y(i + 0.5);
+        plot
+          .bar(
+            0,
+            100 * s.share,
+            i + 0.2,
+            i + 0.8,
+            `box ${single ? campaign.css(name) : "all faint"}`,
+            `${modeLabel(name)}: ${s.count}, ${num(100 * s.share)} %`,
+          )
+          .setAttribute("data-share", name);
+        whisker(plot, 100 * s.share_interval[0], 100 * s.share_interval[1], y);
+        plot.text(left - 9, y + 4, modeLabel(name), single ? "strong" : "", { "text-anchor": "end" });
+        plot.text(plot.X(100 * s.share_interval[1]) + 7, y + 4, qty(100 * s.share, "%"), "strong halo");
+      });
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: ["mode", "count", "share", "low", "high"],
+      rows: all.map(([n, s]) => [n, s.count, s.share, s.share_interval[0], s.share_interval[1]]),
+    }),
+  });
+  return figure.element;
+}
+
+export function whisker(plot: Plot, low: number, high: number, y: number): void {
+  const a = plot.X(low),
+    b = plot.X(high);
+  plot.add(
+    svg("path", { class: "whisker", d: `M${a} ${y - 4}V${y + 4}M${a} ${y}H${b}M${b} ${y - 4}V${y + 4}` }),
+  );
+}
+
+// --- Table 3 ---------------------------------------------------------------------------------------
+
+function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
+  const cell = (c: any, key: string, digits = 3): Cell => ({
+    show: withInterval(c[key], c[`${key}_interval`], digits),
+    sort: c[key] ?? null,
+  });
+  const plain = (v: number | null): Cell => ({ show: num(v), sort: v });
+  return Object.entries(campaign.statistics.table as Record<string, any>).flatMap(([group, all]) => {
+    const c = all[q.key];
+    if (!c || c.n === 0) return [];
+    const name: Cell = {
+      show: h(
+        "b",
+        { class: all.modes.length === 1 ? `tag-text ${campaign.css(group)}` : "" },
+        modeLabel(group),
+      ),
+      sort: group,
+    };
+    const count: Cell = {
+      show:
+        c.censored > 0
+          ? [String(c.n), h("span", { class: "pm" }, say("table3.censored", { n: c.censored }))]
+          : String(c.n),
+      sort: c.n,
+    };
+    const nothing = c.censored === c.n && c.n > 0 && q.canBeCensored;
+    const beyond: Cell = { show: say("beyond"), sort: null };
+    const row = [
+      name,
+      count,
+      nothing ? beyond : cell(c, "mean"),
+      nothing ? "–" : cell(c, "cov", 2),
+      nothing ? beyond : cell(c, "median"),
+      plain(c.min),
+      plain(c.max),
+      {
+        show: `${num(c.percentile_5)} … ${c.percentile_95 === null && q.canBeCensored ? say("beyond") : num(c.percentile_95)}`,
+        sort: c.percentile_5,
+      },
+    ];
+    return [q.canBeCensored ? [...row, nothing ? "–" : cell(c, "survival_mean")] : row];
+  });
+}
+
+export function tableThree(campaign: Campaign): HTMLElement {
+  const place = h("div", { id: "table3-rows" });
+  const pick = h(
+    "select",
+    { id: "table3-quantity" },
+    campaign.quantities.map((q, i) => h("option", { value: i }, quantityLabel(q))),
+  );
+  const heads = (q: Quantity): Column[] => [
+    { head: say("mode"), left: true },
+    { head: say("samples") },
+    { head: say("mean") },
+    { head: "CoV" },
+    { head: say("median") },
+    { head: say("smallest") },
+    { head: say("largest") },
+    { head: say("table3.range") },
+    ...(q.canBeCensored ? [{ head: say("table3.survival"), title: say("table3.survival.means") }] : []),
+  ];
+  const fill = (): void => {
+    const q = campaign.quantities[Number(pick.value)];
+    place.replaceChildren(sortable(heads(q), rowsOfTable(campaign, q), capital(quantityLabel(q))));
+  };
+  pick.addEventListener("change", fill);
+  fill();
+  const paper = h(
+    "div",
+    { class: "print-only" },
+    campaign.quantities
+      .slice(1, 3)
+      .map((q) => table(heads(q), rowsOfTable(campaign, q), capital(quantityLabel(q)))),
+  );
+  return h(
+    "div",
+    { class: "panel", id: "table3" },
+    h("div", { class: "controls" }, h("label", {}, h("span", {}, say("response")), pick)),
+    place,
+    paper,
+    h("p", { class: "soft small" }, say("table3.lead")),
+  );
+}
+
+// --- exceedance ------------------------------------------------------------------------------------
+
+const phi = (z: number): number => 0.5 * erfc(-z / Math.SQRT2);
+// Numerical Recipes' Chebyshev fit, off by less than 1.2e-7.
+function erfc(x: number): number {
+  const t = 1 / (1 + 0.5 * Math.abs(x));
+  const y =
+    t *
+    Math.exp(
+      -x * x -
+        1.26551223 +
+        t *
+          (1.00002368 +
+            t *
+              (0.37409196 +
+                t *
+                  (0.09678418 +
+                    t *
+                      (-0.18628806 +
+                        t *
+                          (0.27886807 +
+                            t * (-1.13520398 + t * (1.48851587 + t * (-0.82215223 + t * 0.17087277)))))))),
+    );
+  return x >= 0 ? y : 2 - y;
+}
+
+export function exceedance(campaign: Campaign, name: string): HTMLElement | null {
+  const q = campaign.quantities.find((c) => c.name === name)!;
+  const e = (campaign.statistics.exceedance as Record<string, any>)[q.key];
+  if (!e || e.probability.length < 2 || e.censored === e.n) return null;
+  const values = e[`value_${q.unit}`] as number[];
+  const byDrift = q.unit === "mm" && campaign.loadHeight > 0;
+  const factor = byDrift ? campaign.driftPerMillimetre : 1;
+  const median = e.lognormal[`median_${q.unit}`] as number | null,
+    beta = e.lognormal.beta as number | null;
+  return new Figure({
+    id: `exceedance-${q.name}`,
+    title: capital(say(`exceedance.${q.name}`)),
+    above: legend([
+      [swatch("step"), say("exceedance.samples")],
+      [swatch("spread curve", "box"), say("interval95")],
+      [swatch("fit"), say("exceedance.fit")],
+    ]),
+    caption: [
+      say("exceedance.caption", {
+        median: qty(median, q.unit),
+        beta: num(beta, 2),
+        misfit: num(e.lognormal.misfit, 2),
+      }),
+      e.censored > 0 ? ` ${say("exceedance.censored", { n: e.censored, of: e.n })}` : "",
+    ],
+    draw: (width) => {
+      const x = values.map((v) => v * factor);
+      const range = rangeOf(x, 0.04);
+      const plot = new Plot({
+        width,
+        height: Math.max(260, Math.min(350, 0.62 * width)),
+        x: byDrift ? [0, range[1]] : range,
+        y: [0, 1],
+        top: byDrift ? 46 : 14,
+        xLabel: byDrift ? say("axis.drift_at_80") : quantityLabel(q),
+        yLabel: say("axis.exceedance"),
+        title: say(`exceedance.${q.name}`),
+      });
+      const step: Point[] = [[plot.spec.x[0], 1]];
+      x.forEach((v, i) => step.push([v, i === 0 ? 1 : e.probability[i - 1]], [v, e.probability[i]]));
+      plot.band(x, e.low, e.high, "spread curve");
+      if (byDrift) drawLimits(plot, campaign.statistics.drift_limits, "near collapse");
+      plot.line(step, "step", { "data-steps": x.length });
+      if (median !== null && beta !== null) {
+        const fit = Array.from(
+          { length: 121 },
+          (_, i) => plot.spec.x[0] + ((plot.spec.x[1] - plot.spec.x[0]) * i) / 120,
+        );
+        plot.line(
+          fit.map((v): Point => [v, v > 0 ? 1 - phi(Math.log(v / (median * factor)) / beta) : 1]),
+          "fit",
+        );
+      }
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: [q.key, "probability", "low", "high"],
+      rows: values.map((v, i) => [v, e.probability[i], e.low[i], e.high[i]]),
+    }),
+  }).element;
+}
+
+export function driftLimits(campaign: Campaign): Child {
+  const limits = campaign.statistics.drift_limits as any[];
+  if (!limits || limits.length === 0 || !(campaign.loadHeight > 0)) return null;
+  return h(
+    "div",
+    { id: "drift-limits" },
+    sortable(
+      [
+        { head: say("limit.drift") },
+        { head: say("limit.for"), left: true },
+        { head: say("limit.state"), left: true },
+        { head: say("limit.below") },
+        { head: say("limit.share") },
+      ],
+      limits.map((d) => [
+        { show: qty(d.limit_drift_percent, "%", 4), sort: d.limit_drift_percent },
+        `${phrase(d.element)}, ${phrase(d.mechanism)}`,
+        say(`limit.${d.state}`),
+        {
+          show:
+            d.unknown > 0
+              ? [String(d.below), h("span", { class: "pm" }, say("limit.unknown", { n: d.unknown }))]
+              : String(d.below),
+          sort: d.below,
+        },
+        { show: withInterval(d.share_below, d.share_below_interval, 3, 100), sort: d.share_below },
+      ]),
+      say("limit.title", { clause: limits[0].clause }),
+    ),
+    h("p", { class: "soft small" }, say("limit.lead", { height: qty(campaign.loadHeight, "m") })),
+  );
+}
+
+// --- running means -----------------------------------------------------------------------------------
+
+export function running(campaign: Campaign): HTMLElement | null {
+  const all = campaign.statistics.running as Record<string, any>;
+  if (campaign.answered.length < 3) return null;
+  let q = campaign.quantities[0];
+  const pick = h(
+    "select",
+    { "aria-label": say("response") },
+    campaign.quantities.map((c, i) => h("option", { value: i }, quantityLabel(c))),
+  );
+  const figure = new Figure({
+    id: "running",
+    title: say("running.title"),
+    caption: say("running.caption"),
+    above: h("div", { class: "controls" }, h("label", {}, h("span", {}, say("response")), pick)),
+    draw: (width) => {
+      const r = all[q.key];
+      // the wide intervals of the first few samples would flatten the rest
+      const from = Math.min(9, r.n.length - 1);
+      const y = rangeOf([...r.mean.slice(from), ...r.low.slice(from), ...r.high.slice(from)], 0.05);
+      const plot = new Plot({
+        width,
+        height: Math.max(250, Math.min(360, 0.6 * width)),
+        x: [0, r.n[r.n.length - 1]],
+        y,
+        xLabel: say("axis.samples"),
+        yLabel: say("axis.mean_of", { what: quantityLabel(q) }),
+        title: say("running.title"),
+      });
+      plot.band(r.n, r.low, r.high, "spread curve");
+      plot.line(
+        r.n.map((n: number, i: number): Point => [n, r.mean[i]]),
+        "step",
+        { "data-points": r.n.length },
+      );
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: ["n", "mean", "low", "high"],
+      rows: all[q.key].n.map((n: number, i: number) => [
+        n,
+        all[q.key].mean[i],
+        all[q.key].low[i],
+        all[q.key].high[i],
+      ]),
+    }),
+  });
+  pick.addEventListener("change", () => {
+    q = campaign.quantities[Number(pick.value)];
+    figure.redraw();
+  });
+  return figure.element;
+}
+
+export function precision(campaign: Campaign): Child {
+  const all = campaign.statistics.precision as any[];
+  const met = (p: any): Child =>
+    p === undefined
+      ? ""
+      : p.held_from
+        ? String(p.held_from)
+        : p.expected_at
+          ? h("span", { class: "soft" }, `≈ ${p.expected_at}`)
+          : "–";
+  const block = (
+    names: string[],
+    width: (v: number | null) => string,
+    word: (n: string) => string,
+    title: string,
+  ): Child => {
+    const asked = [
+      ...new Set(all.filter((p) => names.includes(p.what)).map((p) => p.half_width_asked as number)),
+    ];
+    return table(
+      [
+        { head: say("precision.what"), left: true },
+        { head: say("precision.now") },
+        ...asked.map((a) => ({ head: width(a) })),
+      ],
+      names.map((name) => {
+        const of = all.filter((p) => p.what === name);
+        return [
+          word(name),
+          width(of[0]?.half_width_now ?? null),
+          ...asked.map((a) => met(of.find((p) => p.half_width_asked === a))),
+        ];
+      }),
+      title,
+    );
+  };
+  const relative = (v: number | null): string => (v === null ? "–" : `±${qty(100 * v, "%", 2)}`);
+  const plain = (v: number | null): string => (v === null ? "–" : `±${num(v, 2)}`);
+  const until = campaign.header.until;
+  return [
+    block(
+      campaign.quantities.map((q) => q.name),
+      relative,
+      (n) => say(`quantity.${n}`),
+      say("precision.title"),
+    ),
+    block(["share"], plain, () => say("precision.share"), ""),
+    until
+      ? h(
+          "p",
+          {},
+          say("precision.rule"),
+          " ",
+          h("code", {}, until.rule),
+          `: ${say(until.met ? "precision.rule.met" : "precision.rule.unmet")}; ${until.measures}.`,
+        )
+      : null,
+    h("p", { class: "soft small" }, say("precision.lead")),
+  ];
+}

@@ -1,0 +1,73 @@
+// Elements without markup: every string becomes text, so names from files can never be more.
+
+export type Child = Node | string | number | null | undefined | false | Child[];
+export type Attributes = Record<string, unknown>;
+
+const kSvg = "http://www.w3.org/2000/svg";
+
+function fill(element: Element, attributes: Attributes, children: Child[]): void {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) {
+      element.addEventListener(name.slice(2), value as EventListener);
+    } else {
+      element.setAttribute(name, value === true ? "" : String(value));
+    }
+  }
+  append(element, children);
+}
+
+export function append(element: Element, children: Child[]): void {
+  for (const child of children) {
+    if (Array.isArray(child)) append(element, child);
+    else if (child instanceof Node) element.appendChild(child);
+    else if (child !== null && child !== undefined && child !== false)
+      element.appendChild(document.createTextNode(String(child)));
+  }
+}
+
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  fill(element, attributes, children);
+  return element;
+}
+
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
+  const element = document.createElementNS(kSvg, tag) as SVGElementTagNameMap[K];
+  fill(element, attributes, children);
+  return element;
+}
+
+let count = 0;
+export const fresh = (prefix: string): string => `${prefix}-${++count}`;
+
+// Work that can wait until the page has been painted, one piece after the other.
+const queue: (() => void)[] = [];
+export function later(work: () => void): void {
+  queue.push(work);
+  if (queue.length === 1) setTimeout(next, 0);
+}
+function next(): void {
+  const begun = performance.now();
+  while (queue.length > 0 && performance.now() - begun < 30) {
+    try {
+      queue[0]();
+    } finally {
+      queue.shift();
+    }
+  }
+  if (queue.length > 0) setTimeout(next, 0);
+  else document.documentElement.dataset.ready = "yes";
+}
+// Before printing: all of it now.
+export function finishLater(): void {
+  while (queue.length > 0) queue.shift()!();
+}

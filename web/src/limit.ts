@@ -1,0 +1,280 @@
+// The page of a limit analysis: macro-block mechanisms (mechanism.ts), the limit loads of the blocks, the
+// verdict beside runs, and every number that entered.
+import type { Bundle } from "./bundle";
+import { h, type Child } from "./dom";
+import { Figure } from "./figure";
+import { assumptions, inputTables, provenanceTable } from "./inputs";
+import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
+import type { Section } from "./page";
+import { sortable, table } from "./tables";
+import { num, phrase, qty, say } from "./texts";
+import { canvasFor, drawWall } from "./wall2d";
+import { readWall, type Frames, type Wall } from "./wall";
+
+// --- limit loads of the blocks -------------------------------------------------------------------------
+
+const loadOf = (l: any, theorem: string): string =>
+  `${theorem}_kN` in l ? qty(l[`${theorem}_kN`], "kN", 4) : `λ = ${num(l[theorem], 4)}`;
+
+// The collapse mechanism of the blocks as a frame: velocities times a small time.
+function collapse(wall: Wall, limits: any[]): HTMLElement | null {
+  const usable = limits.filter((l) => l.velocity_x?.length === wall.blocks);
+  if (usable.length === 0) return null;
+  let shown = usable[0],
+    size = 0.05;
+  const pick = h(
+    "select",
+    {},
+    usable.map((l, i) => h("option", { value: i }, phrase(l.name))),
+  );
+  const slider = h("input", {
+    type: "range",
+    min: 0,
+    max: 0.12,
+    step: 0.005,
+    value: size,
+    "aria-label": say("collapse.size"),
+  });
+  const figure = new Figure({
+    id: "collapse",
+    title: say("collapse.title"),
+    caption: say("collapse.caption"),
+    above: h(
+      "div",
+      { class: "controls" },
+      h("label", {}, h("span", {}, say("collapse.joints")), pick),
+      h("label", {}, h("span", {}, say("collapse.size")), slider),
+    ),
+    draw: (width) => {
+      const none = new Uint8Array(wall.joints),
+        zero = new Float32Array(wall.joints);
+      const largest =
+        Math.max(...shown.velocity_x.map((v: number, b: number) => Math.hypot(v, shown.velocity_y[b]))) || 1;
+      const s = (size * wall.height) / largest;
+      const frame = {
+        ux: Float32Array.from(shown.velocity_x, (v: number) => v * s),
+        uy: Float32Array.from(shown.velocity_y, (v: number) => v * s),
+        theta: Float32Array.from(shown.spin_per_m, (v: number) => v * s),
+        opening: zero,
+        slip: zero,
+        damage: none,
+        crushing: none,
+        compression: null,
+        shear: null,
+        eccentricity: null,
+      };
+      return drawWall(
+        wall,
+        { count: 1, at: () => frame } as unknown as Frames,
+        { frame: 0, scale: 1, measure: "cracks", forces: false },
+        canvasFor(wall, width, 460),
+      );
+    },
+    sheet: () => ({
+      head: ["block", "velocity_x", "velocity_y", "spin_per_m"],
+      rows: shown.velocity_x.map((v: number, b: number) => [b, v, shown.velocity_y[b], shown.spin_per_m[b]]),
+    }),
+  });
+  pick.addEventListener("change", () => {
+    shown = usable[Number(pick.value)];
+    figure.redraw();
+  });
+  slider.addEventListener("input", () => {
+    size = Number(slider.value);
+    figure.redraw();
+  });
+  return figure.element;
+}
+
+function limitLoads(opinion: any, wall: Wall | null): Child {
+  const limits = opinion.limit_loads as any[];
+  if (limits.length === 0) return null;
+  const list = table(
+    [
+      { head: say("collapse.joints"), left: true },
+      { head: say("limit_load.static") },
+      { head: say("limit_load.kinematic") },
+      { head: say("limit_load.gap") },
+      { head: say("limit_load.size") },
+      { head: say("limit_load.seconds") },
+    ],
+    limits.map((l) => [
+      phrase(l.name),
+      loadOf(l, "static"),
+      loadOf(l, "kinematic"),
+      num(l.gap, 2),
+      `${l.rows} × ${l.columns}`,
+      qty(l.seconds, "s", 2),
+    ]),
+    say("limit_load.table"),
+  );
+  return [
+    h("p", { class: "soft" }, say("limit_load.lead")),
+    h("div", { id: "limit-loads" }, list, wall ? h("div", { class: "pair" }, collapse(wall, limits)) : null),
+  ];
+}
+
+// --- verdict ---------------------------------------------------------------------------------------------
+
+function verdict(opinion: any): Child {
+  const c = opinion.comparison;
+  if (!c) return h("p", { class: "note" }, say("verdict.none"));
+  const label = (name: string): string => {
+    const m = (opinion.mechanisms as Mechanism[]).find((x) => x.name === name);
+    return m ? `${m.mode}, ${hypothesisLabel(m)}` : name;
+  };
+  const value = (b: any, key: string): string =>
+    `${key}_kN` in b ? qty(b[`${key}_kN`], "kN", 4) : num(b[key], 4);
+  const groups =
+    c.groups.length > 0
+      ? table(
+          [
+            { head: say("verdict.runs"), left: true },
+            { head: say("verdict.mechanism"), left: true },
+            { head: say("verdict.peak") },
+            { head: say("verdict.ratio") },
+            { head: say("verdict.gap") },
+            { head: say("verdict.gap_share") },
+          ],
+          c.groups.map((g: any) => [
+            `${g.mode} (${g.runs})`,
+            label(g.mechanism),
+            qty(g.mean_peak_kN, "kN"),
+            num(g.mean_peak_ratio),
+            qty(g.mean_post_peak_gap_kN, "kN"),
+            qty(100 * g.mean_post_peak_gap_share_of_peak, "%", 2),
+          ]),
+          say("verdict.groups"),
+        )
+      : null;
+  const curves = h(
+    "details",
+    { open: c.groups.length === 0 },
+    h("summary", {}, say("verdict.curves")),
+    sortable(
+      [
+        { head: say("verdict.run"), left: true },
+        { head: say("verdict.mechanism"), left: true },
+        { head: say("verdict.ratio") },
+        { head: say("verdict.gap") },
+        { head: say("verdict.gap_share") },
+      ],
+      c.curves.map((v: any) => [
+        v.run,
+        label(v.mechanism),
+        { show: num(v.peak_ratio), sort: v.peak_ratio },
+        { show: qty(v.post_peak_gap_kN, "kN"), sort: v.post_peak_gap_kN },
+        { show: qty(100 * v.post_peak_gap_share_of_peak, "%", 2), sort: v.post_peak_gap_share_of_peak },
+      ]),
+      say("verdict.curves"),
+    ),
+  );
+  const bounds =
+    c.bounds.length > 0
+      ? h(
+          "details",
+          { open: c.bounds.length < 12 || c.bounds.some((b: any) => !b.holds) },
+          h("summary", {}, say("verdict.bounds")),
+          sortable(
+            [
+              { head: say("verdict.run"), left: true },
+              { head: say("quantity.peak_reaction") },
+              { head: say("verdict.bound") },
+              { head: say("verdict.allowance") },
+              { head: say("verdict.holds") },
+            ],
+            [...c.bounds]
+              .sort((a: any, b: any) => Number(a.holds) - Number(b.holds))
+              .map((b: any) => [
+                b.run,
+                value(b, "peak"),
+                value(b, "bound"),
+                qty(100 * b.allowance, "%", 2),
+                b.holds ? say("yes") : h("b", {}, say("no")),
+              ]),
+            say("verdict.bounds"),
+          ),
+        )
+      : null;
+  return [h("p", { class: "soft" }, say("verdict.lead", { with: c.with })), groups, bounds, curves];
+}
+
+function numbers(opinion: any): Child {
+  const all = opinion.mechanisms as Mechanism[];
+  if (all.length === 0) return null;
+  const names = [...new Set(all.flatMap((m) => Object.keys(m.inputs)))];
+  const unit = (name: string): string => all.find((m) => name in m.inputs)!.inputs[name].unit;
+  const show = (v: any): string =>
+    v === undefined ? "–" : v.value === "unlimited" ? say("unlimited") : num(v.value, 4);
+  const assessed = all.filter((m) => m.assessment);
+  return [
+    table(
+      [
+        { head: say("numbers.name"), left: true },
+        { head: say("unit"), left: true },
+        ...all.map((m) => ({ head: [m.mode, h("span", { class: "pm" }, hypothesisLabel(m))] })),
+      ],
+      names.map((n) => [
+        n.replace(/_/g, " "),
+        unit(n) === "1" || unit(n) === "-" ? "" : unit(n),
+        ...all.map((m) => show(m.inputs[n])),
+      ]),
+      say("numbers.title"),
+    ),
+    assessed.length > 0
+      ? table(
+          [
+            { head: say("assessment.quantity"), left: true },
+            ...assessed.map((m) => ({ head: [m.mode, h("span", { class: "pm" }, hypothesisLabel(m))] })),
+          ],
+          [
+            "alpha0",
+            "alpha0_by_weights",
+            "participating_mass_kg",
+            "participating_mass_share",
+            "acceleration0_m_per_s2",
+            "displacement0_mm",
+            "life_safety_displacement_mm",
+            "near_collapse_displacement_mm",
+          ].map((key) => [say(`assessment.${key}`), ...assessed.map((m) => num(m.assessment[key], 4))]),
+          say("assessment.title", { clause: assessed[0].assessment.clause }),
+        )
+      : null,
+    assessed.length > 0 ? h("p", { class: "soft small" }, say("assessment.lead")) : null,
+  ];
+}
+
+export function limitSections(bundle: Bundle): Section[] {
+  const header = bundle.header,
+    opinion = header.opinion,
+    wall = readWall(bundle),
+    p = header.provenance;
+  return [
+    {
+      id: "mechanisms",
+      title: say("section.mechanisms"),
+      content: opinion.mechanisms.length > 0 ? h("div", { class: "stack" }, mechanisms(opinion)) : null,
+    },
+    { id: "limits", title: say("section.limits"), content: limitLoads(opinion, wall) },
+    { id: "verdict", title: say("section.verdict"), content: verdict(opinion) },
+    { id: "numbers", title: say("section.numbers"), content: numbers(opinion) },
+    { id: "inputs", title: say("section.inputs"), content: inputTables(header.inputs, header.note) },
+    {
+      id: "provenance",
+      title: say("section.provenance"),
+      content: [
+        assumptions(),
+        provenanceTable([
+          [say("provenance.program"), `wythe ${p.version} (${p.commit})`],
+          [say("provenance.compiler"), `${p.compiler}, ${p.flags}`],
+        ]),
+        h(
+          "details",
+          {},
+          h("summary", {}, say("provenance.model_text")),
+          h("pre", { tabindex: 0 }, header.model_text),
+        ),
+      ],
+    },
+  ];
+}

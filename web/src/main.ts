@@ -1,0 +1,40 @@
+// The page: unpacks its data and builds what their kind asks for. What cannot be read is said; the
+// headline, which is in the page already, stays.
+import "./style.css";
+import { fromBase64, unpack } from "./bundle";
+import { later } from "./dom";
+import { build, fail, type Section } from "./page";
+import { say, speak } from "./texts";
+import { runSections } from "./run";
+import { campaignSections } from "./campaign/page";
+import { limitSections } from "./limit";
+
+async function start(): Promise<void> {
+  speak(document.documentElement.lang);
+  const holder = document.getElementById("wythe-data")!;
+  const text = holder.textContent!.trim();
+  holder.textContent = "";
+  let sections: Section[];
+  try {
+    if (typeof DecompressionStream === "undefined") throw new Error(say("old_browser"));
+    const bundle = await unpack(fromBase64(text));
+    switch (bundle.header.kind) {
+      case "run":
+        sections = runSections(bundle);
+        break;
+      case "campaign":
+        sections = campaignSections(bundle);
+        break;
+      case "limit":
+        sections = limitSections(bundle);
+        break;
+      default:
+        throw new Error(`unknown kind of page: ${bundle.header.kind}`);
+    }
+    build(sections);
+    later(() => undefined);
+  } catch (error) {
+    fail(error instanceof Error ? error.message : String(error));
+  }
+}
+void start();

@@ -1,0 +1,447 @@
+// The page of a run: curve and wall side by side, how it failed; energy and meters are in run_trust.ts.
+import type { Bundle } from "./bundle";
+import { append, h, svg, type Child } from "./dom";
+import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
+import { aroundPrint, type Section } from "./page";
+import { Plot, rangeOf, type Point } from "./plot";
+import { assumptions, inputTables, provenanceTable } from "./inputs";
+import { energySection, trustSection, zip, type Curve } from "./run_trust";
+import { table } from "./tables";
+import { capital, num, phrase, qty, say } from "./texts";
+import { Frames, readWall } from "./wall";
+import { WallView, type FrameInfo } from "./wallview";
+
+function readCurve(bundle: Bundle): Curve {
+  const get = (name: string): number[] => Array.from(bundle.array(`curve.${name}`));
+  return {
+    displacement: get("displacement_mm"),
+    drift: get("drift_percent"),
+    reaction: get("reaction_kN"),
+    base: get("base_shear_kN"),
+    unbalance: get("unbalance_ratio"),
+    kinetic: get("kinetic_ratio"),
+    factor: get("load_factor"),
+  };
+}
+
+// Words for a frame's labels: "peak", "20 mm", "end".
+const labelOf = (labels: string[]): string => labels.map((l) => phrase(l)).join(", ");
+
+class RunPage {
+  private readonly header: any;
+  private readonly s: any;
+  private readonly curve: Curve;
+  private readonly byFactor: boolean;
+  private readonly view: WallView | null;
+  private plot: Plot | null = null;
+  private cursor: SVGGElement | null = null;
+
+  constructor(private readonly bundle: Bundle) {
+    this.header = bundle.header;
+    this.s = this.header.summary;
+    this.curve = readCurve(bundle);
+    this.byFactor = !(this.s.peak_reaction_kN > 0) && this.s.load_factor > 0;
+    this.view = this.makeView();
+  }
+
+  private makeView(): WallView | null {
+    const wall = readWall(this.bundle);
+    if (!wall || (this.header.frames ?? []).length === 0) return null;
+    const info: FrameInfo[] = this.header.frames.map((f: any) => ({
+      label: labelOf(f.labels),
+      displacement: f.displacement_mm,
+      reaction: f.reaction_kN,
+    }));
+    return new WallView({
+      id: "wall",
+      wall,
+      frames: new Frames(this.bundle, wall),
+      info,
+      player: true,
+      onFrame: () => this.moveCursor(),
+    });
+  }
+
+  sections(): Section[] {
+    return [
+      { id: "push", title: say("section.push"), content: this.push() },
+      { id: "failure", title: say("section.failure"), content: this.failure() },
+      { id: "energy", title: say("section.energy"), content: energySection(this.header) },
+      { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },
+      {
+        id: "inputs",
+        title: say("section.inputs"),
+        content: inputTables(this.header.inputs, this.header.note),
+      },
+      { id: "provenance", title: say("section.provenance"), content: this.provenance() },
+    ];
+  }
+
+  // --- curve and wall ------------------------------------------------------------------------------
+
+  private push(): Child {
+    const curve =
+      this.curve.displacement.length > 1
+        ? this.curveFigure().element
+        : h("p", { class: "note" }, say("run.no_curve"));
+    const wall = this.view?.element ?? h("p", { class: "note" }, say("run.no_states"));
+    return [
+      h("div", { class: "hero" }, curve, wall),
+      this.eventList(),
+      this.view ? this.printStates(this.view) : null,
+    ];
+  }
+
+  private curveFigure(): Figure {
+    const kind = this.byFactor ? "factor" : "force";
+    const items: [SVGSVGElement, Child][] = [[swatch("force"), say(`curve.${kind}`)]];
+    if (!this.byFactor) items.push([swatch("base"), say("curve.base")]);
+    if (this.s.bilinear?.force_kN > 0) items.push([swatch("fit"), say("curve.bilinear")]);
+    const figure = new Figure({
+      id: "curve",
+      title: say(`curve.${kind}.title`),
+      above: legend(items),
+      wide: true,
+      draw: (width, onPaper) => this.drawCurve(width, onPaper),
+      caption: say("curve.caption"),
+      sheet: () => ({
+        head: [
+          "displacement_mm",
+          "drift_percent",
+          "reaction_kN",
+          "base_shear_kN",
+          "unbalance_ratio",
+          "kinetic_ratio",
+          "load_factor",
+        ],
+        rows: this.curve.displacement.map((d, i) => [
+          d,
+          this.curve.drift[i],
+          this.curve.reaction[i],
+          this.curve.base[i],
+          this.curve.unbalance[i],
+          this.curve.kinetic[i],
+          this.curve.factor[i],
+        ]),
+      }),
+    });
+    return figure;
+  }
+
+  private drawCurve(width: number, onPaper: boolean): SVGSVGElement {
+    const c = this.curve,
+      force = this.byFactor ? c.factor : c.reaction;
+    const y = rangeOf([0, ...force]),
+      x = rangeOf([0, ...c.displacement]);
+    const air = 0.1 * (y[1] - y[0]);
+    const height = onPaper ? 0.42 * width : Math.max(280, Math.min(520, 0.84 * width));
+    const last = c.displacement.findIndex((d, i) => Math.abs(d) > 1e-6 && Math.abs(c.drift[i]) > 0);
+    const plot = new Plot({
+      width,
+      height,
+      x: [x[0], x[1] * 1.01],
+      y: [y[0] < -0.02 * y[1] ? y[0] - air : 0, y[1] + air],
+      xLabel: say("axis.displacement"),
+      yLabel: say(this.byFactor ? "axis.factor" : "axis.reaction"),
+      title: say("curve.alt", this.altPlaces()),
+      topAxis:
+        last >= 0
+          ? { label: say("drift"), unit: "%", factor: c.drift[last] / c.displacement[last] }
+          : undefined,
+    });
+    if (!this.byFactor) plot.line(zip(c.displacement, c.base), "base");
+    this.drawBilinear(plot);
+    plot.line(zip(c.displacement, force), "force");
+    this.drawMarks(plot);
+    this.cursor = svg("g", { class: "cursor" });
+    plot.over.appendChild(this.cursor);
+    this.plot = plot;
+    this.moveCursor();
+    this.listen(plot);
+    return plot.svg;
+  }
+  private altPlaces(): Record<string, string> {
+    return { force: qty(this.s.peak_reaction_kN, "kN"), at: qty(this.s.displacement_at_peak_mm, "mm") };
+  }
+
+  private drawBilinear(plot: Plot): void {
+    const b = this.s.bilinear;
+    if (this.byFactor || !(b?.force_kN > 0)) return;
+    plot.line(
+      [
+        [0, 0],
+        [b.yield_displacement_mm, b.force_kN],
+        [b.ultimate_displacement_mm, b.force_kN],
+      ],
+      "fit",
+    );
+  }
+
+  private drawMarks(plot: Plot): void {
+    if (!this.byFactor && this.s.peak_reaction_kN > 0) {
+      plot.dot(this.s.displacement_at_peak_mm, this.s.peak_reaction_kN, 4.5, "peak");
+      if (!this.s.censored_80)
+        plot.dot(this.s.displacement_at_80_percent_mm, 0.8 * this.s.peak_reaction_kN, 4.5, "peak");
+    }
+    let before: Point = [-100, -100];
+    (this.s.events as any[]).forEach((e, i) => {
+      let at: Point = [plot.X(e.displacement_mm), plot.Y(this.byFactor ? 0 : e.reaction_kN)];
+      if (!Number.isFinite(at[0] + at[1])) return;
+      // marks at one place stack downwards, to the right of the curve
+      if (Math.hypot(at[0] - before[0], at[1] - before[1]) < 18) at = [before[0] + 11, before[1] + 14];
+      before = at;
+      append(plot.over, [
+        svg(
+          "g",
+          { class: "event", "data-event": e.name },
+          svg("title", {}, `${phrase(e.name)}: ${qty(e.displacement_mm, "mm")}, ${qty(e.reaction_kN, "kN")}`),
+          svg("circle", { class: "mark", cx: at[0], cy: at[1], r: 8 }),
+          svg("text", { class: "markno", x: at[0], y: at[1] + 3.6, "text-anchor": "middle" }, i + 1),
+        ),
+      ]);
+    });
+  }
+
+  private moveCursor(): void {
+    if (!this.plot || !this.cursor || !this.view) return;
+    const info = this.view.spec.info[this.view.look.frame];
+    const x = this.plot.X(info.displacement);
+    const row = this.rowAt(info.displacement);
+    const y = this.plot.Y(this.byFactor ? this.curve.factor[row] : this.curve.reaction[row]);
+    this.cursor.replaceChildren(
+      svg("line", { class: "cursor-line", x1: x, x2: x, y1: this.plot.top, y2: this.plot.bottom }),
+      svg("circle", { class: "cursor-dot", cx: x, cy: y, r: 5 }),
+    );
+  }
+  private rowAt(displacement: number): number {
+    let best = 0;
+    this.curve.displacement.forEach((d, i) => {
+      if (Math.abs(d - displacement) < Math.abs(this.curve.displacement[best] - displacement)) best = i;
+    });
+    return best;
+  }
+  private frameAt(displacement: number): number {
+    const info = this.view!.spec.info;
+    let best = 0;
+    info.forEach((f, i) => {
+      if (Math.abs(f.displacement - displacement) < Math.abs(info[best].displacement - displacement))
+        best = i;
+    });
+    return best;
+  }
+  private listen(plot: Plot): void {
+    const point = (event: PointerEvent): void => {
+      const [px] = pointIn(plot.svg, event);
+      if (px < plot.left || px > plot.right) return hideTip();
+      const row = this.rowAt(plot.xAt(px)),
+        c = this.curve;
+      showTip(event, [
+        [say("displacement"), qty(c.displacement[row], "mm")],
+        [say("drift"), qty(c.drift[row], "%")],
+        this.byFactor
+          ? [say("curve.factor"), num(c.factor[row])]
+          : [say("curve.force"), qty(c.reaction[row], "kN", 4)],
+        ...(this.byFactor ? [] : [[say("curve.base"), qty(c.base[row], "kN", 4)] as [string, string]]),
+      ]);
+      if (this.view && (event.buttons > 0 || event.type === "pointerdown"))
+        this.view.show(this.frameAt(plot.xAt(px)));
+    };
+    plot.svg.addEventListener("pointermove", point);
+    plot.svg.addEventListener("pointerdown", point);
+    plot.svg.addEventListener("pointerleave", hideTip);
+    plot.svg.style.touchAction = "pan-y";
+    plot.svg.style.cursor = "crosshair";
+  }
+
+  private eventList(): Child {
+    if (this.s.events.length === 0) return null;
+    return h(
+      "ol",
+      { class: "events", "aria-label": say("events") },
+      this.s.events.map((e: any) =>
+        h(
+          "li",
+          {},
+          h("b", {}, capital(phrase(e.name))),
+          " ",
+          h("span", { class: "soft" }, `${qty(e.displacement_mm, "mm")}, ${qty(e.reaction_kN, "kN")}`),
+          e.where ? `: ${phrase(e.where)}` : "",
+        ),
+      ),
+    );
+  }
+
+  // Pictures of the labelled states, for paper only.
+  private printStates(view: WallView): HTMLElement {
+    const place = h("div", { class: "print-only pictures" });
+    aroundPrint(
+      () => {
+        const labelled = this.header.frames
+          .map((f: any, i: number) => [f, i])
+          .filter(([f]: any) => f.labels.length > 0 && f.labels[0] !== "start");
+        const peak = labelled.filter(([f]: any) => f.labels.includes("peak")),
+          end = labelled.slice(-1);
+        place.replaceChildren(
+          ...[...new Map([...peak, ...end].map((p: any) => [p[1], p])).values()].map(([, i]: any) =>
+            h(
+              "figure",
+              {},
+              view.picture(i, 400),
+              h(
+                "figcaption",
+                {},
+                `${view.spec.info[i].label}: ${qty(view.spec.info[i].displacement, "mm")}, ${qty(view.spec.info[i].reaction, "kN")}`,
+              ),
+            ),
+          ),
+        );
+      },
+      () => place.replaceChildren(),
+    );
+    return place;
+  }
+
+  // --- how it failed -------------------------------------------------------------------------------
+
+  private failure(): Child {
+    const mode = this.s.failure_mode;
+    if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
+    const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
+    const measured = (rows: any[], word: string, caption = ""): Child =>
+      table(
+        [
+          { head: say("failure.element"), left: true },
+          { head: say("failure.sign"), left: true },
+          { head: say("failure.measured") },
+          { head: say("failure.threshold") },
+          { head: word },
+        ],
+        rows.map((e) => [
+          phrase(e.element),
+          phrase(e.measure),
+          qty(e.value, unit(e.unit)),
+          qty(e.threshold, unit(e.unit)),
+          h(e.margin >= 0 ? "b" : "span", {}, say(e.margin >= 0 ? "yes" : "no")),
+        ]),
+        caption,
+      );
+    return [
+      h(
+        "p",
+        { class: "lead" },
+        h("b", {}, phrase(mode.name)),
+        mode.sentence ? `: ${phrase(mode.sentence)}. ` : ". ",
+        h("span", { class: "soft" }, say("failure.read_at", { at: qty(mode.read_at_mm, "mm") })),
+      ),
+      this.scores(mode),
+      h(
+        "div",
+        { class: "pair" },
+        mode.elements.length > 0
+          ? table(
+              [
+                { head: say("failure.element"), left: true },
+                { head: say("failure.state"), left: true },
+                { head: say("failure.first") },
+              ],
+              mode.elements.map((e: any) => [
+                phrase(e.element),
+                phrase(e.state),
+                e.displacement_first_mm === null ? "–" : qty(e.displacement_first_mm, "mm"),
+              ]),
+              say("failure.elements"),
+            )
+          : null,
+        mode.flags.length > 0 ? measured(mode.flags, say("failure.raised"), say("failure.severity")) : null,
+      ),
+      this.sensitivity(mode),
+      h(
+        "details",
+        { class: "print-open" },
+        h("summary", {}, say("failure.measures")),
+        measured(mode.evidence, say("failure.reached")),
+      ),
+    ];
+  }
+
+  private scores(mode: any): Child {
+    const entries = Object.entries(mode.scores as Record<string, number>);
+    if (entries.length === 0) return null;
+    return h(
+      "dl",
+      { class: "scores" },
+      entries.map(([name, score]) =>
+        h(
+          "div",
+          { class: name === mode.name ? "score chosen" : "score" },
+          h("dt", {}, phrase(name)),
+          h(
+            "dd",
+            {},
+            h(
+              "span",
+              { class: "meter", "aria-hidden": "true" },
+              h("span", { style: `inline-size:${Math.max(0, Math.min(100, 100 * score)).toFixed(1)}%` }),
+            ),
+            h("span", {}, num(score, 2)),
+          ),
+        ),
+      ),
+    );
+  }
+
+  private sensitivity(mode: any): Child {
+    const others = mode.sensitivity.filter((r: any) => r.name !== mode.name);
+    if (mode.sensitivity.length === 0) return null;
+    const n = mode.sensitivity.length;
+    return h(
+      "p",
+      {},
+      others.length === 0
+        ? say("failure.stable", { n })
+        : say("failure.unstable", {
+            n,
+            others: others.map((r: any) => `${phrase(r.what)}: ${phrase(r.name)}`).join("; "),
+          }),
+    );
+  }
+
+  private provenance(): Child {
+    const s = this.s;
+    return [
+      h("p", { class: "soft" }, say("provenance.lead")),
+      assumptions(),
+      provenanceTable([
+        [say("provenance.program"), `wythe ${s.provenance.version} (${s.provenance.commit})`],
+        [
+          say("provenance.compiler"),
+          `${s.provenance.compiler}, ${s.provenance.build_type}, ${s.provenance.flags}`,
+        ],
+        [say("provenance.model"), s.provenance.spec_hash],
+        [say("provenance.state"), s.state_hash],
+        [
+          say("provenance.size"),
+          say("provenance.counts", { blocks: s.blocks, joints: s.joints, points: s.points }),
+        ],
+        [
+          say("provenance.steps"),
+          say("provenance.step_words", {
+            steps: s.steps,
+            step: qty(s.time_step_s, "s"),
+            seconds: qty(s.wall_seconds, "s"),
+          }),
+        ],
+      ]),
+      h(
+        "details",
+        {},
+        h("summary", {}, say("provenance.model_text")),
+        h("pre", { tabindex: 0 }, this.header.model_text),
+      ),
+    ];
+  }
+}
+
+export function runSections(bundle: Bundle): Section[] {
+  return new RunPage(bundle).sections();
+}

@@ -1,0 +1,192 @@
+// Why the answer of a run may be trusted: where its energy went, how nearly static it was.
+import { h, type Child } from "./dom";
+import { Figure, legend, swatch } from "./figure";
+import { Plot, rangeOf, type Point, type Range } from "./plot";
+import { table } from "./tables";
+import { num, qty, say, sentence } from "./texts";
+
+// Columns of force_displacement.csv.
+export interface Curve {
+  displacement: number[];
+  drift: number[];
+  reaction: number[];
+  base: number[];
+  unbalance: number[];
+  kinetic: number[];
+  factor: number[];
+}
+export const zip = (x: number[], y: number[]): Point[] => x.map((v, i) => [v, y[i]]);
+
+// --- energy --------------------------------------------------------------------------------------
+
+export function energySection(header: any): Child {
+  const e = header.summary.energy_J;
+  const kParts = ["friction", "fracture", "crushing", "damping", "elastic", "kinetic"] as const;
+  const frames = (header.frames ?? []) as any[],
+    ledger = (header.energy ?? []) as any[];
+  const put = Math.max(e.loads, 0) + Math.max(e.drive, 0);
+  const share = (j: number): string => (put > 0 ? qty((100 * j) / put, "%") : "–");
+  const rows: Child[][] = [[say("energy.drive"), num(e.drive), share(e.drive)]];
+  if (e.loads > 0) rows.push([say("energy.loads"), num(e.loads), share(e.loads)]);
+  for (const part of kParts)
+    rows.push([
+      h("span", {}, h("span", { class: `chip e-${part}`, "aria-hidden": "true" }), say(`energy.${part}`)),
+      num(e[part]),
+      share(e[part]),
+    ]);
+  if (e.loads < 0) rows.push([say("energy.lifting"), num(-e.loads), share(-e.loads)]);
+  rows.push([say("energy.gap"), num(e.gap), qty(e.gap_ratio === null ? null : 100 * e.gap_ratio, "%")]);
+  const list = table(
+    [{ head: "", left: true }, { head: "J" }, { head: say("share") }],
+    rows.map((r) => r),
+    say("energy.table"),
+  );
+  if (frames.length < 3) return [h("p", { class: "soft" }, say("energy.lead")), list];
+  // dissipated since the start of the push, stored as it is above the start
+  const from = ledger[0];
+  const series = kParts.map((part) => ledger.map((l) => Math.max(0, l[part] - from[part])));
+  const x = frames.map((f) => f.displacement_mm);
+  const figure = new Figure({
+    id: "energy-chart",
+    title: say("energy.title"),
+    caption: say("energy.caption"),
+    above: legend([
+      ...kParts.map((part): [SVGSVGElement, Child] => [
+        swatch(`area e-${part}`, "box"),
+        say(`energy.${part}`),
+      ]),
+      [swatch("work"), say("energy.work")],
+    ]),
+    draw: (width) => {
+      const total = x.map((_, i) => series.reduce((sum, s) => sum + s[i], 0));
+      const work = ledger.map((l) => l.drive - from.drive + l.loads - from.loads);
+      const plot = new Plot({
+        width,
+        height: Math.max(250, Math.min(380, 0.6 * width)),
+        x: rangeOf([0, ...x]),
+        y: rangeOf([0, ...total, ...work].map((v) => v * 1.04)),
+        xLabel: say("axis.displacement"),
+        yLabel: say("axis.energy"),
+        title: say("energy.title"),
+      });
+      let low = x.map(() => 0);
+      kParts.forEach((part, k) => {
+        const high = low.map((v, i) => v + series[k][i]);
+        plot.band(x, low, high, `area e-${part}`);
+        low = high;
+      });
+      plot.line(zip(x, work), "work");
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: ["displacement_mm", "work_J", ...kParts.map((p) => `${p}_J`)],
+      rows: x.map((d, i) => [
+        d,
+        ledger[i].drive - from.drive + ledger[i].loads - from.loads,
+        ...series.map((s) => s[i]),
+      ]),
+    }),
+  });
+  return [h("p", { class: "soft" }, say("energy.lead")), h("div", { class: "pair" }, figure.element, list)];
+}
+
+// --- trust ---------------------------------------------------------------------------------------
+
+export function trustSection(summary: any, curve: Curve): Child {
+  const q = summary.quasi_static;
+  const rows: Child[][] = [
+    [
+      say("trust.unbalance"),
+      num(q.unbalance_ratio_mean),
+      num(q.unbalance_ratio_max),
+      say("trust.unbalance.means"),
+    ],
+    [say("trust.kinetic"), num(q.kinetic_ratio_mean), num(q.kinetic_ratio_max), say("trust.kinetic.means")],
+    [say("trust.shear"), num(q.shear_gap), "", say("trust.shear.means")],
+    [say("trust.damping"), num(q.damping_share), "", say("trust.damping.means")],
+  ];
+  const list = table(
+    [
+      { head: say("trust.measure"), left: true },
+      { head: say("mean") },
+      { head: say("largest") },
+      { head: say("trust.means"), left: true },
+    ],
+    rows,
+  );
+  const verdict = h("p", { class: "lead" }, sentence(q.verdict));
+  const stages =
+    summary.stages.length === 0
+      ? null
+      : table(
+          [
+            { head: say("stage"), left: true },
+            { head: say("stage.time") },
+            { head: say("stage.steps") },
+            { head: say("stage.unbalance") },
+            { head: say("stage.settled") },
+          ],
+          summary.stages.map((g: any) => [
+            g.name,
+            qty(g.time_s, "s"),
+            String(g.steps),
+            num(g.unbalance_ratio),
+            g.settled ? say("yes") : "–",
+          ]),
+          say("stages"),
+        );
+  if (curve.displacement.length < 3) return [verdict, list, stages];
+  return [
+    verdict,
+    h("div", { class: "pair" }, ratioFigure(summary, curve).element, h("div", {}, list, stages)),
+  ];
+}
+
+function ratioFigure(summary: any, c: Curve): Figure {
+  // the start, where the work done is next to nothing, says nothing about the ratios
+  const counts = c.displacement.map((d) => Math.abs(d) >= 0.1 * (summary.displacement_at_peak_mm ?? 0));
+  const positive = [
+    ...c.unbalance.filter((v, i) => counts[i] && v > 0),
+    ...c.kinetic.filter((v, i) => counts[i] && v > 0),
+  ];
+  const log10 = (v: number): number => Math.log10(Math.max(1e-9, v));
+  const range: Range = [
+    Math.floor(log10(Math.min(...positive, 1e-3))),
+    Math.ceil(log10(Math.max(...positive, 1e-2))),
+  ];
+  return new Figure({
+    id: "ratios",
+    title: say("trust.title"),
+    caption: say("trust.caption"),
+    above: legend([
+      [swatch("force"), say("trust.unbalance")],
+      [swatch("base"), say("trust.kinetic")],
+    ]),
+    draw: (width) => {
+      const plot = new Plot({
+        width,
+        height: Math.max(230, Math.min(330, 0.55 * width)),
+        x: rangeOf([0, ...c.displacement]),
+        y: range,
+        yTicks: Array.from({ length: range[1] - range[0] + 1 }, (_, i) => range[0] + i),
+        yFormat: (v) =>
+          v === 0 ? "1" : `10${String(v).replace(/./g, (d) => (d === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(d)]))}`,
+        xLabel: say("axis.displacement"),
+        yLabel: say("axis.ratio"),
+        title: say("trust.title"),
+      });
+      const log = (v: number[]): Point[] =>
+        zip(
+          c.displacement,
+          v.map((x) => (x > 0 ? Math.log10(x) : NaN)),
+        );
+      plot.line(log(c.kinetic), "base");
+      plot.line(log(c.unbalance), "force thin");
+      return plot.svg;
+    },
+    sheet: () => ({
+      head: ["displacement_mm", "unbalance_ratio", "kinetic_ratio"],
+      rows: c.displacement.map((d, i) => [d, c.unbalance[i], c.kinetic[i]]),
+    }),
+  });
+}

@@ -1,0 +1,107 @@
+// Tables: plain ones, and ones whose columns sort.
+import { h, type Child } from "./dom";
+import { say } from "./texts";
+
+export interface Column {
+  head: Child;
+  left?: boolean;
+  title?: string;
+}
+export interface Cell {
+  show: Child;
+  sort?: number | string | null;
+  title?: string;
+}
+export type Row = (Cell | Child)[];
+
+const isCell = (c: Cell | Child): c is Cell => typeof c === "object" && c !== null && "show" in c;
+
+function bodyRow(row: Row, columns: Column[]): HTMLElement {
+  return h(
+    "tr",
+    {},
+    row.map((c, i) => {
+      const cell = isCell(c) ? c : { show: c };
+      const css = columns[i]?.left ? "left" : undefined;
+      return i === 0
+        ? h("th", { scope: "row", class: css, title: cell.title }, cell.show)
+        : h("td", { class: css, title: cell.title }, cell.show);
+    }),
+  );
+}
+
+export function table(columns: Column[], rows: Row[], caption = "", css = ""): HTMLElement {
+  const heads = columns.map((c) =>
+    c.head === ""
+      ? h("td")
+      : h("th", { scope: "col", class: c.left ? "left" : undefined, title: c.title }, c.head),
+  );
+  return h(
+    "div",
+    { class: "scroll", tabindex: 0, role: "group", "aria-label": caption || say("table") },
+    h(
+      "table",
+      { class: css },
+      caption ? h("caption", {}, caption) : null,
+      columns.some((c) => c.head !== "") ? h("thead", {}, h("tr", {}, heads)) : null,
+      h(
+        "tbody",
+        {},
+        rows.map((r) => bodyRow(r, columns)),
+      ),
+    ),
+  );
+}
+
+const sortKey = (c: Cell | Child): number | string | null =>
+  isCell(c)
+    ? (c.sort ?? (typeof c.show === "string" ? c.show : null))
+    : typeof c === "string" || typeof c === "number"
+      ? c
+      : null;
+
+// Buttons in the heads sort the rows; a second press turns the order.
+export function sortable(columns: Column[], rows: Row[], caption: string): HTMLElement {
+  const body = h("tbody");
+  let by = -1,
+    down = false;
+  const heads = columns.map((c, i) => {
+    const press = (): void => {
+      down = by === i ? !down : i > 0;
+      by = i;
+      fill();
+    };
+    return h(
+      "th",
+      { scope: "col", class: c.left ? "left" : undefined, title: c.title },
+      h(
+        "button",
+        { type: "button", class: "sort", onclick: press },
+        c.head,
+        h("span", { class: "arrow", "aria-hidden": "true" }),
+      ),
+    );
+  });
+  const fill = (): void => {
+    const order = [...rows];
+    if (by >= 0)
+      order.sort((a, b) => {
+        const [x, y] = [sortKey(a[by]), sortKey(b[by])];
+        if (x === null || y === null) return x === y ? 0 : x === null ? 1 : -1;
+        const less =
+          typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y));
+        return down ? -less : less;
+      });
+    heads.forEach((head, i) => {
+      head.setAttribute("aria-sort", i !== by ? "none" : down ? "descending" : "ascending");
+      head.querySelector(".arrow")!.textContent = i !== by ? "" : down ? " ↓" : " ↑";
+    });
+    body.replaceChildren(...order.map((r) => bodyRow(r, columns)));
+  };
+  fill();
+  return h(
+    "div",
+    { class: "scroll", tabindex: 0, role: "group", "aria-label": caption },
+    h("table", {}, h("caption", {}, caption), h("thead", {}, h("tr", {}, heads)), body),
+  );
+}

@@ -1,0 +1,253 @@
+// A wall and its states: shapes at the start, where blocks and joints are in a frame. The same
+// kinematics as src/model/deformed.h: a block turns about its centroid and moves.
+import type { Bundle, Numbers } from "./bundle";
+
+export const kKinds = [
+  "bed",
+  "head",
+  "split",
+  "foundation",
+  "lintel_chain",
+  "lintel_bond",
+  "plate",
+  "beam",
+  "other",
+];
+export const kLintel = 1,
+  kPlate = 2,
+  kBeam = 3;
+
+export interface Wall {
+  length: number;
+  height: number;
+  thickness: number;
+  courses: number;
+  blocks: number;
+  joints: number;
+  pairs: number;
+  push: [number, number] | null;
+  driven: Numbers | null;
+  outlineBegin: Numbers;
+  outlineX: Numbers;
+  outlineY: Numbers;
+  centroidX: Numbers;
+  centroidY: Numbers;
+  blockThickness: Numbers;
+  role: Numbers;
+  jointA: Numbers;
+  jointB: Numbers;
+  kind: Numbers;
+  armAX: Numbers;
+  armAY: Numbers;
+  armBX: Numbers;
+  armBY: Numbers;
+  halfX: Numbers;
+  halfY: Numbers;
+  supportBegin: Numbers;
+  supportX: Numbers;
+  supportY: Numbers;
+  bounds: { x0: number; x1: number; y0: number; y1: number };
+}
+
+export function readWall(bundle: Bundle): Wall | null {
+  const head = bundle.header.wall;
+  if (!head) return null;
+  const get = (name: string): Numbers => bundle.array(`wall.${name}`);
+  const wall = {
+    ...head,
+    push: head.push ?? null,
+    driven: head.push ? get("driven") : null,
+    outlineBegin: get("outline_begin"),
+    outlineX: get("outline_x"),
+    outlineY: get("outline_y"),
+    centroidX: get("centroid_x"),
+    centroidY: get("centroid_y"),
+    blockThickness: get("thickness"),
+    role: get("role"),
+    jointA: get("joint_a"),
+    jointB: get("joint_b"),
+    kind: get("kind"),
+    armAX: get("arm_a_x"),
+    armAY: get("arm_a_y"),
+    armBX: get("arm_b_x"),
+    armBY: get("arm_b_y"),
+    halfX: get("half_x"),
+    halfY: get("half_y"),
+    supportBegin: get("support_begin"),
+    supportX: get("support_x"),
+    supportY: get("support_y"),
+  };
+  const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
+  const take = (xs: Numbers, ys: Numbers): void =>
+    xs.forEach((x: number, i: number) => {
+      bounds.x0 = Math.min(bounds.x0, x);
+      bounds.x1 = Math.max(bounds.x1, x);
+      bounds.y0 = Math.min(bounds.y0, ys[i]);
+      bounds.y1 = Math.max(bounds.y1, ys[i]);
+    });
+  take(wall.outlineX, wall.outlineY);
+  take(wall.supportX, wall.supportY);
+  return { ...wall, bounds };
+}
+
+// Values of every frame one after the other: (n_frame, n_block) and (n_frame, n_joint).
+export class Frames {
+  readonly count: number;
+  private readonly arrays: Record<string, Numbers> = {};
+  readonly hasForces: boolean;
+
+  constructor(
+    bundle: Bundle,
+    readonly wall: Wall,
+  ) {
+    this.count = bundle.header.frames?.length ?? 0;
+    for (const name of [
+      "ux",
+      "uy",
+      "theta",
+      "opening",
+      "slip",
+      "damage",
+      "crushing",
+      "compression",
+      "shear",
+      "eccentricity",
+    ])
+      if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
+    this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
+  }
+  private slice(name: string, frame: number, n: number): Numbers {
+    return this.arrays[name].subarray(frame * n, (frame + 1) * n);
+  }
+  at(frame: number): Frame {
+    const { blocks, joints } = this.wall;
+    const joint = (name: string): Numbers => this.slice(name, frame, joints);
+    return {
+      ux: this.slice("ux", frame, blocks),
+      uy: this.slice("uy", frame, blocks),
+      theta: this.slice("theta", frame, blocks),
+      opening: joint("opening"),
+      slip: joint("slip"),
+      damage: joint("damage"),
+      crushing: joint("crushing"),
+      compression: this.hasForces ? joint("compression") : null,
+      shear: this.hasForces ? joint("shear") : null,
+      eccentricity: this.hasForces ? joint("eccentricity") : null,
+    };
+  }
+}
+export interface Frame {
+  ux: Numbers;
+  uy: Numbers;
+  theta: Numbers;
+  opening: Numbers;
+  slip: Numbers;
+  damage: Numbers;
+  crushing: Numbers; // [m], [m], 0-255, 0-255
+  compression: Numbers | null;
+  shear: Numbers | null;
+  eccentricity: Numbers | null; // [N], [N], -1 to 1
+}
+
+const kQuarter = Math.PI / 2;
+// Poses of all blocks at a magnification: centroid, cosine and sine.
+export class Pose {
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  readonly c: Float64Array;
+  readonly s: Float64Array;
+  constructor(
+    readonly wall: Wall,
+    readonly frame: Frame,
+    readonly scale: number,
+  ) {
+    const n = wall.blocks;
+    this.x = new Float64Array(n);
+    this.y = new Float64Array(n);
+    this.c = new Float64Array(n);
+    this.s = new Float64Array(n);
+    for (let b = 0; b < n; ++b) {
+      const theta = frame.theta[b];
+      // magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin
+      const turn =
+        Math.abs(theta) > kQuarter ? theta : Math.min(kQuarter, Math.max(-kQuarter, theta * scale));
+      this.c[b] = Math.cos(turn);
+      this.s[b] = Math.sin(turn);
+      this.x[b] = wall.centroidX[b] + scale * frame.ux[b];
+      this.y[b] = wall.centroidY[b] + scale * frame.uy[b];
+    }
+  }
+  // Where corner i of the outlines is now; it belongs to block b.
+  corner(b: number, i: number): [number, number] {
+    const ax = this.wall.outlineX[i] - this.wall.centroidX[b],
+      ay = this.wall.outlineY[i] - this.wall.centroidY[b];
+    return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
+  }
+  // A point of a joint, half way between its faces; xi from -1 to 1 along it.
+  joint(j: number, xi: number): [number, number] {
+    const w = this.wall,
+      a = w.jointA[j],
+      b = w.jointB[j];
+    const bx = w.armBX[j] + xi * w.halfX[j],
+      by = w.armBY[j] + xi * w.halfY[j];
+    const x = this.x[b] + this.c[b] * bx - this.s[b] * by,
+      y = this.y[b] + this.s[b] * bx + this.c[b] * by;
+    if (a < 0) return [(x + w.centroidX[b] + bx) / 2, (y + w.centroidY[b] + by) / 2];
+    const ax = w.armAX[j] + xi * w.halfX[j],
+      ay = w.armAY[j] + xi * w.halfY[j];
+    return [
+      (x + this.x[a] + this.c[a] * ax - this.s[a] * ay) / 2,
+      (y + this.y[a] + this.s[a] * ax + this.c[a] * ay) / 2,
+    ];
+  }
+}
+
+// A round magnification at which the largest displacement shows as some 5 % of the wall.
+export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 1): number {
+  if (frames.count === 0) return 1;
+  const { ux, uy } = frames.at(frame);
+  let largest = 0;
+  for (let b = 0; b < wall.blocks; ++b) largest = Math.max(largest, Math.hypot(ux[b], uy[b]));
+  const wanted = 0.05 * Math.hypot(wall.length, wall.height);
+  return [1, 2, 5, 10, 20, 50, 100].filter((s) => s === 1 || largest * s <= wanted).pop()!;
+}
+
+export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing";
+export const kMeasures: Measure[] = ["cracks", "opening", "slip", "damage", "crushing"];
+// Bounds of the colour steps: millimetres, or shares.
+export const kSteps: Record<Exclude<Measure, "cracks">, number[]> = {
+  opening: [0.05, 0.2, 0.5, 1, 3, 10],
+  slip: [0.05, 0.2, 0.5, 1, 3, 10],
+  damage: [0.05, 0.25, 0.5, 0.75, 0.9, 0.999],
+  crushing: [0.02, 0.1, 0.25, 0.5, 0.75, 0.9],
+};
+export function valueOf(frame: Frame, j: number, measure: Exclude<Measure, "cracks">): number {
+  switch (measure) {
+    case "opening":
+      return frame.opening[j] * 1e3;
+    case "slip":
+      return Math.abs(frame.slip[j]) * 1e3;
+    case "damage":
+      return frame.damage[j] / 255;
+    case "crushing":
+      return frame.crushing[j] / 255;
+  }
+}
+// 0: below the first bound; k: above the k-th.
+export function stepOf(value: number, bounds: number[]): number {
+  let k = 0;
+  while (k < bounds.length && value >= bounds[k]) ++k;
+  return k;
+}
+const kVisible = 0.05; // openings and slips below are closed [mm]
+// How a joint shows among the cracks.
+export type Crack = "sound" | "softening" | "closed" | "open" | "slip";
+export function crackOf(frame: Frame, j: number): Crack {
+  const damage = frame.damage[j] / 255;
+  if (damage <= 0.012) return "sound";
+  if (damage < 0.998) return "softening";
+  const opening = frame.opening[j] * 1e3,
+    slip = Math.abs(frame.slip[j]) * 1e3;
+  if (Math.max(opening, slip) < kVisible) return "closed";
+  return opening >= slip ? "open" : "slip";
+}

@@ -1,0 +1,315 @@
+// The wall in its plane, as SVG: ground, blocks by tint, joints by what they show, forces, push.
+// Shapes of one look are one path, so that a thousand blocks move as fast as ten.
+import { append, svg } from "./dom";
+import { say } from "./texts";
+import { ticks } from "./plot";
+import {
+  crackOf,
+  kBeam,
+  kLintel,
+  kPlate,
+  kSteps,
+  Pose,
+  stepOf,
+  valueOf,
+  type Frames,
+  type Measure,
+  type Wall,
+} from "./wall";
+
+export interface Look {
+  frame: number;
+  scale: number;
+  measure: Measure;
+  forces: boolean;
+}
+
+const kMargin = 34,
+  kTints = 4;
+
+// A tint that differs between neighbours and is the same in every picture.
+const tintOf = (b: number): number => ((Math.imul(b, 2654435761) >>> 13) + b) % kTints;
+
+export interface Canvas {
+  width: number;
+  height: number;
+  X: (x: number) => number;
+  Y: (y: number) => number;
+  k: number;
+}
+
+// Room for the wall and for what leans out of it at the last frames.
+export function canvasFor(wall: Wall, width: number, tallest = 560): Canvas {
+  const { x0, x1, y0, y1 } = wall.bounds;
+  const reachX = 0.05 * (x1 - x0),
+    reachY = 0.03 * (y1 - y0);
+  const wide = x1 - x0 + 2 * reachX,
+    high = y1 - y0 + reachY;
+  const k = Math.min((width - 2 * kMargin) / wide, (tallest - 2 * kMargin) / high);
+  const height = Math.round(high * k + 2 * kMargin);
+  const left = (width - (x1 - x0) * k) / 2;
+  return { width, height, k, X: (x) => left + (x - x0) * k, Y: (y) => height - kMargin - (y - y0) * k };
+}
+
+class Paths {
+  private readonly d: Record<string, string[]> = {};
+  constructor(private readonly canvas: Canvas) {}
+  segment(css: string, [ax, ay]: [number, number], [bx, by]: [number, number]): void {
+    const { X, Y } = this.canvas;
+    (this.d[css] ??= []).push(
+      `M${X(ax).toFixed(1)} ${Y(ay).toFixed(1)}L${X(bx).toFixed(1)} ${Y(by).toFixed(1)}`,
+    );
+  }
+  polygon(css: string, points: [number, number][]): void {
+    const { X, Y } = this.canvas;
+    (this.d[css] ??= []).push(
+      "M" + points.map(([x, y]) => `${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("L") + "Z",
+    );
+  }
+  raw(css: string, d: string): void {
+    (this.d[css] ??= []).push(d);
+  }
+  elements(order: string[]): SVGPathElement[] {
+    const rest = Object.keys(this.d).filter((css) => !order.includes(css));
+    return [...order, ...rest]
+      .filter((css) => this.d[css])
+      .map((css) => svg("path", { class: css, d: this.d[css].join(""), "data-marks": this.d[css].length }));
+  }
+}
+
+function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
+  for (let b = 0; b < wall.blocks; ++b) {
+    const points: [number, number][] = [];
+    for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) points.push(pose.corner(b, i));
+    const role = wall.role[b];
+    paths.polygon(
+      role === kLintel ? "timber" : role === kPlate || role === kBeam ? "plate" : `stone stone${tintOf(b)}`,
+      points,
+    );
+  }
+}
+
+function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
+  for (let s = 0; s + 1 < wall.supportBegin.length; ++s) {
+    const points: [number, number][] = [];
+    for (let i = wall.supportBegin[s]; i < wall.supportBegin[s + 1]; ++i)
+      points.push([wall.supportX[i], wall.supportY[i]]);
+    paths.polygon("support", points);
+  }
+  if (wall.supportBegin.length > 1) return;
+  for (let j = wall.pairs; j < wall.joints; ++j) {
+    const b = wall.jointB[j];
+    const cx = wall.centroidX[b] + wall.armBX[j],
+      cy = wall.centroidY[b] + wall.armBY[j];
+    paths.segment(
+      "ground",
+      [cx - wall.halfX[j], cy - wall.halfY[j]],
+      [cx + wall.halfX[j], cy + wall.halfY[j]],
+    );
+    const from = Math.min(canvas.X(cx - wall.halfX[j]), canvas.X(cx + wall.halfX[j]));
+    const to = Math.max(canvas.X(cx - wall.halfX[j]), canvas.X(cx + wall.halfX[j]));
+    const y = canvas.Y(cy);
+    for (let x = Math.ceil(from / 9) * 9; x < to; x += 9) paths.raw("hatch", `M${x} ${y.toFixed(1)}l-7 8`);
+  }
+}
+
+function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: Paths): void {
+  const frame = frames.at(look.frame);
+  for (let j = 0; j < wall.joints; ++j) {
+    const ends: [[number, number], [number, number]] = [pose.joint(j, -1), pose.joint(j, 1)];
+    const quiet = wall.kind[j] === 2 ? "split" : "mortar";
+    if (look.measure === "cracks") {
+      const crack = crackOf(frame, j);
+      if (crack === "sound") {
+        if (wall.kind[j] !== 4) paths.segment(quiet, ...ends);
+      } else {
+        const moved = Math.max(frame.opening[j], Math.abs(frame.slip[j])) * 1e3;
+        const wide = crack === "softening" || crack === "closed" ? 0 : stepOf(moved, [0.2, 1, 3, 10]);
+        paths.segment(`crack ${crack} w${wide}`, ...ends);
+      }
+      continue;
+    }
+    const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
+    if (step === 0 && wall.kind[j] === 4) continue;
+    paths.segment(step === 0 ? quiet : `joint ${look.measure} r${step}`, ...ends);
+  }
+}
+
+function drawCrushed(wall: Wall, frames: Frames, pose: Pose, look: Look): SVGElement[] {
+  if (look.measure !== "cracks") return [];
+  const frame = frames.at(look.frame);
+  const marks: SVGElement[] = [];
+  for (let j = 0; j < wall.joints; ++j) {
+    const crushing = frame.crushing[j] / 255;
+    if (crushing < 0.05) continue;
+    const side = frame.eccentricity ? Math.sign(frame.eccentricity[j]) : 0;
+    const [x, y] = pose.joint(j, 0.9 * side);
+    marks.push(
+      svg("circle", {
+        class: "crushed",
+        cx: 0,
+        cy: 0,
+        r: (2.4 + 2 * crushing).toFixed(1),
+        "data-x": x,
+        "data-y": y,
+      }),
+    );
+  }
+  return marks;
+}
+
+// The force of side a on side b in every joint, through the point where it acts.
+function drawForces(wall: Wall, frames: Frames, pose: Pose, look: Look, canvas: Canvas): SVGElement[] {
+  const frame = frames.at(look.frame);
+  if (!frame.compression || !frame.shear || !frame.eccentricity) return [];
+  let largest = 0;
+  for (let j = 0; j < wall.joints; ++j)
+    largest = Math.max(largest, Math.hypot(frame.compression[j], frame.shear[j]));
+  if (!(largest > 0)) return [];
+  const bins = 6;
+  const paths: string[][] = Array.from({ length: bins }, () => []);
+  const reach = 0.04 * Math.max(wall.length, wall.height);
+  for (let j = 0; j < wall.joints; ++j) {
+    const force = Math.hypot(frame.compression[j], frame.shear[j]);
+    if (force < 0.03 * largest) continue;
+    const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
+    const tx = wall.halfX[j] / half,
+      ty = wall.halfY[j] / half; // n is on the left of t
+    const fx = -ty * frame.compression[j] + tx * frame.shear[j],
+      fy = tx * frame.compression[j] + ty * frame.shear[j];
+    const [x, y] = pose.joint(j, frame.eccentricity[j]);
+    const long = (0.5 * reach * (0.25 + 0.75 * Math.sqrt(force / largest))) / force;
+    const bin = Math.min(bins - 1, Math.floor(Math.sqrt(force / largest) * bins));
+    paths[bin].push(
+      `M${canvas.X(x - fx * long).toFixed(1)} ${canvas.Y(y - fy * long).toFixed(1)}` +
+        `L${canvas.X(x + fx * long).toFixed(1)} ${canvas.Y(y + fy * long).toFixed(1)}`,
+    );
+  }
+  return paths
+    .map((d, i) =>
+      svg("path", {
+        class: "thrust",
+        "stroke-width": (0.5 + 0.55 * i).toFixed(2),
+        d: d.join(""),
+        "data-marks": d.length,
+      }),
+    )
+    .filter((p) => p.getAttribute("data-marks") !== "0");
+}
+
+// An arrow that ends where the pushed blocks begin.
+function drawArrow(wall: Wall, pose: Pose, canvas: Canvas): SVGElement | null {
+  if (!wall.push || !wall.driven || wall.driven.length === 0) return null;
+  let x0 = Infinity,
+    x1 = -Infinity,
+    y0 = Infinity,
+    y1 = -Infinity;
+  for (const b of wall.driven) {
+    for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) {
+      const [x, y] = pose.corner(b, i);
+      x0 = Math.min(x0, x);
+      x1 = Math.max(x1, x);
+      y0 = Math.min(y0, y);
+      y1 = Math.max(y1, y);
+    }
+  }
+  const [dx, dy] = [wall.push[0], -wall.push[1]];
+  const tx = canvas.X(dx > 0.5 ? x0 : dx < -0.5 ? x1 : (x0 + x1) / 2) - 3 * dx;
+  const ty = canvas.Y(dy < -0.5 ? y0 : dy > 0.5 ? y1 : (y0 + y1) / 2) - 3 * dy;
+  return svg("path", {
+    class: "arrow",
+    d:
+      `M${tx - 30 * dx} ${ty - 30 * dy}L${tx} ${ty}` +
+      `M${tx - 9 * dx - 6 * dy} ${ty - 9 * dy + 6 * dx}L${tx} ${ty}L${tx - 9 * dx + 6 * dy} ${ty - 9 * dy - 6 * dx}`,
+  });
+}
+
+function drawScaleBar(canvas: Canvas): SVGElement {
+  const metres = ticks([0, (0.25 * canvas.width) / canvas.k], 3)[1];
+  const right = canvas.width - 8,
+    left = right - metres * canvas.k,
+    y = canvas.height - 8;
+  return svg(
+    "g",
+    {},
+    svg("path", { class: "scalebar", d: `M${left} ${y - 4}V${y}H${right}V${y - 4}` }),
+    svg(
+      "text",
+      { class: "tick", x: (left + right) / 2, y: y - 6, "text-anchor": "middle" },
+      metres >= 1 ? `${metres} m` : `${metres * 1e3} mm`,
+    ),
+  );
+}
+
+const kOrder = [
+  "support",
+  "hatch",
+  "ground",
+  "rest",
+  "stone stone0",
+  "stone stone1",
+  "stone stone2",
+  "stone stone3",
+  "timber",
+  "plate",
+  "split",
+  "mortar",
+];
+
+export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas): SVGSVGElement {
+  const pose = new Pose(wall, frames.at(look.frame), look.scale);
+  const paths = new Paths(canvas);
+  drawGround(wall, canvas, paths);
+  if (wall.courses > 0) {
+    const { X, Y } = canvas;
+    paths.raw("rest", `M${X(0)} ${Y(0)}V${Y(wall.height)}H${X(wall.length)}V${Y(0)}`);
+  }
+  drawBlocks(wall, pose, paths);
+  drawJoints(wall, frames, pose, look, paths);
+  const picture = svg("svg", {
+    class: "plot wall",
+    viewBox: `0 0 ${canvas.width} ${canvas.height}`,
+    width: canvas.width,
+    height: canvas.height,
+    role: "img",
+    "aria-label": say("wall.alt"),
+  });
+  append(picture, paths.elements(kOrder));
+  for (const mark of drawCrushed(wall, frames, pose, look)) {
+    mark.setAttribute("cx", canvas.X(Number(mark.getAttribute("data-x"))).toFixed(1));
+    mark.setAttribute("cy", canvas.Y(Number(mark.getAttribute("data-y"))).toFixed(1));
+    picture.appendChild(mark);
+  }
+  if (look.forces) append(picture, drawForces(wall, frames, pose, look, canvas));
+  append(picture, [drawArrow(wall, pose, canvas), drawScaleBar(canvas)]);
+  return picture;
+}
+
+// The joint nearest to a place in the drawing, within a few pixels; -1 where there is none.
+export function jointAt(
+  wall: Wall,
+  frames: Frames,
+  look: Look,
+  canvas: Canvas,
+  px: number,
+  py: number,
+): number {
+  const pose = new Pose(wall, frames.at(look.frame), look.scale);
+  let best = 9,
+    found = -1;
+  for (let j = 0; j < wall.joints; ++j) {
+    const a = pose.joint(j, -1),
+      b = pose.joint(j, 1);
+    const ax = canvas.X(a[0]),
+      ay = canvas.Y(a[1]),
+      dx = canvas.X(b[0]) - ax,
+      dy = canvas.Y(b[1]) - ay;
+    const t = Math.min(1, Math.max(0, ((px - ax) * dx + (py - ay) * dy) / (dx * dx + dy * dy || 1)));
+    const off = Math.hypot(px - ax - t * dx, py - ay - t * dy);
+    if (off < best) {
+      best = off;
+      found = j;
+    }
+  }
+  return found;
+}

@@ -1,0 +1,365 @@
+// The wall in space: blocks as prisms of their thickness, joints as sheets coloured by what they show.
+// Drawn only when something changes; turned by pointer, wheel and arrow keys.
+import {
+  AmbientLight,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Scene as Space,
+  ShapeUtils,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { say } from "./texts";
+import type { Look } from "./wall2d";
+import {
+  crackOf,
+  kBeam,
+  kLintel,
+  kPlate,
+  kSteps,
+  Pose,
+  stepOf,
+  valueOf,
+  type Frames,
+  type Wall,
+} from "./wall";
+
+export interface Scene {
+  element: HTMLElement;
+  draw(look: Look): void;
+  resize(width: number, height: number): void;
+  png(): Promise<Blob>;
+}
+
+const css = (name: string): Color =>
+  new Color(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || "#888");
+
+// Corner indices of a prism's faces: both fronts and the sides; fronts of any simple polygon.
+interface Prisms {
+  geometry: BufferGeometry;
+  block: Int32Array;
+  corner: Int32Array;
+  side: Int8Array; // of every vertex
+  edges: BufferGeometry;
+  edgeVertex: Int32Array; // vertices that the outline repeats
+}
+
+function makePrisms(wall: Wall): Prisms {
+  const block: number[] = [],
+    corner: number[] = [],
+    side: number[] = [],
+    edgeVertex: number[] = [];
+  const vertex = (b: number, i: number, s: number): number =>
+    block.push(b) && corner.push(i) && side.push(s) - 1;
+  for (let b = 0; b < wall.blocks; ++b) {
+    const from = wall.outlineBegin[b],
+      n = wall.outlineBegin[b + 1] - from;
+    const outline = Array.from(
+      { length: n },
+      (_, i) => new Vector2(wall.outlineX[from + i], wall.outlineY[from + i]),
+    );
+    const turns = ShapeUtils.isClockWise(outline);
+    for (const [p, q, r] of ShapeUtils.triangulateShape(outline, []))
+      for (const s of [1, -1])
+        for (const i of s > 0 !== turns ? [p, q, r] : [p, r, q]) vertex(b, from + i, s);
+    for (let i = 0; i < n; ++i) {
+      const a = from + (turns ? (i + 1) % n : i),
+        c = from + (turns ? i : (i + 1) % n);
+      for (const [k, s] of [
+        [a, 1],
+        [a, -1],
+        [c, -1],
+        [a, 1],
+        [c, -1],
+        [c, 1],
+      ])
+        vertex(b, k, s);
+      const last = block.length - 6;
+      edgeVertex.push(last, last + 5, last + 1, last + 2, last, last + 1);
+    }
+  }
+  const geometry = new BufferGeometry(),
+    edges = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * block.length), 3));
+  geometry.setAttribute("color", new BufferAttribute(new Float32Array(3 * block.length), 3));
+  edges.setAttribute("position", new BufferAttribute(new Float32Array(3 * edgeVertex.length), 3));
+  return {
+    geometry,
+    block: Int32Array.from(block),
+    corner: Int32Array.from(corner),
+    side: Int8Array.from(side),
+    edges,
+    edgeVertex: Int32Array.from(edgeVertex),
+  };
+}
+
+class WallScene implements Scene {
+  readonly element: HTMLCanvasElement;
+  private readonly space = new Space();
+  private readonly camera = new PerspectiveCamera(32, 1, 0.01, 500);
+  private readonly prisms: Prisms;
+  private readonly sheets = new BufferGeometry();
+  private readonly sheetMesh: Mesh;
+  private readonly edgeMaterial = new LineBasicMaterial({ transparent: true, opacity: 0.35 });
+  private readonly middle: Vector3;
+  private turn = -0.55;
+  private tilt = 0.22;
+  private near: number;
+  private look: Look | null = null;
+
+  constructor(
+    private readonly wall: Wall,
+    private readonly frames: Frames,
+    private readonly renderer: WebGLRenderer,
+  ) {
+    this.element = renderer.domElement;
+    this.element.setAttribute("tabindex", "0");
+    this.element.setAttribute("role", "img");
+    this.element.setAttribute("aria-label", `${say("wall.alt")}. ${say("wall.turn")}`);
+    this.element.title = say("wall.turn");
+    const { x0, x1, y0, y1 } = wall.bounds;
+    this.middle = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, 0);
+    this.near = 1.85 * Math.max(0.9 * (x1 - x0), 1.15 * (y1 - y0));
+    this.prisms = makePrisms(wall);
+    this.sheets.setAttribute("position", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
+    this.sheets.setAttribute("color", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
+    this.sheetMesh = new Mesh(
+      this.sheets,
+      new MeshBasicMaterial({
+        vertexColors: true,
+        side: DoubleSide,
+        polygonOffset: true,
+        polygonOffsetFactor: -2,
+        polygonOffsetUnits: -2,
+      }),
+    );
+    const walls = new Mesh(this.prisms.geometry, new MeshLambertMaterial({ vertexColors: true }));
+    const sun = new DirectionalLight(0xffffff, 2.1);
+    sun.position.set(0.5, 0.8, 1).multiplyScalar(10);
+    this.space.add(
+      new AmbientLight(0xffffff, 1.6),
+      sun,
+      walls,
+      new LineSegments(this.prisms.edges, this.edgeMaterial),
+      this.sheetMesh,
+    );
+    for (const o of this.space.children) o.frustumCulled = false;
+    this.listen();
+    window.addEventListener("themechange", () => {
+      if (this.look) this.draw(this.look);
+    });
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.render();
+  }
+
+  draw(look: Look): void {
+    this.look = look;
+    const pose = new Pose(this.wall, this.frames.at(look.frame), look.scale);
+    this.placeBlocks(pose);
+    this.placeJoints(pose, look);
+    this.render();
+  }
+
+  png(): Promise<Blob> {
+    this.render();
+    return new Promise((done, fail) =>
+      this.element.toBlob((b) => (b ? done(b) : fail(new Error("no image"))), "image/png"),
+    );
+  }
+
+  private placeBlocks(pose: Pose): void {
+    const { geometry, block, corner, side, edges, edgeVertex } = this.prisms;
+    const position = geometry.getAttribute("position") as BufferAttribute,
+      colour = geometry.getAttribute("color") as BufferAttribute;
+    const tints = [0, 1, 2, 3].map((i) => css(`stone${i}`)),
+      timber = css("timber"),
+      plate = css("plate");
+    for (let v = 0; v < block.length; ++v) {
+      const b = block[v],
+        [x, y] = pose.corner(b, corner[v]),
+        role = this.wall.role[b];
+      position.setXYZ(v, x, y, (side[v] * this.wall.blockThickness[b]) / 2);
+      const c =
+        role === kLintel
+          ? timber
+          : role === kPlate || role === kBeam
+            ? plate
+            : tints[((Math.imul(b, 2654435761) >>> 13) + b) % 4];
+      colour.setXYZ(v, c.r, c.g, c.b);
+    }
+    const outline = edges.getAttribute("position") as BufferAttribute;
+    for (let k = 0; k < edgeVertex.length; ++k)
+      outline.setXYZ(
+        k,
+        position.getX(edgeVertex[k]),
+        position.getY(edgeVertex[k]),
+        position.getZ(edgeVertex[k]),
+      );
+    this.edgeMaterial.color = css("mortar");
+    position.needsUpdate = colour.needsUpdate = outline.needsUpdate = true;
+    geometry.computeVertexNormals();
+  }
+
+  // Only joints that show something; a sheet a little deeper than the wall, so that its edge is seen.
+  private placeJoints(pose: Pose, look: Look): void {
+    const position = this.sheets.getAttribute("position") as BufferAttribute,
+      colour = this.sheets.getAttribute("color") as BufferAttribute;
+    const frame = this.frames.at(look.frame),
+      cracks = { open: css("open"), slip: css("slip"), closed: css("closed"), softening: css("closed") };
+    const hue =
+      look.measure === "cracks"
+        ? css("open")
+        : css(look.measure === "crushing" ? "crush" : look.measure === "opening" ? "open" : look.measure);
+    const quiet = css("mortar"),
+      thin = 0.0032 * Math.max(this.wall.length, this.wall.height);
+    let v = 0;
+    for (let j = 0; j < this.wall.joints; ++j) {
+      let c: Color;
+      let wide: number;
+      if (look.measure === "cracks") {
+        const crack = crackOf(frame, j);
+        if (crack === "sound" || crack === "softening") continue;
+        c = cracks[crack];
+        wide = thin * (crack === "closed" ? 0.5 : 1) + 0.5 * Math.max(frame.opening[j], 0);
+      } else {
+        const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
+        if (step === 0) continue;
+        c = quiet.clone().lerp(hue, 0.2 + (0.8 * step) / 6);
+        wide = thin * (0.4 + 0.25 * step);
+      }
+      v = this.sheet(pose, j, Math.min(wide, 4 * thin), c, position, colour, v);
+    }
+    this.sheets.setDrawRange(0, v);
+    position.needsUpdate = colour.needsUpdate = true;
+  }
+  private sheet(
+    pose: Pose,
+    j: number,
+    wide: number,
+    c: Color,
+    position: BufferAttribute,
+    colour: BufferAttribute,
+    at: number,
+  ): number {
+    const a = pose.joint(j, -1),
+      b = pose.joint(j, 1);
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+    const nx = ((-(b[1] - a[1]) / length) * wide) / 2,
+      ny = (((b[0] - a[0]) / length) * wide) / 2;
+    const z = (this.wall.blockThickness[this.wall.jointB[j]] / 2) * 1.006 + 0.001;
+    const corners = [
+      [a[0] - nx, a[1] - ny],
+      [b[0] - nx, b[1] - ny],
+      [b[0] + nx, b[1] + ny],
+      [a[0] + nx, a[1] + ny],
+    ];
+    // a strip on the face that is seen
+    const face = Math.cos(this.turn) >= 0 ? z : -z;
+    for (const k of [0, 1, 2, 0, 2, 3]) {
+      position.setXYZ(at, corners[k][0], corners[k][1], face);
+      colour.setXYZ(at, c.r, c.g, c.b);
+      ++at;
+    }
+    return at;
+  }
+
+  private render(): void {
+    const r = this.near,
+      c = Math.cos(this.tilt);
+    this.camera.position.set(
+      this.middle.x + r * c * Math.sin(this.turn),
+      this.middle.y + r * Math.sin(this.tilt),
+      r * c * Math.cos(this.turn),
+    );
+    this.camera.lookAt(this.middle);
+    this.camera.updateProjectionMatrix();
+    this.renderer.setClearColor(css("paper"));
+    this.renderer.render(this.space, this.camera);
+  }
+  private rotate(turn: number, tilt: number): void {
+    const front = Math.cos(this.turn) >= 0;
+    this.turn += turn;
+    this.tilt = Math.min(1.45, Math.max(-0.6, this.tilt + tilt));
+    if (this.look && front !== Math.cos(this.turn) >= 0) this.draw(this.look);
+    else this.render();
+  }
+  private zoom(factor: number): void {
+    const size = Math.max(this.wall.length, this.wall.height) || 1;
+    this.near = Math.min(8 * size, Math.max(0.5 * size, this.near * factor));
+    this.render();
+  }
+
+  private listen(): void {
+    const pointers = new Map<number, [number, number]>();
+    this.element.addEventListener("pointerdown", (e) => {
+      pointers.set(e.pointerId, [e.clientX, e.clientY]);
+      this.element.setPointerCapture(e.pointerId);
+    });
+    const drop = (e: PointerEvent): void => {
+      pointers.delete(e.pointerId);
+    };
+    this.element.addEventListener("pointerup", drop);
+    this.element.addEventListener("pointercancel", drop);
+    this.element.addEventListener("pointermove", (e) => {
+      const before = pointers.get(e.pointerId);
+      if (!before) return;
+      const other = [...pointers].find(([id]) => id !== e.pointerId)?.[1];
+      if (other)
+        this.zoom(
+          Math.hypot(before[0] - other[0], before[1] - other[1]) /
+            Math.max(1, Math.hypot(e.clientX - other[0], e.clientY - other[1])),
+        );
+      else this.rotate(-(e.clientX - before[0]) * 0.008, (e.clientY - before[1]) * 0.006);
+      pointers.set(e.pointerId, [e.clientX, e.clientY]);
+    });
+    this.element.addEventListener(
+      "wheel",
+      (e) => {
+        e.preventDefault();
+        this.zoom(Math.exp(e.deltaY * 0.001));
+      },
+      { passive: false },
+    );
+    this.element.addEventListener("keydown", (e) => {
+      const step = 0.12;
+      const turns: Record<string, () => void> = {
+        ArrowLeft: () => this.rotate(step, 0),
+        ArrowRight: () => this.rotate(-step, 0),
+        ArrowUp: () => this.rotate(0, step),
+        ArrowDown: () => this.rotate(0, -step),
+        "+": () => this.zoom(0.9),
+        "-": () => this.zoom(1.1),
+      };
+      if (!turns[e.key]) return;
+      e.preventDefault();
+      turns[e.key]();
+    });
+  }
+}
+
+// null where the browser offers no WebGL.
+export function makeScene(wall: Wall, frames: Frames): Scene | null {
+  try {
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+    if (!context) return null;
+    return new WallScene(wall, frames, new WebGLRenderer({ canvas, context, antialias: true }));
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,317 @@
+// The wall with its controls: 2D or 3D, what the joints show, magnification, time and play.
+import { h, svg } from "./dom";
+import { download, standalone, toCsv, toPng } from "./export";
+import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
+import { num, qty, say } from "./texts";
+import { canvasFor, drawWall, jointAt, type Canvas, type Look } from "./wall2d";
+import { makeScene, type Scene } from "./wall3d";
+import {
+  crackOf,
+  fittingScale,
+  kKinds,
+  kMeasures,
+  kSteps,
+  type Frames,
+  type Measure,
+  type Wall,
+} from "./wall";
+
+export interface FrameInfo {
+  label: string;
+  displacement: number;
+  reaction: number;
+}
+export interface WallViewSpec {
+  id: string;
+  wall: Wall;
+  frames: Frames;
+  info: FrameInfo[];
+  onFrame?: (frame: number) => void; // after the slider moved
+  player: boolean; // frames are in time; else they are apart from each other
+  tallest?: number;
+}
+
+const kScales = [1, 2, 5, 10, 20, 50, 100, 200];
+
+export class WallView {
+  readonly element: HTMLElement;
+  readonly look: Look;
+  private readonly stage = h("div", { class: "stage wall-stage" });
+  private readonly key = h("div", { class: "wall-key" });
+  private readonly caption = h("output", { class: "wall-caption" });
+  private readonly slider = h("input", { type: "range", min: 0, step: 1, "aria-label": say("wall.time") });
+  private readonly play = h("button", { type: "button", class: "play", "aria-label": say("wall.play") }, "▶");
+  private canvas!: Canvas;
+  private width = 0;
+  private timer = 0;
+  private scene: Scene | null = null;
+  private solid = false;
+
+  constructor(readonly spec: WallViewSpec) {
+    const last = Math.max(0, spec.frames.count - 1);
+    this.look = {
+      frame: last,
+      scale: fittingScale(spec.wall, spec.frames),
+      measure: "cracks",
+      forces: false,
+    };
+    this.slider.max = String(last);
+    this.slider.value = String(last);
+    this.slider.addEventListener("input", () => {
+      this.stop();
+      this.show(Number(this.slider.value));
+    });
+    this.play.addEventListener("click", () => (this.timer ? this.stop() : this.start()));
+    this.element = h(
+      "figure",
+      { id: spec.id, class: "wall-view" },
+      h("div", { class: "figure-head" }, h("h3", {}, say("wall.title")), this.tools()),
+      this.controls(),
+      this.stage,
+      this.key,
+      spec.player ? h("div", { class: "time" }, this.play, this.slider) : null,
+      this.caption,
+    );
+    this.stage.addEventListener("pointermove", (e) => this.point(e));
+    this.stage.addEventListener("pointerleave", hideTip);
+    const watcher = new ResizeObserver(() => this.fit());
+    watcher.observe(this.stage);
+  }
+
+  fit(): void {
+    const width = Math.max(260, Math.round(this.stage.clientWidth));
+    if (width === this.width) return;
+    this.width = width;
+    this.canvas = canvasFor(this.spec.wall, width, this.spec.tallest ?? 560);
+    if (this.solid) this.scene?.resize(width, this.canvas.height);
+    this.redraw();
+  }
+  show(frame: number, quiet = false): void {
+    this.look.frame = Math.min(Math.max(0, frame), this.spec.frames.count - 1);
+    this.slider.value = String(this.look.frame);
+    this.redraw();
+    if (!quiet) this.spec.onFrame?.(this.look.frame);
+  }
+  redraw(): void {
+    if (this.width === 0 || this.spec.frames.count === 0) return;
+    const info = this.spec.info[this.look.frame];
+    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter(
+      (w) => w !== "",
+    );
+    this.caption.textContent =
+      words.join(" · ") +
+      (this.look.scale === 1
+        ? ` · ${say("wall.to_scale")}`
+        : ` · ${say("wall.scaled", { scale: num(this.look.scale) })}`);
+    this.slider.setAttribute("aria-valuetext", words.join(", "));
+    if (this.solid && this.scene) this.scene.draw(this.look);
+    else this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
+    this.key.replaceChildren(this.legend());
+  }
+  // A drawing for paper.
+  picture(frame: number, width: number): SVGSVGElement {
+    const scale = fittingScale(this.spec.wall, this.spec.frames, frame);
+    return drawWall(
+      this.spec.wall,
+      this.spec.frames,
+      { ...this.look, frame, scale, measure: "cracks", forces: false },
+      canvasFor(this.spec.wall, width, 0.9 * width),
+    );
+  }
+
+  private start(): void {
+    if (this.look.frame >= this.spec.frames.count - 1) this.show(0);
+    this.play.textContent = "❚❚";
+    this.play.setAttribute("aria-label", say("wall.pause"));
+    this.timer = window.setInterval(() => {
+      if (this.look.frame >= this.spec.frames.count - 1) this.stop();
+      else this.show(this.look.frame + 1);
+    }, 120);
+  }
+  private stop(): void {
+    window.clearInterval(this.timer);
+    this.timer = 0;
+    this.play.textContent = "▶";
+    this.play.setAttribute("aria-label", say("wall.play"));
+  }
+
+  private tools(): HTMLElement {
+    const drawing = (): SVGSVGElement => drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas);
+    const shown = (work: (d: SVGSVGElement) => void): void => {
+      // styles are those of the page: the drawing has to be in it
+      const d = this.stage.querySelector<SVGSVGElement>("svg.wall") ?? drawing();
+      work(d);
+    };
+    const button = (kind: string, act: () => void): HTMLElement =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: "tool",
+          "data-export": kind.toLowerCase(),
+          onclick: act,
+          "aria-label": say("export.as", { what: say("wall.title"), kind }),
+        },
+        kind,
+      );
+    return h(
+      "div",
+      { class: "tools", role: "group", "aria-label": say("export") },
+      button("SVG", () => shown((d) => download("wall.svg", "image/svg+xml", standalone(d)))),
+      button("PNG", () =>
+        this.solid && this.scene
+          ? void this.scene.png().then((png) => download("wall.png", "image/png", png))
+          : shown((d) => void toPng(d).then((png) => download("wall.png", "image/png", png))),
+      ),
+      button("CSV", () => download("wall.csv", "text/csv", toCsv(this.sheet()))),
+    );
+  }
+  private sheet(): { head: string[]; rows: (string | number)[][] } {
+    const frame = this.spec.frames.at(this.look.frame),
+      wall = this.spec.wall;
+    const rows: (string | number)[][] = [];
+    for (let j = 0; j < wall.joints; ++j) {
+      const b = wall.jointB[j];
+      rows.push([
+        j,
+        kKinds[wall.kind[j]],
+        wall.centroidX[b] + wall.armBX[j],
+        wall.centroidY[b] + wall.armBY[j],
+        frame.opening[j] * 1e3,
+        frame.slip[j] * 1e3,
+        frame.damage[j] / 255,
+        frame.crushing[j] / 255,
+        ...(frame.compression && frame.shear ? [frame.compression[j] / 1e3, frame.shear[j] / 1e3] : []),
+      ]);
+    }
+    return {
+      head: [
+        "joint",
+        "kind",
+        "x_m",
+        "y_m",
+        "opening_mm",
+        "slip_mm",
+        "damage",
+        "crushing",
+        ...(frame.compression ? ["compression_kN", "shear_kN"] : []),
+      ],
+      rows,
+    };
+  }
+
+  private controls(): HTMLElement {
+    const measure = h(
+      "select",
+      { "aria-label": say("wall.measure") },
+      kMeasures.map((m) => h("option", { value: m }, say(`measure.${m}`))),
+    );
+    measure.addEventListener("change", () => {
+      this.look.measure = measure.value as Measure;
+      this.redraw();
+    });
+    const shown = h("output", {}, `× ${num(this.look.scale)}`);
+    const scale = h("input", {
+      type: "range",
+      min: 0,
+      max: kScales.length - 1,
+      step: 1,
+      class: "scale",
+      value: Math.max(0, kScales.indexOf(this.look.scale)),
+      "aria-label": say("wall.scale"),
+    });
+    scale.addEventListener("input", () => {
+      this.look.scale = kScales[Number(scale.value)];
+      scale.setAttribute("aria-valuetext", `× ${num(this.look.scale)}`);
+      shown.textContent = `× ${num(this.look.scale)}`;
+      this.redraw();
+    });
+    const forces = h("input", { type: "checkbox" });
+    forces.addEventListener("change", () => {
+      this.look.forces = forces.checked;
+      this.redraw();
+    });
+    const flat = h("button", { type: "button", "aria-pressed": "true", class: "segment" }, "2D");
+    const solid = h("button", { type: "button", "aria-pressed": "false", class: "segment" }, "3D");
+    const choose = (want: boolean): void => {
+      this.turnSolid(want);
+      flat.setAttribute("aria-pressed", String(!this.solid));
+      solid.setAttribute("aria-pressed", String(this.solid));
+    };
+    flat.addEventListener("click", () => choose(false));
+    solid.addEventListener("click", () => choose(true));
+    return h(
+      "div",
+      { class: "controls" },
+      h("div", { class: "segments", role: "group", "aria-label": say("wall.view") }, flat, solid),
+      h("label", {}, h("span", {}, say("wall.measure")), measure),
+      h("label", {}, h("span", {}, say("wall.scale")), scale, shown),
+      this.spec.frames.hasForces
+        ? h("label", { class: "check" }, forces, h("span", {}, say("wall.forces")))
+        : null,
+    );
+  }
+
+  private turnSolid(want: boolean): void {
+    this.solid = want;
+    this.stage.classList.toggle("solid", want);
+    if (!want) return this.redraw();
+    this.scene ??= makeScene(this.spec.wall, this.spec.frames);
+    if (!this.scene) return this.withoutWebGl();
+    this.stage.replaceChildren(this.scene.element);
+    this.scene.resize(this.width, this.canvas.height);
+    this.redraw();
+  }
+  private withoutWebGl(): void {
+    this.solid = false;
+    this.stage.classList.remove("solid");
+    if (!this.element.querySelector(".no-webgl"))
+      this.stage.after(h("p", { class: "note no-webgl", role: "status" }, say("wall.no_webgl")));
+    this.redraw();
+  }
+
+  private legend(): HTMLElement {
+    const { measure, forces } = this.look;
+    const extra: [SVGSVGElement, string][] = forces ? [[swatch("thrust key"), say("wall.force_key")]] : [];
+    if (measure === "cracks")
+      return legend([
+        [swatch("crack open w2"), say("crack.open")],
+        [swatch("crack slip w2"), say("crack.slip")],
+        [swatch("crack closed w0"), say("crack.closed")],
+        [swatch("crack softening w0"), say("crack.softening")],
+        [swatch("crushed", "dot"), say("crack.crushed")],
+        ...extra,
+      ]);
+    const bounds = kSteps[measure],
+      unit = measure === "opening" || measure === "slip" ? " mm" : "";
+    const items = bounds.map((from, i): [SVGSVGElement, string] => [
+      swatch(`joint ${measure} r${i + 1}`),
+      i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}${unit}` : `> ${num(from, 4)}${unit}`,
+    ]);
+    return legend([...items, ...extra]);
+  }
+
+  private point(event: PointerEvent): void {
+    const drawing = this.stage.querySelector<SVGSVGElement>("svg.wall");
+    if (!drawing || this.solid) return;
+    const { wall, frames } = this.spec;
+    const j = jointAt(wall, frames, this.look, this.canvas, ...pointIn(drawing, event));
+    drawing.querySelector(".pointed")?.remove();
+    if (j < 0) return hideTip();
+    const frame = frames.at(this.look.frame);
+    const lines: (string | [string, string])[] = [
+      `${say(`joint.${kKinds[wall.kind[j]]}`)}, ${say(`crack.${crackOf(frame, j)}.short`)}`,
+      [say("measure.opening"), qty(frame.opening[j] * 1e3, "mm", 2)],
+      [say("measure.slip"), qty(frame.slip[j] * 1e3, "mm", 2)],
+      [say("measure.damage"), num(frame.damage[j] / 255, 2)],
+      [say("measure.crushing"), num(frame.crushing[j] / 255, 2)],
+    ];
+    if (frame.compression && frame.shear)
+      lines.push(
+        [say("joint.compression"), qty(frame.compression[j] / 1e3, "kN", 2)],
+        [say("joint.shear"), qty(frame.shear[j] / 1e3, "kN", 2)],
+      );
+    showTip(event, lines);
+    drawing.appendChild(svg("g", { class: "pointed" }));
+  }
+}
