@@ -130,7 +130,6 @@ struct Solids {
   std::vector<double> contact_tangent_x, contact_tangent_y;  // t
   std::vector<double> contact_area;                          // [m^2]
   std::vector<std::int32_t> contact_material;                // into Model::materials
-  std::vector<std::int32_t> contact_body;                    // into bodies
 
   // read by node_pass (one row per node)
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: place of a corner's

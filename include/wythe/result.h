@@ -211,7 +211,7 @@ struct Result {
   std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
   std::vector<Snapshot> readings;  // one each millimetre, for first displacements
-  std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
+  std::vector<Snapshot> frames;    // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
   double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
   double top_displacement = 0;  // [m]

@@ -83,8 +83,14 @@ double base_shear(const Model& model, const WallView& wall, double px, double py
   return sum;
 }
 
-EnergyLedger energy_ledger(const Model& model, const State& s, const WallView& wall,
-                           double mass_scaling) {
+EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
+  State moving = s;  // a view is of arrays that may be written
+  WallView wall;
+  wall.vx = {moving.vx.data()};
+  wall.vy = {moving.vy.data()};
+  wall.omega = {moving.omega.data()};
+  wall.node_vx = {moving.node_vx.data()};
+  wall.node_vy = {moving.node_vy.data()};
   EnergyLedger e;
   e.loads = s.work_loads;
   e.drive = s.work_drive;

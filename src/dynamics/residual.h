@@ -16,7 +16,7 @@ namespace wythe::dynamics {
 [[nodiscard]] double base_shear(const Model& model, const WallView& wall, double px, double py);
 // Where work went since the start; gap is what the ledger misses.
 [[nodiscard]] EnergyLedger energy_ledger(const Model& model, const State& state,
-                                         const WallView& wall, double mass_scaling);
+                                         double mass_scaling);
 // First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
 [[nodiscard]] BlockId runaway_block(const Model& model, const WallView& wall);
 // Distance of the block that has moved furthest [m], and which it is; n_block + i for node i.

@@ -76,7 +76,7 @@ StageEnd StageRun::close() {
   wall_.result.stages.push_back({stage_.spec.name, state_.stage_time, state_.step - first_step_,
                                  unbalance_ratio(model_, wall_.place.view),
                                  end_.status == SolveStatus::kCompleted});
-  wall_.result.energy = energy_ledger(model_, state_, wall_.place.view, controls_.mass_scaling);
+  wall_.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
   return end_;
 }
 

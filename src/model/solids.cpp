@@ -232,7 +232,6 @@ class ContactBuilder {
     s_.contact_tangent_y.push_back(t_.y);
     s_.contact_area.push_back((o.to - o.from) * thickness_);
     s_.contact_material.push_back(material_);
-    s_.contact_body.push_back(body_);
     ++s_.n_contact;
   }
 

@@ -103,8 +103,8 @@ TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one_on_zones) {
       ASSERT_NE(model.solids.n_zone % dynamics::kGroup, 0);
       ASSERT_NE(model.solids.n_contact % dynamics::kGroup, 0);
       for (const double turn : {1e-4, 0.4}) {
-        const End scalar = step_with(*sets()[0], model, turn);
-        for (const Kernels* set : sets())
+        const End scalar = step_with(dynamics::scalar_kernels(), model, turn);
+        for (const Kernels* set : dynamics::kernels_here())
           EXPECT_TRUE(step_with(*set, model, turn) == scalar) << set->name << ", turn " << turn;
       }
     }

@@ -11,6 +11,7 @@
 #include "dynamics/lane_solver.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
+#include "scenes/zones.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -143,6 +144,25 @@ TEST(Lanes, walls_that_do_not_fit_are_stepped_beside_the_others) {
   std::vector<std::unique_ptr<Wall>> walls;
   for (const int columns : {5, 6, 5, 6, 6, 5, 7}) walls.push_back(wall_of(1.0, columns));
   solve_together(walls, 4);
+}
+
+TEST(Lanes, walls_with_deformable_lintels_too) {
+  for (const int width : {2, 4, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) {
+      ModelSpec spec = scenes::lintel_wall(LintelModel::kZones, 0.05e-3);
+      spec.material.at("joint").tensile_strength *= strength;
+      walls.push_back(std::make_unique<Wall>(spec, 1));
+    }
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    solve_together(walls, width);
+  }
+  ModelSpec stiffer = scenes::lintel_wall(LintelModel::kZones, 0.05e-3);
+  JointMaterial& timber = stiffer.material.at("timber");
+  timber.youngs_modulus *= 2;
+  timber.shear_modulus *= 2;
+  EXPECT_FALSE(dynamics::fit_together(compile(stiffer),
+                                      compile(scenes::lintel_wall(LintelModel::kZones, 0.05e-3))));
 }
 
 TEST(Lanes, a_wall_with_another_law_does_not_fit) {

@@ -53,8 +53,8 @@ class Rig {
   [[nodiscard]] PointStress point(JointId joint, int k) const {
     return point_stresses(model, state)[static_cast<std::size_t>(joint * model.n_face_point + k)];
   }
-  [[nodiscard]] EnergyLedger energy() {
-    return dynamics::energy_ledger(model, state, view(), controls.mass_scaling);
+  [[nodiscard]] EnergyLedger energy() const {
+    return dynamics::energy_ledger(model, state, controls.mass_scaling);
   }
   [[nodiscard]] dynamics::WallView view() { return stepper.view_of(state); }
 
