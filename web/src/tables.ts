@@ -12,6 +12,7 @@ export interface Cell {
   sort?: number | string | null;
   title?: string;
 }
+const kLong = 24; // rows from which on a table may run over two pages
 export type Row = (Cell | Child)[];
 
 const isCell = (c: Cell | Child): c is Cell => typeof c === "object" && c !== null && "show" in c;
@@ -38,7 +39,7 @@ export function table(columns: Column[], rows: Row[], caption = "", css = ""): H
   );
   return h(
     "div",
-    { class: "scroll", tabindex: 0, role: "group", "aria-label": caption || say("table") },
+    { class: rows.length > kLong ? "scroll long" : "scroll", tabindex: 0, role: "group", "aria-label": caption || say("table") },
     h(
       "table",
       { class: css },
@@ -101,7 +102,7 @@ export function sortable(columns: Column[], rows: Row[], caption: string): HTMLE
   fill();
   return h(
     "div",
-    { class: "scroll", tabindex: 0, role: "group", "aria-label": caption },
+    { class: rows.length > kLong ? "scroll long" : "scroll", tabindex: 0, role: "group", "aria-label": caption },
     h("table", {}, h("caption", {}, caption), h("thead", {}, h("tr", {}, heads)), body),
   );
 }
