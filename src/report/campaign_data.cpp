@@ -164,7 +164,8 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
     }
     // a wall of another shape has no place among these frames
     if (!same_shape(first, wall.model)) continue;
-    const double numbers = 3.0 * first.n_block + 4.0 * first.n_joint;
+    const double numbers = 3.0 * first.n_block + 4.0 * (first.n_joint + first.solids.n_contact) +
+                           2.0 * first.solids.n_node;
     if (numbers * (arrays.count() + 1) > kMostWallNumbers) break;
     const Snapshot& s = wall.last.front();
     arrays.add(wall.model, s.state);

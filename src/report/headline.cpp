@@ -141,17 +141,24 @@ class CampaignHeadline {
     if (answered > 0 && answered < kFewestSamples)
       add(texts_.say(answered == 1 ? "campaign.one" : "campaign.few",
                      {{"n", std::to_string(answered)}}));
+    for (const auto& [key, text] : {std::pair{"still_rising", "campaign.still_rising"},
+                                    std::pair{"named_earlier", "campaign.named_earlier"}})
+      if (answered > 0 && count(key) > 0)
+        add(texts_.say(text, {{"n", std::to_string(count(key))},
+                              {"of", std::to_string(answered)},
+                              {"at", texts_.quantity(number_in(s_, "read_modes_at_mm"), "mm")}}));
     return words;
   }
 
   [[nodiscard]] std::string cards() const {
     if (count("answered") == 0) return "";
     const Json &peak = all("peak_reaction_kN"), &far = all("displacement_at_80_percent_mm");
-    std::vector<Card> cards = {{texts_.quantity(number_in(peak, "mean"), "kN"),
+    const std::string bound = is_bound() ? "≥ " : "";
+    std::vector<Card> cards = {{bound + texts_.quantity(number_in(peak, "mean"), "kN"),
                                 texts_.say("card.mean_peak"),
                                 interval(peak["mean_interval"], "kN") + cov(peak)}};
     if (count("answered") >= kFewestSamples)
-      cards.push_back({texts_.quantity(number_in(peak, "percentile_5"), "kN"),
+      cards.push_back({bound + texts_.quantity(number_in(peak, "percentile_5"), "kN"),
                        texts_.say("card.weak"), texts_.say("card.weak.means")});
     cards.push_back({texts_.quantity(mean_80(), "mm"), texts_.say("card.mean_80"),
                      interval(far.value("survival_mean_interval", Json()), "mm")});
@@ -165,7 +172,9 @@ class CampaignHeadline {
   }
 
  private:
-  [[nodiscard]] int count(const char* key) const { return samples_[key]; }
+  [[nodiscard]] int count(const char* key) const { return samples_.value(key, 0); }
+  // Most pushes ended before their peak: the forces are lower bounds.
+  [[nodiscard]] bool is_bound() const { return 2 * count("still_rising") > count("answered"); }
   [[nodiscard]] const Json& all(const char* response) const { return s_["table"]["all"][response]; }
   [[nodiscard]] double mean_80() const {
     return number_in(all("displacement_at_80_percent_mm"), "survival_mean");
@@ -184,11 +193,14 @@ class CampaignHeadline {
   [[nodiscard]] std::string strong() const {
     const Json& peak = all("peak_reaction_kN");
     const std::string mean = bold(texts_.quantity(number_in(peak, "mean"), "kN"));
-    if (count("answered") == 1) return texts_.say("campaign.strong.one", {{"mean", mean}});
-    return texts_.say("campaign.strong",
+    if (count("answered") == 1)
+      return texts_.say(is_bound() ? "campaign.strong.one.bound" : "campaign.strong.one",
+                        {{"mean", mean}});
+    const double low = number_in(peak, "percentile_5");
+    return texts_.say(is_bound() ? "campaign.strong.bound" : "campaign.strong",
                       {{"n", std::to_string(count("answered"))},
                        {"mean", mean},
-                       {"low", bold(texts_.number(number_in(peak, "percentile_5")))},
+                       {"low", bold(is_bound() ? texts_.quantity(low, "kN") : texts_.number(low))},
                        {"high", bold(texts_.quantity(number_in(peak, "percentile_95"), "kN"))}});
   }
   [[nodiscard]] std::string far() const {

@@ -1,4 +1,5 @@
 // A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads them).
+// Deformable blocks follow the rigid ones and their contacts the joints, in every array of either.
 #pragma once
 
 #include <string>
@@ -26,6 +27,7 @@ class FrameArrays {
   bool with_forces_;
   int count_ = 0;
   std::vector<double> ux_, uy_, theta_;      // (n_frame, n_block) [m], [m], [rad]
+  std::vector<double> node_ux_, node_uy_;    // (n_frame, n_node) of zones [m]
   std::vector<double> opening_, slip_;       // (n_frame, n_joint) largest of a joint's points [m]
   std::vector<double> compression_, shear_;  // [N]
   std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1

@@ -42,6 +42,38 @@ TEST(CampaignReport, headline_says_how_strong_how_far_and_how_it_fails) {
   EXPECT_EQ(count(head_of(sample_campaign(60), "it"), "In 60 campioni la parete resiste"), 1);
 }
 
+// `n` of the samples end at their peaks, named at the end of a push of 20 mm.
+Campaign ended_early(int n) {
+  Campaign campaign = sample_campaign(60);
+  for (int i = 0; i < n; ++i) {
+    campaign.records[i].responses.displacement_at_peak =
+        campaign.records[i].curve.back().displacement;
+    campaign.records[i].failure_mode.read_at = 20e-3;
+  }
+  return campaign;
+}
+
+TEST(CampaignReport, peaks_at_the_end_of_the_push_are_lower_bounds) {
+  const int early = statistics_of(ended_early(0)).still_rising;
+  EXPECT_EQ(early, 0);
+  EXPECT_EQ(count(head_of(ended_early(0)), "still rising"), 0);
+
+  const std::string few = head_of(ended_early(30));  // half is not most
+  EXPECT_EQ(count(few, "In 30 of 60 samples the force was still rising"), 1);
+  EXPECT_EQ(count(few, "nine times in ten between"), 1);
+  EXPECT_EQ(count(few, "≥ "), 0);
+
+  const std::string most = head_of(ended_early(31));
+  EXPECT_EQ(count(most, "In 31 of 60 samples the force was still rising"), 1);
+  EXPECT_EQ(count(most, "In 60 samples the wall resists at least <b>"), 1);
+  EXPECT_EQ(count(most, "<div class=\"value\">≥ "), 2);  // mean and weakest twentieth
+  EXPECT_EQ(count(head_of(ended_early(31), "it"), "resiste in media ad almeno <b>"), 1);
+}
+
+TEST(CampaignReport, names_read_before_the_asked_displacement_are_told) {
+  EXPECT_EQ(count(head_of(ended_early(7)), "7 of 60 pushes ended before 40\u202fmm"), 1);
+}
+
 TEST(CampaignReport, names_from_files_are_text) {
   Campaign campaign = sample_campaign(40);
   const std::string bad = "<script>alert(2)</script>";

@@ -15,6 +15,7 @@
 #include "report/texts.h"
 #include "report/wall_picture.h"
 #include "scenes/sample_run.h"
+#include "scenes/zones.h"
 #include "wythe/error.h"
 #include "wythe/report.h"
 
@@ -179,6 +180,25 @@ TEST(RunData, header_has_the_summary_and_one_entry_a_state) {
   EXPECT_EQ(header["arrays"]["frame.ux"]["count"], 2 * 2);
   EXPECT_EQ(header["arrays"]["frame.opening"]["count"], 2 * 2);
   EXPECT_EQ(header["arrays"]["curve.reaction_kN"]["count"], 4);
+}
+
+// Deformable blocks and their contacts stand behind the rigid ones in every array.
+TEST(RunData, zones_go_along) {
+  const ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
+  const Model model = compile(spec);
+  Result result;
+  result.snapshots.push_back({"start", 0, 0, initial_state(model)});
+  const Json header = header_of(run_data(spec, model, result));
+  const auto held = [&](const char* name) { return header["arrays"][name]["count"].get<int>(); };
+  EXPECT_EQ(header["wall"]["blocks"], model.n_block + 1);
+  EXPECT_EQ(header["wall"]["bodies"], 1);
+  EXPECT_EQ(held("wall.outline_begin"), model.n_block + 2);
+  EXPECT_EQ(held("wall.outline_x"), held("wall.outline_y"));
+  EXPECT_EQ(held("wall.zone"), 4 * model.solids.n_zone);
+  EXPECT_EQ(held("wall.joint_b"), model.n_joint + model.solids.n_contact);
+  EXPECT_EQ(held("frame.node_ux"), model.solids.n_node);
+  EXPECT_EQ(held("frame.ux"), model.n_block + 1);
+  EXPECT_EQ(held("frame.opening"), model.n_joint + model.solids.n_contact);
 }
 
 TEST(LimitReport, headline_says_the_weakest_mechanism_and_the_bracket) {

@@ -94,27 +94,61 @@ test("the engine's own data are read: counts agree with the header", async () =>
   rows.forEach((row, i) => assert.ok(Math.abs(row[3] - reaction[i]) <= 1e-6 * Math.max(1, Math.abs(row[3]))));
 });
 
-test("a pose at scale 1 puts blocks where the engine's VTK files have them", async () => {
-  makeRun("pose_run");
-  const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder("pose_run"), "report.data"))));
+// Points of the last state of a run in the engine's VTK files.
+function lastPoints(name, kind) {
+  const files = fs
+    .readdirSync(folder(name))
+    .filter((n) => n.startsWith(`state_${kind}`))
+    .sort();
+  const vtu = fs.readFileSync(path.join(folder(name), files.at(-1)), "utf8");
+  const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
+  return new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
+}
+async function lastPose(name) {
+  const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder(name), "report.data"))));
   const wall = wallModule.readWall(bundle),
     frames = new wallModule.Frames(bundle, wall);
-  const pose = new wallModule.Pose(wall, frames.at(frames.count - 1), 1);
-  const files = fs
-    .readdirSync(folder("pose_run"))
-    .filter((n) => n.startsWith("state_blocks"))
-    .sort();
-  const vtu = fs.readFileSync(path.join(folder("pose_run"), files.at(-1)), "utf8");
-  const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
-  const points = new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
-  let worst = 0;
-  for (let b = 0, k = 0; b < wall.blocks; ++b)
-    for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i, ++k) {
+  return new wallModule.Pose(wall, frames.at(frames.count - 1), 1);
+}
+// 16 bits of the largest displacement (some 20 mm) and single-precision outlines
+const kNear = 2e-6;
+
+test("a pose at scale 1 puts blocks where the engine's VTK files have them", async () => {
+  makeRun("pose_run");
+  const pose = await lastPose("pose_run"),
+    points = lastPoints("pose_run", "blocks");
+  const { blocks, outlineBegin } = pose.wall;
+  for (let b = 0, k = 0; b < blocks; ++b)
+    for (let i = outlineBegin[b]; i < outlineBegin[b + 1]; ++i, ++k) {
       const [x, y] = pose.corner(b, i);
-      worst = Math.max(worst, Math.hypot(x - points[3 * k], y - points[3 * k + 1]));
+      assert.ok(Math.hypot(x - points[3 * k], y - points[3 * k + 1]) < kNear, `block ${b}`);
     }
-  // 16 bits of the largest displacement (some 20 mm) and single-precision outlines
-  assert.ok(worst < 2e-6, `off by ${worst} m`);
+});
+
+test("zones of a deformable lintel lie where the VTK files have them, contacts on their edges", async () => {
+  const summary = makeRun("pose_zones", "zones.toml");
+  const pose = await lastPose("pose_zones"),
+    points = lastPoints("pose_zones", "zones");
+  const { wall } = pose,
+    { mesh } = wall;
+  assert.equal(mesh.zone.length, 4 * summary.zones);
+  assert.equal(wall.joints - mesh.joints, summary.zone_contacts);
+  mesh.zone.forEach((node, k) => {
+    const [x, y] = pose.node(mesh, node);
+    assert.ok(Math.hypot(x - points[3 * k], y - points[3 * k + 1]) < kNear, `corner ${k}`);
+  });
+  // the lintel's outline and the ends of every contact stand on nodes or edges of the mesh
+  const places = Array.from(mesh.nodeX, (_, n) => pose.node(mesh, n));
+  const off = ([x, y]) => Math.min(...places.map(([u, v]) => Math.hypot(x - u, y - v)));
+  for (let i = wall.outlineBegin[mesh.rigid]; i < wall.outlineBegin[mesh.rigid + 1]; ++i)
+    assert.ok(off(pose.corner(mesh.rigid, i)) < kNear);
+  for (let j = mesh.joints; j < wall.joints; ++j) {
+    const [a, b] = [pose.joint(j, -1), pose.joint(j, 1)];
+    const long = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    // a little longer or shorter than undeformed, as far as the lintel strains
+    assert.ok(Math.abs(long / (2 * Math.hypot(wall.halfX[j], wall.halfY[j])) - 1) < 0.01, `contact ${j}`);
+    assert.equal(wall.jointB[j], mesh.rigid);
+  }
 });
 
 test("numbers read as in the engine, in both languages", () => {

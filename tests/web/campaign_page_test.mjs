@@ -14,7 +14,7 @@ import {
   screenshot,
   violations,
 } from "./helpers.mjs";
-import { makeCampaign } from "./small_study.mjs";
+import { makeCampaign, makeCampaignOf } from "./small_study.mjs";
 
 let browser, page, s;
 const modes = () => Object.entries(s.shares).filter(([, v]) => v.modes.length === 1 && v.count > 0);
@@ -149,6 +149,38 @@ test("sensitivity has a bar for each random input, for every measure", async () 
   }
 });
 
+test("every response can be picked, in words", async () => {
+  for (const list of ["#table3-quantity", "#scatter-1 .pick-response", "#running select"]) {
+    const words = await page.locator(`${list} option`).allInnerTexts();
+    assert.equal(words.length, 7, list);
+    for (const w of words) assert.doesNotMatch(w, /_|quantity\./, list);
+  }
+  await page.locator("#table3-quantity").selectOption({ index: 6 });
+  assert.match(await page.locator("#table3-rows caption").innerText(), /collapse/);
+});
+
+test("readings that change names, and severity flags, have their rows", async () => {
+  const changing = s.name_sensitivity.filter((r) => r.differs > 0);
+  assert.ok(changing.length > 0 && changing.length < s.name_sensitivity.length);
+  const rows = await page.locator("#name-sensitivity tbody tr").allInnerTexts();
+  assert.deepEqual(
+    rows.map((r) => r.split("\t").slice(0, 3)),
+    changing.map((r) => [r.reading, String(r.n), String(r.differs)]),
+  );
+  const quiet = s.name_sensitivity.length - changing.length;
+  assert.ok((await page.locator("#name-sensitivity").innerText()).includes(`other ${quiet} readings`));
+  const flags = await page.locator("#flags tbody tr").allInnerTexts();
+  assert.deepEqual(
+    flags.map((r) => r.split("\t")[1]),
+    s.flags.map((f) => `${f.raised} / ${f.n}`),
+  );
+});
+
+test("a design without correlation has no word of caution beside its bars", async () => {
+  assert.ok(s.input_correlation.every((c) => Math.abs(c.spearman) <= 0.1));
+  assert.equal(await page.locator("#entangled").count(), 0);
+});
+
 test("histograms hold every sample", async () => {
   const histograms = page.locator("#histograms figure");
   assert.equal(await histograms.count(), s.inputs.filter((i) => i.random).length);
@@ -232,6 +264,45 @@ test("every figure exports what can be read", async () => {
     .trim()
     .split("\n");
   assert.equal(rows.length, 1 + Object.keys(s.shares).length);
+});
+
+test("pushes that end before the peak: lower bounds in words, correlated inputs with a caution", async () => {
+  const short = makeCampaignOf("rising.toml", "rising");
+  const n = short.samples.answered;
+  assert.ok(2 * short.samples.still_rising > n && short.samples.named_earlier === n);
+  const other = await open(browser, pageOf("rising"));
+  assert.match(await other.locator("#headline .answer").innerText(), /resists at least .* on average/);
+  const warning = await other.locator("#headline .warning").innerText();
+  assert.ok(warning.includes(`In ${short.samples.still_rising} of ${n} samples the force was still rising`));
+  assert.ok(warning.includes(`${n} of ${n} pushes ended before 12\u202fmm`), warning);
+  const pairs = short.input_correlation.filter((c) => Math.abs(c.spearman) > 0.1);
+  assert.ok(pairs.length > 0);
+  const caution = await other.locator("#entangled").innerText();
+  for (const c of pairs) assert.ok(caution.includes(`${c.a}, ${c.b} (`), caution);
+  assert.deepEqual(await violations(other), []);
+  assert.deepEqual(other.faults, []);
+  await screenshot(other, "campaign_rising_1440_light");
+  await other.context().close();
+});
+
+test("shares below a drift limit that no push reached are lower bounds, or unknown", async () => {
+  const kinds = new Set();
+  for (const name of ["rising", "falling"]) {
+    const short = makeCampaignOf(`${name}.toml`, name);
+    const other = await open(browser, pageOf(name));
+    const cells = await other.locator("#drift-limits tbody tr td:last-child").allInnerTexts();
+    assert.equal(cells.length, short.drift_limits.length);
+    short.drift_limits.forEach((d, i) => {
+      const kind =
+        d.share_below === null ? "unknown" : d.share_below_is_lower_bound ? "at least" : "share";
+      kinds.add(kind);
+      assert.equal(cells[i].includes("unknown"), kind === "unknown", cells[i]);
+      assert.equal(cells[i].startsWith("at least "), kind === "at least", cells[i]);
+    });
+    assert.deepEqual(other.faults, []);
+    await other.context().close();
+  }
+  assert.deepEqual([...kinds].sort(), ["at least", "share", "unknown"]);
 });
 
 test("axe finds nothing, in light and dark, wide and narrow", async () => {

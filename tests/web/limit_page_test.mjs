@@ -1,5 +1,6 @@
-// The page of a limit analysis. The data are made here, with the exact kinematics of three hinged
-// bodies, in the form of mechanisms.json; the wall is that of a real run.
+// The page of a limit analysis. Most data are made here, with the exact kinematics of three hinged
+// bodies, in the form of mechanisms.json; the wall is that of a real run. The last test is of the
+// command's own page.
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import path from "node:path";
@@ -16,7 +17,7 @@ import {
   screenshot,
   violations,
 } from "./helpers.mjs";
-import { makeRun } from "./small_study.mjs";
+import { input, makeRun } from "./small_study.mjs";
 
 const kHinges = [
   [0.62, 0],
@@ -355,4 +356,25 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
 test("prints as an appendix of A4 pages", async () => {
   const pages = pdfPages(await page.pdf({ preferCSSPageSize: true }));
   assert.ok(pages >= 4 && pages <= 6, `${pages} pages`);
+});
+
+test("the command's own page has its mechanisms, loads, picture and comparison", async () => {
+  run("limit", input("model.toml"), "--out", folder("limit_real"), "--with", folder("limit_run"), "--assessment");
+  const made = JSON.parse(fs.readFileSync(path.join(folder("limit_real"), "mechanisms.json"), "utf8"));
+  const modes = new Set(made.mechanisms.map((m) => m.mode));
+  assert.ok(made.mechanisms.length >= 4 && modes.size === 2 && made.limit_loads.length >= 2);
+  const other = await open(browser, pageOf("limit_real"));
+  assert.deepEqual(other.faults, []);
+  const least = Math.min(...made.mechanisms.map((m) => m.force_at_rest_kN));
+  assert.ok((await other.locator("#headline").innerText()).includes(`${Number(least.toPrecision(3))}`));
+  assert.equal(await other.locator("[data-mechanism]").count(), made.mechanisms.length);
+  assert.equal(await other.locator("svg.mechanism").count(), modes.size);
+  assert.equal(await other.locator("#limit-loads tbody tr").count(), made.limit_loads.length);
+  const stones = await other.locator("#collapse path.stone").evaluateAll((e) => e.map((p) => p.getAttribute("d")));
+  assert.ok(stones.length > 0 && stones.every((d) => !d.includes("NaN")));
+  const verdict = await other.locator("#verdict").innerText();
+  for (const b of made.comparison.bounds) assert.ok(verdict.includes(b.run), verdict);
+  assert.deepEqual(await violations(other), []);
+  await screenshot(other, "limit_real_1440_light");
+  await other.context().close();
 });

@@ -162,6 +162,21 @@ test("with WebGL the wall stands in space and turns", async () => {
   await solid.close();
 });
 
+test("a deformable lintel shows its zones, and they move", async () => {
+  const made = makeRun("zones_run", "zones.toml");
+  const other = await open(browser, pageOf("zones_run"));
+  const zones = other.locator("#wall path.zone");
+  assert.equal(await zones.getAttribute("data-marks"), String(made.zones));
+  assert.equal(await other.locator("#wall path.timber").getAttribute("data-marks"), "1");
+  const end = await zones.getAttribute("d");
+  await screenshot(other, "run_zones_1440_light");
+  await other.locator("#wall .time input").focus();
+  await other.keyboard.press("Home");
+  assert.notEqual(await zones.getAttribute("d"), end);
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
+});
+
 test("energy, ratios, elements and inputs are all there", async () => {
   assert.equal(await page.locator("#energy-chart path.area").count(), 6);
   assert.equal(await page.locator("#ratios path.force, #ratios path.base").count(), 2);

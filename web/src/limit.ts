@@ -55,6 +55,8 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
         ux: Float32Array.from(shown.velocity_x, (v: number) => v * s),
         uy: Float32Array.from(shown.velocity_y, (v: number) => v * s),
         theta: Float32Array.from(shown.spin_per_m, (v: number) => v * s),
+        nodeUx: null,
+        nodeUy: null,
         opening: zero,
         slip: zero,
         damage: none,

@@ -1,5 +1,7 @@
 // A wall and its states: shapes at the start, where blocks and joints are in a frame. The same
-// kinematics as src/model/deformed.h: a block turns about its centroid and moves.
+// kinematics as src/model/deformed.h: a block turns about its centroid and moves. The last `bodies`
+// of the blocks are deformable: their corners are nodes of zones, and the last `contacts` of the
+// joints are their edges.
 import type { Bundle, Numbers } from "./bundle";
 
 export const kKinds = [
@@ -16,6 +18,20 @@ export const kKinds = [
 export const kLintel = 1,
   kPlate = 2,
   kBeam = 3;
+
+// What deformable blocks are made of.
+export interface Mesh {
+  rigid: number; // blocks before the deformable ones
+  joints: number; // joints before the contacts
+  rim: Numbers; // node of each corner of the deformable blocks, one after the other
+  nodeX: Numbers;
+  nodeY: Numbers;
+  zone: Numbers; // four nodes each
+  contactP: Numbers; // nodes of the edge; the contact is between two shares of it
+  contactQ: Numbers;
+  share0: Numbers;
+  share1: Numbers;
+}
 
 export interface Wall {
   length: number;
@@ -46,7 +62,27 @@ export interface Wall {
   supportBegin: Numbers;
   supportX: Numbers;
   supportY: Numbers;
+  mesh: Mesh | null;
   bounds: { x0: number; x1: number; y0: number; y1: number };
+}
+
+function readMesh(bundle: Bundle): Mesh | null {
+  const head = bundle.header.wall;
+  if (!head.bodies) return null;
+  const get = (name: string): Numbers => bundle.array(`wall.${name}`);
+  const edges = head.contacts > 0 ? get : (): Numbers => new Float32Array();
+  return {
+    rigid: head.blocks - head.bodies,
+    joints: head.joints - head.contacts,
+    rim: get("rim"),
+    nodeX: get("node_x"),
+    nodeY: get("node_y"),
+    zone: get("zone"),
+    contactP: edges("contact_p"),
+    contactQ: edges("contact_q"),
+    share0: edges("share_0"),
+    share1: edges("share_1"),
+  };
 }
 
 export function readWall(bundle: Bundle): Wall | null {
@@ -76,6 +112,7 @@ export function readWall(bundle: Bundle): Wall | null {
     supportBegin: get("support_begin"),
     supportX: get("support_x"),
     supportY: get("support_y"),
+    mesh: readMesh(bundle),
   };
   const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
   const take = (xs: Numbers, ys: Numbers): void =>
@@ -105,6 +142,8 @@ export class Frames {
       "ux",
       "uy",
       "theta",
+      "node_ux",
+      "node_uy",
       "opening",
       "slip",
       "damage",
@@ -122,10 +161,13 @@ export class Frames {
   at(frame: number): Frame {
     const { blocks, joints } = this.wall;
     const joint = (name: string): Numbers => this.slice(name, frame, joints);
+    const nodes = this.wall.mesh?.nodeX.length ?? 0;
     return {
       ux: this.slice("ux", frame, blocks),
       uy: this.slice("uy", frame, blocks),
       theta: this.slice("theta", frame, blocks),
+      nodeUx: nodes > 0 ? this.slice("node_ux", frame, nodes) : null,
+      nodeUy: nodes > 0 ? this.slice("node_uy", frame, nodes) : null,
       opening: joint("opening"),
       slip: joint("slip"),
       damage: joint("damage"),
@@ -140,6 +182,8 @@ export interface Frame {
   ux: Numbers;
   uy: Numbers;
   theta: Numbers;
+  nodeUx: Numbers | null;
+  nodeUy: Numbers | null;
   opening: Numbers;
   slip: Numbers;
   damage: Numbers;
@@ -179,14 +223,30 @@ export class Pose {
   }
   // Where corner i of the outlines is now; it belongs to block b.
   corner(b: number, i: number): [number, number] {
+    const mesh = this.wall.mesh;
+    if (mesh && b >= mesh.rigid) return this.node(mesh, mesh.rim[i - this.wall.outlineBegin[mesh.rigid]]);
     const ax = this.wall.outlineX[i] - this.wall.centroidX[b],
       ay = this.wall.outlineY[i] - this.wall.centroidY[b];
     return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
   }
+  node(mesh: Mesh, n: number): [number, number] {
+    const { nodeUx, nodeUy } = this.frame;
+    return [
+      mesh.nodeX[n] + this.scale * (nodeUx ? nodeUx[n] : 0),
+      mesh.nodeY[n] + this.scale * (nodeUy ? nodeUy[n] : 0),
+    ];
+  }
+  private contact(mesh: Mesh, c: number, xi: number): [number, number] {
+    const [px, py] = this.node(mesh, mesh.contactP[c]),
+      [qx, qy] = this.node(mesh, mesh.contactQ[c]);
+    const share = mesh.share0[c] + 0.5 * (xi + 1) * (mesh.share1[c] - mesh.share0[c]);
+    return [px + share * (qx - px), py + share * (qy - py)];
+  }
   // A point of a joint, half way between its faces; xi from -1 to 1 along it.
   joint(j: number, xi: number): [number, number] {
-    const w = this.wall,
-      a = w.jointA[j],
+    const w = this.wall;
+    if (w.mesh && j >= w.mesh.joints) return this.contact(w.mesh, j - w.mesh.joints, xi);
+    const a = w.jointA[j],
       b = w.jointB[j];
     const bx = w.armBX[j] + xi * w.halfX[j],
       by = w.armBY[j] + xi * w.halfY[j];

@@ -89,6 +89,16 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   }
 }
 
+function drawZones(wall: Wall, pose: Pose, paths: Paths): void {
+  if (!wall.mesh) return;
+  const { zone } = wall.mesh;
+  for (let z = 0; z < zone.length; z += 4)
+    paths.polygon(
+      "zone",
+      [0, 1, 2, 3].map((k) => pose.node(wall.mesh!, zone[z + k])),
+    );
+}
+
 function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
   for (let s = 0; s + 1 < wall.supportBegin.length; ++s) {
     const points: [number, number][] = [];
@@ -97,7 +107,7 @@ function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
     paths.polygon("support", points);
   }
   if (wall.supportBegin.length > 1) return;
-  for (let j = wall.pairs; j < wall.joints; ++j) {
+  for (let j = wall.pairs; j < (wall.mesh?.joints ?? wall.joints); ++j) {
     const b = wall.jointB[j];
     const cx = wall.centroidX[b] + wall.armBX[j],
       cy = wall.centroidY[b] + wall.armBY[j];
@@ -252,6 +262,7 @@ const kOrder = [
   "stone stone3",
   "timber",
   "plate",
+  "zone",
   "split",
   "mortar",
 ];
@@ -265,6 +276,7 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     paths.raw("rest", `M${X(0)} ${Y(0)}V${Y(wall.height)}H${X(wall.length)}V${Y(0)}`);
   }
   drawBlocks(wall, pose, paths);
+  drawZones(wall, pose, paths);
   drawJoints(wall, frames, pose, look, paths);
   const picture = svg("svg", {
     class: "plot wall",

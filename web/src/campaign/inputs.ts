@@ -461,6 +461,24 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
   return figure.element;
 }
 
+const kEntangled = 0.1; // as in wythe/statistics.h
+const kNamed = 4;
+
+// Inputs that were drawn together share their influence: a word of caution beside the bars.
+export function entangled(campaign: Campaign): Child {
+  const pairs = (campaign.statistics.input_correlation as any[]).filter(
+    (c) => c.spearman !== null && Math.abs(c.spearman) > kEntangled,
+  );
+  if (pairs.length === 0) return null;
+  const words = pairs.slice(0, kNamed).map((c) => `${c.a}, ${c.b} (${fixed(c.spearman)})`);
+  if (pairs.length > kNamed) words.push(say("sensitivity.more", { n: pairs.length - kNamed }));
+  return h(
+    "p",
+    { class: "warning small", id: "entangled" },
+    say("sensitivity.entangled", { pairs: words.join("; ") }),
+  );
+}
+
 export function sensitivityTable(campaign: Campaign): Child {
   const rows = (campaign.statistics.correlation as any[]).filter((c) => c.group === "all");
   if (rows.length === 0) return null;

@@ -8,7 +8,8 @@ import { table } from "../tables";
 import { phrase, say, sentence } from "../texts";
 import { Curves, meanCurves } from "./curves";
 import { Campaign, modeLabel } from "./data";
-import { histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
+import { entangled, histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
+import { flags, nameSensitivity } from "./names";
 import { SamplePanel } from "./sample";
 import { driftLimits, exceedance, precision, running, shares, tableThree } from "./statistics";
 
@@ -99,6 +100,7 @@ export function campaignSections(bundle: Bundle): Section[] {
             h("div", { class: "pair" }, shares(campaign), modeWords(campaign)),
             meanCurves(campaign),
             h("div", { class: "spaced" }, tableThree(campaign)),
+            h("div", { class: "pair spaced" }, nameSensitivity(campaign), flags(campaign)),
           ]
         : null,
     },
@@ -125,7 +127,7 @@ export function campaignSections(bundle: Bundle): Section[] {
         campaign.answered.length >= 5
           ? [
               scatters(campaign),
-              h("div", { class: "spaced" }, sensitivity(campaign)),
+              h("div", { class: "spaced" }, sensitivity(campaign), entangled(campaign)),
               sensitivityTable(campaign),
               modeBins(campaign),
             ]

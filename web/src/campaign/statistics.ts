@@ -261,6 +261,13 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
   }).element;
 }
 
+// Where every push ended before the limit its share is only known from below, or not at all.
+function shareBelow(d: any): Child {
+  if (d.share_below === null) return say("limit.share.unknown");
+  if (!d.share_below_is_lower_bound) return withInterval(d.share_below, d.share_below_interval, 3, 100);
+  return say("limit.at_least", { share: num(100 * d.share_below) });
+}
+
 export function driftLimits(campaign: Campaign): Child {
   const limits = campaign.statistics.drift_limits as any[];
   if (!limits || limits.length === 0 || !(campaign.loadHeight > 0)) return null;
@@ -286,7 +293,7 @@ export function driftLimits(campaign: Campaign): Child {
               : String(d.below),
           sort: d.below,
         },
-        { show: withInterval(d.share_below, d.share_below_interval, 3, 100), sort: d.share_below },
+        { show: shareBelow(d), sort: d.share_below },
       ]),
       say("limit.title", { clause: limits[0].clause }),
     ),
