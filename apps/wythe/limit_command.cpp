@@ -6,7 +6,7 @@
 
 #include "commands.h"
 #include "report_files.h"
-#include "wythe/campaign.h"
+#include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
 #include "wythe/report.h"
@@ -20,16 +20,33 @@ bool asked(const LimitArguments& a, const char* what) {
   return a.only.empty() || std::find(a.only.begin(), a.only.end(), what) != a.only.end();
 }
 
+// What can't be answered is kept with its reason; the rest goes on.
+template <class Answer>
+void attempt(SecondOpinion& opinion, const std::string& what, Answer answer) {
+  try {
+    answer();
+  } catch (const InputError& error) {
+    opinion.refused.push_back({what, error.what()});
+  }
+}
+
 void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
   std::vector<Hypothesis> hypotheses;
   for (const Hypothesis h :
        {Hypothesis::kInfinite, Hypothesis::kMacroBlock1, Hypothesis::kMacroBlock2})
     if (asked(a, to_string(h))) hypotheses.push_back(h);
-  if (hypotheses.empty()) return;
-  const Portal portal = find_portal(model);
-  for (const char* mode : {"FM-1", "FM-4"})
-    for (const Hypothesis h : hypotheses)
-      opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h));
+  if (hypotheses.empty()) {
+    if (a.assessment)
+      opinion.notes.emplace_back("--assessment needs a mechanism: leave --only lp out");
+    return;
+  }
+  attempt(opinion, "macro-blocks", [&] {
+    const Portal portal = find_portal(model);
+    for (const char* mode : {"FM-1", "FM-4"})
+      for (const Hypothesis h : hypotheses)
+        attempt(opinion, fmt::format("{} {}", mode, to_string(h)),
+                [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
+  });
   if (!a.assessment) return;
   for (const Mechanism& m : opinion.mechanisms)
     opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
@@ -38,16 +55,27 @@ void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& 
 // From what is left when all bond is gone to what all of it could carry at once.
 void add_limits(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
   if (!asked(a, "lp")) return;
-  const auto add = [&](const char* name, const LimitOptions& options) {
-    opinion.limits.push_back({name, limit_load(model, options)});
+  const auto add = [&](const std::string& name, const LimitOptions& options) {
+    attempt(opinion, "limit load, " + name, [&] {
+      opinion.limits.push_back({name, limit_load(model, options)});
+    });
   };
   add("dry", {});
   add("dry, residual friction, crushing",
       {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints});
-  const bool has_bond = std::any_of(model.materials.begin(), model.materials.end(),
-                                    [](const JointMaterial& m) { return m.tensile_strength > 0; });
-  if (!has_bond) return;
-  add("bonded", {.strength = JointStrength::kBonded});
+  if (has_bond(model)) add("bonded", {.strength = JointStrength::kBonded});
+}
+
+// Nothing answered: the reasons are the answer. Each reason once.
+void throw_if_nothing(const SecondOpinion& opinion) {
+  if (!opinion.mechanisms.empty() || !opinion.limits.empty()) return;
+  std::vector<Fault> faults;
+  for (const Refusal& r : opinion.refused) {
+    const auto same = [&](const Fault& f) { return f.problem == r.why; };
+    if (std::none_of(faults.begin(), faults.end(), same))
+      faults.push_back({.file = "", .path = r.what, .value = "", .problem = r.why, .cure = ""});
+  }
+  throw InputError(std::move(faults));
 }
 
 void print_opinion(const SecondOpinion& opinion) {
@@ -59,31 +87,55 @@ void print_opinion(const SecondOpinion& opinion) {
     const LimitAnswer& a = limit.answer;
     const double unit = a.is_force ? 1e-3 : 1;
     fmt::print("limit load {:<36} {:10.5g}{}   gap of the theorems {:.1e}   {:.1f} s\n", limit.name,
-               a.load * unit, a.is_force ? " kN" : "", a.kinematic / a.load - 1, a.seconds);
+               a.load * unit, a.is_force ? " kN" : "", a.load != 0 ? a.kinematic / a.load - 1 : 0,
+               a.seconds);
   }
+  for (const Refusal& r : opinion.refused) fmt::print(stderr, "{} left out: {}\n", r.what, r.why);
+  for (const std::string& note : opinion.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
-int print_comparison(const Comparison& c) {
-  for (const GroupVerdict& g : c.groups)
-    fmt::print("{} runs {:<7} / {:<28} peaks {:.2f}   post-peak gap {:.1f} kN ({:.0f} %)\n", g.runs,
-               g.mode, g.mechanism, g.peak_ratio, 1e-3 * g.gap, 100 * g.gap_share);
-  int code = 0;
+void print_bracket(const BracketVerdict& b) {
+  if (b.runs == 0) return;
+  const double unit = b.is_force ? 1e-3 : 1;
+  fmt::print(
+      "peaks of {} runs {:.5g} to {:.5g}{}, limit loads of the model{} {:.5g} to {:.5g}: {} "
+      "below, {} above\n",
+      b.runs, b.least_peak * unit, b.most_peak * unit, b.is_force ? " kN" : "",
+      b.runs > 1 ? " (nominal)" : "", b.low * unit, b.high * unit, b.below, b.above);
+}
+
+int print_bounds(const Comparison& c) {
+  int broken = 0;
+  double nearest = 0;
   for (const BoundVerdict& b : c.bounds) {
+    nearest = std::max(nearest, b.peak / b.bound);
     if (b.holds()) continue;
-    code = kFailed;
+    ++broken;
     fmt::print(
         stderr,
         "{}: error of the run: its peak is {:.4f} times the limit load of its joints, {:.1f} "
         "% are allowed (1 % and its rate effect); push slower, or check the run\n",
         b.run, b.peak / b.bound, 100 * b.allowance);
   }
-  return code;
+  if (broken == 0 && !c.bounds.empty())
+    fmt::print("{} runs within the limit loads of their own joints, the nearest at {:.3f} of it\n",
+               c.bounds.size(), nearest);
+  for (const ComparedRun& run : c.runs)
+    if (!run.no_bound.empty()) fmt::print(stderr, "{} has no bound: {}\n", run.name, run.no_bound);
+  return broken > 0 ? kFailed : 0;
 }
 
-// "report", unless the folder is a run's or a campaign's and has that one's.
+int print_comparison(const Comparison& c) {
+  for (const GroupVerdict& g : c.groups)
+    fmt::print("{} runs {:<7} / {:<28} peaks {:.2f}   post-peak gap {:.1f} kN ({:.0f} %)\n", g.runs,
+               g.mode, g.mechanism, g.peak_ratio, 1e-3 * g.gap, 100 * g.gap_share);
+  print_bracket(c.bracket);
+  return print_bounds(c);
+}
+
+// "report", unless the folder is a run's and has that one's; a campaign's is refused.
 std::string page_name(const std::string& folder) {
-  const bool taken = std::filesystem::exists(folder + "/summary.json") || holds_campaign(folder);
-  return taken ? "limit" : "report";
+  return std::filesystem::exists(folder + "/summary.json") ? "limit" : "report";
 }
 
 void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& model,
@@ -110,7 +162,10 @@ int limit(const LimitArguments& a) {
   SecondOpinion opinion;
   add_mechanisms(a, model, opinion);
   add_limits(a, model, opinion);
+  throw_if_nothing(opinion);
   opinion.comparison = compare(a.with, std::move(runs), opinion.mechanisms);
+  opinion.comparison.bracket = bracket_of(opinion);
+  for (std::string& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
   write_opinion(a, spec, model, opinion);
   print_opinion(opinion);
   const int code = print_comparison(opinion.comparison);

@@ -50,9 +50,16 @@ struct LimitAnswer {
   int rows = 0, columns = 0, cuts = 0;  // size of the static programme; tangents added
   double seconds = 0;
 };
-// Associated flow, small displacements. Throws InputError when nothing grows, when the dead loads
+// Zoned blocks count as rigid ones of the same outline, weight and contacts; the answer's lists are
+// those of the model's own blocks and joints. Associated flow, small displacements. Throws InputError when nothing grows, when the dead loads
 // alone cannot be carried (says which block cannot stand), and when the load is without limit.
 [[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options);
+
+// The model with each deformable block as one rigid block, after its own blocks and joints.
+[[nodiscard]] Model with_rigid_bodies(Model model);
+// Whether some joint has a tensile strength that can be lost; unlimited ones (the chain of a lintel)
+// are no bond.
+[[nodiscard]] bool has_bond(const Model& model);
 
 // --- a chain of macro-blocks ------------------------------------------------------------------------
 
@@ -102,6 +109,9 @@ struct CapacityCurve {
 };
 // Where a point of a body has come to.
 [[nodiscard]] Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at);
+// What passes through the hinges at rest: C1 and C3 on the bodies, C12 on the first body, C23 on the
+// last [N]. One body: its only hinge.
+[[nodiscard]] std::vector<Point> hinge_forces(const Chain& chain, double force);
 // Virtual work on the geometry as it turns: F v_load + sum P v = 0. Throws InputError where the load
 // point does not move, or where the chain falls without a force.
 [[nodiscard]] CapacityCurve follow(const Chain& chain);
@@ -170,9 +180,11 @@ struct ComparedRun {
   std::string name;  // "run", "sample 17"
   std::string mode;  // its failure mode
   std::vector<CurveRow> curve = {};
-  double load_factor = 0;  // of a body force or tilt
-  double rate_effect = 0;  // share of the drive's work that damping and motion took [-]
-  double bound = -1;       // limit load of its own model, where it has one [N] or [-]
+  double load_factor = 0;     // of a body force or tilt
+  double rate_effect = 0;     // share of the drive's work that damping and motion took [-]
+  double bound = -1;          // limit load of its own model, where it has one [N] or [-]
+  std::string no_bound = {};  // why it has none
+  std::string wall = {};      // in_words() of its model, or of its campaign's base model
 };
 struct CurveVerdict {
   std::string run, mode, mechanism;
@@ -185,6 +197,7 @@ struct BoundVerdict {
   std::string run;
   double peak = 0, bound = 0;  // [N] or [-]
   double allowance = 0;        // 1 % and the run's rate effect [-]
+  bool is_force = true;
   [[nodiscard]] bool holds() const { return peak <= bound * (1 + allowance); }
 };
 struct EnvelopePoint {
@@ -198,17 +211,27 @@ struct GroupVerdict {
   double mean_peak = 0;                           // of the runs [N]
   double peak_ratio = 0, gap = 0, gap_share = 0;  // means of the single ones
 };
+// Peaks beside the limit loads of the compared model: nominal where the runs vary its strengths.
+struct BracketVerdict {
+  double low = 0, high = 0;              // least and largest limit load [N] or [-]
+  double least_peak = 0, most_peak = 0;  // of the runs
+  bool is_force = true;
+  int runs = 0, below = 0, above = 0;
+};
 struct Comparison {
   std::string with;  // the folder
   std::vector<ComparedRun> runs;
   std::vector<CurveVerdict> curves;
   std::vector<GroupVerdict> groups;
   std::vector<BoundVerdict> bounds;
+  BracketVerdict bracket = {};
 };
 [[nodiscard]] CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism);
 // Each run with the mechanisms of its mode, or with all of them where its mode has none.
 [[nodiscard]] Comparison compare(std::string with, std::vector<ComparedRun> runs,
                                  const std::vector<Mechanism>& mechanisms);
+// Blocks, weights, loads and push of a model: equal for runs that can be compared with it.
+[[nodiscard]] std::string in_words(const Model& model);
 // Lowest, mean and highest force of runs at equal displacements, as far as half of them reach.
 [[nodiscard]] std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs,
                                                   const std::string& mode);
@@ -218,12 +241,22 @@ struct NamedLimit {
   std::string name;  // "dry", "bonded", ...
   LimitAnswer answer;
 };
+// What was asked for and can't be answered.
+struct Refusal {
+  std::string what, why;  // "FM-1 macro_block_2", the fault with its cure
+};
 struct SecondOpinion {
   std::vector<NamedLimit> limits;
   std::vector<Mechanism> mechanisms;
   std::vector<Assessment> assessments;  // of each mechanism, or none
   LimitStateShares shares;
+  std::vector<Refusal> refused = {};
+  std::vector<std::string> notes = {};  // for the user
   Comparison comparison;
 };
+// Peaks of the compared runs beside the opinion's own limit loads.
+[[nodiscard]] BracketVerdict bracket_of(const SecondOpinion& opinion);
+// What a reader should doubt: a mechanism that crushing makes stronger, runs of another model.
+[[nodiscard]] std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opinion);
 
 }  // namespace wythe

@@ -61,28 +61,24 @@ std::vector<CurveRow> read_curve(const fs::path& path) {
       throw IoError(path.string() + ":" + std::to_string(number) + ": too few numbers");
     rows.push_back({.time = v[0], .displacement = 1e-3 * v[1], .reaction = 1e3 * v[3]});
   }
+  if (rows.empty()) throw IoError(path.string() + ": holds no row; run wythe run to its end");
   return first_loading(rows);
 }
 
-// What damping and motion took of the work that was put in.
+// The larger of two measures: what damping and motion took of the work that was put in; and by how
+// much the run's own verdict puts its peak above that of a slow push (responses.cpp has the factor).
 double rate_effect(const QuasiStatic& q) {
-  return std::max(0.0, q.damping_share) + std::max(0.0, q.kinetic_ratio_mean);
+  constexpr double kLift = 1.7;
+  const double work = std::max(0.0, q.damping_share) + std::max(0.0, q.kinetic_ratio_mean);
+  return std::max(work, kLift * q.shear_gap);
 }
 
-// -1: no bound, where no mechanism exists.
-double bound_of(const Model& model) {
+void set_bound(const Model& model, ComparedRun& run) {
   try {
-    return limit_load(model, {.strength = JointStrength::kBonded}).load;
-  } catch (const InputError&) {
-    return -1;
+    run.bound = limit_load(model, {.strength = JointStrength::kBonded}).load;
+  } catch (const InputError& error) {
+    run.no_bound = error.what();
   }
-}
-
-bool is_dry(const Model& model) {
-  return std::all_of(model.joint_material.begin(), model.joint_material.end(), [&](auto m) {
-    const JointMaterial& material = model.materials[static_cast<std::size_t>(m)];
-    return material.tensile_strength == 0 && material.cohesion == 0;
-  });
 }
 
 ComparedRun read_run(const fs::path& folder) {
@@ -96,11 +92,14 @@ ComparedRun read_run(const fs::path& folder) {
     QuasiStatic q;
     q.damping_share = meter.at("damping_share").get<double>();
     q.kinetic_ratio_mean = meter.at("kinetic_ratio_mean").get<double>();
+    q.shear_gap = meter.at("shear_gap").get<double>();
     run.rate_effect = rate_effect(q);
   } catch (const Json::exception& error) {
     throw IoError((folder / "summary.json").string() + ": " + error.what());
   }
-  run.bound = bound_of(compile(read_model((folder / "model.used.toml").string())));
+  const Model model = compile(read_model((folder / "model.used.toml").string()));
+  run.wall = in_words(model);
+  set_bound(model, run);
   return run;
 }
 
@@ -117,14 +116,15 @@ ComparedRun read_sample(const SampleRecord& record) {
 std::vector<ComparedRun> read_samples(const std::string& folder) {
   const Campaign campaign = read_campaign(folder);
   const ModelBuilder build = model_builder(campaign.study);
-  const bool dry = is_dry(compile(build({})));
+  const Model base = compile(build({}));
+  const std::string wall = in_words(base);
   std::vector<ComparedRun> runs;
   for (const SampleRecord& record : campaign.records) {
     if (!record.answered()) continue;
     runs.push_back(read_sample(record));
-    if (dry)
-      runs.back().bound =
-          bound_of(compile(build(settings_of(campaign.samples, record.sample - 1))));
+    runs.back().wall = wall;
+    if (!has_bond(base))
+      set_bound(compile(build(settings_of(campaign.samples, record.sample - 1))), runs.back());
   }
   return runs;
 }

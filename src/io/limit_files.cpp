@@ -22,6 +22,12 @@ Json points_json(const std::vector<Point>& points) {
   return list;
 }
 
+Json forces_json(const std::vector<Point>& forces) {
+  Json list = Json::array();
+  for (const Point& f : forces) list.push_back({f.x * kPerKilo, f.y * kPerKilo});
+  return list;
+}
+
 // An infinite strength has no number in JSON.
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json("unlimited"); }
 
@@ -91,6 +97,7 @@ Json mechanism_json(const Mechanism& m) {
           {"inputs", inputs},
           {"hinge_names", m.chain.hinges.size() == 4 ? Json{"C1", "C12", "C23", "C3"} : Json{"C1"}},
           {"hinges_m", points_json(m.chain.hinges)},
+          {"hinge_forces_at_rest_kN", forces_json(hinge_forces(m.chain, start.force))},
           {"bodies", bodies_json(m.chain)},
           {"load_point_m", point_json(m.chain.load_point)},
           {"loaded_body", m.chain.loaded_body},
@@ -178,26 +185,49 @@ Json groups_json(const Comparison& c) {
   return list;
 }
 
-Json bounds_json(const Comparison& c, bool is_force) {
-  const double unit = is_force ? kPerKilo : 1.0;
-  const std::string tail = is_force ? "_kN" : "";
+Json bounds_json(const Comparison& c) {
   Json list = Json::array();
-  for (const BoundVerdict& b : c.bounds)
+  for (const BoundVerdict& b : c.bounds) {
+    const double unit = b.is_force ? kPerKilo : 1.0;
+    const std::string tail = b.is_force ? "_kN" : "";
     list.push_back({{"run", b.run},
                     {"peak" + tail, b.peak * unit},
                     {"bound" + tail, b.bound * unit},
                     {"allowance", b.allowance},
                     {"holds", b.holds()}});
+  }
   return list;
+}
+
+Json without_bound_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const ComparedRun& run : c.runs)
+    if (!run.no_bound.empty()) list.push_back({{"run", run.name}, {"why", run.no_bound}});
+  return list;
+}
+
+Json bracket_json(const BracketVerdict& b) {
+  if (b.runs == 0) return nullptr;
+  const double unit = b.is_force ? kPerKilo : 1.0;
+  const std::string tail = b.is_force ? "_kN" : "";
+  return {{"low" + tail, b.low * unit},
+          {"high" + tail, b.high * unit},
+          {"least_peak" + tail, b.least_peak * unit},
+          {"most_peak" + tail, b.most_peak * unit},
+          {"runs", b.runs},
+          {"below", b.below},
+          {"above", b.above},
+          {"nominal", b.runs > 1}};
 }
 
 Json comparison_json(const SecondOpinion& opinion) {
   const Comparison& c = opinion.comparison;
   if (c.with.empty()) return nullptr;
-  const bool is_force = opinion.limits.empty() || opinion.limits.front().answer.is_force;
   Json json{{"with", c.with}, {"runs", c.runs.size()}};
   json["groups"] = groups_json(c);
-  json["bounds"] = bounds_json(c, is_force);
+  json["bounds"] = bounds_json(c);
+  json["without_bound"] = without_bound_json(c);
+  json["bracket"] = bracket_json(c.bracket);
   json["curves"] = verdicts_json(c);
   if (c.runs.size() == 1) json["curve"] = rows_json(c.runs.front().curve);
   json["envelopes"] = Json::object();
@@ -221,6 +251,10 @@ std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
   }
   json["limit_loads"] = Json::array();
   for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
+  json["refused"] = Json::array();
+  for (const Refusal& r : opinion.refused)
+    json["refused"].push_back({{"what", r.what}, {"why", r.why}});
+  json["notes"] = opinion.notes;
   json["block_id"] = model.anatomy.block_id;
   json["comparison"] = comparison_json(opinion);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -6,7 +6,7 @@
 //                w2 = -(a x c)/(b x c),  w3 = (a x b)/(c x b)
 //   virtual work F (v_load . d) + sum P . v = 0
 //
-// Equations (6.5) to (6.7) of docs/theory/limit_analysis.md. Called by cut_mechanism() and tests.
+// Equations (6.6), (6.7), (6.10) of docs/theory/limit_analysis.md. Called by cut_mechanism() and tests.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -169,6 +169,31 @@ const char* to_string(ChainEnd end) {
 
 Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at) {
   return Follower(chain).place({state.rotation, state.rate, state.hinges}, body, at);
+}
+
+// Moments of the piers about their feet give H12: a x H12 = -M1, c x (R2 - H12) = -M3.
+std::vector<Point> hinge_forces(const Chain& chain, double force) {
+  std::vector<Point> sum(chain.bodies.size(), {0, 0});  // of the loads on each body
+  const auto moment = [&](std::size_t body, Point about) {
+    double m = 0;
+    for (const BodyLoad& load : chain.bodies[body].loads)
+      m += cross(load.at - about, {load.fx, load.fy});
+    if (static_cast<std::size_t>(chain.loaded_body) == body)
+      m += cross(chain.load_point - about, {chain.direction * force, 0});
+    return m;
+  };
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    for (const BodyLoad& load : chain.bodies[i].loads) sum[i] = sum[i] + Point{load.fx, load.fy};
+  Point& loaded = sum[static_cast<std::size_t>(chain.loaded_body)];
+  loaded.x += chain.direction * force;
+  if (sum.size() == 1) return {{-sum[0].x, -sum[0].y}};
+  const std::vector<Point>& h = chain.hinges;
+  const Point a = h[1] - h[0], c = h[2] - h[3];
+  const double m1 = -moment(0, h[0]), m3 = moment(2, h[3]) + cross(c, sum[1]);
+  const double det = a.y * c.x - a.x * c.y;  // of (a x H, c x H) in H.x, H.y
+  const Point h12{(a.x * m3 - c.x * m1) / det, (a.y * m3 - c.y * m1) / det};
+  const Point h23 = sum[1] - h12;
+  return {{-sum[0].x - h12.x, -sum[0].y - h12.y}, h12, h23, {-sum[2].x - h23.x, -sum[2].y - h23.y}};
 }
 
 CapacityCurve follow(const Chain& chain) {

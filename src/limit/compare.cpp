@@ -1,8 +1,12 @@
 // Beside the curves of runs: peaks, post-peak branches, bounds.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "limit/limit_loads.h"
 #include "wythe/limit.h"
 
 namespace wythe {
@@ -94,7 +98,11 @@ Comparison compare(std::string with, std::vector<ComparedRun> runs,
   c.runs = std::move(runs);
   for (const ComparedRun& run : c.runs) {
     if (peak_of(run) > 0 && run.bound >= 0)
-      c.bounds.push_back({run.name, peak_of(run), run.bound, kAllowance + run.rate_effect});
+      c.bounds.push_back({.run = run.name,
+                          .peak = peak_of(run),
+                          .bound = run.bound,
+                          .allowance = kAllowance + run.rate_effect,
+                          .is_force = run.load_factor <= 0});
     if (run.curve.size() < 2 || run.load_factor > 0) continue;
     for (const Mechanism* m : mechanisms_of(run, mechanisms)) c.curves.push_back(compare(run, *m));
   }
@@ -127,6 +135,83 @@ std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs, const 
     points.push_back(p);
   }
   return points;
+}
+
+std::string in_words(const Model& given) {
+  const Model model = with_rigid_bodies(given);
+  double weight = 0, x = 0, y = 0, down = 0, at = 0;
+  for (std::size_t b = 0; b < model.heavy_mass.size(); ++b) {
+    const double w = model.solve.gravity * model.heavy_mass[b];
+    weight += w, x += w * model.centroid_x[b], y += w * model.centroid_y[b];
+  }
+  for (const Stage& stage : model.stages) {
+    for (const PointLoad& p : stage.loads) {
+      down -= p.fy;
+      at -= p.fy * (model.centroid_x[static_cast<std::size_t>(p.block)] + p.arm_x);
+    }
+  }
+  std::string words =
+      fmt::format("{} blocks of {:.4g} kN around ({:.3f}, {:.3f}) m", model.n_block, 1e-3 * weight,
+                  weight > 0 ? x / weight : 0, weight > 0 ? y / weight : 0);
+  if (down > 0)
+    words += fmt::format(", {:.4g} kN on it around x = {:.3f} m", 1e-3 * down, at / down);
+  const Stage* grows = limit::growing_stage(model);
+  if (grows == nullptr) return words + ", no push";
+  words += fmt::format(", loaded along ({:.3g}, {:.3g})", grows->drive_x, grows->drive_y);
+  Point push;
+  for (const BlockId b : grows->driven) {
+    push.x +=
+        model.centroid_x[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());
+    push.y +=
+        model.centroid_y[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());
+  }
+  if (!grows->driven.empty()) words += fmt::format(" at ({:.3f}, {:.3f}) m", push.x, push.y);
+  return words;
+}
+
+BracketVerdict bracket_of(const SecondOpinion& opinion) {
+  BracketVerdict v;
+  if (opinion.limits.empty()) return v;
+  const auto [low, high] = std::minmax_element(
+      opinion.limits.begin(), opinion.limits.end(),
+      [](const auto& a, const auto& b) { return a.answer.load < b.answer.load; });
+  v.low = low->answer.load;
+  v.high = high->answer.load;
+  v.is_force = low->answer.is_force;
+  for (const ComparedRun& run : opinion.comparison.runs) {
+    const double peak = peak_of(run);
+    if (!(peak > 0) || v.is_force != (run.load_factor <= 0)) continue;
+    v.least_peak = v.runs == 0 ? peak : std::min(v.least_peak, peak);
+    v.most_peak = std::max(v.most_peak, peak);
+    ++v.runs;
+    v.below += peak < v.low;
+    v.above += peak > v.high * (1 + kAllowance + run.rate_effect);
+  }
+  return v;
+}
+
+std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opinion) {
+  std::vector<std::string> notes;
+  for (const Mechanism& m : opinion.mechanisms) {
+    for (const Mechanism& n : opinion.mechanisms) {
+      const double infinite = n.curve.states.front().force, own = m.curve.states.front().force;
+      if (n.mode != m.mode || n.hypothesis != Hypothesis::kInfinite || own <= infinite) continue;
+      notes.push_back(
+          fmt::format("{} {}: {:.2f} kN at rest, more than the {:.2f} kN of infinite strength: its "
+                      "moved hinges are another lever, take the lower one",
+                      m.mode, to_string(m.hypothesis), 1e-3 * own, 1e-3 * infinite));
+    }
+  }
+  const std::string here = in_words(model);
+  std::set<std::string> others;
+  for (const ComparedRun& run : opinion.comparison.runs)
+    if (!run.wall.empty() && run.wall != here) others.insert(run.wall);
+  for (const std::string& other : others)
+    notes.push_back(
+        fmt::format("{} is of another wall, the comparison says little: it has {}; the "
+                    "model has {}; give the model of that run",
+                    opinion.comparison.with, other, here));
+  return notes;
 }
 
 }  // namespace wythe

@@ -69,9 +69,24 @@ bool has_joint(const Model& model, BlockId block) {
          "push where blocks can move, give that joint a strength, or count crushing");
 }
 
+// Entries of the model's own blocks and joints; its deformable ones came after them.
+void keep_first(const Model& model, LimitAnswer& answer) {
+  const auto blocks = static_cast<std::size_t>(model.n_block);
+  const auto joints = static_cast<std::size_t>(model.n_joint);
+  const std::size_t points = answer.point_force.size() / answer.shear_force.size();
+  for (auto* motion : {&answer.vx, &answer.vy, &answer.omega}) motion->resize(blocks);
+  answer.shear_force.resize(joints);
+  answer.point_force.resize(joints * points);
+}
+
 }  // namespace
 
 LimitAnswer limit_load(const Model& model, const LimitOptions& options) {
+  if (!model.solids.bodies.empty()) {
+    LimitAnswer answer = limit_load(with_rigid_bodies(model), options);
+    keep_first(model, answer);
+    return answer;
+  }
   const auto start = std::chrono::steady_clock::now();
   const LimitLoads loads = limit_loads(model);
   YieldModel yield = yield_of(model, options);
@@ -88,8 +103,12 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options) {
   LimitAnswer answer;
   answer.options = options;
   answer.is_force = loads.is_force;
-  answer.load = by_forces.load;
-  answer.kinematic = by_motion.load;
+  const auto without_round_off = [&](double load) {
+    const double least = 1e-9 * (loads.is_force ? units.force : 1.0);
+    return std::fabs(load) < least ? 0.0 : load;
+  };
+  answer.load = without_round_off(by_forces.load);
+  answer.kinematic = without_round_off(by_motion.load);
   answer.shear_force = by_forces.shear;
   answer.point_force = by_forces.point_force;
   answer.vx = by_motion.vx;

@@ -1,8 +1,11 @@
 #include "limit/limit_loads.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/polygon.h"
 #include "wythe/error.h"
+#include "wythe/limit.h"
 
 namespace wythe::limit {
 namespace {
@@ -39,6 +42,82 @@ void add_push(const Stage& push, LimitLoads& loads) {
     if (!loads.together) loads.growing[i] = {push.drive_x / n, push.drive_y / n, 0};
     loads.held_across[i] = push.spec.across == Freedom::kBlocked;
     loads.held_turn[i] = push.spec.rotation == Freedom::kBlocked;
+  }
+}
+
+BlockId body_of(const Solids& solids, std::int32_t node) {
+  const auto at = std::find_if(solids.bodies.begin(), solids.bodies.end(), [&](const auto& body) {
+    return node < body.first_node + body.n_node;
+  });
+  return static_cast<BlockId>(at - solids.bodies.begin());
+}
+
+// A deformable body as a block of its outline and of the weight its nodes carry.
+void add_block(const Solids& solids, const SolidBody& body, Model& model) {
+  geometry::Polygon outline;
+  for (const std::int32_t node : body.rim) {
+    const auto i = static_cast<std::size_t>(node);
+    outline.push_back({solids.node_x[i], solids.node_y[i]});
+    model.anatomy.outline_x.push_back(outline.back().x);
+    model.anatomy.outline_y.push_back(outline.back().y);
+  }
+  model.anatomy.outline_begin.push_back(static_cast<int>(model.anatomy.outline_x.size()));
+  model.anatomy.block_id.push_back(body.id);
+  model.anatomy.block_role.push_back(body.role);
+  model.anatomy.block_course.push_back(-1);
+  const auto shape = solids.zone_shape[static_cast<std::size_t>(body.first_zone)];
+  model.anatomy.block_thickness.push_back(solids.shapes[static_cast<std::size_t>(shape)].thickness);
+  const geometry::Vec2 centroid = geometry::moments(outline).centroid;
+  model.centroid_x.push_back(centroid.x);
+  model.centroid_y.push_back(centroid.y);
+  double mass = 0, heavy = 0;
+  for (int k = 0; k < body.n_node; ++k) {
+    mass += solids.node_mass[static_cast<std::size_t>(body.first_node + k)];
+    heavy += solids.node_heavy_mass[static_cast<std::size_t>(body.first_node + k)];
+  }
+  model.mass.push_back(mass);
+  model.heavy_mass.push_back(heavy);
+  model.inertia.push_back(0);  // limit analysis asks for none
+  model.turn_freedom.push_back(1);
+  ++model.n_block;
+}
+
+// A contact of zones as a joint from the same rigid block to the body.
+void add_joint(const Solids& s, std::size_t c, BlockId body, Model& model) {
+  const bool ground = s.contact_block[c] == model.n_block - static_cast<int>(s.bodies.size());
+  const BlockId a = ground ? kGroundBlock : s.contact_block[c];
+  const double x = 0.5 * (s.arm_0_x[c] + s.arm_1_x[c]), y = 0.5 * (s.arm_0_y[c] + s.arm_1_y[c]);
+  const auto i = static_cast<std::size_t>(a), b = static_cast<std::size_t>(body);
+  model.joint_a.push_back(a);
+  model.joint_b.push_back(body);
+  model.joint_material.push_back(s.contact_material[c]);
+  model.arm_a_x.push_back(x);
+  model.arm_a_y.push_back(y);
+  model.arm_b_x.push_back(x + (ground ? 0 : model.centroid_x[i]) - model.centroid_x[b]);
+  model.arm_b_y.push_back(y + (ground ? 0 : model.centroid_y[i]) - model.centroid_y[b]);
+  model.half_x.push_back(0.5 * (s.arm_1_x[c] - s.arm_0_x[c]));
+  model.half_y.push_back(0.5 * (s.arm_1_y[c] - s.arm_0_y[c]));
+  model.tangent_x.push_back(s.contact_tangent_x[c]);
+  model.tangent_y.push_back(s.contact_tangent_y[c]);
+  model.area.push_back(s.contact_area[c]);
+  const bool lintel = model.anatomy.block_role[b] == BlockRole::kLintel;
+  model.anatomy.joint_kind.push_back(lintel ? JointKind::kLintelBond : JointKind::kOther);
+  ++model.n_joint;
+}
+
+void list_joints_of_blocks(Model& model) {
+  std::vector<std::vector<std::int32_t>> of(static_cast<std::size_t>(model.n_block));
+  for (int side = 0; side < 2; ++side) {
+    const std::vector<BlockId>& blocks = side == 0 ? model.joint_a : model.joint_b;
+    for (int j = 0; j < model.n_joint; ++j)
+      if (const BlockId b = blocks[static_cast<std::size_t>(j)]; b != kGroundBlock)
+        of[static_cast<std::size_t>(b)].push_back(2 * j + side);
+  }
+  model.block_begin.assign(1, 0);
+  model.block_entry.clear();
+  for (const auto& entries : of) {
+    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
+    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
   }
 }
 
@@ -81,3 +160,28 @@ LimitLoads limit_loads(const Model& model) {
 }
 
 }  // namespace wythe::limit
+
+namespace wythe {
+
+Model with_rigid_bodies(Model model) {
+  const Solids solids = std::move(model.solids);
+  model.solids = {};
+  const int first = model.n_block;
+  for (const SolidBody& body : solids.bodies) limit::add_block(solids, body, model);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(solids.n_contact); ++c)
+    limit::add_joint(solids, c, first + limit::body_of(solids, solids.contact_p[c]), model);
+  limit::list_joints_of_blocks(model);
+  return model;
+}
+
+bool has_bond(const Model& model) {
+  const auto bonds = [&](std::int32_t material) {
+    const JointMaterial& m = model.materials[static_cast<std::size_t>(material)];
+    return m.tensile_strength > 0 && std::isfinite(m.tensile_strength);
+  };
+  const auto& contacts = model.solids.contact_material;
+  return std::any_of(model.joint_material.begin(), model.joint_material.end(), bonds) ||
+         std::any_of(contacts.begin(), contacts.end(), bonds);
+}
+
+}  // namespace wythe

@@ -10,7 +10,8 @@
 //   +-----o          +------o
 //        C1                 C3
 //
-// Weights are those of the blocks, or parts of blocks, inside each body. Reference: Pulatsu et al.
+// Weights are those of the blocks, or parts of blocks, inside each body; a deformable lintel counts as
+// one rigid block. Reference: Pulatsu et al.
 // (2022), section 6; hinges: docs/theory/limit_analysis.md.
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ void read_push(const Model& model, Portal& portal, FaultList& faults) {
     add_fault(faults, "stage", push == nullptr ? "" : push->spec.name,
               push == nullptr ? "no stage pushes the wall" : "the push is not horizontal",
               "macro-blocks need a push along x, e.g. at = { x = \"0 m\", y = \"3.12 m\" }, "
-              "direction = \"+x\"; --only lp takes any load");
+              "direction = \"+x\"; the limit load of the blocks takes any");
     return;
   }
   for (const BlockId b : push->driven) {
@@ -73,10 +74,12 @@ void read_opening(const study::WallParts& parts, const std::vector<study::Box>& 
   portal.block_height = parts.course;
   if (openings.size() != 1) {
     add_fault(faults, "wall.opening", fmt::format("{}", openings.size()),
-              openings.empty() ? "no opening between two piers"
-                               : "more than one opening: no chain of three macro-blocks",
+              openings.empty()
+                  ? "no opening between two piers (one at the wall's edge has a pier on "
+                    "one side only)"
+                  : "more than one opening: no chain of three macro-blocks",
               "the mechanisms FM-1 and FM-4 are those of two piers and one opening with masonry "
-              "above it; --only lp takes any wall");
+              "above it; the limit load of the blocks takes any wall");
     return;
   }
   const study::Box& hole = openings.front();
@@ -157,14 +160,22 @@ BodyLoad weight_inside(const Model& model, const Polygon& outline) {
   return weight;
 }
 
-// Dead loads whose point lies on the outline; those above the wall belong to what is below them.
-void add_dead_loads(const Model& model, double top, const Polygon& outline,
+// The part of what acts at a point that a body takes: one half each where two bodies meet upright.
+double share_of(const Portal& p, const Polygon& outline, Point at) {
+  constexpr double kNear = 1e-6;  // [m], above the round-off of coordinates, below any unit
+  const double x = std::clamp(at.x, p.left + 2 * kNear, p.right - 2 * kNear);
+  const double y = std::min(at.y, p.top - kNear);  // above the wall: on what is below
+  return 0.5 * (holds(outline, {x - kNear, y}) + holds(outline, {x + kNear, y}));
+}
+
+void add_dead_loads(const Model& model, const Portal& portal, const Polygon& outline,
                     std::vector<BodyLoad>& loads) {
   for (const Stage& stage : model.stages) {
     for (const PointLoad& p : stage.loads) {
       const auto b = static_cast<std::size_t>(p.block);
       const Point at{model.centroid_x[b] + p.arm_x, model.centroid_y[b] + p.arm_y};
-      if (holds(outline, {at.x, std::min(at.y, top - 1e-6)})) loads.push_back({at, p.fx, p.fy});
+      const double share = share_of(portal, outline, at);
+      if (share > 0) loads.push_back({at, share * p.fx, share * p.fy});
     }
   }
 }
@@ -213,9 +224,12 @@ class Cutter {
     chain.load_point = p_.load_point;
     chain.direction = p_.direction;
     chain.loaded_body = -1;
-    for (std::size_t i = 0; i < chain.bodies.size(); ++i)
-      if (holds(polygon_of(chain.bodies[i].outline), {p_.load_point.x, p_.load_point.y}))
-        chain.loaded_body = static_cast<int>(i);
+    double most = 0;  // on a jamb the pier, which comes first
+    for (std::size_t i = 0; i < chain.bodies.size(); ++i) {
+      const double share = share_of(p_, polygon_of(chain.bodies[i].outline), p_.load_point);
+      if (share > most) chain.loaded_body = static_cast<int>(i);
+      most = std::max(most, share);
+    }
     return chain;
   }
   [[nodiscard]] double near_width() const { return near_; }
@@ -247,7 +261,7 @@ class Cutter {
   [[nodiscard]] std::vector<BodyLoad> loads_on(const std::vector<Point>& outline) const {
     const Polygon polygon = polygon_of(outline);
     std::vector<BodyLoad> loads{weight_inside(model_, polygon)};
-    add_dead_loads(model_, p_.top, polygon, loads);
+    add_dead_loads(model_, p_, polygon, loads);
     return loads;
   }
   void add(Chain& chain, const std::string& name, const std::vector<Point>& outline) const {
@@ -273,7 +287,7 @@ double crushed_half(const Portal& p, double weight, double width, const std::str
   if (!(p.compressive_strength > 0) || std::isinf(p.compressive_strength))
     refuse("material.joint.compressive_strength", "unlimited",
            "Macro-Block 1 and 2 need a compressive strength",
-           "give one, e.g. compressive_strength = \"3.96 MPa\", or --only infinite");
+           "give one, e.g. compressive_strength = \"3.96 MPa\"; the other analyses do without");
   const double half = weight / (2 * kStressBlock * p.compressive_strength * p.thickness);
   if (2 * half >= width)
     refuse("material." + p.strength_material + ".compressive_strength",
@@ -318,7 +332,29 @@ void check_lever(const Portal& p, const Mechanism& m) {
          "for the chain of " +
              m.mode,
          "its hinges belong to walls where (opening height) x (opening width) > (far pier's width) "
-         "x (spandrel depth); --only lp takes any wall");
+         "x (spandrel depth); the limit load of the blocks takes any wall");
+}
+
+// No hinge pulls: the cracks it stands in carry no tension. One that does asks for a push on the other
+// side of the chain.
+void check_hinges(const Portal& p, const Mechanism& m) {
+  const double force = m.curve.states.front().force;
+  const std::vector<Point> h = hinge_forces(m.chain, force);
+  // compression: the ground lifts, the spandrel holds the near pier back and pushes the far one
+  const double pressure[] = {h[0].y, -p.direction * h[1].x, p.direction * h[2].x, h[3].y};
+  const char* const names[] = {"C1", "C12", "C23", "C3"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (pressure[i] >= -1e-9 * force) continue;
+    refuse(
+        "stage.push.at", fmt::format("({:.3f} m, {:.3f} m)", p.load_point.x, p.load_point.y),
+        fmt::format("hinge {} of {} would have to pull with {:.3g} kN, and cracks carry no "
+                    "tension",
+                    names[i], m.mode, -1e-3 * pressure[i]),
+        fmt::format("push on the {} pier, e.g. at.x = {:.3f} m for a push towards {}x; the limit "
+                    "load of the blocks takes any place",
+                    p.direction > 0 ? "left" : "right", p.direction > 0 ? p.left : p.right,
+                    p.direction > 0 ? "+" : "-"));
+  }
 }
 
 }  // namespace
@@ -337,6 +373,7 @@ std::string Mechanism::file_name() const {
 }
 
 Portal find_portal(const Model& model) {
+  if (!model.solids.bodies.empty()) return find_portal(with_rigid_bodies(model));
   FaultList faults;
   Portal portal;
   const study::WallParts parts = study::find_parts(model);
@@ -344,7 +381,7 @@ Portal find_portal(const Model& model) {
   read_push(model, portal, faults);
   if (has_beam(model))
     add_fault(faults, "wall.beam", "", "a loading beam ties the macro-blocks together",
-              "load the piers with pier_load instead; --only lp takes any wall");
+              "load the piers with pier_load instead; the limit load of the blocks takes any wall");
   if (faults.empty()) check_load_point(portal, faults);
   faults.throw_if_any();
   portal.thickness = model.anatomy.thickness;
@@ -354,6 +391,8 @@ Portal find_portal(const Model& model) {
 
 Mechanism cut_mechanism(const Model& model, const Portal& portal, const std::string& mode,
                         Hypothesis hypothesis) {
+  if (!model.solids.bodies.empty())
+    return cut_mechanism(with_rigid_bodies(model), portal, mode, hypothesis);
   const Cutter cutter(model, portal, mode == "FM-1");
   const Cutter::Axial axial = cutter.axial();
   Cutter::Axial inwards;
@@ -364,7 +403,7 @@ Mechanism cut_mechanism(const Model& model, const Portal& portal, const std::str
   if (2 * shift >= portal.top - portal.head)
     refuse("wall.opening", fmt::format("{:.3f} m above it", portal.top - portal.head),
            "the spandrel is no deeper than two blocks: Macro-Block 2 has no lever",
-           "use --only infinite macro_block_1");
+           "the other hypotheses take this wall");
   Mechanism m;
   m.mode = mode;
   m.hypothesis = hypothesis;
@@ -377,6 +416,7 @@ Mechanism cut_mechanism(const Model& model, const Portal& portal, const std::str
   m.inputs = numbers_of(portal, axial, inwards, shift);
   check_lever(portal, m);
   m.curve = follow(m.chain);
+  check_hinges(portal, m);
   return m;
 }
 

@@ -19,6 +19,20 @@ height = "0.5 m"
 """
 DOOR = SMALL.replace("[wall.unit]", OPENING + "[wall.unit]").replace('until = "3 mm"', 'until = "1 mm"')
 NAMES = [f"mechanism_{mode}_{h}" for mode in ("fm1", "fm4") for h in ("infinite", "macro_block_1", "macro_block_2")]
+LINTEL = DOOR.replace('height = "0.5 m"\n', 'height = "0.5 m"\nlintel = { kind = "timber", depth = "100 mm", '
+                      'bearing = "100 mm", material = "timber" }\n') + """
+[material.timber]
+density = "500 kg/m^3"
+youngs_modulus = "0.3 GPa"
+shear_modulus = "0.125 GPa"
+"""
+
+
+def dry(text):
+    for strength in ("0.15", "0.5", "0.75"):
+        for what in ("tensile_strength", "cohesion"):
+            text = text.replace(f'{what} = "{strength} MPa"', f'{what} = "0 MPa"')
+    return text
 
 
 def rows_of(path):
@@ -80,7 +94,8 @@ class Limit(unittest.TestCase):
     def test_other_direction_mirrors_the_hinges(self):
         there, back = self.out("there"), self.out("back")
         self.limit("--out", there, "--only", "macro_block_1")
-        self.limit("--out", back, "--only", "macro_block_1", "--set", "stage.push.direction=-x")
+        self.limit("--out", back, "--only", "macro_block_1", "--set", "stage.push.direction=-x",
+                   "--set", "stage.push.at.x=0.8 m")
         hinges = [json.loads((out / "mechanisms.json").read_text())["mechanisms"][1]["hinges_m"]
                   for out in (there, back)]
         for a, b in zip(*hinges):
@@ -89,17 +104,16 @@ class Limit(unittest.TestCase):
 
     def test_beside_a_run_and_a_run_that_cannot_be(self):
         run = self.out("run")
-        dry = self.folder / "dry.toml"
-        text = SMALL.replace('until = "3 mm"', 'until = "1 mm"')
-        for line in ('tensile_strength = "0.15 MPa"', 'tensile_strength = "0.5 MPa"'):
-            text = text.replace(line, 'tensile_strength = "0 MPa"')
-        for line in ('cohesion = "0.15 MPa"', 'cohesion = "0.75 MPa"'):
-            text = text.replace(line, 'cohesion = "0 MPa"')
-        dry.write_text(text)
-        self.assertEqual(wythe("run", dry, "--out", run, "--quiet").returncode, 0)
-        done = self.limit("--out", run, "--with", run, "--only", "lp", model=dry)
+        model = self.folder / "dry.toml"
+        model.write_text(dry(SMALL.replace('until = "3 mm"', 'until = "1 mm"')))
+        self.assertEqual(wythe("run", model, "--out", run, "--quiet").returncode, 0)
+        done = self.limit("--out", run, "--with", run, "--only", "lp", model=model)
         data = json.loads((run / "mechanisms.json").read_text())["comparison"]
         self.assertTrue(data["bounds"][0]["holds"], data["bounds"])
+        meter = json.loads((run / "summary.json").read_text())["quasi_static"]
+        rate = max(meter["damping_share"] + meter["kinetic_ratio_mean"], 1.7 * meter["shear_gap"])
+        self.assertAlmostEqual(data["bounds"][0]["allowance"], 0.01 + rate, places=9)
+        self.assertEqual(data["without_bound"], [])
         self.assertTrue((run / "limit.html").exists(), "the run's own report stays")
         self.assertNotIn("error of the run", done.stderr)
         # the same run with ten times its force: no wall of these joints does that
@@ -113,8 +127,11 @@ class Limit(unittest.TestCase):
             cells[3] = str(10 * float(cells[3]))
             scaled.append(",".join(cells))
         (false / "force_displacement.csv").write_text("\n".join(scaled) + "\n")
-        done = self.limit("--out", self.out(), "--with", false, "--only", "lp", model=dry, code=3)
+        done = self.limit("--out", self.out(), "--with", false, "--only", "lp", model=model, code=3)
         self.assertIn("error of the run", done.stderr)
+        (false / "force_displacement.csv").write_text(lines[0] + "\n")
+        done = self.limit("--out", self.out("empty"), "--with", false, "--only", "lp", model=model, code=4)
+        self.assertIn("holds no row", done.stderr)
 
     def test_beside_a_campaign(self):
         (self.folder / "study.toml").write_text(STUDY)
@@ -127,6 +144,77 @@ class Limit(unittest.TestCase):
         self.assertGreaterEqual(len(data["curves"]), 3)
         self.assertTrue(all(c["run"].startswith("sample ") for c in data["curves"]))
 
+    def test_dry_campaign_of_a_wall_with_a_lintel_has_its_bounds(self):
+        model, study = self.folder / "dry_lintel.toml", self.folder / "dry_study.toml"
+        model.write_text(dry(LINTEL))
+        study.write_text(f"""
+[study]
+name = "dry"
+model = "{model.name}"
+samples = 2
+seed = 7
+[variable.phi]
+path = "material.joint.friction_angle"
+unit = "deg"
+distribution = "normal"
+mean = "33 deg"
+cov = 0.02
+""")
+        campaign = self.out("campaign")
+        done = wythe("campaign", study, "--out", campaign, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.limit("--out", self.out(), "--with", campaign, "--only", "lp", model=model)
+        data = json.loads((self.out() / "mechanisms.json").read_text())
+        self.assertNotIn("bonded", [limit["name"] for limit in data["limit_loads"]])
+        self.assertEqual(len(data["comparison"]["bounds"]), 2)
+        self.assertIn("2 runs within the limit loads", done.stdout)
+
+    def test_a_lintel_of_zones_is_counted(self):
+        model = self.folder / "zones.toml"
+        both = []
+        for kind in ("zones", "segments"):
+            model.write_text(LINTEL.replace('material = "timber" }', f'material = "timber", model = "{kind}" }}'))
+            self.limit("--out", self.out(kind), "--only", "lp", "infinite", model=model)
+            both.append(json.loads((self.out(kind) / "mechanisms.json").read_text()))
+        for a, b in zip(both[0]["mechanisms"], both[1]["mechanisms"]):
+            self.assertAlmostEqual(a["force_at_rest_kN"] / b["force_at_rest_kN"], 1, places=6)
+        self.assertEqual(len(both[0]["mechanisms"]), 2)
+        loads = [data["limit_loads"][0]["static_kN"] for data in both]
+        self.assertGreater(loads[0], 0)
+        self.assertAlmostEqual(loads[0] / loads[1], 1, places=6, msg="an unlimited chain is as rigid as one block")
+
+    def test_without_friction_no_ratio_is_asked(self):
+        model = self.folder / "ice.toml"
+        text = dry(SMALL)
+        for angle in ("30 deg", "38 deg"):
+            text = text.replace(f'friction_angle = "{angle}"', 'friction_angle = "0 deg"')
+        model.write_text(text)
+        done = self.limit("--out", self.out(), "--only", "lp", model=model)
+        self.assertNotIn("nan", done.stdout)
+        self.assertNotIn("-0 kN", done.stdout)
+
+    def test_a_run_of_another_wall_is_told(self):
+        run = self.out("run")
+        self.assertEqual(wythe("run", self.model, "--out", run, "--quiet").returncode, 0)
+        own = self.limit("--out", self.out("own"), "--with", run, "--only", "lp")
+        self.assertNotIn("another wall", own.stderr)
+        self.assertIn("limit loads of the model", own.stdout, "a wall with bond is held against its bracket")
+        other = self.limit("--out", self.out("other"), "--with", run, "--only", "lp",
+                           "--set", "stage.precompression.pier_load=30 kN")
+        self.assertIn("another wall", other.stderr)
+        self.assertEqual(len(json.loads((self.out("other") / "mechanisms.json").read_text())["notes"]), 1)
+
+    def test_what_is_refused_does_not_stop_the_rest(self):
+        text = DOOR.replace('compressive_strength = "4 MPa"', 'compressive_strength = "unlimited"')
+        model = self.folder / "strong.toml"
+        model.write_text(text.replace('compressive_energy = "12800 N/m"\n', ""))
+        done = self.limit("--out", self.out(), model=model)
+        data = json.loads((self.out() / "mechanisms.json").read_text())
+        self.assertEqual([m["hypothesis"] for m in data["mechanisms"]], ["infinite", "infinite"])
+        self.assertEqual(len(data["refused"]), 4)
+        self.assertGreater(len(data["limit_loads"]), 0)
+        self.assertIn("FM-4 macro_block_2 left out", done.stderr)
+
     def refused(self, text, words, *arguments):
         model = self.folder / "refused.toml"
         model.write_text(text)
@@ -136,12 +224,12 @@ class Limit(unittest.TestCase):
         self.assertFalse(self.out().exists(), "nothing is written")
 
     def test_walls_outside_say_why(self):
-        self.refused(SMALL, "no opening")
+        self.refused(SMALL, "no opening", "--only", "infinite")
         low = DOOR.replace('y = "0.75 m" }', 'y = "0.05 m" }')
-        self.refused(low.replace('x = "0 m", y = "0.05 m"', 'x = "0.75 m", y = "0.05 m"'), "stays in FM-1")
+        self.refused(low.replace('x = "0 m", y = "0.05 m"', 'x = "0.75 m", y = "0.05 m"'), "stays in FM-1", "--only", "infinite")
         strong = DOOR.replace('compressive_strength = "4 MPa"', 'compressive_strength = "unlimited"')
         strong = strong.replace('compressive_energy = "12800 N/m"\n', "")
-        self.refused(strong, "need a compressive strength")
+        self.refused(strong, "need a compressive strength", "--only", "macro_block_1")
         self.refused(DOOR, "neither a run", "--with", str(self.folder))
         # without an opening the blocks' own limit load is still there
         plain = self.folder / "plain.toml"

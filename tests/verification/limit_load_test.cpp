@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "scenes/scenes.h"
+#include "scenes/zones.h"
 #include "verification/record.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -219,6 +220,48 @@ TEST(LimitLoad, mirror_and_scale) {
   EXPECT_NEAR(limit_load(compile(scenes::mirrored(spec)), {}).load / load, 1, 1e-9);
   // lengths x 2 with gravity / 2: weights x 4
   EXPECT_NEAR(limit_load(compile(scenes::scaled(spec, 2)), {}).load / (4 * load), 1, 1e-9);
+}
+
+// Two columns, a lintel, two blocks on it: dry, a face in one piece and in pieces resist the same.
+TEST(LimitLoad, a_lintel_of_zones_is_one_rigid_block) {
+  const auto load = [](int zones) {
+    std::vector<BlockSpec> blocks;
+    for (const auto& [name, x] : {std::pair{"l", 0.0}, {"r", 0.9}})
+      for (int k = 0; k < 2; ++k)
+        blocks.push_back(scenes::rectangle(name + std::to_string(k), x, 0.2 * k, 0.3, 0.2));
+    blocks.push_back(scenes::rectangle("lintel", 0, 0.4, 1.2, 0.15));
+    blocks.push_back(scenes::rectangle("t0", 0, 0.55, 0.5, 0.2));
+    blocks.push_back(scenes::rectangle("t1", 0.5, 0.55, 0.7, 0.2));
+    ModelSpec spec = scenes::assembly(blocks, scenes::dry_joint(20e9, 8e9, degrees(35)), 0.3, 1500);
+    if (zones > 0) {
+      spec.material["soft"] = scenes::elastic_body(1e9, 0.2, 1500);
+      for (BlockSpec& block : spec.block) {
+        if (block.id != "lintel") continue;
+        block.material = "soft";
+        block.zone.zones = zones;
+      }
+    }
+    spec.stage = {scenes::gravity_stage(), scenes::push_stage("t0", Direction::kPlusX, 0.01, 0.01)};
+    const Model model = compile(spec);
+    const LimitAnswer answer = limit_load(model, {});
+    expect_no_gap(answer);
+    EXPECT_EQ(answer.vx.size(), static_cast<std::size_t>(model.n_block));
+    EXPECT_EQ(answer.shear_force.size(), static_cast<std::size_t>(model.n_joint));
+    return answer.load;
+  };
+  const double rigid = load(0);
+  EXPECT_GT(rigid, 0);
+  for (const int zones : {1, 3}) EXPECT_NEAR(load(zones) / rigid, 1, 1e-9) << zones;
+}
+
+TEST(LimitLoad, only_a_strength_that_can_be_lost_is_a_bond) {
+  ModelSpec spec = scenes::lintel_wall(LintelModel::kSegments);
+  EXPECT_TRUE(has_bond(compile(spec)));
+  for (auto& [name, joint] : spec.material) {
+    joint.tensile_strength = joint.cohesion = 0;
+    joint.mode_1_energy = joint.mode_2_energy = kUnset;
+  }
+  EXPECT_FALSE(has_bond(compile(spec))) << "the chain of the lintel has unlimited strength";
 }
 
 // The paper's wall, the largest programme of this project. Processor time: others may share the

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenes/scenes.h"
+#include "scenes/zones.h"
 #include "verification/record.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
@@ -101,7 +102,10 @@ ModelSpec portal_spec(double pier_load = 20e3) {
 }
 Model portal_wall(double direction = 1) {
   ModelSpec spec = portal_spec();
-  if (direction < 0) spec.stage.back().direction = Direction::kMinusX;
+  if (direction < 0) {
+    spec.stage.back().direction = Direction::kMinusX;
+    spec.stage.back().at.x = 1.24;
+  }
   return compile(spec);
 }
 
@@ -179,8 +183,8 @@ TEST(MacroBlock, bodies_weigh_what_their_blocks_weigh) {
   EXPECT_NEAR(weight("FM-1") / (moving - stays), 1, 1e-9);
 }
 
-// The small wall is its own mirror image but for the bond: pushed the other way at the same place it
-// is the mirrored chain with the load at the other end.
+// The small wall is its own mirror image but for the bond: pushed at its other end it is the mirrored
+// chain.
 TEST(MacroBlock, mirrored_push_gives_the_mirrored_chain) {
   for (const char* mode : {"FM-1", "FM-4"}) {
     for (const Hypothesis hypothesis : kAll) {
@@ -218,6 +222,92 @@ TEST(MacroBlock, scales) {
     EXPECT_NEAR(curve.states[i].force, kS * kS * kS * m.curve.states[i].force,
                 1e-9 * curve.states[0].force);
   }
+}
+
+// A wall under even pressure from units over both jambs: half of such a unit's load goes each way,
+// and the push from the other end finds the mirrored chain. Coordinates differ by round-off there.
+TEST(MacroBlock, a_load_over_a_jamb_counts_once) {
+  ModelSpec spec = portal_spec();
+  const auto at_jamb = [](const Model& m, double x) {
+    for (std::size_t b = 0; b < m.centroid_x.size(); ++b)
+      if (std::fabs(m.centroid_y[b] - 0.825) < 1e-6 && std::fabs(m.centroid_x[b] - x) < 0.08)
+        return PointLoad{.block = static_cast<BlockId>(b),
+                         .arm_x = x - m.centroid_x[b],
+                         .arm_y = 0.055,
+                         .fy = -10e3};
+    return PointLoad{};
+  };
+  const auto loaded = [&](double direction, double round_off) {
+    if (direction < 0) {
+      spec.stage.back().direction = Direction::kMinusX;
+      spec.stage.back().at.x = 1.24;
+    }
+    Model model = compile(spec);
+    for (const double x : {0.31 + round_off, 0.62 + round_off, 0.93 + round_off})
+      scenes::add_load(model, at_jamb(model, x));
+    return model;
+  };
+  const auto dead = [](const Mechanism& m) {
+    double sum = 0;
+    for (const MacroBlock& body : m.chain.bodies)
+      for (const BodyLoad& load : body.loads) sum -= load.is_weight ? 0 : load.fy;
+    return sum;
+  };
+  double force = 0;
+  for (const double direction : {1.0, -1.0}) {
+    for (const double round_off : {0.0, 1e-15, -1e-15}) {
+      const Mechanism m =
+          mechanism_of(loaded(direction, round_off), "FM-4", Hypothesis::kMacroBlock1);
+      EXPECT_NEAR(dead(m), 2 * 20e3 + 3 * 10e3, 1e-6);
+      double on_feet = 0;
+      for (const NamedNumber& n : m.inputs)
+        if (n.name.starts_with("weight_on")) on_feet += n.value;
+      EXPECT_NEAR(on_feet / (dead(m) + 1250 * 9.81 * 0.31 * 40 * 0.11 * 0.155), 1, 1e-9);
+      if (force == 0) force = m.curve.states[0].force;
+      EXPECT_NEAR(m.curve.states[0].force / force, 1, 1e-9) << direction << " " << round_off;
+    }
+  }
+}
+
+// Each body in balance under what its hinges give it, by their moments about the origin.
+TEST(MacroBlock, hinge_forces_balance_every_body) {
+  for (const char* mode : {"FM-1", "FM-4"}) {
+    const Mechanism m = mechanism_of(portal_wall(), mode, Hypothesis::kMacroBlock2);
+    const double force = m.curve.states[0].force;
+    const std::vector<Point> h = hinge_forces(m.chain, force);
+    const std::vector<Point>& at = m.chain.hinges;
+    const struct {
+      std::size_t body, hinge;
+      double sign;
+    } ends[] = {{0, 0, 1}, {0, 1, 1}, {1, 1, -1}, {1, 2, -1}, {2, 2, 1}, {2, 3, 1}};
+    double x[3] = {}, y[3] = {}, moment[3] = {};
+    const auto act = [&](std::size_t body, Point p, double fx, double fy) {
+      x[body] += fx, y[body] += fy, moment[body] += p.x * fy - p.y * fx;
+    };
+    for (std::size_t b = 0; b < 3; ++b)
+      for (const BodyLoad& load : m.chain.bodies[b].loads) act(b, load.at, load.fx, load.fy);
+    act(static_cast<std::size_t>(m.chain.loaded_body), m.chain.load_point, force, 0);
+    for (const auto& e : ends)
+      act(e.body, at[e.hinge], e.sign * h[e.hinge].x, e.sign * h[e.hinge].y);
+    for (std::size_t b = 0; b < 3; ++b)
+      for (const double rest : {x[b], y[b], moment[b]}) EXPECT_NEAR(rest, 0, 1e-9 * force) << b;
+    EXPECT_LT(h[1].x, 0) << "the spandrel holds the near pier back";
+    EXPECT_GT(h[2].x, 0) << "and pushes the far one";
+  }
+}
+
+TEST(MacroBlock, a_lintel_of_zones_weighs_as_much_as_one_of_blocks) {
+  const auto moving = [](LintelModel lintel) {
+    ModelSpec spec = scenes::lintel_wall(lintel);
+    const Model model = compile(spec);
+    double sum = 0;
+    const Model rigid = with_rigid_bodies(model);
+    for (const double mass : rigid.heavy_mass) sum += mass * rigid.solve.gravity;
+    EXPECT_NEAR(sum / model.weight, 1, 1e-9);
+    EXPECT_TRUE(rigid.solids.bodies.empty());
+    return sum;
+  };
+  EXPECT_NEAR(moving(LintelModel::kZones) / moving(LintelModel::kSegments), 1, 1e-6);
 }
 
 TEST(MacroBlock, crushing_never_raises_a_curve) {
@@ -326,6 +416,12 @@ TEST(MacroBlock, walls_outside_are_refused_with_a_cure) {
   }
   expect_refusal(refusal(three), "more than one opening");
   expect_refusal(refusal(scenes::small_wall()), "turn against the push");
+  // pushed on the pier ahead, the chain would have to be pulled
+  ModelSpec pulled = portal_spec();
+  pulled.stage.back().at.x = 1.24;
+  expect_refusal(refusal(pulled), "would have to pull");
+  pulled.stage.back().at.x = 0.62, pulled.stage.back().at.y = 0.7;
+  expect_refusal(refusal(pulled), "would have to pull");
   ModelSpec low = portal_spec();
   low.stage.back().at.y = 0.05;
   expect_refusal(refusal(low), "the load point lies outside");
@@ -377,6 +473,41 @@ TEST(MacroBlock, comparison_of_a_curve_with_itself_and_with_its_half) {
   EXPECT_TRUE(compare("folder", {half}, {m}).bounds[0].holds());
   const std::vector<EnvelopePoint> band = envelope({same, half}, "FM-4");
   EXPECT_NEAR(band.front().high / band.front().low, 2, 1e-9);
+}
+
+TEST(MacroBlock, notes_name_a_broken_order_and_runs_of_another_wall) {
+  const Model model = portal_wall();
+  SecondOpinion opinion;
+  for (const Hypothesis h : kAll) opinion.mechanisms.push_back(mechanism_of(model, "FM-4", h));
+  EXPECT_TRUE(notes_on(model, opinion).empty());
+  const double infinite = opinion.mechanisms[0].curve.states[0].force;
+  opinion.mechanisms[2].curve.states[0].force = 1.01 * infinite;
+  ASSERT_EQ(notes_on(model, opinion).size(), 1u);
+  EXPECT_NE(notes_on(model, opinion)[0].find("macro_block_2"), std::string::npos);
+  ComparedRun run{.name = "run", .mode = "FM-4"};
+  run.wall = in_words(model);
+  opinion.comparison.runs = {run};
+  EXPECT_EQ(notes_on(model, opinion).size(), 1u);
+  opinion.comparison.runs[0].wall = in_words(portal_wall(-1));
+  EXPECT_EQ(notes_on(model, opinion).size(), 2u);
+}
+
+TEST(MacroBlock, peaks_beside_the_bracket_of_the_model) {
+  SecondOpinion opinion;
+  for (const double load : {30e3, 10e3}) {
+    opinion.limits.push_back({"", {}});
+    opinion.limits.back().answer.load = load;
+  }
+  for (const double peak : {9e3, 20e3, 30.2e3, 31e3}) {
+    opinion.comparison.runs.push_back({.name = "run", .mode = ""});
+    opinion.comparison.runs.back().curve = {{}, {.displacement = 1e-3, .reaction = peak}};
+  }
+  const BracketVerdict v = bracket_of(opinion);
+  EXPECT_EQ(v.runs, 4);
+  EXPECT_EQ(v.below, 1);
+  EXPECT_EQ(v.above, 1) << "1 % above the largest is allowed";
+  EXPECT_EQ(v.low, 10e3);
+  EXPECT_EQ(v.most_peak, 31e3);
 }
 
 }  // namespace
