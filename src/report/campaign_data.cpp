@@ -4,6 +4,7 @@
 // samples' as far as kMostWalls and kMostWallBytes allow.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
@@ -188,7 +189,8 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   bundle.header["statistics"] = Json::parse(statistics_json(statistics));
   bundle.header["quantities"] = quantities_json();
   bundle.header["provenance"] = campaign.provenance;
-  bundle.header["model_file"] = campaign.study.model_file;
+  bundle.header["model_file"] =  // pages are sent about: no folders of this machine
+      std::filesystem::path(campaign.study.model_file).filename().string();
   bundle.header["model_text"] = campaign.study.model_text;
   if (!campaign.study.until.empty()) {
     std::string measures;

@@ -160,8 +160,11 @@ class CampaignHeadline {
     if (count("answered") >= kFewestSamples)
       cards.push_back({bound + texts_.quantity(number_in(peak, "percentile_5"), "kN"),
                        texts_.say("card.weak"), texts_.say("card.weak.means")});
-    cards.push_back({texts_.quantity(mean_80(), "mm"), texts_.say("card.mean_80"),
-                     interval(far.value("survival_mean_interval", Json()), "mm")});
+    const bool none_fell = far.value("censored", 0) == count("answered");
+    cards.push_back({(none_fell ? "≥ " : "") + texts_.quantity(mean_80(), "mm"),
+                     texts_.say("card.mean_80"),
+                     none_fell ? texts_.say("card.at_80.censored")
+                               : interval(far.value("survival_mean_interval", Json()), "mm")});
     cards.push_back(
         {texts_.say("card.answered.value", {{"answered", std::to_string(count("answered"))},
                                             {"asked", std::to_string(count("asked"))}}),
@@ -218,7 +221,7 @@ class CampaignHeadline {
   [[nodiscard]] std::string fails() const {
     std::vector<std::pair<int, std::string>> counts;
     for (const auto& [name, share] : s_["shares"].items())
-      if (share["modes"].size() == 1 && share["count"] > 0)
+      if (share["modes"].size() == 1 && share["count"] > 0 && name != "unclear")
         counts.emplace_back(-share["count"].get<int>(), name);
     std::stable_sort(counts.begin(), counts.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
