@@ -1,5 +1,5 @@
 // The scalar types the joint law and the step are written for: double here, Dual in dual.h, SIMD
-// packs later. Everything is branch-free through select(); no libm transcendental appears, so that
+// packs in pack.h. Everything is branch-free through select(); no libm transcendental appears, so that
 // the bits are the same on every machine.
 #pragma once
 
