@@ -116,6 +116,19 @@ def order(paired):
     return table(["change", "ft,j of FM-1+2 MPa", "of FM-3+4", "of FM-5", "D of FM-1+2 mm", "of FM-3+4", "of FM-5"], rows)
 
 
+def turned(paired):
+    """In how many runs, the base's too, piers fail with weaker joints, or at smaller D, than the spandrel does."""
+    found = {}
+    for column, key in (("ft_j_MPa", "turned ft_j"), (D, "turned D")):
+        count = 0
+        for run in paired.runs.values():
+            piers, spandrel = ([s[column] for s in run.values() if s["mode"] in members]
+                               for members in list(GROUPS.values())[:2])
+            count += bool(piers and spandrel) and statistics.mean(piers) < statistics.mean(spandrel)
+        found[key] = f"{count or 'none'} of {len(paired.runs)}"
+    return found
+
+
 def effects(page, paired):
     panels = []
     for q, title in ((F, "change of mean F max [kN]"), (D, "change of mean D at 0.8 F max [mm]")):
@@ -145,6 +158,6 @@ def values(page, paired):
     found["n paired"] = str(len(paired.base or []))
     if not paired.changed:
         return found | dict.fromkeys(("what moves what", "towards in several", "figure of effects", "table of variants",
-                                      "table of order"), NO)
+                                      "table of order", "turned ft_j", "turned D"), NO)
     return found | summary(paired) | {"figure of effects": effects(page, paired), "table of variants": variants(paired),
-                                      "table of order": order(paired)}
+                                      "table of order": order(paired)} | turned(paired)
