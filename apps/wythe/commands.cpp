@@ -33,6 +33,9 @@ void print_result(const Result& r, const std::string& out) {
                1e3 * q.displacement_at_80, 1e-6 * q.initial_stiffness);
     fmt::print("failure mode {}: {}\n", r.failure_mode.name, r.failure_mode.sentence);
     fmt::print("rate: {}\n", r.quasi_static.verdict);
+    for (const Event& e : r.events)
+      if (e.is_beyond_limit)
+        fmt::print("warning: {} from {:.2f} mm on: {}\n", e.name, 1e3 * e.displacement, e.where);
   }
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);

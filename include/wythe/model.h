@@ -216,6 +216,7 @@ struct State {
   double drive_displacement = 0;        // prescribed displacement along the push [m]
   double travelled = 0;                 // length of the driven path so far [m]
   double turn_time = 0;                 // stage time of the last start or turn of a push [s]
+  double pace = 0;                      // of a push: 0 at velocity, 1 at fast_velocity
   int target = 0;                       // next of a cyclic stage
 
   // energy ledger, since the start [J]

@@ -109,10 +109,11 @@ struct QuasiStatic {
 
 // Something worth a mark on the curve.
 struct Event {
-  std::string name;         // "first crack", "first full crack", "peak", ...
-  double displacement = 0;  // [m]
-  double reaction = 0;      // [N]
-  std::string where;        // joint kind and place
+  std::string name;              // "first crack", "first full crack", "peak", ...
+  double displacement = 0;       // [m]
+  double reaction = 0;           // [N]
+  std::string where;             // joint kind and place
+  bool is_beyond_limit = false;  // a stress that its material does not bear
 };
 
 // A measure beside its threshold.

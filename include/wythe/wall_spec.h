@@ -123,10 +123,12 @@ struct StageSpec {
   // push
   PlaceSpec at;
   Direction direction = Direction::kPlusX;
-  double velocity = kUnset;     // [m/s]
-  double until = kUnset;        // [m]
-  std::vector<double> targets;  // cyclic: displacements along `direction`, in turn [m]
-  double stop_below = 0;        // stop when the reaction falls below this share of the peak
+  double velocity = kUnset;       // [m/s]
+  double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
+  double fast_below = 2e-4;       // unbalance ratio that is near balance
+  double until = kUnset;          // [m]
+  std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
+  double stop_below = 0;          // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;
   Freedom across = Freedom::kFree;  // motion across the push direction
   // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`
@@ -141,7 +143,7 @@ struct StageSpec {
 
 struct SolveSpec {
   int points_per_face = 2;          // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: trapezoidal rule
-  double step_fraction = 0.7;       // of the stable step bound
+  double step_fraction = 0.95;      // of the longest stable step, damping included
   double damping = 0.8;             // local damping
   double gravity = 9.81;            // [m/s^2]
   double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio

@@ -196,7 +196,8 @@ void Recorder::note_limits(const State& state, double displacement, double react
     result_.events.push_back(
         {name, displacement, reaction,
          fmt::format("{:.3g} MPa at ({:.2f}, {:.2f}) m, limit {:.3g} MPa; it stays elastic",
-                     1e-6 * beyond.stress, clean(beyond.x), clean(beyond.y), 1e-6 * beyond.limit)});
+                     1e-6 * beyond.stress, clean(beyond.x), clean(beyond.y), 1e-6 * beyond.limit),
+         true});
   }
 }
 

@@ -30,7 +30,7 @@ double stage_mass_scaling(const Model& model, const Stage& stage) {
 
 double stage_time_step(const Model& model, const Stage& stage) {
   return model.solve.step_fraction * 2.0 / model.omega_max *
-         std::sqrt(stage_mass_scaling(model, stage));
+         std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
 }
 
 double driven_path(const Stage& stage) {
@@ -167,20 +167,22 @@ class Push : public StageRun {
         path_(driven_path(stage)),
         recorder_(model_, stage, path_, wall.options.frames, wall.result) {
     controls_.push = &stage;
-    if (state_.stage_time == 0) state_.drive_displacement = state_.travelled = state_.turn_time = 0;
+    if (state_.stage_time == 0)
+      state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
     if (!target_left()) end({});
   }
 
   void prepare() override {
     const double start =
         smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage_.spec.ramp);
-    controls_.drive_velocity = sense() * stage_.spec.velocity * start;
+    controls_.drive_velocity = sense() * velocity() * start;
   }
 
   void look(double reaction) override {
     state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
     recorder_.take(wall_.place, state_, controls_, reaction, state_.drive_displacement, 0,
                    state_.travelled);
+    set_pace();
     if (sense_ * (state_.drive_displacement - target()) >= 0) {
       ++state_.target;
       state_.turn_time = state_.stage_time;
@@ -199,6 +201,20 @@ class Push : public StageRun {
     return static_cast<std::size_t>(state_.target) < targets_.size();
   }
   [[nodiscard]] double target() const { return targets_[static_cast<std::size_t>(state_.target)]; }
+  [[nodiscard]] bool has_servo() const { return std::isfinite(stage_.spec.fast_velocity); }
+  [[nodiscard]] double velocity() const {
+    if (!has_servo()) return stage_.spec.velocity;
+    return stage_.spec.velocity + state_.pace * (stage_.spec.fast_velocity - stage_.spec.velocity);
+  }
+  // Faster where the wall is near balance; all the way takes the time of the smooth start.
+  void set_pace() {
+    if (!has_servo() || state_.step % kSettleEvery != 0) return;
+    const double ratio = unbalance_ratio(model_, wall_.place.view);
+    const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
+    const double most =
+        kSettleEvery * controls_.dt / std::max(stage_.spec.ramp, kSettleEvery * controls_.dt);
+    state_.pace += clip(wanted - state_.pace, -most, most);
+  }
   // Where the push goes in this step: kept, for the step may pass the target.
   double sense() { return sense_ = target() >= state_.drive_displacement ? 1.0 : -1.0; }
 

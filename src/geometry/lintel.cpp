@@ -30,6 +30,18 @@ void note_size(const PlacedOpening& opening, const std::string& what, double sta
                   percent(laid / stated - 1) + ")");
 }
 
+// Keys of zones beside a chain of rigid segments say nothing; a user may be comparing the two.
+void note_idle_keys(const LintelSpec& lintel, const PlacedOpening& opening,
+                    std::vector<std::string>& notes) {
+  const LintelSpec unset;
+  const bool stated = lintel.zones != unset.zones || !std::isnan(lintel.zone_length) ||
+                      lintel.zone_kind != unset.zone_kind || lintel.plane != unset.plane;
+  if (lintel.model == LintelModel::kSegments && stated)
+    notes.push_back("lintel of opening " + std::to_string(opening.index) +
+                    ": zones, zone_length, zone_kind and plane are not used by rigid segments; "
+                    "model = \"zones\" takes them");
+}
+
 // The jamb moved outwards by `columns` whole columns: on the lattice where the jamb is.
 double end_of(const Axis& axis, double jamb, int columns) {
   if (!axis.is_on_line(jamb)) return jamb + columns * axis.step;
@@ -116,6 +128,7 @@ void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpenin
   bool fits = ends_inside(body, columns, opening, lintel, faults);
   fits &= lies_under_top(top, courses, opening, lintel, faults);
   if (!fits) return;
+  note_idle_keys(lintel, opening, notes);
   note_size(opening, "depth", lintel.depth, body.y1 - body.y0, notes);
   note_size(opening, "bearing", lintel.bearing, body.x1 - opening.hole.x1, notes);
   opening.segment =

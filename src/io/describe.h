@@ -309,6 +309,14 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kPositive,
              .kinds = kPushStage, .fallback = "required", .example = "10 mm/s",
              .doc = "Speed of the push; slow enough when half of it gives the same curve."});
+  v.quantity("fast_velocity", s.fast_velocity, {.unit = "m/s", .shown = "mm/s",
+             .range = kPositive, .kinds = kPushStage, .fallback = "velocity throughout",
+             .example = "40 mm/s",
+             .doc = "Speed while the wall is near balance; `velocity` while it cracks."});
+  v.number("fast_below", s.fast_below, {.range = kPositive, .kinds = kPushStage,
+           .example = "2e-4",
+           .doc = "Unbalance ratio below which the push goes at `fast_velocity`; above twice this "
+                  "it goes at `velocity`."});
   v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kPositive,
              .kinds = kPushStage, .fallback = "required, or targets", .example = "50 mm",
              .doc = "Displacement at which the push ends."});
@@ -367,10 +375,10 @@ void describe(Visitor& v, SolveSpec& s) {
             .example = "3",
             .doc = "Contact points along a joint. 2 at the ends, as in block codes, make a joint "
                    "three times stiffer in rotation than a continuous one."});
-  v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.7",
-           .doc = "Time step as a share of the stable bound 2 / omega_max, which is on the safe "
-                  "side; local damping lowers the limit to 1/sqrt(1 + damping), 0.745 at 0.8. "
-                  "Between 0.25 and 0.7 the tuff wall's peak and D at 0.8 stay within 0.1 %."});
+  v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.95",
+           .doc = "Time step as a share of the longest stable one, 2 / (omega_max sqrt(1 + "
+                  "damping)) with each stage's own damping and a bound on omega_max that is on "
+                  "the safe side."});
   v.number("damping", s.damping, {.range = kBelowOne, .example = "0.8",
            .doc = "Local damping: this share of the unbalanced force opposes the motion."});
   v.quantity("gravity", s.gravity, {.unit = "m/s^2", .shown = "m/s^2", .range = kNotNegative,

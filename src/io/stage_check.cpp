@@ -114,6 +114,9 @@ bool place_has_faults(Reader& reader) {
 
 void check_push(Reader& reader, const StageSpec& stage) {
   need(reader, StageKind::kPush, {"velocity", "at"});
+  if (stage.fast_velocity < stage.velocity)
+    reader.refuse("fast_velocity", "is slower than velocity",
+                  "write a faster one, or leave it out for one velocity throughout");
   if (!reader.has("until") && !reader.has("targets"))
     reader.miss("until", "is missing, a push needs until or targets");
   if (reader.has("targets") && stage.targets.empty() &&

@@ -122,6 +122,10 @@ std::string place_of(const Solids& s, std::size_t node) {
                      s.node_y[node]);
 }
 
+// Of the wall's mass: from here on added inertia drags on a push by more than a percent or two
+// (docs/decisions/0009).
+constexpr double kMuch = 0.03;
+
 // The same for nodes of zones, against the masonry's bound `limit`; says which body gained what.
 void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
   Solids& s = m.solids;
@@ -139,12 +143,15 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
       s.node_mass[i] *= factor;
       bound[i] = limit;
     }
-    if (added > 0)
-      m.anatomy.notes.push_back(fmt::format(
-          "{}: inertia (not weight) of its nodes raised to the masonry's stable step: +{:.0f} % of "
-          "the block's mass, up to {:.1f} times at ({:.3f}, {:.3f}) m{}",
-          body.id, 100 * added / before, worst, s.node_x[at], s.node_y[at],
-          added > before ? "; fewer or longer zones need less (zone_length)" : ""));
+    if (added <= 0) continue;
+    const double of_wall = added / std::accumulate(m.mass.begin(), m.mass.end(), before);
+    m.anatomy.notes.push_back(fmt::format(
+        "{}: inertia (not weight) of its nodes raised to the masonry's stable step: +{:.0f} % of "
+        "the block's mass, {:.1f} % of the wall's, up to {:.1f} times at ({:.3f}, {:.3f}) m{}",
+        body.id, 100 * added / before, 100 * of_wall, worst, s.node_x[at], s.node_y[at],
+        of_wall > kMuch ? "; so much that it drags on the wall: write fewer or longer zones "
+                          "(zone_length), or solve.raise_light_inertia = false"
+                        : ""));
   }
 }
 

@@ -53,8 +53,8 @@ End step_with(const Kernels& kernels, const Model& model, double turn) {
   stepper.refresh(state);
   stepper.choose_driven({3});
   dynamics::Controls controls;
-  controls.dt = model.solve.step_fraction * 2 / model.omega_max;
   controls.damping = 0.4;
+  controls.dt = model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1.4));
   for (int k = 0; k < 40; ++k) stepper.step(state, controls);
   return {state_hash(state), state.dissipated_friction, state.dissipated_fracture,
           state.dissipated_crushing, state.work_damping};

@@ -139,6 +139,7 @@ void make_place(PlaceSpec& at) {
 void make_push(StageSpec& stage) {
   make_place(stage.at);
   set_if_unset(stage.velocity, 0.01);
+  stage.fast_velocity = coin(2) ? kUnset : 1.5 * stage.velocity;
   if (stage.targets.empty()) set_if_unset(stage.until, 0.05);
   stage.as = coin(3) ? Manner::kDefault : coin(2) ? Manner::kSpreader : Manner::kEach;
 }

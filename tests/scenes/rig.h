@@ -23,8 +23,9 @@ class Rig {
  public:
   explicit Rig(Model built, int threads = 1)
       : model(std::move(built)), state(initial_state(model)), stepper(model, threads) {
-    controls.dt = model.solve.step_fraction * 2 / model.omega_max;
     controls.damping = model.solve.damping;
+    controls.dt =
+        model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1 + controls.damping));
     stepper.refresh(state);
   }
   Rig(const Rig&) = delete;

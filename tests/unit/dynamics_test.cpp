@@ -208,6 +208,30 @@ TEST(Stages, a_push_stops_where_the_reaction_has_fallen) {
   EXPECT_LT(state.drive_displacement, 10e-3);
 }
 
+// Of a cracking wall pushed at 20 mm/s and, where it is quieter than `below`, at 100 mm/s.
+double push_seconds(double fast, double below) {
+  ModelSpec spec = scenes::small_wall(3e-3, 0.02);
+  spec.stage.back().fast_velocity = fast;
+  spec.stage.back().fast_below = below;
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+  EXPECT_GT(result.energy.fracture, 0);
+  return result.stages.back().time;
+}
+
+TEST(Stages, a_push_goes_fast_while_the_wall_is_near_balance) {
+  const double slow = push_seconds(kUnset, 2e-4);
+  EXPECT_EQ(push_seconds(0.1, 1e-12), slow);  // never quiet enough
+  // always quiet: from 20 to 100 mm/s within the smooth start's 0.05 s, then at 100 mm/s
+  const double fast = push_seconds(0.1, 10);
+  EXPECT_NEAR(fast, 0.05 + (3e-3 - 0.05 * 0.038) / 0.1, 0.1 * fast);
+  const double between = push_seconds(0.1, 2e-3);
+  EXPECT_LT(between, 0.95 * slow);
+  EXPECT_GT(between, 1.05 * fast);
+}
+
 TEST(Stages, a_set_flag_interrupts) {
   const Model model = compile(scenes::small_wall());
   State state = initial_state(model);

@@ -50,6 +50,22 @@ ModelSpec three_blocks() {
   return spec;
 }
 
+TEST(ZoneInput, stiff_fine_zones_say_that_their_added_inertia_drags) {
+  ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
+  spec.wall.opening[0].lintel.zones = 1;
+  EXPECT_FALSE(has(notes(compile(spec)), "drags on the wall")) << notes(compile(spec));
+  spec.material["timber"] = scenes::elastic_body(10e9, 0.2, 500);
+  spec.wall.opening[0].lintel.zones = 4;
+  EXPECT_TRUE(has(notes(compile(spec)), "drags on the wall")) << notes(compile(spec));
+}
+
+TEST(ZoneInput, keys_of_zones_beside_rigid_segments_are_said_to_be_idle) {
+  ModelSpec spec = scenes::lintel_wall(LintelModel::kSegments);
+  EXPECT_FALSE(has(notes(compile(spec)), "not used")) << notes(compile(spec));
+  spec.wall.opening[0].lintel.zone_kind = ZoneKind::kCst;
+  EXPECT_TRUE(has(notes(compile(spec)), "not used by rigid segments")) << notes(compile(spec));
+}
+
 // --- blocks files -----------------------------------------------------------------------------------
 
 TEST(ZoneInput, a_blocks_file_keeps_its_zones) {

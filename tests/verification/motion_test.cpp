@@ -132,9 +132,9 @@ TEST(ClosedForm, CF07a_axial_frequency) {
 }
 
 // Largest |u|/u0 over 20 000 steps at a share of the critical step 2/omega.
-double growth_at(double share) {
+double growth_at(double share, double damping = 0) {
   Rig rig(oscillator());
-  rig.controls.damping = 0;
+  rig.controls.damping = damping;
   rig.controls.dt = share * 2 / kOmega;
   rig.state.uy[0] = 1e-9;
   double largest = 0;
@@ -145,18 +145,33 @@ double growth_at(double share) {
   return largest;
 }
 
+double critical_step(double damping) {
+  double stable = 0.5, unstable = 1.1;
+  while (unstable - stable > 1e-4) {
+    const double middle = 0.5 * (stable + unstable);
+    (growth_at(middle, damping) < 1e3 ? stable : unstable) = middle;
+  }
+  return stable * 2 / kOmega;
+}
+
 TEST(ClosedForm, CF07b_critical_time_step) {
   // amplitude of the discrete oscillator just inside the limit: 1/sqrt(1 - share^2) = 7
   EXPECT_LT(growth_at(0.99), 8);
   EXPECT_GE(growth_at(1.01), 1e6);
-  double stable = 0.9, unstable = 1.1;
-  while (unstable - stable > 1e-4) {
-    const double middle = 0.5 * (stable + unstable);
-    (growth_at(middle) < 1e3 ? stable : unstable) = middle;
-  }
   verify({"CF07b", "critical time step of central differences", "s", 0.0003651484, 1e-3,
           "bisection to 1e-4; growth is called unstable from 1000 on"},
-         stable * 2 / kOmega);
+         critical_step(0));
+}
+
+// Near the limit the velocity turns at every step, against a force that local damping makes
+// 1 + lambda times as large: an oscillator of sqrt(1 + lambda) omega.
+TEST(ClosedForm, critical_time_step_under_local_damping) {
+  for (const double damping : {0.2, 0.8}) {
+    verify(
+        {"damped step", "critical time step, local damping " + std::to_string(damping).substr(0, 3),
+         "s", 0.0003651484 / std::sqrt(1 + damping), 1e-3, "as CF07b"},
+        critical_step(damping));
+  }
 }
 
 TEST(ClosedForm, CF07b_model_bound_is_safe_and_close) {

@@ -30,10 +30,12 @@ constexpr double kArea = kThick * 2 * kHalf;
 const char* name_of(ZoneKind kind) { return kind == ZoneKind::kMixed ? "mixed" : "cst"; }
 
 // `rows` zones through the depth, each `aspect` times as long as deep.
-Model beam(double length, int rows, ZoneKind kind, double aspect = 1) {
+Model beam(double length, int rows, ZoneKind kind, double aspect = 1,
+           const JointMaterial& body = scenes::elastic_body(kE, kNu, 500),
+           Plane plane = Plane::kStress) {
   const double zone = aspect * 2 * kHalf / rows;
   const Grid grid{0, -kHalf, length, kHalf, static_cast<int>(std::lround(length / zone)), rows};
-  return scenes::free_grid(grid, kind, scenes::elastic_body(kE, kNu, 500), kThick);
+  return scenes::free_grid(grid, kind, body, kThick, plane);
 }
 
 void hold(Model& m, int node, bool x, bool y) {
@@ -89,13 +91,52 @@ TEST(ZoneBeams, pure_bending_locks_by_the_closed_form) {
       }
 }
 
+// In the plane stress of a body with grain the section turns as in an isotropic one, E being along
+// the grain; in plane strain E and nu become E/(1 - nu^2 r) and nu (1 + nu)/(1 - nu^2 r), r the
+// modulus across over that along.
+TEST(ZoneBeams, pure_bending_with_grain_and_in_plane_strain) {
+  constexpr double kLength = 0.8, kCurvature = 1e-6;
+  struct Case {
+    const char* name;
+    JointMaterial body;
+    Plane plane;
+  };
+  for (const Case& c :
+       {Case{"timber, plane stress", scenes::timber_body(), Plane::kStress},
+        Case{"timber, plane strain", scenes::timber_body(), Plane::kStrain},
+        Case{"isotropic, plane strain", scenes::elastic_body(kE, kNu, 500), Plane::kStrain}}) {
+    const bool grain = !std::isnan(c.body.youngs_modulus_across);
+    const double nu = grain ? c.body.poisson_ratio : kNu;
+    const double ratio = grain ? c.body.youngs_modulus_across / c.body.youngs_modulus : 1;
+    const double held = c.plane == Plane::kStrain ? 1 : 0;
+    const double less = 1 - held * nu * nu * ratio;
+    const double e = c.body.youngs_modulus / less, nu_plane = nu * (1 + held * nu) / less;
+    double error[3];
+    for (int k = 0; k < 3; ++k) {
+      const Model m = beam(kLength, 4 << k, ZoneKind::kMixed, 1, c.body, c.plane);
+      const NodeVectors u = scenes::field(
+          m.solids, [&](double x, double y) { return -kCurvature * x * y; },
+          [&](double x, double y) { return 0.5 * kCurvature * (x * x + nu_plane * y * y); });
+      const double exact = 0.5 * e * kI * kCurvature * kCurvature * kLength;
+      error[k] = scenes::energy_of_zones(m.solids, u) / exact - 1;
+    }
+    EXPECT_NEAR(std::log2(error[0] / error[1]), 2.0, 0.02) << c.name;
+    EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.02) << c.name;
+    verify({"zones", std::string(c.name) + ": E of bending, extrapolated", "Pa", e, 2e-4,
+            "the second order of 8 and 16 mixed zones through the depth"},
+           e * (1 + (4 * error[2] - error[1]) / 3));
+  }
+}
+
 // --- convergence to the exact plane solutions -----------------------------------------------------
 
 // Compliance of the cantilever, 2 W/P^2, for P at x = 0 and the reactions of article 21 at x = L:
-// exactly L^3/3EI + 6 L/5GA, Timoshenko's beam.
+// exactly L^3/3EI + 6 L/5GA, Timoshenko's beam, also where E is along the grain and G is timber's:
+// the stresses are the same, and the strains they make fit together.
 constexpr double kLength = 1.6;
-double cantilever(int rows, ZoneKind kind) {
-  Model m = beam(kLength, rows, kind);
+double cantilever(int rows, ZoneKind kind,
+                  const JointMaterial& body = scenes::elastic_body(kE, kNu, 500)) {
+  Model m = beam(kLength, rows, kind, 1, body);
   const int last = m.solids.bodies[0].columns;
   const auto shear = [](double y) { return (kHalf * kHalf - y * y) / (2 * kI); };
   NodeVectors load(m.solids);
@@ -123,6 +164,19 @@ TEST(ZoneBeams, cantilever_converges_to_timoshenko_with_the_second_order) {
             "m/N", exact, 0.015, "second order: stiffening - 1 = 0.013 (cst), 0.006 (mixed)"},
            exact / (1 + error[2]));
   }
+}
+
+TEST(ZoneBeams, cantilever_of_timber_converges_to_timoshenko) {
+  const JointMaterial timber = scenes::timber_body();
+  const double bending = kLength * kLength * kLength / (3 * timber.youngs_modulus * kI);
+  const double exact = bending + 6 * kLength / (5 * timber.shear_modulus * kArea);
+  EXPECT_GT(exact / bending, 1.07);  // shear: an isotropic beam would miss this
+  double error[3];
+  for (int k = 0; k < 3; ++k) error[k] = exact / cantilever(8 << k, ZoneKind::kMixed, timber) - 1;
+  EXPECT_NEAR(std::log2(error[1] / error[2]), 2.0, 0.1);
+  verify({"zones", "timber along the grain, cantilever, extrapolated: compliance", "m/N", exact,
+          1e-3, "the second order of 16 and 32 mixed zones through the depth"},
+         exact / (1 + (4 * error[2] - error[1]) / 3));
 }
 
 // Deflection of the axis at mid-span under 1 N/m on top (article 22), half span l = L/2:
