@@ -5,8 +5,8 @@ import os
 HEAD = """# Sensitivity of the tuff wall
 
 Made by `tools/sensitivity run` on the released binary and `tools/sensitivity page`; the model is
-`examples/tuff_wall/model.toml` (Table 1 of the paper), each row changes only what it names. Forces are
-averaged over one row of the curve (a window of 0.1 mm) unless stated. D is the displacement at 80 % of the
+`examples/tuff_wall/model.toml` (Table 1 of the paper) with the paper's lintel of 0.3 GPa, a chain of rigid
+segments (`PAPER_LINTEL` of `tools/paired_samples`), each row changes only what it names. Forces are averaged over one row of the curve (a window of 0.1 mm) unless stated. D is the displacement at 80 % of the
 peak after it; ">" means the push ended first. "Drag" is the mean gap between reaction and base shear over
 the peak, "ledger gap" what the energy ledger misses.
 """

@@ -13,6 +13,7 @@ from compare import NO, table
 from paper import SHARES, TABLE_3
 
 NOT_RUN = "(not run yet)"
+EXAMPLE = "lintel: as examples/tuff_wall: timber, loose"  # the row that has the campaign's own choices
 PAPER = {(q, kind): TABLE_3[q][kind][5] for q in (F, D) for kind in ("mean", "cov")}
 
 
@@ -31,10 +32,13 @@ class Paired:
         self.changed = [n for n in self.names[1:] if n in self.runs and self.base]
         self.missing = [n for n in self.names if n not in self.runs]
 
-    def change(self, name, value):
+    def change(self, name, value, base=None):
         """Mean of value(sample) over the same samples less that of the base, and its 95 % half-width (Student)."""
-        common = sorted(set(self.runs[name]) & set(self.base))
-        gaps = [value(self.runs[name][k]) - value(self.base[k]) for k in common]
+        base = base or self.base
+        common = sorted(set(self.runs[name]) & set(base))
+        gaps = [value(self.runs[name][k]) - value(base[k]) for k in common]
+        if not any(gaps):
+            return 0.0, 0.0
         t = self.tool.STUDENT.get(len(gaps) - 1, 2.0)
         return statistics.mean(gaps), t * statistics.stdev(gaps) / math.sqrt(len(gaps))
 
@@ -50,7 +54,19 @@ class Paired:
         return gap(common), 1.96 * statistics.stdev(gap(source.choices(common, k=len(common))) for _ in range(500))
 
     def ours(self, q, kind):
-        return self.campaign.table("all", q)[kind]
+        """What the campaign's value is with the base's choices, as the paired samples show it."""
+        shift = self.effect(EXAMPLE, q, kind)[0] if EXAMPLE in self.runs else 0.0
+        return self.campaign.table("all", q)[kind] - shift
+
+    def our_share(self, group):
+        share = self.campaign.statistics["shares"].get(group, {"share": 0.0})["share"]
+        return 100 * share - (self.change(EXAMPLE, share_of(group))[0] if EXAMPLE in self.runs else 0.0)
+
+    def of_campaign(self, name, q):
+        """What all samples of the campaign would give with this row's choices: its mean and 95 % half-width."""
+        t = self.campaign.table("all", q)
+        value, half = self.change(name, lambda s: s[q], self.runs.get(EXAMPLE))
+        return f"{t['mean'] + value:.1f} ± {math.hypot(half, (t['mean_interval'][1] - t['mean_interval'][0]) / 2):.1f}"
 
 
 def share_of(group):
@@ -63,8 +79,7 @@ def summary(paired):
              for what, digits, q, kind in (("mean F max [kN]", 1, F, "mean"), ("CoV of F max", 3, F, "cov"),
                                            ("mean D [mm]", 1, D, "mean"), ("CoV of D", 2, D, "cov"))]
     for group in GROUPS:
-        share = paired.campaign.statistics["shares"].get(group, {"share": 0.0})["share"]
-        asked.append((f"share of {group} [%]", 0, 100 * (SHARES[group] - share),
+        asked.append((f"share of {group} [%]", 0, 100 * SHARES[group] - paired.our_share(group),
                       lambda name, group=group: paired.change(name, share_of(group))))
     rows, tally = [], {name: [0, 0] for name in paired.changed}
     for what, digits, need, effect in asked:
@@ -88,13 +103,12 @@ def variants(paired):
     for name in [paired.names[0]] + paired.changed:
         run, cells = paired.runs[name], []
         for q, digits in ((F, 3), (D, 2)):
-            t, scatter = paired.campaign.table("all", q), f"{cov(s[q] for s in run.values()):.{digits}f}"
+            scatter = f"{cov(s[q] for s in run.values()):.{digits}f}"
             if name == paired.names[0]:
-                cells += [mean_of(list(run.values()), q), f"{t['mean']:.1f}", scatter]
+                cells += [mean_of(list(run.values()), q), paired.of_campaign(name, q), scatter]
                 continue
             (value, half), (gap, spread) = paired.effect(name, q, "mean"), paired.effect(name, q, "cov")
-            whole = math.hypot(half, (t["mean_interval"][1] - t["mean_interval"][0]) / 2)
-            cells += [f"{value:+.1f} ± {half:.1f}", f"{t['mean'] + value:.1f} ± {whole:.1f}",
+            cells += [f"{value:+.1f} ± {half:.1f}", paired.of_campaign(name, q),
                       f"{scatter} ({gap:+.{digits}f} ± {spread:.{digits}f})"]
         shares = " / ".join(f"{statistics.mean(share_of(g)(s) for s in run.values()):.0f}" for g in GROUPS)
         same = sum(run[k]["mode"] == paired.base[k]["mode"] for k in run if k in paired.base)
