@@ -202,6 +202,7 @@ struct BoundVerdict {
 };
 struct EnvelopePoint {
   double displacement = 0, low = 0, mean = 0, high = 0;  // [m], [N]
+  double percentile_5 = 0, percentile_95 = 0;            // of the runs [N]
   int runs = 0;
 };
 // Runs of one mode together.
@@ -232,7 +233,8 @@ struct Comparison {
                                  const std::vector<Mechanism>& mechanisms);
 // Blocks, weights, loads and push of a model: equal for runs that can be compared with it.
 [[nodiscard]] std::string in_words(const Model& model);
-// Lowest, mean and highest force of runs at equal displacements, as far as half of them reach.
+// Lowest, mean and highest force of runs at equal displacements with their 5 and 95 % (straight
+// between order statistics), as far as half of them reach.
 [[nodiscard]] std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs,
                                                   const std::string& mode);
 

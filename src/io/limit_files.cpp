@@ -147,13 +147,17 @@ Json rows_json(const std::vector<CurveRow>& rows) {
 Json envelope_json(const std::vector<EnvelopePoint>& points) {
   Json json{{"displacement_mm", Json::array()},
             {"low_kN", Json::array()},
+            {"percentile_5_kN", Json::array()},
             {"mean_kN", Json::array()},
+            {"percentile_95_kN", Json::array()},
             {"high_kN", Json::array()},
             {"runs", Json::array()}};
   for (const EnvelopePoint& p : points) {
     json["displacement_mm"].push_back(p.displacement * kMilli);
     json["low_kN"].push_back(p.low * kPerKilo);
+    json["percentile_5_kN"].push_back(p.percentile_5 * kPerKilo);
     json["mean_kN"].push_back(p.mean * kPerKilo);
+    json["percentile_95_kN"].push_back(p.percentile_95 * kPerKilo);
     json["high_kN"].push_back(p.high * kPerKilo);
     json["runs"].push_back(p.runs);
   }

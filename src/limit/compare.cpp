@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "limit/limit_loads.h"
@@ -13,6 +14,14 @@ namespace wythe {
 namespace {
 
 constexpr double kAllowance = 0.01;  // of the bound, beside the run's rate effect
+
+// Of sorted values: straight between the order statistics.
+double at_share(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
+}
 
 std::size_t peak_row(const std::vector<CurveRow>& curve) {
   const auto peak = std::max_element(
@@ -122,16 +131,16 @@ std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs, const 
   std::vector<EnvelopePoint> points;
   for (int i = 0; i <= kPoints; ++i) {
     EnvelopePoint p{.displacement = farthest * i / kPoints};
-    for (const ComparedRun* run : of_mode) {
-      if (run->curve.back().displacement < p.displacement) continue;
-      const double force = force_of(run->curve, p.displacement);
-      p.low = p.runs == 0 ? force : std::min(p.low, force);
-      p.high = p.runs == 0 ? force : std::max(p.high, force);
-      p.mean += force;
-      ++p.runs;
-    }
-    if (2 * p.runs < static_cast<int>(of_mode.size()) || p.runs == 0) break;
-    p.mean /= p.runs;
+    std::vector<double> forces;
+    for (const ComparedRun* run : of_mode)
+      if (run->curve.back().displacement >= p.displacement)
+        forces.push_back(force_of(run->curve, p.displacement));
+    if (2 * forces.size() < of_mode.size() || forces.empty()) break;
+    std::sort(forces.begin(), forces.end());
+    p.runs = static_cast<int>(forces.size());
+    p.low = forces.front(), p.high = forces.back();
+    p.mean = std::accumulate(forces.begin(), forces.end(), 0.0) / p.runs;
+    p.percentile_5 = at_share(forces, 0.05), p.percentile_95 = at_share(forces, 0.95);
     points.push_back(p);
   }
   return points;

@@ -95,6 +95,10 @@ Json sample_of(const SampleRecord& r) {
   if (!is_answered(r)) return json;
   json["mode"] = r.failure_mode.name;
   json["sentence"] = r.failure_mode.sentence;
+  json["read_at_mm"] = r.failure_mode.read_at * 1e3;
+  // as in study/statistics.cpp: the peak is where the push ended, a lower bound
+  json["still_rising"] =
+      !r.curve.empty() && r.responses.displacement_at_peak >= r.curve.back().displacement;
   for (const Quantity& q : quantities()) {
     const Reading reading = q.read(r.responses);
     json["response"].push_back(reading.value * q.to_unit);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/html.h"
+#include "wythe/failure_mode.h"
 #include "wythe/statistics.h"
 
 namespace wythe::report {
@@ -14,6 +15,9 @@ double number_in(const Json& json, const char* key) {
 }
 
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
+
+constexpr double kNearly = 0.99;  // a state is stored at the first row that has gone so far
+constexpr double kFew = 0.05;     // share of lower bounds that hardly moves a mean
 
 struct Card {
   std::string value, name, means;
@@ -43,10 +47,11 @@ class RunHeadline {
     if (!(peak() > 0))
       return texts_.say("run.unpushed",
                         {{"weight", texts_.quantity(number_in(header_, "weight_kN"), "kN")}});
-    return texts_.say("run.resists", {{"force", bold(kilonewtons(peak()))},
-                                      {"at", bold(millimetres("displacement_at_peak_mm"))},
-                                      {"drift", percent("drift_percent_at_peak")}}) +
-           mode() + ductility();
+    return texts_.say(is_still_rising() ? "run.resists.bound" : "run.resists",
+                      {{"force", bold(kilonewtons(peak()))},
+                       {"at", bold(millimetres("displacement_at_peak_mm"))},
+                       {"drift", percent("drift_percent_at_peak")}}) +
+           mode() + (is_still_rising() ? "" : ductility());
   }
 
   [[nodiscard]] std::string warning() const {
@@ -63,9 +68,11 @@ class RunHeadline {
                          {millimetres("top_displacement_mm"), texts_.say("card.top"),
                           texts_.say("card.top.means")}});
     if (!(peak() > 0)) return "";
+    const std::string rising = is_still_rising() ? "≥ " : "";
     return draw_cards(
-        {{kilonewtons(peak()), texts_.say("card.peak"), texts_.say("card.peak.means")},
-         {millimetres("displacement_at_peak_mm"), texts_.say("card.at_peak"),
+        {{rising + kilonewtons(peak()), texts_.say("card.peak"),
+          texts_.say(is_still_rising() ? "card.peak.rising" : "card.peak.means")},
+         {rising + millimetres("displacement_at_peak_mm"), texts_.say("card.at_peak"),
           texts_.say("card.at_peak.means", {{"drift", percent("drift_percent_at_peak")}})},
          {bound("censored_80") + millimetres("displacement_at_80_percent_mm"),
           texts_.say("card.at_80"),
@@ -84,6 +91,17 @@ class RunHeadline {
     return !(peak() > 0) && number_in(s_, "load_factor") > 0;
   }
   [[nodiscard]] bool is(const char* key) const { return s_.value(key, false); }
+  // The largest reaction is the last: a lower bound.
+  [[nodiscard]] bool is_still_rising() const {
+    return is("censored_max") &&
+           number_in(s_, "displacement_at_peak_mm") >= number_in(s_, "displacement_max_mm");
+  }
+  // A push that ended early has shown no more than the beginning of a failure.
+  [[nodiscard]] bool has_failed() const {
+    return s_["status"] == "collapsed" ||
+           (!is("censored_80") &&
+            number_in(s_["failure_mode"], "read_at_mm") >= kNearly * 1e3 * kReadModesAt);
+  }
   [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }
   [[nodiscard]] std::string millimetres(const char* key) const {
@@ -100,9 +118,15 @@ class RunHeadline {
   [[nodiscard]] std::string mode() const {
     const Json& m = s_["failure_mode"];
     const std::string name = m["name"], words = m["sentence"];
+    const std::string at = texts_.quantity(number_in(m, "read_at_mm"), "mm");
     if (name == "unclear")
-      return " " + texts_.say("run.unclear") + (words.empty() ? "" : " " + bare(words));
-    return " " + texts_.say("run.fails", {{"mode", bold(escaped(texts_.phrase(name)))}}) +
+      return " " +
+             (is("censored_80") && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
+                                                 : texts_.say("run.unclear")) +
+             (words.empty() ? "" : " " + bare(words));
+    return " " +
+           texts_.say(has_failed() ? "run.fails" : "run.shows",
+                      {{"mode", bold(escaped(texts_.phrase(name)))}, {"at", at}}) +
            (words.empty() ? "" : ": " + escaped(texts_.phrase(words))) + ".";
   }
   [[nodiscard]] std::string bare(const std::string& words) const {
@@ -160,11 +184,8 @@ class CampaignHeadline {
     if (count("answered") >= kFewestSamples)
       cards.push_back({bound + texts_.quantity(number_in(peak, "percentile_5"), "kN"),
                        texts_.say("card.weak"), texts_.say("card.weak.means")});
-    const bool none_fell = far.value("censored", 0) == count("answered");
-    cards.push_back({(none_fell ? "≥ " : "") + texts_.quantity(mean_80(), "mm"),
-                     texts_.say("card.mean_80"),
-                     none_fell ? texts_.say("card.at_80.censored")
-                               : interval(far.value("survival_mean_interval", Json()), "mm")});
+    cards.push_back({(is_far_bound() ? "≥ " : "") + texts_.quantity(mean_80(), "mm"),
+                     texts_.say("card.mean_80"), far_means(far)});
     cards.push_back(
         {texts_.say("card.answered.value", {{"answered", std::to_string(count("answered"))},
                                             {"asked", std::to_string(count("asked"))}}),
@@ -181,6 +202,18 @@ class CampaignHeadline {
   [[nodiscard]] const Json& all(const char* response) const { return s_["table"]["all"][response]; }
   [[nodiscard]] double mean_80() const {
     return number_in(all("displacement_at_80_percent_mm"), "survival_mean");
+  }
+  [[nodiscard]] int held() const {  // samples that still held 80 % where their push ended
+    return all("displacement_at_80_percent_mm").value("censored", 0);
+  }
+  [[nodiscard]] bool is_far_bound() const { return held() > kFew * count("answered"); }
+  [[nodiscard]] std::string far_means(const Json& far) const {
+    if (held() == count("answered")) return texts_.say("card.at_80.censored");
+    const std::string words = interval(far.value("survival_mean_interval", Json()), "mm");
+    if (held() == 0) return words;
+    return words + "; " +
+           texts_.say("card.bounds",
+                      {{"n", std::to_string(held())}, {"of", std::to_string(count("answered"))}});
   }
   [[nodiscard]] std::string interval(const Json& pair, const char* unit) const {
     if (!pair.is_array() || !pair[0].is_number() || !pair[1].is_number())
@@ -215,7 +248,8 @@ class CampaignHeadline {
     const double height = number_in(s_, "load_height_m");
     const std::string drift =
         height > 0 ? texts_.quantity(mean_80() / height / 10, "%", 2) : std::string("–");
-    return " " + texts_.say(n > 1 ? "campaign.far" : "campaign.far.one",
+    const char* several = is_far_bound() ? "campaign.far.bound" : "campaign.far";
+    return " " + texts_.say(n > 1 ? several : "campaign.far.one",
                             {{"mean", bold(texts_.quantity(mean_80(), "mm"))}, {"drift", drift}});
   }
   [[nodiscard]] std::string fails() const {
@@ -231,7 +265,10 @@ class CampaignHeadline {
       list += (i == 0 ? "" : ", ") + bold(escaped(texts_.phrase(counts[i].second))) + " (" +
               texts_.quantity(100 * share, "%", 2) + ")";
     }
-    return list.empty() ? "" : " " + texts_.say("campaign.fails", {{"modes", list}});
+    const bool early = 2 * std::max(held(), count("named_earlier")) > count("answered");
+    return list.empty()
+               ? ""
+               : " " + texts_.say(early ? "campaign.shows" : "campaign.fails", {{"modes", list}});
   }
 
   const Json& s_;
@@ -254,9 +291,10 @@ class LimitHeadline {
     std::string words;
     const auto add = [&](const std::string& more) { words += (words.empty() ? "" : " ") + more; };
     if (weakest_ != nullptr)
-      add(texts_.say(
-          "limit.weakest",
-          {{"mode", bold(mode())}, {"force", bold(force())}, {"hypothesis", hypothesis()}}));
+      add(texts_.say("limit.weakest", {{"mode", bold(mode())},
+                                       {"force", bold(force())},
+                                       {"hypothesis", hypothesis()},
+                                       {"means", hypothesis(".means")}}));
     const Json& loads = o_["limit_loads"];
     if (loads.size() > 1)
       add(texts_.say("limit.bracket",
@@ -277,7 +315,8 @@ class LimitHeadline {
   [[nodiscard]] std::string cards() const {
     std::vector<Card> cards;
     if (weakest_ != nullptr)
-      cards.push_back({force(), texts_.say("card.weakest"), mode() + ", " + hypothesis()});
+      cards.push_back({force(), texts_.say("card.weakest"),
+                       mode() + ", " + hypothesis() + ": " + hypothesis(".means")});
     for (const Json& l : o_["limit_loads"])
       cards.push_back({load(l), texts_.say("card.limit_load"),
                        escaped(texts_.phrase(l["name"].get<std::string>()))});
@@ -289,8 +328,8 @@ class LimitHeadline {
   [[nodiscard]] std::string force() const {
     return texts_.quantity(number_in(*weakest_, "force_at_rest_kN"), "kN");
   }
-  [[nodiscard]] std::string hypothesis() const {
-    return texts_.say("hypothesis." + (*weakest_)["hypothesis"].get<std::string>());
+  [[nodiscard]] std::string hypothesis(const std::string& what = "") const {
+    return texts_.say("hypothesis." + (*weakest_)["hypothesis"].get<std::string>() + what);
   }
   [[nodiscard]] static double value_of(const Json& l) {
     return l.contains("static_kN") ? number_in(l, "static_kN") : number_in(l, "static");

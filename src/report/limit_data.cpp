@@ -1,5 +1,7 @@
 // limit_data(): what the page of a limit analysis shows. Its numbers are those of mechanisms.json.
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
@@ -9,6 +11,27 @@
 #include "wythe/report.h"
 
 namespace wythe {
+namespace {
+
+// Pages are sent about: of the compared folder only its own name, in the notes too.
+void drop_folders(report::Json& opinion) {
+  report::Json& comparison = opinion["comparison"];
+  if (!comparison.is_object()) return;
+  const std::string with = comparison.value("with", "");
+  std::filesystem::path path(with);
+  if (!path.has_filename()) path = path.parent_path();  // "out/run/"
+  const std::string name = path.filename().string();
+  if (name.empty() || name == with) return;
+  comparison["with"] = name;
+  for (report::Json& note : opinion["notes"]) {
+    std::string text = note;
+    for (std::size_t at = text.find(with); at != std::string::npos; at = text.find(with, at + 1))
+      text.replace(at, with.size(), name);
+    note = text;
+  }
+}
+
+}  // namespace
 
 std::string limit_data(const ModelSpec& spec, const Model& model,
                        const std::string& mechanisms_json) {
@@ -18,6 +41,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
   bundle.header["title"] = spec.name;
   bundle.header["note"] = spec.note;
   bundle.header["opinion"] = Json::parse(mechanisms_json);
+  drop_folders(bundle.header["opinion"]);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   const Provenance made = provenance();

@@ -165,7 +165,10 @@ void add_wall(Bundle& bundle, const Model& model) {
                {"blocks", model.n_block + bodies},
                {"joints", model.n_joint + s.n_contact},
                {"pairs", model.n_pair}};
-  if (bodies > 0) wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["contacts"] = s.n_contact;
+  if (bodies > 0) {
+    wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["zones"] = s.n_zone;
+    wall["contacts"] = s.n_contact;
+  }
   if (const Stage* push = push_of(model)) {
     wall["push"] = {push->drive_x, push->drive_y};
     wall["load_height"] = push->load_height;
@@ -191,6 +194,11 @@ void FrameArrays::add(const Model& model, const State& state) {
   }
   node_ux_.insert(node_ux_.end(), state.node_ux.begin(), state.node_ux.end());
   node_uy_.insert(node_uy_.end(), state.node_uy.begin(), state.node_uy.end());
+  for (const ZoneStress& zone : zone_stresses(model, state)) {
+    const auto [greater, smaller] = dynamics::principal_stresses(zone);
+    greater_.push_back(greater);
+    smaller_.push_back(smaller);
+  }
   for (const JointFace& face : faces_of(model, state)) {
     opening_.push_back(std::fmax(0.0, face.opening));
     slip_.push_back(face.slip);
@@ -211,6 +219,8 @@ void FrameArrays::write(Bundle& bundle) const {
   if (!node_ux_.empty()) {
     bundle.add_rounded("frame.node_ux", node_ux_);
     bundle.add_rounded("frame.node_uy", node_uy_);
+    bundle.add_rounded("frame.zone_greater", greater_);
+    bundle.add_rounded("frame.zone_smaller", smaller_);
   }
   bundle.add_rounded("frame.opening", opening_);
   bundle.add_rounded("frame.slip", slip_);

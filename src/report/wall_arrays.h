@@ -28,6 +28,7 @@ class FrameArrays {
   int count_ = 0;
   std::vector<double> ux_, uy_, theta_;      // (n_frame, n_block) [m], [m], [rad]
   std::vector<double> node_ux_, node_uy_;    // (n_frame, n_node) of zones [m]
+  std::vector<double> greater_, smaller_;    // (n_frame, n_zone) principal stresses, tension + [Pa]
   std::vector<double> opening_, slip_;       // (n_frame, n_joint) largest of a joint's points [m]
   std::vector<double> compression_, shear_;  // [N]
   std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1

@@ -45,6 +45,7 @@ TEST(CampaignReport, headline_says_how_strong_how_far_and_how_it_fails) {
 // `n` of the samples end at their peaks, named at the end of a push of 20 mm.
 Campaign ended_early(int n) {
   Campaign campaign = sample_campaign(60);
+  for (SampleRecord& r : campaign.records) r.responses.censored_80 = false;  // of peaks only
   for (int i = 0; i < n; ++i) {
     campaign.records[i].responses.displacement_at_peak =
         campaign.records[i].curve.back().displacement;
@@ -68,6 +69,39 @@ TEST(CampaignReport, peaks_at_the_end_of_the_push_are_lower_bounds) {
   EXPECT_EQ(count(most, "In 60 samples the wall resists at least <b>"), 1);
   EXPECT_EQ(count(most, "<div class=\"value\">≥ "), 2);  // mean and weakest twentieth
   EXPECT_EQ(count(head_of(ended_early(31), "it"), "resiste in media ad almeno <b>"), 1);
+}
+
+// `n` of the samples never fell to 80 % of their peak.
+Campaign held(int n) {
+  Campaign campaign = sample_campaign(60);
+  for (SampleRecord& r : campaign.records) {
+    Responses& responses = r.responses;
+    responses.censored_80 = r.sample <= n;
+    responses.displacement_at_80 = r.sample <= n ? 50e-3 : 10e-3 + 0.2e-3 * r.sample;
+  }
+  return campaign;
+}
+
+TEST(CampaignReport, mean_displacement_is_a_bound_where_many_never_fell) {
+  const std::string none = head_of(held(0)), few = head_of(held(3)), many = head_of(held(20));
+  EXPECT_EQ(count(none, "known only from below"), 0);
+  EXPECT_EQ(count(few, "3 of 60 known only from below"), 1);  // 5 % hardly move a mean
+  EXPECT_EQ(count(few, "up to at least"), 0);
+  EXPECT_EQ(count(many, "20 of 60 known only from below"), 1);
+  EXPECT_EQ(count(many, "It keeps 80\u202f% of the peak up to at least <b>"), 1);
+  EXPECT_EQ(count(many, "<div class=\"value\">≥ "), 1);
+  EXPECT_EQ(count(many, "It fails most often by"), 1);
+  const std::string most = head_of(held(40));
+  EXPECT_EQ(count(most, "Most samples still hold 80\u202f% of their peak"), 1);
+  EXPECT_EQ(count(most, "So far it shows most often <b>FM-"), 1);
+}
+
+TEST(CampaignData, says_where_modes_were_read_and_what_was_still_rising) {
+  const Json header = header_of(data_of(ended_early(7)));
+  EXPECT_EQ(header["samples"][0]["read_at_mm"], 20.0);
+  EXPECT_EQ(header["samples"][0]["still_rising"], true);
+  EXPECT_EQ(header["samples"][7]["read_at_mm"], 40.0);
+  EXPECT_EQ(header["samples"][7]["still_rising"], false);
 }
 
 TEST(CampaignReport, names_read_before_the_asked_displacement_are_told) {

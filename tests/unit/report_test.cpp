@@ -18,6 +18,7 @@
 #include "scenes/zones.h"
 #include "wythe/error.h"
 #include "wythe/report.h"
+#include "wythe/statistics.h"
 
 namespace wythe {
 namespace {
@@ -119,6 +120,54 @@ TEST(Report, headline_says_force_displacement_and_mode) {
   EXPECT_EQ(count(head, "class=\"card\""), 5);
 }
 
+// A run of 50 mm that has fallen below half of its peak.
+Result whole_push() {
+  Result result = scenes::sample_result();
+  result.responses = {};
+  result.responses.peak_reaction = 10e3;
+  result.responses.displacement_at_peak = 10e-3;
+  result.responses.displacement_at_80 = 25e-3;
+  result.responses.censored_80 = false;
+  result.responses.displacement_max = 50e-3;
+  result.responses.censored_max = true;
+  result.failure_mode.read_at = 40e-3;
+  return result;
+}
+
+TEST(Report, a_push_that_went_far_enough_fails_by_its_mode) {
+  const std::string head = sample_head(whole_push());
+  EXPECT_EQ(count(head, "It fails by <b>FM-1</b>"), 1);
+  EXPECT_EQ(count(head, "So far"), 0);
+  EXPECT_EQ(count(head, "≥ "), 1);  // the largest displacement
+}
+
+TEST(Report, a_push_that_ended_early_says_so_far) {
+  Result early = whole_push();
+  early.failure_mode.read_at = 20e-3;  // modes are read at 40 mm
+  EXPECT_EQ(count(sample_head(early), "So far, at 20\u202fmm, it shows <b>FM-1</b>"), 1);
+  Result holding = whole_push();  // has not fallen to 80 %
+  holding.responses.displacement_at_80 = 50e-3;
+  holding.responses.censored_80 = true;
+  EXPECT_EQ(count(sample_head(holding), "So far, at 40\u202fmm, it shows <b>FM-1</b>"), 1);
+  EXPECT_EQ(count(sample_head(holding), "It still holds more than 80\u202f% of that force"), 1);
+  EXPECT_EQ(count(sample_head(holding, "it"), "Finora, a 40\u202fmm, mostra <b>FM-1</b>"), 1);
+  holding.failure_mode.name = "unclear";
+  EXPECT_EQ(count(sample_head(holding), "So far, at 40\u202fmm, its failure mode is unclear"), 1);
+  holding.status = SolveStatus::kCollapsed;  // it has failed, however early
+  holding.failure_mode.name = "FM-1";
+  EXPECT_EQ(count(sample_head(holding), "It fails by <b>FM-1</b>"), 1);
+}
+
+TEST(Report, a_force_that_was_still_rising_is_a_lower_bound) {
+  Result rising = whole_push();
+  rising.responses.displacement_at_peak = rising.responses.displacement_max;
+  rising.responses.censored_80 = true;
+  const std::string head = sample_head(rising);
+  EXPECT_EQ(count(head, "The wall resists at least <b>10\u202fkN</b>: it was still rising"), 1);
+  EXPECT_EQ(count(head, "It still holds"), 0);
+  EXPECT_EQ(count(head, "<div class=\"value\">≥ "), 4);  // all but the stiffness
+}
+
 TEST(Report, italian_has_its_words_and_its_decimal_comma) {
   Result result = scenes::sample_result();
   result.responses.displacement_at_peak = 2.5e-3;
@@ -197,6 +246,9 @@ TEST(RunData, zones_go_along) {
   EXPECT_EQ(held("wall.zone"), 4 * model.solids.n_zone);
   EXPECT_EQ(held("wall.joint_b"), model.n_joint + model.solids.n_contact);
   EXPECT_EQ(held("frame.node_ux"), model.solids.n_node);
+  EXPECT_EQ(header["wall"]["zones"], model.solids.n_zone);
+  EXPECT_EQ(held("frame.zone_greater"), model.solids.n_zone);
+  EXPECT_EQ(held("frame.zone_smaller"), model.solids.n_zone);
   EXPECT_EQ(held("frame.ux"), model.n_block + 1);
   EXPECT_EQ(held("frame.opening"), model.n_joint + model.solids.n_contact);
 }
@@ -210,13 +262,27 @@ TEST(LimitReport, headline_says_the_weakest_mechanism_and_the_bracket) {
     "comparison": {"bounds": [{"holds": true}, {"holds": false}]}})";
   const std::string data = limit_data(scenes::sample_spec(), scenes::sample_model(), found);
   const std::string head = static_part(report_page(data));
-  EXPECT_EQ(count(head, "<b>FM-4</b>: <b>152\u202fkN</b> (Macro-Block 2)"), 1);
+  EXPECT_EQ(count(head, "<b>FM-4</b>: <b>152\u202fkN</b> (Macro-Block 2: foot hinges moved"), 1);
   EXPECT_EQ(count(head, "between <b>90\u202fkN</b> and <b>240\u202fkN</b>"), 1);
   EXPECT_EQ(count(head, "rate effect included: 1. That is an error"), 1);
   EXPECT_EQ(count(head, "class=\"card\""), 3);
   const std::string nothing = R"({"mechanisms": [], "limit_loads": [], "comparison": null})";
   const std::string page = report_page(limit_data({}, scenes::sample_model(), nothing));
   EXPECT_EQ(count(static_part(page), "Nothing was asked for"), 1);
+}
+
+// A page is sent about: of the compared folder it holds the name alone.
+TEST(LimitReport, no_folder_of_this_machine_goes_along) {
+  for (const std::string with : {"/home/someone/out/runs", "/home/someone/out/runs/"}) {
+    const std::string found = R"({"mechanisms": [], "limit_loads": [],
+      "notes": [")" + with + R"( is of another wall"],
+      "comparison": {"with": ")" +
+                              with + R"(", "bounds": []}})";
+    const Json opinion =
+        header_of(limit_data(scenes::sample_spec(), scenes::sample_model(), found))["opinion"];
+    EXPECT_EQ(opinion["comparison"]["with"], "runs");
+    EXPECT_EQ(opinion["notes"][0], "runs is of another wall");
+  }
 }
 
 TEST(Bundle, rounding_is_within_half_a_step_and_says_its_step) {
@@ -249,6 +315,18 @@ TEST(Texts, phrases_are_taken_apart_and_numbers_localised) {
   EXPECT_EQ(italian.phrase("something else"), "something else");
   EXPECT_EQ(english.phrase("crack width x 1.25"), "crack width x 1.25");
   EXPECT_EQ(italian.quantity(1.5, "mm"), "1,5\u202fmm");
+}
+
+// Every response a campaign has can be named and explained in every language.
+TEST(Texts, every_quantity_has_its_words) {
+  for (const std::string& language : languages()) {
+    const Texts texts(language);
+    for (const Quantity& q : quantities()) {
+      const std::string key = std::string("quantity.") + q.name;
+      EXPECT_NO_THROW(EXPECT_NE(texts.say(key), "") << key) << key;
+      EXPECT_NO_THROW(EXPECT_NE(texts.say(key + ".means"), "") << key) << key;
+    }
+  }
 }
 
 // --- pictures ------------------------------------------------------------------------------------

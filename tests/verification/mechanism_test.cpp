@@ -475,6 +475,24 @@ TEST(MacroBlock, comparison_of_a_curve_with_itself_and_with_its_half) {
   EXPECT_NEAR(band.front().high / band.front().low, 2, 1e-9);
 }
 
+// Runs of constant forces 1, 2 ... 101: 5 % of them is the sixth, 95 % the ninety-sixth.
+TEST(MacroBlock, envelope_has_its_percentiles) {
+  std::vector<ComparedRun> runs;
+  for (int i = 101; i >= 1; --i) {
+    ComparedRun run{.name = "run", .mode = "FM-1"};
+    for (const double d : {0.0, 1.0})
+      run.curve.push_back({.displacement = d, .reaction = static_cast<double>(i)});
+    runs.push_back(run);
+  }
+  for (const EnvelopePoint& p : envelope(runs, "FM-1")) {
+    EXPECT_DOUBLE_EQ(p.low, 1);
+    EXPECT_DOUBLE_EQ(p.percentile_5, 6);
+    EXPECT_DOUBLE_EQ(p.mean, 51);
+    EXPECT_DOUBLE_EQ(p.percentile_95, 96);
+    EXPECT_DOUBLE_EQ(p.high, 101);
+  }
+}
+
 TEST(MacroBlock, notes_name_a_broken_order_and_runs_of_another_wall) {
   const Model model = portal_wall();
   SecondOpinion opinion;

@@ -104,8 +104,9 @@ function lastPoints(name, kind) {
   const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
   return new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
 }
+const unpackRun = (name) => unpack(new Uint8Array(fs.readFileSync(path.join(folder(name), "report.data"))));
 async function lastPose(name) {
-  const bundle = await unpack(new Uint8Array(fs.readFileSync(path.join(folder(name), "report.data"))));
+  const bundle = await unpackRun(name);
   const wall = wallModule.readWall(bundle),
     frames = new wallModule.Frames(bundle, wall);
   return new wallModule.Pose(wall, frames.at(frames.count - 1), 1);
@@ -151,6 +152,71 @@ test("zones of a deformable lintel lie where the VTK files have them, contacts o
   }
 });
 
+// A named array of the last state's zones.
+function lastZones(name, array) {
+  const file = fs
+    .readdirSync(folder(name))
+    .filter((n) => n.startsWith("state_zones"))
+    .sort()
+    .at(-1);
+  const vtu = fs.readFileSync(path.join(folder(name), file), "utf8");
+  const bytes = Buffer.from(new RegExp(`Name="${array}"[^>]*>([^<]*)<`).exec(vtu)[1], "base64");
+  return new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
+}
+
+test("stresses of zones are those of the VTK files, to 16 bits of the largest", async () => {
+  const summary = makeRun("stress_zones", "zones.toml");
+  const { frame } = await lastPose("stress_zones");
+  const [first, second] = [lastZones("stress_zones", "principal_1_MPa"), lastZones("stress_zones", "principal_2_MPa")];
+  assert.equal(frame.greater.length, summary.zones);
+  assert.equal(first.length, summary.zones);
+  const bundle = await unpackRun("stress_zones");
+  const step = (name) => 1e-6 * bundle.header.arrays[`frame.${name}`].step;
+  first.forEach((v, z) => {
+    assert.ok(Math.abs(1e-6 * frame.greater[z] - v) <= 0.51 * step("zone_greater") + 1e-7, `zone ${z}`);
+    assert.ok(Math.abs(1e-6 * frame.smaller[z] - second[z]) <= 0.51 * step("zone_smaller") + 1e-7, `zone ${z}`);
+    const larger = Math.abs(v) > Math.abs(second[z]) ? v : second[z];
+    assert.ok(Math.abs(wallModule.zoneStress(frame, z) - larger) < 1e-3 * Math.max(1, Math.abs(larger)));
+  });
+});
+
+test("stresses on the foundation carry the wall and its loads", async () => {
+  makeRun("stress_run");
+  const bundle = await unpackRun("stress_run"),
+    { wall, frame } = await lastPose("stress_run");
+  let carried = 0; // kN
+  for (let j = 0; j < wall.joints; ++j)
+    if (wallModule.kKinds[wall.kind[j]] === "foundation")
+      carried -= 1e3 * wallModule.jointStress(wall, frame, j) * 2 * wall.halfX[j] * wall.thickness;
+  const stood = bundle.header.weight_kN + 2 * 80; // two piers, pier_load = 80 kN
+  // the push is slow, not static: the wall may move up and down by some per cent of its weight
+  assert.ok(Math.abs(carried / stood - 1) < 0.03, `${carried} of ${stood} kN`);
+  const steps = wallModule.stressSteps(wall, new wallModule.Frames(bundle, wall));
+  assert.equal(steps.length, 6);
+  steps.forEach((s, i) => assert.ok(i === 0 || s > steps[i - 1]));
+});
+
+test("drift limits keep their labels apart, in words or as numbers", async () => {
+  const { limitRows } = await viewerModule("campaign/limits");
+  const limits = [0.375, 0.5, 0.75, 1, 1.125, 1.5].map((v) => ({
+    limit_drift_percent: v,
+    element: "pier",
+    mechanism: "rocking or flexure",
+    state: "near collapse",
+  }));
+  for (const width of [300, 420, 700, 1200]) {
+    const { labels, short, top } = limitRows(limits, [0, 1.6], width, 84);
+    assert.equal(labels.length, limits.length);
+    assert.ok(width < 1000 || !short);
+    const long = (l) => 6.3 * `${l.limit.value} %${short ? "" : ` ${l.limit.words}`}`.length;
+    const x = (l) => 56 + ((width - 84 - 56) * l.limit.value) / 1.6;
+    const spans = labels.map((l) => [l.row, l.atRight ? x(l) - long(l) : x(l), l.atRight ? x(l) : x(l) + long(l)]);
+    for (const [i, a] of spans.entries())
+      for (const b of spans.slice(i + 1)) assert.ok(a[0] !== b[0] || a[2] <= b[1] || b[2] <= a[1], `${width}`);
+    assert.ok(top >= 14 + 15 * (1 + Math.max(...labels.map((l) => l.row))));
+  }
+});
+
 test("numbers read as in the engine, in both languages", () => {
   texts.speak("en");
   const cases = [
@@ -170,7 +236,17 @@ test("numbers read as in the engine, in both languages", () => {
   assert.equal(texts.phrase("left toe of the right pier"), "piede sinistro del maschio destro");
   assert.equal(texts.phrase("crack width x 1.25"), "ampiezza di fessura × 1,25");
   assert.equal(texts.phrase("no such words"), "no such words");
+  assert.equal(
+    texts.phrase("half unit 155 mm -> 154.545 mm (-0.3 %)"),
+    "mezzo elemento 155 mm → 154,545 mm (−0,3\u202f%)",
+  );
+  assert.equal(
+    texts.phrase("Circolare 21 January 2019 n. 7, C8.7.1.3.1.1"),
+    "Circolare 21 gennaio 2019 n. 7, C8.7.1.3.1.1",
+  );
   texts.speak("en");
+  assert.equal(texts.phrase("crack width x 0.75"), "crack width × 0.75");
+  assert.equal(texts.phrase("course 110 mm -> 109.7 mm (-0.3 %)"), "course 110 mm → 109.7 mm (−0.3\u202f%)");
   assert.equal(texts.phrase("left pier"), "left pier");
 });
 

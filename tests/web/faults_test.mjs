@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { folder, launch, open, pageOf, run } from "./helpers.mjs";
+import { folder, launch, open, pageOf, run, screenshot } from "./helpers.mjs";
 import { makeCampaign, makeRun } from "./small_study.mjs";
 
 let browser;
@@ -18,6 +18,7 @@ async function words(name) {
   const text = await page.locator("main").innerText();
   assert.deepEqual(page.faults, [], name);
   assert.equal(await page.evaluate(() => document.documentElement.dataset.ready), "yes");
+  await screenshot(page, `fault_${name}_1440_light`);
   await page.context().close();
   return text;
 }

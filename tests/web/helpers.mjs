@@ -88,9 +88,14 @@ export async function violations(page) {
 // Pages of a PDF: its page objects; streams of Chromium's PDFs leave them readable.
 export const pdfPages = (pdf) => (pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g) ?? []).length;
 
-export async function screenshot(page, name) {
+// The whole page, or one part of it.
+export async function screenshot(page, name, part = "") {
   fs.mkdirSync(shots, { recursive: true });
-  await page.screenshot({ path: path.join(shots, `${name}.png`), fullPage: true });
+  const file = path.join(shots, `${name}.png`);
+  if (part) {
+    await page.addStyleTag({ content: ".bar { position: static !important }" }); // or it lies over the part
+    await page.locator(part).screenshot({ path: file });
+  } else await page.screenshot({ path: file, fullPage: true });
 }
 
 // --- TypeScript of the viewer ---------------------------------------------------------------------------

@@ -49,6 +49,23 @@ export function svg<K extends keyof SVGElementTagNameMap>(
 let count = 0;
 export const fresh = (prefix: string): string => `${prefix}-${++count}`;
 
+// Marks the sides of a scrolling element beyond which there is more (data-more of `frame`), and lets
+// the keyboard reach it where it scrolls and holds nothing that can be reached.
+export function hintMore(slide: HTMLElement, frame: HTMLElement): void {
+  const reachable = slide.querySelector("a, button") !== null;
+  const mark = (): void => {
+    const left = slide.scrollLeft > 2,
+      right = slide.scrollLeft + slide.clientWidth < slide.scrollWidth - 2;
+    frame.dataset.more = `${left ? "left" : ""} ${right ? "right" : ""}`.trim();
+    if ((left || right) && !reachable) slide.setAttribute("tabindex", "0");
+    else slide.removeAttribute("tabindex");
+  };
+  slide.addEventListener("scroll", mark, { passive: true });
+  const watch = new ResizeObserver(mark);
+  watch.observe(slide);
+  if (slide.firstElementChild) watch.observe(slide.firstElementChild);
+}
+
 // Work that can wait until the page has been painted, one piece after the other.
 const queue: (() => void)[] = [];
 export function later(work: () => void): void {

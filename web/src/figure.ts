@@ -95,9 +95,10 @@ export class Figure {
   }
 }
 
-// Two columns of figures print at about half the page, wide ones at all of it.
+// Figures print as wide as their place on the page: all of it, a half, a third.
 export function prepareFiguresForPrint(): void {
-  for (const figure of all) figure.print(figure.spec.wide ? 760 : 400);
+  for (const figure of all)
+    figure.print(figure.spec.wide ? 760 : figure.element.closest(".three") ? 280 : 400);
 }
 export function restoreFigures(): void {
   for (const figure of all) figure.afterPrint();

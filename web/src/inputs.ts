@@ -68,14 +68,9 @@ export function inputTables(inputs: any, note: string): Child {
     ),
     materials.names.length > 0
       ? table(
-          [
-            { head: "", left: true },
-            { head: say("unit"), left: true },
-            ...materials.names.map((n: string) => ({ head: n })),
-          ],
+          [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: n }))],
           materials.rows.map(([key, unit, cells]: any) => [
-            say(`input.${key}`),
-            unit,
+            [say(`input.${key}`), unit ? h("span", { class: "soft" }, ` [${unit}]`) : null],
             ...cells.map((c: any) => (c === "unlimited" ? say("unlimited") : num(c, 4))),
           ]),
           say("input.materials"),

@@ -7,7 +7,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
-import { num, phrase, qty, say } from "./texts";
+import { capital, knows, num, phrase, qty, say } from "./texts";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
 
@@ -64,11 +64,13 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
         compression: null,
         shear: null,
         eccentricity: null,
+        greater: null,
+        smaller: null,
       };
       return drawWall(
         wall,
         { count: 1, at: () => frame } as unknown as Frames,
-        { frame: 0, scale: 1, measure: "cracks", forces: false },
+        { frame: 0, scale: 1, measure: "cracks", forces: false, stressSteps: [] },
         canvasFor(wall, width, 460),
       );
     },
@@ -198,7 +200,67 @@ function verdict(opinion: any): Child {
           ),
         )
       : null;
-  return [h("p", { class: "soft" }, say("verdict.lead", { with: c.with })), groups, bounds, curves];
+  return [
+    h("p", { class: "soft" }, say("verdict.lead", { with: lastName(c.with) })),
+    bracket(c.bracket),
+    groups,
+    bounds,
+    withoutBound(c.without_bound ?? []),
+    curves,
+  ];
+}
+
+// Of a path its last part: pages are sent about, folders of a machine say nothing elsewhere.
+const lastName = (path: string): string => path.replace(/[\\/]+$/, "").replace(/^([A-Za-z]:)?[\\/].*[\\/]/, "");
+
+function bracket(b: any): Child {
+  if (!b) return null;
+  const value = (key: string): string =>
+    `${key}_kN` in b ? qty(b[`${key}_kN`], "kN") : `λ = ${num(b[key])}`;
+  return h(
+    "p",
+    { id: "bracket" },
+    say("verdict.bracket", {
+      low: value("low"),
+      high: value("high"),
+      least: value("least_peak"),
+      most: value("most_peak"),
+      runs: b.runs,
+      below: b.below,
+      above: b.above,
+    }),
+    b.nominal ? ` ${say("verdict.bracket.nominal")}` : "",
+  );
+}
+
+// Runs by the reason why they have no limit load of their own.
+function withoutBound(list: { run: string; why: string }[]): Child {
+  return [...new Set(list.map((r) => r.why))].map((why) =>
+    h(
+      "p",
+      { class: "soft small" },
+      say("verdict.without", { n: list.filter((r) => r.why === why).length, why: phrase(why) }),
+    ),
+  );
+}
+
+// What could not be answered, and what the program itself warns of.
+function doubts(opinion: any): Child {
+  const named = (text: string): string =>
+    phrase(text).replace(/\bmacro_block_[12]\b/g, (name) => say(`hypothesis.${name}`));
+  const words: Child[] = [
+    ...(opinion.refused ?? []).map((r: any) => [
+      h("b", {}, say("doubts.refused", { what: named(r.what) })),
+      `: ${named(r.why)}`,
+    ]),
+    ...(opinion.notes ?? []).map((n: string) => capital(named(n))),
+  ];
+  if (words.length === 0) return null;
+  return h(
+    "ul",
+    { class: "warning notes" },
+    words.map((w) => h("li", {}, w)),
+  );
 }
 
 function numbers(opinion: any): Child {
@@ -217,7 +279,7 @@ function numbers(opinion: any): Child {
         ...all.map((m) => ({ head: [m.mode, h("span", { class: "pm" }, hypothesisLabel(m))] })),
       ],
       names.map((n) => [
-        n.replace(/_/g, " "),
+        knows(`number.${n}`) ? say(`number.${n}`) : n.replace(/_/g, " "),
         unit(n) === "1" || unit(n) === "-" ? "" : unit(n),
         ...all.map((m) => show(m.inputs[n])),
       ]),
@@ -239,7 +301,7 @@ function numbers(opinion: any): Child {
             "life_safety_displacement_mm",
             "near_collapse_displacement_mm",
           ].map((key) => [say(`assessment.${key}`), ...assessed.map((m) => num(m.assessment[key], 4))]),
-          say("assessment.title", { clause: assessed[0].assessment.clause }),
+          say("assessment.title", { clause: phrase(assessed[0].assessment.clause) }),
         )
       : null,
     assessed.length > 0 ? h("p", { class: "soft small" }, say("assessment.lead")) : null,
@@ -252,6 +314,7 @@ export function limitSections(bundle: Bundle): Section[] {
     wall = readWall(bundle),
     p = header.provenance;
   return [
+    { id: "doubts", title: say("section.doubts"), content: doubts(opinion) },
     {
       id: "mechanisms",
       title: say("section.mechanisms"),

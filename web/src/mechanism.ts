@@ -2,7 +2,7 @@
 import { h, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { Plot, rangeOf, ticks, type Point } from "./plot";
-import { qty, say } from "./texts";
+import { num, qty, say } from "./texts";
 
 export interface Mechanism {
   name: string;
@@ -33,6 +33,11 @@ export interface Mechanism {
 }
 
 const css = (hypothesis: string): string => `hyp-${hypothesis}`;
+// Where a mechanism first shows, turned enough to be seen: in a chart that ends with the runs, or that
+// goes on to no force.
+const kShown = 0.95,
+  kShownAlone = 0.3;
+
 export const hypothesisLabel = (m: Mechanism): string => say(`hypothesis.${m.hypothesis}`);
 
 // Where a point of a body is in a state: it turns about the hinge before it, which has moved.
@@ -64,6 +69,7 @@ class MechanismView {
 
   constructor(
     all: Mechanism[],
+    private readonly far: number, // displacement to which the chart goes [mm]
     private readonly moved: (m: Mechanism, displacement: number) => void,
   ) {
     this.m = all[all.length - 1];
@@ -108,9 +114,12 @@ class MechanismView {
     this.choose();
   }
   private choose(): void {
-    this.slider.max = String(this.m.curve.displacement_mm.length - 1);
-    // seen well: a twelfth of the way to no force, or the state nearest to it
-    this.show(Math.max(1, Math.round(0.3 * (this.m.curve.displacement_mm.length - 1))));
+    const d = this.m.curve.displacement_mm,
+      last = d.length - 1;
+    this.slider.max = String(last);
+    const at = this.far < d[last] ? kShown * this.far : kShownAlone * d[last];
+    const seen = d.findIndex((v) => v >= at);
+    this.show(Math.max(1, seen - 1));
   }
   private show(state: number): void {
     this.state = Math.min(state, this.m.curve.displacement_mm.length - 1);
@@ -148,10 +157,10 @@ class MechanismView {
       y0 = Math.min(...ys),
       y1 = Math.max(...ys);
     const k = Math.min((width - 130) / (1.12 * (x1 - x0)), 330 / (y1 - y0));
-    const height = (y1 - y0) * k + 78,
+    const height = (y1 - y0) * k + 92,
       left = (width - (x1 - x0) * k) / 2;
     const X = (x: number): number => left + (x - x0) * k,
-      Y = (y: number): number => height - 36 - (y - y0) * k;
+      Y = (y: number): number => height - 50 - (y - y0) * k;
     const path = (points: Point[]): string =>
       "M" + points.map(([x, y]) => `${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("L") + "Z";
     const picture = svg(
@@ -197,8 +206,8 @@ class MechanismView {
       svg("path", { class: "scalebar", d: `M${width - 12 - metres * k} ${height - 12}v4h${metres * k}v-4` }),
       svg(
         "text",
-        { class: "tick", x: width - 12 - (metres * k) / 2, y: height - 14, "text-anchor": "middle" },
-        `${metres} m`,
+        { class: "tick", x: width - 12 - (metres * k) / 2, y: height - 15, "text-anchor": "middle" },
+        `${num(metres)}\u202fm`,
       ),
     );
     return picture;
@@ -206,6 +215,9 @@ class MechanismView {
 }
 
 // --- curves over the runs (Fig. 19) --------------------------------------------------------------------
+
+const kBeyond = 1.6; // of the displacement of the runs, to which the chart goes
+const kEnvelope = ["low", "percentile_5", "mean", "percentile_95", "high"];
 
 class OverlayFigure {
   readonly figure: Figure;
@@ -226,14 +238,19 @@ class OverlayFigure {
     if (envelope)
       items.push(
         [swatch("mean runs"), say("overlay.mean")],
-        [swatch("spread runs", "box"), say("overlay.envelope")],
+        ...(this.hasBand
+          ? ([
+              [swatch("spread runs", "box"), say("overlay.band")],
+              [swatch("extreme runs"), say("overlay.extremes")],
+            ] as [SVGSVGElement, Child][])
+          : ([[swatch("spread runs", "box"), say("overlay.envelope")]] as [SVGSVGElement, Child][])),
       );
     if (comparison?.curve) items.push([swatch("mean runs"), say("overlay.run")]);
     this.figure = new Figure({
       id: `overlay-${mode}`,
       title: say("overlay.title", { mode }),
       above: legend(items),
-      draw: (width) => this.draw(width),
+      draw: (width, onPaper) => this.draw(width, onPaper),
       caption: say(
         envelope ? "overlay.caption" : comparison?.curve ? "overlay.caption.run" : "overlay.caption.alone",
       ),
@@ -244,7 +261,7 @@ class OverlayFigure {
             m.curve.displacement_mm.map((d, i): (string | number)[] => [m.name, d, m.curve.force_kN[i]]),
           ),
           ...(envelope
-            ? ["low", "mean", "high"].flatMap((k) =>
+            ? kEnvelope.filter((k) => `${k}_kN` in envelope).flatMap((k) =>
                 envelope.displacement_mm.map((d: number, i: number) => [
                   `runs_${k}`,
                   d,
@@ -260,8 +277,23 @@ class OverlayFigure {
   private get envelope(): any {
     return this.comparison?.runs > 1 ? this.comparison.envelopes?.[this.mode] : undefined;
   }
+  // The few runs that fell early would rule a band from the least to the greatest.
+  private get hasBand(): boolean {
+    return this.envelope?.percentile_5_kN !== undefined;
+  }
+  // To where the curves of runs are seen well.
+  get far(): number {
+    const { envelope } = this,
+      run = this.comparison?.curve;
+    const last = Math.max(...this.mechanisms.map((m) => m.curve.displacement_mm.at(-1)!));
+    const runs = envelope?.displacement_mm ?? run?.displacement_mm;
+    return runs ? Math.min(last, kBeyond * Math.max(...runs)) : last;
+  }
   move(m: Mechanism, displacement: number): void {
+    const inside = Math.max(this.far, this.at?.[1] ?? 0);
     this.at = [m, displacement];
+    // the chart follows a mark that leaves it, and comes back
+    if (Math.max(inside, displacement) > this.far) this.figure.redraw();
     this.mark();
   }
   private mark(): void {
@@ -278,26 +310,18 @@ class OverlayFigure {
       }),
     );
   }
-  private draw(width: number): SVGSVGElement {
+  private draw(width: number, onPaper: boolean): SVGSVGElement {
     const envelope = this.envelope,
       run = this.comparison?.curve;
-    const far = envelope
-      ? Math.max(...envelope.displacement_mm) * 1.6
-      : run
-        ? Math.max(...run.displacement_mm) * 1.6
-        : Infinity;
-    const last = Math.min(
-      far,
-      Math.max(...this.mechanisms.map((m) => m.curve.displacement_mm[m.curve.displacement_mm.length - 1])),
-    );
+    const last = Math.max(this.far, 1.04 * (this.at?.[1] ?? 0));
     const forces = [
       ...this.mechanisms.map((m) => m.force_at_rest_kN),
-      ...(envelope?.high_kN ?? []),
+      ...((this.hasBand ? envelope.percentile_95_kN : envelope?.high_kN) ?? []),
       ...(run?.force_kN ?? []),
     ];
     const plot = new Plot({
       width,
-      height: Math.max(300, Math.min(430, 0.8 * width)),
+      height: onPaper ? 0.66 * width : Math.max(300, Math.min(430, 0.8 * width)),
       x: [0, last],
       y: [0, 1.06 * rangeOf(forces)[1]],
       xLabel: say("axis.load_displacement"),
@@ -305,7 +329,16 @@ class OverlayFigure {
       title: say("overlay.title", { mode: this.mode }),
     });
     if (envelope) {
-      plot.band(envelope.displacement_mm, envelope.low_kN, envelope.high_kN, "spread runs");
+      const d = envelope.displacement_mm as number[];
+      if (this.hasBand) {
+        plot.band(d, envelope.percentile_5_kN, envelope.percentile_95_kN, "spread runs");
+        for (const key of ["low_kN", "high_kN"])
+          plot.line(
+            d.map((v, i): Point => [v, envelope[key][i]]),
+            "extreme runs",
+            { "data-extreme": key },
+          );
+      } else plot.band(d, envelope.low_kN, envelope.high_kN, "spread runs");
       plot.line(
         envelope.displacement_mm.map((d: number, i: number): Point => [d, envelope.mean_kN[i]]),
         "mean runs",
@@ -347,7 +380,7 @@ export function mechanisms(opinion: any): Child {
   return [...new Set(all.map((m) => m.mode))].map((mode) => {
     const of = all.filter((m) => m.mode === mode);
     const overlay = new OverlayFigure(mode, of, opinion.comparison);
-    const view = new MechanismView(of, (m, d) => overlay.move(m, d));
+    const view = new MechanismView(of, overlay.far, (m, d) => overlay.move(m, d));
     return h("div", { class: "hero" }, overlay.figure.element, view.element);
   });
 }

@@ -1,5 +1,5 @@
 // What every page has: sections with a list of links to them, the bar at the top, printing.
-import { finishLater, h, type Child } from "./dom";
+import { finishLater, h, hintMore, type Child } from "./dom";
 import { prepareFiguresForPrint, restoreFigures } from "./figure";
 import { say } from "./texts";
 
@@ -57,17 +57,20 @@ export function build(sections: Section[]): void {
   const main = document.getElementById("page")!;
   main.querySelector("noscript")?.remove();
   const shown = sections.filter((s) => s.content);
+  const links = h(
+    "ul",
+    {},
+    shown.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title))),
+  );
+  const frame = h("div", { class: "bar-links" }, links);
+  hintMore(links, frame);
   const nav = h(
     "nav",
     { class: "bar", "aria-label": say("contents") },
     h(
       "div",
       { class: "bar-inner" },
-      h(
-        "ul",
-        {},
-        shown.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title))),
-      ),
+      frame,
       h(
         "div",
         { class: "bar-tools" },
@@ -100,6 +103,9 @@ function markHere(nav: HTMLElement): void {
       for (const entry of entries) {
         if (!entry.isIntersecting) continue;
         links.forEach((a, id) => a.toggleAttribute("aria-current", id === entry.target.id));
+        const here = links.get(entry.target.id),
+          list = nav.querySelector("ul")!;
+        if (here) list.scrollLeft = here.offsetLeft - (list.clientWidth - here.offsetWidth) / 2;
       }
     },
     { rootMargin: "-15% 0px -75% 0px" },

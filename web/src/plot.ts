@@ -60,6 +60,8 @@ export function thinned(points: Point[], tolerance: number): Point[] {
   return points.filter((_, i) => keep[i]);
 }
 
+export const kLeft = 56; // room for the ticks and title of the y axis
+
 export interface PlotSpec {
   width: number;
   height: number;
@@ -91,7 +93,7 @@ export class Plot {
   readonly bottom: number;
 
   constructor(readonly spec: PlotSpec) {
-    this.left = spec.left ?? 56;
+    this.left = spec.left ?? kLeft;
     this.right = spec.width - (spec.right ?? 16);
     this.top = spec.top ?? (spec.topAxis ? 44 : 14);
     this.bottom = spec.height - (spec.bottom ?? 46);

@@ -103,7 +103,7 @@ class RunPage {
       above: legend(items),
       wide: true,
       draw: (width, onPaper) => this.drawCurve(width, onPaper),
-      caption: say("curve.caption"),
+      caption: `${say("curve.caption")} ${this.bilinearWords()}`,
       sheet: () => ({
         head: [
           "displacement_mm",
@@ -164,6 +164,13 @@ class RunPage {
     return { force: qty(this.s.peak_reaction_kN, "kN"), at: qty(this.s.displacement_at_peak_mm, "mm") };
   }
 
+  private bilinearWords(): string {
+    const b = this.s.bilinear;
+    if (this.byFactor || !(b?.force_kN > 0)) return "";
+    return say(this.s.censored_80 ? "curve.bilinear.censored" : "curve.bilinear.80", {
+      at: qty(b.ultimate_displacement_mm, "mm"),
+    });
+  }
   private drawBilinear(plot: Plot): void {
     const b = this.s.bilinear;
     if (this.byFactor || !(b?.force_kN > 0)) return;
@@ -333,6 +340,14 @@ class RunPage {
         mode.sentence ? `: ${phrase(mode.sentence)}. ` : ". ",
         h("span", { class: "soft" }, say("failure.read_at", { at: qty(mode.read_at_mm, "mm") })),
       ),
+      this.s.censored_80 && this.s.status !== "collapsed"
+        ? h(
+            "p",
+            { class: "note" },
+            say("failure.so_far"),
+            mode.name === "unclear" ? "" : ` ${say("failure.words")}`,
+          )
+        : null,
       this.scores(mode),
       h(
         "div",

@@ -94,25 +94,24 @@ export function energySection(header: any): Child {
 
 export function trustSection(summary: any, curve: Curve): Child {
   const q = summary.quasi_static;
-  const rows: Child[][] = [
-    [
-      say("trust.unbalance"),
-      num(q.unbalance_ratio_mean),
-      num(q.unbalance_ratio_max),
-      say("trust.unbalance.means"),
-    ],
-    [say("trust.kinetic"), num(q.kinetic_ratio_mean), num(q.kinetic_ratio_max), say("trust.kinetic.means")],
-    [say("trust.shear"), num(q.shear_gap), "", say("trust.shear.means")],
-    [say("trust.damping"), num(q.damping_share), "", say("trust.damping.means")],
-  ];
+  // what a measure says stands beneath its name
+  const named = (words: string, means: string): Child => [words, h("span", { class: "pm" }, means)];
   const list = table(
+    [{ head: say("trust.measure"), left: true }, { head: say("mean") }, { head: say("largest") }],
     [
-      { head: say("trust.measure"), left: true },
-      { head: say("mean") },
-      { head: say("largest") },
-      { head: say("trust.means"), left: true },
+      [
+        named(say("trust.unbalance"), say("trust.unbalance.means")),
+        num(q.unbalance_ratio_mean),
+        num(q.unbalance_ratio_max),
+      ],
+      [
+        named(say("trust.kinetic"), say("trust.kinetic.means")),
+        num(q.kinetic_ratio_mean),
+        num(q.kinetic_ratio_max),
+      ],
+      [named(say("trust.shear"), say("trust.shear.means")), num(q.shear_gap), ""],
+      [named(say("trust.damping"), say("trust.damping.means")), num(q.damping_share), ""],
     ],
-    rows,
   );
   const verdict = h("p", { class: "lead" }, sentence(q.verdict));
   const stages =

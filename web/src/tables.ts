@@ -1,5 +1,5 @@
 // Tables: plain ones, and ones whose columns sort.
-import { h, type Child } from "./dom";
+import { h, hintMore, type Child } from "./dom";
 import { say } from "./texts";
 
 export interface Column {
@@ -13,7 +13,17 @@ export interface Cell {
   title?: string;
 }
 const kLong = 24; // rows from which on a table may run over two pages
+// Letters of a cell of words that stay on one line on a narrow screen: more of a long text.
+const roomFor = (letters: number): number => (letters > 80 ? 34 : Math.min(letters, 18));
 export type Row = (Cell | Child)[];
+
+// The table in a card that shows when it is cut.
+function framed(table: HTMLElement, rows: number, label: string): HTMLElement {
+  const slide = h("div", { class: "slide", role: "group", "aria-label": label }, table);
+  const frame = h("div", { class: rows > kLong ? "scroll long" : "scroll" }, slide);
+  hintMore(slide, frame);
+  return frame;
+}
 
 const isCell = (c: Cell | Child): c is Cell => typeof c === "object" && c !== null && "show" in c;
 
@@ -24,9 +34,12 @@ function bodyRow(row: Row, columns: Column[]): HTMLElement {
     row.map((c, i) => {
       const cell = isCell(c) ? c : { show: c };
       const css = columns[i]?.left ? "left" : undefined;
-      return i === 0
-        ? h("th", { scope: "row", class: css, title: cell.title }, cell.show)
-        : h("td", { class: css, title: cell.title }, cell.show);
+      const element =
+        i === 0
+          ? h("th", { scope: "row", class: css, title: cell.title }, cell.show)
+          : h("td", { class: css, title: cell.title }, cell.show);
+      if (i === 0 || css) element.style.setProperty("--room", `${roomFor(element.textContent!.length)}ch`);
+      return element;
     }),
   );
 }
@@ -37,20 +50,21 @@ export function table(columns: Column[], rows: Row[], caption = "", css = ""): H
       ? h("td")
       : h("th", { scope: "col", class: c.left ? "left" : undefined, title: c.title }, c.head),
   );
-  return h(
-    "div",
-    { class: rows.length > kLong ? "scroll long" : "scroll", tabindex: 0, role: "group", "aria-label": caption || say("table") },
+  const body = h(
+    "tbody",
+    {},
+    rows.map((r) => bodyRow(r, columns)),
+  );
+  return framed(
     h(
       "table",
       { class: css },
       caption ? h("caption", {}, caption) : null,
       columns.some((c) => c.head !== "") ? h("thead", {}, h("tr", {}, heads)) : null,
-      h(
-        "tbody",
-        {},
-        rows.map((r) => bodyRow(r, columns)),
-      ),
+      body,
     ),
+    rows.length,
+    caption || say("table"),
   );
 }
 
@@ -100,9 +114,9 @@ export function sortable(columns: Column[], rows: Row[], caption: string): HTMLE
     body.replaceChildren(...order.map((r) => bodyRow(r, columns)));
   };
   fill();
-  return h(
-    "div",
-    { class: rows.length > kLong ? "scroll long" : "scroll", tabindex: 0, role: "group", "aria-label": caption },
+  return framed(
     h("table", {}, h("caption", {}, caption), h("thead", {}, h("tr", {}, heads)), body),
+    rows.length,
+    caption,
   );
 }

@@ -58,21 +58,31 @@ const patterns = Object.keys(phrases)
     matcher: new RegExp("^" + p.split("{}").map(escapedForPattern).join("(.*?)") + "$", "s"),
   }));
 
+// Signs as print has them: 3 × 4, −0.3, 10 → 12, 5 % with a narrow space.
+const typeset = (text: string): string =>
+  text
+    .replace(/ x (?=[\d.])/g, " × ")
+    .replace(/->/g, "→")
+    .replace(/(^|[ (])-(?=\d)/g, "$1−")
+    .replace(/(\d) %/g, "$1\u202f%");
+
 // A phrase of the engine in the page's language; lists are taken apart, unknown words stay.
 export function phrase(english: string): string {
-  if (language === 0 || english === "") return english;
-  if (/^[-+]?[\d.]+(e[-+]?\d+)?$/.test(english)) return localised(english);
+  return typeset(language === 0 || english === "" ? english : translated(english));
+}
+function translated(english: string): string {
+  if (/^[-+±]?[\d.]+(e[-+]?\d+)?$/.test(english)) return localised(english);
   const known = phrases[english];
   if (known) return known[language - 1];
   for (const { english: pattern, matcher } of patterns) {
     const found = matcher.exec(english);
     if (!found) continue;
     let at = 0;
-    return phrases[pattern][language - 1].replace(/\{\}/g, () => phrase(found[++at]));
+    return phrases[pattern][language - 1].replace(/\{\}/g, () => translated(found[++at]));
   }
   for (const between of ["; ", ": ", ", ", " + "]) {
     const parts = english.split(between);
-    if (parts.length > 1) return parts.map(phrase).join(between);
+    if (parts.length > 1) return parts.map(translated).join(between);
   }
   return english;
 }

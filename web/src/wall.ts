@@ -132,6 +132,7 @@ export class Frames {
   readonly count: number;
   private readonly arrays: Record<string, Numbers> = {};
   readonly hasForces: boolean;
+  readonly hasZoneStress: boolean;
 
   constructor(
     bundle: Bundle,
@@ -151,9 +152,12 @@ export class Frames {
       "compression",
       "shear",
       "eccentricity",
+      "zone_greater",
+      "zone_smaller",
     ])
       if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
     this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
+    this.hasZoneStress = "zone_greater" in this.arrays && this.arrays.zone_greater.length > 0;
   }
   private slice(name: string, frame: number, n: number): Numbers {
     return this.arrays[name].subarray(frame * n, (frame + 1) * n);
@@ -161,7 +165,8 @@ export class Frames {
   at(frame: number): Frame {
     const { blocks, joints } = this.wall;
     const joint = (name: string): Numbers => this.slice(name, frame, joints);
-    const nodes = this.wall.mesh?.nodeX.length ?? 0;
+    const nodes = this.wall.mesh?.nodeX.length ?? 0,
+      zones = this.hasZoneStress ? this.wall.mesh!.zone.length / 4 : 0;
     return {
       ux: this.slice("ux", frame, blocks),
       uy: this.slice("uy", frame, blocks),
@@ -175,6 +180,8 @@ export class Frames {
       compression: this.hasForces ? joint("compression") : null,
       shear: this.hasForces ? joint("shear") : null,
       eccentricity: this.hasForces ? joint("eccentricity") : null,
+      greater: zones > 0 ? this.slice("zone_greater", frame, zones) : null,
+      smaller: zones > 0 ? this.slice("zone_smaller", frame, zones) : null,
     };
   }
 }
@@ -191,6 +198,8 @@ export interface Frame {
   compression: Numbers | null;
   shear: Numbers | null;
   eccentricity: Numbers | null; // [N], [N], -1 to 1
+  greater: Numbers | null; // principal stresses of zones, tension positive [Pa]
+  smaller: Numbers | null;
 }
 
 const kQuarter = Math.PI / 2;
@@ -272,16 +281,24 @@ export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 
   return [1, 2, 5, 10, 20, 50, 100].filter((s) => s === 1 || largest * s <= wanted).pop()!;
 }
 
-export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing";
-export const kMeasures: Measure[] = ["cracks", "opening", "slip", "damage", "crushing"];
+export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing" | "stress";
+type Scalar = Exclude<Measure, "cracks" | "stress">;
+export const measuresOf = (frames: Frames): Measure[] => [
+  "cracks",
+  "opening",
+  "slip",
+  "damage",
+  "crushing",
+  ...(frames.hasForces || frames.hasZoneStress ? ["stress" as const] : []),
+];
 // Bounds of the colour steps: millimetres, or shares.
-export const kSteps: Record<Exclude<Measure, "cracks">, number[]> = {
+export const kSteps: Record<Scalar, number[]> = {
   opening: [0.05, 0.2, 0.5, 1, 3, 10],
   slip: [0.05, 0.2, 0.5, 1, 3, 10],
   damage: [0.05, 0.25, 0.5, 0.75, 0.9, 0.999],
   crushing: [0.02, 0.1, 0.25, 0.5, 0.75, 0.9],
 };
-export function valueOf(frame: Frame, j: number, measure: Exclude<Measure, "cracks">): number {
+export function valueOf(frame: Frame, j: number, measure: Scalar): number {
   switch (measure) {
     case "opening":
       return frame.opening[j] * 1e3;
@@ -299,6 +316,64 @@ export function stepOf(value: number, bounds: number[]): number {
   while (k < bounds.length && value >= bounds[k]) ++k;
   return k;
 }
+// Mean stress across a joint, tension positive [MPa].
+export function jointStress(wall: Wall, frame: Frame, j: number): number {
+  if (!frame.compression) return 0;
+  const area = 2 * Math.hypot(wall.halfX[j], wall.halfY[j]) * wall.blockThickness[wall.jointB[j]];
+  return area > 0 ? (-1e-6 * frame.compression[j]) / area : 0;
+}
+// The principal stress of a zone that is larger in size, tension positive [MPa].
+export function zoneStress(frame: Frame, z: number): number {
+  if (!frame.greater || !frame.smaller) return 0;
+  const [a, b] = [frame.greater[z], frame.smaller[z]];
+  return 1e-6 * (Math.abs(a) > Math.abs(b) ? a : b);
+}
+// Bounds of the colour steps of stress [MPa]: 1, 2, 5 times powers of ten, the last within reach of the
+// largest stress of all frames.
+export function stressSteps(wall: Wall, frames: Frames): number[] {
+  let largest = 0;
+  for (let f = 0; f < frames.count; ++f) {
+    const frame = frames.at(f);
+    for (let j = 0; j < wall.joints; ++j) largest = Math.max(largest, Math.abs(jointStress(wall, frame, j)));
+    const zones = frame.greater?.length ?? 0;
+    for (let z = 0; z < zones; ++z) largest = Math.max(largest, Math.abs(zoneStress(frame, z)));
+  }
+  const round = [1, 2, 5].flatMap((m) => Array.from({ length: 19 }, (_, i) => m * 10 ** (i - 9)));
+  return round
+    .sort((a, b) => a - b)
+    .filter((v) => v <= 0.8 * largest)
+    .slice(-6);
+}
+
+// Forces between blocks: through the point where each acts, along it, with its share of the largest.
+export interface Force {
+  from: [number, number];
+  to: [number, number];
+  share: number;
+}
+const kLeast = 0.03; // of the largest force, below which none is drawn
+export function forcesOf(wall: Wall, frame: Frame, pose: Pose): Force[] {
+  const { compression, shear, eccentricity } = frame;
+  if (!compression || !shear || !eccentricity) return [];
+  const sizes = Array.from({ length: wall.joints }, (_, j) => Math.hypot(compression[j], shear[j]));
+  const largest = sizes.reduce((a, b) => Math.max(a, b), 0),
+    reach = 0.04 * Math.max(wall.length, wall.height);
+  return sizes.flatMap((size, j): Force[] => {
+    if (!(size >= kLeast * largest) || !(largest > 0)) return [];
+    const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
+    const tx = wall.halfX[j] / half,
+      ty = wall.halfY[j] / half; // n is on the left of t
+    const fx = -ty * compression[j] + tx * shear[j],
+      fy = tx * compression[j] + ty * shear[j];
+    const [x, y] = pose.joint(j, eccentricity[j]);
+    const share = size / largest,
+      long = (0.5 * reach * (0.25 + 0.75 * Math.sqrt(share))) / size;
+    return [
+      { from: [x - fx * long, y - fy * long], to: [x + fx * long, y + fy * long], share },
+    ];
+  });
+}
+
 const kVisible = 0.05; // openings and slips below are closed [mm]
 // How a joint shows among the cracks.
 export type Crack = "sound" | "softening" | "closed" | "open" | "slip";

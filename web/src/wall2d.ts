@@ -1,10 +1,12 @@
 // The wall in its plane, as SVG: ground, blocks by tint, joints by what they show, forces, push.
 // Shapes of one look are one path, so that a thousand blocks move as fast as ten.
 import { append, svg } from "./dom";
-import { say } from "./texts";
+import { qty, say } from "./texts";
 import { ticks } from "./plot";
 import {
   crackOf,
+  forcesOf,
+  jointStress,
   kBeam,
   kLintel,
   kPlate,
@@ -12,6 +14,7 @@ import {
   Pose,
   stepOf,
   valueOf,
+  zoneStress,
   type Frames,
   type Measure,
   type Wall,
@@ -22,7 +25,11 @@ export interface Look {
   scale: number;
   measure: Measure;
   forces: boolean;
+  stressSteps: number[]; // bounds of the colours of stress [MPa]
 }
+// Style of a stress: what is drawn for tension is t, for compression c.
+export const stressCss = (stress: number, steps: number[]): string =>
+  `${stress > 0 ? "t" : "c"} r${stepOf(Math.abs(stress), steps)}`;
 
 const kMargin = 34,
   kTints = 4;
@@ -89,14 +96,16 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   }
 }
 
-function drawZones(wall: Wall, pose: Pose, paths: Paths): void {
+function drawZones(wall: Wall, pose: Pose, look: Look, paths: Paths): void {
   if (!wall.mesh) return;
   const { zone } = wall.mesh;
-  for (let z = 0; z < zone.length; z += 4)
-    paths.polygon(
-      "zone",
-      [0, 1, 2, 3].map((k) => pose.node(wall.mesh!, zone[z + k])),
-    );
+  for (let z = 0; z < zone.length; z += 4) {
+    const corners = [0, 1, 2, 3].map((k) => pose.node(wall.mesh!, zone[z + k]));
+    const stress = zoneStress(pose.frame, z / 4);
+    if (look.measure === "stress" && stepOf(Math.abs(stress), look.stressSteps) > 0)
+      paths.polygon(`zone-stress ${stressCss(stress, look.stressSteps)}`, corners);
+    paths.polygon("zone", corners);
+  }
 }
 
 function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
@@ -139,6 +148,13 @@ function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: P
       }
       continue;
     }
+    if (look.measure === "stress") {
+      const stress = jointStress(wall, frame, j);
+      const css = stressCss(stress, look.stressSteps);
+      if (!css.endsWith("r0")) paths.segment(`joint stress ${css}`, ...ends);
+      else if (wall.kind[j] !== 4) paths.segment(quiet, ...ends);
+      continue;
+    }
     const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
     if (step === 0 && wall.kind[j] === 4) continue;
     paths.segment(step === 0 ? quiet : `joint ${look.measure} r${step}`, ...ends);
@@ -168,33 +184,15 @@ function drawCrushed(wall: Wall, frames: Frames, pose: Pose, look: Look): SVGEle
   return marks;
 }
 
-// The force of side a on side b in every joint, through the point where it acts.
-function drawForces(wall: Wall, frames: Frames, pose: Pose, look: Look, canvas: Canvas): SVGElement[] {
-  const frame = frames.at(look.frame);
-  if (!frame.compression || !frame.shear || !frame.eccentricity) return [];
-  let largest = 0;
-  for (let j = 0; j < wall.joints; ++j)
-    largest = Math.max(largest, Math.hypot(frame.compression[j], frame.shear[j]));
-  if (!(largest > 0)) return [];
+// The force of side a on side b in every joint; the thicker, the larger.
+function drawForces(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
   const bins = 6;
   const paths: string[][] = Array.from({ length: bins }, () => []);
-  const reach = 0.04 * Math.max(wall.length, wall.height);
-  for (let j = 0; j < wall.joints; ++j) {
-    const force = Math.hypot(frame.compression[j], frame.shear[j]);
-    if (force < 0.03 * largest) continue;
-    const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
-    const tx = wall.halfX[j] / half,
-      ty = wall.halfY[j] / half; // n is on the left of t
-    const fx = -ty * frame.compression[j] + tx * frame.shear[j],
-      fy = tx * frame.compression[j] + ty * frame.shear[j];
-    const [x, y] = pose.joint(j, frame.eccentricity[j]);
-    const long = (0.5 * reach * (0.25 + 0.75 * Math.sqrt(force / largest))) / force;
-    const bin = Math.min(bins - 1, Math.floor(Math.sqrt(force / largest) * bins));
-    paths[bin].push(
-      `M${canvas.X(x - fx * long).toFixed(1)} ${canvas.Y(y - fy * long).toFixed(1)}` +
-        `L${canvas.X(x + fx * long).toFixed(1)} ${canvas.Y(y + fy * long).toFixed(1)}`,
+  for (const { from, to, share } of forcesOf(wall, pose.frame, pose))
+    paths[Math.min(bins - 1, Math.floor(Math.sqrt(share) * bins))].push(
+      `M${canvas.X(from[0]).toFixed(1)} ${canvas.Y(from[1]).toFixed(1)}` +
+        `L${canvas.X(to[0]).toFixed(1)} ${canvas.Y(to[1]).toFixed(1)}`,
     );
-  }
   return paths
     .map((d, i) =>
       svg("path", {
@@ -246,7 +244,7 @@ function drawScaleBar(canvas: Canvas): SVGElement {
     svg(
       "text",
       { class: "tick", x: (left + right) / 2, y: y - 6, "text-anchor": "middle" },
-      metres >= 1 ? `${metres} m` : `${metres * 1e3} mm`,
+      metres >= 1 ? qty(metres, "m") : qty(metres * 1e3, "mm"),
     ),
   );
 }
@@ -262,6 +260,7 @@ const kOrder = [
   "stone stone3",
   "timber",
   "plate",
+  ...["t", "c"].flatMap((sign) => [1, 2, 3, 4, 5, 6].map((r) => `zone-stress ${sign} r${r}`)),
   "zone",
   "split",
   "mortar",
@@ -276,7 +275,7 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     paths.raw("rest", `M${X(0)} ${Y(0)}V${Y(wall.height)}H${X(wall.length)}V${Y(0)}`);
   }
   drawBlocks(wall, pose, paths);
-  drawZones(wall, pose, paths);
+  drawZones(wall, pose, look, paths);
   drawJoints(wall, frames, pose, look, paths);
   const picture = svg("svg", {
     class: "plot wall",
@@ -292,9 +291,35 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     mark.setAttribute("cy", canvas.Y(Number(mark.getAttribute("data-y"))).toFixed(1));
     picture.appendChild(mark);
   }
-  if (look.forces) append(picture, drawForces(wall, frames, pose, look, canvas));
+  if (look.forces) append(picture, drawForces(wall, pose, canvas));
   append(picture, [drawArrow(wall, pose, canvas), drawScaleBar(canvas)]);
   return picture;
+}
+
+// The zone under a place in the drawing; -1 where there is none.
+export function zoneAt(
+  wall: Wall,
+  frames: Frames,
+  look: Look,
+  canvas: Canvas,
+  px: number,
+  py: number,
+): number {
+  if (!wall.mesh || !frames.hasZoneStress) return -1;
+  const pose = new Pose(wall, frames.at(look.frame), look.scale),
+    { zone } = wall.mesh;
+  for (let z = 0; z < zone.length; z += 4) {
+    let inside = false;
+    for (let k = 0, l = 3; k < 4; l = k++) {
+      const [ax, ay] = pose.node(wall.mesh, zone[z + k]),
+        [bx, by] = pose.node(wall.mesh, zone[z + l]);
+      const [y0, y1] = [canvas.Y(ay), canvas.Y(by)];
+      if (y0 > py !== y1 > py && px < canvas.X(ax) + ((py - y0) / (y1 - y0)) * (canvas.X(bx) - canvas.X(ax)))
+        inside = !inside;
+    }
+    if (inside) return z / 4;
+  }
+  return -1;
 }
 
 // The joint nearest to a place in the drawing, within a few pixels; -1 where there is none.

@@ -23,6 +23,8 @@ import { say } from "./texts";
 import type { Look } from "./wall2d";
 import {
   crackOf,
+  forcesOf,
+  jointStress,
   kBeam,
   kLintel,
   kPlate,
@@ -30,6 +32,8 @@ import {
   Pose,
   stepOf,
   valueOf,
+  zoneStress,
+  type Frame,
   type Frames,
   type Wall,
 } from "./wall";
@@ -116,6 +120,7 @@ class WallScene implements Scene {
   private tilt = 0.22;
   private near: number;
   private look: Look | null = null;
+  private sheetCount = 0; // vertices of what is drawn on the face
 
   constructor(
     private readonly wall: Wall,
@@ -131,8 +136,9 @@ class WallScene implements Scene {
     this.middle = new Vector3((x0 + x1) / 2, (y0 + y1) / 2, 0);
     this.near = 1.85 * Math.max(0.9 * (x1 - x0), 1.15 * (y1 - y0));
     this.prisms = makePrisms(wall);
-    this.sheets.setAttribute("position", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
-    this.sheets.setAttribute("color", new BufferAttribute(new Float32Array(18 * wall.joints), 3));
+    const most = 2 * wall.joints + (wall.mesh ? wall.mesh.zone.length / 4 : 0); // joints, forces, zones
+    this.sheets.setAttribute("position", new BufferAttribute(new Float32Array(18 * most), 3));
+    this.sheets.setAttribute("color", new BufferAttribute(new Float32Array(18 * most), 3));
     this.sheetMesh = new Mesh(
       this.sheets,
       new MeshBasicMaterial({
@@ -171,7 +177,12 @@ class WallScene implements Scene {
     this.look = look;
     const pose = new Pose(this.wall, this.frames.at(look.frame), look.scale);
     this.placeBlocks(pose);
+    this.sheetCount = 0;
+    if (look.measure === "stress") this.placeZones(pose, look);
     this.placeJoints(pose, look);
+    if (look.forces) this.placeForces(pose);
+    this.sheets.setDrawRange(0, this.sheetCount);
+    for (const name of ["position", "color"]) this.sheets.getAttribute(name).needsUpdate = true;
     this.render();
   }
 
@@ -215,67 +226,103 @@ class WallScene implements Scene {
     geometry.computeVertexNormals();
   }
 
-  // Only joints that show something; a sheet a little deeper than the wall, so that its edge is seen.
+  // Only joints that show something, as strips on the face that is seen.
   private placeJoints(pose: Pose, look: Look): void {
-    const position = this.sheets.getAttribute("position") as BufferAttribute,
-      colour = this.sheets.getAttribute("color") as BufferAttribute;
     const frame = this.frames.at(look.frame),
-      cracks = { open: css("open"), slip: css("slip"), closed: css("closed"), softening: css("closed") };
-    const hue =
-      look.measure === "cracks"
-        ? css("open")
-        : css(look.measure === "crushing" ? "crush" : look.measure === "opening" ? "open" : look.measure);
-    const quiet = css("mortar"),
-      thin = 0.0032 * Math.max(this.wall.length, this.wall.height);
-    let v = 0;
+      thin = 0.0032 * Math.max(this.wall.length, this.wall.height),
+      colour = this.jointColours(look);
     for (let j = 0; j < this.wall.joints; ++j) {
-      let c: Color;
-      let wide: number;
-      if (look.measure === "cracks") {
-        const crack = crackOf(frame, j);
-        if (crack === "sound" || crack === "softening") continue;
-        c = cracks[crack];
-        wide = thin * (crack === "closed" ? 0.5 : 1) + 0.5 * Math.max(frame.opening[j], 0);
-      } else {
-        const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
-        if (step === 0) continue;
-        c = quiet.clone().lerp(hue, 0.2 + (0.8 * step) / 6);
-        wide = thin * (0.4 + 0.25 * step);
-      }
-      v = this.sheet(pose, j, Math.min(wide, 4 * thin), c, position, colour, v);
+      const shown = colour(frame, j, thin);
+      if (shown)
+        this.strip(pose.joint(j, -1), pose.joint(j, 1), Math.min(shown.wide, 4 * thin), shown.colour, {
+          depth: this.wall.blockThickness[this.wall.jointB[j]],
+          lift: 1,
+        });
     }
-    this.sheets.setDrawRange(0, v);
-    position.needsUpdate = colour.needsUpdate = true;
   }
-  private sheet(
-    pose: Pose,
-    j: number,
+  private jointColours(
+    look: Look,
+  ): (frame: Frame, j: number, thin: number) => { colour: Color; wide: number } | null {
+    const quiet = css("mortar");
+    const step = (hue: Color, k: number, thin: number): { colour: Color; wide: number } | null =>
+      k === 0
+        ? null
+        : { colour: quiet.clone().lerp(hue, 0.2 + (0.8 * k) / 6), wide: thin * (0.4 + 0.25 * k) };
+    const { measure } = look;
+    if (measure === "cracks") {
+      const hues = { open: css("open"), slip: css("slip"), closed: css("closed") };
+      return (frame, j, thin) => {
+        const crack = crackOf(frame, j);
+        if (crack === "sound" || crack === "softening") return null;
+        const wide = thin * (crack === "closed" ? 0.5 : 1) + 0.5 * Math.max(frame.opening[j], 0);
+        return { colour: hues[crack], wide };
+      };
+    }
+    if (measure === "stress") {
+      const [tension, compression] = [css("open"), css("slip")];
+      return (frame, j, thin) => {
+        const stress = jointStress(this.wall, frame, j);
+        return step(stress > 0 ? tension : compression, stepOf(Math.abs(stress), look.stressSteps), thin);
+      };
+    }
+    const hue = css(measure === "crushing" ? "crush" : measure === "opening" ? "open" : measure);
+    return (frame, j, thin) => step(hue, stepOf(valueOf(frame, j, measure), kSteps[measure]), thin);
+  }
+  private placeZones(pose: Pose, look: Look): void {
+    const { mesh } = this.wall;
+    if (!mesh) return;
+    const [tension, compression, paper] = [css("open"), css("slip"), css("timber")];
+    const depth = this.wall.blockThickness[mesh.rigid];
+    for (let z = 0; z < mesh.zone.length; z += 4) {
+      const stress = zoneStress(pose.frame, z / 4),
+        step = stepOf(Math.abs(stress), look.stressSteps);
+      if (step === 0) continue;
+      this.quad(
+        [0, 1, 2, 3].map((k) => pose.node(mesh, mesh.zone[z + k])),
+        paper.clone().lerp(stress > 0 ? tension : compression, 0.15 + (0.85 * step) / 6),
+        { depth, lift: 0 },
+      );
+    }
+  }
+  private placeForces(pose: Pose): void {
+    const colour = css("thrust"),
+      size = Math.max(this.wall.length, this.wall.height),
+      depth = Math.max(...Array.from(this.wall.blockThickness));
+    for (const { from, to, share } of forcesOf(this.wall, pose.frame, pose))
+      this.strip(from, to, size * (0.0012 + 0.0058 * Math.sqrt(share)), colour, { depth, lift: 2 });
+  }
+  private strip(
+    a: [number, number],
+    b: [number, number],
     wide: number,
-    c: Color,
-    position: BufferAttribute,
-    colour: BufferAttribute,
-    at: number,
-  ): number {
-    const a = pose.joint(j, -1),
-      b = pose.joint(j, 1);
+    colour: Color,
+    place: { depth: number; lift: number },
+  ): void {
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
     const nx = ((-(b[1] - a[1]) / length) * wide) / 2,
       ny = (((b[0] - a[0]) / length) * wide) / 2;
-    const z = (this.wall.blockThickness[this.wall.jointB[j]] / 2) * 1.006 + 0.001;
-    const corners = [
-      [a[0] - nx, a[1] - ny],
-      [b[0] - nx, b[1] - ny],
-      [b[0] + nx, b[1] + ny],
-      [a[0] + nx, a[1] + ny],
-    ];
-    // a strip on the face that is seen
-    const face = Math.cos(this.turn) >= 0 ? z : -z;
+    this.quad(
+      [
+        [a[0] - nx, a[1] - ny],
+        [b[0] - nx, b[1] - ny],
+        [b[0] + nx, b[1] + ny],
+        [a[0] + nx, a[1] + ny],
+      ],
+      colour,
+      place,
+    );
+  }
+  // On the face that is seen; what is lifted more lies above.
+  private quad(corners: [number, number][], colour: Color, place: { depth: number; lift: number }): void {
+    const position = this.sheets.getAttribute("position") as BufferAttribute,
+      colours = this.sheets.getAttribute("color") as BufferAttribute;
+    const z = (place.depth / 2) * (1.004 + 0.006 * place.lift) + 0.001 * (1 + place.lift),
+      face = Math.cos(this.turn) >= 0 ? z : -z;
     for (const k of [0, 1, 2, 0, 2, 3]) {
-      position.setXYZ(at, corners[k][0], corners[k][1], face);
-      colour.setXYZ(at, c.r, c.g, c.b);
-      ++at;
+      position.setXYZ(this.sheetCount, corners[k][0], corners[k][1], face);
+      colours.setXYZ(this.sheetCount, colour.r, colour.g, colour.b);
+      ++this.sheetCount;
     }
-    return at;
   }
 
   private render(): void {

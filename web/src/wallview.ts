@@ -3,14 +3,16 @@ import { h, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { num, qty, say } from "./texts";
-import { canvasFor, drawWall, jointAt, type Canvas, type Look } from "./wall2d";
+import { canvasFor, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
 import { makeScene, type Scene } from "./wall3d";
 import {
   crackOf,
   fittingScale,
+  jointStress,
   kKinds,
-  kMeasures,
   kSteps,
+  measuresOf,
+  stressSteps,
   type Frames,
   type Measure,
   type Wall,
@@ -54,6 +56,7 @@ export class WallView {
       scale: fittingScale(spec.wall, spec.frames),
       measure: "cracks",
       forces: false,
+      stressSteps: stressSteps(spec.wall, spec.frames),
     };
     this.slider.max = String(last);
     this.slider.value = String(last);
@@ -204,7 +207,7 @@ export class WallView {
     const measure = h(
       "select",
       { "aria-label": say("wall.measure") },
-      kMeasures.map((m) => h("option", { value: m }, say(`measure.${m}`))),
+      measuresOf(this.spec.frames).map((m) => h("option", { value: m }, say(`measure.${m}`))),
     );
     measure.addEventListener("change", () => {
       this.look.measure = measure.value as Measure;
@@ -282,13 +285,43 @@ export class WallView {
         [swatch("crushed", "dot"), say("crack.crushed")],
         ...extra,
       ]);
+    if (measure === "stress") return h("div", {}, this.stressLegend(), legend(extra));
     const bounds = kSteps[measure],
-      unit = measure === "opening" || measure === "slip" ? " mm" : "";
+      unit = measure === "opening" || measure === "slip" ? "\u202fmm" : "";
     const items = bounds.map((from, i): [SVGSVGElement, string] => [
       swatch(`joint ${measure} r${i + 1}`),
       i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}${unit}` : `> ${num(from, 4)}${unit}`,
     ]);
     return legend([...items, ...extra]);
+  }
+
+  // Two rows of the same steps, and what is coloured.
+  private stressLegend(): HTMLElement {
+    const { stressSteps: bounds } = this.look,
+      { frames } = this.spec;
+    const row = (sign: string, word: string): HTMLElement =>
+      h(
+        "div",
+        { class: "stress-key" },
+        h("b", {}, word),
+        legend(
+          bounds.map((from, i): [SVGSVGElement, string] => [
+            swatch(`zone-stress ${sign} r${i + 1}`, "box"),
+            i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}` : `> ${num(from)}\u202fMPa`,
+          ]),
+        ),
+      );
+    const what = [
+      frames.hasZoneStress ? say("stress.zones") : "",
+      frames.hasForces ? say("stress.joints") : "",
+    ].filter((w) => w !== "");
+    return h(
+      "div",
+      { class: "stress-keys" },
+      row("c", say("stress.compression")),
+      row("t", say("stress.tension")),
+      h("p", { class: "soft small" }, `${what.join("; ")}.`),
+    );
   }
 
   private point(event: PointerEvent): void {
@@ -297,6 +330,10 @@ export class WallView {
     const { wall, frames } = this.spec;
     const j = jointAt(wall, frames, this.look, this.canvas, ...pointIn(drawing, event));
     drawing.querySelector(".pointed")?.remove();
+    if (j < 0 || this.look.measure === "stress") {
+      const z = zoneAt(wall, frames, this.look, this.canvas, ...pointIn(drawing, event));
+      if (z >= 0) return this.tellZone(event, z);
+    }
     if (j < 0) return hideTip();
     const frame = frames.at(this.look.frame);
     const lines: (string | [string, string])[] = [
@@ -310,8 +347,17 @@ export class WallView {
       lines.push(
         [say("joint.compression"), qty(frame.compression[j] / 1e3, "kN", 2)],
         [say("joint.shear"), qty(frame.shear[j] / 1e3, "kN", 2)],
+        [say("stress.normal"), qty(jointStress(wall, frame, j), "MPa", 2)],
       );
     showTip(event, lines);
     drawing.appendChild(svg("g", { class: "pointed" }));
+  }
+  private tellZone(event: PointerEvent, z: number): void {
+    const { greater, smaller } = this.spec.frames.at(this.look.frame);
+    showTip(event, [
+      say("stress.zone"),
+      [say("stress.greater"), qty(1e-6 * greater![z], "MPa", 2)],
+      [say("stress.smaller"), qty(1e-6 * smaller![z], "MPa", 2)],
+    ]);
   }
 }

@@ -2,8 +2,9 @@
 import { append, h, svg, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
 import { Plot, rangeOf, type Point } from "../plot";
-import { num, phrase, qty, say } from "../texts";
-import { modeLabel, reactionAt, rowsToEighty, type Campaign, type Sample } from "./data";
+import { phrase, qty, say } from "../texts";
+import { atLeast, modeLabel, reactionAt, rowsToEighty, type Campaign, type Sample } from "./data";
+import { drawLimits, limitList, limitRows } from "./limits";
 
 const kGrid = 120;
 
@@ -64,9 +65,9 @@ export class Curves {
       title: say("curves.title"),
       wide: true,
       above: h("div", { class: "controls" }, modeChips(campaign), this.controls()),
-      draw: (width) => {
+      draw: (width, onPaper) => {
         caption.textContent = say(this.truncated ? "curves.caption.truncated" : "curves.caption");
-        return this.draw(width);
+        return this.draw(width, onPaper);
       },
       caption,
       sheet: () => this.sheet(),
@@ -110,7 +111,7 @@ export class Curves {
     return this.campaign.answered.filter((s) => this.campaign.shown(s.mode));
   }
 
-  private draw(width: number): SVGSVGElement {
+  private draw(width: number, onPaper: boolean): SVGSVGElement {
     const all = this.campaign.answered;
     const end = Math.max(...all.map((s) => s.displacement[this.rows(s) - 1] ?? 0));
     const top = Math.max(...all.map((s) => s.response[0] ?? 0));
@@ -118,7 +119,7 @@ export class Curves {
     const low = Math.min(0, ...all.map((s) => Math.min(...s.reaction.subarray(0, this.rows(s)))));
     const plot = new Plot({
       width,
-      height: Math.max(300, Math.min(520, 0.5 * width)),
+      height: onPaper ? 0.44 * width : Math.max(300, Math.min(520, 0.5 * width)),
       x: [Math.min(0, ...all.map((s) => Math.min(...s.displacement))), end * 1.005],
       y: [low < -0.02 * top ? low : 0, 1.06 * top],
       xLabel: say("axis.displacement"),
@@ -209,8 +210,8 @@ export class Curves {
       showTip(event, [
         say("sample.n", { n: s.sample }),
         [say("mode"), modeLabel(s.mode)],
-        [say("quantity.peak_reaction"), qty(s.response[0], "kN")],
-        [say("quantity.displacement_at_80_percent"), (s.censored[2] ? "≥ " : "") + qty(s.response[2], "mm")],
+        [say("quantity.peak_reaction"), atLeast(s.censored[0]) + qty(s.response[0], "kN")],
+        [say("quantity.displacement_at_80_percent"), atLeast(s.censored[2]) + qty(s.response[2], "mm")],
         say("sample.click"),
       ]);
     });
@@ -232,6 +233,16 @@ export class Curves {
   }
 }
 
+// Which of the code's limits the lines are, or that they all lie beyond the chart.
+function limitWords(all: any[], inRange: any[], short: boolean): string {
+  if (all.length === 0) return "";
+  const clause = phrase(all[0].clause);
+  const least = Math.min(...all.map((l) => l.limit_drift_percent));
+  if (inRange.length === 0) return say("means.limits.beyond", { clause, least: qty(least, "%", 4) });
+  const which = short ? ` ${say("means.limits.which", { list: limitList(inRange) })}` : "";
+  return say("means.limits", { clause }) + which;
+}
+
 // Means of the statistics at equal displacement against drift, with the code's limits (Fig. 21).
 export function meanCurves(campaign: Campaign): HTMLElement | null {
   const curves = campaign.statistics.mean_curves as Record<string, any>;
@@ -243,7 +254,12 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
     c.n.map((_: number, i: number) => i).filter((i: number) => 2 * c.n[i] >= c.curves);
   const x = (c: any): number[] => kept(c).map((i) => (byDrift ? c.drift_percent[i] : c.displacement_mm[i]));
   const pick = (c: any, key: string): number[] => kept(c).map((i) => c[key][i]);
-  const limits = byDrift ? (campaign.statistics.drift_limits as any[]) : [];
+  const all = byDrift ? (campaign.statistics.drift_limits as any[]) : [];
+  const xs = groups.flatMap((g) => x(curves[g])),
+    ys = groups.flatMap((g) => pick(curves[g], "reaction_95_percent_kN"));
+  const span = rangeOf([0, ...xs]);
+  const limits = all.filter((l) => l.limit_drift_percent <= span[1]);
+  const caption = h("span");
   const figure = new Figure({
     id: "mean-curves",
     title: say("means.title"),
@@ -252,31 +268,33 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
       legend([
         [swatch("mean all"), say("means.mean")],
         [swatch("spread all", "box"), say("means.band")],
-        [swatch("limit life"), say("limit.life safety")],
-        [swatch("limit"), say("limit.near collapse")],
+        // only of lines that are in the chart
+        ...["life safety", "near collapse"]
+          .filter((state) => limits.some((l) => l.state === state))
+          .map((state): [SVGSVGElement, Child] => [
+            swatch(state === "life safety" ? "limit life" : "limit"),
+            say(`limit.${state}`),
+          ]),
       ]),
       modeChips(campaign),
     ],
-    caption: [
-      say("means.caption"),
-      limits.length > 0 ? ` ${say("means.limits", { clause: limits[0].clause })}` : "",
-    ],
-    draw: (width) => {
+    caption,
+    draw: (width, onPaper) => {
       const shown = groups.filter((g) => g === "all" || campaign.shown(g));
-      const xs = groups.flatMap((g) => x(curves[g])),
-        ys = groups.flatMap((g) => pick(curves[g], "reaction_95_percent_kN"));
+      const rows = limits.length > 0 ? limitRows(limits, span, width, 84) : null;
+      caption.textContent = `${say("means.caption")} ${limitWords(all, limits, rows?.short ?? false)}`;
       const plot = new Plot({
         width,
-        height: Math.max(320, Math.min(500, 0.47 * width)),
-        x: rangeOf([0, ...xs]),
+        height: onPaper ? 0.4 * width : Math.max(320, Math.min(500, 0.47 * width)),
+        x: span,
         y: [0, 1.05 * rangeOf(ys)[1]],
-        top: limits.length > 0 ? 58 : 14,
+        top: rows?.top ?? 14,
         right: 84,
         xLabel: byDrift ? say("axis.drift") : say("axis.displacement"),
         yLabel: say("axis.reaction"),
         title: say("means.title"),
       });
-      drawLimits(plot, limits);
+      if (rows) drawLimits(plot, rows);
       for (const g of shown)
         if (curves[g].curves >= 5)
           plot.band(
@@ -338,43 +356,4 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
   });
   campaign.onModes(() => figure.redraw());
   return figure.element;
-}
-
-// Upright lines at the code's drift limits; what shares a limit shares a line.
-export function drawLimits(plot: Plot, limits: any[], only?: string): void {
-  const byValue = new Map<number, any[]>();
-  for (const l of limits) {
-    if (only && l.state !== only) continue;
-    if (l.limit_drift_percent > plot.spec.x[1]) continue;
-    byValue.set(l.limit_drift_percent, [...(byValue.get(l.limit_drift_percent) ?? []), l]);
-  }
-  let lastEnd = -Infinity,
-    row = 0;
-  const labels: (() => void)[] = []; // above the ticks of their neighbours
-  for (const [value, list] of [...byValue].sort((a, b) => a[0] - b[0])) {
-    const x = plot.X(value);
-    const words = `${num(value, 4)}\u202f% ${[...new Set(list.map((l) => `${phrase(l.element.split(" ")[0])}, ${phrase(l.mechanism.split(" ")[0])}`))].join("; ")}`;
-    const long = 6.3 * words.length,
-      atRight = x + long > plot.right + 80;
-    row = x - (atRight ? long : 0) < lastEnd + 6 ? (row + 1) % 3 : 0;
-    lastEnd = Math.max(lastEnd, atRight ? x : x + long);
-    plot.marks.appendChild(
-      svg("line", {
-        class: list.every((l) => l.state === "life safety") ? "limit life" : "limit",
-        x1: x,
-        x2: x,
-        y1: plot.top,
-        y2: plot.bottom,
-        "data-limit": value,
-      }),
-    );
-    plot.over.appendChild(
-      svg("line", { class: "limit-tick", x1: x, x2: x, y1: plot.top, y2: plot.top - 5 - 15 * row }),
-    );
-    const y = plot.top - 9 - 15 * row;
-    labels.push(() =>
-      plot.text(x + (atRight ? -2 : 0), y, words, "small halo", { "text-anchor": atRight ? "end" : "start" }),
-    );
-  }
-  for (const write of labels) write();
 }

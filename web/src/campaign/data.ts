@@ -9,8 +9,9 @@ export interface Sample {
   answered: boolean;
   mode: string;
   sentence: string;
+  readAt: number | null; // displacement at which the mode was read [mm]
   response: (number | null)[];
-  censored: boolean[];
+  censored: boolean[]; // known only from below
   verdict: string;
   stateHash: string;
   displacement: Numbers;
@@ -34,6 +35,11 @@ export interface Quantity {
   key: string;
 }
 
+// Share of censored values up to which a mean hardly moves.
+export const kFew = 0.05;
+// Where the force still rises at the end of a push, its peak is a lower bound too.
+const kOfPeak = ["peak_reaction", "displacement_at_peak"];
+
 const isPaperMode = (mode: string): boolean => /^FM-[1-5]$/.test(mode);
 
 // Style class of a mode's colour: FM-1 ... FM-5 have their own, other names take turns.
@@ -46,6 +52,29 @@ export function modeClass(modes: string[], mode: string): string {
   // a campaign without the paper's modes has the paper's colours for its own
   return modes.some(isPaperMode) ? `m${6 + (others % 3)}` : `m${1 + (others % 8)}`;
 }
+
+export class Bounds {
+  readonly count: number;
+  private readonly least: number;
+  constructor(
+    readonly of: number,
+    censored: number[],
+  ) {
+    this.count = censored.length;
+    this.least = Math.min(Infinity, ...censored);
+  }
+  get many(): boolean {
+    return this.count > kFew * this.of;
+  }
+  // An order statistic (least, median, ...) of recorded values is exact below all that are censored.
+  reach(value: number | null): boolean {
+    return value !== null && value >= this.least * (1 - 1e-6);
+  }
+  words(): string {
+    return say("censored.of", { n: this.count, of: this.of });
+  }
+}
+export const atLeast = (bound: boolean): string => (bound ? "≥ " : "");
 
 export class Campaign {
   readonly header: any;
@@ -95,8 +124,12 @@ export class Campaign {
         answered: s.answered,
         mode: s.mode ?? "",
         sentence: s.sentence ?? "",
+        readAt: s.read_at_mm ?? null,
         response: s.response ?? [],
-        censored: s.censored ?? [],
+        censored: (s.censored ?? []).map(
+          (c: boolean, i: number) =>
+            c || (s.still_rising === true && kOfPeak.includes(this.quantities[i].name)),
+        ),
         verdict: s.verdict ?? "",
         stateHash: s.state_hash ?? "",
         displacement: displacement.subarray(from, at),
@@ -113,6 +146,13 @@ export class Campaign {
     }));
   }
 
+  // What the samples of these modes know of a quantity only from below.
+  bounds(quantity: Quantity, modes: string[] = this.modes): Bounds {
+    const at = this.quantities.indexOf(quantity);
+    const of = this.answered.filter((s) => modes.includes(s.mode));
+    const censored = of.filter((s) => s.censored[at]).map((s) => s.response[at] ?? Infinity);
+    return new Bounds(of.length, censored);
+  }
   css(mode: string): string {
     return modeClass(this.statistics.modes, mode);
   }

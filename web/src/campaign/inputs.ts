@@ -6,6 +6,7 @@ import { sortable } from "../tables";
 import { fixed, num, phrase, qty, say } from "../texts";
 import { modeChips } from "./curves";
 import {
+  atLeast,
   inputLabel,
   modeLabel,
   quantityLabel,
@@ -202,7 +203,7 @@ class Scatter {
         h("label", {}, h("span", {}, say("input")), inputs),
         h("label", {}, h("span", {}, say("response")), responses),
       ),
-      draw: (width) => this.draw(width),
+      draw: (width, onPaper) => this.draw(width, onPaper),
       sheet: () => ({
         head: ["sample", "failure_mode", this.input.title, this.quantity.key, "censored"],
         rows: this.visible().map((s) => [
@@ -229,11 +230,11 @@ class Scatter {
   private readonly x = (s: Sample): number => this.input.values[s.sample - 1];
   private readonly y = (s: Sample): number => s.response[this.at] ?? NaN;
 
-  private draw(width: number): SVGSVGElement {
+  private draw(width: number, onPaper: boolean): SVGSVGElement {
     const all = this.campaign.answered;
     const plot = new Plot({
       width,
-      height: Math.max(280, Math.min(400, 0.66 * width)),
+      height: onPaper ? 0.54 * width : Math.max(280, Math.min(400, 0.66 * width)),
       x: rangeOf(all.map(this.x), 0.03),
       y: rangeOf(all.map(this.y), 0.05),
       xLabel: inputLabel(this.input),
@@ -278,9 +279,13 @@ class Scatter {
                 ),
               ),
             ),
-            say("scatter.open"),
+            this.openWords(),
           ]),
     );
+  }
+  private openWords(): string {
+    const known = this.campaign.bounds(this.quantity);
+    return known.count > 0 ? say("scatter.censored", { n: known.count, of: known.of }) : "";
   }
   private nearest(plot: Plot, px: number, py: number): Sample | null {
     let best = 12,
@@ -304,7 +309,7 @@ class Scatter {
         [this.input.name, qty(this.x(s), this.input.unit)],
         [
           say(`quantity.${this.quantity.name}`),
-          (s.censored[this.at] ? "≥ " : "") + qty(this.y(s), this.quantity.unit),
+          atLeast(s.censored[this.at]) + qty(this.y(s), this.quantity.unit),
         ],
         say("sample.click"),
       ]);
@@ -443,7 +448,7 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
         ],
         "axis",
       );
-      const censored = table.find((c) => c.group === group && c.response === q.name)?.censored ?? 0;
+      const censored = campaign.bounds(q, campaign.statistics.table[group]?.modes).count;
       caption.textContent = [
         first ? say("sensitivity.first_order.lead") : say("sensitivity.lead"),
         group !== "all" && !first ? say("sensitivity.inside") : "",
@@ -499,8 +504,15 @@ export function sensitivityTable(campaign: Campaign): Child {
       ],
       rows.map((c) => {
         const index = indices.find((f) => f.input === c.input && f.response === c.response) ?? {};
+        const known = campaign.bounds(campaign.quantities.find((q) => q.name === c.response)!);
         return [
-          say(`quantity.${c.response}`),
+          {
+            show: [
+              say(`quantity.${c.response}`),
+              known.many ? h("span", { class: "pm" }, known.words()) : null,
+            ],
+            sort: say(`quantity.${c.response}`),
+          },
           c.input,
           of(c, "spearman"),
           of(c, "pearson"),

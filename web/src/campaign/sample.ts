@@ -6,7 +6,7 @@ import { table } from "../tables";
 import { num, phrase, qty, say, sentence } from "../texts";
 import { Frames, readWall, type Wall } from "../wall";
 import { WallView } from "../wallview";
-import { modeLabel, type Campaign, type Sample } from "./data";
+import { atLeast, modeLabel, type Campaign, type Sample } from "./data";
 
 export class SamplePanel {
   readonly element = h("div", { class: "sample-panel" });
@@ -75,7 +75,8 @@ export class SamplePanel {
             "span",
             {},
             h("b", { class: `tag-text ${this.campaign.css(s.mode)}` }, modeLabel(s.mode)),
-            s.sentence ? `, ${phrase(s.sentence)}.` : ".",
+            s.sentence ? `, ${phrase(s.sentence)}. ` : ". ",
+            h("span", { class: "soft" }, this.readAt(s)),
           )
         : h("span", {}, `${say("sample.unanswered")} ${phrase(s.status)}. ${sentence(s.reason)}`),
     );
@@ -87,6 +88,13 @@ export class SamplePanel {
     ];
   }
 
+  private readAt(s: Sample): string {
+    if (s.readAt === null) return "";
+    const asked = this.campaign.statistics.read_modes_at_mm ?? 0;
+    return s.readAt < 0.99 * asked
+      ? say("sample.read_early", { at: qty(s.readAt, "mm"), asked: qty(asked, "mm") })
+      : say("sample.read_at", { at: qty(s.readAt, "mm") });
+  }
   private curve(s: Sample): HTMLElement | null {
     if (s.displacement.length < 2) return null;
     return new Figure({
@@ -125,8 +133,8 @@ export class SamplePanel {
     return table(
       [{ head: "", left: true }, { head: "" }],
       this.campaign.quantities.map((q, i) => [
-        say(`quantity.${q.name}`),
-        (s.censored[i] ? "≥ " : "") + qty(s.response[i], q.unit),
+        h("span", { title: say(`quantity.${q.name}.means`) }, say(`quantity.${q.name}`)),
+        atLeast(s.censored[i]) + qty(s.response[i], q.unit),
       ]),
       "",
       "facts",

@@ -1,11 +1,11 @@
 // Shares of the modes (Fig. 10), Table 3, exceedance and drift limits, running means (Fig. 8).
 import { h, svg, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
-import { Plot, rangeOf, type Point } from "../plot";
+import { Plot, rangeOf, type Point, type Range } from "../plot";
 import { sortable, table, type Cell, type Column } from "../tables";
 import { capital, num, phrase, qty, say } from "../texts";
-import { drawLimits } from "./curves";
-import { modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
+import { drawLimits, limitRows } from "./limits";
+import { atLeast, modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
 
 // A value with its interval small beneath it.
 export function withInterval(
@@ -27,14 +27,35 @@ export function withInterval(
   ];
 }
 
+const kNearly = 0.99; // a state is stored at the first row that has gone so far
+
+// At which displacement the modes of these samples were read.
+export function readWords(campaign: Campaign): string {
+  const asked = campaign.statistics.read_modes_at_mm as number | null;
+  if (!asked) return "";
+  const early = campaign.answered
+    .map((s) => s.readAt)
+    .filter((at): at is number => at !== null && at < kNearly * asked);
+  const n = early.length,
+    of = campaign.answered.length;
+  if (n === 0) return say("shares.read_at", { at: qty(asked, "mm") });
+  const least = num(Math.min(...early)),
+    most = num(Math.max(...early));
+  return say(n < of ? "shares.read_some" : "shares.read_all", {
+    at: qty(asked, "mm"),
+    range: `${least === most ? least : `${least} … ${most}`}\u202fmm`,
+    n,
+    of,
+  });
+}
+
 export function shares(campaign: Campaign): HTMLElement | null {
   const all = Object.entries(campaign.statistics.shares as Record<string, any>);
   if (all.length === 0 || campaign.answered.length === 0) return null;
-  const readAt = campaign.statistics.read_modes_at_mm;
   const figure = new Figure({
     id: "shares",
     title: say("shares.title"),
-    caption: [say("shares.caption"), readAt ? ` ${say("shares.read_at", { at: qty(readAt, "mm") })}` : ""],
+    caption: `${say("shares.caption")} ${readWords(campaign)}`,
     draw: (width) => {
       const row = 34,
         left = Math.min(140, Math.max(70, ...all.map(([n]) => 8 * modeLabel(n).length + 12)));
@@ -90,14 +111,22 @@ export function whisker(plot: Plot, low: number, high: number, y: number): void 
 // --- Table 3 ---------------------------------------------------------------------------------------
 
 function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
-  const cell = (c: any, key: string, digits = 3): Cell => ({
-    show: withInterval(c[key], c[`${key}_interval`], digits),
-    sort: c[key] ?? null,
-  });
-  const plain = (v: number | null): Cell => ({ show: num(v), sort: v });
   return Object.entries(campaign.statistics.table as Record<string, any>).flatMap(([group, all]) => {
     const c = all[q.key];
     if (!c || c.n === 0) return [];
+    const known = campaign.bounds(q, all.modes);
+    // a value, "≥" where censored ones make it a lower bound; intervals only of what is known
+    const cell = (key: string, bound: boolean): Cell => ({
+      show: [
+        atLeast(bound),
+        bound && known.many ? num(c[key]) : withInterval(c[key], c[`${key}_interval`]),
+      ],
+      sort: c[key] ?? null,
+    });
+    const plain = (v: number | null): Cell => ({ show: atLeast(known.reach(v)) + num(v), sort: v });
+    const cov: Cell = known.many
+      ? { show: "–", sort: null }
+      : { show: withInterval(c.cov, c.cov_interval, 2), sort: c.cov ?? null };
     const name: Cell = {
       show: h(
         "b",
@@ -108,27 +137,29 @@ function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
     };
     const count: Cell = {
       show:
-        c.censored > 0
-          ? [String(c.n), h("span", { class: "pm" }, say("table3.censored", { n: c.censored }))]
+        known.count > 0
+          ? [String(c.n), h("span", { class: "pm" }, say("table3.censored", { n: known.count }))]
           : String(c.n),
       sort: c.n,
     };
-    const nothing = c.censored === c.n && c.n > 0 && q.canBeCensored;
-    const beyond: Cell = { show: say("beyond"), sort: null };
+    const far =
+      c.percentile_95 === null && q.canBeCensored
+        ? say("beyond")
+        : atLeast(known.reach(c.percentile_95)) + num(c.percentile_95);
     const row = [
       name,
       count,
-      nothing ? beyond : cell(c, "mean"),
-      nothing ? "–" : cell(c, "cov", 2),
-      nothing ? beyond : cell(c, "median"),
+      cell("mean", known.count > 0),
+      cov,
+      cell("median", known.reach(c.median)),
       plain(c.min),
       plain(c.max),
       {
-        show: `${num(c.percentile_5)} … ${c.percentile_95 === null && q.canBeCensored ? say("beyond") : num(c.percentile_95)}`,
+        show: `${atLeast(known.reach(c.percentile_5))}${num(c.percentile_5)} … ${far}`,
         sort: c.percentile_5,
       },
     ];
-    return [q.canBeCensored ? [...row, nothing ? "–" : cell(c, "survival_mean")] : row];
+    return [q.canBeCensored ? [...row, cell("survival_mean", known.reach(c.max))] : row];
   });
 }
 
@@ -152,7 +183,10 @@ export function tableThree(campaign: Campaign): HTMLElement {
   ];
   const fill = (): void => {
     const q = campaign.quantities[Number(pick.value)];
-    place.replaceChildren(sortable(heads(q), rowsOfTable(campaign, q), capital(quantityLabel(q))));
+    place.replaceChildren(
+      sortable(heads(q), rowsOfTable(campaign, q), capital(quantityLabel(q))),
+      h("p", { class: "soft small" }, `${capital(say(`quantity.${q.name}.means`))}.`),
+    );
   };
   pick.addEventListener("change", fill);
   fill();
@@ -208,6 +242,11 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
   const factor = byDrift ? campaign.driftPerMillimetre : 1;
   const median = e.lognormal[`median_${q.unit}`] as number | null,
     beta = e.lognormal.beta as number | null;
+  // of a drift the axis, its caption and the code's limits are in per cent
+  const height = qty(campaign.loadHeight, "m");
+  const medianWords =
+    byDrift && median !== null ? `${qty(median * factor, "%")} (${qty(median, q.unit)})` : qty(median, q.unit);
+  const beyond = median !== null && median > values[values.length - 1] && e.censored > 0;
   return new Figure({
     id: `exceedance-${q.name}`,
     title: capital(say(`exceedance.${q.name}`)),
@@ -218,29 +257,37 @@ export function exceedance(campaign: Campaign, name: string): HTMLElement | null
     ]),
     caption: [
       say("exceedance.caption", {
-        median: qty(median, q.unit),
+        median: medianWords,
         beta: num(beta, 2),
         misfit: num(e.lognormal.misfit, 2),
       }),
+      beyond ? ` ${say("exceedance.extrapolated")}` : "",
       e.censored > 0 ? ` ${say("exceedance.censored", { n: e.censored, of: e.n })}` : "",
+      byDrift ? ` ${say("exceedance.drift", { height })}` : "",
     ],
-    draw: (width) => {
+    draw: (width, onPaper) => {
       const x = values.map((v) => v * factor);
-      const range = rangeOf(x, 0.04);
+      const range = rangeOf(x, 0.04),
+        span: Range = byDrift ? [0, range[1]] : range;
+      const limits = byDrift
+        ? limitRows(campaign.statistics.drift_limits, span, width, 16, "near collapse")
+        : null;
       const plot = new Plot({
         width,
-        height: Math.max(260, Math.min(350, 0.62 * width)),
-        x: byDrift ? [0, range[1]] : range,
+        height: onPaper ? 0.54 * width : Math.max(260, Math.min(350, 0.62 * width)),
+        x: span,
         y: [0, 1],
-        top: byDrift ? 46 : 14,
-        xLabel: byDrift ? say("axis.drift_at_80") : quantityLabel(q),
+        top: limits?.top ?? 14,
+        xLabel: byDrift
+          ? say("axis.drift_of", { height })
+          : quantityLabel(q),
         yLabel: say("axis.exceedance"),
         title: say(`exceedance.${q.name}`),
       });
       const step: Point[] = [[plot.spec.x[0], 1]];
       x.forEach((v, i) => step.push([v, i === 0 ? 1 : e.probability[i - 1]], [v, e.probability[i]]));
       plot.band(x, e.low, e.high, "spread curve");
-      if (byDrift) drawLimits(plot, campaign.statistics.drift_limits, "near collapse");
+      if (limits) drawLimits(plot, limits);
       plot.line(step, "step", { "data-steps": x.length });
       if (median !== null && beta !== null) {
         const fit = Array.from(
@@ -295,7 +342,7 @@ export function driftLimits(campaign: Campaign): Child {
         },
         { show: shareBelow(d), sort: d.share_below },
       ]),
-      say("limit.title", { clause: limits[0].clause }),
+      say("limit.title", { clause: phrase(limits[0].clause) }),
     ),
     h("p", { class: "soft small" }, say("limit.lead", { height: qty(campaign.loadHeight, "m") })),
   );
@@ -312,13 +359,18 @@ export function running(campaign: Campaign): HTMLElement | null {
     { "aria-label": say("response") },
     campaign.quantities.map((c, i) => h("option", { value: i }, quantityLabel(c))),
   );
+  const caption = h("span");
   const figure = new Figure({
     id: "running",
     title: say("running.title"),
-    caption: say("running.caption"),
+    caption,
     above: h("div", { class: "controls" }, h("label", {}, h("span", {}, say("response")), pick)),
     draw: (width) => {
-      const r = all[q.key];
+      const r = all[q.key],
+        known = campaign.bounds(q);
+      caption.textContent =
+        say("running.caption") +
+        (known.count > 0 ? ` ${say("running.censored", { n: known.count, of: known.of })}` : "");
       // the wide intervals of the first few samples would flatten the rest
       const from = Math.min(9, r.n.length - 1);
       const y = rangeOf([...r.mean.slice(from), ...r.low.slice(from), ...r.high.slice(from)], 0.05);
@@ -356,6 +408,16 @@ export function running(campaign: Campaign): HTMLElement | null {
   return figure.element;
 }
 
+// What the stop rule measured, responses and words in the page's language.
+function measured(campaign: Campaign, measures: string): string {
+  const named = (text: string): string =>
+    campaign.quantities.reduce((t, q) => t.replace(q.name, say(`quantity.${q.name}`)), text);
+  return measures
+    .split(", ")
+    .map((m) => named(phrase(m)))
+    .join(", ");
+}
+
 export function precision(campaign: Campaign): Child {
   const all = campaign.statistics.precision as any[];
   const met = (p: any): Child =>
@@ -369,8 +431,9 @@ export function precision(campaign: Campaign): Child {
   const block = (
     names: string[],
     width: (v: number | null) => string,
-    word: (n: string) => string,
+    word: (n: string) => Child,
     title: string,
+    unknown: (n: string) => boolean = () => false,
   ): Child => {
     const asked = [
       ...new Set(all.filter((p) => names.includes(p.what)).map((p) => p.half_width_asked as number)),
@@ -383,6 +446,7 @@ export function precision(campaign: Campaign): Child {
       ],
       names.map((name) => {
         const of = all.filter((p) => p.what === name);
+        if (unknown(name)) return [word(name), "–", ...asked.map(() => "–")];
         return [
           word(name),
           width(of[0]?.half_width_now ?? null),
@@ -394,14 +458,22 @@ export function precision(campaign: Campaign): Child {
   };
   const relative = (v: number | null): string => (v === null ? "–" : `±${qty(100 * v, "%", 2)}`);
   const plain = (v: number | null): string => (v === null ? "–" : `±${num(v, 2)}`);
+  const quantity = (name: string): Quantity => campaign.quantities.find((q) => q.name === name)!;
   const until = campaign.header.until;
   return [
     block(
       campaign.quantities.map((q) => q.name),
       relative,
-      (n) => say(`quantity.${n}`),
+      (n) => {
+        const known = campaign.bounds(quantity(n));
+        return [say(`quantity.${n}`), known.many ? h("span", { class: "pm" }, known.words()) : null];
+      },
       say("precision.title"),
+      (n) => campaign.bounds(quantity(n)).many,
     ),
+    campaign.quantities.some((q) => campaign.bounds(q).many)
+      ? h("p", { class: "soft small" }, say("precision.censored"))
+      : null,
     block(["share"], plain, () => say("precision.share"), ""),
     until
       ? h(
@@ -410,7 +482,7 @@ export function precision(campaign: Campaign): Child {
           say("precision.rule"),
           " ",
           h("code", {}, until.rule),
-          `: ${say(until.met ? "precision.rule.met" : "precision.rule.unmet")}; ${until.measures}.`,
+          `: ${say(until.met ? "precision.rule.met" : "precision.rule.unmet")}; ${measured(campaign, until.measures)}.`,
         )
       : null,
     h("p", { class: "soft small" }, say("precision.lead")),

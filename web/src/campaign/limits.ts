@@ -1,0 +1,114 @@
+// The code's drift limits as upright lines, their labels in as many rows above the chart as keep them
+// apart: in words where there is room, else by value alone (the caption tells which is which).
+import { svg } from "../dom";
+import { kLeft, type Plot, type Range } from "../plot";
+import { num, phrase } from "../texts";
+
+interface Limit {
+  value: number; // [%]
+  only: boolean; // of life safety only
+  words: string;
+}
+interface Label {
+  limit: Limit;
+  row: number;
+  atRight: boolean; // ends at its line
+}
+export interface LimitRows {
+  labels: Label[];
+  top: number; // room above the chart [px]
+  short: boolean; // values alone
+}
+
+const kPixel = 6.3, // of a letter
+  kRow = 15,
+  kMostRows = 3;
+
+const percent = (value: number): string => `${num(value, 4)}\u202f%`;
+const partOf = (l: any): string => `${phrase(l.element.split(" ")[0])}, ${phrase(l.mechanism.split(" ")[0])}`;
+
+// What shares a value shares a line.
+function merged(limits: any[]): Limit[] {
+  const values = [...new Set(limits.map((l) => l.limit_drift_percent as number))].sort((a, b) => a - b);
+  return values.map((value) => {
+    const of = limits.filter((l) => l.limit_drift_percent === value);
+    return {
+      value,
+      only: of.every((l) => l.state === "life safety"),
+      words: [...new Set(of.map(partOf))].join("; "),
+    };
+  });
+}
+
+// "0.5 % pier, shear; 1 % pier, rocking"
+export const limitList = (limits: any[]): string =>
+  merged(limits)
+    .map((l) => `${percent(l.value)} ${l.words}`)
+    .join("; ");
+
+const wordsOf = (limit: Limit, short: boolean): string =>
+  short ? percent(limit.value) : `${percent(limit.value)} ${limit.words}`;
+
+// Each label in the lowest row where it meets no other, the rightmost first. In words: null where they
+// take too many rows, or where a line would pass through one on its way up to its own.
+function placed(limits: Limit[], x: (v: number) => number, right: number, short: boolean): Label[] | null {
+  const ends: [number, number][][] = [];
+  const labels: Label[] = [];
+  for (const limit of [...limits].reverse()) {
+    const long = kPixel * wordsOf(limit, short).length,
+      at = x(limit.value),
+      atRight = at + long > right;
+    const from = atRight ? at - long : at,
+      to = atRight ? at : at + long;
+    let row = 0;
+    const meets = (r: number): boolean => (ends[r] ?? []).some(([a, b]) => from < b + 8 && to > a - 8);
+    while (meets(row)) ++row;
+    const passes = ends.slice(0, row).some((spans) => spans.some(([a, b]) => a < at - 1 && at + 1 < b));
+    if (!short && (row >= kMostRows || passes)) return null;
+    (ends[row] ??= []).push([from, to]);
+    labels.push({ limit, row, atRight });
+  }
+  return labels;
+}
+
+// For a chart `width` wide whose axis shows `span`, with `right` pixels beside it.
+export function limitRows(
+  limits: any[],
+  span: Range,
+  width: number,
+  right: number,
+  only?: string,
+): LimitRows {
+  const inside = merged(
+    limits.filter((l) => (!only || l.state === only) && l.limit_drift_percent <= span[1]),
+  );
+  const end = width - right,
+    x = (v: number): number => kLeft + ((end - kLeft) * (v - span[0])) / (span[1] - span[0]);
+  const inWords = placed(inside, x, end + Math.max(0, right - 4), false);
+  const labels = inWords ?? placed(inside, x, end + Math.max(0, right - 4), true)!;
+  const rows = Math.max(0, ...labels.map((l) => l.row + 1));
+  return { labels, top: 14 + kRow * rows, short: inWords === null };
+}
+
+export function drawLimits(plot: Plot, { labels, short }: LimitRows): void {
+  for (const { limit, row } of labels) {
+    const x = plot.X(limit.value);
+    plot.marks.appendChild(
+      svg("line", {
+        class: limit.only ? "limit life" : "limit",
+        x1: x,
+        x2: x,
+        y1: plot.top,
+        y2: plot.bottom,
+        "data-limit": limit.value,
+      }),
+    );
+    plot.over.appendChild(
+      svg("line", { class: "limit-tick", x1: x, x2: x, y1: plot.top, y2: plot.top - 5 - kRow * row }),
+    );
+  }
+  for (const { limit, row, atRight } of labels)
+    plot.text(plot.X(limit.value) + (atRight ? -2 : 0), plot.top - 9 - kRow * row, wordsOf(limit, short), "small halo limit-label", {
+      "text-anchor": atRight ? "end" : "start",
+    });
+}
