@@ -32,9 +32,9 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
 
-bench: configure ## ns per point update: law, bare kernel, engine
-	@cmake --build --preset $(PRESET) --target wythe_bench
-	$(BUILD)/benchmarks/wythe_bench --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
+	@cmake --build --preset $(PRESET) --target wythe_bench wythe_cli
+	tools/bench run --build $(BUILD)
 
 docs: configure  ## write docs/reference from the specs' descriptions
 	@cmake --build --preset $(PRESET) --target wythe_reference

@@ -1,57 +1,47 @@
-// ns per contact-point update: the law alone, the engine's whole step, and a bare hand-written
-// kernel of the same arithmetic, on the tuff wall cracked by a push of 6 mm, one thread.
+// ns per contact-point update: the law alone, bare hand-written kernels, the engine's whole step, on
+// the tuff wall cracked by a push of 6 mm; and what the machine's units and caches can do.
 //
-//   build/release/benchmarks/wythe_bench      (make bench)
+//   build/release/benchmarks/wythe_bench      (make bench: tools/bench run)
 //
-// Every figure stands beside the hash of the state it was measured on.
+// Bare kernels are first checked against the engine. Every figure stands beside the hash of the state
+// it was measured on; walls side by side are equal ones, so that all lanes take the same branches.
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "bare_kernel.h"
-#include "contact/parameters.h"
+#include "cracked.h"
 #include "dynamics/lane_step.h"
 #include "dynamics/step.h"
-#include "wythe/io.h"
 #include "wythe/solve.h"
 
 namespace {
 
 using namespace wythe;
+using namespace wythe::bench;
 
-struct Cracked {
-  Model model = compile(
-      read_model(WYTHE_SOURCE_DIR "/examples/tuff_wall/model.toml", {"stage.push.until=6 mm"}));
-  State state = initial_state(model);
-  std::vector<contact::LawConstants<double>> law;
-  std::string hash;
-  double dt = 0;
-
-  Cracked() {
-    const Result result = solve(model, state);
-    hash = result.state_hash;
-    dt = result.time_step;
-    for (const JointMaterial& m : model.materials) law.push_back(contact::constants_of(m));
-  }
-};
-
-Cracked& cracked() {
-  static Cracked wall;
-  return wall;
-}
-
+// Rates are of all threads together, by processor time where there is one, else by the clock.
 void report(benchmark::State& bench, std::int64_t points) {
-  bench.SetItemsProcessed(points * bench.iterations());
-  bench.counters["ns_per_point"] = benchmark::Counter(
-      static_cast<double>(points) * static_cast<double>(bench.iterations()) * 1e-9,
-      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  const auto done = static_cast<double>(points) * static_cast<double>(bench.iterations());
+  bench.counters["points_per_second"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
   bench.SetLabel("state " + cracked().hash);
+}
+void report(benchmark::State& bench, std::int64_t points, const Cost& cost) {
+  report(bench, points);
+  if (bench.thread_index() != 0) return;
+  bench.counters["arithmetic_per_point"] = cost.arithmetic;
+  bench.counters["other_per_point"] = cost.other;
+  bench.counters["bytes_per_point"] = cost.bytes;
 }
 
 // The law on every point of the cracked wall, openings and slips replayed with a small swing.
 void law_alone(benchmark::State& bench) {
-  Cracked& wall = cracked();
+  const Cracked& wall = cracked();
   const std::vector<PointStress> at = point_stresses(wall.model, wall.state);
   State s = wall.state;
   const auto per = static_cast<std::size_t>(wall.model.n_face_point);
@@ -76,66 +66,130 @@ void law_alone(benchmark::State& bench) {
   }
   report(bench, wall.model.n_point());
 }
-BENCHMARK(law_alone);
 
-void bare_kernel(benchmark::State& bench) {
-  Cracked& wall = cracked();
-  bench::BareWall bare(wall.model, wall.state, wall.law);
-  for (auto _ : bench) bare.step(wall.dt, 0.8, -wall.model.solve.gravity);
-  benchmark::DoNotOptimize(bare.fracture);
-  report(bench, wall.model.n_point());
+void bare_walls(benchmark::State& bench, const BareKernels& kernels) {
+  BareWallsRun run(cracked().bare(), kernels);
+  for (auto _ : bench) run.step();
+  Cost cost = bare_cost();
+  cost.bytes = run.bytes_per_point();
+  report(bench, static_cast<std::int64_t>(kernels.lanes) * cracked().model.n_point(), cost);
 }
-BENCHMARK(bare_kernel);
 
-dynamics::Controls push_controls(const Cracked& wall) {
+void bare_joints(benchmark::State& bench, const BareKernels& kernels) {
+  BareJointsRun run(cracked().bare(), kernels);
+  for (auto _ : bench) run.step();
+  Cost cost = bare_cost();
+  cost.bytes = run.bytes_per_point();
+  report(bench, cracked().model.n_point(), cost);
+}
+
+dynamics::Controls push_controls() {
   dynamics::Controls controls;
-  controls.dt = wall.dt;
+  controls.dt = cracked().dt;
   controls.damping = 0.2;
-  controls.push = &wall.model.stages.back();
+  controls.push = &cracked().push();
   return controls;
 }
 
-void step_engine(benchmark::State& bench, int threads, const dynamics::Kernels& kernels) {
-  Cracked& wall = cracked();
+void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels& kernels) {
+  const Cracked& wall = cracked();
   State s = wall.state;
   dynamics::Stepper stepper(wall.model, threads, kernels);
   stepper.refresh(s);
-  stepper.choose_driven(wall.model.stages.back().driven);
-  const dynamics::Controls controls = push_controls(wall);
+  stepper.choose_driven(wall.push().driven);
+  const dynamics::Controls controls = push_controls();
   for (auto _ : bench) stepper.step(s, controls);
-  report(bench, wall.model.n_point());
+  report(bench, wall.model.n_point(), engine_cost(1));
 }
 
-// Walls side by side: the same wall in every lane.
-void step_lanes(benchmark::State& bench, int lanes) {
-  Cracked& wall = cracked();
-  std::vector<State> states(static_cast<std::size_t>(lanes), wall.state);
-  dynamics::LaneStepper stepper(wall.model, lanes);
-  for (int lane = 0; lane < lanes; ++lane) {
-    stepper.put(lane, wall.model, states[static_cast<std::size_t>(lane)]);
-    dynamics::choose_driven(wall.model, stepper.place(lane).view, wall.model.stages.back().driven);
-    stepper.set(lane, push_controls(wall));
+// Walls side by side: the same wall in every lane; where there are several sets, in turn.
+void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
+  const Cracked& wall = cracked();
+  std::vector<State> states(sets * static_cast<std::size_t>(lanes), wall.state);
+  std::vector<std::unique_ptr<dynamics::LaneStepper>> steppers;
+  for (std::size_t set = 0; set < sets; ++set) {
+    auto& stepper =
+        *steppers.emplace_back(std::make_unique<dynamics::LaneStepper>(wall.model, lanes));
+    for (int lane = 0; lane < lanes; ++lane) {
+      stepper.put(lane, wall.model,
+                  states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
+      dynamics::choose_driven(wall.model, stepper.place(lane).view, wall.push().driven);
+      stepper.set(lane, push_controls());
+    }
   }
-  for (auto _ : bench) stepper.step();
-  report(bench, static_cast<std::int64_t>(lanes) * wall.model.n_point());
+  for (auto _ : bench)
+    for (const auto& stepper : steppers) stepper->step();
+  report(bench, static_cast<std::int64_t>(states.size()) * wall.model.n_point(),
+         engine_cost(lanes));
 }
 
-void add_engines() {
+// One multiplication and one addition a round and chain.
+void flops(benchmark::State& bench, const BareKernels& kernels, double (*run)(std::int64_t)) {
+  constexpr std::int64_t rounds = 100000;
+  for (auto _ : bench) benchmark::DoNotOptimize(run(rounds));
+  bench.counters["flops"] = benchmark::Counter(
+      static_cast<double>(2 * kChains * rounds * kernels.lanes * bench.iterations()),
+      benchmark::Counter::kIsRate);
+}
+
+// Copies half of `kib` onto the other half.
+void copy(benchmark::State& bench, int kib) {
+  const std::size_t half = static_cast<std::size_t>(kib) * 512;
+  std::vector<char> memory(2 * half, 1);
+  for (auto _ : bench) {
+    std::memcpy(memory.data() + half, memory.data(), half);
+    benchmark::ClobberMemory();
+  }
+  bench.counters["bytes_per_second"] =
+      benchmark::Counter(2.0 * static_cast<double>(half) * static_cast<double>(bench.iterations()),
+                         benchmark::Counter::kIsRate);
+}
+
+template <class Run>
+benchmark::internal::Benchmark* add(const std::string& name, const Run& run) {
+  return benchmark::RegisterBenchmark(name.c_str(), run);
+}
+
+void add_all() {
+  add("law/scalar", law_alone);
+  for (const BareKernels* set : bare_here()) {
+    const std::string name = set->name;
+    add("bare_walls/" + name, [set](auto& b) { bare_walls(b, *set); });
+    if (set->lanes > 1) add("bare_joints/" + name, [set](auto& b) { bare_joints(b, *set); });
+    add("multiply_add/" + name, [set](auto& b) { flops(b, *set, set->multiply_add); });
+    if (set->fused != nullptr) add("fused/" + name, [set](auto& b) { flops(b, *set, set->fused); });
+  }
   for (const dynamics::Kernels* set : dynamics::kernels_here())
-    benchmark::RegisterBenchmark((std::string("engine_step/") + set->name).c_str(),
-                                 [set](benchmark::State& bench) { step_engine(bench, 1, *set); });
+    add("engine_joints/" + std::string(set->name), [set](auto& b) { engine_joints(b, 1, *set); });
   for (const int lanes : {2, 4, 8})
-    benchmark::RegisterBenchmark(("engine_walls_side_by_side/" + std::to_string(lanes)).c_str(),
-                                 [lanes](benchmark::State& bench) { step_lanes(bench, lanes); });
-  benchmark::RegisterBenchmark("engine_step_two_threads", [](benchmark::State& bench) {
-    step_engine(bench, 2, dynamics::kernels_in_use());
+    add("engine_walls/" + std::to_string(lanes), [lanes](auto& b) { engine_walls(b, lanes, 1); });
+  add("engine_walls/4_and_4", [](auto& b) { engine_walls(b, 4, 2); });
+  // two threads: within a wall; each its own walls
+  const BareKernels* widest = bare_here().back();
+  const int lanes = dynamics::kernels_in_use().width;
+  add("engine_joints_two_threads", [](auto& b) {
+    engine_joints(b, 2, dynamics::kernels_in_use());
   })->UseRealTime();
+  add("engine_walls_two_threads", [lanes](auto& b) { engine_walls(b, lanes, 1); })
+      ->Threads(2)
+      ->UseRealTime();
+  add("bare_walls_two_threads", [widest](auto& b) { bare_walls(b, *widest); })
+      ->Threads(2)
+      ->UseRealTime();
+  for (const int kib : {16, 256, 4096})
+    add("copy/" + std::to_string(kib) + "_KiB", [kib](auto& b) { copy(b, kib); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  add_engines();
+  try {
+    check_bare_kernels();
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "wythe_bench: {}\n", e.what());
+    return 1;
+  }
+  add_all();
   benchmark::RunSpecifiedBenchmarks();
 }
