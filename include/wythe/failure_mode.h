@@ -32,6 +32,12 @@ struct ModeRules {
 
 inline constexpr double kReadModesAt = 40e-3;  // where nothing else is asked [m]
 
+// Whether a mode was read short of where it was asked, the push having ended before. States are stored
+// at the first row that has gone so far, so a row's length short does not count.
+[[nodiscard]] inline bool is_read_early(double read_at, double asked) {
+  return read_at < 0.99 * asked;
+}
+
 using ElementStates = std::vector<ElementState>;
 
 // What one state shows; first displacements are NaN.

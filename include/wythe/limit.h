@@ -51,8 +51,9 @@ struct LimitAnswer {
   double seconds = 0;
 };
 // Zoned blocks count as rigid ones of the same outline, weight and contacts; the answer's lists are
-// those of the model's own blocks and joints. Associated flow, small displacements. Throws InputError when nothing grows, when the dead loads
-// alone cannot be carried (says which block cannot stand), and when the load is without limit.
+// those of the model's own blocks and joints. Associated flow, small displacements. Throws
+// InputError when nothing grows, when the dead loads alone cannot be carried (says which block
+// cannot stand), and when the load is without limit.
 [[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options);
 
 // The model with each deformable block as one rigid block, after its own blocks and joints.

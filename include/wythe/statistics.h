@@ -224,6 +224,8 @@ inline constexpr int kFewestSamples = 20;
 
 // Whether this sample counts in the statistics.
 [[nodiscard]] bool is_answered(const SampleRecord& record);
+// Of an answered sample: its largest reaction is the last, so that the wall may resist more.
+[[nodiscard]] bool is_still_rising(const SampleRecord& record);
 
 // Throws InputError with every fault of a malformed rule and its cure; "" is no rule.
 void check_rule(const std::string& rule);

@@ -211,8 +211,7 @@ class Push : public StageRun {
     if (!has_servo() || state_.step % kSettleEvery != 0) return;
     const double ratio = unbalance_ratio(model_, wall_.place.view);
     const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
-    const double most =
-        kSettleEvery * controls_.dt / std::max(stage_.spec.ramp, kSettleEvery * controls_.dt);
+    const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
   }
   // Where the push goes in this step: kept, for the step may pass the target.

@@ -11,6 +11,7 @@
 #include "report/wall_arrays.h"
 #include "study/sampling.h"
 #include "wythe/error.h"
+#include "wythe/failure_mode.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 
@@ -86,7 +87,7 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
 
 // --- what came out -------------------------------------------------------------------------------
 
-Json sample_of(const SampleRecord& r) {
+Json sample_of(const SampleRecord& r, double read_modes_at) {
   Json json = {{"sample", r.sample},
                {"status", r.status},
                {"reason", r.reason},
@@ -96,9 +97,8 @@ Json sample_of(const SampleRecord& r) {
   json["mode"] = r.failure_mode.name;
   json["sentence"] = r.failure_mode.sentence;
   json["read_at_mm"] = r.failure_mode.read_at * 1e3;
-  // as in study/statistics.cpp: the peak is where the push ended, a lower bound
-  json["still_rising"] =
-      !r.curve.empty() && r.responses.displacement_at_peak >= r.curve.back().displacement;
+  json["read_early"] = is_read_early(r.failure_mode.read_at, read_modes_at);
+  json["still_rising"] = is_still_rising(r);
   for (const Quantity& q : quantities()) {
     const Reading reading = q.read(r.responses);
     json["response"].push_back(reading.value * q.to_unit);
@@ -109,11 +109,11 @@ Json sample_of(const SampleRecord& r) {
   return json;
 }
 
-void add_samples(Bundle& bundle, const Campaign& campaign) {
+void add_samples(Bundle& bundle, const Campaign& campaign, double read_modes_at) {
   Json list = Json::array();
   std::vector<float> displacement, reaction;
   for (const SampleRecord& r : campaign.records) {
-    list.push_back(sample_of(r));
+    list.push_back(sample_of(r, read_modes_at));
     for (const CurveRow& row : r.curve) {
       displacement.push_back(static_cast<float>(row.displacement * 1e3));
       reaction.push_back(static_cast<float>(row.reaction * 1e-3));
@@ -202,7 +202,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
     bundle.header["until"] = {{"rule", campaign.study.until}, {"met", met}, {"measures", measures}};
   }
   add_inputs(bundle, campaign);
-  add_samples(bundle, campaign);
+  add_samples(bundle, campaign, statistics.read_modes_at);
   add_walls(bundle, campaign, walls);
   return bundle.packed();
 }

@@ -16,8 +16,7 @@ double number_in(const Json& json, const char* key) {
 
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
 
-constexpr double kNearly = 0.99;  // a state is stored at the first row that has gone so far
-constexpr double kFew = 0.05;     // share of lower bounds that hardly moves a mean
+constexpr double kFew = 0.05;  // share of lower bounds that hardly moves a mean
 
 struct Card {
   std::string value, name, means;
@@ -98,9 +97,9 @@ class RunHeadline {
   }
   // A push that ended early has shown no more than the beginning of a failure.
   [[nodiscard]] bool has_failed() const {
+    const double read_at = number_in(s_["failure_mode"], "read_at_mm") * 1e-3;  // NaN: not read
     return s_["status"] == "collapsed" ||
-           (!is("censored_80") &&
-            number_in(s_["failure_mode"], "read_at_mm") >= kNearly * 1e3 * kReadModesAt);
+           (!is("censored_80") && read_at > 0 && !is_read_early(read_at, kReadModesAt));
   }
   [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }

@@ -15,7 +15,6 @@ using study::Answered;
 using study::Group;
 
 constexpr int kFewestForTable = 10;  // samples in a mode for a table of its correlations
-constexpr double kNearly = 0.99;     // a state is stored at the first row that has gone so far
 
 const char* name_of(Design design) {
   switch (design) {
@@ -24,11 +23,6 @@ const char* name_of(Design design) {
     case Design::kLatinHypercube: break;
   }
   return "Latin hypercube";
-}
-
-// The largest reaction is the last: the wall may resist more than the push asked of it.
-bool is_still_rising(const SampleRecord& record) {
-  return record.responses.displacement_at_peak >= record.curve.back().displacement;
 }
 
 void count_outcomes(const Campaign& campaign, Statistics& out) {
@@ -41,7 +35,7 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
       continue;
     }
     out.still_rising += is_still_rising(record) ? 1 : 0;
-    out.named_earlier += record.failure_mode.read_at < kNearly * out.read_modes_at ? 1 : 0;
+    out.named_earlier += is_read_early(record.failure_mode.read_at, out.read_modes_at) ? 1 : 0;
   }
 }
 
@@ -114,6 +108,10 @@ const std::vector<Quantity>& quantities() {
          return Reading{r.collapse.displacement, r.collapse.censored};
        }}};
   return kQuantities;
+}
+
+bool is_still_rising(const SampleRecord& record) {
+  return record.responses.displacement_at_peak >= record.curve.back().displacement;
 }
 
 bool is_answered(const SampleRecord& record) {

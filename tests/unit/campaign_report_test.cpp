@@ -99,6 +99,8 @@ TEST(CampaignReport, mean_displacement_is_a_bound_where_many_never_fell) {
 TEST(CampaignData, says_where_modes_were_read_and_what_was_still_rising) {
   const Json header = header_of(data_of(ended_early(7)));
   EXPECT_EQ(header["samples"][0]["read_at_mm"], 20.0);
+  EXPECT_EQ(header["samples"][0]["read_early"], true);
+  EXPECT_EQ(header["samples"][7]["read_early"], false);
   EXPECT_EQ(header["samples"][0]["still_rising"], true);
   EXPECT_EQ(header["samples"][7]["read_at_mm"], 40.0);
   EXPECT_EQ(header["samples"][7]["still_rising"], false);

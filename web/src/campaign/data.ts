@@ -10,6 +10,7 @@ export interface Sample {
   mode: string;
   sentence: string;
   readAt: number | null; // displacement at which the mode was read [mm]
+  readEarly: boolean; // short of where it was asked, the push having ended
   response: (number | null)[];
   censored: boolean[]; // known only from below
   verdict: string;
@@ -125,6 +126,7 @@ export class Campaign {
         mode: s.mode ?? "",
         sentence: s.sentence ?? "",
         readAt: s.read_at_mm ?? null,
+        readEarly: s.read_early ?? false,
         response: s.response ?? [],
         censored: (s.censored ?? []).map(
           (c: boolean, i: number) =>

@@ -91,7 +91,7 @@ export class SamplePanel {
   private readAt(s: Sample): string {
     if (s.readAt === null) return "";
     const asked = this.campaign.statistics.read_modes_at_mm ?? 0;
-    return s.readAt < 0.99 * asked
+    return s.readEarly
       ? say("sample.read_early", { at: qty(s.readAt, "mm"), asked: qty(asked, "mm") })
       : say("sample.read_at", { at: qty(s.readAt, "mm") });
   }

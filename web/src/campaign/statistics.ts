@@ -27,15 +27,13 @@ export function withInterval(
   ];
 }
 
-const kNearly = 0.99; // a state is stored at the first row that has gone so far
-
 // At which displacement the modes of these samples were read.
 export function readWords(campaign: Campaign): string {
   const asked = campaign.statistics.read_modes_at_mm as number | null;
   if (!asked) return "";
   const early = campaign.answered
-    .map((s) => s.readAt)
-    .filter((at): at is number => at !== null && at < kNearly * asked);
+    .filter((s) => s.readEarly)
+    .map((s) => s.readAt!);
   const n = early.length,
     of = campaign.answered.length;
   if (n === 0) return say("shares.read_at", { at: qty(asked, "mm") });
