@@ -20,11 +20,6 @@ WYTHE_INLINE void put(Real value, double* row, int k) {
 }
 
 template <class Arch>
-[[nodiscard]] WYTHE_INLINE Mask<Arch> operator|(Mask<Arch> a, Mask<Arch> b) {
-  return {a.lanes | b.lanes};
-}
-
-template <class Arch>
 [[nodiscard]] WYTHE_INLINE bool all(Mask<Arch> condition) {
   return xsimd::all(condition.lanes);
 }

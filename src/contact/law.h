@@ -115,11 +115,11 @@ struct Yield {
 
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left,
-                                                Real kappa, bool_of_t<Real> lost) {
+                                                Real kappa) {
   const Real zero(0.0), one(1.0);
   const Real sn = zero - sigma;
   Yield<Real> yield;
-  yield.residual = select(lost, zero, m.c_res + sn * m.tan_res);
+  yield.residual = m.c_res + sn * m.tan_res;
   yield.drop = m.c_drop + sn * m.tan_drop;
   yield.floor = zero;
   const Real peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;  // t0 - tr
@@ -144,7 +144,9 @@ template <class V, class Real>
 
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real stress_at(const Yield<Real>& yield, Real ds) {
-  return maximum(Real(0.0), yield.residual + yield.drop * (Real(1.0) - maximum(ds, yield.floor)));
+  Real held = ds;
+  if constexpr (V::coupling != Coupling::kUnion) held = maximum(ds, yield.floor);
+  return maximum(Real(0.0), yield.residual + yield.drop * (Real(1.0) - held));
 }
 
 // Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
@@ -225,6 +227,28 @@ template <class V, class Real>
   return open * minimum(m.kn, strength * inv_kappa);
 }
 
+// A point that keeps its history: closed, neither crushing nor sliding, its shear damage not growing
+// under the present pressure. Where `busy`, update() has to be asked; elsewhere it gives the same bits.
+template <class Real>
+struct Rest {
+  Real sigma, tau;  // [Pa]
+  bool_of_t<Real> busy;
+};
+
+template <class V, class Real>
+[[nodiscard]] WYTHE_INLINE Rest<Real> at_rest(const LawConstants<Real>& m, Real w, Real s,
+                                              const History<Real>& h) {
+  const Real zero(0.0), one(1.0);
+  const Real we = w + h.crush, sigma = m.kn * we, tau = m.ks * (s - h.plastic_slip);
+  const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
+  const Yield<Real> yield = yield_of<V>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
+  bool_of_t<Real> busy = we >= zero;
+  busy = busy | (sigma + crush_strength < zero);
+  busy = busy | (damage_of_slip<V>(yield, h.slip) > h.shear_damage);
+  busy = busy | (magnitude(tau) > stress_at<V>(yield, h.shear_damage));
+  return {sigma, tau, busy};
+}
+
 // One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
 // What happens only to open, sliding or crushing points is skipped where no lane needs it.
 template <class V, class Real>
@@ -253,8 +277,9 @@ template <class V, class Real>
     felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
   }
 
-  const auto lost = is_open & (left <= zero);
-  shear_step<V>(m, yield_of<V>(m, felt, left, h.kappa, lost), s, h, answer);
+  Yield<Real> yield = yield_of<V>(m, felt, left, h.kappa);
+  if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
+  shear_step<V>(m, yield, s, h, answer);
 
   // Normal stress with the damage of this step, and the energy it set free.
   const Real all_left = strength_left<V>(left, one - h.shear_damage);

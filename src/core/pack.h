@@ -48,6 +48,10 @@ template <class Arch>
   return {a.lanes & b.lanes};
 }
 template <class Arch>
+[[nodiscard]] WYTHE_INLINE Mask<Arch> operator|(Mask<Arch> a, Mask<Arch> b) {
+  return {a.lanes | b.lanes};
+}
+template <class Arch>
 [[nodiscard]] WYTHE_INLINE Pack<Arch> select(Mask<Arch> condition, Pack<Arch> yes, Pack<Arch> no) {
   return Pack<Arch>(xsimd::select(condition.lanes, yes.lanes, no.lanes));
 }

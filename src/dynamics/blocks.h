@@ -28,18 +28,19 @@ WYTHE_INLINE void move_block(const BlockArrays& v, Access access, const MoveCont
   access.keep(fy, v.total_y, i);
   access.keep(fm, v.total_m, i);
   const auto is_free = access.own(v.is_free, i) > zero;
-  const Real m = access.own(v.mass, i) * scale, inertia = access.own(v.inertia, i) * scale;
-  const auto advance = [&](double* velocity, double* place, Real force, Real inert)
+  const Real rate = dt / (access.own(v.mass, i) * scale);
+  const Real turn_rate = dt / (access.own(v.inertia, i) * scale);
+  const auto advance = [&](double* velocity, double* place, Real force, Real dt_over_m)
       __attribute__((always_inline)) {
     const Real v0 = access.own(velocity, i), u0 = access.own(place, i);
-    const Moved<Real> moved = accelerate(v0, force, inert, dt, damping);
+    const Moved<Real> moved = accelerate(v0, force, dt_over_m, dt, damping);
     access.keep(select(is_free, moved.velocity, v0), velocity, i);
     access.keep(select(is_free, u0 + dt * moved.velocity, u0), place, i);
     return moved;
   };
-  const Moved<Real> x = advance(v.vx, v.ux, fx, m);
-  const Moved<Real> y = advance(v.vy, v.uy, fy, m);
-  const Moved<Real> r = advance(v.omega, v.theta, fm, inertia);
+  const Moved<Real> x = advance(v.vx, v.ux, fx, rate);
+  const Moved<Real> y = advance(v.vy, v.uy, fy, rate);
+  const Moved<Real> r = advance(v.omega, v.theta, fm, turn_rate);
   const Real loads =
       dt * (load_x * x.mean_velocity + load_y * y.mean_velocity + load_m * r.mean_velocity);
   const Real damped = x.damping_work + y.damping_work + r.damping_work;

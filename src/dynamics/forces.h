@@ -1,10 +1,13 @@
 // First pass of the step: each joint finds its stresses and writes its own force.
 //
 // A joint's points lie on the line between the two faces; both faces follow their blocks. With
-// j the jump of the face centre, d = (Rb - Ra) e its growth along the face and phi = (ta + tb)/2:
+// j the jump of the face centre, h the half length of the face, delta = tb - ta, phi = (ta + tb)/2
+// and the face along the tangent, its growth (Rb - Ra) e is normal to the mean face and its mean
+// (Ra + Rb) e / 2 along it:
 //
-//   w(xi) = (j + xi d) . n(phi)      s(xi) = (j + xi d) . t(phi)
+//   w(xi) = j . n(phi) + xi 2 h sin(delta/2)      s(xi) = j . t(phi)      the same at all points
 //   f = area weight (sigma n + tau t) on a, -f on b, both acting at the midpoint of the pair
+//   lever of the points about the midpoint of the centres: xi h cos(delta/2) t(phi)
 //
 // The midpoint with the mean rotation is exactly work-conjugate to w and s and gives equal and
 // opposite forces on one line of action: linear and angular momentum are kept and no energy is made
@@ -25,23 +28,30 @@ struct JointWork {
   Real friction, fracture, crushing;  // [J]
 };
 
-// Motion of one side: displacement of the face centre, turned arm, and R - I applied to e.
+// Motion of one side: displacement of the face centre and the turned arm to it.
 template <class Real>
 struct FaceMotion {
-  Real move_x, move_y;  // displacement of the face centre
-  Real arm_x, arm_y;    // R arm
-  Real turn_x, turn_y;  // (R - I) e
+  Real move_x, move_y;
+  Real arm_x, arm_y;
 };
 
+// cos theta - 1, free of cancellation, and sin theta.
 template <class Real>
-[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const Rows<Real>& pose, Real arm_x,
-                                                        Real arm_y, Real ex, Real ey) {
-  const Real c = pose.c2, s = pose.c3;
-  const Real drop = Real(-2.0) * s * s;  // cos theta - 1, free of cancellation
-  const Real sine = Real(2.0) * s * c;
-  const Real dx = drop * arm_x - sine * arm_y, dy = sine * arm_x + drop * arm_y;
-  return {pose.c0 + dx, pose.c1 + dy,          arm_x + dx,
-          arm_y + dy,   drop * ex - sine * ey, sine * ex + drop * ey};
+struct Turn {
+  Real drop, sine;
+};
+template <class Real>
+[[nodiscard]] WYTHE_INLINE Turn<Real> turn_of(const Rows<Real>& pose) {
+  return {Real(-2.0) * pose.c3 * pose.c3, Real(2.0) * pose.c3 * pose.c2};
+}
+
+template <class Real>
+[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const Rows<Real>& pose,
+                                                        const Turn<Real>& turn, Real arm_x,
+                                                        Real arm_y) {
+  const Real dx = turn.drop * arm_x - turn.sine * arm_y;
+  const Real dy = turn.sine * arm_x + turn.drop * arm_y;
+  return {pose.c0 + dx, pose.c1 + dy, arm_x + dx, arm_y + dy};
 }
 
 // Sums over the points of a joint, in its (n, t) axes: F = sum f, G = sum xi f.
@@ -50,7 +60,8 @@ struct FaceForce {
   Real fn, ft, gn, gt;
 };
 
-// Jump of the face centre and its growth along the face, in the joint's (n, t) axes.
+// Jump of the face centre and its growth along the face, in the joint's (n, t) axes. Between two
+// blocks nothing grows along t: `dt` is not read.
 template <class Real>
 struct FaceJump {
   Real jn, jt, dn, dt;
@@ -95,73 +106,122 @@ struct FaceHistory {
   }
 };
 
-template <class V, int n_point, class Access, class Real>
+// The points of a face one after the other: act(k, xi, share, opening, slip).
+template <int n_point, bool one_slip, class Access, class Real, class Act>
+WYTHE_INLINE void each_point(const JointArrays& v, Access access, std::size_t j,
+                             const FaceJump<Real>& jump, const Act& act) {
+  const Real area = access.shared(v.area, j);
+  const int n = n_point > 0 ? n_point : v.n_face_point;
+#pragma GCC unroll 2
+  for (int k = 0; k < n; ++k) {
+    const Real xi(v.xi[k]);
+    Real slip = jump.jt;
+    if constexpr (!one_slip) slip = slip + xi * jump.dt;
+    act(k, xi, area * Real(v.weight[k]), jump.jn + xi * jump.dn, slip);
+  }
+}
+
+template <class Real>
+WYTHE_INLINE void add_point(Real xi, Real share, Real sigma, Real tau, FaceForce<Real>& sum) {
+  const Real fn = sigma * share, ft = tau * share;
+  sum = {sum.fn + fn, sum.ft + ft, sum.gn + fn * xi, sum.gt + ft * xi};
+}
+
+// Forces of a face that may open, slide or crush: the one place where history advances.
+template <class V, int n_point, bool one_slip, class Access, class Real>
+[[gnu::noinline]] FaceForce<Real> busy_face(const JointArrays& v, Access access,
+                                            const contact::LawConstants<Real>& law, std::size_t j,
+                                            const FaceJump<Real>& jump, JointWork<Real>& work) {
+  FaceHistory<n_point, V, Access> history;
+  history.load(v, access, j);
+  const Real zero(0.0);
+  FaceForce<Real> sum{zero, zero, zero, zero};
+  each_point<n_point, one_slip>(
+      v, access, j, jump,
+      [&](int k, Real xi, Real share, Real opening, Real slip) __attribute__((always_inline)) {
+        const contact::Answer<Real> now = contact::update<V>(law, opening, slip, history.at[k]);
+        add_point(xi, share, now.sigma, now.tau, sum);
+        work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
+                work.crushing + now.crushing * share};
+      });
+  history.store(v, access, j);
+  return sum;
+}
+
+template <class V, int n_point, bool one_slip, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v, Access access,
                                                       const contact::LawConstants<Real>& law,
                                                       std::size_t j, const FaceJump<Real>& jump,
                                                       JointWork<Real>& work) {
-  const int n = n_point > 0 ? n_point : v.n_face_point;
-  const Real area = access.shared(v.area, j);
   FaceHistory<n_point, V, Access> history;
   history.load(v, access, j);
-  FaceForce<Real> sum{Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
-#pragma GCC unroll 2
-  for (int k = 0; k < n; ++k) {
-    const Real xi(v.xi[k]);
-    const contact::Answer<Real> now =
-        contact::update<V>(law, jump.jn + xi * jump.dn, jump.jt + xi * jump.dt, history.at[k]);
-    const Real share = area * Real(v.weight[k]);
-    const Real fn = now.sigma * share, ft = now.tau * share;
-    sum = {sum.fn + fn, sum.ft + ft, sum.gn + fn * xi, sum.gt + ft * xi};
-    work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
-            work.crushing + now.crushing * share};
-  }
-  history.store(v, access, j);  // commit: the one place where history advances
+  const Real zero(0.0);
+  FaceForce<Real> sum{zero, zero, zero, zero};
+  bool_of_t<Real> busy = zero > zero;
+  each_point<n_point, one_slip>(
+      v, access, j, jump,
+      [&](int k, Real xi, Real share, Real opening, Real slip) __attribute__((always_inline)) {
+        const contact::Rest<Real> now = contact::at_rest<V>(law, opening, slip, history.at[k]);
+        add_point(xi, share, now.sigma, now.tau, sum);
+        busy = busy | now.busy;
+      });
+  if (any(busy)) return busy_face<V, n_point, one_slip>(v, access, law, j, jump, work);
   return sum;
 }
 
-// Forces of the joints a Real takes from j on. A kernel: the block-block and the ground case share
-// all but the frame and the levers.
-template <class V, bool on_ground, int n_point, class Access, class Real>
-WYTHE_INLINE void joint_force(const JointArrays& v, Access access,
-                              const contact::LawConstants<Real>& law, std::size_t j,
-                              JointWork<Real>& work) {
-  const Real half(0.5), ex = access.shared(v.half_x, j), ey = access.shared(v.half_y, j);
-  const Rows<Real> pose_b = access.rows(v.pose, v.b, j);
-  FaceMotion<Real> ma{Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
-  const FaceMotion<Real> mb =
-      face_motion(pose_b, access.shared(v.arm_b_x, j), access.shared(v.arm_b_y, j), ex, ey);
-  Real tx = access.shared(v.tangent_x, j), ty = access.shared(v.tangent_y, j);
-  if constexpr (!on_ground) {
-    const Rows<Real> pose_a = access.rows(v.pose, v.a, j);
-    ma = face_motion(pose_a, access.shared(v.arm_a_x, j), access.shared(v.arm_a_y, j), ex, ey);
-    const Real cos = pose_a.c2 * pose_b.c2 - pose_a.c3 * pose_b.c3;
-    const Real sin = pose_a.c3 * pose_b.c2 + pose_a.c2 * pose_b.c3;
-    const Real tx0 = tx;
-    tx = cos * tx0 - sin * ty;
-    ty = sin * tx0 + cos * ty;
-  }
-  const Real jx = mb.move_x - ma.move_x, jy = mb.move_y - ma.move_y;
-  const Real dx = mb.turn_x - ma.turn_x, dy = mb.turn_y - ma.turn_y;
-  const FaceForce<Real> f = face_force<V, n_point>(
-      v, access, law, j,
-      FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty, dy * tx - dx * ty, dx * tx + dy * ty},
-      work);
+// Forces of the joints a Real takes from j on.
+template <class V, int n_point, class Access, class Real>
+WYTHE_INLINE void pair_force(const JointArrays& v, Access access,
+                             const contact::LawConstants<Real>& law, std::size_t j,
+                             JointWork<Real>& work) {
+  const Real half(0.5);
+  const Rows<Real> pose_a = access.rows(v.pose, v.a, j), pose_b = access.rows(v.pose, v.b, j);
+  const FaceMotion<Real> a = face_motion(pose_a, turn_of(pose_a), access.shared(v.arm_a_x, j),
+                                         access.shared(v.arm_a_y, j));
+  const FaceMotion<Real> b = face_motion(pose_b, turn_of(pose_b), access.shared(v.arm_b_x, j),
+                                         access.shared(v.arm_b_y, j));
+  // cosine and sine of phi and of delta/2
+  const Real cc = pose_a.c2 * pose_b.c2, ss = pose_a.c3 * pose_b.c3;
+  const Real sc = pose_a.c3 * pose_b.c2, cs = pose_a.c2 * pose_b.c3;
+  const Real cos = cc - ss, sin = sc + cs;
+  const Real tx0 = access.shared(v.tangent_x, j), ty0 = access.shared(v.tangent_y, j);
+  const Real tx = cos * tx0 - sin * ty0, ty = sin * tx0 + cos * ty0;
+  const Real reach = access.shared(v.half_length, j);
+  const Real jx = b.move_x - a.move_x, jy = b.move_y - a.move_y;
+  const FaceForce<Real> f =
+      face_force<V, n_point, true>(v, access, law, j,
+                                   FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty,
+                                                  Real(2.0) * reach * (cs - sc), Real(0.0)},
+                                   work);
   // back to the wall's axes: n = (-ty, tx)
   const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
-  const Real gx = f.gt * tx - f.gn * ty, gy = f.gt * ty + f.gn * tx;
-  if constexpr (on_ground) {
-    const Real hx = ex + mb.turn_x, hy = ey + mb.turn_y;
-    const Real moment_b = (mb.arm_y * fx - mb.arm_x * fy) + (hy * gx - hx * gy);
-    access.keep_rows({fx, fy, Real(0.0), moment_b}, v.force, j);
-  } else {
-    const Real hx = ex + half * (ma.turn_x + mb.turn_x), hy = ey + half * (ma.turn_y + mb.turn_y);
-    const Real couple = hx * gy - hy * gx;
-    const Real ax = ma.arm_x + half * jx, ay = ma.arm_y + half * jy;
-    const Real bx = mb.arm_x - half * jx, by = mb.arm_y - half * jy;
-    access.keep_rows({fx, fy, (ax * fy - ay * fx) + couple, (by * fx - bx * fy) - couple}, v.force,
-                     j);
-  }
+  const Real couple = reach * (cc + ss) * f.gn;
+  const Real cx = half * jx, cy = half * jy;
+  access.keep_rows({fx, fy, ((a.arm_x + cx) * fy - (a.arm_y + cy) * fx) + couple,
+                    ((b.arm_y - cy) * fx - (b.arm_x - cx) * fy) - couple},
+                   v.force, j);
+}
+
+// The same on the ground, whose tangent stands still and which has no lever.
+template <class V, int n_point, class Access, class Real>
+WYTHE_INLINE void ground_force(const JointArrays& v, Access access,
+                               const contact::LawConstants<Real>& law, std::size_t j,
+                               JointWork<Real>& work) {
+  const Rows<Real> pose = access.rows(v.pose, v.b, j);
+  const Turn<Real> turn = turn_of(pose);
+  const FaceMotion<Real> b =
+      face_motion(pose, turn, access.shared(v.arm_b_x, j), access.shared(v.arm_b_y, j));
+  const Real tx = access.shared(v.tangent_x, j), ty = access.shared(v.tangent_y, j);
+  const Real reach = access.shared(v.half_length, j);
+  const FaceForce<Real> f = face_force<V, n_point, false>(
+      v, access, law, j,
+      FaceJump<Real>{b.move_y * tx - b.move_x * ty, b.move_x * tx + b.move_y * ty,
+                     reach * turn.sine, reach * turn.drop},
+      work);
+  const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
+  // the turned face is h ((1 + drop) t + sine n)
+  const Real couple = reach * ((Real(1.0) + turn.drop) * f.gn - turn.sine * f.gt);
+  access.keep_rows({fx, fy, Real(0.0), (b.arm_y * fx - b.arm_x * fy) - couple}, v.force, j);
 }
 
 // The constants of a law, each by take(member).
@@ -217,7 +277,10 @@ void joint_run(const JointArrays& v, Access access, const contact::LawConstants<
   load_work(access, energy, work);
   int k = 0;
   for (std::size_t j = begin; j < end; j += Access::advance) {
-    joint_force<V, on_ground, n_point>(v, access, law, j, work[k]);
+    if constexpr (on_ground)
+      ground_force<V, n_point>(v, access, law, j, work[k]);
+    else
+      pair_force<V, n_point>(v, access, law, j, work[k]);
     k = (k + 1) % Access::packs;
   }
   store_work(access, work, energy);

@@ -30,7 +30,7 @@ inline constexpr int kGroup =
 struct JointArrays {
   const BlockId *a, *b;
   const double *arm_a_x, *arm_a_y, *arm_b_x, *arm_b_y;
-  const double *half_x, *half_y, *tangent_x, *tangent_y, *area;
+  const double *tangent_x, *tangent_y, *half_length, *area;
   const double *xi, *weight;
   int n_face_point;
   const double* pose;  // rows ux, uy, cos, sin

@@ -13,12 +13,12 @@ struct Moved {
 };
 
 // v+ = v- + dt/m (F - lambda |F| sgn v-), sgn(0) = 0 (paper, eqs. 1-2): the damping force opposes
-// the velocity with a share of the unbalanced force.
+// the velocity with a share of the unbalanced force. `rate` is dt/m.
 template <class Real>
-[[nodiscard]] WYTHE_INLINE Moved<Real> accelerate(Real v, Real force, Real inertia, Real dt,
+[[nodiscard]] WYTHE_INLINE Moved<Real> accelerate(Real v, Real force, Real rate, Real dt,
                                                   Real lambda) {
   const Real damping = Real(-1.0) * lambda * magnitude(force) * sign(v);
-  const Real v1 = v + dt / inertia * (force + damping);
+  const Real v1 = v + rate * (force + damping);
   const Real mean = Real(0.5) * (v + v1);
   return {v1, mean, damping * mean * dt};
 }

@@ -75,6 +75,8 @@ Workspace::Workspace(const Model& m, int lanes) {
   size_for_solids(m.solids, walls, *this);
   force.assign(4 * nj * walls, 0.0);
   is_free.assign(nb * walls, 1.0);
+  for (std::size_t j = 0; j < nj; ++j)
+    half_length.push_back(m.half_x[j] * m.tangent_x[j] + m.half_y[j] * m.tangent_y[j]);
   block_middle = middle_of_entries(m);
   joint_energy.resize(joint_chunks.size() * walls);
   block_energy.resize(static_cast<std::size_t>(block_chunks) * walls);

@@ -43,7 +43,7 @@ double drive_pass(const Model& model, State& s, const WallView& wall, const Cont
     const auto i = static_cast<std::size_t>(block);
     const double f = wall.total_x[i] * px + wall.total_y[i] * py + balance;
     const double v = wall.vx[i] * px + wall.vy[i] * py;
-    missed += controls.drive_velocity - accelerate(v, f, model.mass[i], dt, lambda).velocity;
+    missed += controls.drive_velocity - accelerate(v, f, dt / model.mass[i], dt, lambda).velocity;
   }
   const double correction = missed / (mobility * dt);
 
@@ -55,7 +55,7 @@ double drive_pass(const Model& model, State& s, const WallView& wall, const Cont
 
     double vp = controls.drive_velocity, force = 0, damped = 0;
     if (spread) {
-      const Moved<double> along = accelerate(p.velocity, p.force + balance, m, dt, lambda);
+      const Moved<double> along = accelerate(p.velocity, p.force + balance, dt / m, dt, lambda);
       vp = along.velocity + dt / m * correction;
       force = balance + correction;
       damped = -lambda * magnitude(p.force + balance) * sign(p.velocity) * 0.5 * (p.velocity + vp);
@@ -63,9 +63,10 @@ double drive_pass(const Model& model, State& s, const WallView& wall, const Cont
       force = m * (vp - p.velocity) / dt - p.force;
     }
     Moved<double> across{0, 0, 0}, turn{0, 0, 0};
-    if (push.spec.across == Freedom::kFree) across = accelerate(q.velocity, q.force, m, dt, lambda);
+    if (push.spec.across == Freedom::kFree)
+      across = accelerate(q.velocity, q.force, dt / m, dt, lambda);
     if (push.spec.rotation == Freedom::kFree)
-      turn = accelerate(wall.omega[i], wall.total_m[i], model.inertia[i], dt, lambda);
+      turn = accelerate(wall.omega[i], wall.total_m[i], dt / model.inertia[i], dt, lambda);
 
     const double mean_p = 0.5 * (p.velocity + vp);
     const double mean_x = mean_p * px - across.mean_velocity * py;

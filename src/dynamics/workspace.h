@@ -28,6 +28,7 @@ struct Workspace {
   std::vector<contact::LawConstants<double>> law;  // (n_material)
   std::vector<JointChunk> joint_chunks;
   int block_chunks = 0;
+  std::vector<double> half_length;  // of a joint's face, along its tangent [m] (n_joint)
 
   // written by turn_pass: rows ux [m], uy [m], cos theta/2, sin theta/2 (n_block + 1, 4); the last
   // is the ground's, at rest

@@ -73,7 +73,7 @@ WYTHE_INLINE void edge_force(const EdgeArrays& v, Access access,
   const Real tx = cosine * tx0 - sine * ty0, ty = sine * tx0 + cosine * ty0;
   const Real n0 = e0.jump_y * tx - e0.jump_x * ty, t0 = e0.jump_x * tx + e0.jump_y * ty;
   const Real n1 = e1.jump_y * tx - e1.jump_x * ty, t1 = e1.jump_x * tx + e1.jump_y * ty;
-  const FaceForce<Real> f = face_force<V, 2>(
+  const FaceForce<Real> f = face_force<V, 2, false>(
       v.joint, access, law, c,
       FaceJump<Real>{half * (n0 + n1), half * (t0 + t1), half * (n1 - n0), half * (t1 - t0)}, work);
   // sums back to the points, in the wall's axes
@@ -94,7 +94,7 @@ WYTHE_INLINE void move_node(const NodeArrays& v, Access access, const MoveContro
                             std::size_t i, BlockWork<Real>& work) {
   const Real dt = access.of_wall(controls.dt), damping = access.of_wall(controls.damping);
   const Real heavy = access.own(v.heavy_mass, i);
-  const Real inertia = access.own(v.mass, i) * access.of_wall(controls.mass_scaling);
+  const Real rate = dt / (access.own(v.mass, i) * access.of_wall(controls.mass_scaling));
   const Real load_x = heavy * access.of_wall(controls.gravity_x);
   const Real load_y = heavy * access.of_wall(controls.gravity_y);
   const Real fx = access.shared(v.free_x, i) * (access.own(v.total_x, i) + load_x);
@@ -103,7 +103,7 @@ WYTHE_INLINE void move_node(const NodeArrays& v, Access access, const MoveContro
   access.keep(fy, v.total_y, i);
   const auto advance = [&](double* velocity, double* place, Real force)
       __attribute__((always_inline)) {
-    const Moved<Real> moved = accelerate(access.own(velocity, i), force, inertia, dt, damping);
+    const Moved<Real> moved = accelerate(access.own(velocity, i), force, rate, dt, damping);
     access.keep(moved.velocity, velocity, i);
     access.keep(access.own(place, i) + dt * moved.velocity, place, i);
     return moved;

@@ -19,16 +19,16 @@ using scenes::Rig;
 // --- one degree of freedom ------------------------------------------------------------------------------
 
 TEST(Accelerate, local_damping_opposes_the_velocity_with_a_share_of_the_force) {
-  const auto with = dynamics::accelerate(2.0, 10.0, 4.0, 0.1, 0.8);
+  const auto with = dynamics::accelerate(2.0, 10.0, 0.1 / 4.0, 0.1, 0.8);
   EXPECT_DOUBLE_EQ(with.velocity, 2 + 0.1 / 4 * (10 - 8));
-  const auto against = dynamics::accelerate(-2.0, 10.0, 4.0, 0.1, 0.8);
+  const auto against = dynamics::accelerate(-2.0, 10.0, 0.1 / 4.0, 0.1, 0.8);
   EXPECT_DOUBLE_EQ(against.velocity, -2 + 0.1 / 4 * (10 + 8));
   EXPECT_LT(with.damping_work, 0);
   EXPECT_LT(against.damping_work, 0);
 }
 
 TEST(Accelerate, a_block_at_rest_is_not_damped) {
-  const auto moved = dynamics::accelerate(0.0, -10.0, 4.0, 0.1, 0.8);
+  const auto moved = dynamics::accelerate(0.0, -10.0, 0.1 / 4.0, 0.1, 0.8);
   EXPECT_DOUBLE_EQ(moved.velocity, -0.25);
   EXPECT_EQ(moved.damping_work, 0);
 }
