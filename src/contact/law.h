@@ -113,7 +113,8 @@ struct Yield {
   Real slip_rate;  // (t0 - tr)/(2 GII) = 1/su [1/m]
 };
 
-template <class V, class Real>
+// `pressed`: sigma < 0 is known, which spares a maximum.
+template <class V, bool pressed, class Real>
 [[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left,
                                                 Real kappa) {
   const Real zero(0.0), one(1.0);
@@ -122,7 +123,8 @@ template <class V, class Real>
   yield.residual = m.c_res + sn * m.tan_res;
   yield.drop = m.c_drop + sn * m.tan_drop;
   yield.floor = zero;
-  const Real peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;  // t0 - tr
+  Real peak_drop = yield.drop;  // t0 - tr
+  if constexpr (!pressed) peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;
   yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
   if constexpr (V::coupling == Coupling::kUnion) {
     yield.drop = yield.drop * left;
@@ -228,7 +230,8 @@ template <class V, class Real>
 }
 
 // A point that keeps its history: closed, neither crushing nor sliding, its shear damage not growing
-// under the present pressure. Where `busy`, update() has to be asked; elsewhere it gives the same bits.
+// under the present pressure. Where `busy`, update() has to be asked; elsewhere it gives the same
+// stresses and history, bit for bit.
 template <class Real>
 struct Rest {
   Real sigma, tau;  // [Pa]
@@ -241,12 +244,22 @@ template <class V, class Real>
   const Real zero(0.0), one(1.0);
   const Real we = w + h.crush, sigma = m.kn * we, tau = m.ks * (s - h.plastic_slip);
   const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
-  const Yield<Real> yield = yield_of<V>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
+  const Yield<Real> yield = yield_of<V, true>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
   bool_of_t<Real> busy = we >= zero;
   busy = busy | (sigma + crush_strength < zero);
   busy = busy | (damage_of_slip<V>(yield, h.slip) > h.shear_damage);
   busy = busy | (magnitude(tau) > stress_at<V>(yield, h.shear_damage));
   return {sigma, tau, busy};
+}
+
+// Whether a point that update() took from `before` to `now` at the opening w may go on being busy.
+template <class Real>
+[[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_busy(const History<Real>& before,
+                                                      const History<Real>& now, Real w) {
+  bool_of_t<Real> busy = w + now.crush >= Real(0.0);
+  busy = busy | (now.crush > before.crush);
+  busy = busy | (now.slip > before.slip);
+  return busy | (now.shear_damage > before.shear_damage);
 }
 
 // One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
@@ -277,7 +290,7 @@ template <class V, class Real>
     felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
   }
 
-  Yield<Real> yield = yield_of<V>(m, felt, left, h.kappa);
+  Yield<Real> yield = yield_of<V, false>(m, felt, left, h.kappa);
   if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
   shear_step<V>(m, yield, s, h, answer);
 

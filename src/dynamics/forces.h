@@ -136,27 +136,31 @@ template <class V, int n_point, bool one_slip, class Access, class Real>
   history.load(v, access, j);
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
+  bool_of_t<Real> busy = zero > zero;
   each_point<n_point, one_slip>(
       v, access, j, jump,
       [&](int k, Real xi, Real share, Real opening, Real slip) __attribute__((always_inline)) {
+        const contact::History<Real> before = history.at[k];
         const contact::Answer<Real> now = contact::update<V>(law, opening, slip, history.at[k]);
+        busy = busy | contact::stays_busy(before, history.at[k], opening);
         add_point(xi, share, now.sigma, now.tau, sum);
         work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
                 work.crushing + now.crushing * share};
       });
   history.store(v, access, j);
+  access.mark(v.busy, j, any(busy));
   return sum;
 }
 
+// Forces of a face whose points are all at rest, or false.
 template <class V, int n_point, bool one_slip, class Access, class Real>
-[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v, Access access,
-                                                      const contact::LawConstants<Real>& law,
-                                                      std::size_t j, const FaceJump<Real>& jump,
-                                                      JointWork<Real>& work) {
+[[nodiscard]] WYTHE_INLINE bool resting_face(const JointArrays& v, Access access,
+                                             const contact::LawConstants<Real>& law, std::size_t j,
+                                             const FaceJump<Real>& jump, FaceForce<Real>& sum) {
   FaceHistory<n_point, V, Access> history;
   history.load(v, access, j);
   const Real zero(0.0);
-  FaceForce<Real> sum{zero, zero, zero, zero};
+  sum = {zero, zero, zero, zero};
   bool_of_t<Real> busy = zero > zero;
   each_point<n_point, one_slip>(
       v, access, j, jump,
@@ -165,8 +169,19 @@ template <class V, int n_point, bool one_slip, class Access, class Real>
         add_point(xi, share, now.sigma, now.tau, sum);
         busy = busy | now.busy;
       });
-  if (any(busy)) return busy_face<V, n_point, one_slip>(v, access, law, j, jump, work);
-  return sum;
+  return !any(busy);
+}
+
+// A face that was busy in the last step is not asked whether it rests.
+template <class V, int n_point, bool one_slip, class Access, class Real>
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const JointArrays& v, Access access,
+                                                      const contact::LawConstants<Real>& law,
+                                                      std::size_t j, const FaceJump<Real>& jump,
+                                                      JointWork<Real>& work) {
+  FaceForce<Real> sum;
+  if (!access.marked(v.busy, j) && resting_face<V, n_point, one_slip>(v, access, law, j, jump, sum))
+    return sum;
+  return busy_face<V, n_point, one_slip>(v, access, law, j, jump, work);
 }
 
 // Forces of the joints a Real takes from j on.

@@ -35,7 +35,8 @@ struct JointArrays {
   int n_face_point;
   const double* pose;  // rows ux, uy, cos, sin
   double *kappa, *crush, *plastic_slip, *slip, *shear_damage, *tension_set;
-  double* force;  // rows fx, fy, ma, mb
+  std::uint8_t* busy;  // of a pack's first joint: a point was not at rest in the last step
+  double* force;       // rows fx, fy, ma, mb
 };
 
 // What the gather reads and writes: entries of block i are begin[i] .. begin[i + 1], side b from

@@ -46,6 +46,7 @@ bool same_solids(const Solids& a, const Solids& b) {
 JointArrays shifted(JointArrays v, int lane) {
   v.pose += lane;
   v.force += lane;
+  v.busy += lane;
   for (double** array :
        {&v.kappa, &v.crush, &v.plastic_slip, &v.slip, &v.shear_damage, &v.tension_set})
     *array += lane;

@@ -10,6 +10,7 @@
 //             points(array, i, n, at), keep_points(...)      the n points of joint i
 //             of_wall(array)     one number a wall (time step, damping)
 //             energy(array, k), keep_energy(...)   of pack k: entities are summed in kGroup lanes
+//             marked(flags, i), mark(flags, i, flag)   one flag for all lanes of a Real
 #pragma once
 
 #include <cstddef>
@@ -120,6 +121,8 @@ struct Neighbours {
   WYTHE_INLINE Real of_wall(const double* from) const { return Real(*from); }
   WYTHE_INLINE Real energy(const double* from, int k) const { return L::load(from + k * L::width); }
   WYTHE_INLINE void keep_energy(Real e, double* to, int k) const { L::store(e, to + k * L::width); }
+  WYTHE_INLINE bool marked(const std::uint8_t* flags, std::size_t i) const { return flags[i] != 0; }
+  WYTHE_INLINE void mark(std::uint8_t* flags, std::size_t i, bool flag) const { flags[i] = flag; }
   WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, std::size_t i) const {
     return L::load_rows(from, id + i);
   }
@@ -171,6 +174,12 @@ struct Walls {
   WYTHE_INLINE Real of_wall(const double* from) const { return L::load(from); }
   WYTHE_INLINE Real energy(const double* from, int k) const { return L::load(from + k * stride); }
   WYTHE_INLINE void keep_energy(Real e, double* to, int k) const { L::store(e, to + k * stride); }
+  WYTHE_INLINE bool marked(const std::uint8_t* flags, std::size_t i) const {
+    return flags[at(i)] != 0;
+  }
+  WYTHE_INLINE void mark(std::uint8_t* flags, std::size_t i, bool flag) const {
+    flags[at(i)] = flag;
+  }
   WYTHE_INLINE Rows<Real> row(const double* from, std::int32_t id) const {
     const double* row = from + 4 * at(static_cast<std::size_t>(id));
     return {L::load(row), L::load(row + stride), L::load(row + 2 * stride),

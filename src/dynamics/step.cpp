@@ -74,6 +74,7 @@ Workspace::Workspace(const Model& m, int lanes) {
   for (std::size_t k = 0; k < walls; ++k) pose[(4 * nb + 2) * walls + k] = 1.0;  // the ground's
   size_for_solids(m.solids, walls, *this);
   force.assign(4 * nj * walls, 0.0);
+  busy.assign((nj + static_cast<std::size_t>(m.solids.n_contact)) * walls, 0);
   is_free.assign(nb * walls, 1.0);
   for (std::size_t j = 0; j < nj; ++j)
     half_length.push_back(m.half_x[j] * m.tangent_x[j] + m.half_y[j] * m.tangent_y[j]);

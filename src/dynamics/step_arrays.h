@@ -29,6 +29,7 @@ namespace wythe::dynamics {
           .slip = s.slip.data(),
           .shear_damage = s.shear_damage.data(),
           .tension_set = s.tension_set.data(),
+          .busy = w.busy.data(),
           .force = w.force.data()};
 }
 

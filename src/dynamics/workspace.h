@@ -38,6 +38,10 @@ struct Workspace {
   // their centroids [N m] (n_joint, 4)
   std::vector<double> force;
 
+  // whether a joint's points, then a zone contact's, were not at rest (n_joint + n_contact): which way
+  // a step takes, never what it gives
+  std::vector<std::uint8_t> busy;
+
   // written by gather: contact forces and loads on each block (n_block)
   std::vector<double> contact_x, contact_y, contact_m;  // [N], [N m]
   std::vector<double> load_x, load_y, load_m;           // applied point loads [N], [N m]

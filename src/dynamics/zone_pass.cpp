@@ -34,6 +34,7 @@ JointArrays contact_joints(const Model& m, Workspace& w, State& s, int lanes) {
   v.slip = s.slip.data() + first;
   v.shear_damage = s.shear_damage.data() + first;
   v.tension_set = s.tension_set.data() + first;
+  v.busy = w.busy.data() + static_cast<std::size_t>(m.n_joint * lanes);
   return v;
 }
 
@@ -124,6 +125,7 @@ ZoneArrays shifted(ZoneArrays v, int lane) {
 EdgeArrays shifted(EdgeArrays v, int lane) {
   JointArrays& j = v.joint;
   j.pose += lane;
+  j.busy += lane;
   for (double** array :
        {&j.kappa, &j.crush, &j.plastic_slip, &j.slip, &j.shear_damage, &j.tension_set})
     *array += lane;
