@@ -122,6 +122,16 @@ Statistics write_files(const std::string& folder, const Campaign& campaign,
   return statistics;
 }
 
+Device device_of(const std::string& word) {
+  if (word == "cpu") return Device::kCpu;
+  if (word == "gpu") return Device::kGpu;
+  throw InputError({{.file = "--device",
+                     .path = "",
+                     .value = word,
+                     .problem = "is not a device",
+                     .cure = "write cpu or gpu"}});
+}
+
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
   (void)write_files(a.out, read_campaign(a.out), a.language);
   fmt::print(stderr, "stopped: {} of {} samples are stored, none is half done. Go on with\n  {}\n",
@@ -144,6 +154,7 @@ int campaign(const CampaignArguments& a) {
   CampaignOptions options;
   if (!a.jobs.empty())
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
+  options.device = device_of(a.device);
   options.resume = a.resume;
   options.stop = &stop_asked();
   options.provenance = provenance_text();

@@ -13,6 +13,7 @@ struct CampaignArguments {
   std::string samples, seed, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
+  std::string device = "cpu";
   std::string language = "en";       // of the report
   std::vector<std::string> command;  // as typed, to say how to go on
 };

@@ -86,6 +86,8 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_option("--seed", a.seed, "seed of the samples, in place of the study's");
   add_overrides(command, a.overrides);
   command->add_option("--jobs", a.jobs, "samples at once (all cores); same bits for any number");
+  command->add_option("--device", a.device,
+                      "cpu, or gpu where the program was built for one (-DWYTHE_CUDA=ON)");
   command->add_flag("--resume", a.resume, "go on with what the folder holds");
   command->add_option("--shard", a.shard, "I/N: only samples I, I + N, ...; join with wythe merge");
   command->add_option("--until", a.until,

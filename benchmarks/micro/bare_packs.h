@@ -19,12 +19,6 @@ WYTHE_INLINE void put(Real value, double* row, int k) {
   dynamics::Lanes<Real>::store(value, row + k * kWidth<Real>);
 }
 
-template <class Arch>
-[[nodiscard]] WYTHE_INLINE bool all(Mask<Arch> condition) {
-  return xsimd::all(condition.lanes);
-}
-[[nodiscard]] WYTHE_INLINE bool all(bool condition) { return condition; }
-
 template <class Real>
 struct BareWork {
   Real friction, fracture, crushing;

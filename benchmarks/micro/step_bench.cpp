@@ -113,7 +113,7 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
     for (int lane = 0; lane < lanes; ++lane) {
       stepper.put(lane, wall.model,
                   states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
-      dynamics::choose_driven(wall.model, stepper.place(lane).view, wall.push().driven);
+      stepper.place(lane)->choose_driven(wall.push().driven);
       stepper.set(lane, push_controls());
     }
   }

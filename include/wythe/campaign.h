@@ -44,8 +44,11 @@ struct SampleRecord {
   [[nodiscard]] bool answered() const { return status == "completed" || status == "collapsed"; }
 };
 
+enum class Device { kCpu, kGpu };
+
 struct CampaignOptions {
   int jobs = 0;                             // samples at once; 0: one per core
+  Device device = Device::kCpu;             // kGpu: all samples side by side there, jobs unused
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
   const std::atomic<bool>* stop = nullptr;  // finish nothing half

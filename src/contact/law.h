@@ -230,12 +230,12 @@ template <class V, class Real>
 }
 
 // A point that keeps its history: closed, neither crushing nor sliding, its shear damage not growing
-// under the present pressure. Where `busy`, update() has to be asked; elsewhere it gives the same
-// stresses and history, bit for bit.
+// under the present pressure. Where it `rests`, update() gives the same stresses and history, bit for
+// bit; elsewhere, and where something is not a number, it has to be asked.
 template <class Real>
 struct Rest {
   Real sigma, tau;  // [Pa]
-  bool_of_t<Real> busy;
+  bool_of_t<Real> rests;
 };
 
 template <class V, class Real>
@@ -245,11 +245,11 @@ template <class V, class Real>
   const Real we = w + h.crush, sigma = m.kn * we, tau = m.ks * (s - h.plastic_slip);
   const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
   const Yield<Real> yield = yield_of<V, true>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
-  bool_of_t<Real> busy = we >= zero;
-  busy = busy | (sigma + crush_strength < zero);
-  busy = busy | (damage_of_slip<V>(yield, h.slip) > h.shear_damage);
-  busy = busy | (magnitude(tau) > stress_at<V>(yield, h.shear_damage));
-  return {sigma, tau, busy};
+  bool_of_t<Real> rests = we < zero;
+  rests = rests & (sigma + crush_strength >= zero);
+  rests = rests & (damage_of_slip<V>(yield, h.slip) <= h.shear_damage);
+  rests = rests & (magnitude(tau) <= stress_at<V>(yield, h.shear_damage));
+  return {sigma, tau, rests};
 }
 
 // Whether a point that update() took from `before` to `now` at the opening w may go on being busy.

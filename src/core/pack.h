@@ -81,5 +81,9 @@ template <class Arch>
 [[nodiscard]] WYTHE_INLINE bool any(Mask<Arch> condition) {
   return xsimd::any(condition.lanes);
 }
+template <class Arch>
+[[nodiscard]] WYTHE_INLINE bool all(Mask<Arch> condition) {
+  return xsimd::all(condition.lanes);
+}
 
 }  // namespace wythe

@@ -7,22 +7,36 @@
 #include <cmath>
 
 // The hot kernels are one loop body to the optimiser; left to itself it calls them (3x slower).
+// A compiler for graphics processors makes the same functions for both sides (gpu.cu).
+#ifdef __CUDACC__
+#define WYTHE_INLINE __host__ __device__ __forceinline__
+#define WYTHE_OUTLINE __host__ __device__
+#define WYTHE_BOTH __host__ __device__
+#else
 #define WYTHE_INLINE [[gnu::always_inline]] inline
+#define WYTHE_OUTLINE [[gnu::noinline]]
+#define WYTHE_BOTH
+#endif
 
 namespace wythe {
 
-[[nodiscard]] inline double select(bool condition, double yes, double no) {
+[[nodiscard]] WYTHE_INLINE double select(bool condition, double yes, double no) {
   return condition ? yes : no;
 }
-[[nodiscard]] inline double minimum(double a, double b) { return a < b ? a : b; }
-[[nodiscard]] inline double maximum(double a, double b) { return a > b ? a : b; }
-[[nodiscard]] inline double magnitude(double a) { return std::fabs(a); }
-[[nodiscard]] inline double square_root(double a) { return std::sqrt(a); }  // IEEE: exact bits
+[[nodiscard]] WYTHE_INLINE double minimum(double a, double b) { return a < b ? a : b; }
+[[nodiscard]] WYTHE_INLINE double maximum(double a, double b) { return a > b ? a : b; }
+[[nodiscard]] WYTHE_INLINE double magnitude(double a) { return std::fabs(a); }
+[[nodiscard]] WYTHE_INLINE double square_root(double a) {
+  return std::sqrt(a);
+}  // IEEE: exact bits
 // -1, 0 or 1; 0 at 0 keeps mirror images mirrored (physics: sgn(0) = 0).
-[[nodiscard]] inline double sign(double a) { return (a > 0.0 ? 1.0 : 0.0) - (a < 0.0 ? 1.0 : 0.0); }
-[[nodiscard]] inline double value_of(double a) { return a; }
+[[nodiscard]] WYTHE_INLINE double sign(double a) {
+  return (a > 0.0 ? 1.0 : 0.0) - (a < 0.0 ? 1.0 : 0.0);
+}
+[[nodiscard]] WYTHE_INLINE double value_of(double a) { return a; }
 // True where at least one lane says so: guards work that would change nothing in every lane.
-[[nodiscard]] inline bool any(bool condition) { return condition; }
+[[nodiscard]] WYTHE_INLINE bool any(bool condition) { return condition; }
+[[nodiscard]] WYTHE_INLINE bool all(bool condition) { return condition; }
 
 // What a comparison of two Reals gives: bool for double and Dual, a mask for a pack.
 template <class Real>

@@ -76,7 +76,7 @@ void move_run(const BlockArrays& v, Access access, const MoveControls& controls,
 }
 
 template <class Access>
-void turn_run(const BlockArrays& v, Access access, std::size_t begin, std::size_t end) {
+WYTHE_BOTH void turn_run(const BlockArrays& v, Access access, std::size_t begin, std::size_t end) {
   using Real = typename Access::Real;
   for (std::size_t i = begin; i < end; i += Access::advance) {
     const SinCos<Real> turned = sin_cos(Real(0.5) * access.own(v.theta, i));
@@ -86,7 +86,8 @@ void turn_run(const BlockArrays& v, Access access, std::size_t begin, std::size_
 
 // Contact force on each block: the joints of which it is side a, then those of which it is side b.
 template <class Real>
-void gather_run(const GatherArrays& v, Walls<Real> access, std::size_t begin, std::size_t end) {
+WYTHE_BOTH void gather_run(const GatherArrays& v, Walls<Real> access, std::size_t begin,
+                           std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     Real ax(0.0), ay(0.0), am(0.0), bx(0.0), by(0.0), bm(0.0);
     const auto middle = v.middle[i], last = v.begin[i + 1];

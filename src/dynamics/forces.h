@@ -129,9 +129,9 @@ WYTHE_INLINE void add_point(Real xi, Real share, Real sigma, Real tau, FaceForce
 
 // Forces of a face that may open, slide or crush: the one place where history advances.
 template <class V, int n_point, bool one_slip, class Access, class Real>
-[[gnu::noinline]] FaceForce<Real> busy_face(const JointArrays& v, Access access,
-                                            const contact::LawConstants<Real>& law, std::size_t j,
-                                            const FaceJump<Real>& jump, JointWork<Real>& work) {
+WYTHE_OUTLINE FaceForce<Real> busy_face(const JointArrays& v, Access access,
+                                        const contact::LawConstants<Real>& law, std::size_t j,
+                                        const FaceJump<Real>& jump, JointWork<Real>& work) {
   FaceHistory<n_point, V, Access> history;
   history.load(v, access, j);
   const Real zero(0.0);
@@ -161,15 +161,15 @@ template <class V, int n_point, bool one_slip, class Access, class Real>
   history.load(v, access, j);
   const Real zero(0.0);
   sum = {zero, zero, zero, zero};
-  bool_of_t<Real> busy = zero > zero;
+  bool_of_t<Real> rests = zero <= zero;
   each_point<n_point, one_slip>(
       v, access, j, jump,
       [&](int k, Real xi, Real share, Real opening, Real slip) __attribute__((always_inline)) {
         const contact::Rest<Real> now = contact::at_rest<V>(law, opening, slip, history.at[k]);
         add_point(xi, share, now.sigma, now.tau, sum);
-        busy = busy | now.busy;
+        rests = rests & now.rests;
       });
-  return !any(busy);
+  return all(rests);
 }
 
 // A face that was busy in the last step is not asked whether it rests.

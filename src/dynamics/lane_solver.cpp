@@ -1,4 +1,5 @@
 #include "dynamics/lane_solver.h"
+#include "dynamics/gpu.h"
 
 #include <fmt/core.h>
 
@@ -29,20 +30,20 @@ int lanes_in_use() {
 
 std::string instruction_set() {
   const int lanes = dynamics::lanes_in_use();
-  return fmt::format("{}, {} wall{} side by side", dynamics::kernels_in_use().name, lanes,
-                     lanes == 1 ? "" : "s");
+  return fmt::format("{}, {} wall{} side by side{}", dynamics::kernels_in_use().name, lanes,
+                     lanes == 1 ? "" : "s", dynamics::gpu_build());
 }
 
 namespace dynamics {
 
-LaneSolver::LaneSolver(int width) : width_(width) {}
+LaneSolver::LaneSolver(int width, Make make) : width_(width), make_(std::move(make)) {}
 
 void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
   auto wall = std::make_unique<Wall>(Wall{ticket, model, state, -1, nullptr, nullptr});
   wall->alone = std::make_unique<Stepper>(model, 1);
   wall->alone->refresh(state);
-  wall->run =
-      std::make_unique<WallRun>(model, state, options, Place{wall->alone->view_of(state), {}});
+  wall->run = std::make_unique<WallRun>(
+      model, state, options, std::make_unique<ViewPlace>(model, wall->alone->view_of(state)));
   walls_.push_back(std::move(wall));
   changed_ = true;
 }
@@ -60,9 +61,21 @@ void LaneSolver::settle_in(Wall& wall, int lane) {
   } else if (!wall.alone) {
     wall.alone = std::make_unique<Stepper>(wall.model, 1);
     wall.alone->refresh(wall.state);
-    wall.run->move_to({wall.alone->view_of(wall.state), {}});
+    wall.run->move_to(std::make_unique<ViewPlace>(wall.model, wall.alone->view_of(wall.state)));
   }
   wall.lane = lane;
+}
+
+int LaneSolver::lanes_for(int fitting) const {
+  if (make_) return fitting > 0 ? width_ : 1;
+  int lanes = 1;
+  while (lanes < fitting) lanes *= 2;
+  return lanes;
+}
+
+std::unique_ptr<SideBySide> LaneSolver::made(const Model& model, int lanes) const {
+  if (make_) return make_(model, lanes);
+  return std::make_unique<LaneStepper>(model, lanes);
 }
 
 // As few lanes as hold the walls that are running, and every wall that fits in one of them.
@@ -71,8 +84,7 @@ void LaneSolver::arrange() {
   const Model& first = together_ && !walls_.empty() ? together_->model() : walls_.front()->model;
   int fitting = 0;
   for (const auto& wall : walls_) fitting += fit_together(wall->model, first) ? 1 : 0;
-  int lanes = 1;
-  while (lanes < fitting) lanes *= 2;
+  const int lanes = lanes_for(fitting);
   if (together_ && together_->lanes() != lanes) {
     for (const auto& wall : walls_)
       if (wall->lane >= 0) {
@@ -85,10 +97,10 @@ void LaneSolver::arrange() {
       if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
       return;
     }
-    together_ = std::make_unique<LaneStepper>(together_->model(), lanes);
+    together_ = made(together_->model(), lanes);
   } else if (!together_) {
     if (lanes < 2) return;
-    together_ = std::make_unique<LaneStepper>(first, lanes);
+    together_ = made(first, lanes);
   }
   std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
   for (const auto& wall : walls_)
@@ -103,6 +115,8 @@ void LaneSolver::arrange() {
 
 void LaneSolver::step() {
   for (const auto& wall : walls_) {
+    wall->steps = wall->lane < 0 || together_->takes_part(wall->lane);
+    if (!wall->steps) continue;
     const Controls& controls = wall->run->next();
     if (wall->lane >= 0) {
       together_->set(wall->lane, controls);
@@ -113,7 +127,7 @@ void LaneSolver::step() {
   }
   together_->step();
   for (const auto& wall : walls_)
-    if (wall->lane >= 0) wall->run->look(together_->reaction(wall->lane));
+    if (wall->lane >= 0 && wall->steps) wall->run->look(together_->reaction(wall->lane));
 }
 
 LaneSolver::Ended LaneSolver::next() {

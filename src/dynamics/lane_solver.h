@@ -11,6 +11,7 @@
 // stepped alone beside them. No wall's bits depend on any of this (docs/architecture.md).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,7 +27,9 @@ namespace wythe::dynamics {
 
 class LaneSolver {
  public:
-  explicit LaneSolver(int width);
+  using Make = std::function<std::unique_ptr<SideBySide>(const Model&, int lanes)>;
+  // In SIMD lanes of this processor; or, with `make`, all in `width` lanes of what it makes.
+  explicit LaneSolver(int width, Make make = {});
 
   [[nodiscard]] int running() const { return static_cast<int>(walls_.size()); }
   [[nodiscard]] bool has_room() const { return running() < width_; }
@@ -48,6 +51,7 @@ class LaneSolver {
     int lane = -1;                   // -1: alone
     std::unique_ptr<Stepper> alone;  // where lane is -1
     std::unique_ptr<WallRun> run;
+    bool steps = false;  // takes part in the step under way
   };
 
   void arrange();
@@ -55,8 +59,12 @@ class LaneSolver {
   void step();
   [[nodiscard]] bool fits(const Wall& wall) const;
 
+  [[nodiscard]] int lanes_for(int fitting) const;
+  [[nodiscard]] std::unique_ptr<SideBySide> made(const Model& model, int lanes) const;
+
   int width_;
-  std::unique_ptr<LaneStepper> together_;
+  Make make_;
+  std::unique_ptr<SideBySide> together_;
   std::vector<std::unique_ptr<Wall>> walls_;
   bool changed_ = false;  // walls came or went since the last arrange()
 };

@@ -4,17 +4,11 @@
 #include <array>
 
 #include "contact/parameters.h"
+#include "dynamics/shifted.h"
 #include "dynamics/step_arrays.h"
 
 namespace wythe::dynamics {
 namespace {
-
-// What a wall keeps from step to step: motion and history.
-constexpr std::array kKept{
-    &State::ux,           &State::uy,      &State::theta,        &State::vx,
-    &State::vy,           &State::omega,   &State::kappa,        &State::crush,
-    &State::plastic_slip, &State::slip,    &State::shear_damage, &State::tension_set,
-    &State::node_ux,      &State::node_uy, &State::node_vx,      &State::node_vy};
 
 // The widest set that fills no more than the lanes.
 const Kernels& kernels_for(int lanes) {
@@ -41,32 +35,6 @@ bool same_solids(const Solids& a, const Solids& b) {
          a.zone_entry == b.zone_entry && a.contact_begin == b.contact_begin &&
          a.contact_entry == b.contact_entry && a.node_free_x == b.node_free_x &&
          a.node_free_y == b.node_free_y;
-}
-
-JointArrays shifted(JointArrays v, int lane) {
-  v.pose += lane;
-  v.force += lane;
-  v.busy += lane;
-  for (double** array :
-       {&v.kappa, &v.crush, &v.plastic_slip, &v.slip, &v.shear_damage, &v.tension_set})
-    *array += lane;
-  return v;
-}
-
-BlockArrays shifted(BlockArrays v, int lane) {
-  for (const double** array : {&v.mass, &v.heavy_mass, &v.inertia, &v.is_free, &v.contact_x,
-                               &v.contact_y, &v.contact_m, &v.load_x, &v.load_y, &v.load_m})
-    *array += lane;
-  for (double** array : {&v.total_x, &v.total_y, &v.total_m, &v.ux, &v.uy, &v.theta, &v.vx, &v.vy,
-                         &v.omega, &v.pose})
-    *array += lane;
-  return v;
-}
-
-GatherArrays shifted(GatherArrays v, int lane) {
-  v.force += lane;
-  for (double** array : {&v.contact_x, &v.contact_y, &v.contact_m}) *array += lane;
-  return v;
 }
 
 }  // namespace
@@ -132,9 +100,9 @@ void LaneStepper::drop(int lane) {
   set(lane, {});
 }
 
-Place LaneStepper::place(int lane) {
-  return {wall_view(work_, all_, lanes_, lane),
-          [this, lane](State& state) { copy_out(lane, state); }};
+std::unique_ptr<Place> LaneStepper::place(int lane) {
+  return std::make_unique<ViewPlace>(*wall_[at(lane)].model, wall_view(work_, all_, lanes_, lane),
+                                     [this, lane](State& state) { copy_out(lane, state); });
 }
 
 void LaneStepper::set(int lane, const Controls& controls) {

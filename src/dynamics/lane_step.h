@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "dynamics/place.h"
+#include "dynamics/side_by_side.h"
 #include "dynamics/step_arrays.h"
 #include "dynamics/workspace.h"
 
@@ -22,21 +22,19 @@ inline constexpr int kMostLanes = 8;
 // True when two walls can be stepped side by side: one topology, one geometry, two points a face.
 [[nodiscard]] bool fit_together(const Model& a, const Model& b);
 
-class LaneStepper {
+class LaneStepper final : public SideBySide {
  public:
   // `lanes` 2, 4 or 8; `model` (copied) stands for all walls that fit it.
   LaneStepper(const Model& model, int lanes);
 
-  [[nodiscard]] int lanes() const { return lanes_; }
-  [[nodiscard]] const Model& model() const { return model_; }
-  // A wall takes a lane; model and state have to live until it is dropped.
-  void put(int lane, const Model& model, State& state);
-  // The state's own arrays are brought up to date; the lane stands still from then on.
-  void drop(int lane);
-  [[nodiscard]] Place place(int lane);
-  void set(int lane, const Controls& controls);
-  void step();
-  [[nodiscard]] double reaction(int lane) const { return wall_[at(lane)].reaction; }
+  [[nodiscard]] int lanes() const override { return lanes_; }
+  [[nodiscard]] const Model& model() const override { return model_; }
+  void put(int lane, const Model& model, State& state) override;
+  void drop(int lane) override;
+  [[nodiscard]] std::unique_ptr<Place> place(int lane) override;
+  void set(int lane, const Controls& controls) override;
+  void step() override;
+  [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
 
  private:
   struct Wall {

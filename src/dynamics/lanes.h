@@ -17,9 +17,11 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/pack.h"
 #include "dynamics/kernels.h"
+#ifndef __CUDACC__  // there a Real is a double
+#include "core/pack.h"
 #include "dynamics/shuffle.h"
+#endif
 
 namespace wythe::dynamics {
 
@@ -59,6 +61,7 @@ struct Lanes<double> {
   }
 };
 
+#ifndef __CUDACC__
 template <class Arch>
 struct Lanes<Pack<Arch>> {
   using Real = Pack<Arch>;
@@ -106,6 +109,7 @@ struct Lanes<Pack<Arch>> {
   WYTHE_INLINE static Vector raw(const double* from) { return Real::load(from).lanes; }
   WYTHE_INLINE static Real real(Vector v) { return Real(typename Real::Batch(v)); }
 };
+#endif
 
 template <class R>
 struct Neighbours {

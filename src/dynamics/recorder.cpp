@@ -90,7 +90,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   reaction_sum_ += reaction;
   ++steps_;
   const bool closes = travelled >= next_close_;
-  sample(place.view, state, controls, closes);
+  sample(place, state, controls, closes);
   row_closed_ = closes;
   if (!closes) return;
   place.bring_up(state);
@@ -109,16 +109,15 @@ void Recorder::take_frame(const State& state, double travelled) {
   result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
 }
 
-void Recorder::sample(const WallView& wall, const State& state, const Controls& controls,
-                      bool all) {
+void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
   if (state.step % kShearEvery == 0 || all) {
-    shear_sum_ += base_shear(model_, wall, stage_.drive_x, stage_.drive_y);
+    shear_sum_ += place.base_shear(stage_.drive_x, stage_.drive_y);
     const double work = std::fabs(state.work_drive - work_at_start_);
-    if (work > 0) kinetic_sum_ += kinetic_energy(model_, wall, controls.mass_scaling) / work;
+    if (work > 0) kinetic_sum_ += place.kinetic_energy(controls.mass_scaling) / work;
     ++shear_samples_;
   }
   if (state.step % kUnbalanceEvery == 0 || all) {
-    unbalance_sum_ += unbalance_ratio(model_, wall);
+    unbalance_sum_ += place.unbalance_ratio();
     ++unbalance_samples_;
   }
 }
@@ -211,7 +210,7 @@ void Recorder::finish(const Place& place, State& state, const Controls& controls
   place.bring_up(state);
   // A window cut short is too noisy a mean to stand beside the others.
   if (2 * steps_ >= full_window_ && steps_ > 0) {
-    sample(place.view, state, controls, true);
+    sample(place, state, controls, true);
     close_row(state);
   }
   if (peak_ > 0) {

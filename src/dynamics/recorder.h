@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "dynamics/place.h"
-#include "dynamics/residual.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {
@@ -27,7 +26,7 @@ class Recorder {
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:
-  void sample(const WallView& wall, const State& state, const Controls& controls, bool all);
+  void sample(const Place& place, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_cracks(const State& state, double displacement, double reaction);
   void note_limits(const State& state, double displacement, double reaction);

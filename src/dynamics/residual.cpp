@@ -1,42 +1,29 @@
 #include "dynamics/residual.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "dynamics/zone_state.h"
 
 namespace wythe::dynamics {
 
+WallSizes sizes_of(const Model& m) {
+  return {m.n_block,
+          m.n_pair,
+          m.n_joint,
+          m.solids.n_node,
+          static_cast<int>(m.solids.contact_block.size()),
+          m.solids.contact_block.data(),
+          {m.mass.data()},
+          {m.inertia.data()},
+          {m.solids.node_mass.data()}};
+}
+
 double unbalance_ratio(const Model& model, const WallView& wall) {
-  double unbalanced = 0, contact = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i)
-    if (wall.is_free[i] > 0) unbalanced += std::fabs(wall.total_x[i]) + std::fabs(wall.total_y[i]);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.solids.n_node); ++i)
-    unbalanced += std::fabs(wall.node_total_x[i]) + std::fabs(wall.node_total_y[i]);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(model.n_joint); ++j) {
-    const double sides = static_cast<int>(j) < model.n_pair ? 2.0 : 1.0;
-    contact += sides * (std::fabs(wall.force[4 * j]) + std::fabs(wall.force[4 * j + 1]));
-  }
-  for (std::size_t c = 0; c < model.solids.contact_block.size(); ++c) {
-    const double sides = model.solids.contact_block[c] == model.n_block ? 1.0 : 2.0;
-    contact += sides * (std::fabs(wall.contact_block_force[4 * c]) +
-                        std::fabs(wall.contact_block_force[4 * c + 1]));
-  }
-  if (contact > 0) return unbalanced / contact;
-  return unbalanced > 0 ? 1.0 : 0.0;
+  return unbalance_of(sizes_of(model), wall);
 }
 
 double kinetic_energy(const Model& model, const WallView& wall, double mass_scaling) {
-  double energy = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
-    const double vx = wall.vx[i], vy = wall.vy[i], omega = wall.omega[i];
-    energy += 0.5 * model.mass[i] * (vx * vx + vy * vy) + 0.5 * model.inertia[i] * omega * omega;
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.solids.n_node); ++i) {
-    const double vx = wall.node_vx[i], vy = wall.node_vy[i];
-    energy += 0.5 * model.solids.node_mass[i] * (vx * vx + vy * vy);
-  }
-  return energy * mass_scaling;
+  return kinetic_of(sizes_of(model), wall, mass_scaling);
 }
 
 namespace {
@@ -73,14 +60,7 @@ double elastic_energy(const Model& model, const State& state) {
 }
 
 double base_shear(const Model& model, const WallView& wall, double px, double py) {
-  double sum = 0;  // the force on side a, the ground, resists with the opposite sign
-  for (auto j = static_cast<std::size_t>(model.n_pair); j < static_cast<std::size_t>(model.n_joint);
-       ++j)
-    sum += wall.force[4 * j] * px + wall.force[4 * j + 1] * py;
-  for (std::size_t c = 0; c < model.solids.contact_block.size(); ++c)
-    if (model.solids.contact_block[c] == model.n_block)
-      sum += wall.contact_block_force[4 * c] * px + wall.contact_block_force[4 * c + 1] * py;
-  return sum;
+  return shear_of(sizes_of(model), wall, px, py);
 }
 
 EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
@@ -108,31 +88,11 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
 }
 
 BlockId runaway_block(const Model& model, const WallView& wall) {
-  constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.n_block); ++i) {
-    const double speed = std::fabs(wall.vx[i]) + std::fabs(wall.vy[i]);
-    if (!(speed < kFast) || !std::isfinite(wall.omega[i]) || !std::isfinite(wall.theta[i]))
-      return static_cast<BlockId>(i);
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.solids.n_node); ++i)
-    if (!(std::fabs(wall.node_vx[i]) + std::fabs(wall.node_vy[i]) < kFast))
-      return model.n_block + static_cast<BlockId>(i);
-  return -1;
+  return runaway_of(sizes_of(model), wall);
 }
 
 Furthest furthest_block(const Model& model, const WallView& wall) {
-  Furthest f;
-  const auto look = [&](const Strided& x, const Strided& y, int count, BlockId first) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      const double ux = x[i], uy = y[i];
-      const double moved = ux * ux + uy * uy;
-      if (moved > f.distance) f = {moved, first + static_cast<BlockId>(i)};
-    }
-  };
-  look(wall.ux, wall.uy, model.n_block, 0);
-  look(wall.node_ux, wall.node_uy, model.solids.n_node, model.n_block);
-  f.distance = std::sqrt(f.distance);
-  return f;
+  return furthest_of(sizes_of(model), wall);
 }
 
 }  // namespace wythe::dynamics

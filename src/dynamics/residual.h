@@ -1,10 +1,12 @@
 // The numbers by which solver, tests and report judge a state: unbalance, energies, base shear.
 #pragma once
 
-#include "dynamics/wall_view.h"
+#include "dynamics/wall_sums.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {
+
+[[nodiscard]] WallSizes sizes_of(const Model& model);
 
 // sum |unbalanced force| / sum |contact force| over the free blocks, 1-norm; 0 where nothing acts.
 [[nodiscard]] double unbalance_ratio(const Model& model, const WallView& wall);
@@ -19,11 +21,7 @@ namespace wythe::dynamics {
                                          double mass_scaling);
 // First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
 [[nodiscard]] BlockId runaway_block(const Model& model, const WallView& wall);
-// Distance of the block that has moved furthest [m], and which it is; n_block + i for node i.
-struct Furthest {
-  double distance = 0;
-  BlockId block = 0;
-};
+// The block (n_block + i: node i) that has moved furthest.
 [[nodiscard]] Furthest furthest_block(const Model& model, const WallView& wall);
 
 }  // namespace wythe::dynamics

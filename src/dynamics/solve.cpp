@@ -66,7 +66,8 @@ double top_displacement(const Model& model, const State& state) {
 
 namespace dynamics {
 
-WallRun::WallRun(const Model& model, State& state, const SolveOptions& options, Place place)
+WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
+                 std::unique_ptr<Place> place)
     : model_(model),
       state_(state),
       options_(options),
@@ -110,9 +111,9 @@ void WallRun::look(double reaction) {
   if (state_.stage > stage) start_stages();
 }
 
-void WallRun::move_to(Place place) {
+void WallRun::move_to(std::unique_ptr<Place> place) {
   wall_.place = std::move(place);
-  if (stage_) choose_driven(model_, wall_.place.view, stage_->driven());
+  if (stage_) wall_.place->choose_driven(stage_->driven());
 }
 
 Result WallRun::finish() {
@@ -133,7 +134,8 @@ Result WallRun::finish() {
 Result solve(const Model& model, State& state, const SolveOptions& options) {
   dynamics::Stepper stepper(model, std::max(1, options.threads));
   stepper.refresh(state);
-  dynamics::WallRun run(model, state, options, {stepper.view_of(state), {}});
+  dynamics::WallRun run(model, state, options,
+                        std::make_unique<dynamics::ViewPlace>(model, stepper.view_of(state)));
   while (!run.ended()) run.look(stepper.step(state, run.next()).reaction);
   return run.finish();
 }

@@ -7,7 +7,6 @@
 
 #include "core/real.h"
 #include "dynamics/recorder.h"
-#include "dynamics/residual.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -55,13 +54,13 @@ StageRun::StageRun(WallUnderWay& wall, const Stage& stage)
   controls_.dt = stage_time_step(model_, stage);
   controls_.mass_scaling = stage_mass_scaling(model_, stage);
   controls_.damping = stage.spec.damping;
-  choose_driven(model_, wall.place.view, stage.driven);
+  wall.place->choose_driven(stage.driven);
 }
 
 void StageRun::drive(const Stage& push) {
   driven_ = &push.driven;
   controls_.push = &push;
-  choose_driven(model_, wall_.place.view, push.driven);
+  wall_.place->choose_driven(push.driven);
 }
 
 void StageRun::end(StageEnd how) {
@@ -70,11 +69,11 @@ void StageRun::end(StageEnd how) {
 }
 
 StageEnd StageRun::close() {
-  if (end_.finished && runaway_block(model_, wall_.place.view) >= 0) end(runs_away());
+  if (end_.finished && wall_.place->runaway_block() >= 0) end(runs_away());
   finish(end_);
-  wall_.place.bring_up(state_);
+  wall_.place->bring_up(state_);
   wall_.result.stages.push_back({stage_.spec.name, state_.stage_time, state_.step - first_step_,
-                                 unbalance_ratio(model_, wall_.place.view),
+                                 wall_.place->unbalance_ratio(),
                                  end_.status == SolveStatus::kCompleted});
   wall_.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
   return end_;
@@ -94,7 +93,7 @@ StageEnd StageRun::runs_away() const {
       SolveStatus::kUnstable,
       fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
                   "solve.step_fraction",
-                  name_of(runaway_block(model_, wall_.place.view)), state_.time, stage_.spec.name),
+                  name_of(wall_.place->runaway_block()), state_.time, stage_.spec.name),
       false};
 }
 
@@ -105,9 +104,9 @@ void StageRun::watch(double share) {
   if (options.progress)
     options.progress({stage_.spec.name.c_str(), share, state_.drive_displacement,
                       wall_.result.curve.empty() ? 0.0 : wall_.result.curve.back().reaction});
-  if (runaway_block(model_, wall_.place.view) >= 0) return end(runs_away());
+  if (wall_.place->runaway_block() >= 0) return end(runs_away());
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
-  const Furthest furthest = furthest_block(model_, wall_.place.view);
+  const Furthest furthest = wall_.place->furthest_block();
   if (furthest.distance > allowed)
     return end({SolveStatus::kCollapsed,
                 fmt::format("block {} has moved {:.0f} mm in stage \"{}\"", name_of(furthest.block),
@@ -141,7 +140,7 @@ class QuasiStatic : public StageRun {
   void look(double) override {
     const double ramp = stage_.spec.ramp;
     if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
-      const double ratio = unbalance_ratio(model_, wall_.place.view);
+      const double ratio = wall_.place->unbalance_ratio();
       if (ratio < model_.solve.settle_ratio) return end({});
       if (state_.stage_time > ramp + model_.solve.settle_limit) return end(unsettled(ratio));
     }
@@ -180,7 +179,7 @@ class Push : public StageRun {
 
   void look(double reaction) override {
     state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
-    recorder_.take(wall_.place, state_, controls_, reaction, state_.drive_displacement, 0,
+    recorder_.take(*wall_.place, state_, controls_, reaction, state_.drive_displacement, 0,
                    state_.travelled);
     set_pace();
     if (sense_ * (state_.drive_displacement - target()) >= 0) {
@@ -209,7 +208,7 @@ class Push : public StageRun {
   // Faster where the wall is near balance; all the way takes the time of the smooth start.
   void set_pace() {
     if (!has_servo() || state_.step % kSettleEvery != 0) return;
-    const double ratio = unbalance_ratio(model_, wall_.place.view);
+    const double ratio = wall_.place->unbalance_ratio();
     const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
@@ -220,7 +219,7 @@ class Push : public StageRun {
   void finish(StageEnd& how) override {
     if (how.finished) state_.target = 0;
     controls_.push = nullptr;
-    recorder_.finish(wall_.place, state_, controls_);
+    recorder_.finish(*wall_.place, state_, controls_);
   }
 
   std::vector<double> targets_;
@@ -255,9 +254,9 @@ class Factor : public StageRun {
   void look(double) override {
     const double now = moved();
     const double carried = tilting_ ? std::tan(factor_) : factor_;
-    recorder_.take(wall_.place, state_, controls_, carried * model_.weight, now, carried, factor_);
+    recorder_.take(*wall_.place, state_, controls_, carried * model_.weight, now, carried, factor_);
     if (state_.step % kSettleEvery == 0) {
-      state_.balance = unbalance_ratio(model_, wall_.place.view);
+      state_.balance = wall_.place->unbalance_ratio();
       if (share_ > 0) {
         state_.load_factor = carried;
         last_growth_ = state_.stage_time;
@@ -272,7 +271,7 @@ class Factor : public StageRun {
   }
 
  private:
-  [[nodiscard]] double moved() const { return furthest_block(model_, wall_.place.view).distance; }
+  [[nodiscard]] double moved() const { return wall_.place->furthest_block().distance; }
 
   void set_factor(double factor) {
     const double g = model_.solve.gravity;
@@ -300,7 +299,7 @@ class Factor : public StageRun {
   }
 
   void finish(StageEnd& how) override {
-    recorder_.finish(wall_.place, state_, controls_);
+    recorder_.finish(*wall_.place, state_, controls_);
     wall_.result.load_factor = state_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
       how.reason = fmt::format("{}; the largest load factor carried is {:.4f}", how.reason,

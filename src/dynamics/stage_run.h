@@ -32,7 +32,7 @@ struct WallUnderWay {
   State& state;
   const SolveOptions& options;
   Result& result;
-  Place place;
+  std::unique_ptr<Place> place;
   Controls controls;
 };
 

@@ -2,11 +2,21 @@
 // (step.cpp) and that of walls side by side (lane_step.cpp).
 #pragma once
 
+#include <array>
+
 #include "dynamics/kernels.h"
 #include "dynamics/wall_view.h"
 #include "dynamics/workspace.h"
+#include "dynamics/zones.h"
 
 namespace wythe::dynamics {
+
+// What a wall keeps from step to step: motion and history.
+inline constexpr std::array kKept{
+    &State::ux,           &State::uy,      &State::theta,        &State::vx,
+    &State::vy,           &State::omega,   &State::kappa,        &State::crush,
+    &State::plastic_slip, &State::slip,    &State::shear_damage, &State::tension_set,
+    &State::node_ux,      &State::node_uy, &State::node_vx,      &State::node_vy};
 
 [[nodiscard]] inline JointArrays joint_arrays(const Model& m, Workspace& w, State& s) {
   return {.a = m.joint_a.data(),
@@ -67,6 +77,81 @@ namespace wythe::dynamics {
 [[nodiscard]] inline GatherArrays gather_arrays(const Model& m, Workspace& w) {
   return {m.block_begin.data(), w.block_middle.data(), m.block_entry.data(), w.force.data(),
           w.contact_x.data(),   w.contact_y.data(),    w.contact_m.data()};
+}
+
+[[nodiscard]] inline ZoneArrays zone_arrays(const Solids& m, Workspace& w, const State& s,
+                                            int lanes) {
+  return {
+      .corner = {m.corner[0].data(), m.corner[1].data(), m.corner[2].data(), m.corner[3].data()},
+      .ux = s.node_ux.data(),
+      .uy = s.node_uy.data(),
+      .low_force = w.zone_force.data(),
+      .high_force = w.zone_force.data() + 4 * static_cast<std::size_t>(m.n_zone * lanes)};
+}
+
+inline constexpr double kEdgeXi[2] = {-1.0, 1.0}, kEdgeWeight[2] = {0.5, 0.5};
+
+// History of the contacts follows that of the joints.
+[[nodiscard]] inline JointArrays contact_joints(const Model& m, Workspace& w, State& s, int lanes) {
+  const auto first = static_cast<std::size_t>(m.n_point() * lanes);
+  JointArrays v{};
+  v.area = m.solids.contact_area.data();
+  v.xi = kEdgeXi;
+  v.weight = kEdgeWeight;
+  v.n_face_point = 2;
+  v.pose = w.pose.data();
+  v.kappa = s.kappa.data() + first;
+  v.crush = s.crush.data() + first;
+  v.plastic_slip = s.plastic_slip.data() + first;
+  v.slip = s.slip.data() + first;
+  v.shear_damage = s.shear_damage.data() + first;
+  v.tension_set = s.tension_set.data() + first;
+  v.busy = w.busy.data() + static_cast<std::size_t>(m.n_joint * lanes);
+  return v;
+}
+
+[[nodiscard]] inline EdgeArrays edge_arrays(const Model& m, Workspace& w, State& s, int lanes) {
+  const Solids& solids = m.solids;
+  return {.joint = contact_joints(m, w, s, lanes),
+          .block = solids.contact_block.data(),
+          .p = solids.contact_p.data(),
+          .q = solids.contact_q.data(),
+          .share_0 = solids.share_0.data(),
+          .share_1 = solids.share_1.data(),
+          .arm_0_x = solids.arm_0_x.data(),
+          .arm_0_y = solids.arm_0_y.data(),
+          .arm_1_x = solids.arm_1_x.data(),
+          .arm_1_y = solids.arm_1_y.data(),
+          .tangent_x = solids.contact_tangent_x.data(),
+          .tangent_y = solids.contact_tangent_y.data(),
+          .ux = s.node_ux.data(),
+          .uy = s.node_uy.data(),
+          .block_force = w.contact_block_force.data(),
+          .edge_force = w.contact_edge_force.data()};
+}
+
+[[nodiscard]] inline NodeArrays node_arrays(const Solids& m, Workspace& w, State& s) {
+  return {.mass = m.node_mass.data(),
+          .heavy_mass = m.node_heavy_mass.data(),
+          .free_x = m.node_free_x.data(),
+          .free_y = m.node_free_y.data(),
+          .total_x = w.node_total_x.data(),
+          .total_y = w.node_total_y.data(),
+          .ux = s.node_ux.data(),
+          .uy = s.node_uy.data(),
+          .vx = s.node_vx.data(),
+          .vy = s.node_vy.data()};
+}
+
+[[nodiscard]] inline NodeSums node_sums(const Solids& m, Workspace& w) {
+  return {.zone_begin = m.zone_begin.data(),
+          .zone_entry = m.zone_entry.data(),
+          .contact_begin = m.contact_begin.data(),
+          .contact_entry = m.contact_entry.data(),
+          .zone_force = w.zone_force.data(),
+          .edge_force = w.contact_edge_force.data(),
+          .total_x = w.node_total_x.data(),
+          .total_y = w.node_total_y.data()};
 }
 
 // Wall `lane` of `lanes` walls side by side.

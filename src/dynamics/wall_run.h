@@ -14,7 +14,8 @@ namespace wythe::dynamics {
 class WallRun {
  public:
   // `options` have to live as long as the run; the place is ready to be stepped.
-  WallRun(const Model& model, State& state, const SolveOptions& options, Place place);
+  WallRun(const Model& model, State& state, const SolveOptions& options,
+          std::unique_ptr<Place> place);
   WallRun(const WallRun&) = delete;
   WallRun& operator=(const WallRun&) = delete;
 
@@ -24,7 +25,7 @@ class WallRun {
   // After it, with the reaction of the drive.
   void look(double reaction);
   // Goes on elsewhere; the new place holds the same state.
-  void move_to(Place place);
+  void move_to(std::unique_ptr<Place> place);
   // What the curve says; call once, at the end.
   Result finish();
 

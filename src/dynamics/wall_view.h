@@ -6,15 +6,22 @@
 
 #include <cstddef>
 
+#include "core/real.h"
 #include "wythe/model.h"
 
 namespace wythe::dynamics {
 
-struct Strided {
-  double* first = nullptr;
+template <class T>
+struct StridedOf {
+  T* first = nullptr;
   std::ptrdiff_t stride = 1;
-  double& operator[](std::size_t i) const { return first[static_cast<std::ptrdiff_t>(i) * stride]; }
+  template <class Index>
+  WYTHE_INLINE T& operator[](Index i) const {
+    return first[static_cast<std::ptrdiff_t>(i) * stride];
+  }
 };
+using Strided = StridedOf<double>;
+using ConstStrided = StridedOf<const double>;
 
 struct WallView {
   Strided ux, uy, theta, vx, vy, omega;     // motion (n_block)

@@ -2,61 +2,12 @@
 #include <algorithm>
 
 #include "dynamics/lane_step.h"
+#include "dynamics/shifted.h"
 #include "dynamics/step.h"
 #include "dynamics/step_arrays.h"
 
 namespace wythe::dynamics {
 namespace {
-
-constexpr double kXi[2] = {-1.0, 1.0}, kHalf[2] = {0.5, 0.5};
-
-ZoneArrays zone_arrays(const Solids& m, Workspace& w, const State& s, int lanes) {
-  return {
-      .corner = {m.corner[0].data(), m.corner[1].data(), m.corner[2].data(), m.corner[3].data()},
-      .ux = s.node_ux.data(),
-      .uy = s.node_uy.data(),
-      .low_force = w.zone_force.data(),
-      .high_force = w.zone_force.data() + 4 * static_cast<std::size_t>(m.n_zone * lanes)};
-}
-
-// History of the contacts follows that of the joints.
-JointArrays contact_joints(const Model& m, Workspace& w, State& s, int lanes) {
-  const auto first = static_cast<std::size_t>(m.n_point() * lanes);
-  JointArrays v{};
-  v.area = m.solids.contact_area.data();
-  v.xi = kXi;
-  v.weight = kHalf;
-  v.n_face_point = 2;
-  v.pose = w.pose.data();
-  v.kappa = s.kappa.data() + first;
-  v.crush = s.crush.data() + first;
-  v.plastic_slip = s.plastic_slip.data() + first;
-  v.slip = s.slip.data() + first;
-  v.shear_damage = s.shear_damage.data() + first;
-  v.tension_set = s.tension_set.data() + first;
-  v.busy = w.busy.data() + static_cast<std::size_t>(m.n_joint * lanes);
-  return v;
-}
-
-EdgeArrays edge_arrays(const Model& m, Workspace& w, State& s, int lanes) {
-  const Solids& solids = m.solids;
-  return {.joint = contact_joints(m, w, s, lanes),
-          .block = solids.contact_block.data(),
-          .p = solids.contact_p.data(),
-          .q = solids.contact_q.data(),
-          .share_0 = solids.share_0.data(),
-          .share_1 = solids.share_1.data(),
-          .arm_0_x = solids.arm_0_x.data(),
-          .arm_0_y = solids.arm_0_y.data(),
-          .arm_1_x = solids.arm_1_x.data(),
-          .arm_1_y = solids.arm_1_y.data(),
-          .tangent_x = solids.contact_tangent_x.data(),
-          .tangent_y = solids.contact_tangent_y.data(),
-          .ux = s.node_ux.data(),
-          .uy = s.node_uy.data(),
-          .block_force = w.contact_block_force.data(),
-          .edge_force = w.contact_edge_force.data()};
-}
 
 // A chunk's whole groups go through the packs, what is left over through the scalar kernel.
 template <class Run>
@@ -68,38 +19,11 @@ void run_chunk(const JointChunk& chunk, const Kernels& kernels, const Run& run) 
   run(scalar_kernels(), grouped, end);
 }
 
-NodeArrays node_arrays(const Solids& m, Workspace& w, State& s) {
-  return {.mass = m.node_mass.data(),
-          .heavy_mass = m.node_heavy_mass.data(),
-          .free_x = m.node_free_x.data(),
-          .free_y = m.node_free_y.data(),
-          .total_x = w.node_total_x.data(),
-          .total_y = w.node_total_y.data(),
-          .ux = s.node_ux.data(),
-          .uy = s.node_uy.data(),
-          .vx = s.node_vx.data(),
-          .vy = s.node_vy.data()};
-}
-
-// Forces of zones and contacts on node i of all walls, in the order of its lists.
-void sum_on_node(const Solids& m, Workspace& w, std::size_t i, int lanes) {
-  const auto walls = static_cast<std::size_t>(lanes);
-  double* x = w.node_total_x.data() + i * walls;
-  double* y = w.node_total_y.data() + i * walls;
-  for (std::size_t k = 0; k < walls; ++k) x[k] = y[k] = 0;
-  const auto add = [&](const std::vector<std::int32_t>& begin,
-                       const std::vector<std::int32_t>& list, const double* force) {
-    for (auto e = begin[i]; e < begin[i + 1]; ++e) {
-      const double* at =
-          force + static_cast<std::size_t>(list[static_cast<std::size_t>(e)]) * walls;
-      for (std::size_t k = 0; k < walls; ++k) {
-        x[k] += at[k];
-        y[k] += at[walls + k];
-      }
-    }
-  };
-  add(m.zone_begin, m.zone_entry, w.zone_force.data());
-  add(m.contact_begin, m.contact_entry, w.contact_edge_force.data());
+void sum_on_nodes(const Solids& m, Workspace& w, const JointChunk& nodes, int lanes) {
+  const NodeSums sums = node_sums(m, w);
+  for (auto i = nodes.begin; i < nodes.end; ++i)
+    for (int lane = 0; lane < lanes; ++lane)
+      sum_on_node(sums, static_cast<std::size_t>(i), lanes, lane);
 }
 
 JointChunk node_chunk(const Solids& m, int c) {
@@ -112,35 +36,6 @@ const ZoneShape& shape_of(const Solids& m, const JointChunk& chunk) {
 
 std::size_t material_of(const Solids& m, const JointChunk& chunk) {
   return static_cast<std::size_t>(m.contact_material[static_cast<std::size_t>(chunk.begin)]);
-}
-
-ZoneArrays shifted(ZoneArrays v, int lane) {
-  v.ux += lane;
-  v.uy += lane;
-  v.low_force += lane;
-  v.high_force += lane;
-  return v;
-}
-
-EdgeArrays shifted(EdgeArrays v, int lane) {
-  JointArrays& j = v.joint;
-  j.pose += lane;
-  j.busy += lane;
-  for (double** array :
-       {&j.kappa, &j.crush, &j.plastic_slip, &j.slip, &j.shear_damage, &j.tension_set})
-    *array += lane;
-  v.ux += lane;
-  v.uy += lane;
-  v.block_force += lane;
-  v.edge_force += lane;
-  return v;
-}
-
-NodeArrays shifted(NodeArrays v, int lane) {
-  v.mass += lane;
-  v.heavy_mass += lane;
-  for (double** array : {&v.total_x, &v.total_y, &v.ux, &v.uy, &v.vx, &v.vy}) *array += lane;
-  return v;
 }
 
 }  // namespace
@@ -184,8 +79,7 @@ void Stepper::node_pass(State& s, const Controls& controls) {
                           &s.gravity_y};
   for_each_chunk(work_.node_chunks, [&](int c) {
     const JointChunk chunk = node_chunk(m, c);
-    for (auto i = chunk.begin; i < chunk.end; ++i)
-      sum_on_node(m, work_, static_cast<std::size_t>(i), 1);
+    sum_on_nodes(m, work_, chunk, 1);
     double loads[kGroup] = {}, damping[kGroup] = {};
     run_chunk(chunk, kernels_, [&](const Kernels& kernels, std::size_t begin, std::size_t end) {
       kernels.nodes(arrays, move, begin, end, {loads, damping});
@@ -198,17 +92,11 @@ void Stepper::node_pass(State& s, const Controls& controls) {
 // A few dozen rows.
 void gather_zone_contacts(const Model& model, Workspace& work, int lanes) {
   const Solids& m = model.solids;
-  const auto walls = static_cast<std::size_t>(lanes);
-  for (std::size_t c = 0; c < m.contact_block.size(); ++c) {
-    if (m.contact_block[c] == model.n_block) continue;
-    const std::size_t i = static_cast<std::size_t>(m.contact_block[c]) * walls;
-    const double* row = work.contact_block_force.data() + 4 * c * walls;
-    for (std::size_t k = 0; k < walls; ++k) {
-      work.contact_x[i + k] += row[k];
-      work.contact_y[i + k] += row[walls + k];
-      work.contact_m[i + k] += row[2 * walls + k];
-    }
-  }
+  for (int c = 0; c < m.n_contact; ++c)
+    for (int lane = 0; lane < lanes; ++lane)
+      gather_contact(m.contact_block.data(), model.n_block, work.contact_block_force.data(),
+                     work.contact_x.data(), work.contact_y.data(), work.contact_m.data(), c, lanes,
+                     lane);
 }
 
 // --- walls side by side --------------------------------------------------------------------------
@@ -242,8 +130,7 @@ void LaneStepper::node_pass() {
   arrays.heavy_mass = node_heavy_mass_.data();
   for (int c = 0; c < work_.node_chunks; ++c) {
     const JointChunk chunk = node_chunk(model_.solids, c);
-    for (auto i = chunk.begin; i < chunk.end; ++i)
-      sum_on_node(model_.solids, work_, static_cast<std::size_t>(i), lanes_);
+    sum_on_nodes(model_.solids, work_, chunk, lanes_);
     sum_blocks(at(c), work_.node_energy, [&](int lane, const BlockEnergy& energy) {
       kernels_.wall_nodes(shifted(arrays, lane), lanes_, move_controls(lane),
                           static_cast<std::size_t>(chunk.begin),

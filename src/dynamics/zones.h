@@ -17,8 +17,8 @@ namespace wythe::dynamics {
 
 // Zones begin..end-1, all of one shape.
 template <class Access>
-void zone_run(const ZoneArrays& v, Access access, const ZoneShape& shape, std::size_t begin,
-              std::size_t end) {
+WYTHE_BOTH void zone_run(const ZoneArrays& v, Access access, const ZoneShape& shape,
+                         std::size_t begin, std::size_t end) {
   using Real = typename Access::Real;
   for (std::size_t z = begin; z < end; z += Access::advance) {
     solids::ZoneVectors<Real> u;
@@ -86,6 +86,40 @@ WYTHE_INLINE void edge_force(const EdgeArrays& v, Access access,
   const Real to_q_x = share_0 * x0 + share_1 * x1, to_q_y = share_0 * y0 + share_1 * y1;
   access.keep_rows({to_q_x - (x0 + x1), to_q_y - (y0 + y1), Real(0.0) - to_q_x, Real(0.0) - to_q_y},
                    v.edge_force, c);
+}
+
+// Forces of zones and contacts on node i of wall `wall` of `walls`, in the order of its lists.
+struct NodeSums {
+  const std::int32_t *zone_begin, *zone_entry, *contact_begin, *contact_entry;
+  const double *zone_force, *edge_force;
+  double *total_x, *total_y;
+};
+WYTHE_INLINE void sum_on_node(const NodeSums& v, std::size_t i, std::ptrdiff_t walls,
+                              std::ptrdiff_t wall) {
+  double x = 0, y = 0;
+  const auto add = [&](const std::int32_t* begin, const std::int32_t* list, const double* force) {
+    for (auto e = begin[i]; e < begin[i + 1]; ++e) {
+      const double* at = force + list[e] * walls + wall;
+      x += at[0];
+      y += at[walls];
+    }
+  };
+  add(v.zone_begin, v.zone_entry, v.zone_force);
+  add(v.contact_begin, v.contact_entry, v.edge_force);
+  v.total_x[static_cast<std::ptrdiff_t>(i) * walls + wall] = x;
+  v.total_y[static_cast<std::ptrdiff_t>(i) * walls + wall] = y;
+}
+
+// Adds zone contact c's force to its rigid block, in the contacts' order, after the joints.
+WYTHE_INLINE void gather_contact(const BlockId* contact_block, BlockId n_block, const double* force,
+                                 double* contact_x, double* contact_y, double* contact_m, int c,
+                                 std::ptrdiff_t walls, std::ptrdiff_t wall) {
+  if (contact_block[c] == n_block) return;
+  const std::ptrdiff_t i = contact_block[c] * walls + wall;
+  const double* row = force + 4 * c * walls + wall;
+  contact_x[i] += row[0];
+  contact_y[i] += row[walls];
+  contact_m[i] += row[2 * walls];
 }
 
 // The nodes a Real takes from i on.

@@ -16,6 +16,7 @@
 #include <numeric>
 #include <thread>
 
+#include "dynamics/gpu.h"
 #include "dynamics/lane_solver.h"
 #include "study/folder_lock.h"
 #include "study/sample_run.h"
@@ -156,8 +157,12 @@ class Runner {
       const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
       const int wanted = options_.jobs > 0 ? options_.jobs : cores;
       const int left = static_cast<int>(pending_.size());
-      const int jobs = std::min(wanted, left);
-      if (jobs > 0) lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
+      const bool on_gpu = options_.device == Device::kGpu;
+      const int jobs = std::min(on_gpu ? 1 : wanted, left);
+      if (on_gpu && left > 0)
+        lanes_ = dynamics::gpu_walls(compile(build_({})), left);
+      else if (jobs > 0)
+        lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
       for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
     }
     if (failure_) std::rethrow_exception(failure_);
@@ -238,7 +243,9 @@ class Runner {
     // a run reports a few times a second: the user's stop reaches every worker through halt_
     how.progress = [this](const Progress&) { heed_user(); };
     std::map<int, std::unique_ptr<SampleJob>> under_way;
-    dynamics::LaneSolver lanes(lanes_);
+    const bool on_gpu = options_.device == Device::kGpu;
+    dynamics::LaneSolver lanes(
+        lanes_, on_gpu ? dynamics::LaneSolver::Make(dynamics::gpu_stepper) : nullptr);
     const auto start = [&](SampleJob& job) {
       lanes.put(job.sample(), job.model(), job.state(), how);
     };

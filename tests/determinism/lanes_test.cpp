@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/device_step.h"
 #include "dynamics/lane_solver.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
@@ -107,8 +108,9 @@ std::unique_ptr<Wall> wall_of(double strength, int columns = 5, double haste = 1
 }
 
 // Solves all walls with `width` lanes and compares every one with itself alone.
-std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width) {
-  LaneSolver solver(width);
+std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width,
+                                   const LaneSolver::Make& make = {}) {
+  LaneSolver solver(width, make);
   std::vector<Result> results(walls.size());
   const SolveOptions options;
   std::size_t next = 0;
@@ -163,6 +165,78 @@ TEST(Lanes, walls_with_deformable_lintels_too) {
   timber.shear_modulus *= 2;
   EXPECT_FALSE(dynamics::fit_together(compile(stiffer),
                                       compile(scenes::lintel_wall(LintelModel::kZones, 0.05e-3))));
+}
+
+// --- on a device, which here is this processor with memory of its own ------------------------------
+
+std::unique_ptr<dynamics::SideBySide> host_device(const Model& model, int walls) {
+  return std::make_unique<dynamics::DeviceStepper<dynamics::HostDevice>>(model, walls);
+}
+
+TEST(Device, walls_have_the_bits_of_those_alone) {
+  std::vector<std::unique_ptr<Wall>> walls;
+  for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) walls.push_back(wall_of(strength));
+  walls.insert(walls.begin() + 1, wall_of(1.0, 5, 20));  // unstable: the others carry on
+  walls.push_back(wall_of(1.0, 6));                      // does not fit: alone beside them
+  const auto results = solve_together(walls, 4, host_device);
+  for (std::size_t k = 0; k < results.size(); ++k)
+    EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
+}
+
+// Curve and ledger of one wall on the device and alone: rows to the bit, sums of works to rounding.
+void expect_same_result(const ModelSpec& spec) {
+  const Model model = compile(spec);
+  State alone_state = initial_state(model), state = initial_state(model);
+  const Result alone = solve(model, alone_state, {});
+  int made = 0;
+  LaneSolver solver(2, [&](const Model& m, int walls) {
+    ++made;
+    return host_device(m, walls);
+  });
+  const SolveOptions options;
+  solver.put(0, model, state, options);
+  const Result there = solver.next().result;
+  EXPECT_EQ(made, 1);
+  EXPECT_EQ(there.state_hash, alone.state_hash);
+  EXPECT_EQ(there.steps, alone.steps);
+  ASSERT_EQ(there.curve.size(), alone.curve.size());
+  for (std::size_t k = 0; k < alone.curve.size(); ++k) {
+    EXPECT_EQ(there.curve[k].reaction, alone.curve[k].reaction) << k;
+    EXPECT_EQ(there.curve[k].base_shear, alone.curve[k].base_shear) << k;
+    EXPECT_EQ(there.curve[k].unbalance_ratio, alone.curve[k].unbalance_ratio) << k;
+    EXPECT_EQ(there.curve[k].kinetic_ratio, alone.curve[k].kinetic_ratio) << k;
+  }
+  const EnergyLedger &a = there.energy, &b = alone.energy;
+  EXPECT_EQ(a.drive, b.drive);
+  EXPECT_EQ(a.kinetic, b.kinetic);
+  const double scale = 1e-12 * (std::abs(b.loads) + std::abs(b.drive));
+  for (const auto& [now, then] :
+       {std::pair{a.loads, b.loads}, std::pair{a.damping, b.damping},
+        std::pair{a.friction, b.friction}, std::pair{a.fracture, b.fracture},
+        std::pair{a.crushing, b.crushing}})
+    EXPECT_NEAR(now, then, scale);
+  EXPECT_GT(b.damping, 0);
+}
+
+TEST(Device, curve_and_ledger_of_a_plain_wall) {
+  expect_same_result(scenes::plain_wall(5, 7, 0.4e-3, 0.05));
+}
+TEST(Device, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
+  expect_same_result(scenes::lintel_wall(LintelModel::kZones, 0.1e-3));
+}
+TEST(Device, every_law_is_compiled_for_it) {
+  for (const Softening softening :
+       {Softening::kExponential, Softening::kPolynomial, Softening::kPetersson})
+    for (const Unloading unloading : {Unloading::kSecant, Unloading::kElastic}) {
+      ModelSpec spec = scenes::plain_wall(4, 5, 0.1e-3, 0.05);
+      for (auto& [name, material] : spec.material) {
+        material.softening = softening;
+        material.unloading = unloading;
+        material.coupling =
+            unloading == Unloading::kElastic ? Coupling::kMaximum : Coupling::kStiffness;
+      }
+      expect_same_result(spec);
+    }
 }
 
 TEST(Lanes, a_wall_with_another_law_does_not_fit) {

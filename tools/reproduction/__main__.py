@@ -1,11 +1,11 @@
 """The reproduction page: the paper's numbers beside those of one campaign, with intervals, and what moves them.
 
-  python3 tools/reproduction CAMPAIGN_DIR [--paired out/paired] [--binary build/release/wythe]
+  python3 tools/reproduction CAMPAIGN_DIR [--paired out/paired] [--slow SLOW_DIR] [--binary build/release/wythe]
 
 CAMPAIGN_DIR is the folder of `wythe campaign examples/tuff_wall/study.toml --out CAMPAIGN_DIR`, finished. Writes
 docs/reproduction.md and its figures, docs/figures/reproduction, from the template page.md, whose {{names}} become
 numbers, tables and figures. --paired names the runs of `tools/paired_samples run`; variants not run yet are named as
-missing. Exit 1 if a number of statistics.json does not come out again from samples.csv.
+missing; --slow the same campaign pushed at the paper's 1 mm/s. Exit 1 if a number of statistics.json does not come out again from samples.csv.
 Python's standard library (3.11 or newer) and libzstd only.
 """
 import argparse
@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True
 import causes
 import compare
 import paired
+import rate
 import recompute
 from campaign import Campaign
 from paper import CITATION
@@ -49,17 +50,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("campaign", help="folder of the campaign")
     parser.add_argument("--paired", default="out/paired")
+    parser.add_argument("--slow", help="folder of the same campaign at the paper's rate")
     parser.add_argument("--binary", default="build/release/wythe", help="draws the wall; an empty name keeps the pictures")
     parser.add_argument("--page", default="docs/reproduction.md")
     parser.add_argument("--figures", default="docs/figures/reproduction")
     arguments = parser.parse_args()
     try:
         campaign = Campaign(arguments.campaign)
+        slow = Campaign(arguments.slow) if arguments.slow else None
     except FileNotFoundError as error:
-        sys.exit(f"{error.filename}: not there; `wythe report {arguments.campaign}` makes it from a finished campaign")
+        sys.exit(f"{error.filename}: not there; `wythe report FOLDER` makes it from a finished campaign")
     page, runs = compare.Page(campaign, arguments.page, arguments.figures), paired.Paired(arguments.paired, campaign)
     checked = recompute.check(campaign)
     values = head(campaign) | compare.values(page) | causes.values(page, arguments.binary) | paired.values(page, runs)
+    values |= rate.values(page, slow)
     template = pathlib.Path(__file__).with_name("page.md").read_text(encoding="utf-8")
     pathlib.Path(arguments.page).write_text(filled(template, values | {"check": said_of(checked)}), encoding="utf-8")
     print(f"{arguments.page}: {values['inside']} inside, {values['outside']} outside; of {checked.compared} numbers computed again "
