@@ -56,10 +56,11 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
             .cure = "run without --shard, or drop --until"});
 }
 
-// The base model has to stand by itself; its drifts are those of every sample.
+// The base model has to stand by itself, and the device to be there; its drifts are those of every sample.
 StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   const ModelSpec base = build({});
   const Model model = compile(base);
+  if (options.device == Device::kGpu) static_cast<void>(dynamics::gpu_walls(model, 2));
   StoreHead head;
   head.shard = fmt::format("{}/{}", options.shard, options.shards);
   head.provenance = options.provenance;
