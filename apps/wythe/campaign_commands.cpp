@@ -158,6 +158,7 @@ int campaign(const CampaignArguments& a) {
   options.resume = a.resume;
   options.stop = &stop_asked();
   options.provenance = provenance_text();
+  if (options.device == Device::kGpu) options.provenance += ", on the graphics processor";
   read_shard(a.shard, options);
   const StudySpec study = asked_study(a);
   const ModelBuilder build = model_builder(study);

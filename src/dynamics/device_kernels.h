@@ -61,8 +61,10 @@ struct Joints {
   const std::int32_t* material;
   LawRows law;
   WorkRows work;
+  const double* dt;  // 0: the wall waits, and asking its law would commit history
   std::size_t begin;
   WYTHE_INLINE void on(std::size_t i, int wall) const {
+    if (dt[wall] == 0) return;
     const std::size_t j = begin + i;
     const JointArrays mine = shifted(v, wall);
     const Walls<double> access{law.walls};
@@ -91,8 +93,10 @@ struct Edges {
   const std::int32_t* material;
   LawRows law;
   WorkRows work;
+  const double* dt;
   std::size_t begin, first_work;
   WYTHE_INLINE void on(std::size_t i, int wall) const {
+    if (dt[wall] == 0) return;
     const std::size_t c = begin + i;
     JointWork<double> done{0, 0, 0};
     edge_force<V>(shifted(v, wall), Walls<double>{law.walls}, law.at(material[c], wall), c, done);
@@ -237,7 +241,7 @@ struct DriveWalls {
 // What is asked about walls between steps; kinetic energy without mass scaling.
 enum Ask { kUnbalance, kKinetic, kShear, kDistance, kFurthest, kRunaway, kAsks };
 
-// Answers `ask` for walls first .. first + n - 1; answers (kAsks, walls).
+// Answers `ask` for all walls; answers (kAsks, walls).
 struct LookAt {
   WallView view;
   WallSizes sizes;
@@ -245,9 +249,7 @@ struct LookAt {
   double* answers;
   std::ptrdiff_t walls;
   Ask ask;
-  int first;
-  WYTHE_INLINE void on(std::size_t, int k) const {
-    const int wall = first + k;
+  WYTHE_INLINE void on(std::size_t, int wall) const {
     const WallView mine = seen_from(view, wall);
     const WallSizes n = seen_from(sizes, wall);
     double* answer = answers + ask * walls + wall;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 namespace wythe::dynamics {
@@ -14,6 +15,7 @@ namespace wythe::dynamics {
 // This processor in the place of a device, for the tests: its memory is apart from the host's, so that
 // what is not sent is not there.
 struct HostDevice {
+  bool backwards = false;  // threads come in any order
   template <class T>
   T* allocate(std::size_t n) {
     return static_cast<T*>(std::calloc(n, sizeof(T)));
@@ -33,7 +35,8 @@ struct HostDevice {
   template <class Kernel>
   void run(std::size_t n, int walls, const Kernel& kernel) {
     for (std::size_t i = 0; i < n; ++i)
-      for (int wall = 0; wall < walls; ++wall) kernel.on(i, wall);
+      for (int wall = 0; wall < walls; ++wall)
+        backwards ? kernel.on(n - 1 - i, walls - 1 - wall) : kernel.on(i, wall);
   }
 };
 
@@ -50,6 +53,7 @@ class Mirror {
 
   template <class T>
   void add(const T* host, std::size_t n) {
+    static_assert(std::is_trivially_copyable_v<T>);
     if (n == 0) return;
     T* there = device_.template allocate<T>(n);
     device_.upload(there, host, n);

@@ -1,8 +1,8 @@
 // One step of hundreds of walls side by side in the memory of a device: one thread a wall and entity.
 //
 // The arrays are those of LaneStepper with as many lanes as walls, so that neighbouring threads read
-// neighbouring numbers. A step is a dozen launches (device_kernels.h); stages, ramps and rows stay with
-// the host, which sends eight numbers a wall before a step and takes four after it. What it asks
+// neighbouring numbers. A step is about a dozen launches (device_kernels.h); stages, ramps and rows stay
+// with the host, which sends some numbers a wall before a step and takes four after it. What it asks
 // between steps is answered by one thread a wall, in the host's order of terms.
 //
 // `Device` is where memory and threads are (device_memory.h): a graphics processor (gpu.cu), or this
@@ -84,7 +84,7 @@ class DeviceStepper final : public SideBySide {
   [[nodiscard]] std::vector<std::vector<double>*> kept();
   [[nodiscard]] double answer_to(int lane, device::Ask ask);
   void aim(int lane, double px, double py);
-  void forget(int lane);  // what was answered about the wall
+  void forget() { fresh_.assign(device::kAsks, -1); }  // what was answered
   void copy_out(int lane, State& state);
 
   const Model model_;
@@ -100,7 +100,7 @@ class DeviceStepper final : public SideBySide {
   device::StageLoad* loads_ = nullptr;  // of all walls, on the device
   BlockId* driven_ = nullptr;
   std::int64_t count_ = 0;
-  std::vector<std::int64_t> fresh_;  // step after which an answer was taken (kAsks, walls)
+  std::vector<std::int64_t> fresh_;  // step after which answers were taken (kAsks)
 };
 
 // --- arrays --------------------------------------------------------------------------------------
@@ -131,7 +131,7 @@ DeviceStepper<Device>::DeviceStepper(const Model& model, int walls, Device devic
   rows_.resize((device::kRows + model.stages.size()) * at(walls_));
   answer_.resize(4 * at(walls_));
   asked_.resize(device::kAsks * at(walls_));
-  fresh_.assign(device::kAsks * at(walls_), -1);
+  forget();
   stage_.resize(at(walls_));
   sums_.resize(5 * device::SumWork::kParts);
   std::size_t longest = 0;
@@ -315,12 +315,7 @@ void DeviceStepper<Device>::put(int lane, const Model& model, State& state) {
   flat.assign((joint_work_.size() + block_work_.size()) / at(walls_), 0.0);
   move_columns(lane, {&joint_work_, &block_work_}, flat, false);
   turn_pass();
-  forget(lane);
-}
-
-template <class Device>
-void DeviceStepper<Device>::forget(int lane) {
-  for (int ask = 0; ask < device::kAsks; ++ask) fresh_[of(lane, at(ask))] = -1;
+  forget();
 }
 
 // Loads and driven blocks of all walls' stages, one list after the other.
@@ -386,21 +381,18 @@ void DeviceStepper<Device>::drop(int lane) {
 
 template <class Device>
 double DeviceStepper<Device>::answer_to(int lane, device::Ask ask) {
-  const std::size_t place = of(lane, at(ask));
-  if (fresh_[place] == count_) return asked_[place];
-  // in phase with the others, who will ask the same
-  const bool all = count_ % 8 == 0 || count_ % 50 == 0;
-  const int first = all ? 0 : lane, n = all ? walls_ : 1;
-  double* answers = mirror_.there(asked_.data());
-  device_.run(
-      1, n,
-      device::LookAt{view(), sizes(), mirror_.there(rows_.data()), answers, walls_, ask, first});
-  for (const int row : {static_cast<int>(ask), ask + 1}) {
-    if (row != ask && ask != device::kDistance) continue;
-    device_.download(&asked_[of(first, at(row))], answers + of(first, at(row)), at(n));
-    for (int k = 0; k < n; ++k) fresh_[of(first + k, at(row))] = count_;
+  // all walls are asked at once: they are in phase, and one thread takes as long as many
+  if (fresh_[at(ask)] != count_) {
+    double* answers = mirror_.there(asked_.data());
+    device_.run(1, walls_,
+                device::LookAt{view(), sizes(), mirror_.there(rows_.data()), answers, walls_, ask});
+    for (const device::Ask row : {ask, ask == device::kDistance ? device::kFurthest : ask}) {
+      const std::size_t first = of(0, at(row));
+      device_.download(&asked_[first], answers + first, at(walls_));
+      fresh_[at(row)] = count_;
+    }
   }
-  return asked_[place];
+  return asked_[of(lane, at(ask))];
 }
 
 template <class Device>
@@ -429,7 +421,7 @@ class DeviceStepper<Device>::DevicePlace final : public Place {
     std::vector<double> is_free(at(s_.model_.n_block), 1.0);
     for (const BlockId block : blocks) is_free[at(block)] = 0.0;
     s_.move_columns(lane_, {&s_.work_.is_free}, is_free, false);
-    s_.forget(lane_);
+    s_.forget();
   }
   void bring_up(State& state) const override { s_.copy_out(lane_, state); }
 
@@ -449,7 +441,7 @@ void DeviceStepper<Device>::aim(int lane, double px, double py) {
   if (rows_[of(lane, device::kAimX)] == px && rows_[of(lane, device::kAimY)] == py) return;
   rows_[of(lane, device::kAimX)] = px;
   rows_[of(lane, device::kAimY)] = py;
-  fresh_[of(lane, device::kShear)] = -1;
+  fresh_[device::kShear] = -1;
   device_.upload(mirror_.there(rows_.data()), rows_.data(), rows_.size());
 }
 
@@ -506,11 +498,13 @@ void DeviceStepper<Device>::joint_pass() {
     contact::with_variant(at_begin(first), [&](auto chosen) {
       using V = decltype(chosen);
       if (first.on_ground)
-        device_.run(end - begin, walls_,
-                    device::Joints<V, true>{v, material, law(), joint_work(), begin});
+        device_.run(
+            end - begin, walls_,
+            device::Joints<V, true>{v, material, law(), joint_work(), controls().dt, begin});
       else
-        device_.run(end - begin, walls_,
-                    device::Joints<V, false>{v, material, law(), joint_work(), begin});
+        device_.run(
+            end - begin, walls_,
+            device::Joints<V, false>{v, material, law(), joint_work(), controls().dt, begin});
     });
   }
 }
@@ -523,9 +517,10 @@ void DeviceStepper<Device>::edge_pass() {
   for (const JointChunk& chunk : work_.contact_chunks)
     contact::with_variant(
         model_.materials[at(z.contact_material[at(chunk.begin)])], [&](auto chosen) {
-          device_.run(at(chunk.end - chunk.begin), walls_,
-                      device::Edges<decltype(chosen)>{v, material, law(), joint_work(),
-                                                      at(chunk.begin), at(model_.n_joint)});
+          device_.run(
+              at(chunk.end - chunk.begin), walls_,
+              device::Edges<decltype(chosen)>{v, material, law(), joint_work(), controls().dt,
+                                              at(chunk.begin), at(model_.n_joint)});
         });
 }
 

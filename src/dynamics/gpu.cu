@@ -19,8 +19,9 @@ namespace {
 
 void check(cudaError_t code) {
   if (code == cudaSuccess) return;
-  refuse(std::string("failed: ") + cudaGetErrorString(code),
-         "what is stored is whole: go on with --resume, without --device if it fails again");
+  throw IoError(
+      std::string("the graphics processor failed: ") + cudaGetErrorString(code) +
+      "; what is stored is whole: go on with --resume, without --device if it fails again");
 }
 
 // Threads of a block stand side by side in walls: they read neighbouring numbers.
@@ -46,7 +47,7 @@ struct CudaDevice {
   }
   template <class T>
   void upload(T* to, const T* from, std::size_t n) {
-    check(cudaMemcpyAsync(to, from, n * sizeof(T), cudaMemcpyHostToDevice));
+    check(cudaMemcpy(to, from, n * sizeof(T), cudaMemcpyHostToDevice));
   }
   template <class T>
   void download(T* to, const T* from, std::size_t n) {
@@ -79,6 +80,10 @@ int gpu_walls(const Model& model, int most) {
   int devices = 0;
   if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0)
     refuse("is not in this machine, or its driver does not answer", "leave --device out");
+  cudaFuncAttributes compiled;
+  if (cudaFuncGetAttributes(&compiled, each<device::Turn>) != cudaSuccess)
+    refuse("is of a kind this program was not compiled for",
+           "build with its CMAKE_CUDA_ARCHITECTURES (docs/howto/gpu.md), or leave --device out");
   std::size_t free = 0, total = 0;
   check(cudaMemGetInfo(&free, &total));
   const std::size_t fit = free / 10 * 9 / bytes_of(model);

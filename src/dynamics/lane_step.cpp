@@ -41,14 +41,14 @@ bool same_solids(const Solids& a, const Solids& b) {
 
 bool fit_together(const Model& a, const Model& b) {
   return a.n_block == b.n_block && a.n_joint == b.n_joint && a.n_pair == b.n_pair &&
-         a.n_face_point == 2 && b.n_face_point == 2 && a.joint_a == b.joint_a &&
-         a.joint_b == b.joint_b && a.joint_material == b.joint_material && a.arm_a_x == b.arm_a_x &&
-         a.arm_a_y == b.arm_a_y && a.arm_b_x == b.arm_b_x && a.arm_b_y == b.arm_b_y &&
-         a.half_x == b.half_x && a.half_y == b.half_y && a.tangent_x == b.tangent_x &&
-         a.tangent_y == b.tangent_y && a.area == b.area && a.point_xi == b.point_xi &&
-         a.point_weight == b.point_weight && a.block_begin == b.block_begin &&
-         a.block_entry == b.block_entry && a.turn_freedom == b.turn_freedom && same_law(a, b) &&
-         same_solids(a.solids, b.solids);
+         a.n_face_point == 2 && b.n_face_point == 2 && a.stages.size() == b.stages.size() &&
+         a.joint_a == b.joint_a && a.joint_b == b.joint_b && a.joint_material == b.joint_material &&
+         a.arm_a_x == b.arm_a_x && a.arm_a_y == b.arm_a_y && a.arm_b_x == b.arm_b_x &&
+         a.arm_b_y == b.arm_b_y && a.half_x == b.half_x && a.half_y == b.half_y &&
+         a.tangent_x == b.tangent_x && a.tangent_y == b.tangent_y && a.area == b.area &&
+         a.point_xi == b.point_xi && a.point_weight == b.point_weight &&
+         a.block_begin == b.block_begin && a.block_entry == b.block_entry &&
+         a.turn_freedom == b.turn_freedom && same_law(a, b) && same_solids(a.solids, b.solids);
 }
 
 LaneStepper::LaneStepper(const Model& model, int lanes)

@@ -60,7 +60,15 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
 StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   const ModelSpec base = build({});
   const Model model = compile(base);
-  if (options.device == Device::kGpu) static_cast<void>(dynamics::gpu_walls(model, 2));
+  if (options.device == Device::kGpu) {
+    static_cast<void>(dynamics::gpu_walls(model, 2));
+    if (model.n_face_point != 2)
+      refuse({.file = "--device",
+              .path = "",
+              .value = "gpu",
+              .problem = "steps joints of two points a face only",
+              .cure = "leave it out"});
+  }
   StoreHead head;
   head.shard = fmt::format("{}/{}", options.shard, options.shards);
   head.provenance = options.provenance;

@@ -183,6 +183,25 @@ TEST(Device, walls_have_the_bits_of_those_alone) {
     EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
 }
 
+TEST(Device, the_order_of_threads_does_not_matter) {
+  std::vector<std::unique_ptr<Wall>> walls;
+  for (const double strength : {1.0, 0.8, 1.2}) walls.push_back(wall_of(strength));
+  solve_together(walls, 4, [](const Model& model, int lanes) {
+    return std::make_unique<dynamics::DeviceStepper<dynamics::HostDevice>>(
+        model, lanes, dynamics::HostDevice{.backwards = true});
+  });
+}
+
+// Walls that were stepped alone beside others enter a device of their own in the middle of their run,
+// and wait there until they are in phase.
+TEST(Device, walls_that_enter_midway_keep_their_bits) {
+  std::vector<std::unique_ptr<Wall>> walls;
+  walls.push_back(std::make_unique<Wall>(scenes::plain_wall(5, 7, 0.05e-3, 0.05), 1));
+  walls.push_back(wall_of(1.0, 6));
+  walls.push_back(wall_of(0.9, 6));
+  solve_together(walls, 4, host_device);
+}
+
 // Curve and ledger of one wall on the device and alone: rows to the bit, sums of works to rounding.
 void expect_same_result(const ModelSpec& spec) {
   const Model model = compile(spec);

@@ -5,12 +5,12 @@ import tempfile
 
 import charts
 import compare
-from campaign import D, F, GROUPS, MODES
+from campaign import D, F, GROUPS, INPUTS, MODES
 from compare import GROUPS_OF_ALL, NO, between, table
 from paper import SHARES, TABLE_3
 
 NOT_RUN = "(not run yet: give its folder by `--slow`)"
-NAMES = ("slow velocity", "slow samples", "slow headline", "slow verdict", "slow modes", "slow names", "slow kept",
+NAMES = ("slow velocity", "slow damping", "slow samples", "slow headline", "slow verdict", "slow modes", "slow names", "slow kept",
          "figure rate", "slow change F", "slow change D")
 
 
@@ -25,6 +25,9 @@ def spread(mean, half, digits, unit):
 
 
 def both(fast, slow):
+    common = sorted(set(fast.samples) & set(slow.samples))
+    if any(fast.samples[k][c] != slow.samples[k][c] for k in common for c in INPUTS) or len(common) < 3:
+        raise SystemExit(f"{slow.folder}: not the samples of {fast.folder}")
     return [(s, slow.samples[k]) for k, s in sorted(fast.samples.items()) if k in slow.samples]
 
 
@@ -84,7 +87,7 @@ def values(page, slow):
         judged_values = compare.values(judged)
     pairs = both(fast, slow)
     s = slow.statistics["samples"]
-    return {"slow velocity": slow.push()["velocity"], "slow samples": f"{s['answered']} of {s['asked']}",
+    return {"slow velocity": slow.push()["velocity"], "slow damping": slow.push()["damping"], "slow samples": f"{s['answered']} of {s['asked']}",
             "slow headline": headline(fast, slow),
             "slow verdict": f"{judged_values['inside']} of {judged_values['compared']} inside, {judged_values['outside']} outside",
             "slow modes": by_mode(slow), "slow names": names(pairs, fast, slow),
