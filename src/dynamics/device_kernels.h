@@ -4,6 +4,9 @@
 // joints and blocks is summed over time first and over the wall when somebody asks, so that the
 // energy ledger agrees to rounding.
 //
+// A wall whose time step is 0 waits: its history stays as it is, and the forces in its lane may be
+// another's, not even numbers.
+//
 // Everything here is plain pointers into the device's memory, copied with the struct.
 #pragma once
 
@@ -61,7 +64,7 @@ struct Joints {
   const std::int32_t* material;
   LawRows law;
   WorkRows work;
-  const double* dt;  // 0: the wall waits, and asking its law would commit history
+  const double* dt;
   std::size_t begin;
   WYTHE_INLINE void on(std::size_t i, int wall) const {
     if (dt[wall] == 0) return;
@@ -117,11 +120,11 @@ struct StageLoad {
   PointLoad load;
   int stage;
 };
-// What a wall's stages load and the one under way drives.
+// What a wall's stages load and the one under way drives; addresses of the device.
 struct WallStage {
-  int first_load, n_load, first_driven, n_driven;
-  double px, py;
-  bool spread, free_across, free_rotation;
+  const StageLoad* loads;
+  int n_load;
+  Drive drive;  // n 0: nothing is driven
 };
 
 // Zone contacts and loads of one wall, in order.
@@ -130,10 +133,24 @@ struct ContactsAndLoads {
   const BlockId* contact_block;
   int n_block, n_contact;
   const WallStage* stage;
-  const StageLoad* loads;
   const double* load_scale;  // (n_stage, walls)
   std::ptrdiff_t walls;
-  WYTHE_INLINE void on(std::size_t, int wall) const;
+  WYTHE_INLINE void on(std::size_t, int wall) const {
+    const WallView mine = shifted(view, wall);
+    for (int c = 0; c < n_contact; ++c)
+      gather_contact(contact_block, n_block, view.contact_block_force.first, view.contact_x.first,
+                     view.contact_y.first, view.contact_m.first, c, walls, wall);
+    const StageLoad* const first = stage[wall].loads;
+    const int n = stage[wall].n_load;
+    for (int k = 0; k < n; ++k) {
+      const BlockId i = first[k].load.block;
+      mine.load_x[i] = mine.load_y[i] = mine.load_m[i] = 0;
+    }
+    for (int k = 0; k < n; ++k) {
+      const double scale = load_scale[first[k].stage * walls + wall];
+      if (scale != 0) add_load(first[k].load, scale, mine);
+    }
+  }
 };
 
 struct Move {
@@ -141,13 +158,10 @@ struct Move {
   MoveControls controls;
   WorkRows work;
   WYTHE_INLINE void on(std::size_t i, int wall) const {
+    if (controls.dt[wall] == 0) return;
     BlockWork<double> done{0, 0};
-    move_block(shifted(v, wall), Walls<double>{work.walls}, of_wall(controls, wall), i, done);
+    move_block(shifted(v, wall), Walls<double>{work.walls}, shifted(controls, wall), i, done);
     work.add(i, wall, done);
-  }
-  WYTHE_INLINE static MoveControls of_wall(MoveControls c, int wall) {
-    return {c.dt + wall, c.damping + wall, c.mass_scaling + wall, c.gravity_x + wall,
-            c.gravity_y + wall};
   }
 };
 
@@ -158,9 +172,10 @@ struct Nodes {
   WorkRows work;
   std::size_t first_work;
   WYTHE_INLINE void on(std::size_t i, int wall) const {
+    if (controls.dt[wall] == 0) return;
     sum_on_node(sums, i, work.walls, wall);
     BlockWork<double> done{0, 0};
-    move_node(shifted(v, wall), Walls<double>{work.walls}, Move::of_wall(controls, wall), i, done);
+    move_node(shifted(v, wall), Walls<double>{work.walls}, shifted(controls, wall), i, done);
     work.add(first_work + i, wall, done);
   }
 };
@@ -173,64 +188,23 @@ struct Turn {
   }
 };
 
-// The same view, of another wall.
-WYTHE_INLINE WallView seen_from(WallView v, int wall) {
-  const auto shift = [&](Strided& s) { s.first += wall; };
-  shift(v.ux), shift(v.uy), shift(v.theta), shift(v.vx), shift(v.vy), shift(v.omega);
-  shift(v.contact_x), shift(v.contact_y), shift(v.contact_m);
-  shift(v.load_x), shift(v.load_y), shift(v.load_m);
-  shift(v.total_x), shift(v.total_y), shift(v.total_m);
-  shift(v.is_free), shift(v.pose), shift(v.force);
-  shift(v.node_ux), shift(v.node_uy), shift(v.node_vx), shift(v.node_vy);
-  shift(v.node_total_x), shift(v.node_total_y), shift(v.contact_block_force);
-  return v;
-}
-WYTHE_INLINE WallSizes seen_from(WallSizes n, int wall) {
-  n.mass.first += wall;
-  n.inertia.first += wall;
-  n.node_mass.first += wall;
-  return n;
-}
-
-WYTHE_INLINE void ContactsAndLoads::on(std::size_t, int wall) const {
-  const WallView mine = seen_from(view, wall);
-  for (int c = 0; c < n_contact; ++c)
-    gather_contact(contact_block, n_block, view.contact_block_force.first, view.contact_x.first,
-                   view.contact_y.first, view.contact_m.first, c, walls, wall);
-  const StageLoad* const first = loads + stage[wall].first_load;
-  const int n = stage[wall].n_load;
-  for (int k = 0; k < n; ++k) {
-    const BlockId i = first[k].load.block;
-    mine.load_x[i] = mine.load_y[i] = mine.load_m[i] = 0;
-  }
-  for (int k = 0; k < n; ++k) {
-    const double scale = load_scale[first[k].stage * walls + wall];
-    if (scale != 0) add_load(first[k].load, scale, mine);
-  }
-}
-
 // The driven blocks of one wall; afterwards its reaction and work, rows (4, walls).
 struct DriveWalls {
   WallView view;
-  ConstStrided mass, inertia;
+  WallSizes sizes;
   const WallStage* stage;
-  const BlockId* driven;
   const double* rows;  // Row
   double* answer;      // reaction [N]; work of drive, damping, loads [J]
   std::ptrdiff_t walls;
   WYTHE_INLINE void on(std::size_t, int wall) const {
-    const WallStage& s = stage[wall];
+    const Drive& drive = stage[wall].drive;
     answer[wall] = 0;
-    if (s.n_driven == 0) return;
+    if (drive.n == 0) return;
     double* work = answer + walls + wall;
     WallWork done{work[0], work[walls], work[2 * walls]};
-    const Drive drive{driven + s.first_driven, s.n_driven,     s.px, s.py, s.spread,
-                      s.free_across,           s.free_rotation};
-    ConstStrided my_mass = mass, my_inertia = inertia;
-    my_mass.first += wall;
-    my_inertia.first += wall;
+    const WallSizes n = shifted(sizes, wall);
     answer[wall] =
-        drive_blocks(drive, seen_from(view, wall), my_mass, my_inertia, rows[kDt * walls + wall],
+        drive_blocks(drive, shifted(view, wall), n.mass, n.inertia, rows[kDt * walls + wall],
                      rows[kDamping * walls + wall], rows[kVelocity * walls + wall], done);
     work[0] = done.drive;
     work[walls] = done.damping;
@@ -250,8 +224,8 @@ struct LookAt {
   std::ptrdiff_t walls;
   Ask ask;
   WYTHE_INLINE void on(std::size_t, int wall) const {
-    const WallView mine = seen_from(view, wall);
-    const WallSizes n = seen_from(sizes, wall);
+    const WallView mine = shifted(view, wall);
+    const WallSizes n = shifted(sizes, wall);
     double* answer = answers + ask * walls + wall;
     if (ask == kUnbalance) *answer = unbalance_of(n, mine);
     if (ask == kKinetic) *answer = kinetic_of(n, mine, 1.0);

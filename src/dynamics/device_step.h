@@ -41,8 +41,7 @@ class DeviceStepper final : public SideBySide {
   [[nodiscard]] bool takes_part(int lane) const override;
 
  private:
-  static constexpr std::int64_t kPhase =
-      200;  // a multiple of 8 and 50 (recorder.cpp, stage_run.cpp)
+  static constexpr int kPhase = 800;  // of 8, 32 and 50 (recorder.cpp, stage_run.cpp)
   struct Wall {
     const Model* model = nullptr;
     State* state = nullptr;
@@ -51,8 +50,9 @@ class DeviceStepper final : public SideBySide {
     // the ledger when it took its lane [J]
     double damping_then = 0, loads_then = 0;
     double friction_then = 0, fracture_then = 0, crushing_then = 0;
-    std::vector<std::pair<int, int>> driven;  // of each stage: first, number
-    int first_load = 0, n_load = 0;
+    std::vector<std::size_t> first_driven;  // of each stage, in driven_
+    std::size_t first_load = 0;             // in loads_
+    int n_load = 0;
   };
   class DevicePlace;
 
@@ -325,16 +325,16 @@ void DeviceStepper<Device>::list_stages() {
   std::vector<BlockId> driven(1);
   for (Wall& wall : wall_) {
     if (wall.model == nullptr) continue;
-    wall.first_load = static_cast<int>(loads.size());
-    wall.driven.clear();
+    wall.first_load = loads.size();
+    wall.first_driven.clear();
     int number = 0;
     for (const Stage& stage : wall.model->stages) {
       for (const PointLoad& load : stage.loads) loads.push_back({load, number});
       ++number;
-      wall.driven.emplace_back(driven.size(), stage.driven.size());
+      wall.first_driven.push_back(driven.size());
       driven.insert(driven.end(), stage.driven.begin(), stage.driven.end());
     }
-    wall.n_load = static_cast<int>(loads.size()) - wall.first_load;
+    wall.n_load = static_cast<int>(loads.size() - wall.first_load);
   }
   device_.release(loads_);
   device_.release(driven_);
@@ -470,13 +470,12 @@ void DeviceStepper<Device>::set(int lane, const Controls& c) {
     rows_[of(lane, device::kRows + k)] = state == nullptr ? 0.0 : state->load_scale[k];
   device::WallStage& stage = stage_[at(lane)] = {};
   if (wall.model == nullptr) return;
-  stage.first_load = wall.first_load;
+  stage.loads = loads_ + wall.first_load;
   stage.n_load = wall.n_load;
   if (c.push == nullptr) return;
-  const Drive drive = drive_of(*c.push);
-  const auto [first, n] = wall.driven[at(static_cast<int>(c.push - wall.model->stages.data()))];
-  stage = {wall.first_load,   wall.n_load,        first, n, drive.px, drive.py, drive.spread,
-           drive.free_across, drive.free_rotation};
+  stage.drive = drive_of(*c.push);
+  stage.drive.driven =
+      driven_ + wall.first_driven[at(static_cast<int>(c.push - wall.model->stages.data()))];
 }
 
 template <class Device>
@@ -555,7 +554,7 @@ void DeviceStepper<Device>::step() {
   device_.run(
       1, walls_,
       device::ContactsAndLoads{view(), mirror_.there(z.contact_block.data()), model_.n_block,
-                               z.n_contact, stage, loads_, rows + device::kRows * walls_, walls_});
+                               z.n_contact, stage, rows + device::kRows * walls_, walls_});
   device_.run(at(model_.n_block), walls_, device::Move{blocks(), controls(), block_work()});
   if (z.n_node > 0) {
     NodeSums sums = node_sums(z, work_);
@@ -564,9 +563,7 @@ void DeviceStepper<Device>::step() {
     device_.run(at(z.n_node), walls_,
                 device::Nodes{nodes(), sums, controls(), block_work(), at(model_.n_block)});
   }
-  const WallSizes n = sizes();
-  device_.run(1, walls_,
-              device::DriveWalls{view(), n.mass, n.inertia, stage, driven_, rows, answer, walls_});
+  device_.run(1, walls_, device::DriveWalls{view(), sizes(), stage, rows, answer, walls_});
   turn_pass();
   device_.download(answer_.data(), answer, answer_.size());
 

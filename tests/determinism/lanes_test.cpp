@@ -196,9 +196,9 @@ TEST(Device, the_order_of_threads_does_not_matter) {
 // and wait there until they are in phase.
 TEST(Device, walls_that_enter_midway_keep_their_bits) {
   std::vector<std::unique_ptr<Wall>> walls;
-  walls.push_back(std::make_unique<Wall>(scenes::plain_wall(5, 7, 0.05e-3, 0.05), 1));
-  walls.push_back(wall_of(1.0, 6));
-  walls.push_back(wall_of(0.9, 6));
+  walls.push_back(std::make_unique<Wall>(scenes::plain_wall(5, 7, 0.4e-3, 0.05), 1));
+  for (const double to : {1.6e-3, 1.61e-3})
+    walls.push_back(std::make_unique<Wall>(scenes::plain_wall(6, 7, to, 0.05), 1));
   solve_together(walls, 4, host_device);
 }
 
