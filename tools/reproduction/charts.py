@@ -104,15 +104,19 @@ class Panel:
         self.dot(*((value, x) if level else (x, value)), colour, 4, hollow)
 
 
-def figure(panels, columns):
-    """Panels of equal size in one standalone SVG."""
+def figure(panels, columns, key=()):
+    """Panels of equal size in one standalone SVG; `key` names colours in a line above them."""
     width, height = panels[0].width, panels[0].height
     columns = min(columns, len(panels))
-    w, h = width * columns, height * math.ceil(len(panels) / columns)
+    top = 24 if key else 0
+    w, h = width * columns, height * math.ceil(len(panels) / columns) + top
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {w} {h}" width="{w}" height="{h}">',
            STYLE, '<rect width="100%" height="100%" fill="#fff"/>']
+    for i, name in enumerate(key):
+        x = 60 + 70 * i
+        out += [f'<circle cx="{x}" cy="12" r="4" fill="{colour_of(name)}"/>', f'<text x="{x + 9}" y="16">{name}</text>']
     for i, panel in enumerate(panels):
-        out += [f'<g transform="translate({i % columns * width} {i // columns * height})">', *panel.out, "</g>"]
+        out += [f'<g transform="translate({i % columns * width} {i // columns * height + top})">', *panel.out, "</g>"]
     return "\n".join(out) + "\n</svg>\n"
 
 

@@ -36,8 +36,8 @@ class Page:
         self.folder.mkdir(parents=True, exist_ok=True)
         self.link = os.path.relpath(figures, pathlib.Path(page).parent)
 
-    def figure(self, name, words, panels, columns=1):
-        return self.picture(name, words, charts.figure(panels, columns))
+    def figure(self, name, words, panels, columns=1, key=()):
+        return self.picture(name, words, charts.figure(panels, columns, key))
 
     def picture(self, name, words, svg):
         (self.folder / f"{name}.svg").write_text(svg, encoding="utf-8")
@@ -261,7 +261,8 @@ def fig_20(page):
                 points = [p for p in points if p[0] < s[D]] + [(s[D], 0.8 * s[F])]
             panel.line(points, charts.colour_of(s["mode"]), 0.8, opacity=0.55)
         panels.append(panel)
-    return {"figure 20": page.figure("fig_20_curves", "All force-displacement curves, coloured by mode", panels, 2)}
+    return {"figure 20": page.figure("fig_20_curves", "All force-displacement curves, coloured by mode", panels, 2,
+                                    [*MODES, "unclear"])}
 
 
 def fall_of(points):

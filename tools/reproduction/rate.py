@@ -75,7 +75,8 @@ def figure(page, pairs, fast, slow):
         for f, s in pairs:
             panel.dot(f[q], s[q], charts.colour_of(s["mode"]))
         panels.append(panel)
-    return page.figure("rate", "Peak force and D of the same samples at two rates; colours: mode at the slower", panels, 2)
+    return page.figure("rate", "Peak force and D of the same samples at two rates; colours: mode at the slower", panels, 2,
+                       [*MODES, "unclear"])
 
 
 def values(page, slow):
