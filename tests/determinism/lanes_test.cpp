@@ -219,6 +219,12 @@ TEST(Device, walls_that_enter_midway_keep_their_bits) {
   solve_together(walls, 4, host_device);
 }
 
+Result solve_alone(const ModelSpec& spec) {
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  return solve(model, state, {});
+}
+
 // Curve and ledger of one wall on the device and alone: rows to the bit, sums of works to rounding.
 void expect_same_result(const ModelSpec& spec) {
   const Model model = compile(spec);
@@ -259,6 +265,39 @@ TEST(Device, curve_and_ledger_of_a_plain_wall) {
 }
 TEST(Device, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
   expect_same_result(scenes::lintel_wall(LintelModel::kZones, 0.1e-3));
+}
+TEST(Device, a_loaded_wall_pushed_to_and_fro_and_held) {
+  ModelSpec spec = scenes::small_wall(0.1e-3, 0.05);
+  spec.solve.mass_scaling = 10;
+  spec.stage.back().targets = {0.1e-3, -0.05e-3};
+  spec.stage.back().rotation = Freedom::kBlocked;
+  StageSpec hold;
+  hold.name = "hold";
+  hold.kind = StageKind::kHold;
+  hold.duration = 0.01;
+  spec.stage.push_back(hold);
+  expect_same_result(spec);
+}
+TEST(Device, a_push_that_changes_its_pace) {
+  ModelSpec spec = scenes::plain_wall(4, 5, 0.5e-3, 0.02);
+  const std::int64_t steps = solve_alone(spec).steps;
+  spec.stage.back().fast_velocity = 0.1;
+  spec.stage.back().fast_below = 1e-2;
+  EXPECT_LT(solve_alone(spec).steps, steps);
+  expect_same_result(spec);
+}
+TEST(Device, body_force_and_tilt) {
+  for (const StageKind kind : {StageKind::kBodyForce, StageKind::kTilt}) {
+    ModelSpec spec = scenes::plain_wall(4, 5, 0.1e-3, 0.05);
+    StageSpec& stage = spec.stage.back() = {};
+    stage.name = "load";
+    stage.kind = kind;
+    stage.ramp = 0.01;
+    stage.rate = stage.tilt_rate = 0.2;
+    stage.factor = stage.tilt_until = 0.005;
+    expect_same_result(spec);
+    EXPECT_GT(solve_alone(spec).load_factor, 0);
+  }
 }
 TEST(Device, every_law_is_compiled_for_it) {
   for (const Softening softening :
