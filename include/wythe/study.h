@@ -78,7 +78,6 @@ struct StudySpec {
   std::vector<double> fractions;  // of the peak, after it, at which displacements are read
   double read_modes_at = kUnset;  // displacement at which failure modes are named [m]
   std::string until;              // stop rule, "" none
-  bool warm_start = false;        // samples settle from the base model's settled displacements
 };
 
 // One column of the samples' inputs: the variables in their order, then the dependents.

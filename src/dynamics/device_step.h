@@ -41,7 +41,7 @@ class DeviceStepper final : public SideBySide {
   [[nodiscard]] bool takes_part(int lane) const override;
 
  private:
-  static constexpr int kPhase = 800;  // of 8, 32 and 50 (recorder.cpp, stage_run.cpp)
+  static constexpr int kPhase = 800;  // of 8, 32 and 50 (recorder.cpp, stage_run.cpp: kSettleEvery)
   struct Wall {
     const Model* model = nullptr;
     State* state = nullptr;

@@ -21,12 +21,10 @@ double smooth_step(double x) {
   return c * c * (3.0 - 2.0 * c);
 }
 
-bool settles(const Stage& stage) {
-  return stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
-}
-
 double stage_mass_scaling(const Model& model, const Stage& stage) {
-  return settles(stage) ? model.solve.mass_scaling : 1.0;
+  const bool quasi_static =
+      stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
+  return quasi_static ? model.solve.mass_scaling : 1.0;
 }
 
 double stage_time_step(const Model& model, const Stage& stage) {

@@ -81,7 +81,6 @@ class StageRun {
 // Time step of a stage [s]; quasi-static stages take the mass scaling.
 [[nodiscard]] double stage_time_step(const Model& model, const Stage& stage);
 [[nodiscard]] double stage_mass_scaling(const Model& model, const Stage& stage);
-[[nodiscard]] bool settles(const Stage& stage);  // a gravity or load stage
 // Length of the driven path of a push, all targets included [m].
 [[nodiscard]] double driven_path(const Stage& stage);
 

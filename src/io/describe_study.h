@@ -92,8 +92,6 @@ void describe(Visitor& v, StudyHead& h) {
                .doc = "Displacements at which the state of each sample is stored."});
   v.quantity("read_modes_at", s.read_modes_at, {.unit = "m", .shown = "mm", .fallback = "40 mm",
              .example = "40 mm", .doc = "Displacement at which failure modes are named."});
-  v.flag("warm_start", s.warm_start, {.example = "false",
-         .doc = "Samples settle from the displacements of the base model at rest, without ramps."});
   v.text("until", s.until, {.fallback = "none", .example = "relative_interval(peak_reaction) < 1 %",
          .doc = "Rule that ends the campaign before all samples have run."});
 }

@@ -172,7 +172,6 @@ class Runner {
         lanes_ = dynamics::gpu_walls(compile(build_({})), left);
       else if (jobs > 0)
         lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
-      if (jobs > 0) settled_ = settled_base(plan_.spec, build_);
       for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
     }
     if (failure_) std::rethrow_exception(failure_);
@@ -246,7 +245,7 @@ class Runner {
 
   // As many samples at once as fit side by side; the next one takes the place of each that ends.
   void solve_side_by_side() {
-    const SampleTask task{plan_.spec, plan_.samples, build_, settled_ ? &*settled_ : nullptr};
+    const SampleTask task{plan_.spec, plan_.samples, build_};
     SolveOptions how;
     how.threads = 1;
     how.stop = &halt_;
@@ -336,8 +335,7 @@ class Runner {
   std::vector<int> pending_;
   int total_ = 0, until_from_ = 0;
   std::atomic<bool> halt_{false};
-  int lanes_ = 1;                 // samples a worker solves side by side
-  std::optional<State> settled_;  // of the base model, for a warm start
+  int lanes_ = 1;  // samples a worker solves side by side
 
   std::mutex mutex_;
   Store& store_;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/residual.h"
-#include "dynamics/stage_run.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 
@@ -27,12 +25,6 @@ std::vector<double> state_displacements(const StudySpec& spec) {
   return all;
 }
 
-// The first stages that settle: gravity and precompression, as a rule.
-std::size_t settling_stages(const Model& model) {
-  const auto end = std::find_if_not(model.stages.begin(), model.stages.end(), dynamics::settles);
-  return static_cast<std::size_t>(end - model.stages.begin());
-}
-
 void read_answer(const StudySpec& spec, SampleRun& run) {
   Result& r = run.result;
   if (!spec.fractions.empty()) {
@@ -47,32 +39,6 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
 }
 
 }  // namespace
-
-std::optional<State> settled_base(const StudySpec& study, const ModelBuilder& build) {
-  if (!study.warm_start) return {};
-  Model base = compile(build({}));
-  base.stages.erase(base.stages.begin() + static_cast<std::ptrdiff_t>(settling_stages(base)),
-                    base.stages.end());
-  State state = initial_state(base);
-  if (solve(base, state).status != SolveStatus::kCompleted) return {};
-  return state;
-}
-
-void start_settled(const Model& model, const State& settled, State& state) {
-  const std::size_t stages = settling_stages(model);
-  const bool same =
-      state.ux.size() == settled.ux.size() && state.node_ux.size() == settled.node_ux.size();
-  if (stages == 0 || !same) return;
-  for (const auto array : {&State::ux, &State::uy, &State::theta, &State::node_ux, &State::node_uy})
-    state.*array = settled.*array;
-  state.stage = static_cast<int>(stages) - 1;
-  state.stage_time = model.stages[stages - 1].spec.ramp;
-  for (std::size_t k = 0; k < stages; ++k) {
-    if (model.stages[k].spec.kind == StageKind::kGravity) state.gravity_y = -model.solve.gravity;
-    state.load_scale[k] = 1;
-  }
-  state.work_loads = dynamics::elastic_energy(model, state);
-}
 
 SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(sample) {
   run_.settings = settings_of(task.samples, sample - 1);
@@ -90,7 +56,6 @@ SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(
 void SampleJob::build_model() {
   run_.model = compile(run_.spec);
   state_ = initial_state(run_.model);
-  if (task_.settled != nullptr) start_settled(run_.model, *task_.settled, state_);
 }
 
 bool SampleJob::wants_another() {
@@ -164,9 +129,7 @@ SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sam
   const auto solver = [](const Model& model, State& state, const SolveOptions& how) {
     return solve(model, state, how);
   };
-  const std::optional<State> settled = study::settled_base(study, build);
-  return study::run_task({study, samples, build, settled ? &*settled : nullptr}, sample, solver,
-                         options);
+  return study::run_task({study, samples, build}, sample, solver, options);
 }
 
 }  // namespace wythe

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "wythe/campaign.h"
 #include "wythe/solve.h"
@@ -16,15 +15,7 @@ struct SampleTask {
   const StudySpec& spec;
   const SampleTable& samples;
   const ModelBuilder& build;
-  const State* settled = nullptr;  // of the base model, for a warm start
 };
-
-// The base model at rest under its first gravity and load stages, where the study asks for a warm start
-// and it comes to rest.
-[[nodiscard]] std::optional<State> settled_base(const StudySpec& study, const ModelBuilder& build);
-// Starts `state` in the last of those stages with its ramp over, from the displacements of `settled`;
-// history stays the sample's own. Leaves it as it is where the two are not of one layout.
-void start_settled(const Model& model, const State& settled, State& state);
 
 // A sample under way, so that several can be solved side by side:
 //

@@ -140,7 +140,6 @@ void each_key(V& v, Study& s) {
   v.numbers("states_m", s.states);
   v.numbers("fractions", s.fractions);
   v.number("read_modes_at", s.read_modes_at, "m");
-  v.flag("warm_start", s.warm_start);
   v.text("until", s.until);
 }
 

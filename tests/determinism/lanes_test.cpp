@@ -85,23 +85,6 @@ TEST(Lanes, a_sample_alone_has_the_bits_it_has_among_others) {
   }
 }
 
-TEST(Lanes, a_warm_start_has_the_same_bits_alone_and_among_others) {
-  const TemporaryFolder folder;
-  StudySpec study = scenes::small_study(5);
-  const std::vector<SampleRecord> cold = records(study, folder / "cold", 1);
-  study.warm_start = true;
-  const ForcedLanes forced("4");
-  const std::vector<SampleRecord> warm = records(study, folder / "warm", 1);
-  const StudySpec stored = read_campaign(folder / "warm").study;
-  const SampleTable samples = draw_samples(stored);
-  for (std::size_t k = 0; k < warm.size(); ++k) {
-    const SampleRun alone =
-        run_sample(stored, samples, static_cast<int>(k) + 1, model_builder(stored), {});
-    EXPECT_EQ(alone.result.state_hash, warm[k].state_hash);
-    EXPECT_LT(warm[k].steps, cold[k].steps);
-  }
-}
-
 // --- single walls --------------------------------------------------------------------------------
 
 struct Wall {

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
 
-#include "scenes/scenes.h"
 #include "scenes/small_study.h"
 #include "study/folder_lock.h"
 #include "study/sample_run.h"
@@ -47,68 +45,6 @@ std::string refusal(Call call) {
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
-
-// --- warm start ----------------------------------------------------------------------------------
-
-ModelSpec settling_wall(double stiffer) {
-  ModelSpec spec = scenes::small_wall();
-  spec.stage.resize(2);  // gravity, precompression
-  spec.solve.settle_ratio = 1e-8;
-  for (auto& [name, material] : spec.material) {
-    material.normal_stiffness *= stiffer;
-    material.shear_stiffness *= stiffer;
-  }
-  return spec;
-}
-
-TEST(WarmStart, comes_to_rest_where_a_slow_load_does_in_fewer_steps) {
-  const Model base = compile(settling_wall(1)), model = compile(settling_wall(1.2));
-  State settled = initial_state(base), cold = initial_state(model), warm = initial_state(model);
-  ASSERT_EQ(solve(base, settled).status, SolveStatus::kCompleted);
-  study::start_settled(model, settled, warm);
-  EXPECT_EQ(warm.uy, settled.uy);
-  EXPECT_EQ(warm.plastic_slip, cold.plastic_slip);  // history is the sample's own
-  const Result slow = solve(model, cold), quick = solve(model, warm);
-  ASSERT_EQ(slow.status, SolveStatus::kCompleted);
-  ASSERT_EQ(quick.status, SolveStatus::kCompleted) << quick.reason;
-  EXPECT_LT(quick.steps, slow.steps / 2);
-  EXPECT_LT(quick.stages.back().unbalance_ratio, 1e-8);
-  EXPECT_LT(quick.energy.gap_ratio, 1e-3);
-  const auto lowest = [](const State& s) { return *std::min_element(s.uy.begin(), s.uy.end()); };
-  EXPECT_NEAR(lowest(warm) / lowest(cold), 1.0, 1e-3);  // slips on the way may differ
-  EXPECT_NEAR(lowest(warm) / lowest(settled), 1 / 1.2, 0.01);
-}
-
-TEST(WarmStart, leaves_a_wall_of_another_layout_or_without_loads_as_it_is) {
-  const Model model = compile(settling_wall(1));
-  State settled = initial_state(model), state = initial_state(model);
-  settled.uy.assign(settled.uy.size(), -1.0);
-  settled.ux.push_back(0);
-  study::start_settled(model, settled, state);
-  EXPECT_EQ(state.stage, 0);
-  EXPECT_EQ(state.uy, initial_state(model).uy);
-  Model unloaded = model;
-  unloaded.stages.clear();
-  settled.ux.pop_back();
-  study::start_settled(unloaded, settled, state);
-  EXPECT_EQ(state.uy, initial_state(model).uy);
-  study::start_settled(model, settled, state);
-  EXPECT_EQ(state.stage, 1);
-}
-
-TEST(WarmStart, is_asked_for_by_the_study) {
-  StudySpec asked = scenes::small_study(2);
-  EXPECT_FALSE(study::settled_base(asked, model_builder(asked)));
-  asked.warm_start = true;
-  const std::optional<State> settled = study::settled_base(asked, model_builder(asked));
-  ASSERT_TRUE(settled);
-  EXPECT_LT(*std::min_element(settled->uy.begin(), settled->uy.end()), 0);
-  // a base model that does not come to rest: samples begin as without
-  asked.settings.push_back("solve.settle_limit=1e-3 s");
-  EXPECT_FALSE(study::settled_base(asked, model_builder(asked)));
-}
-
-// --- campaigns -----------------------------------------------------------------------------------
 
 TEST(Campaign, jobs_do_not_change_a_byte) {
   const TemporaryFolder folder;

@@ -77,12 +77,10 @@ TEST(Study, written_and_read_is_the_same) {
       {"stage.push.velocity=1 mm/s", "study.samples=[20, 30]", "study.note='a \"b\"\\n'"});
   study.seed = 0xfedcba9876543210ULL;
   study.until = "interval(share) < 0.1";
-  study.warm_start = true;
   const std::string text = write_study(study);
   const StudySpec back = parsed(text);
   EXPECT_EQ(write_study(back), text);
   EXPECT_EQ(back.seed, study.seed);
-  EXPECT_TRUE(back.warm_start);
   EXPECT_EQ(back.batch, (std::vector<int>{20, 30}));
   EXPECT_EQ(back.settings, study.settings);
   EXPECT_EQ(back.model_text, study.model_text);
@@ -218,7 +216,6 @@ struct KeyNames {
   Texts names;
   void quantity(const char* name, const double&, const io::Key&) { names.emplace_back(name); }
   void number(const char* name, const double&, const io::Key&) { names.emplace_back(name); }
-  void flag(const char* name, bool, const io::Key&) { names.emplace_back(name); }
   void text(const char* name, const std::string&, const io::Key&) { names.emplace_back(name); }
   void texts(const char* name, const Texts&, const io::Key&) { names.emplace_back(name); }
   void quantities(const char* name, const std::vector<double>&, const io::Key&) {
