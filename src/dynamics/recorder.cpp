@@ -87,7 +87,9 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   }
   displacement_ = displacement;
   load_factor_ = load_factor;
-  reaction_sum_ += reaction;
+  weight_ = controls.push != nullptr ? std::fabs(controls.drive_velocity) : 1.0;
+  weight_sum_ += weight_;
+  reaction_sum_ += weight_ * reaction;
   ++steps_;
   const bool closes = travelled >= next_close_;
   sample(place, state, controls, closes);
@@ -111,7 +113,8 @@ void Recorder::take_frame(const State& state, double travelled) {
 
 void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
   if (state.step % kShearEvery == 0 || all) {
-    shear_sum_ += place.base_shear(stage_.drive_x, stage_.drive_y);
+    shear_weight_ += weight_;
+    shear_sum_ += weight_ * place.base_shear(stage_.drive_x, stage_.drive_y);
     const double work = std::fabs(state.work_drive - work_at_start_);
     if (work > 0) kinetic_sum_ += place.kinetic_energy(controls.mass_scaling) / work;
     ++shear_samples_;
@@ -127,8 +130,8 @@ void Recorder::close_row(const State& state) {
   row.time = state.time - start_time_;
   row.displacement = displacement_;
   row.drift = stage_.load_height > 0 ? displacement_ / stage_.load_height : 0.0;
-  row.reaction = reaction_sum_ / static_cast<double>(std::max(1L, steps_));
-  row.base_shear = shear_sum_ / static_cast<double>(std::max(1L, shear_samples_));
+  row.reaction = weight_sum_ > 0 ? reaction_sum_ / weight_sum_ : 0;
+  row.base_shear = shear_weight_ > 0 ? shear_sum_ / shear_weight_ : 0;
   row.unbalance_ratio = unbalance_sum_ / static_cast<double>(std::max(1L, unbalance_samples_));
   row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
   row.load_factor = load_factor_;
@@ -141,6 +144,7 @@ void Recorder::close_row(const State& state) {
   low_rows_ = low && std::fabs(displacement_) >= furthest_ ? low_rows_ + 1 : 0;
   furthest_ = std::max(furthest_, std::fabs(displacement_));
   full_window_ = steps_;
+  weight_sum_ = shear_weight_ = 0;
   reaction_sum_ = shear_sum_ = unbalance_sum_ = kinetic_sum_ = 0;
   steps_ = shear_samples_ = unbalance_samples_ = 0;
   next_close_ += window_;

@@ -43,6 +43,8 @@ class Recorder {
   double work_at_start_;
   double next_close_;
   double displacement_ = 0, load_factor_ = 0;
+  // Forces are means over the path: a step counts by its velocity, at the smooth start less than later.
+  double weight_ = 1, weight_sum_ = 0, shear_weight_ = 0;
   double reaction_sum_ = 0, shear_sum_ = 0, unbalance_sum_ = 0, kinetic_sum_ = 0;
   long steps_ = 0, shear_samples_ = 0, unbalance_samples_ = 0;
   double peak_ = 0;

@@ -263,6 +263,29 @@ TEST(Stages, mass_scaling_shortens_settling_and_leaves_the_answer) {
   EXPECT_NEAR(settled[1] / settled[0], 1.0, 1e-3);  // slip in the joints on the way may differ
 }
 
+// The smooth start is slow: steps there are many and short, and must not outweigh those that follow.
+TEST(Stages, a_row_is_the_mean_over_its_path_however_fast_the_push_goes) {
+  ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
+  spec.stage = {scenes::gravity_stage(),
+                scenes::push_stage("b0", Direction::kPlusX, 1e-4, 0.01e-3)};
+  spec.stage[1].across = spec.stage[1].rotation = Freedom::kBlocked;
+  spec.stage[1].ramp = 0.08;  // nearly half of the path
+  spec.output.rows = 10;
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  ASSERT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+  ASSERT_GE(result.curve.size(), 10U);
+  const double stiffness = scenes::paper_joint().shear_stiffness * 0.2 * 0.1;
+  for (std::size_t k = 1; k < result.curve.size(); ++k) {
+    const double middle = 0.5 * (result.curve[k - 1].displacement + result.curve[k].displacement);
+    EXPECT_NEAR(result.curve[k].reaction, stiffness * middle, 0.01 * stiffness * middle) << k;
+    EXPECT_NEAR(result.curve[k].base_shear, stiffness * middle, 0.05 * stiffness * middle)
+        << k;  // every 8th step
+  }
+  EXPECT_NEAR(result.responses.initial_stiffness, stiffness, 0.01 * stiffness);
+}
+
 TEST(Stages, a_cyclic_push_visits_its_targets) {
   ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
