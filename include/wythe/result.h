@@ -103,7 +103,7 @@ struct QuasiStatic {
   double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;
   double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;
   double shear_gap = 0;      // |mean of (reaction - base shear)| / peak
-  double damping_share = 0;  // damping work / work of the drive
+  double damping_share = 0;  // damping work / work of the drive, both of the push
   std::string verdict;       // "slow enough", "too fast: halve the velocity", ...
 };
 

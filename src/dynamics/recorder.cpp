@@ -83,6 +83,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
     work_at_start_ = state.work_drive;
     if (result_.curve.empty()) result_.curve.push_back({});
     place.bring_up(state);
+    damping_at_start_ = state.work_damping;
     take_snapshot("start", state);
   }
   displacement_ = displacement;
@@ -212,6 +213,9 @@ bool Recorder::fell_below() const {
 void Recorder::finish(const Place& place, State& state, const Controls& controls) {
   if (start_time_ < 0) return;
   place.bring_up(state);
+  const double drive = state.work_drive - work_at_start_;
+  result_.quasi_static.damping_share =
+      drive > 0 ? (damping_at_start_ - state.work_damping) / drive : 0.0;
   // A window cut short is too noisy a mean to stand beside the others.
   if (2 * steps_ >= full_window_ && steps_ > 0) {
     sample(place, state, controls, true);

@@ -40,7 +40,7 @@ class Recorder {
   double path_, window_;
   int frames_, next_frame_ = 1;
   double start_time_;
-  double work_at_start_;
+  double work_at_start_, damping_at_start_ = 0;
   double next_close_;
   double displacement_ = 0, load_factor_ = 0;
   // Forces are means over the path: a step counts by its velocity, at the smooth start less than later.

@@ -187,6 +187,7 @@ std::string verdict_for(const QuasiStatic& q) {
 
 QuasiStatic judge_quasi_static(const Result& result) {
   QuasiStatic q;
+  q.damping_share = result.quasi_static.damping_share;
   const double peak = result.responses.peak_reaction;
   if (result.curve.size() < 3 || !(peak > 0)) {
     q.verdict = "no push";
@@ -207,7 +208,6 @@ QuasiStatic judge_quasi_static(const Result& result) {
   q.unbalance_ratio_mean /= count;
   q.kinetic_ratio_mean /= count;
   q.shear_gap = std::fabs(gap) / count / peak;
-  q.damping_share = result.energy.drive > 0 ? result.energy.damping / result.energy.drive : 0.0;
   q.verdict = verdict_for(q);
   return q;
 }

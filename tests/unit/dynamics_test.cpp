@@ -286,6 +286,22 @@ TEST(Stages, a_row_is_the_mean_over_its_path_however_fast_the_push_goes) {
   EXPECT_NEAR(result.responses.initial_stiffness, stiffness, 0.01 * stiffness);
 }
 
+TEST(Stages, what_settling_damped_is_not_the_pushs_share) {
+  ModelSpec spec = scenes::small_wall(0.2e-3, 0.02);
+  spec.stage[0].ramp = spec.stage[1].ramp = 1e-4;  // shakes the wall
+  const Model model = compile(spec);
+  spec.stage.resize(2);
+  const Model settling = compile(spec);
+  State state = initial_state(settling);
+  const double before = solve(settling, state).energy.damping;
+  state = initial_state(model);
+  const Result result = solve(model, state);
+  const double push = result.energy.damping - before;
+  EXPECT_GT(before, push);
+  const double share = push / result.energy.drive;
+  EXPECT_NEAR(result.quasi_static.damping_share, share, 0.01 * share);
+}
+
 TEST(Stages, a_cyclic_push_visits_its_targets) {
   ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
