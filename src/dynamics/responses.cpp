@@ -164,7 +164,7 @@ namespace dynamics {
 namespace {
 
 // Drag is the mean gap between reaction and base shear over the peak. In the rate study of the tuff
-// wall (docs/sensitivity.md) the peak lay above its slow limit by 1.3 to 1.9 times the drag.
+// wall (docs/sensitivity.md) the peak lay above its slow limit by 0.9 to 1.7 times the drag.
 constexpr double kLift = 1.7;
 constexpr double kSlowDrag = 0.01;  // below: the peak is at most about 2 % high
 constexpr double kFastDrag = 0.03;  // above: about 5 % and more
