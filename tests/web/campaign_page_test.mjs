@@ -318,6 +318,9 @@ test("pressing on a curve opens the sample: curve, inputs, wall, command", async
   const opened = await page.locator("#sample-number").inputValue();
   assert.equal(await page.locator("#curves [data-selected]").getAttribute("data-selected"), opened);
   assert.ok(sample.length > 0);
+  // a figure is drawn when the browser tells it its width, in a frame after the press
+  await page.locator("#sample-curve path.selected").waitFor({ state: "attached" });
+  await page.locator("#sample-wall path.stone").first().waitFor({ state: "attached" });
   assert.equal(await page.locator("#sample-curve path.selected").count(), 1);
   assert.equal(await page.locator("#sample .input-item").count(), s.inputs.length);
   assert.ok((await page.locator("#sample-wall path.stone").count()) > 0);
