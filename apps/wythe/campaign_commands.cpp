@@ -166,8 +166,10 @@ int campaign(const CampaignArguments& a) {
   CampaignOutcome outcome;
   {
     CampaignPrinter printer(a.quiet);
-    outcome =
-        run_campaign(study, build, a.out, options, [&](const CampaignProgress& p) { printer(p); });
+    outcome = run_campaign(study, build, a.out, options, [&](const CampaignProgress& p) {
+      printer(p);
+      if (p.last != nullptr) hold_for_test(fmt::format("sample {}", p.done));
+    });
   }
   for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", note);
   if (outcome.interrupted) return say_interrupted(a, outcome);
@@ -255,7 +257,10 @@ int replay(const ReplayArguments& a) {
   SampleRun run;
   {
     ProgressPrinter progress(a.quiet);
-    options.progress = [&](const Progress& p) { progress(p); };
+    options.progress = [&](const Progress& p) {
+      progress(p);
+      hold_for_test(fmt::format("stage {}", p.stage));
+    };
     run = run_sample(campaign.study, campaign.samples, a.sample, model_builder(campaign.study),
                      options);
   }

@@ -59,7 +59,10 @@ int run(const RunArguments& arguments) {
   Result result;
   {
     ProgressPrinter progress(arguments.quiet);
-    options.progress = [&](const Progress& p) { progress(p); };
+    options.progress = [&](const Progress& p) {
+      progress(p);
+      hold_for_test(fmt::format("stage {}", p.stage));
+    };
     result = solve(model, state, options);
   }
   result.failure_mode = name_failure_mode(model, result);

@@ -1,6 +1,11 @@
 #include "interrupt.h"
 
+#include <fmt/core.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdlib>
 
 namespace wythe::app {
 namespace {
@@ -9,12 +14,25 @@ std::atomic<bool> interrupted{false};
 
 void on_interrupt(int) { interrupted.store(true); }
 
+constexpr int kLookEvery = 10;  // at the flag, while held [ms]
+
 }  // namespace
 
 const std::atomic<bool>& stop_asked() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   return interrupted;
+}
+
+void hold_for_test(const std::string& point) {
+  static std::atomic<bool> held{false};
+  const char* asked = std::getenv("WYTHE_TEST_HOLD");
+  if (asked == nullptr || point != asked || held.exchange(true)) return;
+  fmt::print(stderr, "held at {}\n", point);
+  std::fflush(stderr);
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (!interrupted && ::poll(&input, 1, kLookEvery) <= 0) {
+  }
 }
 
 }  // namespace wythe::app

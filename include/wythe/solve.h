@@ -23,7 +23,7 @@ struct SolveOptions {
   int frames = 0;                                 // of the push in Result::frames; for pictures
   std::int64_t step_budget = 0;                   // stop with budget_spent after so many, 0: none
   const std::atomic<bool>* stop = nullptr;        // set from a signal handler: interrupted
-  std::function<void(const Progress&)> progress;  // called a few times a second; may be empty
+  std::function<void(const Progress&)> progress;  // first of each stage, then a few times a second
 };
 
 // Never throws on mathematics: the status says what happened. Advances `state` to the end.

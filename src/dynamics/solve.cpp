@@ -39,13 +39,14 @@ class ProgressScale {
   std::vector<double> until_;
 };
 
-// Passes progress on a few times a second only.
+// Passes on the first progress of each stage, then a few times a second only.
 std::function<void(const Progress&)> throttled(const Model& model, const State& state,
                                                const SolveOptions& options) {
   if (!options.progress) return {};
   const ProgressScale scale(model);
-  return [scale, &state, &options, last = Clock::now()](const Progress& p) mutable {
-    if (seconds_since(last) < 0.2) return;
+  return [scale, &state, &options, last = Clock::now(), stage = -1](const Progress& p) mutable {
+    if (state.stage == stage && seconds_since(last) < 0.2) return;
+    stage = static_cast<int>(state.stage);
     last = Clock::now();
     Progress shown = p;
     shown.share = scale.overall(static_cast<std::size_t>(state.stage), p.share);
