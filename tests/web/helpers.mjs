@@ -38,6 +38,39 @@ const kArguments = [
 export const launch = (...more) =>
   chromium.launch({ executablePath: browserPath, args: [...kArguments, ...more] });
 
+// Waits until the viewer has no work left (data-ready) and the frames have passed in which the browser tells
+// figures their widths.
+const drawn = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        const look = (frames) =>
+          requestAnimationFrame(() => {
+            if (!document.documentElement.dataset.ready) look(2);
+            else if (frames > 0) look(frames - 1);
+            else done();
+          });
+        look(1);
+      }),
+  );
+
+// Whatever a test reads of a page, it reads when all of it is drawn: no count comes too early.
+const kReads = ["allInnerTexts", "allTextContents", "boundingBox", "count", "evaluate", "evaluateAll"].concat(
+  ["getAttribute", "innerText", "inputValue", "screenshot", "textContent"],
+);
+function readOnlyWhatIsDrawn(page) {
+  const locator = Object.getPrototypeOf(page.locator("html"));
+  if (locator.readsWhatIsDrawn) return;
+  locator.readsWhatIsDrawn = true;
+  for (const name of kReads) {
+    const read = locator[name];
+    locator[name] = async function (...words) {
+      if (this.page().hasScripts) await drawn(this.page());
+      return read.apply(this, words);
+    };
+  }
+}
+
 // Opens a page and waits until it is built. `page.faults` collects what must not happen.
 export async function open(browser, url, options = {}) {
   const context = await browser.newContext({
@@ -48,6 +81,7 @@ export async function open(browser, url, options = {}) {
     reducedMotion: "reduce",
   });
   const page = await context.newPage();
+  readOnlyWhatIsDrawn(page);
   page.faults = [];
   page.on("console", (m) => {
     if (m.type() === "error") page.faults.push(`console: ${m.text()}`);
@@ -62,12 +96,13 @@ export async function open(browser, url, options = {}) {
     void d.dismiss();
   });
   await page.goto(url);
-  if (options.javaScript !== false)
-    await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: 60000 });
+  page.hasScripts = options.javaScript !== false;
+  if (page.hasScripts) await drawn(page);
   return page;
 }
 
-// Chromium drops downloads that follow each other too closely: ten a second.
+// Chromium drops downloads that follow each other too closely: ten a second. A slow machine is only farther
+// from that.
 export async function downloaded(page, click) {
   await page.waitForTimeout(150);
   const [download] = await Promise.all([page.waitForEvent("download"), click()]);

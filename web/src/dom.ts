@@ -66,9 +66,11 @@ export function hintMore(slide: HTMLElement, frame: HTMLElement): void {
   if (slide.firstElementChild) watch.observe(slide.firstElementChild);
 }
 
-// Work that can wait until the page has been painted, one piece after the other.
+// Work that can wait until the page has been painted, one piece after the other; data-ready says that none
+// is left.
 const queue: (() => void)[] = [];
 export function later(work: () => void): void {
+  delete document.documentElement.dataset.ready;
   queue.push(work);
   if (queue.length === 1) setTimeout(next, 0);
 }

@@ -1,5 +1,5 @@
 // The wall with its controls: 2D or 3D, what the joints show, magnification, time and play.
-import { h, svg } from "./dom";
+import { h, later, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { num, qty, say } from "./texts";
@@ -77,8 +77,10 @@ export class WallView {
     );
     this.stage.addEventListener("pointermove", (e) => this.point(e));
     this.stage.addEventListener("pointerleave", hideTip);
-    const watcher = new ResizeObserver(() => this.fit());
-    watcher.observe(this.stage);
+    later(() => {
+      this.fit();
+      new ResizeObserver(() => this.fit()).observe(this.stage);
+    });
   }
 
   fit(): void {
