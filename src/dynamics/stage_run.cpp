@@ -63,13 +63,16 @@ void StageRun::drive(const Stage& push) {
   wall_.place->choose_driven(push.driven);
 }
 
+// The first end stands: what is noticed later in the same step does not undo it.
 void StageRun::end(StageEnd how) {
+  if (ended_) return;
   end_ = std::move(how);
   ended_ = true;
 }
 
 StageEnd StageRun::close() {
-  if (end_.finished && wall_.place->runaway_block() >= 0) end(runs_away());
+  // A wall that ran away has not completed, settled or collapsed, whatever its rows seem to say.
+  if (wall_.place->runaway_block() >= 0) end_ = runs_away();
   finish(end_);
   wall_.place->bring_up(state_);
   wall_.result.stages.push_back({stage_.spec.name, state_.stage_time, state_.step - first_step_,

@@ -67,6 +67,8 @@ struct PathColumn {
 };
 
 class PathReader {
+  static constexpr double kFarthest = 1e6;  // [mm]
+
  public:
   explicit PathReader(const std::string& file) : context_{file} {}
 
@@ -121,7 +123,13 @@ class PathReader {
     double value = 0;
     const char* end = cell.data() + cell.size();
     const auto [stop, error] = std::from_chars(cell.data(), end, value);
-    if (error == std::errc() && stop == end && std::isfinite(value)) return value / 1e3;
+    if (error == std::errc() && stop == end && std::isfinite(value)) {
+      if (std::fabs(value) <= kFarthest) return value / 1e3;
+      context_.fault(column.name, line_, std::string(cell),
+                     fmt::format("is farther than a kilometre ({:.0f} mm)", kFarthest),
+                     "write it in millimetres; a joint is open or worn smooth long before");
+      return 0;
+    }
     context_.fault(column.name, line_, std::string(cell), "must be a finite number",
                    "write it in millimetres with a decimal point, e.g. 0.05");
     return 0;

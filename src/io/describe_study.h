@@ -13,18 +13,10 @@
 #include <vector>
 
 #include "io/key.h"
+#include "study/study_rows.h"
 #include "wythe/study.h"
 
 namespace wythe::io {
-
-inline constexpr Word<Design> kDesignWords[] = {{"latin_hypercube", Design::kLatinHypercube},
-                                                {"monte_carlo", Design::kMonteCarlo},
-                                                {"sobol", Design::kSobol}};
-inline constexpr Word<DistributionKind> kDistributionWords[] = {
-    {"normal", DistributionKind::kNormal},      {"lognormal", DistributionKind::kLognormal},
-    {"uniform", DistributionKind::kUniform},    {"triangular", DistributionKind::kTriangular},
-    {"beta", DistributionKind::kBeta},          {"weibull", DistributionKind::kWeibull},
-    {"empirical", DistributionKind::kEmpirical}};
 
 struct StudyHead {
   StudySpec& spec;
@@ -85,7 +77,7 @@ void describe(Visitor& v, StudyHead& h) {
          .doc = "What its blocks file holds, as JSON; then that file is not read."});
   v.texts("set", s.settings, {.fallback = "none", .example = "[\"stage.push.velocity=5 mm/s\"]",
           .doc = "Settings of the base model, as for --set."});
-  v.choice("design", s.design, kDesignWords, {.example = "latin_hypercube",
+  v.choice("design", s.design, study::kDesignWords, {.example = "latin_hypercube",
            .doc = "How samples are drawn."});
   v.quantities("states", s.states, {.unit = "m", .shown = "mm", .fallback = "none",
                .example = "[\"10 mm\", \"40 mm\"]",
@@ -109,7 +101,7 @@ void describe(Visitor& v, VariableTable& t) {
   VariableSpec& s = t.spec;
   const VariableKeys& k = t.keys;
   describe_input(v, s);
-  v.choice("distribution", s.distribution, kDistributionWords, {.example = "lognormal"});
+  v.choice("distribution", s.distribution, study::kDistributionWords, {.example = "lognormal"});
   amount(v, "mean", s.mean, s, k.typical, k.example);
   v.number("cov", s.cov, {.range = kPositive, .fallback = "none", .example = "0.3"});
   amount(v, "standard_deviation", s.standard_deviation, s, kPositive, k.example);

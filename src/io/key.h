@@ -4,9 +4,12 @@
 #include <limits>
 #include <string>
 
+#include "core/text.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe::io {
+
+using wythe::Word;
 
 // Admissible values, in SI; the open ends are not admissible themselves.
 struct Range {
@@ -49,13 +52,6 @@ struct Key {
   const char* fallback = "";  // what holds where the key is absent and has no value of its own
   const char* example = "";   // as in the file, a quantity or text without its quotes
   const char* doc = "";
-};
-
-// One word of an enumeration.
-template <class E>
-struct Word {
-  const char* word;
-  E value;
 };
 
 [[nodiscard]] inline std::string under(const std::string& path, const std::string& name) {

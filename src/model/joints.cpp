@@ -61,14 +61,15 @@ class MaterialTable {
           fmt::format("material.{}: without tensile strength its cohesion is lost from the start "
                       "(damage 1), the residual friction governs",
                       name));
-    return add(name, material);
+    return index_[name] = append(name, material);
   }
 
-  // A lintel's chain: one derived material for each spacing of the segments.
+  // A lintel's chain: one derived material for each set of what chain_material() depends on.
   int chain_index(const Face& face, double spacing, double depth) {
-    const std::string name = fmt::format("{} chain {:.3f} m", face.material, spacing);
-    const auto known = index_.find(name);
-    if (known != index_.end()) return known->second;
+    const Chain wanted{face.material, spacing, depth, length_of(face), 0};
+    const auto known = std::find_if(chains_.begin(), chains_.end(),
+                                    [&](const Chain& chain) { return is_same(chain, wanted); });
+    if (known != chains_.end()) return known->index;
     const JointMaterial& body = spec_.material.at(face.material);
     const bool complete = body.youngs_modulus > 0 && body.shear_modulus > 0;
     if (!complete) {
@@ -77,22 +78,36 @@ class MaterialTable {
                      "is missing or not positive; a lintel of segments needs both moduli",
                      fmt::format("add e.g. {} = \"0.3 GPa\"", key), 0});
     }
-    return add(name, chain_material(body, spacing, depth, length_of(face)));
+    chains_.push_back(wanted);
+    chains_.back().index = append(fmt::format("{} chain {:.3f} m", face.material, spacing),
+                                  chain_material(body, spacing, depth, length_of(face)));
+    return chains_.back().index;
   }
 
  private:
-  int add(const std::string& name, const JointMaterial& material) {
-    const int index = static_cast<int>(model_.materials.size());
+  struct Chain {
+    std::string material;
+    double spacing, depth, face;  // [m]
+    int index;
+  };
+  // The same lengths but for the rounding of coordinates, which must not make two materials.
+  static bool is_same(const Chain& a, const Chain& b) {
+    const auto near = [](double x, double y) { return std::fabs(x - y) <= 1e-9 * std::fabs(x); };
+    return a.material == b.material && near(a.spacing, b.spacing) && near(a.depth, b.depth) &&
+           near(a.face, b.face);
+  }
+
+  int append(const std::string& name, const JointMaterial& material) {
     model_.materials.push_back(material);
     model_.material_names.push_back(name);
-    index_[name] = index;
-    return index;
+    return static_cast<int>(model_.materials.size()) - 1;
   }
 
   const ModelSpec& spec_;
   Model& model_;
   FaultList& faults_;
   std::map<std::string, int> index_;
+  std::vector<Chain> chains_;
 };
 
 // Structural depth of the lintel a chain face belongs to; the face itself where none is stated.

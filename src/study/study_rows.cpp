@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -15,9 +14,6 @@
 namespace wythe::study {
 namespace {
 
-constexpr const char* kDesigns[] = {"latin_hypercube", "monte_carlo", "sobol"};
-constexpr const char* kKinds[] = {"normal", "lognormal", "uniform",  "triangular",
-                                  "beta",   "weibull",   "empirical"};
 constexpr std::size_t kLinesShown = 12;  // of a model that changed
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -48,9 +44,10 @@ class RowWriter {
     if (std::isnan(value)) return;
     text(key, unit == "1" ? fmt::format("{}", value) : fmt::format("{} {}", value, unit));
   }
-  template <class E>
-  void word(const char* key, E value, const char* const* words) {
-    text(key, words[static_cast<int>(value)]);
+  template <class E, std::size_t N>
+  void word(const char* key, E value, const Word<E> (&words)[N]) {
+    for (const Word<E>& word : words)
+      if (word.value == value) text(key, word.word);
   }
   void texts(const char* key, const std::vector<std::string>& values) {
     text(key, joined(values, "\n"));
@@ -75,9 +72,10 @@ class RowReader {
     value = number_in(found(key));
   }
   template <class E, std::size_t N>
-  void word(const char* key, E& value, const char* const (&words)[N]) {
-    const auto at = std::find(std::begin(words), std::end(words), found(key));
-    if (at != std::end(words)) value = static_cast<E>(at - std::begin(words));
+  void word(const char* key, E& value, const Word<E> (&words)[N]) {
+    const std::string text = found(key);
+    for (const Word<E>& word : words)
+      if (text == word.word) value = word.value;
   }
   void texts(const char* key, std::vector<std::string>& values) { values = lines_of(found(key)); }
   template <class Number>
@@ -106,7 +104,7 @@ void each_input(V& v, Input& i) {
 template <class V, class Variable>
 void each_variable(V& v, Variable& x) {
   each_input(v, x);
-  v.word("distribution", x.distribution, kKinds);
+  v.word("distribution", x.distribution, kDistributionWords);
   v.number("mean", x.mean, x.si_unit);
   v.number("cov", x.cov);
   v.number("standard_deviation", x.standard_deviation, x.si_unit);
@@ -135,7 +133,7 @@ void each_key(V& v, Study& s) {
   v.text("model", s.model_text);
   v.text("blocks", s.blocks_text);
   v.texts("settings", s.settings);
-  v.word("design", s.design, kDesigns);
+  v.word("design", s.design, kDesignWords);
   v.numbers("samples", s.batch);
   v.numbers("states_m", s.states);
   v.numbers("fractions", s.fractions);

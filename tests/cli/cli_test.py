@@ -401,6 +401,23 @@ class Contact(Base):
         self.assertAlmostEqual(float(rows[-1]["dissipated_N_per_m"]), 4.3, delta=0.0043)
         self.assertEqual(float(rows[-1]["damage"]), 1.0)
 
+    def last_row(self):
+        with open(self.folder / "out.csv") as file:
+            return list(csv.DictReader(file))[-1]
+
+    def test_the_mode_1_energy_does_not_grow_with_the_opening(self):
+        for opening in ("1", "1e3", "1e6"):
+            done = self.drive(f"opening_mm,slip_mm\n0,0\n{opening},0\n")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertAlmostEqual(float(self.last_row()["dissipated_N_per_m"]), 4.3, delta=0.0043)
+
+    def test_rows_beyond_a_kilometre_are_refused_with_line_and_value(self):
+        done = self.drive("opening_mm,slip_mm\n0,0\n0,1e308\n")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        for word in ("path.csv:3", "slip_mm", "1e308", "kilometre"):
+            self.assertIn(word, done.stderr)
+        self.assertFalse((self.folder / "out.csv").exists())
+
     def test_missing_column_is_named(self):
         done = self.drive("opening_mm\n0\n")
         self.assertEqual(done.returncode, 2)

@@ -102,6 +102,39 @@ TEST(ContactLaw, crushing_dissipates_the_compressive_energy_however_it_is_cut) {
   }));
 }
 
+TEST(ContactLaw, energies_do_not_grow_with_the_length_of_a_row) {
+  for_every_variant([](const JointMaterial& m) {
+    for (const double far : {0.03, 1.0, 1e3}) {  // up to a kilometre in one row [m]
+      EXPECT_NEAR(drive_contact(m, {{far, 0}}).back().dissipated / m.mode_1_energy, 1, 1e-3);
+      EXPECT_NEAR(drive_contact(m, {{-far - 0.01, 0}}).back().dissipated / m.compressive_energy, 1,
+                  1e-3);
+      const double pressed = -0.5e6 / m.normal_stiffness;
+      const auto slid = drive_contact(m, {{pressed, 0}, {pressed, far}});
+      const double plastic = far - slid.back().shear_stress / m.shear_stiffness;
+      const double friction = 0.5e6 * std::tan(m.residual_friction_angle) * plastic;
+      EXPECT_NEAR(slid.back().dissipated / (friction + m.mode_2_energy), 1, 1e-3) << far;
+      EXPECT_NEAR(slid.back().shear_stress, 0.5e6 * std::tan(m.residual_friction_angle), 1e3);
+    }
+    // back from a kilometre apart until it is crushed: nothing on the way is stepped over
+    const auto back = drive_contact(m, {{1e3, 0}, {-0.01, 0}});
+    EXPECT_NEAR(back.back().dissipated / (m.mode_1_energy + m.compressive_energy), 1, 1e-3);
+  });
+}
+
+TEST(ContactLaw, a_long_oblique_row_is_what_its_short_pieces_are) {
+  for_every_variant([](JointMaterial m) {
+    m.compressive_strength = kUnlimited;
+    const ContactPathRow far{-1e-4, 0.3};
+    std::vector<ContactPathRow> pieces;
+    for (int k = 1; k <= 3000; ++k)
+      pieces.push_back({k / 3000.0 * far.opening, k / 3000.0 * far.slip});
+    const ContactAnswer whole = drive_contact(m, {far}).back();
+    const ContactAnswer cut = drive_contact(m, pieces).back();
+    EXPECT_NEAR(whole.dissipated / cut.dissipated, 1, 1e-3);
+    EXPECT_NEAR(whole.shear_stress / cut.shear_stress, 1, 1e-6);
+  });
+}
+
 TEST(ContactLaw, softening_shapes_have_unit_area_and_start_at_one) {
   const auto check = [](auto kind) {
     constexpr Softening k = decltype(kind)::value;

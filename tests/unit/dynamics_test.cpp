@@ -196,6 +196,28 @@ TEST(Stages, an_unstable_step_is_reported_with_the_block) {
   EXPECT_NE(result.reason.find("step_fraction"), std::string::npos) << result.reason;
 }
 
+TEST(Stages, a_wall_that_ran_away_has_not_collapsed_at_its_stop_rule) {
+  ModelSpec spec = scenes::assembly(
+      {scenes::rectangle("low", 0, 0, 0.2, 0.1), scenes::rectangle("high", 0, 0.1, 0.2, 0.1),
+       scenes::rectangle("alone", 1, 0, 0.2, 0.1)},
+      scenes::paper_joint(), 0.1, 2000);
+  spec.stage = {scenes::push_stage("high", Direction::kPlusX, 1, 50e-3)};
+  spec.stage[0].ramp = 1e-3;
+  spec.stage[0].stop_below = 0.3;
+  const Model model = compile(spec);
+  const auto run = [&](double speed) {
+    State state = initial_state(model);
+    state.uy[2] = 10;  // far from everything, at a speed no wall has
+    state.vy[2] = speed;
+    return solve(model, state);
+  };
+  const Result quiet = run(1);
+  EXPECT_EQ(quiet.status, SolveStatus::kCollapsed) << quiet.reason;
+  ASSERT_LT(quiet.steps, 500);  // the rule ends the run before anybody looks at the blocks
+  const Result wild = run(1000);
+  EXPECT_EQ(wild.status, SolveStatus::kUnstable) << wild.reason;
+}
+
 TEST(Stages, a_push_stops_where_the_reaction_has_fallen) {
   ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 0.01, 10e-3)};

@@ -236,6 +236,30 @@ TEST(StudyRows, a_study_comes_back) {
   EXPECT_EQ(back.dependent[0].formula, s.dependent[0].formula);
 }
 
+TEST(StudyRows, words_are_tied_to_values_not_to_their_order) {
+  const std::pair<Design, const char*> designs[] = {{Design::kLatinHypercube, "latin_hypercube"},
+                                                    {Design::kMonteCarlo, "monte_carlo"},
+                                                    {Design::kSobol, "sobol"}};
+  for (const auto& [design, word] : designs) {
+    StudySpec s = scenes::small_study(12);
+    s.design = design;
+    EXPECT_EQ(value_of(rows_of(s), "design"), word);
+    EXPECT_EQ(study_of(rows_of(s)).design, design);
+  }
+  for (const Word<DistributionKind>& kind : kDistributionWords) {
+    StudySpec s = scenes::small_study(12);
+    s.variable[0].distribution = kind.value;
+    EXPECT_EQ(value_of(rows_of(s), "variable.ft.distribution"), kind.word);
+    EXPECT_EQ(study_of(rows_of(s)).variable[0].distribution, kind.value);
+  }
+  constexpr Word<Design> twice[] = {
+      {"a", Design::kSobol}, {"b", Design::kSobol}, {"c", Design::kMonteCarlo}};
+  static_assert(!names_all(twice, Design::kSobol));
+  constexpr Word<Design> turned[] = {
+      {"c", Design::kSobol}, {"a", Design::kLatinHypercube}, {"b", Design::kMonteCarlo}};
+  static_assert(names_all(turned, Design::kSobol));
+}
+
 TEST(StudyRows, changes_name_the_key_and_both_values) {
   const StudySpec was = scenes::small_study(12);
   StudySpec is = was;

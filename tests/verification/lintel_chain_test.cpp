@@ -156,19 +156,23 @@ TEST(LintelChain, axial_stiffness) {
          bend(beam(9, 2), clamp, 8, kForce, 0).x);
 }
 
-TEST(LintelChain, compiled_lintel_has_the_beam_s_stiffnesses) {
-  ModelSpec spec = scenes::small_wall();
-  spec.material["timber"] = timber();
-  LintelSpec& lintel = spec.wall.opening[0].lintel;
+LintelSpec timber_lintel(double depth) {
+  LintelSpec lintel;
   lintel.kind = "timber";
-  lintel.depth = 0.09;
+  lintel.depth = depth;
   lintel.bearing = 0.155;
   lintel.material = "timber";
-  const Model m = compile(spec);
-  const double area = 0.31 * 0.09, second = 0.31 * std::pow(0.09, 3) / 12;
+  return lintel;
+}
+
+// Every chain joint with its centre between x0 and x1 has the stiffnesses of a beam `depth` deep.
+void expect_beam(const Model& m, double depth, double x0, double x1) {
+  const double area = 0.31 * depth, second = 0.31 * std::pow(depth, 3) / 12;
   int chains = 0;
   for (std::size_t j = 0; j < m.joint_a.size(); ++j) {
+    const auto middle = static_cast<std::size_t>(m.joint_a[j]);
     if (m.anatomy.joint_kind[j] != JointKind::kLintelChain) continue;
+    if (m.centroid_x[middle] < x0 || m.centroid_x[middle] > x1) continue;
     ++chains;
     const auto a = static_cast<std::size_t>(m.joint_a[j]),
                b = static_cast<std::size_t>(m.joint_b[j]);
@@ -183,6 +187,26 @@ TEST(LintelChain, compiled_lintel_has_the_beam_s_stiffnesses) {
     EXPECT_NEAR(material.shear_stiffness * m.area[j] * spacing / (5.0 / 6 * kG * area), 1.0, 1e-12);
   }
   EXPECT_GE(chains, 1);
+}
+
+TEST(LintelChain, compiled_lintel_has_the_beam_s_stiffnesses) {
+  ModelSpec spec = scenes::small_wall();
+  spec.material["timber"] = timber();
+  spec.wall.opening[0].lintel = timber_lintel(0.09);
+  expect_beam(compile(spec), 0.09, 0, 1.24);
+}
+
+TEST(LintelChain, two_lintels_of_one_timber_have_each_its_own_depth) {
+  ModelSpec spec = scenes::plain_wall(16, 8, 1e-3, 0.02);  // 2.48 m long
+  spec.material["timber"] = timber();
+  spec.wall.opening = {
+      {.name = "door", .x = 0.31, .y = 0, .width = 0.31, .height = 0.44, .lintel = {}},
+      {.name = "window", .x = 1.55, .y = 0.22, .width = 0.31, .height = 0.22, .lintel = {}}};
+  spec.wall.opening[0].lintel = timber_lintel(0.09);
+  spec.wall.opening[1].lintel = timber_lintel(0.22);
+  const Model m = compile(spec);
+  expect_beam(m, 0.09, 0, 1.24);
+  expect_beam(m, 0.22, 1.24, 2.48);
 }
 
 }  // namespace
