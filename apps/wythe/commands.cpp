@@ -31,7 +31,16 @@ void print_result(const Result& r, const std::string& out) {
     fmt::print("peak {:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
                1e-3 * q.peak_reaction, 1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "",
                1e3 * q.displacement_at_80, 1e-6 * q.initial_stiffness);
-    fmt::print("failure mode {}: {}\n", r.failure_mode.name, r.failure_mode.sentence);
+    fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
+               r.failure_mode.reading.empty() ? "" : ", ", r.failure_mode.reading,
+               r.failure_mode.sentence);
+    if (!r.validity.holds())
+      fmt::print(
+          "warning: from {:.2f} mm on {} joint{} slid off: pressed, with less than half of the "
+          "face left; "
+          "what comes after means little. First: {}\n",
+          1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
+          r.validity.where);
     fmt::print("rate: {}\n", r.quasi_static.verdict);
     for (const Event& e : r.events)
       if (e.is_beyond_limit)

@@ -8,6 +8,7 @@
 // Rules and their reasons: docs/theory/failure_modes.md.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "wythe/model.h"
@@ -32,10 +33,9 @@ struct ModeRules {
 
 inline constexpr double kReadModesAt = 40e-3;  // where nothing else is asked [m]
 
-// Whether a mode was read short of where it was asked, the push having ended before. States are stored
-// at the first row that has gone so far, so a row's length short does not count.
+// Whether a mode was read short of where it was asked, either way, the push having ended before.
 [[nodiscard]] inline bool is_read_early(double read_at, double asked) {
-  return read_at < 0.99 * asked;
+  return std::fabs(read_at) < 0.99 * asked;
 }
 
 using ElementStates = std::vector<ElementState>;
@@ -49,8 +49,9 @@ using ElementStates = std::vector<ElementState>;
 [[nodiscard]] FailureMode name_from_state(const Model& model, const State& state,
                                           const ModeRules& rules);
 
-// Reads the last snapshot of the push up to `read_at` [m], and the others for first displacements
-// and sensitivity. "unclear" where margins are small or there is no snapshot.
+// Reads Result::readings at `read_at` [m], which SolveOptions::read_modes_at should have been, and
+// those before it for first displacements; the snapshots for sensitivity. "unclear" where margins are
+// small, where half a pier's section has slid off its neighbours, or where there is no state.
 [[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
                                             double read_at = kReadModesAt);
 

@@ -164,9 +164,21 @@ struct FailureMode {
   std::vector<Evidence> evidence;
   std::string sentence;  // in plain words
   double read_at = 0;    // displacement at which it was read [m]
+  // In words: "read at 40.0 mm", "read at 18.3 mm, where the push ended". Not in the store.
+  std::string reading = {};
   std::vector<ElementState> elements = {};
   std::vector<Evidence> flags = {};  // severity; raised where value >= threshold
   std::vector<NameReading> sensitivity = {};
+};
+
+// From where on the run means little: contact points belong to the faces that touched at the start,
+// so a pressed joint whose faces overlap by less than half carries its force where there is no face.
+struct Validity {
+  double overlap_lost = std::numeric_limits<double>::quiet_NaN();  // of the first row that shows
+                                                                   // such a joint [m], NaN: none
+  int joints = 0;     // that were such a joint in any row
+  std::string where;  // the first: joint kind and place
+  [[nodiscard]] bool holds() const { return joints == 0; }
 };
 
 // A sum over the joints of a region in one stored state.
@@ -205,14 +217,17 @@ struct Result {
   Responses responses;
   EnergyLedger energy;
   QuasiStatic quasi_static;
+  Validity validity;
   std::vector<Event> events;
   std::vector<double>
       joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
   std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
-  std::vector<Snapshot> readings;  // one each millimetre, for first displacements
-  std::vector<Snapshot> frames;    // between them, as many as SolveOptions::frames asked for
+  // What the failure mode is read on, whatever output.states holds: the state of the first step at
+  // each millimetre and at SolveOptions::read_modes_at, at each turn of a cyclic push ("turn"), "end".
+  std::vector<Snapshot> readings;
+  std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
   double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
   double top_displacement = 0;  // [m]
@@ -230,5 +245,9 @@ struct PointStress {
   double x = 0, y = 0;                                                    // where it is now [m]
 };
 [[nodiscard]] std::vector<PointStress> point_stresses(const Model& model, const State& state);
+
+// Whether a joint is pressed and its faces overlap by less than half; `points` of the whole wall.
+[[nodiscard]] bool has_slid_off(const Model& model, const std::vector<PointStress>& points,
+                                JointId joint);
 
 }  // namespace wythe

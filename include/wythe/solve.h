@@ -21,6 +21,8 @@ struct Progress {
 struct SolveOptions {
   int threads = 1;                                // inside one wall; same bits for any number
   int frames = 0;                                 // of the push in Result::frames; for pictures
+  double read_modes_at = 40e-3;                   // displacement at which a state is kept for the
+                                                  // failure mode [m]
   std::int64_t step_budget = 0;                   // stop with budget_spent after so many, 0: none
   const std::atomic<bool>* stop = nullptr;        // set from a signal handler: interrupted
   std::function<void(const Progress&)> progress;  // first of each stage, then a few times a second

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kShearEvery = 8;       // steps between samples of base shear and kinetic energy
 constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
-constexpr double kReadEvery = 1e-3;  // between readings, at rows [m]
+constexpr double kReadEvery = 1e-3;  // between readings [m]
 constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
 
 const char* kind_name(JointKind kind) {
@@ -46,7 +46,8 @@ bool has_event(const Result& result, const char* name) {
 
 }  // namespace
 
-Recorder::Recorder(const Model& model, const Stage& stage, double path, int frames, Result& result)
+Recorder::Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
+                   Result& result)
     : model_(model),
       stage_(stage),
       result_(result),
@@ -56,14 +57,20 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, int fram
       start_time_(-1),
       work_at_start_(0),
       next_close_(window_),
-      state_at_(model.output.states) {
+      next_reading_(kReadEvery),
+      read_at_(read_at),
+      state_at_(model.output.states),
+      slid_off_(static_cast<std::size_t>(model.n_joint), false) {
   std::sort(state_at_.begin(), state_at_.end());
+  state_at_.push_back(std::numeric_limits<double>::infinity());
+  due_ = std::min({state_at_.front(), next_reading_, read_at_});
   // The curve is that of the last stage that has one.
   result_.curve.clear();
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
   result_.frames.clear();
+  result_.validity = {};
   result_.joint_crack_displacement.clear();
   if (result_.joint_crack_displacement.empty())
     result_.joint_crack_displacement.assign(static_cast<std::size_t>(model.n_joint),
@@ -95,10 +102,31 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   const bool closes = travelled >= next_close_;
   sample(place, state, controls, closes);
   row_closed_ = closes;
-  if (!closes) return;
+  if (closes) {
+    place.bring_up(state);
+    close_row(state);
+    take_frame(state, travelled);
+  }
+  take_states(place, state);
+}
+
+// At the step, not at the row, so that neither rows nor the states asked for move a reading.
+void Recorder::take_states(const Place& place, State& state) {
+  const double far = std::fabs(displacement_);
+  const bool turns = grows_ && far < farthest_ && !stage_.spec.targets.empty();
+  grows_ = far > farthest_;
+  farthest_ = std::max(farthest_, far);
+  if (!turns && far < due_) return;
   place.bring_up(state);
-  close_row(state);
-  take_frame(state, travelled);
+  while (far >= state_at_[next_state_]) {
+    take_snapshot(fmt::format("{:g} mm", 1e3 * state_at_[next_state_]), state);
+    ++next_state_;
+  }
+  if (turns || far >= std::min(next_reading_, read_at_))
+    result_.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
+  if (far >= next_reading_) next_reading_ = kReadEvery * (1 + std::floor(far / kReadEvery));
+  if (far >= read_at_) read_at_ = std::numeric_limits<double>::infinity();
+  due_ = std::min({state_at_[next_state_], next_reading_, read_at_});
 }
 
 void Recorder::take_frame(const State& state, double travelled) {
@@ -150,25 +178,18 @@ void Recorder::close_row(const State& state) {
   steps_ = shear_samples_ = unbalance_samples_ = 0;
   next_close_ += window_;
 
-  note_cracks(state, row.displacement, row.reaction);
+  note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
   if (row.reaction > peak_) {
     peak_ = row.reaction;
     peak_state_ = state;
     peak_displacement_ = row.displacement;
   }
-  while (next_state_ < state_at_.size() && std::fabs(displacement_) >= state_at_[next_state_])
-    take_snapshot(fmt::format("{:g} mm", 1e3 * state_at_[next_state_++]), state);
-  if (std::fabs(displacement_) >= next_reading_) take_reading(state);
 }
 
-void Recorder::take_reading(const State& state) {
-  result_.readings.push_back({"", displacement_, 0, state});
-  next_reading_ = kReadEvery * (1 + std::floor(std::fabs(displacement_) / kReadEvery));
-}
-
-void Recorder::note_cracks(const State& state, double displacement, double reaction) {
+void Recorder::note_joints(const State& state, double displacement, double reaction) {
   const std::vector<PointStress> points = point_stresses(model_, state);
+  note_slid_off(points, displacement, reaction);
   const auto per_joint = static_cast<std::size_t>(model_.n_face_point);
   const auto mark = [&](const char* name, std::size_t p) {
     if (has_event(result_, name)) return;
@@ -188,6 +209,23 @@ void Recorder::note_cracks(const State& state, double displacement, double react
     mark("first full crack", p);
     double& when = result_.joint_crack_displacement[j];
     if (std::isnan(when)) when = displacement;
+  }
+}
+
+void Recorder::note_slid_off(const std::vector<PointStress>& points, double displacement,
+                             double reaction) {
+  for (JointId joint = 0; joint < model_.n_joint; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    if (slid_off_[j] || !has_slid_off(model_, points, joint)) continue;
+    slid_off_[j] = true;
+    if (result_.validity.joints++ > 0) continue;
+    const PointStress& p = points[j * static_cast<std::size_t>(model_.n_face_point)];
+    result_.validity.overlap_lost = displacement;
+    result_.validity.where =
+        fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(model_.anatomy.joint_kind[j]), clean(p.x),
+                    clean(p.y));
+    result_.events.push_back(
+        {"blocks slid off each other", displacement, reaction, result_.validity.where});
   }
 }
 
@@ -226,6 +264,7 @@ void Recorder::finish(const Place& place, State& state, const Controls& controls
     result_.snapshots.push_back({"peak", peak_displacement_, reaction, std::move(peak_state_)});
   }
   take_snapshot("end", state);
+  result_.readings.push_back(result_.snapshots.back());
   std::stable_sort(
       result_.snapshots.begin(), result_.snapshots.end(),
       [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });

@@ -1,5 +1,5 @@
 // Turns steps into rows: averages of reaction, base shear and the meters over equal windows of the
-// driven path, the snapshots on the way, and when each joint first cracked through.
+// driven path, the states on the way, and when each joint first cracked through or slid off.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,10 @@ namespace wythe::dynamics {
 class Recorder {
  public:
   // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
-  // Of the path, `frames` states are kept for moving pictures, closer where cracks begin.
-  Recorder(const Model& model, const Stage& stage, double path, int frames, Result& result);
+  // Of the path, `frames` states are kept for moving pictures, closer where cracks begin; at
+  // `read_at` [m] one for the failure mode.
+  Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
+           Result& result);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const Place& place, State& state, const Controls& controls, double reaction,
@@ -28,10 +30,11 @@ class Recorder {
  private:
   void sample(const Place& place, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
-  void note_cracks(const State& state, double displacement, double reaction);
+  void note_joints(const State& state, double displacement, double reaction);
+  void note_slid_off(const std::vector<PointStress>& points, double displacement, double reaction);
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
-  void take_reading(const State& state);
+  void take_states(const Place& place, State& state);
   void take_frame(const State& state, double travelled);
 
   const Model& model_;
@@ -51,8 +54,13 @@ class Recorder {
   State peak_state_;
   double peak_displacement_ = 0;
   std::size_t next_state_ = 0;
-  double next_reading_ = 0;  // [m]
+  double next_reading_;  // [m]
+  double read_at_;       // [m]; infinite once a state is kept there
+  double due_;           // the next of states and readings [m]
   std::vector<double> state_at_;
+  double farthest_ = 0;         // of any step, this way or that [m]
+  bool grows_ = false;          // the last step went farther than any before
+  std::vector<bool> slid_off_;  // joints (n_joint)
   bool row_closed_ = false;
   long full_window_ = 0;  // steps of the last window that was closed whole
   double furthest_ = 0;   // largest displacement of a row so far [m]

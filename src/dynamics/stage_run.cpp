@@ -167,7 +167,8 @@ class Push : public StageRun {
         targets_(stage.spec.targets.empty() ? std::vector<double>{stage.spec.until}
                                             : stage.spec.targets),
         path_(driven_path(stage)),
-        recorder_(model_, stage, path_, wall.options.frames, wall.result) {
+        recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
+                  wall.result) {
     controls_.push = &stage;
     if (state_.stage_time == 0)
       state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
@@ -239,7 +240,8 @@ class Factor : public StageRun {
         tilting_(stage.spec.kind == StageKind::kTilt),
         rate_(tilting_ ? stage.spec.tilt_rate : stage.spec.rate),
         last_(tilting_ ? stage.spec.tilt_until : stage.spec.factor),
-        recorder_(model_, stage, last_, wall.options.frames, wall.result),
+        recorder_(model_, stage, last_, wall.options.frames, wall.options.read_modes_at,
+                  wall.result),
         factor_(state_.body_factor),
         last_growth_(state_.stage_time),
         moved_then_(moved()) {

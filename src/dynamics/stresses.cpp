@@ -1,5 +1,6 @@
 // point_stresses(): the law evaluated at rest on the present state, for files and pictures.
 #include <algorithm>
+#include <cmath>
 
 #include "contact/parameters.h"
 #include "core/real.h"
@@ -75,6 +76,48 @@ std::vector<PointStress> point_stresses(const Model& m, const State& s) {
                  at.y};
   }
   return points;
+}
+
+namespace {
+
+// Whether a place on the ground or on a fixed block still has a face under it. The ground of a wall
+// without fixed blocks goes on; a fixed block ends.
+bool is_on_support(const Anatomy& a, double x, double y) {
+  if (a.support_begin.size() < 2) return true;
+  bool inside = false;
+  for (std::size_t s = 0; s + 1 < a.support_begin.size(); ++s) {
+    const auto from = static_cast<std::size_t>(a.support_begin[s]);
+    const auto to = static_cast<std::size_t>(a.support_begin[s + 1]);
+    for (std::size_t p = from, q = to - 1; p < to; q = p++) {
+      const double yp = a.support_y[p], yq = a.support_y[q];
+      if ((yp > y) == (yq > y)) continue;
+      const double xp = a.support_x[p], xq = a.support_x[q];
+      if (x < xp + (y - yp) / (yq - yp) * (xq - xp)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool has_slid_off(const Model& m, const std::vector<PointStress>& points, JointId joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  const auto per = static_cast<std::size_t>(m.n_face_point);
+  if (m.anatomy.joint_kind[j] == JointKind::kLintelChain) return false;  // one piece of timber
+  double slip = 0;
+  bool pressed = false;
+  for (std::size_t k = 0; k < per; ++k) {
+    slip += m.point_weight[k] * points[j * per + k].slip;
+    pressed = pressed || points[j * per + k].opening < 0;
+  }
+  const double reach = std::hypot(m.half_x[j], m.half_y[j]);  // half the face
+  if (!pressed || std::fabs(slip) <= reach) return false;
+  if (m.joint_a[j] != kGroundBlock) return true;
+  // into the ground by a hundredth of the face, where the middle of the face is now
+  const auto b = static_cast<std::size_t>(m.joint_b[j]);
+  const double tx = m.tangent_x[j], ty = m.tangent_y[j], deep = 0.02 * reach;
+  return !is_on_support(m.anatomy, m.centroid_x[b] + m.arm_b_x[j] + slip * tx + deep * ty,
+                        m.centroid_y[b] + m.arm_b_y[j] + slip * ty - deep * tx);
 }
 
 }  // namespace wythe

@@ -79,6 +79,7 @@ Json failure_mode_json(const FailureMode& mode) {
   return {{"name", mode.name},
           {"sentence", mode.sentence},
           {"read_at_mm", mode.read_at * 1e3},
+          {"reading", mode.reading},
           {"scores", scores},
           {"evidence", evidence_json(mode.evidence)},
           {"elements", elements_json(mode.elements)},
@@ -178,6 +179,9 @@ std::string summary_json(const Model& model, const Result& result) {
   json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);
   json["quasi_static"] = quasi_static_json(result.quasi_static);
+  json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
+                      {"joints", result.validity.joints},
+                      {"where", result.validity.where}};
   json["events"] = events_json(result.events);
   json["stages"] = stages_json(result.stages);
   json["blocks"] = model.n_block;

@@ -99,7 +99,7 @@ class RunHeadline {
   [[nodiscard]] bool has_failed() const {
     const double read_at = number_in(s_["failure_mode"], "read_at_mm") * 1e-3;  // NaN: not read
     return s_["status"] == "collapsed" ||
-           (!is("censored_80") && read_at > 0 && !is_read_early(read_at, kReadModesAt));
+           (!is("censored_80") && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
   }
   [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }

@@ -247,6 +247,7 @@ class Runner {
   void solve_side_by_side() {
     const SampleTask task{plan_.spec, plan_.samples, build_};
     SolveOptions how;
+    how.read_modes_at = read_modes_at(plan_.spec);
     how.threads = 1;
     how.stop = &halt_;
     // a run reports a few times a second: the user's stop reaches every worker through halt_

@@ -77,10 +77,118 @@ bool is_foundation(const BedSection& section) {
   return j.on_ground || j.kind == JointKind::kFoundation;
 }
 
+// Slips of bed sections: the most in one, or of all together; and on the foundation.
+struct Slips {
+  double above = 0, below = 0;  // [m]
+};
+
+double length_of(const BedSection& section) {
+  double length = 0;
+  for (const JointMotion* j : section.joints) length += j->length();
+  return length;
+}
+
+// `width` of a section; 0: the masonry there is, where that is half of `least` or more.
+Slips slips_of(const std::vector<BedSection>& sections, double width, double least = 0) {
+  Slips slips;
+  double together = 0;  // many little slips, one way
+  for (const BedSection& section : sections) {
+    const double all = width > 0 ? width : length_of(section);
+    if (all < 0.5 * least) continue;
+    double& most = is_foundation(section) ? slips.below : slips.above;
+    most = std::max(most, slip_all_across(section, all));
+    if (!is_foundation(section)) together += slid_all_across(section, all);
+  }
+  slips.above = std::max(slips.above, std::fabs(together));
+  return slips;
+}
+
+// How far a pier turns about a toe: of the way its blocks went against what it stands on.
+class Turning {
+ public:
+  Turning(const Pier& pier, const WallParts& parts, const std::vector<BlockMotion>& blocks,
+          double crack)
+      : pier_(pier),
+        course_(parts.course),
+        is_topmost_(parts.wall.y1 - pier.box.y1 < 0.5 * parts.course),
+        blocks_(blocks),
+        crack_(crack) {}
+
+  // The lesser of that share and of twice the share of the pier's mass that has moved so.
+  [[nodiscard]] double share() const {
+    const auto under = [&](const BlockMotion& b) {
+      return is_in_line(b) && b.y < pier_.base && b.y > pier_.base - 2 * course_;
+    };
+    const auto above = [&](const BlockMotion& b) {
+      const bool is_cap = b.role == BlockRole::kBeam || b.role == BlockRole::kPlate;
+      return b.y > pier_.box.y1 && (is_topmost_ ? is_cap : is_in_line(b)) &&
+             (is_topmost_ || b.y < pier_.box.y1 + 2 * course_);
+    };
+    const RigidMotion base = fitted(blocks_, under), head = fitted(blocks_, above);
+    double most = 0;
+    for (const double x : {pier_.box.x0, pier_.box.x1})
+      for (const double y : {pier_.base, pier_.box.y0})
+        most = std::max(most, about(x, y, base, head));
+    return most;
+  }
+
+ private:
+  [[nodiscard]] bool is_in_line(const BlockMotion& b) const {
+    return b.x > pier_.box.x0 && b.x < pier_.box.x1;
+  }
+  // Motion of a block against a frame that moves rigidly.
+  static RigidMotion against(const RigidMotion& frame, const RigidMotion& b) {
+    return {b.x, b.y, b.ux - frame.ux + frame.turn * (b.y - frame.y),
+            b.uy - frame.uy - frame.turn * (b.x - frame.x), b.turn - frame.turn};
+  }
+  // The share of a motion that is a turn about (x, y): its way by turning, and what is left there.
+  static double turned(const RigidMotion& m, double x, double y) {
+    const double rx = m.x - x, ry = m.y - y;
+    const double by_turn = std::fabs(m.turn) * std::hypot(rx, ry);
+    const double left = std::hypot(m.ux + m.turn * ry, m.uy - m.turn * rx);
+    return by_turn > 0 ? by_turn / (by_turn + left) : 0.0;
+  }
+
+  [[nodiscard]] double about(double x, double y, const RigidMotion& base,
+                             const RigidMotion& head) const {
+    constexpr double kHalf = 0.5;
+    // a head that does not turn with the pier holds its top level: what hangs on it does not count
+    const RigidMotion at_head = against(base, head);
+    const bool is_held =
+        std::hypot(at_head.ux, at_head.uy) >= crack_ && turned(at_head, x, y) < kHalf;
+    double turns = 0, way = 0, moved = 0, all = 0;
+    for (const BlockMotion& b : blocks_) {
+      if (b.role != BlockRole::kMasonry || !pier_.box.holds(b.x, b.y)) continue;
+      all += b.mass;
+      const RigidMotion m = against(base, b), hangs = against(head, b);
+      const double far = std::hypot(m.ux, m.uy);
+      if (far < crack_ || (is_held && std::hypot(hangs.ux, hangs.uy) < crack_)) continue;
+      moved += b.mass;
+      way += b.mass * far;
+      turns += b.mass * far * turned(m, x, y);
+    }
+    return way > 0 ? std::min(turns / way, 2 * moved / all) : 0.0;
+  }
+
+  const Pier& pier_;
+  double course_;
+  bool is_topmost_;  // nothing but plates or a beam stands on it
+  const std::vector<BlockMotion>& blocks_;
+  double crack_;
+};
+
+// What is read of a pier's bed sections.
+struct Beds {
+  double open_foot = 0;        // largest open share of a section in the foot
+  double opened = 0;           // widest joint at foot or head [m]
+  double widest = 0;           // widest joint anywhere [m]
+  double bond = 0, force = 0;  // of all sections but the foundation [N]
+};
+
 class Reader {
  public:
-  Reader(const WallParts& parts, const std::vector<JointMotion>& joints, const ModeRules& rules)
-      : parts_(parts), joints_(joints), rules_(rules) {}
+  Reader(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
+      : parts_(parts), motion_(motion), joints_(motion.joints), rules_(rules) {}
 
   [[nodiscard]] ElementState pier(const Pier& p) const {
     const Box shaft = shaft_of(p);
@@ -89,24 +197,54 @@ class Reader {
                                    kSlender * shaft.height());
     const std::vector<LineSum> lines = scan(joints_, shaft, Lines::kLevel, parts_.course);
     const Box whole{p.box.x0, p.box.x1, p.base - 0.5 * parts_.course, p.box.y1};
-    double slid = 0, slid_below = 0, rocks = 0, opened = 0;
-    for (const BedSection& section : bed_sections(joints_, whole, parts_.course)) {
-      const double slip = slip_all_across(section, width);
-      double& most = is_foundation(section) ? slid_below : slid;
-      most = std::max(most, slip);
-      const bool is_foot = section.y < p.box.y0 + foot_height(p);
-      if (is_foot) rocks = std::max(rocks, open_share(section, width, rules_.crack));
-      if (!is_foot && section.y < p.box.y1 - foot_height(p)) continue;
-      for (const JointMotion* j : section.joints) opened = std::max(opened, j->widest);
+    const std::vector<BedSection> sections = bed_sections(joints_, whole, parts_.course);
+    const Beds beds = beds_of(p, sections);
+    const Slips slips = slips_of(sections, width);
+    double apart = parted(lines, shaft.height(), rules_.crack), rocks = beds.open_foot;
+    if (is_dry(beds)) {
+      const double turning = Turning(p, parts_, motion_.blocks, rules_.crack).share();
+      // a stepped crack through joints without strength is the shape of rocking, not a failure
+      if (turning > rules_.rocking)
+        apart = std::min(apart, needed * (1 - turning) / (1 - rules_.rocking));
+      rocks = std::max(rocks, std::min(turning, rules_.rocking * beds.widest / rules_.crack));
     }
     return element(
         p.name, "pier",
-        {sign(kDiagonal, "height over which it is parted",
-              parted(lines, shaft.height(), rules_.crack), needed, "m"),
-         sign(kSliding, "slip all across a bed section", slid, rules_.sliding, "mm"),
-         sign(kBaseSliding, "slip all across the foundation", slid_below, rules_.sliding, "mm"),
-         sign(kRocking, "open share of its foot", rocks, rules_.rocking, "share"),
-         sign(kFlexural, "widest bed joint at foot or head", opened, rules_.crack, "mm")});
+        {sign(kDiagonal, "height over which it is parted", apart, needed, "m"),
+         sign(kSliding, "slip all across its bed sections", slips.above, rules_.sliding, "mm"),
+         sign(kBaseSliding, "slip all across the foundation", slips.below, rules_.sliding, "mm"),
+         sign(kRocking,
+              is_dry(beds) ? "open share of its foot, or share turning about a toe"
+                           : "open share of its foot",
+              rocks, rules_.rocking, "share"),
+         sign(kFlexural, "widest bed joint at foot or head", beds.opened, rules_.crack, "mm")});
+  }
+
+  // Beds that run through the whole wall, above its openings or between them.
+  [[nodiscard]] ElementState whole_wall() const {
+    Box all = parts_.wall;
+    all.x0 -= parts_.column;
+    all.x1 += parts_.column;
+    all.y0 -= 0.5 * parts_.course;
+    const Slips slips = slips_of(bed_sections(joints_, all, parts_.course), 0, parts_.wall.width());
+    return element(
+        kWholeWall, "wall",
+        {sign(kSliding, "slip all along its beds", slips.above, rules_.sliding, "mm"),
+         sign(kBaseSliding, "slip all along the foundation", slips.below, rules_.sliding, "mm")});
+  }
+
+  [[nodiscard]] ElementState top_joint() const {
+    BedSection top;
+    double opened = 0;
+    for (const JointMotion& j : motion_.top) {
+      if (!j.is_bed) continue;
+      top.joints.push_back(&j);
+      opened = std::max(opened, j.widest);
+    }
+    return element(kTopJoint, "top joint",
+                   {sign(kSliding, "slip all along it", slip_all_across(top, length_of(top)),
+                         rules_.sliding, "mm"),
+                    sign(kFlexural, "its widest opening", opened, rules_.crack, "mm")});
   }
 
   [[nodiscard]] ElementState spandrel(const Spandrel& s) const {
@@ -154,7 +292,31 @@ class Reader {
   }
 
  private:
+  [[nodiscard]] Beds beds_of(const Pier& p, const std::vector<BedSection>& sections) const {
+    Beds beds;
+    for (const BedSection& section : sections) {
+      const bool is_foot = section.y < p.box.y0 + foot_height(p);
+      const bool is_head = section.y >= p.box.y1 - foot_height(p);
+      if (is_foot)
+        beds.open_foot = std::max(beds.open_foot, open_share(section, p.box.width(), rules_.crack));
+      for (const JointMotion* j : section.joints) {
+        beds.widest = std::max(beds.widest, j->widest);
+        if (is_foot || is_head) beds.opened = std::max(beds.opened, j->widest);
+        if (is_foundation(section)) continue;
+        beds.bond += j->bond;
+        beds.force += std::max(0.0, j->force);
+      }
+    }
+    return beds;
+  }
+  // Joints whose strength adds next to nothing to the force across them.
+  static bool is_dry(const Beds& beds) {
+    constexpr double kNextToNothing = 0.05;
+    return beds.bond <= kNextToNothing * beds.force;
+  }
+
   const WallParts& parts_;
+  const WallMotion& motion_;
   const std::vector<JointMotion>& joints_;
   const ModeRules& rules_;
 };
@@ -176,33 +338,38 @@ double width_growth(const Pier& pier, const WallParts& parts,
   return growth;
 }
 
-ElementStates element_states(const WallParts& parts, const std::vector<JointMotion>& joints,
+ElementStates element_states(const WallParts& parts, const WallMotion& motion,
                              const ModeRules& rules) {
-  const Reader reader(parts, joints, rules);
+  const Reader reader(parts, motion, rules);
   ElementStates elements;
   for (const Pier& p : parts.piers) elements.push_back(reader.pier(p));
   for (const Spandrel& s : parts.spandrels) elements.push_back(reader.spandrel(s));
   for (const Part& c : parts.connections) elements.push_back(reader.connection(c));
   for (const Part& t : parts.toes) elements.push_back(reader.toe(t));
+  if (parts.openings > 0) elements.push_back(reader.whole_wall());
+  if (!motion.top.empty()) elements.push_back(reader.top_joint());
   return elements;
 }
 
-Truths truths_of(const WallParts& parts, const std::vector<JointMotion>& joints,
-                 const ModeRules& rules) {
+double ramp(double value, double threshold, const ModeRules& rules) {
+  const double beyond = (value / threshold - 1) / (2 * rules.doubt);
+  return std::clamp(0.5 + beyond, 0.0, 1.0);
+}
+
+Truths truths_of(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
   constexpr double kWidths[] = {0.5, 0.75, 1, 1.5, 2};
   Truths truths;
   for (const double width : kWidths) {
     ModeRules scaled = rules;
     scaled.crack *= width;
     scaled.sliding *= width;
-    const ElementStates elements = element_states(parts, joints, scaled);
+    const ElementStates elements = element_states(parts, motion, scaled);
     truths.resize(elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e) {
       truths[e].resize(elements[e].signs.size());
       for (std::size_t k = 0; k < truths[e].size(); ++k) {
         const ElementSign& s = elements[e].signs[k];
-        const double beyond = (s.value / s.threshold - 1) / (2 * rules.doubt);
-        truths[e][k] += std::clamp(0.5 + beyond, 0.0, 1.0) / std::size(kWidths);
+        truths[e][k] += ramp(s.value, s.threshold, rules) / std::size(kWidths);
       }
     }
   }

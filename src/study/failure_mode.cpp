@@ -14,48 +14,105 @@
 namespace wythe {
 namespace {
 
-using study::JointMotion;
+using study::WallMotion;
 using study::WallParts;
 
-// One stored state of the push, read once.
-struct Reading {
-  const Snapshot* snapshot;
-  std::vector<JointMotion> joints;
-};
+constexpr double kNearly = 0.01;  // displacements that count as one
 
-bool same_place(const Reading& a, const Snapshot& b) {
-  return a.snapshot->state.step == b.state.step && a.snapshot->displacement == b.displacement;
+double far(const Snapshot& s) { return std::fabs(s.displacement); }
+
+const Stage* stage_of(const Model& model, const Snapshot& s) {
+  const auto stage = static_cast<std::size_t>(s.state.stage);
+  return stage < model.stages.size() ? &model.stages[stage] : nullptr;
 }
 
-std::vector<Reading> readings_of(const Model& model, const Result& result) {
-  std::vector<Reading> readings;
-  for (const Snapshot& s : result.snapshots) {
-    if (s.label == "start" || (!readings.empty() && same_place(readings.back(), s))) continue;
-    readings.push_back({&s, study::read_joint_motion(model, s.state)});
-  }
-  return readings;
+bool is_cyclic(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && !stage->spec.targets.empty();
 }
 
-// The farthest state up to `read_at`, the last of equals.
-const Reading* reading_at(const std::vector<Reading>& readings, double read_at) {
-  constexpr double kNearly = 1.01;
-  const Reading* found = nullptr;
-  const auto far = [](const Reading& r) { return std::fabs(r.snapshot->displacement); };
-  for (const Reading& r : readings)
-    if (far(r) <= kNearly * read_at && (found == nullptr || far(r) >= far(*found))) found = &r;
-  return found;
-}
-
-// All states up to the one that is read, in order of time.
-std::vector<const Snapshot*> states_up_to(const Snapshot& read, const Result& result) {
-  std::vector<const Snapshot*> states;
-  for (const auto* list : {&result.readings, &result.snapshots})
-    for (const Snapshot& s : *list)
-      if (s.label != "start" && s.state.step <= read.state.step) states.push_back(&s);
-  std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
-    return a->state.step < b->state.step;
+// The first state that has gone as far as `read_at`, else the last. Of a cyclic push the last there
+// before it goes farther, so that both ways have had their turn, else the last of the farthest.
+const Snapshot* state_to_read(const Model& model, const std::vector<Snapshot>& states,
+                              double read_at) {
+  if (states.empty()) return nullptr;
+  const auto is_there = [&](const Snapshot& s) { return far(s) >= (1 - 1e-6) * read_at; };
+  const auto there = std::find_if(states.begin(), states.end(), is_there);
+  if (!is_cyclic(model, states.front())) return there != states.end() ? &*there : &states.back();
+  const auto beyond = std::find_if(states.begin(), states.end(), [&](const Snapshot& s) {
+    return far(s) > (1 + kNearly) * read_at;
   });
-  return states;
+  if (beyond == there && there != states.end()) return &*there;
+  double most = 0;
+  for (auto s = states.begin(); s != beyond; ++s) most = std::max(most, far(*s));
+  const Snapshot* last = nullptr;
+  for (auto s = states.begin(); s != beyond; ++s)
+    if (far(*s) >= (1 - kNearly) * std::min(most, read_at)) last = &*s;
+  return last;
+}
+
+std::string millimetres(double displacement) {
+  const double mm = 1e3 * displacement;
+  return fmt::format("{:.{}f} mm", mm, std::fabs(mm) < 9.995 ? 2 : 1);
+}
+
+// Body force and tilt, in a state the wall was leaving for good.
+bool is_falling(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
+         (stage->spec.kind == StageKind::kBodyForce || stage->spec.kind == StageKind::kTilt);
+}
+
+// A wall that falls moves as a mechanism, whose size is where the run was ended: widths shrink with it.
+ModeRules rules_at(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  ModeRules rules = rules_for(model);
+  const bool fell = result.status == SolveStatus::kCollapsed && is_falling(model, s);
+  if (fell && is_read_early(s.displacement, read_at)) {
+    rules.crack *= far(s) / read_at;
+    rules.sliding *= far(s) / read_at;
+  }
+  return rules;
+}
+
+// "read at 40.0 mm", and what has to be known beside.
+std::string words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  std::string words = "read at " + millimetres(s.displacement);
+  if (is_falling(model, s)) {
+    words += ", out of balance";
+  } else if (s.label == "turn") {
+    words += ", where the push last turned";
+  }
+  if (!is_read_early(s.displacement, read_at)) return words;
+  const bool collapsed = result.status == SolveStatus::kCollapsed;
+  const bool complete = result.status == SolveStatus::kCompleted;
+  const char* end = collapsed  ? "the wall collapsed"
+                    : complete ? "the loading ended"
+                               : "the run stopped";
+  if (s.label == "turn") return words + fmt::format(", short of {}", millimetres(read_at));
+  return words + fmt::format(", where {} short of {}", end, millimetres(read_at));
+}
+
+// Length of the joints in a state that are pressed where they have no face.
+double length_slid_off(const WallMotion& motion) {
+  double length = 0;
+  for (const auto* list : {&motion.joints, &motion.top})
+    for (const study::JointMotion& j : *list) length += j.has_slid_off ? j.length() : 0;
+  return length;
+}
+
+// Half a section of the narrowest pier stands on faces that are not there: no name is vouched for.
+void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Validity& validity,
+                    FailureMode& mode) {
+  double narrowest = parts.wall.width();
+  for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
+  if (length_slid_off(motion) < 0.5 * narrowest) return;
+  const std::string from = std::isnan(validity.overlap_lost)
+                               ? ""
+                               : " from " + millimetres(validity.overlap_lost) + " on";
+  mode.sentence =
+      fmt::format("blocks have slid off each other{}, beyond what the model holds for; it shows {}",
+                  from, mode.name == "unclear" ? mode.sentence : mode.name);
+  mode.name = "unclear";
 }
 
 void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
@@ -81,20 +138,26 @@ constexpr Change kChanges[] = {{"crack width", &ModeRules::crack},
                                {"open share of a rocking foot", &ModeRules::rocking},
                                {"crushing", &ModeRules::crushing}};
 
-std::vector<NameReading> sensitivity_of(const WallParts& parts,
-                                        const std::vector<Reading>& readings, const Reading& read,
-                                        const ModeRules& rules) {
+std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
+                                        const Result& result, const Snapshot& read,
+                                        const WallMotion& motion, const ModeRules& rules) {
   std::vector<NameReading> names;
-  for (const Reading& r : readings)
-    if (&r != &read)
-      names.push_back({study::name_parts(parts, r.joints, rules).name, r.snapshot->label,
-                       r.snapshot->displacement});
+  const Snapshot* before = &read;
+  const auto same_place = [](const Snapshot& a, const Snapshot& b) {
+    return a.state.step == b.state.step && a.displacement == b.displacement;
+  };
+  for (const Snapshot& s : result.snapshots) {
+    if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
+    before = &s;
+    const WallMotion there = study::read_motion(model, s.state);
+    names.push_back({study::name_parts(parts, there, rules).name, s.label, s.displacement});
+  }
   for (const Change& change : kChanges) {
     for (const double factor : {0.75, 1.25}) {
       ModeRules changed = rules;
       changed.*change.threshold *= factor;
-      names.push_back({study::name_parts(parts, read.joints, changed).name, "",
-                       read.snapshot->displacement, change.word, factor});
+      names.push_back({study::name_parts(parts, motion, changed).name, "", read.displacement,
+                       change.word, factor});
     }
   }
   return names;
@@ -109,8 +172,7 @@ std::string NameReading::what() const {
 }
 
 ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
-  return study::element_states(study::find_parts(model), study::read_joint_motion(model, state),
-                               rules);
+  return study::element_states(study::find_parts(model), study::read_motion(model, state), rules);
 }
 
 ElementStates read_elements(const Model& model, const State& state) {
@@ -119,9 +181,10 @@ ElementStates read_elements(const Model& model, const State& state) {
 
 FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
   const WallParts parts = study::find_parts(model);
-  const std::vector<JointMotion> joints = study::read_joint_motion(model, state);
-  FailureMode mode = study::name_parts(parts, joints, rules);
-  mode.flags = study::state_flags(model, parts, joints, rules);
+  const WallMotion motion = study::read_motion(model, state);
+  FailureMode mode = study::name_parts(parts, motion, rules);
+  doubt_slid_off(parts, motion, {}, mode);
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
   return mode;
 }
 
@@ -130,23 +193,27 @@ FailureMode name_from_state(const Model& model, const State& state) {
 }
 
 FailureMode name_failure_mode(const Model& model, const Result& result, double read_at) {
-  const std::vector<Reading> readings = readings_of(model, result);
-  const Reading* read = reading_at(readings, read_at);
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) {
     FailureMode none;
     none.sentence = "no state of a push to read";
     return none;
   }
   const WallParts parts = study::find_parts(model);
-  const ModeRules rules = rules_for(model);
-  FailureMode mode = study::name_parts(parts, read->joints, rules);
-  mode.read_at = read->snapshot->displacement;
-  for (const Snapshot* s : states_up_to(*read->snapshot, result))
-    note_first(study::element_states(parts, study::read_joint_motion(model, s->state), rules),
-               s->displacement, mode.elements);
-  mode.flags = study::state_flags(model, parts, read->joints, rules);
+  const WallMotion motion = study::read_motion(model, read->state);
+  const ModeRules rules = rules_at(model, result, *read, read_at);
+  FailureMode mode = study::name_parts(parts, motion, rules);
+  doubt_slid_off(parts, motion, result.validity, mode);
+  mode.read_at = read->displacement;
+  mode.reading = words_for(model, result, *read, read_at);
+  for (const Snapshot& s : result.readings) {
+    const WallMotion then = study::read_motion(model, s.state);
+    note_first(study::element_states(parts, then, rules), s.displacement, mode.elements);
+    if (&s == read) break;
+  }
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
   mode.flags.push_back(study::drop_flag(result.curve, rules));
-  mode.sensitivity = sensitivity_of(parts, readings, *read, rules);
+  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules);
   return mode;
 }
 

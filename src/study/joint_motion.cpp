@@ -22,6 +22,8 @@ void read_points(const Model& m, const State& state, const std::vector<PointStre
     j.opened += m.point_weight[k] * most;
     j.widest = std::max(j.widest, most);
     j.slip += m.point_weight[k] * points[p].slip;
+    j.slid += m.point_weight[k] * state.plastic_slip[p];
+    j.force -= m.point_weight[k] * points[p].normal_stress * m.area[static_cast<std::size_t>(j.id)];
     j.crushed += m.point_weight[k] * state.crush[p];
     j.crushing = std::max(j.crushing, points[p].crushing);
   }
@@ -29,13 +31,12 @@ void read_points(const Model& m, const State& state, const std::vector<PointStre
 
 }  // namespace
 
-std::vector<JointMotion> read_joint_motion(const Model& m, const State& state) {
+WallMotion read_motion(const Model& m, const State& state) {
   const std::vector<PointStress> points = point_stresses(m, state);
-  std::vector<JointMotion> joints;
+  WallMotion wall;
   for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
     JointMotion joint;
     joint.kind = m.anatomy.joint_kind[j];
-    if (joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam) continue;
     const auto b = static_cast<std::size_t>(m.joint_b[j]);
     joint.id = static_cast<JointId>(j);
     joint.is_bed = std::fabs(m.tangent_x[j]) >= std::fabs(m.tangent_y[j]);
@@ -44,10 +45,46 @@ std::vector<JointMotion> read_joint_motion(const Model& m, const State& state) {
     joint.y = m.centroid_y[b] + m.arm_b_y[j];
     joint.reach_x = std::fabs(m.half_x[j]);
     joint.reach_y = std::fabs(m.half_y[j]);
+    const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    joint.bond = m.area[j] * std::max(law.tensile_strength, law.cohesion);
+    joint.has_slid_off = has_slid_off(m, points, joint.id);
     read_points(m, state, points, joint);
-    joints.push_back(joint);
+    const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
+    (is_top ? wall.top : wall.joints).push_back(joint);
   }
-  return joints;
+  for (std::size_t b = 0; b < static_cast<std::size_t>(m.n_block); ++b) {
+    BlockMotion block;
+    static_cast<RigidMotion&>(block) = {m.centroid_x[b], m.centroid_y[b], state.ux[b], state.uy[b],
+                                        state.theta[b]};
+    block.role = m.anatomy.block_role[b];
+    block.mass = m.mass[b];
+    block.inertia = m.inertia[b];
+    wall.blocks.push_back(block);
+  }
+  return wall;
+}
+
+RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen) {
+  RigidMotion fit;
+  double mass = 0, turn = 0, inertia = 0;
+  for (const BlockMotion& b : blocks) {
+    if (!chosen(b)) continue;
+    mass += b.mass;
+    fit.x += b.mass * b.x;
+    fit.y += b.mass * b.y;
+    fit.ux += b.mass * b.ux;
+    fit.uy += b.mass * b.uy;
+  }
+  if (!(mass > 0)) return fit;
+  for (double* mean : {&fit.x, &fit.y, &fit.ux, &fit.uy}) *mean /= mass;
+  for (const BlockMotion& b : blocks) {
+    if (!chosen(b)) continue;
+    const double x = b.x - fit.x, y = b.y - fit.y;
+    turn += b.mass * (x * (b.uy - fit.uy) - y * (b.ux - fit.ux)) + b.inertia * b.turn;
+    inertia += b.mass * (x * x + y * y) + b.inertia;
+  }
+  fit.turn = inertia > 0 ? turn / inertia : 0;
+  return fit;
 }
 
 double LineSum::movement() const { return std::hypot(opened, slip); }
@@ -112,6 +149,21 @@ double slip_all_across(const BedSection& section, double width) {
     if (covered >= kAll * width) return std::fabs(j->slip);
   }
   return 0;
+}
+
+double slid_all_across(const BedSection& section, double width) {
+  const auto one_way = [&](double sense) {
+    BedSection slid = section;
+    std::vector<JointMotion> joints;
+    joints.reserve(section.joints.size());
+    for (std::size_t j = 0; j < slid.joints.size(); ++j) {
+      joints.push_back(*section.joints[j]);
+      joints.back().slip = std::max(0.0, sense * joints.back().slid);
+      slid.joints[j] = &joints.back();
+    }
+    return sense * slip_all_across(slid, width);
+  };
+  return one_way(1) + one_way(-1);  // 0.9 of the width cannot go both ways
 }
 
 }  // namespace wythe::study

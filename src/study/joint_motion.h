@@ -1,7 +1,8 @@
-// What each joint of the masonry did, in the words the rules need; scan lines and bed sections over
-// a region. Read by element_states.cpp, mode_flags.cpp and features.cpp.
+// What joints and blocks did, in the words the rules need; scan lines and bed sections over a region.
+// Read by element_states.cpp, mode_flags.cpp and features.cpp.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "study/wall_parts.h"
@@ -22,12 +23,36 @@ struct JointMotion {
   double slip = 0;      // mean now; bed: upper against lower along +x, upright: left against right
                         // along +y [m]
   double crushing = 0;  // share of the strength lost, largest of its points [-]
+  double slid = 0;      // plastic part of the slip, mean, same signs [m]
   double crushed = 0;   // crushing shortening, mean of its points [m]
+  double force = 0;     // compression across it [N]
+  double bond = 0;      // the greater of its tensile strength and cohesion, times its area [N]
+  bool has_slid_off = false;  // pressed, and its faces overlap by less than half
   [[nodiscard]] double length() const { return 2 * (is_bed ? reach_x : reach_y); }
 };
 
-// All joints of masonry and lintels; those of plates and of the beam are left out.
-[[nodiscard]] std::vector<JointMotion> read_joint_motion(const Model& model, const State& state);
+// A rigid motion: of the point (x, y), and anticlockwise about it.
+struct RigidMotion {
+  double x = 0, y = 0;    // [m]
+  double ux = 0, uy = 0;  // [m]
+  double turn = 0;        // [rad]
+};
+struct BlockMotion : RigidMotion {  // of a block's centroid
+  BlockRole role = BlockRole::kMasonry;
+  double mass = 0, inertia = 0;  // [kg], [kg m^2]
+};
+
+struct WallMotion {
+  std::vector<JointMotion> joints;  // of masonry and lintels
+  std::vector<JointMotion> top;     // of the plates and of the beam
+  std::vector<BlockMotion> blocks;
+};
+[[nodiscard]] WallMotion read_motion(const Model& model, const State& state);
+
+// The rigid motion nearest to that of the blocks chosen, by least squares over their mass; null
+// motion where there is none.
+using Chosen = std::function<bool(const BlockMotion&)>;
+[[nodiscard]] RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen);
 
 // Sum of the joints that one straight line through a region crosses.
 struct LineSum {
@@ -54,5 +79,7 @@ struct BedSection {
 [[nodiscard]] double open_share(const BedSection& section, double width, double crack);
 // The slip that 0.9 of `width` has at least [m].
 [[nodiscard]] double slip_all_across(const BedSection& section, double width);
+// The plastic slip, one way, that 0.9 of `width` has at least; signed [m].
+[[nodiscard]] double slid_all_across(const BedSection& section, double width);
 
 }  // namespace wythe::study

@@ -6,7 +6,9 @@
 //   FM-2  (1 - s) c p q                   both piers          FM-4  s f (1 - p) (1 - q)
 //   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
 //
-// and the highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
+// each times (1 - S), beside S for "base sliding", "top sliding", "bed sliding": one joint all along
+// the wall slides, by more than half of the way the wall has gone. The highest is the name when it
+// leads by kClear. Sheared: a diagonal crack, or sliding.
 #include "study/mode_names.h"
 
 #include <fmt/core.h>
@@ -28,7 +30,11 @@ constexpr Words kModes[] = {
     {"FM-2", "both piers crack diagonally after flexural cracks at the connections"},
     {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
     {"FM-4", "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
-    {"FM-5", "the piers rock, with flexural cracks at the connections"}};
+    {"FM-5", "the piers rock, with flexural cracks at the connections"},
+    {"base sliding", "the wall slides on its foundation"},
+    {"bed sliding", "the wall slides along its beds, all across"},
+    {"pier sliding", "the piers slide along their beds, all across"},
+    {"top sliding", "what loads the wall slides on its top"}};
 
 std::string words_of(const std::string& name) {
   for (const Words& w : kModes)
@@ -44,10 +50,13 @@ bool is_two_pier_wall(const WallParts& parts) {
 
 class Namer {
  public:
-  Namer(const WallParts& parts, const std::vector<JointMotion>& joints, const ModeRules& rules)
+  Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
       : parts_(parts),
-        elements_(element_states(parts, joints, rules)),
-        truths_(truths_of(parts, joints, rules)) {}
+        rules_(rules),
+        elements_(element_states(parts, motion, rules)),
+        truths_(truths_of(parts, motion, rules)) {
+    for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.ux));
+  }
 
   FailureMode name() {
     if (is_two_pier_wall(parts_)) {
@@ -75,6 +84,16 @@ class Namer {
     return most;
   }
 
+  // Whether sliding along one joint is what the wall did: truth of the sign, and of its being more
+  // than half of the way that the wall has gone.
+  [[nodiscard]] double slides(const char* element, const char* state) const {
+    for (const ElementState& e : elements_)
+      for (const ElementSign& s : e.signs)
+        if (e.element == element && s.state == state && way_ > 0)
+          return sure(element, state) * ramp(1e-3 * s.value / way_, 0.5, rules_);
+    return 0;
+  }
+
   void name_two_piers() {
     const auto spandrel = std::find_if(parts_.spandrels.begin(), parts_.spandrels.end(),
                                        [](const Spandrel& s) { return !s.is_sill; });
@@ -88,6 +107,16 @@ class Namer {
                     {"FM-3", s * (1 - neither)},
                     {"FM-4", s * f * neither},
                     {"FM-5", (1 - s) * c * r * neither}};
+    const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
+    const std::pair<const char*, double> joints[] = {
+        {"base sliding", slides(kWholeWall, kBaseSliding)},
+        {by_piers ? "pier sliding" : "bed sliding", slides(kWholeWall, kSliding)},
+        {"top sliding", slides(kTopJoint, kSliding)}};
+    double all = 0;
+    for (const auto& [name, score] : joints) all += score;
+    for (auto& [name, score] : mode_.scores) score *= 1 - std::min(1.0, all);
+    for (const auto& [name, score] : joints)
+      if (score > 0) mode_.scores[name] = score / std::max(1.0, all);
     name_highest_score();
   }
 
@@ -119,15 +148,19 @@ class Namer {
       mode_.scores[ranked_.back().first] = sure;
     };
     add("pier shear", "shear", surest("pier", kDiagonal));
+    const double bed = std::min(slides(kWholeWall, kSliding), 1 - surest("pier", kSliding));
     if (!bare)
       add("spandrel shear", "",
-          std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
+          (1 - bed) * std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
     add("pier sliding", "sliding", surest("pier", kSliding));
+    if (!bare && bed > 0) add("bed sliding", "", bed);
     add("base sliding", "sliding at the base", surest("pier", kBaseSliding));
+    if (has_top_joint()) add("top sliding", "sliding at the top", surest("top joint", kSliding));
     add("pier rocking", "rocking", surest("pier", kRocking));
     add("toe crushing", "toe crushing", surest("toe", kCrushing));
     add("flexural cracks", "flexural cracks",
-        std::max(surest("pier", kFlexural), surest("connection", kFlexural)));
+        std::max({surest("pier", kFlexural), surest("connection", kFlexural),
+                  surest("top joint", kFlexural)}));
     constexpr double kHalf = 0.5;
     const std::string strict = composed(kHalf + 0.5 * kClear);
     const std::string lenient = composed(kHalf - 0.5 * kClear);
@@ -140,6 +173,11 @@ class Namer {
     mode_.sentence = strict == lenient
                          ? "no element shows a mechanism at this displacement"
                          : fmt::format("between {} and {}", or_none(strict), or_none(lenient));
+  }
+
+  [[nodiscard]] bool has_top_joint() const {
+    return std::any_of(elements_.begin(), elements_.end(),
+                       [](const ElementState& e) { return e.element == kTopJoint; });
   }
 
   // The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
@@ -170,22 +208,23 @@ class Namer {
   }
 
   const WallParts& parts_;
+  const ModeRules& rules_;
   ElementStates elements_;
   Truths truths_;
   std::vector<std::pair<std::string, double>> ranked_;  // kinds of damage, gravest first
+  double way_ = 0;  // the farthest any block has gone sideways [m]
   FailureMode mode_;
 };
 
 }  // namespace
 
-FailureMode name_parts(const WallParts& parts, const std::vector<JointMotion>& joints,
-                       const ModeRules& rules) {
+FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
   if (parts.piers.empty() || !(rules.crack > 0)) {
     FailureMode none;
     none.sentence = "the wall has no piers to read";
     return none;
   }
-  return Namer(parts, joints, rules).name();
+  return Namer(parts, motion, rules).name();
 }
 
 }  // namespace wythe::study

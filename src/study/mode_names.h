@@ -10,7 +10,7 @@
 namespace wythe::study {
 
 // Name, scores, sentence, evidence and elements; no flags, no first displacements.
-[[nodiscard]] FailureMode name_parts(const WallParts& parts, const std::vector<JointMotion>& joints,
+[[nodiscard]] FailureMode name_parts(const WallParts& parts, const WallMotion& motion,
                                      const ModeRules& rules);
 
 }  // namespace wythe::study

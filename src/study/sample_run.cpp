@@ -25,6 +25,14 @@ std::vector<double> state_displacements(const StudySpec& spec) {
   return all;
 }
 
+}  // namespace
+
+double read_modes_at(const StudySpec& spec) {
+  return std::isnan(spec.read_modes_at) ? kReadModesAt : spec.read_modes_at;
+}
+
+namespace {
+
 void read_answer(const StudySpec& spec, SampleRun& run) {
   Result& r = run.result;
   if (!spec.fractions.empty()) {
@@ -32,9 +40,7 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
     if (r.status == SolveStatus::kCollapsed) read.collapse = r.reason;
     r.responses = read_responses(r.curve, read);
   }
-  r.failure_mode = std::isnan(spec.read_modes_at)
-                       ? name_failure_mode(run.model, r)
-                       : name_failure_mode(run.model, r, spec.read_modes_at);
+  r.failure_mode = name_failure_mode(run.model, r, read_modes_at(spec));
   r.features = read_features(run.model, r);
 }
 
@@ -74,8 +80,10 @@ SampleRun SampleJob::finish() {
 SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
                    const SolveOptions& options) {
   SampleJob job(task, sample);
+  SolveOptions how = options;
+  how.read_modes_at = read_modes_at(task.spec);
   for (bool go_on = !job.refused(); go_on; go_on = job.wants_another())
-    job.take(solver(job.model(), job.state(), options));
+    job.take(solver(job.model(), job.state(), how));
   return job.finish();
 }
 

@@ -48,6 +48,9 @@ class SampleJob {
   State state_;
 };
 
+// Where the modes of a study are read, as asked or by default [m].
+[[nodiscard]] double read_modes_at(const StudySpec& spec);
+
 // Stands for solve() so that a test can play an unstable one.
 using Solver = std::function<Result(const Model&, State&, const SolveOptions&)>;
 [[nodiscard]] SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,

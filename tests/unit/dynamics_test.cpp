@@ -9,6 +9,7 @@
 #include "dynamics/motion.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
+#include "wythe/failure_mode.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -154,16 +155,88 @@ TEST(Drive, reaction_balances_the_base_shear_when_pushed_slowly) {
   EXPECT_NEAR(last.displacement, 0.2e-3, 1e-9 + 2e-3 * result.time_step);  // ends within a step
 }
 
-TEST(Drive, a_state_is_kept_for_reading_each_millimetre) {
+TEST(Readings, are_of_the_first_step_at_each_millimetre_and_where_asked_and_of_the_end) {
   const Model model = compile(scenes::small_wall(3.2e-3, 0.1));
   State state = initial_state(model);
-  const Result result = solve(model, state);
-  ASSERT_EQ(result.readings.size(), 4U);  // the first row, then 1, 2, 3 mm
-  for (std::size_t i = 1; i < 4; ++i) {
-    const double at = result.readings[i].displacement;
-    EXPECT_GE(at, 1e-3 * static_cast<double>(i));
-    EXPECT_LT(at, 1e-3 * static_cast<double>(i) + 2 * 3.2e-3 / model.output.rows);
+  SolveOptions options;
+  options.read_modes_at = 1.7e-3;
+  const Result result = solve(model, state, options);
+  const double expected[] = {1e-3, 1.7e-3, 2e-3, 3e-3, 3.2e-3};
+  ASSERT_EQ(result.readings.size(), std::size(expected));
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    EXPECT_GE(result.readings[i].displacement, expected[i]);
+    EXPECT_LT(result.readings[i].displacement, expected[i] + 0.1 * result.time_step);
   }
+}
+
+TEST(Readings, and_their_name_do_not_depend_on_what_is_written) {
+  FailureMode first;
+  for (int way = 0; way < 5; ++way) {
+    ModelSpec spec = scenes::small_wall(1.2e-3, 0.1);
+    if (way == 1) spec.output.states = {0.2e-3, 0.6e-3, 0.705e-3};
+    if (way == 2) spec.output.rows = 7;
+    if (way == 3) spec.output.window = 0.5e-3;
+    if (way == 4) spec.output.rows = 3, spec.output.states = {1.1e-3};
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    SolveOptions options;
+    options.read_modes_at = 0.7e-3;
+    const Result result = solve(model, state, options);
+    const FailureMode mode = name_failure_mode(model, result, 0.7e-3);
+    if (way == 0) first = mode;
+    EXPECT_EQ(mode.name, first.name) << way;
+    EXPECT_EQ(mode.sentence, first.sentence) << way;
+    EXPECT_EQ(mode.read_at, first.read_at) << way;
+    EXPECT_EQ(mode.reading, "read at 0.70 mm") << way;
+    ASSERT_EQ(mode.evidence.size(), first.evidence.size());
+    for (std::size_t i = 0; i < first.evidence.size(); ++i)
+      EXPECT_EQ(mode.evidence[i].value, first.evidence[i].value) << way;
+  }
+}
+
+TEST(Readings, of_a_cyclic_push_are_taken_where_it_turns_farther_than_before) {
+  ModelSpec spec = scenes::small_wall(1e-3, 0.1);
+  spec.stage.back().until = kUnset;
+  spec.stage.back().targets = {0.3e-3, -0.3e-3, 0.5e-3, -0.2e-3};
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  std::vector<double> turns;
+  for (const Snapshot& s : result.readings)
+    if (s.label == "turn") turns.push_back(s.displacement);
+  ASSERT_GE(turns.size(), 2U);
+  EXPECT_NEAR(turns.front(), 0.3e-3, 2 * 0.1 * result.time_step);
+  EXPECT_NEAR(turns.back(), 0.5e-3, 2 * 0.1 * result.time_step);
+  EXPECT_NEAR(name_failure_mode(model, result).read_at, 0.5e-3, 2 * 0.1 * result.time_step);
+}
+
+// --- where the model ends -------------------------------------------------------------------------------
+
+// Two dry blocks of 0.4 x 0.2 m on the ground, or the lower one fixed; the upper one pushed off.
+Result pushed_off(const std::string& pushed, bool on_support, double until) {
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(2e9, 8e8, 0.3), 0.2, 2000);
+  spec.block[0].fixed = on_support;
+  spec.solve.collapse_displacement = 1;
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage(pushed, Direction::kPlusX, 0.5, until)};
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  return solve(model, state);
+}
+
+TEST(Validity, ends_where_faces_overlap_by_less_than_half) {
+  for (const bool on_support : {false, true}) {
+    const Result off = pushed_off("b1", on_support, 0.22);
+    EXPECT_EQ(off.validity.joints, 1) << on_support;
+    EXPECT_NEAR(off.validity.overlap_lost, 0.2, 2 * 0.22 / 500) << on_support;  // to the row
+    const auto is_marked = [](const Event& e) { return e.name == "blocks slid off each other"; };
+    EXPECT_TRUE(std::any_of(off.events.begin(), off.events.end(), is_marked));
+    EXPECT_TRUE(pushed_off("b1", on_support, 0.19).validity.holds());
+  }
+  EXPECT_NE(pushed_off("b1", false, 0.22).validity.where.find("bed joint at"), std::string::npos);
+}
+
+TEST(Validity, lasts_on_ground_that_goes_on) {
+  EXPECT_TRUE(pushed_off("b0", false, 0.25).validity.holds());
 }
 
 TEST(Scenes, tuff_wall_is_the_paper_s) {

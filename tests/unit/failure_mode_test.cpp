@@ -283,7 +283,11 @@ TEST(FailureMode, growing_motion_names_the_mode_once_and_keeps_it) {
   for (const Case& c : cases()) {
     bool was_named = false;
     for (const double share : {0.01, 0.03, 0.1, 0.3, 1.0, 2.0}) {
-      const bool is_named = named(c.parts, share * kTurn).name == c.name;
+      const FailureMode mode = named(c.parts, share * kTurn);
+      // at 80 mm a plumb cut has slid by more than half a face: the name stands in the sentence
+      const bool is_doubted = mode.sentence.find("slid off") != std::string::npos &&
+                              mode.sentence.find(c.name) != std::string::npos;
+      const bool is_named = mode.name == c.name || (share > 1 && is_doubted);
       EXPECT_FALSE(was_named && !is_named) << c.name << " at " << share;
       EXPECT_FALSE(share <= 0.01 && is_named) << c.name;  // 0.4 mm: nothing the eye sees
       EXPECT_FALSE(share >= 0.3 && !is_named) << c.name;
@@ -324,8 +328,34 @@ TEST(FailureMode, clear_mechanism_outlives_a_quarter_of_each_threshold) {
   }
 }
 
+// --- sliding all along the wall --------------------------------------------------------------
+
+TEST(Sliding, along_one_joint_through_the_whole_wall_with_an_opening_is_named) {
+  const auto name = [](double height) {
+    return name_from_state(tuff_wall(), moved(tuff_wall(), cut(height, 36e-3))).name;
+  };
+  EXPECT_EQ(name(-1), "base sliding");
+  EXPECT_EQ(name(1.0), "pier sliding");
+  EXPECT_EQ(name(3.2), "bed sliding");
+}
+
+TEST(Sliding, beside_rocking_leaves_the_two_as_candidates) {
+  // the wall slides on its foundation by about as much as it rocks
+  const Mechanism rocking = mechanism(kFm5);
+  const auto both = [=](double x, double y) {
+    Motion m = rocking(x, y);
+    m.move_x += 45e-3;
+    return m;
+  };
+  const FailureMode mode = name_from_state(tuff_wall(), moved(tuff_wall(), both));
+  EXPECT_EQ(mode.name, "unclear");
+  EXPECT_NE(mode.sentence.find("FM-5"), std::string::npos) << mode.sentence;
+  EXPECT_NE(mode.sentence.find("base sliding"), std::string::npos) << mode.sentence;
+}
+
 // --- a run -----------------------------------------------------------------------------------
 
+// Readings and snapshots at the displacements.
 Result run_of(const Parts& parts, const std::vector<double>& displacements) {
   Result result;
   result.snapshots.push_back({"start", 0, 0, initial_state(tuff_wall())});
@@ -338,14 +368,64 @@ Result run_of(const Parts& parts, const std::vector<double>& displacements) {
     row.reaction = 100;
     result.curve.push_back(row);
   }
+  result.readings.assign(result.snapshots.begin() + 1, result.snapshots.end());
   return result;
 }
 
-TEST(NameFailureMode, reads_the_last_state_up_to_the_stated_displacement) {
+TEST(NameFailureMode, reads_the_first_state_that_has_gone_as_far_as_stated) {
   const Result result = run_of(kFm4, {1e-3, 10e-3, 20e-3, 40e-3, 50e-3});
-  EXPECT_DOUBLE_EQ(name_failure_mode(tuff_wall(), result).read_at, 40e-3);
-  EXPECT_DOUBLE_EQ(name_failure_mode(tuff_wall(), result, 25e-3).read_at, 20e-3);
-  EXPECT_DOUBLE_EQ(name_failure_mode(tuff_wall(), run_of(kFm4, {5e-3, 15e-3})).read_at, 15e-3);
+  const FailureMode mode = name_failure_mode(tuff_wall(), result);
+  EXPECT_DOUBLE_EQ(mode.read_at, 40e-3);
+  EXPECT_EQ(mode.reading, "read at 40.0 mm");
+  EXPECT_DOUBLE_EQ(name_failure_mode(tuff_wall(), result, 20e-3).read_at, 20e-3);
+}
+
+TEST(NameFailureMode, what_is_stored_for_the_user_changes_neither_name_nor_place) {
+  const Result whole = run_of(kFm4, {0.1e-3, 10e-3, 40e-3, 40.3e-3, 50e-3});
+  for (const std::size_t kept : {0U, 1U, 2U, 4U}) {
+    Result result = whole;
+    result.snapshots.erase(result.snapshots.begin(),
+                           result.snapshots.end() - static_cast<long>(kept));
+    const FailureMode mode = name_failure_mode(tuff_wall(), result);
+    EXPECT_EQ(mode.name, "FM-4") << kept;
+    EXPECT_DOUBLE_EQ(mode.read_at, 40e-3) << kept;
+  }
+}
+
+TEST(NameFailureMode, push_that_ended_before_is_read_at_its_end_and_says_so) {
+  Result result = run_of(kFm4, {5e-3, 15e-3});
+  FailureMode mode = name_failure_mode(tuff_wall(), result);
+  EXPECT_DOUBLE_EQ(mode.read_at, 15e-3);
+  EXPECT_EQ(mode.reading, "read at 15.0 mm, where the loading ended short of 40.0 mm");
+  result.status = SolveStatus::kCollapsed;
+  mode = name_failure_mode(tuff_wall(), result);
+  EXPECT_EQ(mode.reading, "read at 15.0 mm, where the wall collapsed short of 40.0 mm");
+}
+
+TEST(NameFailureMode, cyclic_push_is_read_where_it_last_turned_before_going_farther) {
+  Model cyclic = tuff_wall();
+  cyclic.stages.back().spec.targets = {40e-3, -40e-3, 60e-3};
+  Result result = run_of(kFm4, {10e-3, 40e-3, 40e-3, 40e-3, 41e-3, 60e-3, 10e-3});
+  for (std::size_t i : {2U, 3U}) result.readings[i].label = "turn";
+  result.readings[3].displacement = -40e-3;
+  for (Snapshot& s : result.readings) s.state.stage = static_cast<int>(cyclic.stages.size()) - 1;
+  FailureMode mode = name_failure_mode(cyclic, result);
+  EXPECT_DOUBLE_EQ(mode.read_at, -40e-3);
+  EXPECT_EQ(mode.reading, "read at -40.0 mm, where the push last turned");
+  EXPECT_FALSE(is_read_early(mode.read_at, 40e-3));
+  // never so far: the last of the farthest, not the end at rest
+  EXPECT_DOUBLE_EQ(name_failure_mode(cyclic, result, 80e-3).read_at, 60e-3);
+}
+
+TEST(NameFailureMode, falling_wall_under_a_load_factor_is_read_out_of_balance) {
+  Model tilted = tuff_wall();
+  tilted.stages.back().spec.kind = StageKind::kTilt;
+  Result result = run_of(kFm4, {0.1e-3, 40e-3});
+  for (Snapshot& s : result.readings) s.state.stage = static_cast<int>(tilted.stages.size()) - 1;
+  result.readings.back().state.balance = 1;
+  EXPECT_EQ(name_failure_mode(tilted, result).reading, "read at 40.0 mm, out of balance");
+  result.readings.back().state.balance = 0;
+  EXPECT_EQ(name_failure_mode(tilted, result).reading, "read at 40.0 mm");
 }
 
 TEST(NameFailureMode, without_a_state_there_is_no_name) {
@@ -363,13 +443,12 @@ TEST(NameFailureMode, signs_know_when_they_first_showed) {
 }
 
 TEST(NameFailureMode, readings_between_the_states_tell_when_and_later_ones_nothing) {
-  // states at 10 mm steps, readings each millimetre; the crack of the heel is one from 2.0 mm on
+  // states at 10 mm steps, readings closer; the crack of the heel is one from 2.0 mm on
   Result result = run_of(kFm4, {10e-3, 20e-3, 40e-3});
-  result.readings = run_of(kFm4, {1e-3, 2e-3, 3e-3, 11e-3}).snapshots;
+  result.readings = run_of(kFm4, {1e-3, 2e-3, 3e-3, 40e-3}).readings;
   const FailureMode mode = name_failure_mode(tuff_wall(), result);
   EXPECT_DOUBLE_EQ(sign_of(mode.elements, "left pier", study::kFlexural).displacement_first, 3e-3);
   // read at 1 mm nothing has happened yet: what comes after is not its past
-  result.snapshots.insert(result.snapshots.begin() + 1, result.readings[1]);
   for (const ElementState& e : name_failure_mode(tuff_wall(), result, 1e-3).elements) {
     EXPECT_EQ(e.state, "intact") << e.element;
     EXPECT_TRUE(std::isnan(e.displacement_first)) << e.element;
