@@ -33,7 +33,7 @@ namespace wythe {
 // How the walls of a campaign's samples are drawn; without them its page has no walls.
 struct SampleWalls {
   ModelBuilder build;                                // of the study
-  std::function<std::vector<Snapshot>(int)> states;  // of a sample, 1-based; the last one is drawn
+  std::function<std::vector<Snapshot>(int)> states;  // of a sample, 1-based
 };
 // Whatever the campaign holds, nothing included. Cost: a model compiled for each sample's wall.
 [[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,

@@ -1,7 +1,7 @@
 // campaign_data(): what the page of a campaign shows. Statistics are those of statistics.json.
 //
-// Curves go along in single precision; walls as the last stored state of each sample, the first
-// samples' as far as kMostWalls and kMostWallBytes allow.
+// Curves go along in single precision; walls as the stored states of each sample, as far as
+// kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -131,22 +131,7 @@ Json quantities_json() {
   return list;
 }
 
-// --- walls at their ends ---------------------------------------------------------------------------
-
-// One sample's wall, or why it has none.
-struct SampleWall {
-  Model model;
-  std::vector<Snapshot> last;  // one or none
-};
-
-SampleWall wall_of(const Campaign& campaign, const SampleWalls& walls, int sample) {
-  SampleWall wall;
-  std::vector<Snapshot> states = walls.states(sample);
-  if (states.empty()) return wall;
-  wall.last.push_back(std::move(states.back()));
-  wall.model = compile(walls.build(settings_of(campaign.samples, sample - 1)));
-  return wall;
-}
+// --- walls ---------------------------------------------------------------------------------------
 
 bool same_shape(const Model& a, const Model& b) {
   return a.joint_a == b.joint_a && a.joint_b == b.joint_b &&
@@ -158,25 +143,35 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
   Json frames = Json::array();
   FrameArrays arrays(false);
   Model first;
+  int most = 0;
+  auto waiting = static_cast<int>(
+      std::count_if(campaign.records.begin(), campaign.records.end(), is_answered));
   for (const SampleRecord& r : campaign.records) {
     if (!is_answered(r)) continue;
-    const SampleWall wall = wall_of(campaign, walls, r.sample);
-    if (wall.last.empty()) continue;
+    --waiting;
+    const std::vector<Snapshot> states = walls.states(r.sample);
+    if (states.empty()) continue;
+    const Model model = compile(walls.build(settings_of(campaign.samples, r.sample - 1)));
     if (arrays.count() == 0) {
-      first = wall.model;
+      first = model;
       add_wall(bundle, first);
       bundle.header["model"] = model_inputs(walls.build({}), first);
+      most = static_cast<int>(kMostWallNumbers / (3.0 * first.n_block +
+                                                  4.0 * (first.n_joint + first.solids.n_contact) +
+                                                  2.0 * first.solids.n_node));
     }
     // a wall of another shape has no place among these frames
-    if (!same_shape(first, wall.model)) continue;
-    const double numbers = 3.0 * first.n_block + 4.0 * (first.n_joint + first.solids.n_contact) +
-                           2.0 * first.solids.n_node;
-    if (numbers * (arrays.count() + 1) > kMostWallNumbers) break;
-    const Snapshot& s = wall.last.front();
-    arrays.add(wall.model, s.state);
-    frames.push_back({{"sample", r.sample},
-                      {"displacement_mm", s.displacement * 1e3},
-                      {"reaction_kN", s.reaction * 1e-3}});
+    if (!same_shape(first, model)) continue;
+    const int stored = static_cast<int>(states.size());
+    for (int i = stored - states_kept(stored, most - arrays.count(), waiting); i < stored; ++i) {
+      const Snapshot& s = states[static_cast<std::size_t>(i)];
+      arrays.add(model, s.state);
+      frames.push_back({{"sample", r.sample},
+                        {"label", s.label},
+                        {"stored", stored},
+                        {"displacement_mm", s.displacement * 1e3},
+                        {"reaction_kN", s.reaction * 1e-3}});
+    }
   }
   bundle.header["frames"] = frames;
   arrays.write(bundle);

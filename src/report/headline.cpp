@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "report/html.h"
 #include "wythe/failure_mode.h"
@@ -10,24 +11,74 @@
 namespace wythe::report {
 namespace {
 
+// A member, or null where there is none: older data lack some.
+const Json& member(const Json& json, const char* key) {
+  static const Json kNull;
+  return json.is_object() && json.contains(key) ? json[key] : kNull;
+}
 double number_in(const Json& json, const char* key) {
-  return json.contains(key) && json[key].is_number() ? json[key].get<double>() : kUnset;
+  const Json& value = member(json, key);
+  return value.is_number() ? value.get<double>() : kUnset;
+}
+std::string words_in(const Json& json, const char* key) {
+  const Json& value = member(json, key);
+  return value.is_string() ? value.get<std::string>() : "";
 }
 
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
+// What makes the numbers doubtful; it comes before any of them.
+std::string caution(const std::string& text) {
+  return "<strong class=\"caution\">" + text + "</strong> ";
+}
 
-constexpr double kFew = 0.05;  // share of lower bounds that hardly moves a mean
+constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
+constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
+constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
+
+// How slow a push was, in one of the meter's words; data without them begin their verdict so.
+std::string judgement_in(const std::string& judgement, const std::string& verdict) {
+  if (!judgement.empty()) return judgement;
+  for (const char* known : {"slow enough", "usable", "too fast", "unknown", "no push"})
+    if (verdict.rfind(known, 0) == 0) return known;
+  return "";
+}
+
+// "a force (b; c) and d (e)" -> "a force and d": what the names mean stands below.
+std::string without_brackets(const std::string& words) {
+  std::string out;
+  int depth = 0;
+  for (char c : words) {
+    if (c == '(') {
+      if (depth++ == 0 && !out.empty() && out.back() == ' ') out.pop_back();
+    } else if (c == ')') {
+      depth = std::max(0, depth - 1);
+    } else if (depth == 0) {
+      out += c;
+    }
+  }
+  return out;
+}
 
 struct Card {
   std::string value, name, means;
 };
 
+// The number large, its unit small: "49.4 kN/mm" fits a narrow card.
+std::string with_small_unit(const std::string& value) {
+  static const std::string kSpace = "\u202f";
+  const std::size_t at = value.rfind(kSpace);
+  if (at == std::string::npos) return value;
+  return value.substr(0, at) + "\u2009<span class=\"unit\">" + value.substr(at + kSpace.size()) +
+         "</span>";
+}
+
 std::string draw_cards(const std::vector<Card>& cards) {
   if (cards.empty()) return "";
   std::string out = "<section class=\"cards\">\n";
   for (const Card& c : cards)
-    out += "<div class=\"card\"><div class=\"value\">" + c.value + "</div><div class=\"name\">" +
-           c.name + "</div><div class=\"means\">" + c.means + "</div></div>\n";
+    out += "<div class=\"card\"><div class=\"value\">" + with_small_unit(c.value) +
+           "</div><div class=\"name\">" + c.name + "</div><div class=\"means\">" + c.means +
+           "</div></div>\n";
   return out + "</section>\n";
 }
 
@@ -38,26 +89,12 @@ class RunHeadline {
   RunHeadline(const Json& header, const Texts& texts)
       : header_(header), s_(header["summary"]), texts_(texts) {}
 
-  [[nodiscard]] std::string sentence() const {
-    if (pushes_by_factor())
-      return texts_.say("run.factor",
-                        {{"factor", bold(texts_.number(number_in(s_, "load_factor")))}}) +
-             mode();
-    if (!(peak() > 0))
-      return texts_.say("run.unpushed",
-                        {{"weight", texts_.quantity(number_in(header_, "weight_kN"), "kN")}});
-    return texts_.say(is_still_rising() ? "run.resists.bound" : "run.resists",
-                      {{"force", bold(kilonewtons(peak()))},
-                       {"at", bold(millimetres("displacement_at_peak_mm"))},
-                       {"drift", percent("drift_percent_at_peak")}}) +
-           mode() + (is_still_rising() ? "" : ductility());
-  }
+  [[nodiscard]] std::string sentence() const { return cautions() + answer(); }
 
   [[nodiscard]] std::string warning() const {
-    const std::string status = s_["status"];
-    if (status == "completed") return "";
-    return bold(texts_.say("status." + status)) + " " +
-           report::sentence(texts_.phrase(s_["reason"].get<std::string>()));
+    const std::string status = words_in(s_, "status"), reason = words_in(s_, "reason");
+    if (status == "completed" || (status.empty() && reason.empty())) return "";
+    return bold(texts_.say("status." + status)) + " " + report::sentence(texts_.phrase(reason));
   }
 
   [[nodiscard]] std::string cards() const {
@@ -66,70 +103,161 @@ class RunHeadline {
                           texts_.say("card.factor.means")},
                          {millimetres("top_displacement_mm"), texts_.say("card.top"),
                           texts_.say("card.top.means")}});
+    if (has_no_capacity()) return draw_cards(cards_without_capacity());
     if (!(peak() > 0)) return "";
     const std::string rising = is_still_rising() ? "≥ " : "";
     return draw_cards(
         {{rising + kilonewtons(peak()), texts_.say("card.peak"),
           texts_.say(is_still_rising() ? "card.peak.rising" : "card.peak.means")},
          {rising + millimetres("displacement_at_peak_mm"), texts_.say("card.at_peak"),
-          texts_.say("card.at_peak.means", {{"drift", percent("drift_percent_at_peak")}})},
+          texts_.say("card.at_peak.means") + drift("drift_percent_at_peak", "; ")},
          {bound("censored_80") + millimetres("displacement_at_80_percent_mm"),
           texts_.say("card.at_80"),
-          is("censored_80")
-              ? texts_.say("card.at_80.censored")
-              : texts_.say("card.at_80.means", {{"drift", percent("drift_percent_at_80")}})},
+          is("censored_80") ? texts_.say("card.at_80.censored")
+                            : texts_.say("card.at_80.means") + drift("drift_percent_at_80", "; ")},
          {bound("censored_max") + millimetres("displacement_max_mm"), texts_.say("card.max"),
           texts_.say(is("censored_max") ? "card.max.censored" : "card.max.means")},
-         {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
-          texts_.say("card.stiffness"), texts_.say("card.stiffness.means")}});
+         stiffness_card()});
   }
 
  private:
   [[nodiscard]] double peak() const { return number_in(s_, "peak_reaction_kN"); }
+  [[nodiscard]] double raw_peak() const { return number_in(s_, "peak_raw_kN"); }
   [[nodiscard]] bool pushes_by_factor() const {
     return !(peak() > 0) && number_in(s_, "load_factor") > 0;
   }
-  [[nodiscard]] bool is(const char* key) const { return s_.value(key, false); }
-  // The largest reaction is the last: a lower bound.
+  // Forces were read, but none that the ground carried.
+  [[nodiscard]] bool has_no_capacity() const {
+    return !(peak() > 0) && !pushes_by_factor() && raw_peak() > 0;
+  }
+  [[nodiscard]] bool is(const char* key) const {
+    const Json& value = member(s_, key);
+    return value.is_boolean() && value.get<bool>();
+  }
+  // The largest reaction is the last: a lower bound. A wall that came down cannot be pushed farther.
   [[nodiscard]] bool is_still_rising() const {
-    return is("censored_max") &&
+    return is("censored_max") && words_in(s_, "status") != "collapsed" &&
            number_in(s_, "displacement_at_peak_mm") >= number_in(s_, "displacement_max_mm");
   }
   // A push that ended early has shown no more than the beginning of a failure.
   [[nodiscard]] bool has_failed() const {
-    const double read_at = number_in(s_["failure_mode"], "read_at_mm") * 1e-3;  // NaN: not read
-    return s_["status"] == "collapsed" ||
+    const double read_at = number_in(failure_mode(), "read_at_mm") * 1e-3;  // NaN: not read
+    return words_in(s_, "status") == "collapsed" ||
            (!is("censored_80") && std::fabs(read_at) > 0 && !is_read_early(read_at, kReadModesAt));
   }
+  [[nodiscard]] const Json& failure_mode() const { return member(s_, "failure_mode"); }
   [[nodiscard]] std::string bound(const char* key) const { return is(key) ? "≥ " : ""; }
   [[nodiscard]] std::string kilonewtons(double value) const { return texts_.quantity(value, "kN"); }
   [[nodiscard]] std::string millimetres(const char* key) const {
     return texts_.quantity(number_in(s_, key), "mm");
   }
-  [[nodiscard]] std::string percent(const char* key) const {
-    return texts_.quantity(number_in(s_, key), "%", 2);
+  // "; drift 0.25 %" where the drift is known.
+  [[nodiscard]] std::string drift(const char* key, const std::string& before,
+                                  const char* words = "card.drift") const {
+    const double percent = number_in(s_, key);
+    if (!(percent > 0)) return "";
+    return before + texts_.say(words, {{"drift", texts_.quantity(percent, "%", 2)}});
+  }
+
+  [[nodiscard]] std::string cautions() const {
+    std::string words;
+    const auto add = [&](const std::string& more) { words += caution(more); };
+    const std::string status = words_in(s_, "status");
+    if (!status.empty() && status != "completed" && status != "collapsed")
+      add(texts_.say("status." + status));
+    const Json& meter = member(s_, "quasi_static");
+    const std::string judgement =
+        judgement_in(words_in(meter, "judgement"), words_in(meter, "verdict"));
+    if (judgement == "too fast") add(texts_.say("run.too_fast"));
+    if (judgement == "usable") add(texts_.say("run.usable"));
+    if (judgement == "unknown") add(texts_.say("run.unknown_rate"));
+    const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
+    if (gap > kGap)
+      add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
+    return words;
+  }
+
+  [[nodiscard]] std::string answer() const {
+    if (pushes_by_factor())
+      return texts_.say("run.factor",
+                        {{"factor", bold(texts_.number(number_in(s_, "load_factor")))}}) +
+             mode();
+    if (has_no_capacity())
+      return texts_.say("run.no_capacity",
+                        {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
+             mode();
+    if (!(peak() > 0))
+      return texts_.say("run.unpushed",
+                        {{"weight", texts_.quantity(number_in(header_, "weight_kN"), "kN")}});
+    return texts_.say(is_still_rising() ? "run.resists.bound" : "run.resists",
+                      {{"force", bold(kilonewtons(peak()))},
+                       {"at", bold(millimetres("displacement_at_peak_mm"))},
+                       {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
+           mode() + (is_still_rising() ? "" : ductility());
+  }
+  [[nodiscard]] std::string why_no_capacity() const {
+    std::string reason = texts_.phrase(words_in(s_, "peak_reason"));
+    while (!reason.empty() && reason.back() == '.') reason.pop_back();
+    return reason.empty() ? texts_.say("run.no_capacity.reason") : escaped(reason);
+  }
+  [[nodiscard]] std::vector<Card> cards_without_capacity() const {
+    return {{texts_.say("card.not_known"), texts_.say("card.peak"), why_no_capacity()},
+            {kilonewtons(raw_peak()), texts_.say("card.raw"), texts_.say("card.raw.means")},
+            stiffness_card()};
+  }
+  [[nodiscard]] Card stiffness_card() const {
+    return {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
+            texts_.say("card.stiffness"), texts_.say("card.stiffness.means")};
   }
   [[nodiscard]] std::string ductility() const {
+    if (std::isnan(number_in(s_, "displacement_at_80_percent_mm"))) return "";
     return " " + texts_.say(is("censored_80") ? "run.keeps_to_end" : "run.keeps",
                             {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
-                             {"drift", percent("drift_percent_at_80")}});
+                             {"drift", drift("drift_percent_at_80", " ", "run.drift")}});
   }
+
   [[nodiscard]] std::string mode() const {
-    const Json& m = s_["failure_mode"];
-    const std::string name = m["name"], words = m["sentence"];
-    const std::string at = texts_.quantity(number_in(m, "read_at_mm"), "mm");
-    if (name == "unclear")
+    const std::string name = words_in(failure_mode(), "name"),
+                      words = without_brackets(words_in(failure_mode(), "sentence"));
+    const std::string at = texts_.quantity(number_in(failure_mode(), "read_at_mm"), "mm");
+    if (name == "unclear" || name.empty())
       return " " +
              (is("censored_80") && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
                                                  : texts_.say("run.unclear")) +
-             (words.empty() ? "" : " " + bare(words));
+             (words.empty() ? "" : " " + report::sentence(texts_.phrase(words)));
     return " " +
            texts_.say(has_failed() ? "run.fails" : "run.shows",
                       {{"mode", bold(escaped(texts_.phrase(name)))}, {"at", at}}) +
-           (words.empty() ? "" : ": " + escaped(texts_.phrase(words))) + ".";
+           meaning(words) + ".";
   }
-  [[nodiscard]] std::string bare(const std::string& words) const {
-    return report::sentence(texts_.phrase(words));
+  // ": the piers rock"; of a wall of many parts their number, the table below says which.
+  [[nodiscard]] std::string meaning(const std::string& words) const {
+    if (words.empty()) return "";
+    int damaged = 0;
+    for (const Json& e : member(failure_mode(), "elements"))
+      damaged += words_in(e, "state") != "intact" ? 1 : 0;
+    const bool is_list = words.find(": ") != std::string::npos;
+    if (!is_list || damaged <= kListedParts) return ": " + escaped(texts_.phrase(words));
+    return ": " + parts();
+  }
+  [[nodiscard]] std::string parts() const {
+    std::string list;
+    int kinds = 0;
+    for (const char* kind : {"pier", "spandrel", "connection", "toe"}) {
+      if (kinds == 2) break;
+      int of = 0, n = 0;
+      for (const Json& e : member(failure_mode(), "elements")) {
+        if (words_in(e, "kind") != kind) continue;
+        ++of;
+        n += words_in(e, "state") != "intact" ? 1 : 0;
+      }
+      if (n == 0) continue;
+      ++kinds;
+      list += (list.empty() ? "" : ", ") +
+              texts_.say("parts." + std::string(kind),
+                         {{"n", std::to_string(n)}, {"of", std::to_string(of)}});
+    }
+    return texts_.say("parts.damaged", {{"list", list}});
   }
 
   const Json& header_;
@@ -142,13 +270,17 @@ class RunHeadline {
 class CampaignHeadline {
  public:
   CampaignHeadline(const Json& header, const Texts& texts)
-      : s_(header["statistics"]), samples_(s_["samples"]), texts_(texts) {}
+      : s_(header["statistics"]), samples_(s_["samples"]), texts_(texts) {
+    count_judgements(member(header, "samples"));
+  }
 
   [[nodiscard]] std::string sentence() const {
     if (count("run") == 0) return texts_.say("campaign.empty");
     if (count("answered") == 0)
       return texts_.say("campaign.no_answer", {{"run", std::to_string(count("run"))}});
-    return strong() + far() + fails();
+    if (without_force_ == count("answered"))
+      return cautions() + texts_.say("campaign.no_capacity") + fails();
+    return cautions() + strong() + far() + fails();
   }
 
   [[nodiscard]] std::string warning() const {
@@ -164,6 +296,7 @@ class CampaignHeadline {
     if (answered > 0 && answered < kFewestSamples)
       add(texts_.say(answered == 1 ? "campaign.one" : "campaign.few",
                      {{"n", std::to_string(answered)}}));
+    if (judged("usable") > 0) add(of_all("campaign.usable", judged("usable")));
     for (const auto& [key, text] : {std::pair{"still_rising", "campaign.still_rising"},
                                     std::pair{"named_earlier", "campaign.named_earlier"}})
       if (answered > 0 && count(key) > 0)
@@ -179,7 +312,7 @@ class CampaignHeadline {
     const std::string bound = is_bound() ? "≥ " : "";
     std::vector<Card> cards = {{bound + texts_.quantity(number_in(peak, "mean"), "kN"),
                                 texts_.say("card.mean_peak"),
-                                interval(peak["mean_interval"], "kN") + cov(peak)}};
+                                interval(member(peak, "mean_interval"), "kN") + cov(peak)}};
     if (count("answered") >= kFewestSamples)
       cards.push_back({bound + texts_.quantity(number_in(peak, "percentile_5"), "kN"),
                        texts_.say("card.weak"), texts_.say("card.weak.means")});
@@ -195,6 +328,35 @@ class CampaignHeadline {
   }
 
  private:
+  // Of the statistics; where they lack them, of the samples' own verdicts.
+  void count_judgements(const Json& samples) {
+    for (const Json* counts : {&member(s_, "judgements"), &member(samples_, "judgements")})
+      for (const auto& [judgement, n] : counts->items())
+        if (n.is_number()) judgements_[judgement] = n.get<int>();
+    const bool are_counted = !judgements_.empty();
+    for (const Json& sample : samples) {
+      if (!member(sample, "answered").is_boolean() || !sample["answered"].get<bool>()) continue;
+      const Json& response = member(sample, "response");
+      without_force_ += response.is_array() && !response.empty() && response[0].is_null() ? 1 : 0;
+      if (!are_counted)
+        ++judgements_[judgement_in(words_in(sample, "judgement"), words_in(sample, "verdict"))];
+    }
+  }
+  [[nodiscard]] int judged(const char* judgement) const {
+    const auto at = judgements_.find(judgement);
+    return at == judgements_.end() ? 0 : at->second;
+  }
+  [[nodiscard]] std::string of_all(const char* text, int n) const {
+    return texts_.say(text, {{"n", std::to_string(n)}, {"of", std::to_string(count("answered"))}});
+  }
+  [[nodiscard]] std::string cautions() const {
+    std::string words;
+    for (const auto& [n, text] : {std::pair{judged("too fast"), "campaign.too_fast"},
+                                  std::pair{judged("unknown"), "campaign.unknown_rate"},
+                                  std::pair{without_force_, "campaign.without_force"}})
+      if (n > 0) words += caution(of_all(text, n));
+    return words;
+  }
   [[nodiscard]] int count(const char* key) const { return samples_.value(key, 0); }
   // Most pushes ended before their peak: the forces are lower bounds.
   [[nodiscard]] bool is_bound() const { return 2 * count("still_rising") > count("answered"); }
@@ -208,7 +370,7 @@ class CampaignHeadline {
   [[nodiscard]] bool is_far_bound() const { return held() > kFew * count("answered"); }
   [[nodiscard]] std::string far_means(const Json& far) const {
     if (held() == count("answered")) return texts_.say("card.at_80.censored");
-    const std::string words = interval(far.value("survival_mean_interval", Json()), "mm");
+    const std::string words = interval(member(far, "survival_mean_interval"), "mm");
     if (held() == 0) return words;
     return words + "; " +
            texts_.say("card.bounds",
@@ -240,13 +402,16 @@ class CampaignHeadline {
   }
   [[nodiscard]] std::string far() const {
     const Json& far = all("displacement_at_80_percent_mm");
-    const int n = far["n"], censored = far.value("censored", 0);
+    const int n = far.value("n", 0), censored = far.value("censored", 0);
+    if (n == 0) return "";
     if (2 * censored > n)
       return " " + texts_.say("campaign.far.beyond",
                               {{"at", bold(texts_.quantity(number_in(far, "max"), "mm"))}});
     const double height = number_in(s_, "load_height_m");
     const std::string drift =
-        height > 0 ? texts_.quantity(mean_80() / height / 10, "%", 2) : std::string("–");
+        height > 0 ? " " + texts_.say("run.drift",
+                                      {{"drift", texts_.quantity(mean_80() / height / 10, "%", 2)}})
+                   : "";
     const char* several = is_far_bound() ? "campaign.far.bound" : "campaign.far";
     return " " + texts_.say(n > 1 ? several : "campaign.far.one",
                             {{"mean", bold(texts_.quantity(mean_80(), "mm"))}, {"drift", drift}});
@@ -273,6 +438,8 @@ class CampaignHeadline {
   const Json& s_;
   const Json& samples_;
   const Texts& texts_;
+  std::map<std::string, int> judgements_;  // of the samples that answered
+  int without_force_ = 0;                  // of them without a force in balance
 };
 
 // --- a limit analysis ----------------------------------------------------------------------------

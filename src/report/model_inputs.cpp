@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kDegree = 57.29577951308232;  // per radian
 
-// A row of the material table: SI value times factor is the value shown.
+// A row of the material table: SI value times factor is the value shown. Every key of a material that is
+// a number has its row (tests/unit/report_test.cpp compares them with the keys of the model file). Forces
+// are in kN and stresses in MPa on the whole page; 1 kN/m is 1 N/mm, 1 MPa/mm is 1 GPa/m.
 struct MaterialRow {
   const char* key;
   const char* unit;
@@ -17,20 +19,59 @@ struct MaterialRow {
 };
 
 constexpr MaterialRow kMaterialRows[] = {
-    {"normal_stiffness", "GPa/m", 1e-9, &JointMaterial::normal_stiffness},
-    {"shear_stiffness", "GPa/m", 1e-9, &JointMaterial::shear_stiffness},
+    {"normal_stiffness", "MPa/mm", 1e-9, &JointMaterial::normal_stiffness},
+    {"shear_stiffness", "MPa/mm", 1e-9, &JointMaterial::shear_stiffness},
     {"tensile_strength", "MPa", 1e-6, &JointMaterial::tensile_strength},
     {"cohesion", "MPa", 1e-6, &JointMaterial::cohesion},
+    {"residual_cohesion", "MPa", 1e-6, &JointMaterial::residual_cohesion},
     {"friction_angle", "°", kDegree, &JointMaterial::friction_angle},
     {"residual_friction_angle", "°", kDegree, &JointMaterial::residual_friction_angle},
-    {"residual_cohesion", "MPa", 1e-6, &JointMaterial::residual_cohesion},
-    {"mode_1_energy", "N/m", 1, &JointMaterial::mode_1_energy},
-    {"mode_2_energy", "N/m", 1, &JointMaterial::mode_2_energy},
     {"compressive_strength", "MPa", 1e-6, &JointMaterial::compressive_strength},
-    {"compressive_energy", "N/m", 1, &JointMaterial::compressive_energy},
+    {"mode_1_energy", "kN/m", 1e-3, &JointMaterial::mode_1_energy},
+    {"mode_2_energy", "kN/m", 1e-3, &JointMaterial::mode_2_energy},
+    {"compressive_energy", "kN/m", 1e-3, &JointMaterial::compressive_energy},
     {"density", "kg/m³", 1, &JointMaterial::density},
-    {"youngs_modulus", "GPa", 1e-9, &JointMaterial::youngs_modulus},
-    {"shear_modulus", "GPa", 1e-9, &JointMaterial::shear_modulus}};
+    {"youngs_modulus", "MPa", 1e-6, &JointMaterial::youngs_modulus},
+    {"youngs_modulus_across", "MPa", 1e-6, &JointMaterial::youngs_modulus_across},
+    {"shear_modulus", "MPa", 1e-6, &JointMaterial::shear_modulus},
+    {"poisson_ratio", "", 1, &JointMaterial::poisson_ratio},
+    {"tension_limit", "MPa", 1e-6, &JointMaterial::tension_limit},
+    {"compression_limit", "MPa", 1e-6, &JointMaterial::compression_limit}};
+
+const char* word_of(Softening softening) {
+  switch (softening) {
+    case Softening::kBilinear: return "bilinear";
+    case Softening::kExponential: return "exponential";
+    case Softening::kPolynomial: return "polynomial";
+    case Softening::kPetersson: return "petersson";
+  }
+  return "";
+}
+const char* word_of(Coupling coupling) {
+  switch (coupling) {
+    case Coupling::kUnion: return "union";
+    case Coupling::kMaximum: return "maximum";
+    case Coupling::kStiffness: return "stiffness";
+  }
+  return "";
+}
+const char* word_of(Unloading unloading) {
+  switch (unloading) {
+    case Unloading::kSecant: return "secant";
+    case Unloading::kElastic: return "elastic";
+  }
+  return "";
+}
+const char* word_of(Bond bond) {
+  switch (bond) {
+    case Bond::kRunning: return "running";
+    case Bond::kStack: return "stack";
+    case Bond::kFlemish: return "flemish";
+    case Bond::kEnglish: return "english";
+    case Bond::kHeader: return "header";
+  }
+  return "";
+}
 
 // JSON has no infinity: "unlimited" stands for it, null for what is not stated.
 Json number(double value) {
@@ -53,6 +94,20 @@ Json materials_of(const std::map<std::string, JointMaterial>& materials) {
     }
     if (stated) rows.push_back({r.key, r.unit, cells});
   }
+  // the law of joints, in words; what is only a body has none
+  const auto add_words = [&](const char* key, const auto& word) {
+    Json cells = Json::array();
+    bool stated = false;
+    for (const auto& [name, material] : materials) {
+      const bool is_joint = !std::isnan(material.normal_stiffness);
+      cells.push_back(is_joint ? Json(word(material)) : Json());
+      stated = stated || is_joint;
+    }
+    if (stated) rows.push_back({key, "", cells});
+  };
+  add_words("softening", [](const JointMaterial& m) { return word_of(m.softening); });
+  add_words("coupling", [](const JointMaterial& m) { return word_of(m.coupling); });
+  add_words("unloading", [](const JointMaterial& m) { return word_of(m.unloading); });
   return {{"names", names}, {"rows", rows}};
 }
 
@@ -62,12 +117,17 @@ Json wall_rows(const ModelSpec& spec, const Model& model) {
                row("thickness", a.thickness, "m")};
   if (!spec.wall.blocks.empty()) rows.push_back({"blocks_file", spec.wall.blocks, ""});
   if (a.courses > 0) {
+    rows.push_back({"bond", word_of(spec.wall.bond), ""});
     rows.push_back(row("courses", a.courses, ""));
     rows.push_back(row("course_height", a.course_height * 1e3, "mm"));
     rows.push_back(row("half_unit", a.half_unit * 1e3, "mm"));
   }
   if (!std::isnan(spec.wall.unit.density))
     rows.push_back(row("unit_density", spec.wall.unit.density, "kg/m³"));
+  if (!std::isnan(spec.wall.beam.height)) {
+    rows.push_back(row("beam_height", spec.wall.beam.height * 1e3, "mm"));
+    rows.push_back(row("beam_density", spec.wall.beam.density, "kg/m³"));
+  }
   rows.push_back(row("weight", model.weight * 1e-3, "kN"));
   return rows;
 }
@@ -119,17 +179,22 @@ Json stage_of(const Stage& stage) {
   add("pressure", s.pressure, "MPa", 1e-6);
   add("beam_load", s.beam_load, "kN", 1e-3);
   add("velocity", s.velocity, "mm/s", 1e3);
+  add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
   add("until", s.until, "mm", 1e3);
   for (double target : s.targets) add("target", target, "mm", 1e3);
   add("load_factor_rate", s.rate, "1/s", 1);
   add("load_factor_until", s.factor, "", 1);
   add("tilt_rate", s.tilt_rate, "°/s", kDegree);
   add("tilt_until", s.tilt_until, "°", kDegree);
+  if (s.stop_below > 0) add("stop_below", s.stop_below, "", 1);
   add("duration", s.duration, "s", 1);
+  add("ramp", s.ramp, "s", 1);
   add("damping", s.damping, "", 1);
   if (!stage.driven.empty()) {
     rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
     rows.push_back(row("load_height", stage.load_height, "m"));
+    if (s.rotation == Freedom::kBlocked) rows.push_back({"rotation", "blocked", ""});
+    if (s.across == Freedom::kBlocked) rows.push_back({"across", "blocked", ""});
   }
   return {{"name", s.name}, {"kind", kind_word(s.kind)}, {"rows", rows}};
 }

@@ -182,6 +182,11 @@ void add_wall(Bundle& bundle, const Model& model) {
   add_floats(bundle, "wall.support_y", a.support_y);
 }
 
+int states_kept(int states, int room, int samples_after) {
+  if (states <= room - samples_after) return states;
+  return std::min({states, room, 1});
+}
+
 void FrameArrays::add(const Model& model, const State& state) {
   ++count_;
   ux_.insert(ux_.end(), state.ux.begin(), state.ux.end());

@@ -14,6 +14,10 @@ namespace wythe::report {
 // Shapes at the start: blocks, joints, supports, what is pushed. Header: "wall".
 void add_wall(Bundle& bundle, const Model& model);
 
+// How many of a sample's states go along, the last ones: all of them where the last of every sample
+// that follows still has room, else the last alone.
+[[nodiscard]] int states_kept(int states, int room, int samples_after);
+
 // States in the order they are to be shown; every one has the same blocks and joints.
 class FrameArrays {
  public:

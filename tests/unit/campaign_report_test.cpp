@@ -6,6 +6,7 @@
 #include <string>
 
 #include "report/bundle.h"
+#include "report/wall_arrays.h"
 #include "scenes/sample_campaign.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"
@@ -172,8 +173,17 @@ TEST(CampaignData, densities_integrate_to_the_share_in_range) {
   EXPECT_EQ(drawn, 5);
 }
 
-// Walls of a real model: one frame a sample that answered, none where states are missing.
-TEST(CampaignData, draws_the_last_stored_state_of_each_sample) {
+TEST(CampaignData, before_a_sample_shows_all_its_states_every_sample_shows_its_last) {
+  EXPECT_EQ(report::states_kept(4, 100, 10), 4);
+  EXPECT_EQ(report::states_kept(4, 14, 10), 4);
+  EXPECT_EQ(report::states_kept(4, 13, 10), 1);
+  EXPECT_EQ(report::states_kept(1, 1, 10), 1);
+  EXPECT_EQ(report::states_kept(4, 0, 0), 0);
+  EXPECT_EQ(report::states_kept(0, 5, 0), 0);
+}
+
+// Walls of a real model: a frame a stored state of samples that answered, none where states are missing.
+TEST(CampaignData, draws_every_stored_state_of_each_sample) {
   Campaign campaign = sample_campaign(4);
   campaign.records[1].status = "unstable";
   const ModelSpec spec = scenes::small_wall();
@@ -187,11 +197,13 @@ TEST(CampaignData, draws_the_last_stored_state_of_each_sample) {
     return states;
   };
   const Json header = header_of(campaign_data(campaign, statistics_of(campaign), walls));
-  ASSERT_EQ(header["frames"].size(), 2u);
-  EXPECT_EQ(header["frames"][0]["sample"], 1);
-  EXPECT_EQ(header["frames"][1]["sample"], 3);
-  EXPECT_EQ(header["frames"][1]["displacement_mm"], 2.0);
-  EXPECT_EQ(header["arrays"]["frame.ux"]["count"], 2 * model.n_block);
+  ASSERT_EQ(header["frames"].size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(header["frames"][i]["sample"], i < 2 ? 1 : 3);
+    EXPECT_EQ(header["frames"][i]["displacement_mm"], i % 2 == 0 ? 1.0 : 2.0);
+    EXPECT_EQ(header["frames"][i]["stored"], 2);
+  }
+  EXPECT_EQ(header["arrays"]["frame.ux"]["count"], 4 * model.n_block);
   EXPECT_EQ(header["wall"]["blocks"], model.n_block);
 }
 

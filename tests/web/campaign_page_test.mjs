@@ -1,5 +1,6 @@
 // The page of a real campaign of 24 samples in a browser.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
@@ -103,7 +104,7 @@ test("Table 3 sorts by a column, both ways, and shows every response", async () 
     page
       .locator("#table3-rows tbody tr td:nth-child(2)")
       .allInnerTexts()
-      .then((t) => t.map((v) => parseInt(v, 10)));
+      .then((t) => t.map((v) => parseInt(v, 10)).slice(1)); // all samples stay first
   const head = page.locator("#table3-rows thead th").nth(1);
   await head.locator("button").click();
   const down = await column();
@@ -325,6 +326,62 @@ test("pressing on a curve opens the sample: curve, inputs, wall, command", async
     await page.locator("#sample .replay").innerText(),
     new RegExp(`^wythe replay DIR --sample ${opened} --out`),
   );
+});
+
+test("one sample is stepped through at every stored state", async () => {
+  await page.locator("#sample-number").fill("3");
+  await page.locator("#sample-number").press("Enter");
+  const stored = Number(
+    execFileSync("python3", [
+      "-c",
+      `
+import sqlite3
+print(sqlite3.connect(r"${path.join(folder("campaign"), "campaign.db")}").execute("SELECT COUNT(*) FROM state WHERE sample = 3").fetchone()[0])
+`,
+    ]),
+  );
+  assert.ok(stored > 1);
+  const slider = page.locator("#sample-wall .time input");
+  await slider.focus();
+  await page.keyboard.press("Home");
+  const seen = new Set();
+  for (let i = 0; i < stored; ++i) {
+    const words = await page.locator("#sample-wall .wall-caption").innerText();
+    assert.match(words, /^sample 3\b/);
+    const line = await page.locator("#sample-curve .cursor-line").getAttribute("x1");
+    seen.add(`${words} ${line} ${await page.locator("#sample-wall path.stone0").getAttribute("d")}`);
+    await page.keyboard.press("ArrowRight");
+  }
+  assert.equal(seen.size, stored);
+  await page.emulateMedia({ media: "print" });
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  assert.equal(await page.locator("#sample .pictures figure").count(), stored);
+  await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  await page.emulateMedia({ media: null });
+});
+
+test("all samples stay above their groups however a table is sorted", async () => {
+  await page.locator("#table3-quantity").selectOption({ index: 0 });
+  const first = () => page.locator("#table3-rows tbody th").first().innerText();
+  for (const column of [0, 1, 2, 2, 0]) {
+    await page.locator("#table3-rows thead button").nth(column).click();
+    assert.equal(await first(), "all", `column ${column}`);
+  }
+  for (const list of await page.locator("#sensitivity select").last().locator("option").allInnerTexts().then((t) => [t]))
+    assert.equal(list[0], "all");
+});
+
+test("forces and stresses are in kN and MPa, whatever unit the study has", async () => {
+  const words = await page.locator("#study").innerText();
+  assert.doesNotMatch(words, /\t(N\/m|Pa|GPa\/m|GPa|N)\t/);
+  const { pageUnit } = await viewerModule("texts");
+  for (const [unit, factor] of [
+    ["N/m", 1e-3],
+    ["GPa/m", 1],
+    ["GPa", 1e3],
+    ["Pa", 1e-6],
+  ])
+    assert.equal(pageUnit(unit)[1], factor, unit);
 });
 
 test("the replay command of the page works and gives the same bits", async () => {

@@ -15,7 +15,7 @@ import {
   screenshot,
   violations,
 } from "./helpers.mjs";
-import { makeRun } from "./small_study.mjs";
+import { makeFacade, makeRun } from "./small_study.mjs";
 
 let browser, page, summary;
 const csvRows = (bytes) =>
@@ -352,8 +352,60 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
 test("prints as an appendix of A4 pages", async () => {
   const pdf = await page.pdf({ preferCSSPageSize: true });
   fs.writeFileSync(path.join(folder("run"), "report.pdf"), pdf);
-  assert.ok(pdfPages(pdf) >= 4 && pdfPages(pdf) <= 5, `${pdfPages(pdf)} pages`);
+  assert.ok(pdfPages(pdf) >= 3 && pdfPages(pdf) <= 4, `${pdfPages(pdf)} pages`);
   assert.match(pdf.toString("latin1"), /MediaBox \[0 0 59[45][.\d]* 84[12][.\d]*\]/);
+});
+
+// What can only be pressed or dragged is not said on paper; a wall of many parts stays within four pages.
+test("paper says nothing of the mouse, and lists only what matters", async () => {
+  makeFacade("facade_run");
+  const other = await open(browser, pageOf("facade_run"));
+  assert.ok(pdfPages(await other.pdf({ preferCSSPageSize: true })) <= 4);
+  const said = async (p) => {
+    await p.emulateMedia({ media: "print" });
+    const words = await p.locator("main").innerText();
+    await p.emulateMedia({ media: null });
+    return words;
+  };
+  for (const p of [page, other]) assert.doesNotMatch(await said(p), /\b([Pp]ress|[Pp]ressing|slider|Drag|[Pp]oint(ing)? at)\b/);
+  assert.match(await page.locator("#curve figcaption").innerText(), /Press on the curve/);
+  const found = JSON.parse(fs.readFileSync(path.join(folder("facade_run"), "summary.json"), "utf8"));
+  const mode = found.failure_mode;
+  const damaged = mode.elements.filter((e) => e.state !== "intact").length;
+  assert.ok(mode.elements.length > 12 && damaged < mode.elements.length);
+  assert.equal(await other.locator("#elements tbody tr").count(), damaged);
+  assert.ok((await other.locator("#elements").innerText()).includes(`${mode.elements.length - damaged} parts`));
+  const answer = await other.locator("#headline .answer").innerText();
+  assert.ok(answer.length < 400, answer);
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
+});
+
+test("no card's text leaves its card, wide, narrow or printed", async () => {
+  for (const [width, media] of [
+    [1440, null],
+    [390, null],
+    [700, "print"],
+  ]) {
+    const other = await open(browser, pageOf("run"), { width });
+    await other.emulateMedia({ media });
+    const out = await other.locator(".card").evaluateAll((cards) =>
+      cards.flatMap((card) => {
+        const box = card.getBoundingClientRect(),
+          air = parseFloat(getComputedStyle(card).paddingRight) - 1;
+        return [...card.querySelectorAll(".value, .unit, .name, .means")]
+          .flatMap((e) => {
+            const range = document.createRange();
+            range.selectNodeContents(e);
+            return [...range.getClientRects()];
+          })
+          .filter((r) => r.right > box.right - air)
+          .map((r) => `${card.textContent}: ${r.right} of ${box.right}`);
+      }),
+    );
+    assert.deepEqual(out, [], `${width} ${media}`);
+    await other.context().close();
+  }
 });
 
 test("without scripts the main result is still told", async () => {

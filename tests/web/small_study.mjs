@@ -58,6 +58,53 @@ until = "18 mm"
 states = ["6 mm", "12 mm"]
 `;
 
+// A facade of eight piers and seven doors under a beam, pushed to the left.
+function facadeModel() {
+  const material = (name, strength, energy) => joint(name, strength, strength, 30).replace("6 N/m", `${energy} N/m`);
+  const doors = Array.from(
+    { length: 7 },
+    (_, i) => `[[wall.opening]]
+x = "${(0.6 + 1.5 * i).toFixed(1)} m"
+y = "0 m"
+width = "0.9 m"
+height = "1.5 m"
+lintel = { kind = "timber", depth = "150 mm", bearing = "300 mm", material = "timber" }
+`,
+  );
+  return `name = "facade of eight piers"
+[wall]
+length = "11.1 m"
+height = "2.1 m"
+thickness = "0.3 m"
+[wall.unit]
+length = "600 mm"
+height = "150 mm"
+split = "none"
+density = "1800 kg/m^3"
+[wall.beam]
+height = "300 mm"
+density = "2500 kg/m^3"
+joint = "strong"
+${doors.join("")}${material("joint", 0.1, 6)}${material("strong", 5, 6000).replace("150 N/m", "9000 N/m")}
+[material.timber]
+density = "500 kg/m^3"
+youngs_modulus = "10 GPa"
+shear_modulus = "0.6 GPa"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "load"
+beam_load = "200 kN"
+[[stage]]
+name = "push"
+direction = "-x"
+at = { beam = true }
+velocity = "40 mm/s"
+damping = 0.3
+until = "45 mm"
+`;
+}
+
 const kStudy = `[study]
 name = "small wall, <script>alert('study')</script>"
 model = "model.toml"
@@ -130,6 +177,12 @@ export function makeRun(name, model = "model.toml") {
   fs.rmSync(folder(name), { recursive: true, force: true });
   run("run", input(model), "--out", folder(name), "--quiet");
   return JSON.parse(fs.readFileSync(path.join(folder(name), "summary.json"), "utf8"));
+}
+
+export function makeFacade(name) {
+  fs.mkdirSync(folder("inputs"), { recursive: true });
+  fs.writeFileSync(path.join(folder("inputs"), "facade.toml"), facadeModel());
+  return makeRun(name, "facade.toml");
 }
 
 export function makeCampaign(name, ...more) {

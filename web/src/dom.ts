@@ -46,6 +46,9 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return element;
 }
 
+// Words for who has the page before them: paper has nothing to press.
+export const onScreen = (...children: Child[]): HTMLElement => h("span", { class: "no-print" }, ...children);
+
 let count = 0;
 export const fresh = (prefix: string): string => `${prefix}-${++count}`;
 

@@ -10,7 +10,7 @@ const shown = (value: unknown, unit: string): string =>
       ? qty(value, unit, 4)
       : value === null
         ? "–"
-        : String(value);
+        : phrase(String(value));
 
 const rowsOf = (rows: [string, unknown, string][]): Child[][] =>
   rows.map(([key, value, unit]) => [say(`input.${key}`), shown(value, unit)]);
@@ -20,31 +20,41 @@ const plain = [
   { head: "", left: true },
 ];
 
-function openingWords(o: any): string {
-  const words = say("input.opening_words", {
-    width: qty(o.width, "m", 4),
-    height: qty(o.height, "m", 4),
-    x: qty(o.x, "m", 4),
-    y: qty(o.y, "m", 4),
-  });
-  return o.lintel === ""
-    ? words
-    : `${words}; ${say("input.lintel_words", {
-        kind: phrase(o.lintel),
-        depth: qty(o.lintel_depth_mm, "mm", 4),
-        bearing: qty(o.lintel_bearing_mm, "mm", 4),
-      })}`;
+// One row an opening: a facade has many.
+function openings(list: any[]): Child {
+  if (list.length === 0) return null;
+  const lintel = (o: any): string =>
+    o.lintel === ""
+      ? "–"
+      : say("input.lintel_words", {
+          kind: phrase(o.lintel),
+          depth: qty(o.lintel_depth_mm, "mm", 4),
+          bearing: qty(o.lintel_bearing_mm, "mm", 4),
+        });
+  return table(
+    [
+      { head: "", left: true },
+      { head: "x [m]" },
+      { head: "y [m]" },
+      { head: `${say("input.width")} [m]` },
+      { head: `${say("input.height")} [m]` },
+      { head: say("input.lintel"), left: true },
+    ],
+    list.map((o: any, i: number) => [
+      o.name || say("input.opening", { n: i + 1 }),
+      num(o.x, 4),
+      num(o.y, 4),
+      num(o.width, 4),
+      num(o.height, 4),
+      lintel(o),
+    ]),
+    say("input.openings"),
+  );
 }
 
 export function inputTables(inputs: any, note: string): Child {
   if (!inputs) return null;
-  const wall = [
-    ...rowsOf(inputs.wall),
-    ...inputs.openings.map((o: any, i: number) => [
-      o.name || say("input.opening", { n: i + 1 }),
-      openingWords(o),
-    ]),
-  ];
+  const wall = rowsOf(inputs.wall);
   const stages = inputs.stages.map((s: any) => [
     s.name,
     [
@@ -66,12 +76,13 @@ export function inputTables(inputs: any, note: string): Child {
         table(plain, rowsOf(inputs.settings), say("input.settings"), "facts"),
       ),
     ),
+    openings(inputs.openings),
     materials.names.length > 0
       ? table(
           [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: n }))],
           materials.rows.map(([key, unit, cells]: any) => [
             [say(`input.${key}`), unit ? h("span", { class: "soft" }, ` [${unit}]`) : null],
-            ...cells.map((c: any) => (c === "unlimited" ? say("unlimited") : num(c, 4))),
+            ...cells.map((c: unknown) => shown(c, "")),
           ]),
           say("input.materials"),
         )

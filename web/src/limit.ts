@@ -7,7 +7,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
-import { capital, knows, num, phrase, qty, say } from "./texts";
+import { capital, knows, num, pageUnit, phrase, qty, say } from "./texts";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
 
@@ -267,9 +267,13 @@ function numbers(opinion: any): Child {
   const all = opinion.mechanisms as Mechanism[];
   if (all.length === 0) return null;
   const names = [...new Set(all.flatMap((m) => Object.keys(m.inputs)))];
-  const unit = (name: string): string => all.find((m) => name in m.inputs)!.inputs[name].unit;
+  const unit = (name: string): string => pageUnit(all.find((m) => name in m.inputs)!.inputs[name].unit)[0];
   const show = (v: any): string =>
-    v === undefined ? "–" : v.value === "unlimited" ? say("unlimited") : num(v.value, 4);
+    v === undefined
+      ? "–"
+      : v.value === "unlimited"
+        ? say("unlimited")
+        : num(v.value === null ? null : v.value * pageUnit(v.unit)[1], 4);
   const assessed = all.filter((m) => m.assessment);
   return [
     table(
@@ -280,7 +284,7 @@ function numbers(opinion: any): Child {
       ],
       names.map((n) => [
         knows(`number.${n}`) ? say(`number.${n}`) : n.replace(/_/g, " "),
-        unit(n) === "1" || unit(n) === "-" ? "" : unit(n),
+        unit(n),
         ...all.map((m) => show(m.inputs[n])),
       ]),
       say("numbers.title"),

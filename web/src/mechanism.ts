@@ -321,7 +321,7 @@ class OverlayFigure {
     ];
     const plot = new Plot({
       width,
-      height: onPaper ? 0.66 * width : Math.max(300, Math.min(430, 0.8 * width)),
+      height: onPaper ? 0.54 * width : Math.max(300, Math.min(430, 0.8 * width)),
       x: [0, last],
       y: [0, 1.06 * rangeOf(forces)[1]],
       xLabel: say("axis.load_displacement"),

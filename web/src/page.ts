@@ -7,6 +7,7 @@ export interface Section {
   id: string;
   title: string;
   content: Child;
+  paper?: boolean; // printed, never on a screen
 }
 
 function themeButton(): HTMLElement {
@@ -60,7 +61,7 @@ export function build(sections: Section[]): void {
   const links = h(
     "ul",
     {},
-    shown.map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title))),
+    shown.filter((s) => !s.paper).map((s) => h("li", {}, h("a", { href: `#${s.id}` }, s.title))),
   );
   const frame = h("div", { class: "bar-links" }, links);
   hintMore(links, frame);
@@ -84,7 +85,7 @@ export function build(sections: Section[]): void {
     main.appendChild(
       h(
         "section",
-        { id: s.id, "aria-labelledby": `${s.id}-title` },
+        { id: s.id, class: s.paper ? "print-only" : undefined, "aria-labelledby": `${s.id}-title` },
         h("h2", { id: `${s.id}-title` }, s.title),
         s.content,
       ),

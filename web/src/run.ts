@@ -1,13 +1,13 @@
 // The page of a run: curve and wall side by side, how it failed; energy and meters are in run_trust.ts.
 import type { Bundle } from "./bundle";
-import { append, h, svg, type Child } from "./dom";
+import { append, h, onScreen, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { table } from "./tables";
-import { capital, num, phrase, qty, say } from "./texts";
+import { capital, num, phrase, qty, say, shortened } from "./texts";
 import { Frames, readWall } from "./wall";
 import { WallView, type FrameInfo } from "./wallview";
 
@@ -23,6 +23,9 @@ function readCurve(bundle: Bundle): Curve {
     factor: get("load_factor"),
   };
 }
+
+const kManyParts = 12, // of a wall, from which on only those are listed that show something
+  kNear = 0.25; // short of a threshold, as a share of it, and still near
 
 // Words for a frame's labels: "peak", "20 mm", "end".
 const labelOf = (labels: string[]): string => labels.map((l) => phrase(l)).join(", ");
@@ -57,7 +60,6 @@ class RunPage {
       wall,
       frames: new Frames(this.bundle, wall),
       info,
-      player: true,
       onFrame: () => this.moveCursor(),
     });
   }
@@ -74,6 +76,7 @@ class RunPage {
         content: inputTables(this.header.inputs, this.header.note),
       },
       { id: "provenance", title: say("section.provenance"), content: this.provenance() },
+      { id: "measures", title: say("section.measures"), content: this.paperMeasures(), paper: true },
     ];
   }
 
@@ -103,7 +106,11 @@ class RunPage {
       above: legend(items),
       wide: true,
       draw: (width, onPaper) => this.drawCurve(width, onPaper),
-      caption: `${say("curve.caption")} ${this.bilinearWords()}`,
+      caption: [
+        this.s.events.length > 0 ? `${say("curve.caption")} ` : "",
+        this.view ? onScreen(`${say("curve.press")} `) : "",
+        this.bilinearWords(),
+      ],
       sheet: () => ({
         head: [
           "displacement_mm",
@@ -134,7 +141,7 @@ class RunPage {
     const y = rangeOf([0, ...force]),
       x = rangeOf([0, ...c.displacement]);
     const air = 0.1 * (y[1] - y[0]);
-    const height = onPaper ? 0.42 * width : Math.max(280, Math.min(520, 0.84 * width));
+    const height = onPaper ? 0.36 * width : Math.max(280, Math.min(520, 0.84 * width));
     const last = c.displacement.findIndex((d, i) => Math.abs(d) > 1e-6 && Math.abs(c.drift[i]) > 0);
     const plot = new Plot({
       width,
@@ -290,16 +297,7 @@ class RunPage {
           end = labelled.slice(-1);
         place.replaceChildren(
           ...[...new Map([...peak, ...end].map((p: any) => [p[1], p])).values()].map(([, i]: any) =>
-            h(
-              "figure",
-              {},
-              view.picture(i, 400),
-              h(
-                "figcaption",
-                {},
-                `${view.spec.info[i].label}: ${qty(view.spec.info[i].displacement, "mm")}, ${qty(view.spec.info[i].reaction, "kN")}`,
-              ),
-            ),
+            view.picture(i, 400, 250),
           ),
         );
       },
@@ -313,31 +311,12 @@ class RunPage {
   private failure(): Child {
     const mode = this.s.failure_mode;
     if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
-    const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
-    const measured = (rows: any[], word: string, caption = ""): Child =>
-      table(
-        [
-          { head: say("failure.element"), left: true },
-          { head: say("failure.sign"), left: true },
-          { head: say("failure.measured") },
-          { head: say("failure.threshold") },
-          { head: word },
-        ],
-        rows.map((e) => [
-          phrase(e.element),
-          phrase(e.measure),
-          qty(e.value, unit(e.unit)),
-          qty(e.threshold, unit(e.unit)),
-          h(e.margin >= 0 ? "b" : "span", {}, say(e.margin >= 0 ? "yes" : "no")),
-        ]),
-        caption,
-      );
     return [
       h(
         "p",
         { class: "lead" },
         h("b", {}, phrase(mode.name)),
-        mode.sentence ? `: ${phrase(mode.sentence)}. ` : ". ",
+        mode.sentence ? `: ${shortened(mode.sentence)}. ` : ". ",
         h("span", { class: "soft" }, say("failure.read_at", { at: qty(mode.read_at_mm, "mm") })),
       ),
       this.s.censored_80 && this.s.status !== "collapsed"
@@ -349,33 +328,90 @@ class RunPage {
           )
         : null,
       this.scores(mode),
-      h(
-        "div",
-        { class: "pair" },
-        mode.elements.length > 0
-          ? table(
-              [
-                { head: say("failure.element"), left: true },
-                { head: say("failure.state"), left: true },
-                { head: say("failure.first") },
-              ],
-              mode.elements.map((e: any) => [
-                phrase(e.element),
-                phrase(e.state),
-                e.displacement_first_mm === null ? "–" : qty(e.displacement_first_mm, "mm"),
-              ]),
-              say("failure.elements"),
-            )
-          : null,
-        mode.flags.length > 0 ? measured(mode.flags, say("failure.raised"), say("failure.severity")) : null,
-      ),
+      h("div", { class: "pair" }, this.elements(mode), this.flags(mode)),
       this.sensitivity(mode),
-      h(
-        "details",
-        { class: "print-open" },
-        h("summary", {}, say("failure.measures")),
-        measured(mode.evidence, say("failure.reached")),
-      ),
+      h("details", {}, h("summary", {}, say("failure.measures")), this.measures(mode.evidence)),
+    ];
+  }
+
+  // What a part showed, and what was measured there against its threshold.
+  private measures(rows: any[], word = say("failure.reached"), caption = ""): HTMLElement {
+    const unit = (u: string): string => (u === "share" || u === "-" ? "" : u);
+    return table(
+      [
+        { head: say("failure.element"), left: true },
+        { head: say("failure.sign"), left: true },
+        { head: say("failure.measured") },
+        { head: say("failure.threshold") },
+        { head: word },
+      ],
+      rows.map((e) => [
+        phrase(e.element),
+        phrase(e.measure),
+        qty(e.value, unit(e.unit)),
+        qty(e.threshold, unit(e.unit)),
+        h(e.margin >= 0 ? "b" : "span", {}, say(e.margin >= 0 ? "yes" : "no")),
+      ]),
+      caption,
+    );
+  }
+  // Of a wall of many parts those that show something; the others are counted.
+  private elements(mode: any): Child {
+    const all = mode.elements as any[];
+    if (all.length === 0) return null;
+    const shown = all.length > kManyParts ? all.filter((e) => e.state !== "intact") : all;
+    return h(
+      "div",
+      { id: "elements" },
+      shown.length > 0
+        ? table(
+            [
+              { head: say("failure.element"), left: true },
+              { head: say("failure.state"), left: true },
+              { head: say("failure.first") },
+            ],
+            shown.map((e: any) => [phrase(e.element), phrase(e.state), qty(e.displacement_first_mm, "mm")]),
+            say("failure.elements"),
+          )
+        : null,
+      shown.length < all.length
+        ? h(
+            "p",
+            { class: "soft small" },
+            say(shown.length > 0 ? "failure.others_intact" : "failure.all_intact", { n: all.length - shown.length }),
+          )
+        : null,
+    );
+  }
+  private flags(mode: any): Child {
+    const all = mode.flags as any[];
+    if (all.length === 0) return null;
+    const shown = all.length > kManyParts ? all.filter((f) => f.margin >= 0) : all;
+    return h(
+      "div",
+      { id: "severity" },
+      shown.length > 0 ? this.measures(shown, say("failure.raised"), say("failure.severity")) : null,
+      shown.length < all.length
+        ? h(
+            "p",
+            { class: "soft small" },
+            say(shown.length > 0 ? "failure.others_not_raised" : "failure.none_raised", {
+              n: all.length - shown.length,
+            }),
+          )
+        : null,
+    );
+  }
+  // An appendix: paper has no room for measures far below their thresholds.
+  private paperMeasures(): Child {
+    const all = this.s.failure_mode.evidence as any[];
+    const near = all.filter((e) => e.margin >= -kNear);
+    if (near.length === 0) return null;
+    return [
+      this.measures(near),
+      near.length < all.length
+        ? h("p", { class: "small" }, say("failure.others_far", { n: all.length - near.length }))
+        : null,
     ];
   }
 

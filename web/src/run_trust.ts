@@ -17,6 +17,8 @@ export interface Curve {
 }
 export const zip = (x: number[], y: number[]): Point[] => x.map((v, i) => [v, y[i]]);
 
+const kGap = 0.01; // of the ledger, beyond which its run is not believed (as in headline.cpp)
+
 // --- energy --------------------------------------------------------------------------------------
 
 export function energySection(header: any): Child {
@@ -35,7 +37,9 @@ export function energySection(header: any): Child {
       share(e[part]),
     ]);
   if (e.loads < 0) rows.push([say("energy.lifting"), num(-e.loads), share(-e.loads)]);
-  rows.push([say("energy.gap"), num(e.gap), qty(e.gap_ratio === null ? null : 100 * e.gap_ratio, "%")]);
+  const gap = e.gap_ratio ?? NaN,
+    bold = (text: string): Child => (Math.abs(gap) > kGap ? h("b", {}, text) : text);
+  rows.push([bold(say("energy.gap")), bold(num(e.gap)), bold(qty(100 * gap, "%"))]);
   const list = table(
     [{ head: "", left: true }, { head: "J" }, { head: say("share") }],
     rows.map((r) => r),
@@ -113,7 +117,8 @@ export function trustSection(summary: any, curve: Curve): Child {
       [named(say("trust.damping"), say("trust.damping.means")), num(q.damping_share), ""],
     ],
   );
-  const verdict = h("p", { class: "lead" }, sentence(q.verdict));
+  const fine = /^(slow enough|no push|$)/.test(q.judgement ?? q.verdict);
+  const verdict = h("p", { class: fine ? "lead" : "warning" }, sentence(q.verdict));
   const stages =
     summary.stages.length === 0
       ? null

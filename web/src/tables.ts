@@ -12,10 +12,16 @@ export interface Cell {
   sort?: number | string | null;
   title?: string;
 }
-const kLong = 24; // rows from which on a table may run over two pages
+const kLong = 8; // rows from which on a table may run over two pages
 // Letters of a cell of words that stay on one line on a narrow screen: more of a long text.
 const roomFor = (letters: number): number => (letters > 80 ? 34 : Math.min(letters, 18));
 export type Row = (Cell | Child)[];
+// A row that stays above the others however they are sorted: all samples above their groups.
+const pinned = new WeakSet<Row>();
+export function pin(row: Row): Row {
+  pinned.add(row);
+  return row;
+}
 
 // The table in a card that shows when it is cut.
 function framed(table: HTMLElement, rows: number, label: string): HTMLElement {
@@ -98,7 +104,7 @@ export function sortable(columns: Column[], rows: Row[], caption: string): HTMLE
     );
   });
   const fill = (): void => {
-    const order = [...rows];
+    const order = rows.filter((r) => !pinned.has(r));
     if (by >= 0)
       order.sort((a, b) => {
         const [x, y] = [sortKey(a[by]), sortKey(b[by])];
@@ -111,7 +117,7 @@ export function sortable(columns: Column[], rows: Row[], caption: string): HTMLE
       head.setAttribute("aria-sort", i !== by ? "none" : down ? "descending" : "ascending");
       head.querySelector(".arrow")!.textContent = i !== by ? "" : down ? " ↓" : " ↑";
     });
-    body.replaceChildren(...order.map((r) => bodyRow(r, columns)));
+    body.replaceChildren(...[...rows.filter((r) => pinned.has(r)), ...order].map((r) => bodyRow(r, columns)));
   };
   fill();
   return framed(

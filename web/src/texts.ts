@@ -48,6 +48,27 @@ export function qty(value: number | null | undefined, unit: string, digits = 3):
   return !Number.isFinite(value ?? NaN) || unit === "" ? text : `${text}\u202f${unit}`;
 }
 
+// One system of units on a page: kN, MPa, mm. What files say in others is shown in these, with a factor.
+const kUnits: Record<string, [string, number]> = {
+  N: ["kN", 1e-3],
+  Pa: ["MPa", 1e-6],
+  kPa: ["MPa", 1e-3],
+  GPa: ["MPa", 1e3],
+  "N/mm^2": ["MPa", 1],
+  "Pa/m": ["MPa/mm", 1e-9],
+  "MPa/m": ["MPa/mm", 1e-3],
+  "GPa/m": ["MPa/mm", 1],
+  "N/mm^3": ["MPa/mm", 1],
+  "N/m": ["kN/m", 1e-3],
+  "N/mm": ["kN/m", 1],
+  "J/m^2": ["kN/m", 1e-3],
+  "kg/m^3": ["kg/m³", 1],
+  deg: ["°", 1],
+  "1": ["", 1],
+  "-": ["", 1],
+};
+export const pageUnit = (unit: string): [string, number] => kUnits[unit] ?? [unit, 1];
+
 function escapedForPattern(text: string): string {
   return text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 }
@@ -88,7 +109,18 @@ function translated(english: string): string {
 }
 
 export const capital = (text: string): string => text.charAt(0).toLocaleUpperCase() + text.slice(1);
-export function sentence(english: string): string {
-  const text = capital(phrase(english));
+export const sentence = (english: string): string => asSentence(phrase(english));
+export function asSentence(words: string): string {
+  const text = capital(words);
   return text === "" || /[.!?]$/.test(text) ? text : text + ".";
+}
+
+const kListed = 3;
+// What happened to the parts of a wall ("pier 1: rocking; pier 2: rocking; ..."), the first of them and
+// how many more.
+export function shortened(english: string): string {
+  const parts = english.split("; ").filter((p) => p.includes(": "));
+  if (parts.length <= kListed || parts.length < english.split("; ").length) return phrase(english);
+  const more = say("parts.more", { n: parts.length - kListed });
+  return `${phrase(parts.slice(0, kListed).join("; "))}; ${more}`;
 }

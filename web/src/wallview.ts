@@ -29,11 +29,13 @@ export interface WallViewSpec {
   frames: Frames;
   info: FrameInfo[];
   onFrame?: (frame: number) => void; // after the slider moved
-  player: boolean; // frames are in time; else they are apart from each other
   tallest?: number;
 }
 
 const kScales = [1, 2, 5, 10, 20, 50, 100, 200];
+
+const scaleWords = (scale: number): string =>
+  scale === 1 ? say("wall.to_scale") : say("wall.scaled", { scale: num(scale) });
 
 export class WallView {
   readonly element: HTMLElement;
@@ -48,9 +50,13 @@ export class WallView {
   private timer = 0;
   private scene: Scene | null = null;
   private solid = false;
+  private first = 0; // of the frames to choose from
+  private last: number;
+  private readonly time = h("div", { class: "time" }, this.play, this.slider);
 
   constructor(readonly spec: WallViewSpec) {
     const last = Math.max(0, spec.frames.count - 1);
+    this.last = last;
     this.look = {
       frame: last,
       scale: fittingScale(spec.wall, spec.frames),
@@ -58,8 +64,7 @@ export class WallView {
       forces: false,
       stressSteps: stressSteps(spec.wall, spec.frames),
     };
-    this.slider.max = String(last);
-    this.slider.value = String(last);
+    this.choose(0, last);
     this.slider.addEventListener("input", () => {
       this.stop();
       this.show(Number(this.slider.value));
@@ -72,7 +77,7 @@ export class WallView {
       this.controls(),
       this.stage,
       this.key,
-      spec.player ? h("div", { class: "time" }, this.play, this.slider) : null,
+      this.time,
       this.caption,
     );
     this.stage.addEventListener("pointermove", (e) => this.point(e));
@@ -91,8 +96,18 @@ export class WallView {
     if (this.solid) this.scene?.resize(width, this.canvas.height);
     this.redraw();
   }
+  // These frames alone are to be stepped through: the states of one sample, in time.
+  choose(first: number, last: number): void {
+    this.stop();
+    this.first = first;
+    this.last = last;
+    this.slider.min = String(first);
+    this.slider.max = String(last);
+    this.slider.value = String(last);
+    this.time.hidden = last <= first;
+  }
   show(frame: number, quiet = false): void {
-    this.look.frame = Math.min(Math.max(0, frame), this.spec.frames.count - 1);
+    this.look.frame = Math.min(Math.max(this.first, frame), this.last);
     this.slider.value = String(this.look.frame);
     this.redraw();
     if (!quiet) this.spec.onFrame?.(this.look.frame);
@@ -103,33 +118,32 @@ export class WallView {
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter(
       (w) => w !== "",
     );
-    this.caption.textContent =
-      words.join(" · ") +
-      (this.look.scale === 1
-        ? ` · ${say("wall.to_scale")}`
-        : ` · ${say("wall.scaled", { scale: num(this.look.scale) })}`);
+    this.caption.textContent = [...words, scaleWords(this.look.scale)].join(" · ");
     this.slider.setAttribute("aria-valuetext", words.join(", "));
     if (this.solid && this.scene) this.scene.draw(this.look);
     else this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
     this.key.replaceChildren(this.legend());
   }
-  // A drawing for paper.
-  picture(frame: number, width: number): SVGSVGElement {
-    const scale = fittingScale(this.spec.wall, this.spec.frames, frame);
-    return drawWall(
+  // A figure for paper, with what it shows beneath.
+  picture(frame: number, width: number, tallest: number): HTMLElement {
+    const scale = fittingScale(this.spec.wall, this.spec.frames, frame),
+      info = this.spec.info[frame];
+    const drawing = drawWall(
       this.spec.wall,
       this.spec.frames,
       { ...this.look, frame, scale, measure: "cracks", forces: false },
-      canvasFor(this.spec.wall, width, 0.9 * width),
+      canvasFor(this.spec.wall, width, tallest),
     );
+    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(scale)];
+    return h("figure", {}, drawing, h("figcaption", {}, words.filter((w) => w !== "").join(" · ")));
   }
 
   private start(): void {
-    if (this.look.frame >= this.spec.frames.count - 1) this.show(0);
+    if (this.look.frame >= this.last) this.show(this.first);
     this.play.textContent = "❚❚";
     this.play.setAttribute("aria-label", say("wall.pause"));
     this.timer = window.setInterval(() => {
-      if (this.look.frame >= this.spec.frames.count - 1) this.stop();
+      if (this.look.frame >= this.last) this.stop();
       else this.show(this.look.frame + 1);
     }, 120);
   }

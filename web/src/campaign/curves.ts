@@ -1,5 +1,5 @@
 // All force-displacement curves by failure mode (Fig. 20), and their means against drift (Fig. 21).
-import { append, h, svg, type Child } from "../dom";
+import { append, h, onScreen, svg, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
 import { Plot, rangeOf, type Point } from "../plot";
 import { phrase, qty, say } from "../texts";
@@ -66,10 +66,10 @@ export class Curves {
       wide: true,
       above: h("div", { class: "controls" }, modeChips(campaign), this.controls()),
       draw: (width, onPaper) => {
-        caption.textContent = say(this.truncated ? "curves.caption.truncated" : "curves.caption");
+        caption.textContent = `${say(this.truncated ? "curves.caption.truncated" : "curves.caption")} `;
         return this.draw(width, onPaper);
       },
-      caption,
+      caption: [caption, onScreen(say("curves.press"))],
       sheet: () => this.sheet(),
     });
     campaign.onModes(() => this.figure.redraw());
@@ -114,12 +114,12 @@ export class Curves {
   private draw(width: number, onPaper: boolean): SVGSVGElement {
     const all = this.campaign.answered;
     const end = Math.max(...all.map((s) => s.displacement[this.rows(s) - 1] ?? 0));
-    const top = Math.max(...all.map((s) => s.response[0] ?? 0));
+    const top = Math.max(...all.map((s) => s.response[0] ?? rangeOf(s.reaction)[1]));
     const drift = this.campaign.driftPerMillimetre;
     const low = Math.min(0, ...all.map((s) => Math.min(...s.reaction.subarray(0, this.rows(s)))));
     const plot = new Plot({
       width,
-      height: onPaper ? 0.44 * width : Math.max(300, Math.min(520, 0.5 * width)),
+      height: onPaper ? 0.36 * width : Math.max(300, Math.min(520, 0.5 * width)),
       x: [Math.min(0, ...all.map((s) => Math.min(...s.displacement))), end * 1.005],
       y: [low < -0.02 * top ? low : 0, 1.06 * top],
       xLabel: say("axis.displacement"),
@@ -285,7 +285,7 @@ export function meanCurves(campaign: Campaign): HTMLElement | null {
       caption.textContent = `${say("means.caption")} ${limitWords(all, limits, rows?.short ?? false)}`;
       const plot = new Plot({
         width,
-        height: onPaper ? 0.4 * width : Math.max(320, Math.min(500, 0.47 * width)),
+        height: onPaper ? 0.36 * width : Math.max(320, Math.min(500, 0.47 * width)),
         x: span,
         y: [0, 1.05 * rangeOf(ys)[1]],
         top: rows?.top ?? 14,

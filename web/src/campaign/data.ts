@@ -1,6 +1,6 @@
 // A campaign as its page uses it: samples with curves, inputs, modes; and what the reader has chosen.
 import type { Bundle, Numbers } from "../bundle";
-import { phrase, say } from "../texts";
+import { pageUnit, phrase, say } from "../texts";
 
 export interface Sample {
   sample: number;
@@ -142,10 +142,24 @@ export class Campaign {
   private readInputs(): Input[] {
     const drawn = this.header.drawn as number;
     const all = this.bundle.array("input");
-    return (this.header.inputs as any[]).map((input, k) => ({
-      ...input,
-      values: all.subarray(k * drawn, (k + 1) * drawn),
-    }));
+    const scaled = (values: (number | null)[], by: number): (number | null)[] =>
+      values.map((v) => (v === null ? null : v * by));
+    return (this.header.inputs as any[]).map((input, k) => {
+      const [unit, factor] = pageUnit(input.unit);
+      const values = Float32Array.from(all.subarray(k * drawn, (k + 1) * drawn), (v: number) => v * factor);
+      const density = input.density && {
+        x: scaled(input.density.x, factor),
+        y: scaled(input.density.y, 1 / factor),
+      };
+      return { ...input, unit, values, density };
+    });
+  }
+  // What the statistics say of an input, in the page's units.
+  statisticsOf(name: string): any {
+    const of = (this.statistics.inputs as any[]).find((i) => i.name === name) ?? {};
+    const factor = pageUnit(of.unit ?? "")[1];
+    const scaled = (v: number | null | undefined): number | null => (v == null ? null : v * factor);
+    return { cov: of.cov ?? null, mean: scaled(of.mean), min: scaled(of.min), max: scaled(of.max) };
   }
 
   // What the samples of these modes know of a quantity only from below.
@@ -185,6 +199,11 @@ export class Campaign {
 export const inputLabel = (input: { name: string; unit: string }): string =>
   input.unit ? `${input.name} [${input.unit}]` : input.name;
 export const quantityLabel = (q: Quantity): string => `${say(`quantity.${q.name}`)} [${q.unit}]`;
+// "all" before the groups, whatever their names.
+export const allFirst = (groups: string[]): string[] => [
+  ...groups.filter((g) => g === "all"),
+  ...groups.filter((g) => g !== "all"),
+];
 export const modeLabel = (mode: string): string => (mode === "all" ? say("all") : phrase(mode));
 
 // Rows of a curve up to its first fall to 0.8 of the peak after it (Fig. 20b).

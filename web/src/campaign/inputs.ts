@@ -1,11 +1,12 @@
 // Inputs: their histograms (Fig. 7), against every answer (Fig. 15, 16), what they decide.
-import { h, later, type Child } from "../dom";
+import { h, later, onScreen, type Child } from "../dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "../figure";
 import { Plot, rangeOf, type Point } from "../plot";
 import { sortable } from "../tables";
-import { fixed, num, phrase, qty, say } from "../texts";
+import { fixed, num, pageUnit, phrase, qty, say } from "../texts";
 import { modeChips } from "./curves";
 import {
+  allFirst,
   atLeast,
   inputLabel,
   modeLabel,
@@ -30,13 +31,13 @@ function histogram(campaign: Campaign, input: Input): HTMLElement {
   const figure = new Figure({
     id: `input-${input.name.replace(/[^\w-]/g, "_")}`,
     title: inputLabel(input),
-    draw: (w) => {
+    draw: (w, onPaper) => {
       const density = input.density,
         factor = width * values.length;
       const top = Math.max(...counts, ...(density ? density.y.map((y) => y * factor) : []));
       const plot = new Plot({
         width: w,
-        height: 210,
+        height: onPaper ? 150 : 210,
         left: 44,
         x: [low, high],
         y: [0, 1.08 * top],
@@ -67,7 +68,7 @@ function histogram(campaign: Campaign, input: Input): HTMLElement {
       return plot.svg;
     },
     sheet: () => ({
-      head: ["sample", input.title],
+      head: ["sample", inputLabel(input)],
       rows: Array.from(input.values as Float32Array).map((v, i) => [i + 1, v]),
     }),
   });
@@ -102,13 +103,14 @@ export function histograms(campaign: Campaign): Child {
       { class: "three", id: "histograms" },
       random.map((i) => histogram(campaign, i)),
     ),
-    random.length > 0 ? h("p", { class: "soft small" }, say("histogram.lead")) : null,
+    random.length > 0
+      ? h("p", { class: "soft small" }, say("histogram.lead"), onScreen(` ${say("histogram.chosen")}`))
+      : null,
     others.length > 0 ? more : null,
   ];
 }
 
 export function inputTable(campaign: Campaign): HTMLElement {
-  const stats = new Map((campaign.statistics.inputs as any[]).map((i) => [i.name, i]));
   const cell = (v: number | null, digits = 3): { show: string; sort: number | null } => ({
     show: num(v, digits),
     sort: v,
@@ -124,7 +126,7 @@ export function inputTable(campaign: Campaign): HTMLElement {
       { head: say("input.kind"), left: true },
     ],
     campaign.inputs.map((i) => {
-      const s = stats.get(i.name) ?? {};
+      const s = campaign.statisticsOf(i.name);
       return [
         i.name,
         i.unit,
@@ -242,6 +244,7 @@ class Scatter {
       title: `${quantityLabel(this.quantity)} – ${inputLabel(this.input)}`,
     });
     for (const s of this.visible()) {
+      if (!Number.isFinite(this.y(s))) continue; // a force that was never in balance
       const chosen = this.campaign.picked && this.campaign.selected === s;
       plot.dot(
         this.x(s),
@@ -349,7 +352,7 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
   let q = campaign.quantities[0],
     measure: (typeof kMeasures)[number] = "spearman",
     group = "all";
-  const groups = [...new Set(table.map((c) => c.group as string))];
+  const groups = allFirst([...new Set(table.map((c) => c.group as string))]);
   const caption = h("span");
   const bars = (): { input: string; value: number | null; interval: (number | null)[] }[] =>
     measure === "first_order"
@@ -537,23 +540,25 @@ export function modeBins(campaign: Campaign): Child {
       "div",
       { class: "three", id: "mode-bins" },
       all.map(
-        (a) =>
-          new Figure({
+        (a) => {
+          const [unit, factor] = pageUnit(a.unit),
+            label = inputLabel({ name: a.input, unit });
+          const bins = (a.bins as any[]).map((b) => ({ ...b, low: b.low * factor, high: b.high * factor }));
+          return new Figure({
             id: `modes-${a.input.replace(/[^\w-]/g, "_")}`,
-            title: inputLabel({ name: a.input, unit: a.unit === "1" ? "" : a.unit }),
-            draw: (width) => {
-              const bins = a.bins as any[];
+            title: label,
+            draw: (width, onPaper) => {
               // bins meet half-way between their values
               const low = (i: number): number =>
                 i === 0 ? bins[0].low : 0.5 * (bins[i - 1].high + bins[i].low);
               const high = (i: number): number => (i + 1 === bins.length ? bins[i].high : low(i + 1));
               const plot = new Plot({
                 width,
-                height: 250,
+                height: onPaper ? 180 : 250,
                 left: 48,
                 x: [low(0), high(bins.length - 1)],
                 y: [0, 100],
-                xLabel: inputLabel({ name: a.input, unit: a.unit === "1" ? "" : a.unit }),
+                xLabel: label,
                 yLabel: say("axis.share"),
                 title: say("bins.alt", { input: a.input }),
               });
@@ -576,7 +581,7 @@ export function modeBins(campaign: Campaign): Child {
             },
             sheet: () => ({
               head: ["low", "high", "n", "mode", "share", "share_low", "share_high"],
-              rows: a.bins.flatMap((b: any) =>
+              rows: bins.flatMap((b) =>
                 Object.entries(b.share as Record<string, any>).map(([m, s]) => [
                   b.low,
                   b.high,
@@ -588,9 +593,10 @@ export function modeBins(campaign: Campaign): Child {
                 ]),
               ),
             }),
-          }).element,
+          }).element;
+        },
       ),
     ),
-    h("p", { class: "soft small" }, say("bins.lead")),
+    h("p", { class: "soft small" }, say("bins.lead"), onScreen(` ${say("bins.point")}`)),
   ];
 }

@@ -1,12 +1,13 @@
-// One sample of a campaign: its curve, its inputs, its wall where the push ended, how to run it alone.
-import { h, type Child } from "../dom";
+// One sample of a campaign: its curve, its inputs, its wall at every stored state, how to run it alone.
+import { h, svg, type Child } from "../dom";
 import { Figure } from "../figure";
+import { aroundPrint } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { table } from "../tables";
-import { num, phrase, qty, say, sentence } from "../texts";
+import { num, phrase, qty, say, sentence, shortened } from "../texts";
 import { Frames, readWall, type Wall } from "../wall";
 import { WallView } from "../wallview";
-import { atLeast, modeLabel, type Campaign, type Sample } from "./data";
+import { atLeast, modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 
 export class SamplePanel {
   readonly element = h("div", { class: "sample-panel" });
@@ -16,6 +17,8 @@ export class SamplePanel {
   private readonly frames: Frames | null;
   private view: WallView | null = null;
   private readonly place = h("div");
+  private plot: Plot | null = null;
+  private cursor: SVGGElement | null = null;
 
   constructor(private readonly campaign: Campaign) {
     this.wall = readWall(campaign.bundle);
@@ -52,6 +55,7 @@ export class SamplePanel {
         h("span", { class: "soft" }, say("sample.of", { n: campaign.header.drawn })),
       ),
       this.body,
+      this.printStates(),
     );
     campaign.onSample(() => this.fill());
   }
@@ -75,7 +79,7 @@ export class SamplePanel {
             "span",
             {},
             h("b", { class: `tag-text ${this.campaign.css(s.mode)}` }, modeLabel(s.mode)),
-            s.sentence ? `, ${phrase(s.sentence)}. ` : ". ",
+            s.sentence ? `, ${shortened(s.sentence)}. ` : ". ",
             h("span", { class: "soft" }, this.readAt(s)),
           )
         : h("span", {}, `${say("sample.unanswered")} ${phrase(s.status)}. ${sentence(s.reason)}`),
@@ -108,7 +112,7 @@ export class SamplePanel {
           width,
           height: Math.max(250, Math.min(340, 0.6 * width)),
           x: rangeOf([0, ...x]),
-          y: [Math.min(0, ...y), 1.08 * Math.max(...y)],
+          y: [Math.min(0, ...y), 1.08 * Math.max(1e-3, ...y)],
           xLabel: say("axis.displacement"),
           yLabel: say("axis.reaction"),
           title: say("sample.n", { n: s.sample }),
@@ -118,8 +122,14 @@ export class SamplePanel {
           x.map((d, i): Point => [d, y[i]]),
           `selected ${this.campaign.css(s.mode)}`,
         );
-        if (s.answered) plot.dot(s.response[1]!, s.response[0]!, 4.5, "peak");
-        if (s.answered && !s.censored[2]) plot.dot(s.response[2]!, 0.8 * s.response[0]!, 4.5, "peak");
+        const [peak, atPeak, at80] = s.response;
+        if (s.answered && peak != null && atPeak != null) plot.dot(atPeak, peak, 4.5, "peak");
+        if (s.answered && peak != null && at80 != null && !s.censored[2])
+          plot.dot(at80, 0.8 * peak, 4.5, "peak");
+        this.cursor = svg("g", { class: "cursor" });
+        plot.over.appendChild(this.cursor);
+        this.plot = plot;
+        this.moveCursor(s);
         return plot.svg;
       },
       sheet: () => ({
@@ -127,6 +137,19 @@ export class SamplePanel {
         rows: Array.from(s.displacement).map((d, i) => [d, s.reaction[i]]),
       }),
     }).element;
+  }
+  // Where on the curve the wall beside it stands.
+  private moveCursor(s: Sample): void {
+    if (!this.plot || !this.cursor) return;
+    const frame = this.framesOf(s).find((f) => f.at === this.view?.look.frame);
+    if (!frame) return this.cursor.replaceChildren();
+    const { plot } = this,
+      x = plot.X(frame.displacement_mm),
+      force = reactionAt(s, frame.displacement_mm);
+    this.cursor.replaceChildren(
+      svg("line", { class: "cursor-line", x1: x, x2: x, y1: plot.top, y2: plot.bottom }),
+      ...(Number.isFinite(force) ? [svg("circle", { class: "cursor-dot", cx: x, cy: plot.Y(force), r: 5 })] : []),
+    );
   }
   private answers(s: Sample): Child {
     if (!s.answered) return null;
@@ -140,30 +163,54 @@ export class SamplePanel {
       "facts",
     );
   }
+  // The stored states of a sample that are in the page, with their places among all frames.
+  private framesOf(s: Sample): any[] {
+    const all = (this.campaign.header.frames ?? []) as any[];
+    return all.map((f, at) => ({ ...f, at })).filter((f) => f.sample === s.sample);
+  }
   private wallOf(s: Sample): HTMLElement {
-    const frames = this.campaign.header.frames as any[] | undefined;
-    const at = frames?.findIndex((f) => f.sample === s.sample) ?? -1;
-    if (!this.wall || !this.frames || at < 0)
-      return h(
-        "p",
-        { class: "note" },
-        say(frames && frames.length > 0 ? "sample.no_wall" : "sample.no_walls"),
-      );
+    const all = (this.campaign.header.frames ?? []) as any[],
+      frames = this.framesOf(s);
+    if (!this.wall || !this.frames || frames.length === 0)
+      return h("p", { class: "note" }, say(all.length > 0 ? "sample.no_wall" : "sample.no_walls"));
     this.view ??= new WallView({
       id: "sample-wall",
       wall: this.wall,
       frames: this.frames,
-      player: false,
       tallest: 520,
-      info: frames!.map((f) => ({
-        label: say("sample.n", { n: f.sample }),
+      info: all.map((f) => ({
+        // "20 mm" says no more than the displacement
+        label: [say("sample.n", { n: f.sample }), /^[\d.]+ mm$/.test(f.label ?? "") ? "" : phrase(f.label ?? "")]
+          .filter((w) => w !== "")
+          .join(", "),
         displacement: f.displacement_mm,
         reaction: f.reaction_kN,
       })),
+      onFrame: () => this.campaign.selected && this.moveCursor(this.campaign.selected),
     });
-    this.place.replaceChildren(this.view.element);
-    this.view.show(at, true);
+    const last = frames[frames.length - 1];
+    this.view.choose(frames[0].at, last.at);
+    const left = (last.stored ?? frames.length) - frames.length;
+    this.place.replaceChildren(
+      this.view.element,
+      left > 0 ? h("p", { class: "note small" }, say("sample.states_left", { n: left })) : "",
+    );
+    this.view.show(last.at);
     return this.place;
+  }
+  // The wall at every stored state, for paper alone.
+  private printStates(): HTMLElement {
+    const place = h("div", { class: "print-only pictures" });
+    aroundPrint(
+      () => {
+        const { selected, picked } = this.campaign,
+          { view } = this;
+        if (!selected || !picked || !view) return;
+        place.replaceChildren(...this.framesOf(selected).map((f) => view.picture(f.at, 400, 250)));
+      },
+      () => place.replaceChildren(),
+    );
+    return place;
   }
   private inputs(s: Sample): HTMLElement {
     return h(

@@ -1,11 +1,11 @@
 // Shares of the modes (Fig. 10), Table 3, exceedance and drift limits, running means (Fig. 8).
-import { h, svg, type Child } from "../dom";
+import { h, onScreen, svg, type Child } from "../dom";
 import { Figure, legend, swatch } from "../figure";
 import { Plot, rangeOf, type Point, type Range } from "../plot";
-import { sortable, table, type Cell, type Column } from "../tables";
+import { pin, sortable, table, type Cell, type Column } from "../tables";
 import { capital, num, phrase, qty, say } from "../texts";
 import { drawLimits, limitRows } from "./limits";
-import { atLeast, modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
+import { allFirst, atLeast, modeLabel, quantityLabel, type Campaign, type Quantity } from "./data";
 
 // A value with its interval small beneath it.
 export function withInterval(
@@ -54,8 +54,8 @@ export function shares(campaign: Campaign): HTMLElement | null {
     id: "shares",
     title: say("shares.title"),
     caption: `${say("shares.caption")} ${readWords(campaign)}`,
-    draw: (width) => {
-      const row = 34,
+    draw: (width, onPaper) => {
+      const row = onPaper ? 25 : 34,
         left = Math.min(140, Math.max(70, ...all.map(([n]) => 8 * modeLabel(n).length + 12)));
       const most = Math.max(10, ...all.map(([, s]) => 100 * s.share_interval[1]));
       const plot = new Plot({
@@ -109,8 +109,10 @@ export function whisker(plot: Plot, low: number, high: number, y: number): void 
 // --- Table 3 ---------------------------------------------------------------------------------------
 
 function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
-  return Object.entries(campaign.statistics.table as Record<string, any>).flatMap(([group, all]) => {
-    const c = all[q.key];
+  const table = campaign.statistics.table as Record<string, any>;
+  return allFirst(Object.keys(table)).flatMap((group) => {
+    const all = table[group],
+      c = all[q.key];
     if (!c || c.n === 0) return [];
     const known = campaign.bounds(q, all.modes);
     // a value, "≥" where censored ones make it a lower bound; intervals only of what is known
@@ -157,7 +159,8 @@ function rowsOfTable(campaign: Campaign, q: Quantity): (Cell | Child)[][] {
         sort: c.percentile_5,
       },
     ];
-    return [q.canBeCensored ? [...row, cell("survival_mean", known.reach(c.max))] : row];
+    const whole = q.canBeCensored ? [...row, cell("survival_mean", known.reach(c.max))] : row;
+    return [group === "all" ? pin(whole) : whole];
   });
 }
 
@@ -201,7 +204,7 @@ export function tableThree(campaign: Campaign): HTMLElement {
     h("div", { class: "controls" }, h("label", {}, h("span", {}, say("response")), pick)),
     place,
     paper,
-    h("p", { class: "soft small" }, say("table3.lead")),
+    h("p", { class: "soft small" }, say("table3.lead"), onScreen(` ${say("table.sort")}`)),
   );
 }
 
@@ -363,7 +366,7 @@ export function running(campaign: Campaign): HTMLElement | null {
     title: say("running.title"),
     caption,
     above: h("div", { class: "controls" }, h("label", {}, h("span", {}, say("response")), pick)),
-    draw: (width) => {
+    draw: (width, onPaper) => {
       const r = all[q.key],
         known = campaign.bounds(q);
       caption.textContent =
@@ -374,7 +377,7 @@ export function running(campaign: Campaign): HTMLElement | null {
       const y = rangeOf([...r.mean.slice(from), ...r.low.slice(from), ...r.high.slice(from)], 0.05);
       const plot = new Plot({
         width,
-        height: Math.max(250, Math.min(360, 0.6 * width)),
+        height: onPaper ? 0.5 * width : Math.max(250, Math.min(360, 0.6 * width)),
         x: [0, r.n[r.n.length - 1]],
         y,
         xLabel: say("axis.samples"),
