@@ -38,7 +38,7 @@ void print_result(const Result& r, const std::string& out) {
       fmt::print(
           "warning: from {:.2f} mm on {} joint{} slid off: pressed, with less than half of the "
           "face left; "
-          "what comes after means little. First: {}\n",
+          "what hangs on that means little. First: {}\n",
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           r.validity.where);
     fmt::print("rate: {}\n", r.quasi_static.verdict);

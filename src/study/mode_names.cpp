@@ -6,9 +6,9 @@
 //   FM-2  (1 - s) c p q                   both piers          FM-4  s f (1 - p) (1 - q)
 //   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
 //
-// each times (1 - S), beside S for "base sliding", "top sliding", "bed sliding": one joint all along
-// the wall slides, by more than half of the way the wall has gone. The highest is the name when it
-// leads by kClear. Sheared: a diagonal crack, or sliding.
+// each times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding": S is the
+// truth of joints all along the wall having slid by more than half of the way the wall has gone. The
+// highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
 #include "study/mode_names.h"
 
 #include <fmt/core.h>
@@ -84,14 +84,18 @@ class Namer {
     return most;
   }
 
-  // Whether sliding along one joint is what the wall did: truth of the sign, and of its being more
-  // than half of the way that the wall has gone.
-  [[nodiscard]] double slides(const char* element, const char* state) const {
+  // The slip all along a joint through the whole wall, as far as it counts as sliding [m].
+  [[nodiscard]] double slip(const char* element, const char* state) const {
+    constexpr double kPerMillimetre = 1e-3;
     for (const ElementState& e : elements_)
       for (const ElementSign& s : e.signs)
-        if (e.element == element && s.state == state && way_ > 0)
-          return sure(element, state) * ramp(1e-3 * s.value / way_, 0.5, rules_);
+        if (e.element == element && s.state == state)
+          return sure(element, state) * kPerMillimetre * s.value;
     return 0;
+  }
+  // Whether that is most of the way the wall has gone.
+  [[nodiscard]] double is_most(double slip) const {
+    return way_ > 0 ? ramp(slip / way_, 0.5, rules_) : 0.0;
   }
 
   void name_two_piers() {
@@ -108,15 +112,15 @@ class Namer {
                     {"FM-4", s * f * neither},
                     {"FM-5", (1 - s) * c * r * neither}};
     const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
-    const std::pair<const char*, double> joints[] = {
-        {"base sliding", slides(kWholeWall, kBaseSliding)},
-        {by_piers ? "pier sliding" : "bed sliding", slides(kWholeWall, kSliding)},
-        {"top sliding", slides(kTopJoint, kSliding)}};
-    double all = 0;
-    for (const auto& [name, score] : joints) all += score;
-    for (auto& [name, score] : mode_.scores) score *= 1 - std::min(1.0, all);
-    for (const auto& [name, score] : joints)
-      if (score > 0) mode_.scores[name] = score / std::max(1.0, all);
+    const std::pair<const char*, double> slips[] = {
+        {"base sliding", slip(kWholeWall, kBaseSliding)},
+        {by_piers ? "pier sliding" : "bed sliding", slip(kWholeWall, kSliding)},
+        {"top sliding", slip(kTopJoint, kSliding)}};
+    const double all = slips[0].second + slips[1].second + slips[2].second;
+    const double slides = is_most(all);
+    for (auto& [name, score] : mode_.scores) score *= 1 - slides;
+    for (const auto& [name, slip] : slips)
+      if (slides * slip > 0) mode_.scores[name] = slides * slip / all;
     name_highest_score();
   }
 
@@ -127,6 +131,14 @@ class Namer {
     const auto& [first, first_name] = ranked[0];
     const auto& [second, second_name] = ranked[1];
     if (-first < kClear) {
+      rank_plainly();
+      const std::string shown = composed(0.5 + 0.5 * kClear);
+      if (!shown.empty()) {
+        mode_.sentence =
+            fmt::format("no mechanism of the whole wall shows at this displacement, only {}: {}",
+                        shown, element_sentence());
+        return;
+      }
       mode_.sentence = "no mechanism shows at this displacement";
       if (-first > 0)
         mode_.sentence += fmt::format("; nearest are {} ({}) and {} ({})", first_name,
@@ -140,20 +152,24 @@ class Namer {
     }
   }
 
-  // Any other wall: the two gravest kinds of damage, "pier shear + pier rocking".
-  void name_plainly() {
+  // Kinds of damage, gravest first.
+  void rank_plainly() {
     const bool bare = parts_.openings == 0;
     const auto add = [&](const char* of_pier, const char* alone, double sure) {
       ranked_.emplace_back(bare ? alone : of_pier, sure);
-      mode_.scores[ranked_.back().first] = sure;
     };
-    add("pier shear", "shear", surest("pier", kDiagonal));
-    const double bed = std::min(slides(kWholeWall, kSliding), 1 - surest("pier", kSliding));
+    const std::string through = bare ? parts_.piers.front().name : kWholeWall;
+    const double bed = slip(through.c_str(), kSliding);
+    // what slides all across on most of its way has not failed by the cracks on that way
+    const double stays =
+        1 - is_most(slip(through.c_str(), kBaseSliding) + bed + slip(kTopJoint, kSliding));
+    add("pier shear", "shear", stays * surest("pier", kDiagonal));
     if (!bare)
       add("spandrel shear", "",
-          (1 - bed) * std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
+          stays * std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
     add("pier sliding", "sliding", surest("pier", kSliding));
-    if (!bare && bed > 0) add("bed sliding", "", bed);
+    if (!bare && is_most(bed) > 0)
+      add("bed sliding", "", std::min(is_most(bed), 1 - surest("pier", kSliding)));
     add("base sliding", "sliding at the base", surest("pier", kBaseSliding));
     if (has_top_joint()) add("top sliding", "sliding at the top", surest("top joint", kSliding));
     add("pier rocking", "rocking", surest("pier", kRocking));
@@ -161,6 +177,12 @@ class Namer {
     add("flexural cracks", "flexural cracks",
         std::max({surest("pier", kFlexural), surest("connection", kFlexural),
                   surest("top joint", kFlexural)}));
+  }
+
+  // Any other wall: the two gravest kinds of damage, "pier shear + pier rocking".
+  void name_plainly() {
+    rank_plainly();
+    for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
     constexpr double kHalf = 0.5;
     const std::string strict = composed(kHalf + 0.5 * kClear);
     const std::string lenient = composed(kHalf - 0.5 * kClear);

@@ -359,6 +359,25 @@ class Behaviour(Base):
             rows = list(csv.DictReader(file))[1:]
         self.assertTrue(all(float(row["unbalance_ratio"]) > 0 for row in rows))
 
+    def test_the_mode_is_read_where_it_is_said_whatever_is_written(self):
+        said = set()
+        for k, settings in enumerate(([], ["output.states=[]"], ["output.states=[\"0.1 mm\", \"41 mm\"]"],
+                                      ["output.rows=30"], ["output.window=4 mm"])):
+            out = self.folder / f"read_{k}"
+            done = wythe("run", self.model(), "--out", out, "--quiet", "--set", "stage.push.until=44 mm",
+                         "--set", "stage.push.velocity=200 mm/s",
+                         *[word for setting in settings for word in ("--set", setting)])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            said.add(next(line for line in done.stdout.splitlines() if line.startswith("failure mode ")))
+            mode = json.loads((out / "summary.json").read_text())["failure_mode"]
+            self.assertAlmostEqual(mode["read_at_mm"], 40, delta=0.05)
+        self.assertEqual(len(said), 1, said)
+        self.assertIn(", read at 40.0 mm: ", said.pop())
+
+    def test_a_push_that_ended_before_says_where_the_mode_was_read(self):
+        done = wythe("run", self.model(), "--out", self.folder / "short", "--quiet")
+        self.assertIn("read at 3.00 mm, where the loading ended short of 40.0 mm", done.stdout)
+
     def test_a_wall_that_did_nothing_has_no_mode(self):
         opening = '[[wall.opening]]\nx = "0.3 m"\ny = "0 m"\nwidth = "0.2 m"\nheight = "0.4 m"\n'
         done = wythe("run", self.model(SMALL + opening), "--out", self.out, "--quiet", "--set",

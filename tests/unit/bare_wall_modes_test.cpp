@@ -144,6 +144,17 @@ TEST(Sliding, little_in_each_of_many_beds_counts_together) {
   EXPECT_EQ(name_bare(dry_wall(), rattled).name, "unclear");
 }
 
+TEST(Sliding, on_most_of_the_way_is_not_shear_for_the_small_cracks_on_it) {
+  // 20 mm on the foundation, 15 mm in a bed, and columns that part by 1.5 mm each
+  const auto slides = [](double x, double y) {
+    const double parts = std::floor((x - y) / kHalf);
+    return Motion{.move_x = 20e-3 + (y > 0.3 ? 15e-3 : 0.0) + 1.5e-3 * parts};
+  };
+  const FailureMode mode = name_from_state(dry_wall(), moved(dry_wall(), slides));
+  EXPECT_TRUE(sign_of(mode.elements, "wall", study::kDiagonal).holds());
+  EXPECT_EQ(mode.name, "sliding + sliding at the base");
+}
+
 TEST(SlidOff, name_is_not_vouched_for_where_half_a_section_has_no_face_left) {
   for (const double slip : {0.45 * kHalf, 0.55 * kHalf}) {
     State state = moved(dry_wall(), cut(0.6, slip));

@@ -330,6 +330,16 @@ TEST(FailureMode, clear_mechanism_outlives_a_quarter_of_each_threshold) {
 
 // --- sliding all along the wall --------------------------------------------------------------
 
+TEST(FailureMode, of_one_pier_alone_is_no_mechanism_of_the_wall_but_is_said) {
+  const auto one_rocks = [](double x, double y) {
+    return x > 3.40 && y < 2.64 ? pier_motion(3.40, kLength, false, kTurn, x, y) : Motion{};
+  };
+  const FailureMode mode = name_from_state(tuff_wall(), moved(tuff_wall(), one_rocks));
+  EXPECT_EQ(mode.name, "unclear");
+  EXPECT_NE(mode.sentence.find("only pier rocking: right pier: rocking"), std::string::npos)
+      << mode.sentence;
+}
+
 TEST(Sliding, along_one_joint_through_the_whole_wall_with_an_opening_is_named) {
   const auto name = [](double height) {
     return name_from_state(tuff_wall(), moved(tuff_wall(), cut(height, 36e-3))).name;
