@@ -201,8 +201,9 @@ class Reader {
     const Beds beds = beds_of(p, sections);
     const Slips slips = slips_of(sections, width);
     double apart = parted(lines, shaft.height(), rules_.crack), rocks = beds.open_foot;
-    if (is_dry(beds)) {
-      const double turning = Turning(p, parts_, motion_.blocks, rules_.crack).share();
+    const double dry = dryness(beds);
+    if (dry > 0) {
+      const double turning = dry * Turning(p, parts_, motion_.blocks, rules_.crack).share();
       // a stepped crack through joints without strength is the shape of rocking, not a failure
       if (turning > rules_.rocking)
         apart = std::min(apart, needed * (1 - turning) / (1 - rules_.rocking));
@@ -214,8 +215,8 @@ class Reader {
          sign(kSliding, "slip all across its bed sections", slips.above, rules_.sliding, "mm"),
          sign(kBaseSliding, "slip all across the foundation", slips.below, rules_.sliding, "mm"),
          sign(kRocking,
-              is_dry(beds) ? "open share of its foot, or share turning about a toe"
-                           : "open share of its foot",
+              dry > 0 ? "open share of its foot, or share turning about a toe"
+                      : "open share of its foot",
               rocks, rules_.rocking, "share"),
          sign(kFlexural, "widest bed joint at foot or head", beds.opened, rules_.crack, "mm")});
   }
@@ -309,10 +310,11 @@ class Reader {
     }
     return beds;
   }
-  // Joints whose strength adds next to nothing to the force across them.
-  static bool is_dry(const Beds& beds) {
+  // How surely the joints' strength adds next to nothing to the force across them, 0 to 1.
+  static double dryness(const Beds& beds) {
     constexpr double kNextToNothing = 0.05;
-    return beds.bond <= kNextToNothing * beds.force;
+    if (!(beds.bond > 0)) return 1;
+    return std::clamp(1.5 - beds.bond / (kNextToNothing * beds.force), 0.0, 1.0);  // force 0: 0
   }
 
   const WallParts& parts_;

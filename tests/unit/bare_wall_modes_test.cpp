@@ -105,6 +105,35 @@ TEST(DryWalls, crack_that_had_to_break_mortar_is_shear_however_the_parts_move_la
   EXPECT_EQ(name_bare(mortared_wall(), over_a_stepped_crack(0.025, 0)).name, "shear");
 }
 
+TEST(DryWalls, mortar_that_adds_next_to_nothing_is_none_and_there_is_no_jump_between) {
+  // every bed pressed by 40 kPa, strengths of a share of that
+  constexpr double kStiffness = 2e10, kPressed = 2e-6;
+  std::vector<std::string> names;
+  for (int k = 0; k <= 60; ++k) {
+    const double share = 0.001 * (k + 1);
+    JointMaterial weak = scenes::paper_joint();
+    weak.normal_stiffness = kStiffness;
+    weak.tensile_strength = weak.cohesion = share * kStiffness * kPressed;
+    const Model wall = bare_wall(weak);
+    const Mechanism turns = over_a_stepped_crack(0.025, 0);
+    const auto pressed = [&](double x, double y) {
+      Motion m = turns(x, y);
+      m.move_y -= kPressed * (1 + std::floor(y / kCourse));
+      return m;
+    };
+    const FailureMode mode = name_bare(wall, pressed);
+    const std::string name = mode.name == "unclear" ? mode.sentence : mode.name;
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  EXPECT_EQ(names.front(), "rocking");
+  EXPECT_EQ(names.back(), "shear");
+  EXPECT_GT(names.size(), 2U);
+  for (std::size_t k = 1; k + 1 < names.size(); ++k) {
+    EXPECT_NE(names[k].find("rocking"), std::string::npos) << names[k];
+    EXPECT_NE(names[k].find("shear"), std::string::npos) << names[k];
+  }
+}
+
 TEST(DryWalls, top_held_level_rocks_between_two_toes) {
   // the strut turns about the right toe below and the left one above, wedges stay with base and beam
   const double top = kCourses * kCourse, turn = 0.02;
