@@ -18,6 +18,7 @@
 #include "wythe/provenance.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -156,7 +157,6 @@ int campaign(const CampaignArguments& a) {
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
   options.device = device_of(a.device);
   options.resume = a.resume;
-  options.stop = &stop_asked();
   options.provenance = provenance_text();
   if (options.device == Device::kGpu) options.provenance += ", on the graphics processor";
   read_shard(a.shard, options);
@@ -165,13 +165,15 @@ int campaign(const CampaignArguments& a) {
   check_folder(a.out, FolderFor::kCampaign);
   CampaignOutcome outcome;
   {
+    const StopSignal stop;
+    options.stop = &stop.asked();
     CampaignPrinter printer(a.quiet);
     outcome = run_campaign(study, build, a.out, options, [&](const CampaignProgress& p) {
       printer(p);
       if (p.last != nullptr) hold_for_test(fmt::format("sample {}", p.done));
     });
   }
-  for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", readable(note));
   if (outcome.interrupted) return say_interrupted(a, outcome);
   const int code = write_results(a.out, a.language);
   if (outcome.precise_at > 0)
@@ -251,8 +253,9 @@ int replay(const ReplayArguments& a) {
            fmt::format("write a number from 1 to {}", campaign.samples.n_sample()));
   prepare_folder(a.out);
   SolveOptions options;
+  const StopSignal stop;
   options.threads = a.threads;
-  options.stop = &stop_asked();
+  options.stop = &stop.asked();
   options.frames = kFrames;
   SampleRun run;
   {
@@ -313,17 +316,18 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
 int check_study_file(const CheckArguments& a) {
   const StudySpec study = read_study(a.file, a.overrides);
   const ModelBuilder build = model_builder(study);
-  const Model base = compile(build({}));
+  const Model base = compile_model(build({}), study.model_text, study.model_file, study.settings);
   const SampleTable samples = draw_samples(study);
   fmt::print("{}: valid\n", a.file);
   fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,
              base.n_point());
   print_inputs(samples);
-  for (const std::string& note : notes_of(study, build({}))) fmt::print("note: {}\n", note);
+  for (const std::string& note : notes_of(study, build({})))
+    fmt::print("note: {}\n", readable(note));
   print_refusals(samples, build);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  fmt::print("{} samples, about {:.0f} s on {:.0f} cores\n", samples.n_sample(),
-             estimate(base).seconds * samples.n_sample() / cores, cores);
+  fmt::print("{} samples, about {} on {:.0f} cores\n", samples.n_sample(),
+             duration_text(estimate(base).seconds * samples.n_sample() / cores), cores);
   return 0;
 }
 

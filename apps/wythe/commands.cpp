@@ -9,6 +9,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -21,12 +22,13 @@ int exit_code(SolveStatus status) {
 void print_model(const Model& m) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
-  for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", readable(note));
 }
 
 void print_result(const Result& r, const std::string& out) {
   const Responses& q = r.responses;
-  fmt::print("status {}{}\n", to_string(r.status), r.reason.empty() ? "" : ": " + r.reason);
+  fmt::print("status {}{}\n", to_string(r.status),
+             r.reason.empty() ? "" : ": " + readable(r.reason));
   if (!r.curve.empty()) {
     fmt::print("peak {:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
                1e-3 * q.peak_reaction, 1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "",
@@ -54,16 +56,17 @@ void print_result(const Result& r, const std::string& out) {
 }  // namespace
 
 int run(const RunArguments& arguments) {
-  const ModelSpec spec = read_model(arguments.model, arguments.overrides);
-  Model model = compile(spec);
+  ModelSpec spec;
+  Model model = read_and_compile(arguments.model, arguments.overrides, &spec);
   model.spec_hash = spec_hash(spec);
   check_language(arguments.language);
   prepare_folder(arguments.out);
   if (!arguments.quiet) print_model(model);
   State state = initial_state(model);
+  const StopSignal stop;  // until the results are written
   SolveOptions options;
   options.threads = arguments.threads;
-  options.stop = &stop_asked();
+  options.stop = &stop.asked();
   options.frames = kFrames;
   Result result;
   {
@@ -84,19 +87,18 @@ int run(const RunArguments& arguments) {
 
 int check(const CheckArguments& arguments) {
   if (is_study(arguments.file)) return check_study_file(arguments);
-  const ModelSpec spec = read_model(arguments.file, arguments.overrides);
-  const Model model = compile(spec);
+  const Model model = read_and_compile(arguments.file, arguments.overrides);
   const RunEstimate e = estimate(model);
-  fmt::print("{}: valid\n", arguments.file);
+  fmt::print("{}: valid\n", readable(arguments.file));
   print_model(model);
   fmt::print(
       "wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before "
       "lintels\n",
       model.anatomy.length, model.anatomy.height, model.anatomy.thickness, model.anatomy.courses,
       model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
-  fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {:.0f} s on one core\n",
+  fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core\n",
              e.time_step, model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)],
-             e.steps, e.seconds);
+             e.steps, duration_text(e.seconds));
   return 0;
 }
 

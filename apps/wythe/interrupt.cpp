@@ -12,17 +12,27 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
-void on_interrupt(int) { interrupted.store(true); }
+// The second signal takes the default way: nothing makes the program deaf.
+void on_interrupt(int signal) {
+  interrupted.store(true);
+  std::signal(signal, SIG_DFL);
+}
 
 constexpr int kLookEvery = 10;  // at the flag, while held [ms]
 
 }  // namespace
 
-const std::atomic<bool>& stop_asked() {
+StopSignal::StopSignal() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  return interrupted;
 }
+
+StopSignal::~StopSignal() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+const std::atomic<bool>& StopSignal::asked() const { return interrupted; }
 
 void hold_for_test(const std::string& point) {
   static std::atomic<bool> held{false};

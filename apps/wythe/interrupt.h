@@ -6,8 +6,16 @@
 
 namespace wythe::app {
 
-// Set once the user has asked to stop; catches the signals from the first call on.
-const std::atomic<bool>& stop_asked();
+// While it lives, the first Ctrl-C or SIGTERM sets a flag, so that what was computed is kept; a second
+// one, and any before or after, ends the program at once: then there is nothing to keep.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+  [[nodiscard]] const std::atomic<bool>& asked() const;
+};
 
 // Waits once at `point` where WYTHE_TEST_HOLD names it (CONTRIBUTING.md): says "held at POINT" on
 // stderr and goes on when the user has asked to stop or standard input has ended.

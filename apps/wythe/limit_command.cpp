@@ -155,8 +155,8 @@ void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& 
 
 int limit(const LimitArguments& a) {
   check_language(a.language);
-  const ModelSpec spec = read_model(a.model, a.overrides);
-  const Model model = compile(spec);
+  ModelSpec spec;
+  const Model model = read_and_compile(a.model, a.overrides, &spec);
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   SecondOpinion opinion;

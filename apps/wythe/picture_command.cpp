@@ -32,9 +32,11 @@ int picture(const PictureArguments& a) {
   const ModelBuilder build = model_builder(campaign.study);
   const Model model = compile(build(settings_of(campaign.samples, a.sample - 1)));
   std::vector<Snapshot> states;
+  std::vector<double> left_out = a.at_mm;
   std::string stored;
   for (Snapshot& s : read_states(a.folder, a.sample))
-    if (!is_wanted(s, a.at_mm))
+    if (std::erase_if(left_out, [&](double mm) { return is_wanted(s, {mm}); });
+        !is_wanted(s, a.at_mm))
       stored += (stored.empty() ? "" : ", ") + fmt::format("{:.1f}", 1e3 * s.displacement);
     else
       states.push_back(std::move(s));
@@ -46,6 +48,10 @@ int picture(const PictureArguments& a) {
                        .cure = stored.empty() ? "none is stored: write study.states"
                                               : "stored are, in mm: " + stored}});
   write_text(a.out, states_svg(model, states, a.scale, fmt::format("sample {}", a.sample)));
+  if (!left_out.empty())
+    fmt::print(stderr, "note: no state is stored at {} mm; stored are{} those drawn{}{}\n",
+               fmt::format("{}", fmt::join(left_out, ", ")), stored.empty() ? " only" : ", besides",
+               stored.empty() ? "" : ", in mm: ", stored);
   fmt::print("{} states of sample {} -> {}\n", states.size(), a.sample, a.out);
   return 0;
 }

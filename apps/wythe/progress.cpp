@@ -3,8 +3,12 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
+
+#include "wythe/text.h"
 
 namespace wythe::app {
 namespace {
@@ -12,17 +16,14 @@ namespace {
 constexpr int kBarWidth = 30;
 constexpr double kPlainEvery = 5.0;  // seconds between plain lines
 
-std::string seconds_left(double left) {
-  return left < 90 ? fmt::format(", {:.0f} s left", left)
-                   : fmt::format(", {:.0f} min left", left / 60);
-}
+std::string seconds_left(double left) { return ", " + duration_text(left) + " left"; }
 
 std::string time_left(double elapsed, double share) {
-  return share < 0.01 ? "" : seconds_left(elapsed * (1 - share) / share);
+  return !(share >= 0.01) ? "" : seconds_left(elapsed * (1 - share) / share);
 }
 
 std::string bar(double share) {
-  const auto filled = static_cast<std::size_t>(share * kBarWidth);
+  const auto filled = static_cast<std::size_t>(share * kBarWidth);  // of [0, 1]
   return std::string(filled, '#') + std::string(kBarWidth - filled, '.');
 }
 
@@ -35,6 +36,14 @@ std::string last_sample(const SampleRecord& record) {
 
 }  // namespace
 
+std::string duration_text(double seconds) {
+  if (!(seconds < 3.2e9)) return "more than a century";
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 48 * 3600) return fmt::format("{:.0f} h", seconds / 3600);
+  return fmt::format("{:.0f} days", seconds / 86400);
+}
+
 ProgressPrinter::ProgressPrinter(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
@@ -42,12 +51,14 @@ ProgressPrinter::~ProgressPrinter() {
   if (drawn_ && terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
-void ProgressPrinter::operator()(const Progress& p) {
+void ProgressPrinter::operator()(const Progress& progress) {
   if (quiet_) return;
+  Progress p = progress;
+  p.share = p.share > 0 ? std::min(p.share, 1.0) : 0;  // forecasts may be short, or no number
   const auto now = Clock::now();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const std::string text =
-      fmt::format("{:3.0f} %  {}  {:.2f} mm  {:.1f} kN{}", 100 * p.share, p.stage,
+      fmt::format("{:3.0f} %  {}  {:.2f} mm  {:.1f} kN{}", 100 * p.share, readable(p.stage),
                   1e3 * p.displacement, 1e-3 * p.reaction, time_left(elapsed, p.share));
   if (terminal_) {
     fmt::print(stderr, "\r\x1b[K[{}] {}", bar(p.share), text);

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "wythe/campaign.h"
 #include "wythe/solve.h"
 
 namespace wythe::app {
+
+// "12 s", "3 min", "5 h", "2 days"; "more than a century" where nobody waits.
+[[nodiscard]] std::string duration_text(double seconds);
 
 class ProgressPrinter {
  public:

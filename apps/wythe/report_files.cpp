@@ -61,9 +61,12 @@ int report(const ReportArguments& a) {
   check_language(a.language);
   if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
   if (!fs::exists(a.folder + kData))
-    throw IoError(a.folder +
-                  ": holds neither a campaign (campaign.db) nor the data of a report "
-                  "(report.data); name a folder that run, campaign, replay or limit wrote");
+    throw InputError({{.file = a.folder,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds neither a campaign (campaign.db) nor the data of a report "
+                                  "(report.data)",
+                       .cure = "name a folder that run, campaign, replay or limit wrote"}});
   std::string page;
   try {
     page = report_page(read_bytes(a.folder + kData), a.language);

@@ -25,6 +25,14 @@ namespace wythe {
 [[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {},
                                     const std::string& blocks = "");
+// compile() of a spec that was read from `toml_text` with `overrides`: its faults have file and line.
+[[nodiscard]] Model compile_model(const ModelSpec& spec, const std::string& toml_text,
+                                  const std::string& file_name,
+                                  const std::vector<std::string>& overrides = {});
+// Both in one; the spec goes to `spec` where one is given.
+[[nodiscard]] Model read_and_compile(const std::string& path,
+                                     const std::vector<std::string>& overrides = {},
+                                     ModelSpec* spec = nullptr);
 // Every key with its value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
 // Names a spec: hash of everything write_model says and of its blocks.

@@ -1,6 +1,10 @@
 // Faults as text, and InputError, which carries all of them.
 #include "wythe/error.h"
 
+#include <algorithm>
+
+#include "wythe/text.h"
+
 namespace wythe {
 namespace {
 
@@ -13,17 +17,69 @@ std::string listed(const std::vector<Fault>& faults) {
   return out;
 }
 
+constexpr std::size_t kLongName = 300, kLongValue = 120, kLongSentence = 4000;
+
+// Bytes of the control character at `i`, 0 where there is none: C0, DEL, C1 (U+0080 to U+009F) and the
+// marks that turn the direction of what follows (U+200E to U+200F, U+202A to U+202E, U+2066 to U+2069).
+std::size_t control_at(const std::string& text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+  };
+  if (byte(i) < 0x20 || byte(i) == 0x7f) return 1;
+  if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) <= 0x9f) return 2;
+  if (byte(i) != 0xe2) return 0;
+  const unsigned last = byte(i + 2);
+  const bool turns =
+      (byte(i + 1) == 0x80 && ((last >= 0x8e && last <= 0x8f) || (last >= 0xaa && last <= 0xae))) ||
+      (byte(i + 1) == 0x81 && last >= 0xa6 && last <= 0xa9);
+  return turns ? 3 : 0;
+}
+
+// Lines of a sentence stay lines.
+std::string readable_lines(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    out += (begin > 0 ? "\n" : "") + readable(text.substr(begin, end - begin), kLongSentence);
+    begin = end + 1;
+  }
+  return out;
+}
+
 }  // namespace
 
+std::string readable(const std::string& text, std::size_t most) {
+  constexpr char kDigit[] = "0123456789abcdef";
+  std::string out;
+  std::size_t i = 0;
+  while (i < text.size() && out.size() < most) {
+    const std::size_t control = control_at(text, i);
+    if (text[i] == '\n' || text[i] == '\t') {
+      out += text[i] == '\n' ? "\\n" : "\\t";
+      ++i;
+      continue;
+    }
+    for (std::size_t k = 0; k < control; ++k, ++i) {
+      const auto byte = static_cast<unsigned char>(text[i]);
+      out += {'\\', 'x', kDigit[byte >> 4], kDigit[byte & 15]};
+    }
+    if (control == 0) out += text[i++];
+  }
+  if (i == text.size()) return out;
+  while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) out += text[i++];
+  return out + "... (" + std::to_string(text.size()) + " characters)";
+}
+
 std::string to_string(const Fault& fault) {
-  std::string out = fault.file;
+  std::string out = readable(fault.file, kLongName);
   if (fault.line > 0) out += ':' + std::to_string(fault.line);
   if (!out.empty()) out += ": ";
-  out += fault.path;
-  if (!fault.value.empty()) out += (fault.path.empty() ? "" : " = ") + fault.value;
+  out += readable(fault.path, kLongName);
+  if (!fault.value.empty())
+    out += (fault.path.empty() ? "" : " = ") + readable(fault.value, kLongValue);
   if (!fault.path.empty() || !fault.value.empty()) out += ": ";
-  out += fault.problem;
-  if (!fault.cure.empty()) out += "; " + fault.cure;
+  out += readable_lines(fault.problem);
+  if (!fault.cure.empty()) out += "; " + readable_lines(fault.cure);
   return out;
 }
 

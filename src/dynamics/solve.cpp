@@ -148,17 +148,23 @@ RunEstimate estimate(const Model& model) {
     e.time_step = dynamics::stage_time_step(model, stage);
     steps += dynamics::expected_seconds(stage) / e.time_step;
   }
-  e.steps = static_cast<std::int64_t>(steps);
+  constexpr double kMostSteps = 9e18;  // what a count of steps holds
+  e.steps = static_cast<std::int64_t>(steps < kMostSteps ? steps : kMostSteps);
   // a short trial at rest: the step costs the same whatever the joints do
   constexpr int kTrial = 200;
+  constexpr double kTrialSeconds = 0.5;  // of a large wall
   State state = initial_state(model);
   dynamics::Stepper stepper(model, 1);
   stepper.refresh(state);
   dynamics::Controls controls;
   controls.dt = e.time_step;
   const auto start = Clock::now();
-  for (int k = 0; k < kTrial; ++k) stepper.step(state, controls);
-  e.seconds = seconds_since(start) / kTrial * steps;
+  int tried = 0;
+  while (tried < kTrial && seconds_since(start) < kTrialSeconds) {
+    stepper.step(state, controls);
+    ++tried;
+  }
+  e.seconds = seconds_since(start) / tried * steps;
   return e;
 }
 

@@ -91,31 +91,62 @@ std::string StageRun::name_of(BlockId block) const {
   return name;
 }
 
-StageEnd StageRun::runs_away() const {
-  return {
-      SolveStatus::kUnstable,
-      fmt::format("block {} runs away at {:.4g} s in stage \"{}\": the step is too large; lower "
-                  "solve.step_fraction",
-                  name_of(wall_.place->runaway_block()), state_.time, stage_.spec.name),
-      false};
+// A wall whose joints are crushed sinks or flies apart at any step: that is its answer.
+std::string StageRun::overload() const {
+  wall_.place->bring_up(state_);
+  const std::vector<PointStress> points = point_stresses(model_, state_);
+  const auto per_joint = static_cast<std::size_t>(model_.n_face_point);
+  std::size_t joints = 0;
+  for (std::size_t p = 0; p < points.size(); p += per_joint)
+    joints += std::any_of(points.begin() + static_cast<std::ptrdiff_t>(p),
+                          points.begin() + static_cast<std::ptrdiff_t>(p + per_joint),
+                          [](const PointStress& point) { return point.crushing >= 1; });
+  if (joints == 0) return "";
+  return fmt::format("the wall can't carry its load: {} of {} joints are crushed through", joints,
+                     points.size() / per_joint);
 }
 
-// Interrupt, budget, instability, and collapse: a block farther off than the push can have brought it.
+StageEnd StageRun::runs_away() const {
+  const std::string name = name_of(wall_.place->runaway_block());
+  const bool step_is_safe = model_.solve.step_fraction <= 1;
+  if (const std::string why = step_is_safe ? overload() : ""; !why.empty())
+    return {SolveStatus::kCollapsed,
+            fmt::format("{}, block {} falls at {:.4g} s in stage \"{}\"; lower the load, or state "
+                        "a stronger or thicker wall",
+                        why, name, state_.time, stage_.spec.name),
+            false};
+  return {SolveStatus::kUnstable,
+          fmt::format("block {} runs away at {:.4g} s in stage \"{}\": {}", name, state_.time,
+                      stage_.spec.name,
+                      step_is_safe
+                          ? "a load or a push far beyond what the wall carries; check its values "
+                            "and units"
+                          : "the step is too large; lower solve.step_fraction"),
+          false};
+}
+
+// Budget, instability, and collapse: a block farther off than the push can have brought it.
 void StageRun::watch(double share) {
-  if (state_.step % kWatchEvery != 0 || ended_) return;
   const SolveOptions& options = wall_.options;
+  const bool asked = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+  if ((state_.step % kWatchEvery != 0 && !asked) || ended_) return;
   if (options.progress)
     options.progress({stage_.spec.name.c_str(), share, state_.drive_displacement,
                       wall_.result.curve.empty() ? 0.0 : wall_.result.curve.back().reaction});
   if (wall_.place->runaway_block() >= 0) return end(runs_away());
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.place->furthest_block();
-  if (furthest.distance > allowed)
+  if (furthest.distance > allowed) {
+    const bool loads =
+        stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
+    const std::string why = loads ? overload() : "";
     return end({SolveStatus::kCollapsed,
-                fmt::format("block {} has moved {:.0f} mm in stage \"{}\"", name_of(furthest.block),
+                fmt::format("{}{}block {} has moved {:.0f} mm in stage \"{}\"", why,
+                            why.empty() ? "" : ", ", name_of(furthest.block),
                             1e3 * furthest.distance, stage_.spec.name),
                 false});
-  if (options.stop != nullptr && options.stop->load())
+  }
+  if (asked)
     return end({SolveStatus::kInterrupted,
                 fmt::format("stopped by the user in stage \"{}\" at {:.3f} s", stage_.spec.name,
                             state_.time),

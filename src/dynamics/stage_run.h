@@ -56,7 +56,7 @@ class StageRun {
   virtual void finish(StageEnd&) {}
   void end(StageEnd how);
   void drive(const Stage& push);
-  // Every few hundred steps: interrupt, budget, instability, collapse.
+  // Every step: interrupt. Every few hundred: budget, instability, collapse.
   void watch(double share);
 
   WallUnderWay& wall_;
@@ -68,6 +68,8 @@ class StageRun {
  private:
   [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] StageEnd runs_away() const;
+  // How many joints are crushed through, as words; "" where none is.
+  [[nodiscard]] std::string overload() const;
 
   const std::vector<BlockId>* driven_;
   std::int64_t first_step_;

@@ -2,8 +2,10 @@
 #include "geometry/assembly.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
+#include "core/text.h"
 #include "geometry/blocks_file.h"
 #include "geometry/caps.h"
 #include "geometry/checks.h"
@@ -77,10 +79,32 @@ void check_body(const WallSpec& wall, FaultList& faults) {
   (void)is_positive({"wall.unit.density", wall.unit.density, "kg/m^3", "1250 kg/m^3"}, faults);
 }
 
+// Keys that shape a generated wall and say something here; defaults written out say nothing.
+std::vector<std::string> shape_keys(const WallSpec& wall) {
+  const WallSpec unset;
+  std::vector<std::string> keys;
+  const auto add = [&](const char* key, bool stated) {
+    if (stated) keys.emplace_back(key);
+  };
+  add("wall.length", !std::isnan(wall.length));
+  add("wall.height", !std::isnan(wall.height));
+  add("wall.bond", wall.bond != unset.bond);
+  add("wall.fit", wall.fit != unset.fit);
+  add("wall.unit.length", !std::isnan(wall.unit.length));
+  add("wall.unit.height", !std::isnan(wall.unit.height));
+  add("wall.unit.width", !std::isnan(wall.unit.width));
+  add("wall.unit.split", wall.unit.split != unset.unit.split);
+  add("wall.opening", !wall.opening.empty());
+  return keys;
+}
+
 void note_unused(const ModelSpec& spec, std::vector<std::string>& notes) {
   const bool from_file = uses_blocks_file(spec);
-  if (from_file && !spec.wall.opening.empty()) {
-    notes.push_back("wall.opening is not used: the blocks file shapes the wall");
+  const std::vector<std::string> idle =
+      from_file ? shape_keys(spec.wall) : std::vector<std::string>();
+  if (!idle.empty()) {
+    notes.push_back(joined(idle, ", ") + (idle.size() > 1 ? " are" : " is") +
+                    " not used: the blocks file shapes the wall");
   }
   if (!from_file && !spec.contact.empty()) {
     notes.push_back("contact rules are not used: they belong to blocks files");

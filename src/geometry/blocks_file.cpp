@@ -10,6 +10,8 @@
 namespace wythe::geometry {
 namespace {
 
+constexpr std::size_t kMostCorners = 1000;  // all pairs of edges are compared
+
 std::string path_of(const BlockSpec& block) { return "wall.blocks." + block.id; }
 
 Polygon corners_of(const BlockSpec& block) {
@@ -34,6 +36,8 @@ bool is_finite(const Polygon& corners) {
 std::string shape_problem(const Polygon& corners) {
   if (!is_finite(corners)) return "a corner is missing or not a finite number";
   if (corners.size() < 3) return "a block needs at least 3 different corners";
+  if (corners.size() > kMostCorners)
+    return "a block has at most " + std::to_string(kMostCorners) + " corners";
   if (moments(corners).area == 0) return "the block has no area";
   if (!is_simple(corners)) return "the outline crosses or touches itself";
   return "";
@@ -44,7 +48,9 @@ bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {
   const std::string problem = shape_problem(corners);
   if (!problem.empty()) {
     add_fault(faults, path_of(spec), std::to_string(spec.polygon.size()) + " corners", problem,
-              "list the corners once around the block, in metres");
+              corners.size() > kMostCorners
+                  ? "leave out corners that lie nearly on the line of their neighbours"
+                  : "list the corners once around the block, in metres");
     return false;
   }
   if (moments(corners).area < 0) std::reverse(corners.begin(), corners.end());

@@ -11,20 +11,24 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnest = 0.1;  // of a half unit, of a course
+constexpr double kThinnest = 0.1;         // of a half unit, of a course
+constexpr std::size_t kMostPairs = 1000;  // a block: only blocks on top of each other reach it
+constexpr std::size_t kOverlapsTold = 20;
 constexpr std::size_t kNamed = 5;  // blocks named in one message
 
 double longer_side(const Rect& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
 
-void refuse_overlap(const Block& a, const Block& b, double tolerance, FaultList& faults) {
+// Whether it was refused.
+bool refuse_overlap(const Block& a, const Block& b, double tolerance, FaultList& faults) {
   const Rect box_a = bounds(a.outline), box_b = bounds(b.outline);
-  if (!overlaps(box_a, box_b, tolerance)) return;
+  if (!overlaps(box_a, box_b, tolerance)) return false;
   const double area = overlap_area(a.outline, b.outline);
   // A film of the contact tolerance along the whole side is still contact, not overlap.
-  if (area <= tolerance * std::min(longer_side(box_a), longer_side(box_b))) return;
+  if (area <= tolerance * std::min(longer_side(box_a), longer_side(box_b))) return false;
   std::ostringstream text;
   text << "blocks \"" << a.id << "\" and \"" << b.id << "\" overlap by " << area << " m^2";
   add_fault(faults, "wall.blocks." + b.id, "", text.str(), "move their corners apart");
+  return true;
 }
 
 // Groups of connected blocks: a forest with one root a group; index n stands for the ground.
@@ -67,12 +71,24 @@ std::string listed(const std::vector<std::string>& ids) {
 
 void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
   const double tolerance = contact_tolerance(blocks);
-  for (const auto& [i, j] : near_pairs(blocks, 0)) {
+  const std::size_t most = kMostPairs * blocks.size();
+  const auto pairs = near_pairs(blocks, 0, most);
+  std::size_t refused = 0;
+  for (const auto& [i, j] : pairs) {
     const Block& a = blocks[static_cast<std::size_t>(i)];
     const Block& b = blocks[static_cast<std::size_t>(j)];
-    if (a.role == Role::kSupport && b.role == Role::kSupport) continue;
-    refuse_overlap(a, b, tolerance, faults);
+    refused += refuse_overlap(a, b, tolerance, faults);
+    if (refused < kOverlapsTold) continue;
+    add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
+              "only the first " + std::to_string(kOverlapsTold) + " overlaps are told",
+              "mend these and check the file again");
+    return;
   }
+  if (!pairs.empty() && pairs.size() >= most)
+    add_fault(faults, "wall.blocks", std::to_string(blocks.size()) + " blocks",
+              "more than " + std::to_string(kMostPairs) +
+                  " blocks lie within the bounds of another, on average",
+              "list every block once, and long ones in pieces");
 }
 
 void check_slivers(const std::vector<Block>& blocks, const Lattice& lattice, FaultList& faults) {

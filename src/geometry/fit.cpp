@@ -37,26 +37,27 @@ void refuse_fit(const AxisAsk& ask, FaultList& faults) {
   const int below = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step)));
   const auto size = [&](int n) { return millimetres(ask.size_per_step * ask.extent / n); };
   const auto extent = [&](int n) { return metres(ask.step * n); };
+  const int best = best_count(ask), other = best == below ? below + 1 : below;
   std::ostringstream problem, cure;
   problem.precision(4);
   problem << "the wall's " << ask.extent_name << " of " << metres(ask.extent) << " holds "
           << ask.extent / ask.step << " " << ask.step_name
           << "s; a whole number of them would change "
-          << "the size by " << percent(change_of(ask, best_count(ask))) << ", more than 2 %";
-  cure << "nearest sizes that fit: " << size(below + 1) << " or " << size(below) << "; nearest "
-       << ask.extent_name << "s: " << extent(below) << " or " << extent(below + 1)
-       << "; or wall.fit = \"cut\"";
+          << "the size by " << percent(change_of(ask, best)) << ", more than 2 %";
+  cure << "write " << last_key(ask.size_path) << " = \"" << size(best) << "\" (or " << size(other)
+       << "), or a " << ask.extent_name << " of " << extent(below) << " or " << extent(below + 1)
+       << ", or wall.fit = \"cut\"";
   add_fault(faults, ask.size_path, millimetres(ask.size_per_step * ask.step), problem.str(),
             cure.str());
 }
 
+// After a fault it is the axis of the first cure, so that the openings' cures hold with it.
 Axis fit_whole(const AxisAsk& ask, std::vector<std::string>& notes, FaultList& faults) {
   const int count = best_count(ask);
-  if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9) {
+  if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9)
     refuse_fit(ask, faults);
-    return {};
-  }
-  note_change(ask.step_name, ask.step, ask.extent / count, notes);
+  else
+    note_change(ask.step_name, ask.step, ask.extent / count, notes);
   return {.extent = ask.extent, .step = ask.extent / count, .count = count};
 }
 

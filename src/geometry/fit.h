@@ -36,7 +36,8 @@ struct Lattice {
   double header = 0;     // header face [m]
 };
 
-// Everything is checked before anything is fitted; on a fault the lattice is empty (count 0).
+// Everything is checked before anything is fitted; where a size is missing the lattice is empty (count
+// 0), where one does not fit it is that of the cure.
 [[nodiscard]] Lattice fit_lattice(const WallSpec& wall, std::vector<std::string>& notes,
                                   FaultList& faults);
 

@@ -53,6 +53,18 @@ CellGrid make_grid(const std::vector<Rect>& boxes) {
   const double width = grid.whole.x1 - grid.whole.x0, height = grid.whole.y1 - grid.whole.y0;
   const double n = static_cast<double>(boxes.size());
   grid.cell = std::max(std::sqrt(width * height / n), std::max(width, height) / (4 * n + 1));
+  // Boxes that cover each other would stand in every cell: then the cells are wider.
+  const auto cells_of = [&](const Rect& box) {
+    return (std::floor((box.x1 - box.x0) / grid.cell) + 2) *
+           (std::floor((box.y1 - box.y0) / grid.cell) + 2);
+  };
+  const auto entries = [&] {
+    double sum = 0;
+    for (const Rect& box : boxes) sum += cells_of(box);
+    return sum;
+  };
+  constexpr double kEntriesPerBlock = 64;
+  while (grid.cell < std::max(width, height) && entries() > kEntriesPerBlock * n) grid.cell *= 2;
   grid.columns = grid.column(grid.whole.x1) + 1;
   return grid;
 }
@@ -177,18 +189,27 @@ double contact_tolerance(const std::vector<Block>& blocks) {
   return kContactTolerance * std::max(whole.x1 - whole.x0, whole.y1 - whole.y0);
 }
 
-std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks, double margin) {
+std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks, double margin,
+                                            std::size_t most) {
   std::vector<std::pair<int, int>> pairs;
   if (blocks.empty()) return pairs;
   const std::vector<Rect> boxes = bounds_of(blocks, margin);
   const CellGrid grid = make_grid(boxes);
   const std::vector<Entry> entries = fill_cells(grid, boxes);
+  const auto is_fixed = [&](const Entry& entry) {
+    return blocks[static_cast<std::size_t>(entry.block)].role == Role::kSupport;
+  };
+  const auto both_fixed = [&](const Entry& a, const Entry& b) {
+    return is_fixed(a) && is_fixed(b);
+  };
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const Rect& a = boxes[static_cast<std::size_t>(entries[k].block)];
     for (std::size_t m = k + 1; m < entries.size() && entries[m].cell == entries[k].cell; ++m) {
       const Rect& b = boxes[static_cast<std::size_t>(entries[m].block)];
-      if (meet(a, b) && home_cell(grid, a, b) == entries[k].cell) {
+      if (meet(a, b) && home_cell(grid, a, b) == entries[k].cell &&
+          !both_fixed(entries[k], entries[m])) {
         pairs.emplace_back(entries[k].block, entries[m].block);
+        if (pairs.size() >= most) return pairs;
       }
     }
   }

@@ -10,6 +10,7 @@
 // Called by assembly.cpp; knows no roles and no materials.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,11 @@ inline constexpr double kWidestGap = 1e-2;         // of the shorter edge: wider
 // The tolerance in metres: kContactTolerance times the larger side of the assembly.
 [[nodiscard]] double contact_tolerance(const std::vector<Block>& blocks);
 
-// Pairs (i < j) of blocks whose bounds, widened by `margin`, meet.
-[[nodiscard]] std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks,
-                                                          double margin);
+// Pairs (i < j) of blocks whose bounds, widened by `margin`, meet, two supports left out; the search
+// ends after `most` of them.
+[[nodiscard]] std::vector<std::pair<int, int>> near_pairs(
+    const std::vector<Block>& blocks, double margin,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 [[nodiscard]] ContactSearch find_contacts(const std::vector<Block>& blocks);
 

@@ -25,9 +25,8 @@ void check_body(const ModelSpec& spec, int index, FaultList& faults) {
 void note_size(const PlacedOpening& opening, const std::string& what, double stated, double laid,
                std::vector<std::string>& notes) {
   if (std::abs(laid / stated - 1) <= kFitTolerance) return;
-  notes.push_back("lintel of opening " + std::to_string(opening.index) + ": " + what + " " +
-                  millimetres(stated) + " -> " + millimetres(laid) + " (" +
-                  percent(laid / stated - 1) + ")");
+  notes.push_back("lintel of " + opening.called + ": " + what + " " + millimetres(stated) + " -> " +
+                  millimetres(laid) + " (" + percent(laid / stated - 1) + ")");
 }
 
 // Keys of zones beside a chain of rigid segments say nothing; a user may be comparing the two.
@@ -53,21 +52,26 @@ bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& openin
                  const LintelSpec& lintel, FaultList& faults) {
   const double margin = 1e-9 * axis.extent;
   if (body.x0 >= -margin && body.x1 <= axis.extent + margin) return true;
-  add_fault(
-      faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
-      "the lintel reaches outside the wall: it would span " + metres(body.x0) + " to " +
-          metres(body.x1),
-      "leave at least one half unit (" + millimetres(axis.step) + ") of wall beside the opening");
+  const int left = axis.nearest(opening.hole.x0), right = axis.nearest(opening.hole.x1);
+  const int room = std::min(left, axis.count - right);
+  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
+            "the lintel of " + opening.called + " reaches outside the wall: it would span " +
+                metres(body.x0) + " to " + metres(body.x1),
+            room > 0 ? "write bearing = \"" + millimetres(room * axis.step) + "\""
+                     : "leave at least one half unit (" + millimetres(axis.step) +
+                           ") of wall beside the opening, or the lintel out");
   return false;
 }
 
-bool lies_under_top(int top, const Axis& courses, const PlacedOpening& opening,
+bool lies_under_top(int bottom, int top, const Axis& courses, const PlacedOpening& opening,
                     const LintelSpec& lintel, FaultList& faults) {
   if (top <= courses.count) return true;
   add_fault(faults, opening_path(opening.index, "lintel.depth"), millimetres(lintel.depth),
-            "deeper than the masonry above the opening (" +
+            "deeper than the masonry above " + opening.called + " (" +
                 millimetres(courses.extent - opening.hole.y1) + ")",
-            "a smaller depth, or a lower opening");
+            bottom < courses.count
+                ? "write depth = \"" + millimetres((courses.count - bottom) * courses.step) + "\""
+                : "lower the opening, or leave the lintel out");
   return false;
 }
 
@@ -91,18 +95,38 @@ void move_head_to_course(const Axis& courses, PlacedOpening& opening,
   const int lowest = courses.nearest(opening.hole.y0) + 1;
   const double line = courses.line(std::max(lowest, courses.nearest(opening.hole.y1)));
   if (std::abs(line - opening.hole.y1) > 1e-9) {
-    notes.push_back("opening " + std::to_string(opening.index) + " head " +
-                    metres(opening.hole.y1) + " -> " + metres(line) +
+    notes.push_back(opening.called + " head " + metres(opening.hole.y1) + " -> " + metres(line) +
                     " (its lintel lies on a bed joint)");
   }
   opening.hole.y1 = line;
 }
 
-int whole_steps(double size, double step) {
-  return std::max(1, static_cast<int>(std::lround(size / step)));
+// What it is made of is a word for the reader: one that no reader knows may be meant otherwise.
+void note_unknown_kind(const LintelSpec& lintel, const PlacedOpening& opening,
+                       std::vector<std::string>& notes) {
+  static const std::vector<std::string> kKnown = {"timber", "stone", "concrete", "steel", "brick"};
+  if (std::find(kKnown.begin(), kKnown.end(), lintel.kind) != kKnown.end()) return;
+  notes.push_back("lintel of " + opening.called + ": kind = \"" + lintel.kind +
+                  "\" has no effect: the lintel is there, made of [material." + lintel.material +
+                  "]");
+}
+
+bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& opening,
+                     const LintelSpec& lintel, FaultList& faults) {
+  if (laid <= kBearingFactor * lintel.bearing * (1 + 1e-9)) return true;
+  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
+            "would become " + millimetres(laid) + ", " + times(laid / lintel.bearing) +
+                " times as long: a lintel bears on whole half units of " +
+                millimetres(columns.step),
+            "write bearing = \"" + millimetres(laid) + "\", or smaller units");
+  return false;
 }
 
 }  // namespace
+
+int whole_steps(double size, double step) {
+  return std::max(1, static_cast<int>(std::lround(size / step)));
+}
 
 bool check_lintel(const ModelSpec& spec, int index, FaultList& faults) {
   const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
@@ -126,8 +150,10 @@ void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpenin
   Rect body{end_of(columns, opening.hole.x0, -bearing), opening.hole.y1,
             end_of(columns, opening.hole.x1, bearing), courses.line(top)};
   bool fits = ends_inside(body, columns, opening, lintel, faults);
-  fits &= lies_under_top(top, courses, opening, lintel, faults);
+  fits &= lies_under_top(bottom, top, courses, opening, lintel, faults);
+  fits &= bears_as_stated(bearing * columns.step, columns, opening, lintel, faults);
   if (!fits) return;
+  note_unknown_kind(lintel, opening, notes);
   note_idle_keys(lintel, opening, notes);
   note_size(opening, "depth", lintel.depth, body.y1 - body.y0, notes);
   note_size(opening, "bearing", lintel.bearing, body.x1 - opening.hole.x1, notes);

@@ -4,12 +4,18 @@
 //           +--+--+--+--+--+--+--+--+   n courses, n = max(1, round(depth / course))
 //           |  +-----------------+  |
 //
+// The bearing becomes whole columns, at most kBearingFactor times what is stated; more is refused.
 // Called by openings.cpp.
 #pragma once
 
 #include "geometry/openings.h"
 
 namespace wythe::geometry {
+
+inline constexpr double kBearingFactor = 2;
+
+// Whole steps nearest to a size, one at least.
+[[nodiscard]] int whole_steps(double size, double step);
 
 // False when opening `index` has no lintel or its lintel lacks numbers (then with faults).
 [[nodiscard]] bool check_lintel(const ModelSpec& spec, int index, FaultList& faults);

@@ -12,6 +12,7 @@ namespace {
 // One direction of one opening.
 struct Span {
   int opening;
+  std::string called;
   std::string start_key, size_key;  // "x", "width"
   double start, size;               // as stated [m]
 };
@@ -24,18 +25,6 @@ bool is_given(const OpeningSpec& opening, int i, FaultList& faults) {
   return given;
 }
 
-bool is_inside(const Span& span, const Axis& axis, const std::string& extent_key,
-               FaultList& faults) {
-  const double end = span.start + span.size;
-  if (end <= axis.extent + kFitTolerance * span.size) return true;
-  add_fault(
-      faults, opening_path(span.opening, span.size_key), metres(span.size),
-      "the opening ends at " + metres(end) + ", outside the wall (wall." + extent_key + " = " +
-          metres(axis.extent) + ")",
-      span.start_key + " + " + span.size_key + " must be " + metres(axis.extent) + " or less");
-  return false;
-}
-
 // How far an edge may move to the nearest line: 2 % of the opening, and with fit = "cut" upright
 // edges not at all beyond that, while level edges move up to a sliver (no thin strips of units).
 double reach_of(const Span& span, const Axis& axis, Fit fit) {
@@ -44,81 +33,102 @@ double reach_of(const Span& span, const Axis& axis, Fit fit) {
   return fit == Fit::kCut && is_level ? std::max(reach, kSliver * axis.step) : reach;
 }
 
-struct SnapAsk {
-  std::string key;  // of the fault
-  double edge;      // stated [m]
-  double origin;    // 0 for a position, the opening's start for a size
-  double stated;    // value of the key
+// Lines of an axis between which an opening may lie.
+struct Room {
+  int first, last;
 };
 
-bool snap_edge(const Span& span, const Axis& axis, Fit fit, const SnapAsk& ask, double& edge,
-               FaultList& faults) {
-  const double line = axis.line(axis.nearest(ask.edge));
-  edge = ask.edge;
-  if (std::abs(line - ask.edge) <= reach_of(span, axis, fit) + 1e-9) edge = line;
-  if (edge == line || fit == Fit::kCut) return true;
-  const int below = line <= ask.edge ? axis.nearest(ask.edge) : axis.nearest(ask.edge) - 1;
-  std::string sizes = metres(axis.line(below + 1) - ask.origin);
-  if (axis.line(below) > ask.origin || ask.origin == 0) {
-    sizes = metres(axis.line(below) - ask.origin) + " or " + sizes;
+// Why the span can't be laid as it is stated, at which key; "" where it can.
+struct SpanFault {
+  std::string key, problem;
+};
+
+SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
+  const double end = span.start + span.size, reach = reach_of(span, axis, fit);
+  if (end > axis.extent + kFitTolerance * span.size)
+    return {span.size_key, "ends at " + metres(end) + ", outside the wall (wall." +
+                               (span.start_key == "x" ? "length" : "height") + " = " +
+                               metres(axis.extent) + ")"};
+  for (const auto& [key, edge] : {std::pair(span.start_key, span.start), {span.size_key, end}}) {
+    const double off = std::abs(axis.line(axis.nearest(edge)) - edge);
+    if (fit == Fit::kWhole && off > reach + 1e-9)
+      return {key, "has an edge at " + metres(edge) + ", " + millimetres(off) +
+                       " from the nearest joint line, more than 2 % of its " + span.size_key};
   }
-  add_fault(faults, opening_path(span.opening, ask.key), metres(ask.stated),
-            "the edge at " + metres(ask.edge) + " lies " + millimetres(std::abs(line - ask.edge)) +
-                " from the nearest joint line, more than 2 %"
-                " of the opening's " +
-                span.size_key,
-            ask.key + " = " + sizes + " fits the units of " + millimetres(axis.step) +
-                "; or wall.fit = \"cut\"");
-  return false;
+  if (end - span.start < kSliver * axis.step)
+    return {span.size_key, "is smaller than a quarter of a unit"};
+  return {};
 }
 
 void note_move(const Span& span, const std::string& key, double from, double to,
                std::vector<std::string>& notes) {
   if (std::abs(to - from) < 1e-9) return;
-  notes.push_back("opening " + std::to_string(span.opening) + " " + key + " " + metres(from) +
-                  " -> " + metres(to));
+  notes.push_back(span.called + " " + key + " " + metres(from) + " -> " + metres(to));
 }
 
-// Both edges of one direction; false after a fault.
-bool snap_span(const Span& span, const Axis& axis, Fit fit, double& start, double& end,
+// The nearest span on joint lines within `room`: what the cure says, and what the rest is checked with.
+void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room room, double& start,
+               double& end, FaultList& faults) {
+  if (room.last <= room.first) room = {0, axis.count};
+  const int i = std::clamp(axis.nearest(span.start), room.first, room.last - 1);
+  const int j = std::clamp(axis.nearest(axis.line(i) + span.size), i + 1, room.last);
+  start = axis.line(i);
+  end = axis.line(j);
+  std::string keys;
+  const auto write = [&](const std::string& key, double stated, double value) {
+    if (std::abs(stated - value) > 1e-9)
+      keys += (keys.empty() ? "" : " and ") + key + " = \"" + metres(value) + "\"";
+  };
+  write(span.start_key, span.start, start);
+  write(span.size_key, span.size, end - start);
+  add_fault(faults, opening_path(span.opening, fault.key),
+            metres(fault.key == span.start_key ? span.start : span.size),
+            span.called + " " + fault.problem,
+            "write " + keys + ", on the joint lines every " + millimetres(axis.step) +
+                "; or wall.fit = \"cut\"");
+}
+
+// Both edges of one direction; false after a fault, with the span of its cure.
+bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& start, double& end,
                std::vector<std::string>& notes, FaultList& faults) {
-  const double stated_end = span.start + span.size;
-  bool fits =
-      snap_edge(span, axis, fit, {span.start_key, span.start, 0, span.start}, start, faults);
-  fits &= snap_edge(span, axis, fit, {span.size_key, stated_end, start, span.size}, end, faults);
-  if (!fits) return false;
-  end = std::min(end, axis.extent);
-  if (end - start < kSliver * axis.step) {
-    add_fault(faults, opening_path(span.opening, span.size_key), metres(span.size),
-              "smaller than a quarter of a unit", "make it larger or leave the opening out");
+  const SpanFault fault = fault_of(span, axis, fit);
+  if (!fault.problem.empty()) {
+    cure_span(span, fault, axis, room, start, end, faults);
     return false;
   }
+  const auto snapped = [&](double edge) {
+    const double line = axis.line(axis.nearest(edge));
+    return std::abs(line - edge) <= reach_of(span, axis, fit) + 1e-9 ? line : edge;
+  };
+  start = snapped(span.start);
+  end = std::min(snapped(span.start + span.size), axis.extent);
   note_move(span, span.start_key, span.start, start, notes);
   note_move(span, span.size_key, span.size, end - start, notes);
   return true;
 }
 
-bool place_hole(const OpeningSpec& opening, int i, const Lattice& lattice, Fit fit, Rect& hole,
-                std::vector<std::string>& notes, FaultList& faults) {
-  if (!is_given(opening, i, faults) || lattice.columns.count == 0 || lattice.courses.count == 0) {
-    return false;
-  }
-  const Span level{i, "x", "width", opening.x, opening.width};
-  const Span upright{i, "y", "height", opening.y, opening.height};
-  bool inside = is_inside(level, lattice.columns, "length", faults);
-  inside &= is_inside(upright, lattice.courses, "height", faults);
-  if (!inside) return false;
-  bool fits = snap_span(level, lattice.columns, fit, hole.x0, hole.x1, notes, faults);
-  fits &= snap_span(upright, lattice.courses, fit, hole.y0, hole.y1, notes, faults);
-  return fits;
+// False where numbers are missing; after other faults the hole is that of their cures.
+bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Lattice& lattice, Fit fit,
+                bool has_lintel, std::vector<std::string>& notes, FaultList& faults) {
+  const Axis &columns = lattice.columns, &courses = lattice.courses;
+  const int i = placed.index;
+  if (!is_given(opening, i, faults) || columns.count == 0 || courses.count == 0) return false;
+  const int bearing = has_lintel ? whole_steps(opening.lintel.bearing, columns.step) : 0;
+  const int depth = has_lintel ? whole_steps(opening.lintel.depth, courses.step) : 0;
+  const Span level{i, placed.called, "x", "width", opening.x, opening.width};
+  const Span upright{i, placed.called, "y", "height", opening.y, opening.height};
+  Rect& hole = placed.hole;
+  (void)snap_span(level, columns, fit, {bearing, columns.count - bearing}, hole.x0, hole.x1, notes,
+                  faults);
+  (void)snap_span(upright, courses, fit, {0, courses.count - depth}, hole.y0, hole.y1, notes,
+                  faults);
+  return true;
 }
-
-std::string number_of(const PlacedOpening& opening) { return std::to_string(opening.index); }
 
 void refuse_overlap(const PlacedOpening& a, const PlacedOpening& b, FaultList& faults) {
   if (!overlaps(a.hole, b.hole, 1e-9)) return;
   add_fault(faults, opening_path(b.index, "x"), metres(b.hole.x0),
-            "opening " + number_of(b) + " overlaps opening " + number_of(a),
+            b.called + " overlaps " + a.called,
             "move or shrink one of them, or make them one opening");
 }
 
@@ -129,8 +139,8 @@ void refuse_lintel_in_opening(const PlacedOpening& a, const PlacedOpening& b, Fa
                             overlaps(lintel, join(b.segment.front(), b.segment.back()), 1e-9);
   if (!overlaps(lintel, b.hole, 1e-9) && !meets_lintel) return;
   add_fault(faults, opening_path(a.index, "lintel.bearing"), "",
-            std::string("the lintel reaches into ") +
-                (meets_lintel ? "the lintel of opening " : "opening ") + number_of(b),
+            "the lintel of " + a.called + " reaches into " +
+                (meets_lintel ? "the lintel of " : "") + b.called,
             "shorten the bearing or move the opening");
 }
 
@@ -145,8 +155,7 @@ void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) 
 
 void note_bare_head(const PlacedOpening& opening, double height, std::vector<std::string>& notes) {
   if (!opening.segment.empty() || opening.hole.y1 > height - 1e-9) return;
-  notes.push_back("opening " + number_of(opening) +
-                  " has no lintel: the masonry above it hangs on its joints");
+  notes.push_back(opening.called + " has no lintel: the masonry above it hangs on its joints");
 }
 
 struct Interval {
@@ -183,8 +192,10 @@ std::vector<PlacedOpening> place_openings(const ModelSpec& spec, const Lattice& 
     const OpeningSpec& opening = spec.wall.opening[k];
     const int i = static_cast<int>(k);
     const bool lintel_is_given = check_lintel(spec, i, faults);
-    PlacedOpening result{.index = i, .hole = {}, .segment = {}};
-    if (!place_hole(opening, i, lattice, spec.wall.fit, result.hole, notes, faults)) continue;
+    PlacedOpening result{
+        .index = i, .called = opening_name(i, opening.name), .hole = {}, .segment = {}};
+    if (!place_hole(opening, result, lattice, spec.wall.fit, lintel_is_given, notes, faults))
+      continue;
     if (lintel_is_given) place_lintel(opening.lintel, lattice, result, notes, faults);
     if (opening.lintel.kind.empty()) note_bare_head(result, spec.wall.height, notes);
     placed.push_back(result);

@@ -20,6 +20,7 @@ namespace wythe::geometry {
 
 struct PlacedOpening {
   int index = 0;              // in wall.opening
+  std::string called;         // "opening 0 (door)"
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
 };

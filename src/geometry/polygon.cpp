@@ -86,6 +86,9 @@ bool lies_between(Vec2 a, Vec2 b, Vec2 p) {
 }
 
 bool segments_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+      std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
+    return false;
   const int c_side = sign(side_of(a, b, c)), d_side = sign(side_of(a, b, d));
   const int a_side = sign(side_of(c, d, a)), b_side = sign(side_of(c, d, b));
   if (c_side * d_side < 0 && a_side * b_side < 0) return true;

@@ -13,8 +13,6 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-std::string last_key(const std::string& path) { return path.substr(path.rfind('.') + 1); }
-
 std::string write_example(const Needed& number) {
   return "write e.g. " + last_key(number.path) + " = \"" + number.example + "\"";
 }
@@ -36,8 +34,16 @@ std::string metres(double length) { return number("%.6g m", length); }
 std::string millimetres(double length) { return number("%.6g mm", 1000 * length); }
 std::string percent(double share) { return number("%+.1f %%", 100 * share); }
 
+std::string last_key(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+
+std::string times(double factor) { return number("%.2g", factor); }
+
 std::string opening_path(int index, const std::string& key) {
   return "wall.opening." + std::to_string(index) + "." + key;
+}
+
+std::string opening_name(int index, const std::string& name) {
+  return "opening " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
 }
 
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,

@@ -9,11 +9,15 @@
 
 namespace wythe::geometry {
 
-[[nodiscard]] std::string metres(double length);       // "1.7 m"
-[[nodiscard]] std::string millimetres(double length);  // "154.545 mm"
-[[nodiscard]] std::string percent(double share);       // 0.0123 -> "+1.2 %"
+[[nodiscard]] std::string metres(double length);              // "1.7 m"
+[[nodiscard]] std::string millimetres(double length);         // "154.545 mm"
+[[nodiscard]] std::string percent(double share);              // 0.0123 -> "+1.2 %"
+[[nodiscard]] std::string times(double factor);               // 30.96 -> "31"
+[[nodiscard]] std::string last_key(const std::string& path);  // "wall.unit.length" -> "length"
 [[nodiscard]] std::string opening_path(int index,
                                        const std::string& key);  // "wall.opening.0.width"
+
+[[nodiscard]] std::string opening_name(int index, const std::string& name);  // "opening 0 (door)"
 
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure);

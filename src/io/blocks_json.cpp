@@ -95,14 +95,15 @@ class BlocksReader {
     if (!json.contains("thickness") || json["thickness"].is_null()) return;
     const auto value = read_number(json["thickness"]);
     if (!value || *value <= 0)
-      return refuse("thickness", short_dump(json["thickness"]), "must be a number more than 0",
+      return refuse("thickness", short_dump(json["thickness"]),
+                    "must be a number more than 0 and up to 10 km",
                     R"(write e.g. "thickness": 0.2)");
     if (std::isnan(spec_.wall.thickness)) spec_.wall.thickness = *value;
   }
 
   // In metres; divides, so that 200 mm is the double nearest to 0.2.
   [[nodiscard]] std::optional<double> read_number(const Json& json) const {
-    if (!json.is_number() || !std::isfinite(json.get<double>())) return std::nullopt;
+    if (!json.is_number() || !kCoordinate.holds(json.get<double>() / scale_)) return std::nullopt;
     return json.get<double>() / scale_;
   }
 
@@ -205,7 +206,7 @@ class BlocksReader {
       if (x && y)
         block.polygon.push_back({*x, *y});
       else
-        refuse(where, short_dump(vertex), "must be two finite numbers [x, y]", "");
+        refuse(where, short_dump(vertex), "must be two finite numbers [x, y] within 10 km", "");
     }
   }
 
@@ -233,7 +234,8 @@ class BlocksReader {
     const bool good =
         json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
     if (!good)
-      return refuse(block.id, short_dump(json), "must be four finite numbers x0 < x1, y0 < y1",
+      return refuse(block.id, short_dump(json),
+                    "must be four finite numbers x0 < x1, y0 < y1 within 10 km",
                     "write them as [x0, y0, x1, y1]");
     block.polygon = {Point{at[0], at[1]}, Point{at[2], at[1]}, Point{at[2], at[3]},
                      Point{at[0], at[3]}};

@@ -152,7 +152,7 @@ std::string answer_row(const ContactPathRow& row, const ContactAnswer& answer) {
 
 JointMaterial read_law(const std::string& path) {
   io::ReadContext context{path};
-  toml::table root = io::parse_toml(io::read_text(path), path);
+  toml::table root = io::parse_toml(io::read_input(path, "law.toml"), path);
   for (const char* name : io::kOtherTables) root.erase(name);
   io::LawFile file;
   io::read_table(context, root, "", file);
@@ -163,7 +163,7 @@ JointMaterial read_law(const std::string& path) {
 }
 
 std::vector<ContactPathRow> read_contact_path(const std::string& path) {
-  return io::PathReader(path).read(io::read_text(path));
+  return io::PathReader(path).read(io::read_input(path, "path.csv"));
 }
 
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,

@@ -68,13 +68,15 @@ inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage
 template <class Visitor>
 void describe(Visitor& v, LintelSpec& s) {
   v.text("kind", s.kind, {.fallback = "no lintel", .example = "timber",
-         .doc = "What it is made of, a word for the reader; its presence makes the lintel."});
-  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kPositive,
+         .doc = "What it is made of, a word for the reader: timber, stone, concrete, steel, brick. Its "
+                "presence makes the lintel; any other word gets a note."});
+  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "needed with a lintel", .example = "110 mm",
              .doc = "Structural depth; the lintel occupies the nearest whole number of courses."});
-  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "needed with a lintel", .example = "150 mm",
-             .doc = "Length of support on each side of the opening."});
+             .doc = "Length of support on each side of the opening; becomes whole half units, by a factor "
+                    "of two at most."});
   v.text("material", s.material, {.fallback = "needed with a lintel", .example = "timber",
          .doc = "Name of the material with the lintel's density and moduli."});
   v.text("bond", s.bond, {.example = "joint",
@@ -87,7 +89,7 @@ void describe(Visitor& v, LintelSpec& s) {
            .doc = "A chain of rigid segments, or one deformable block of zones."});
   v.integer("zones", s.zones, {.range = kFromOne, .example = "2",
             .doc = "Zones through the depth, with model = zones."});
-  v.quantity("zone_length", s.zone_length, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("zone_length", s.zone_length, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "as long as deep", .example = "55 mm",
              .doc = "Length of a zone along the lintel, fitted to a whole number of zones."});
   v.choice("zone_kind", s.zone_kind, kZoneKindWords, {.example = "mixed",
@@ -101,13 +103,13 @@ template <class Visitor>
 void describe(Visitor& v, OpeningSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "door",
          .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
-  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kNotNegative, .fallback = "required",
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "required",
              .example = "1.70 m", .doc = "Left jamb, from the wall's left end."});
-  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kNotNegative, .fallback = "required",
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "required",
              .example = "0.90 m", .doc = "Sill above the wall's base; 0 m for a door."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "required", .example = "1.70 m", .doc = "Clear width."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "required", .example = "2.64 m", .doc = "Clear height, sill to soffit."});
   v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
           .doc = "The lintel over the opening."});
@@ -115,13 +117,13 @@ void describe(Visitor& v, OpeningSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, UnitSpec& s) {
-  v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "required", .example = "310 mm",
              .doc = "Nominal length of a unit, head joint included; fitted to whole half units."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "required", .example = "110 mm",
              .doc = "Nominal course height, bed joint included; fitted to whole courses."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "half the length", .example = "155 mm",
              .doc = "Width of a header's face, joint included (flemish, english, header bond)."});
   v.choice("split", s.split, kSplitWords, {.example = "middle",
@@ -133,7 +135,7 @@ void describe(Visitor& v, UnitSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, BeamSpec& s) {
-  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "no beam", .example = "250 mm",
              .doc = "Height of a rigid beam over the wall top; its presence makes the beam."});
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kNotNegative,
@@ -146,11 +148,11 @@ void describe(Visitor& v, BeamSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, WallSpec& s) {
-  v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "required", .example = "5.10 m", .doc = "Length of the wall."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "required", .example = "3.62 m", .doc = "Height of the masonry."});
-  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "required", .example = "0.31 m",
              .doc = "Thickness out of the plane; may stand in the blocks file instead."});
   v.choice("bond", s.bond, kBondWords, {.example = "running", .doc = "How the units are laid."});
@@ -264,14 +266,16 @@ void describe(Visitor& v, ContactRule& s) {
 
 template <class Visitor>
 void describe(Visitor& v, PlaceSpec& s) {
-  v.quantity("x", s.x, {.unit = "m", .shown = "m", .fallback = "none", .example = "0 m",
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate,
+             .fallback = "none", .example = "0 m",
              .doc = "A point in the pushed block, or a box's left end; from the wall's left."});
-  v.quantity("y", s.y, {.unit = "m", .shown = "m", .fallback = "none", .example = "3.12 m",
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate,
+             .fallback = "none", .example = "3.12 m",
              .doc = "The same, above the wall's base."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kPositive, .fallback = "none",
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength, .fallback = "none",
              .example = "0.5 m",
              .doc = "With height: every block whose centre lies in the box is pushed."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kPositive,
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "none", .example = "0.3 m", .doc = "Height of that box."});
   v.integer("courses", s.courses, {.range = kFromOne, .example = "3",
             .doc = "Widens a point to so many courses, centred on its own."});
@@ -306,21 +310,22 @@ void describe_push(Visitor& v, StageSpec& s) {
           .doc = "The blocks that are pushed: a point, a box, one block or the beam."});
   v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
-  v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kPositive,
+  v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,
              .kinds = kPushStage, .fallback = "required", .example = "10 mm/s",
              .doc = "Speed of the push; slow enough when half of it gives the same curve."});
   v.quantity("fast_velocity", s.fast_velocity, {.unit = "m/s", .shown = "mm/s",
-             .range = kPositive, .kinds = kPushStage, .fallback = "velocity throughout",
+             .range = kSpeed, .kinds = kPushStage, .fallback = "velocity throughout",
              .example = "40 mm/s",
              .doc = "Speed while the wall is near balance; `velocity` while it cracks."});
   v.number("fast_below", s.fast_below, {.range = kPositive, .kinds = kPushStage,
            .example = "2e-4",
            .doc = "Unbalance ratio below which the push goes at `fast_velocity`; above twice this "
                   "it goes at `velocity`."});
-  v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kLength,
              .kinds = kPushStage, .fallback = "required, or targets", .example = "50 mm",
              .doc = "Displacement at which the push ends."});
-  v.quantities("targets", s.targets, {.unit = "m", .shown = "mm", .kinds = kPushStage,
+  v.quantities("targets", s.targets, {.unit = "m", .shown = "mm", .range = kCoordinate,
+               .kinds = kPushStage,
                .fallback = "none", .example = "[\"2 mm\", \"-2 mm\", \"4 mm\"]",
                .doc = "Cyclic push: displacements along `direction`, reached in turn."});
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
@@ -401,10 +406,11 @@ template <class Visitor>
 void describe(Visitor& v, OutputSpec& s) {
   v.integer("rows", s.rows, {.range = {.low = 10, .high = 1e6}, .example = "500",
             .doc = "Rows of force_displacement.csv."});
-  v.quantity("window", s.window, {.unit = "m", .shown = "mm", .range = kPositive,
+  v.quantity("window", s.window, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "one row", .example = "0.1 mm",
              .doc = "Displacement over which forces are averaged."});
-  v.quantities("states", s.states, {.unit = "m", .shown = "mm", .fallback = "none",
+  v.quantities("states", s.states, {.unit = "m", .shown = "mm", .range = kCoordinate,
+               .fallback = "none",
                .example = "[\"10 mm\", \"20 mm\"]",
                .doc = "Displacements at which a state is written for ParaView, besides start, "
                       "peak and end."});

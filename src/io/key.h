@@ -28,6 +28,12 @@ inline constexpr double kQuarterTurn = 1.57079632679489661923;  // [rad]
 inline constexpr Range kAnyValue{};
 inline constexpr Range kPositive{.low = 0, .low_open = true};
 inline constexpr Range kNotNegative{.low = 0};
+// A wall is no longer than ten kilometres, and no block of one moves at 100 m/s (a run stops there).
+inline constexpr double kLongest = 1e4;  // [m]
+inline constexpr Range kLength{.low = 0, .high = kLongest, .low_open = true};
+inline constexpr Range kDistance{.low = 0, .high = kLongest};
+inline constexpr Range kCoordinate{.low = -kLongest, .high = kLongest};
+inline constexpr Range kSpeed{.low = 0, .high = 100, .low_open = true, .high_open = true};
 inline constexpr Range kPoisson{.low = 0, .high = 0.5, .high_open = true};
 inline constexpr Range kFromOne{.low = 1};
 inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};

@@ -1,5 +1,7 @@
 // read_model, parse_model: text -> tree -> overrides -> ModelSpec -> blocks file.
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -31,6 +33,60 @@ void finish(Reader& reader, ModelSpec& model) {
   }
 }
 
+namespace {
+
+// Where a key stands in the user's words: a line of a file, or an option as typed.
+struct KeyPlace {
+  std::string file;  // "model.toml", or "--set"
+  int line = 0;
+  std::string given;  // the key as the option has it; "": as it is
+};
+using Places = std::map<std::string, KeyPlace>;
+
+// Every key of the tree and, in lists, the same by its member's name: "stage.2.at", "stage.push.at".
+void note_places(const toml::node& node, const std::string& path, const std::string& file,
+                 Places& places) {
+  places.emplace(path, KeyPlace{file, line_of(node), ""});
+  if (const toml::table* table = node.as_table())
+    for (const auto& [name, inner] : *table)
+      note_places(inner, under(path, std::string(name.str())), file, places);
+  const toml::array* list = node.as_array();
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const toml::node& member = *list->get(i);
+    note_places(member, under(path, std::to_string(i)), file, places);
+    const toml::table* table = member.as_table();
+    const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
+    if (name) note_places(member, under(path, *name), file, places);
+  }
+}
+
+// A key that an option set, and all below it, is the option's.
+void note_overrides(const ReadContext& context, Places& places) {
+  for (const Override& set : context.overrides)
+    for (auto& [path, place] : places)
+      if (path == set.path || path.starts_with(set.path + '.'))
+        place = {"--set", 0, set.given + path.substr(set.path.size())};
+}
+
+// The fault with the place of its key, or of the nearest table above it that the user wrote.
+Fault placed(Fault fault, const Places& places) {
+  if (!fault.file.empty()) return fault;
+  for (std::string path = fault.path;; path.resize(path.find_last_of('.'))) {
+    const auto found = places.find(path);
+    if (found != places.end()) {
+      fault.file = found->second.file;
+      fault.line = found->second.line;
+      if (!found->second.given.empty())
+        fault.path = found->second.given + fault.path.substr(path.size());
+      return fault;
+    }
+    if (path.find('.') == std::string::npos) break;
+  }
+  fault.file = places.at("").file;
+  return fault;
+}
+
+}  // namespace
 }  // namespace io
 
 ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
@@ -46,8 +102,40 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   return spec;
 }
 
+Model compile_model(const ModelSpec& spec, const std::string& toml_text,
+                    const std::string& file_name, const std::vector<std::string>& overrides) {
+  try {
+    return compile(spec);
+  } catch (const InputError& error) {
+    toml::table root = io::parse_toml(toml_text, file_name);
+    io::ReadContext context{file_name};
+    io::apply_overrides(context, root, overrides);
+    io::Places places;
+    io::note_places(root, "", file_name, places);
+    io::note_overrides(context, places);
+    const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+    std::vector<Fault> faults;
+    for (Fault fault : error.faults()) {
+      if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
+      faults.push_back(io::placed(std::move(fault), places));
+    }
+    std::stable_sort(faults.begin(), faults.end(),
+                     [](const Fault& a, const Fault& b) { return a.line < b.line; });
+    throw InputError(std::move(faults));
+  }
+}
+
+Model read_and_compile(const std::string& path, const std::vector<std::string>& overrides,
+                       ModelSpec* spec) {
+  const std::string text = io::read_input(path, "model.toml");
+  ModelSpec read = parse_model(text, path, overrides);
+  Model model = compile_model(read, text, path, overrides);
+  if (spec != nullptr) *spec = std::move(read);
+  return model;
+}
+
 ModelSpec read_model(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_model(io::read_text(path), path, overrides);
+  return parse_model(io::read_input(path, "model.toml"), path, overrides);
 }
 
 }  // namespace wythe

@@ -22,7 +22,10 @@ std::string range_text(const Key& key) {
   const std::string high = above ? limit_text(range.high, key) : "";
   if (below && above)
     return fmt::format("{} {} {} {}", range.low_open ? "more than" : "from", low,
-                       range.high_open ? "to less than" : "to", high);
+                       range.high_open  ? "to less than"
+                       : range.low_open ? "and up to"
+                                        : "to",
+                       high);
   if (below) return (range.low_open ? "more than " : "at least ") + low;
   if (above) return (range.high_open ? "less than " : "at most ") + high;
   return "any";

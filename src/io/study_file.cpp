@@ -14,6 +14,7 @@
 #include "io/model_key.h"
 #include "io/toml_reader.h"
 #include "io/value_column.h"
+#include "model/size.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
 #include "wythe/io.h"
@@ -193,11 +194,22 @@ class StudyReader {
     try {
       ModelSpec base =
           parse_model(study_.model_text, study_.model_file, study_.settings, study_.blocks_text);
+      check_batch(base);
       if (!base.block.empty()) study_.blocks_text = blocks_text(base.block, base.wall.thickness);
       keys_ = number_keys(std::move(base));
     } catch (const InputError& error) {
       for (Fault fault : error.faults()) model_faults_.push_back(placed(std::move(fault)));
     }
+  }
+
+  // All samples' records are read together: no more than memory holds, told before any is drawn.
+  void check_batch(const ModelSpec& base) {
+    double samples = 0;
+    for (const int size : study_.batch) samples += size;
+    const SizeProblem found = check_samples(base, samples);
+    if (!found.problem.empty())
+      context_.fault("study.samples", line_at("study.samples"), fmt::format("{:.0f}", samples),
+                     found.problem, found.cure);
   }
 
   // A fault of a setting that stands in the study file, not on the command line.
@@ -498,11 +510,11 @@ StudySpec parse_study(const std::string& toml_text, const std::string& file_name
 }
 
 StudySpec read_study(const std::string& path, const std::vector<std::string>& overrides) {
-  return parse_study(io::read_text(path), path, overrides);
+  return parse_study(io::read_input(path, "study.toml"), path, overrides);
 }
 
 bool is_study(const std::string& path) {
-  return io::parse_toml(io::read_text(path), path).contains("study");
+  return io::parse_toml(io::read_input(path, "model.toml"), path).contains("study");
 }
 
 ModelBuilder model_builder(const StudySpec& study) {

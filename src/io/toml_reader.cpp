@@ -113,7 +113,10 @@ std::optional<double> Reader::read_quantity(const toml::node& node, const std::s
   try {
     const double value = parse_quantity(text->get(), key.unit);
     if (key.range.holds(value)) return value;
-    return refuse_value(range_problem(key), "write e.g. " + example);
+    Key broken = key;  // of a length or speed below its range only that end is of interest
+    if (value <= key.range.low && std::string_view(key.unit) != "rad")
+      broken.range.high = std::numeric_limits<double>::infinity(), broken.range.high_open = false;
+    return refuse_value(range_problem(broken), "write e.g. " + example);
   } catch (const QuantityError& error) {
     const bool bare = error.problem() == "has no unit";
     return refuse_value(error.problem(),
@@ -326,6 +329,27 @@ std::string read_text(const std::string& path) {
   if (!in || in.bad() || std::filesystem::is_directory(path))
     throw IoError(fmt::format("can't read {}: {}", path, std::strerror(errno)));
   return std::move(out).str();
+}
+
+std::string read_input(const std::string& path, const char* example) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const bool folder = fs::is_directory(status);
+  if (fs::exists(status) && !folder) return read_text(path);
+  if (!folder && status.type() != fs::file_type::not_found) return read_text(path);  // says why not
+  const fs::path above = fs::path(path).parent_path();
+  std::vector<std::string> beside;
+  for (fs::directory_iterator it(above.empty() ? "." : above, error), end; !error && it != end;
+       it.increment(error))
+    beside.push_back((above / it->path().filename()).string());
+  const std::string nearest = folder ? "" : nearest_name(path, beside);
+  throw InputError({Fault{.file = path,
+                          .path = "",
+                          .value = "",
+                          .problem = folder ? "is a folder, not a file" : "there is no such file",
+                          .cure = nearest.empty() ? fmt::format("name a file, e.g. {}", example)
+                                                  : fmt::format("did you mean {}?", nearest)}});
 }
 
 void throw_faults(const ReadContext& context) {

@@ -148,6 +148,8 @@ void read_table(ReadContext& context, const toml::table& table, const std::strin
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
 // Whole file as text; IoError that names the path.
 [[nodiscard]] std::string read_text(const std::string& path);
+// The same for a file that the user named: InputError with a cure where there is none.
+[[nodiscard]] std::string read_input(const std::string& path, const char* example);
 // Throws all faults of the context, ordered by line.
 void throw_faults(const ReadContext& context);
 

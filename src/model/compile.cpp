@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "model/parts.h"
+#include "model/size.h"
 #include "model/step_bound.h"
 
 namespace wythe {
@@ -117,6 +118,8 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
 
 Model compile(const ModelSpec& spec) {
   FaultList faults;
+  check_size(spec, faults);
+  faults.throw_if_any();
   check_settings(spec.solve, faults);
   const Assembly assembly = geometry::build_assembly(spec, faults);
   faults.throw_if_any();

@@ -116,13 +116,12 @@ class StageCompiler {
   // Dead line load `q` [N/m] on the masonry's upper edges between x0 and x1.
   void press(Stage& stage, double x0, double x1, double q, const char* key) {
     double pressed = 0;
+    const double tolerance = 1e-6 * assembly_.height, top = top_of_wall();
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b) {
       if (map_[b] == kGroundBlock || assembly_.blocks[b].role == Role::kPlate) continue;
       const auto& outline = assembly_.blocks[b].outline;
       for (std::size_t v = 0; v < outline.size(); ++v) {
         const Vec2 p = outline[v], n = outline[(v + 1) % outline.size()];
-        const double tolerance = 1e-6 * assembly_.height;
-        const double top = top_of_wall();
         if (std::fabs(p.y - top) > tolerance || std::fabs(n.y - top) > tolerance) continue;
         const double from = std::max(std::min(p.x, n.x), x0), to = std::min(std::max(p.x, n.x), x1);
         if (to - from <= tolerance) continue;
@@ -220,6 +219,12 @@ class StageCompiler {
         fault("at.courses", std::to_string(at.courses), "this wall has no courses",
               "push at a box: at = { x, y, width, height }");
       return {nearest};
+    }
+    if (at.courses > assembly_.report.courses) {
+      fault("at.courses", std::to_string(at.courses),
+            fmt::format("the wall has {} courses", assembly_.report.courses),
+            "lower courses, or push at a box: at = { x, y, width, height }");
+      return {};
     }
     std::vector<std::size_t> found;
     const int first = course - (at.courses - 1) / 2;

@@ -9,9 +9,11 @@ namespace {
 
 study::Store opened(const std::string& folder) {
   if (!study::holds_store(folder))
-    throw IoError(folder +
-                  ": holds no campaign (no campaign.db); name the folder that wythe campaign "
-                  "--out wrote");
+    throw InputError({{.file = folder,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds no campaign (no campaign.db)",
+                       .cure = "name the folder that wythe campaign --out wrote"}});
   return {folder, study::Store::Access::kRead};
 }
 

@@ -298,9 +298,20 @@ class Faults(Base):
         for command in (["campaign", self.study], ["merge", self.whole]):
             self.refused(wythe(*command, "--out", self.out()), 2, "holds the results of a run")
 
+    def test_ten_million_samples_are_refused_at_once(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--samples", 10000000,
+                     env=os.environ | {"WYTHE_MEMORY": "8 GB"})
+        self.assertEqual(done.returncode, 2, done.stdout)
+        for word in ("--samples = 10000000", "10 million samples", "of memory", "of computing", "write at most"):
+            self.assertIn(word, done.stderr)
+        self.assertFalse(self.out().exists())
+
     def test_a_state_that_is_not_stored(self):
         picture = self.folder / "old.svg"
         picture.write_text("old")
+        some = wythe("picture", self.whole, "--sample", 1, "--at", 0.5, 7, 9, "--out", self.folder / "some.svg")
+        self.assertEqual(some.returncode, 0, some.stderr)
+        self.assertIn("no state is stored at 7, 9 mm", some.stderr)
         done = wythe("picture", self.whole, "--sample", 1, "--at", 7, "--out", picture)
         self.refused(done, 2, "--at: 7: sample 1 has no state there", "stored are, in mm: 0.5")
         self.assertEqual(picture.read_text(), "old")

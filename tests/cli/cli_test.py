@@ -162,7 +162,7 @@ class Run(Base):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("en, it", refused.stderr)
         nowhere = wythe("report", self.result.parent / "nowhere")
-        self.assertEqual(nowhere.returncode, 4)
+        self.assertEqual(nowhere.returncode, 2)
         self.assertIn("report.data", nowhere.stderr)
 
     def test_curve_has_the_contract_columns_and_500_rows(self):
@@ -199,9 +199,14 @@ class Run(Base):
 
 class BadInput(Base):
     def test_missing_file_names_it(self):
-        done = wythe("run", self.folder / "none.toml", "--out", self.out)
-        self.assertEqual(done.returncode, 4)
-        self.assertIn("none.toml", done.stderr)
+        for command in (["run", "none.toml", "--out", self.out], ["check", "none.toml"],
+                        ["limit", "none.toml", "--out", self.out], ["campaign", "none.toml", "--out", self.out],
+                        ["contact", "none.toml", "--path", "none.csv", "--out", self.out],
+                        ["contact", self.model(), "--path", "none.csv", "--out", self.out]):
+            done = wythe(*command, cwd=self.folder)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"none\.(toml|csv): there is no such file; (name a file|did you mean)")
+            self.assertFalse(self.out.exists())
 
     def test_not_toml_names_the_line(self):
         self.refused("[wall\nlength = 3", "model.toml")
@@ -282,6 +287,68 @@ class BadInput(Base):
         self.assertEqual(done.returncode, 2)
         self.assertIn("--set", done.stderr)
         self.assertIn("velocity", done.stderr)
+
+
+class Signals(Base):
+    """SIGTERM as Ctrl-C: what was computed is kept, and nothing makes the program deaf."""
+
+    def test_reading_and_building_end_with_the_signal(self):
+        # a pipe that is never filled: the program waits in reading the model
+        pipe = self.folder / "pipe.toml"
+        os.mkfifo(pipe)
+        for command in (["run", pipe, "--out", self.out], ["check", pipe], ["limit", pipe, "--out", self.out],
+                        ["campaign", pipe, "--out", self.out]):
+            for how in (signal.SIGINT, signal.SIGTERM):
+                process = subprocess.Popen([WYTHE, *map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                with open(pipe, "w"):  # returns once the program has opened the other end
+                    process.send_signal(how)
+                    process.communicate(timeout=60)
+                self.assertEqual(process.returncode, -how, command)
+
+
+class Guards(Base):
+    def checked(self, *settings):
+        return wythe("check", self.model(), *[word for setting in settings for word in ("--set", setting)])
+
+    def test_a_wall_too_large_is_refused_before_it_is_built(self):
+        done = self.checked("wall.length=100 m", "wall.height=20 m", "wall.unit.length=10 mm", "wall.unit.height=5 mm")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        for word in ("model.toml:", "wall.unit = 80 million blocks", "of memory", "of computing", "larger units"):
+            self.assertIn(word, done.stderr)
+
+    def test_a_window_of_no_width_is_refused_with_the_least(self):
+        done = self.checked("output.window=1e-100 mm")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("--set: output.window", done.stderr)
+        least = re.search(r'write window = "([^"]+)"', done.stderr).group(1)
+        self.assertEqual(self.checked(f"output.window={least}").returncode, 0)
+
+    def test_forecasts_are_finite(self):
+        done = self.checked("stage.push.velocity=0.00001 mm/s")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"about \d{4,18} steps, \d+ (s|min|h|days) on one core")
+        self.assertEqual(self.checked("stage.push.velocity=1e-300 m/s").returncode, 2)
+
+    def test_geometry_faults_have_file_line_and_opening(self):
+        opening = ('[[wall.opening]]\nname = "door"\nx = "0.33 m"\ny = "0 m"\nwidth = "0.2 m"\nheight = "0.4 m"\n')
+        done = wythe("check", self.model(SMALL + opening))
+        self.assertEqual(done.returncode, 2)
+        line = (SMALL + opening).split("\n").index('x = "0.33 m"') + 1
+        self.assertIn(f"model.toml:{line}: wall.opening.0.x", done.stderr)
+        self.assertIn("opening 0 (door)", done.stderr)
+
+    def test_names_cannot_drive_the_terminal(self):
+        done = wythe("check", self.model(SMALL.replace('bond = "running"', 'bond = "\\u001b[31m' + "x" * 5000 + '"')))
+        self.assertEqual(done.returncode, 2)
+        self.assertNotIn("\x1b", done.stderr)
+        self.assertIn("\\x1b[31m", done.stderr)
+        self.assertLess(len(done.stderr), 1000)
+
+    def test_an_overloaded_wall_is_told_so(self):
+        done = wythe("run", self.model(), "--out", self.out, "--quiet", "--set", "stage.precompression.pier_load=1e5 kN")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("can't carry its load", done.stdout)
+        self.assertNotIn("step_fraction", done.stdout)
 
 
 class Behaviour(Base):

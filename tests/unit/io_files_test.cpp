@@ -93,7 +93,8 @@ TEST(BlocksRefused, vertex_that_is_no_pair_of_numbers) {
   EXPECT_EQ(
       blocks_fault(
           R"({"units": "m", "blocks": [{"id": "b7", "polygon": [[0, 0], [1, 0], [1, null]]}]})"),
-      "stones.json: wall.blocks.b7.polygon = [1,null]: must be two finite numbers [x, y]");
+      "stones.json: wall.blocks.b7.polygon = [1,null]: must be two finite numbers [x, y] within 10 "
+      "km");
 }
 
 TEST(BlocksRefused, unknown_key_and_repeated_id) {
@@ -108,10 +109,10 @@ TEST(BlocksRefused, unknown_key_and_repeated_id) {
 }
 
 TEST(BlocksRefused, box_upside_down) {
-  EXPECT_EQ(
-      blocks_fault(R"({"units": "m", "blocks_xyxy": [[0, 1, 1, 0]]})"),
-      "stones.json: wall.blocks.b1 = [0,1,1,0]: must be four finite numbers x0 < x1, y0 < y1; "
-      "write them as [x0, y0, x1, y1]");
+  EXPECT_EQ(blocks_fault(R"({"units": "m", "blocks_xyxy": [[0, 1, 1, 0]]})"),
+            "stones.json: wall.blocks.b1 = [0,1,1,0]: must be four finite numbers x0 < x1, y0 < y1 "
+            "within 10 km; "
+            "write them as [x0, y0, x1, y1]");
 }
 
 // --- contact files -------------------------------------------------------------------------------

@@ -66,11 +66,11 @@ TEST(Model, compressive_strength_may_be_unlimited) {
   }
 }
 
-TEST(Model, missing_file_is_an_io_error_that_names_it) {
+TEST(Model, missing_file_is_an_input_error_that_names_it) {
   try {
     (void)read_model("/nowhere/model.toml");
     FAIL();
-  } catch (const IoError& error) {
+  } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("/nowhere/model.toml"), std::string::npos);
   }
 }

@@ -1,0 +1,230 @@
+#include "model/size.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace wythe {
+namespace {
+
+// Measured on plain walls of 20 000 and 80 000 blocks, rounded up.
+constexpr double kBuildBytes = 2000;      // a block, its joints and names while the model is built
+constexpr double kStateDoubles = 6;       // a block in a state, and as many a contact point
+constexpr double kJointsPerBlock = 3;     // running bond, halves apart
+constexpr double kCopies = 2;             // of a kept state: in memory, and in the page being made
+constexpr double kFramesKept = 64;        // for moving pictures, and start, peak, end
+constexpr double kReadEvery = 1e-3;       // a state is kept for reading each millimetre [m]
+constexpr double kSecondsPerStep = 1e-7;  // a block on one core
+constexpr double kMostNumbers = 2.5e8;    // of blocks: joints and points are numbered in 32 bits
+constexpr double kMostRows = 1e6;         // as output.rows
+constexpr double kMostSeconds = 3.2e8;    // ten years
+constexpr double kCurveColumns = 11;      // of a stored curve
+constexpr double kRampSeconds = 0.6;      // a quasi-static stage: ramp and settling
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1e9) return fmt::format("{:.0f} MB", bytes * 1e-6);
+  if (bytes < 1e12) return fmt::format("{:.0f} GB", bytes * 1e-9);
+  return fmt::format("{:.3g} TB", bytes * 1e-12);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2 * 3600) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.0f} h", seconds / 3600);
+  if (seconds < 2 * 3.15e7) return fmt::format("{:.0f} days", seconds / 86400);
+  return fmt::format("{:.3g} years", seconds / 3.15e7);
+}
+
+std::string count_text(double count) {
+  return count < 1e6 ? fmt::format("{:.0f}", count) : fmt::format("{:.3g} million", count * 1e-6);
+}
+
+bool is_length(double value) { return std::isfinite(value) && value > 0; }
+
+double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
+
+// 0 where lengths are missing: those are faults of their own.
+double blocks_of(const ModelSpec& spec) {
+  const WallSpec& wall = spec.wall;
+  if (!spec.block.empty() || !wall.blocks.empty()) return static_cast<double>(spec.block.size());
+  const double length = wall.bond == Bond::kHeader ? or_else(wall.unit.width, wall.unit.length / 2)
+                                                   : wall.unit.length;
+  if (!is_length(wall.length) || !is_length(wall.height) || !is_length(length) ||
+      !is_length(wall.unit.height))
+    return 0;
+  const double pieces = wall.unit.split == Split::kMiddle && wall.bond != Bond::kHeader ? 2 : 1;
+  return std::ceil(pieces * wall.length / length) * std::ceil(wall.height / wall.unit.height);
+}
+
+// Of one stage [m] or, for a load factor, its whole ramp: what its rows divide.
+double path_of(const StageSpec& stage) {
+  if (stage.kind == StageKind::kBodyForce) return or_else(stage.factor, 0);
+  if (stage.kind == StageKind::kTilt) return or_else(stage.tilt_until, 0);
+  if (stage.kind != StageKind::kPush) return 0;
+  if (stage.targets.empty()) return or_else(stage.until, 0);
+  double path = 0, at = 0;
+  for (const double target : stage.targets) {
+    path += std::fabs(target - at);
+    at = target;
+  }
+  return path;
+}
+
+double seconds_of(const StageSpec& stage) {
+  const double path = path_of(stage);
+  switch (stage.kind) {
+    case StageKind::kGravity:
+    case StageKind::kLoad: return or_else(stage.ramp, 0) + kRampSeconds;
+    case StageKind::kPush: return or_else(path / stage.velocity, 0) + or_else(stage.ramp, 0);
+    case StageKind::kBodyForce: return or_else(path / stage.rate, 0) + or_else(stage.ramp, 0);
+    case StageKind::kTilt: return or_else(path / stage.tilt_rate, 0) + or_else(stage.ramp, 0);
+    case StageKind::kHold: return or_else(stage.duration, 0);
+  }
+  return 0;
+}
+
+// Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
+double step_of(const ModelSpec& spec) {
+  constexpr double kUsual = 3e-5;  // of a wall whose sizes are not stated
+  const UnitSpec& unit = spec.wall.unit;
+  double stiffest = 0;
+  for (const auto& [name, material] : spec.material)
+    stiffest = std::max(stiffest, or_else(material.normal_stiffness, 0));
+  const double mass = unit.length * unit.height * unit.density;  // a metre of thickness
+  const double step = 2 / std::sqrt(4 * stiffest * (unit.length + unit.height) / mass);
+  return is_length(step) ? step : kUsual;
+}
+
+double memory_of_this_machine() {
+  double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  double limit = 0;  // of a container
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> limit && limit > 0)
+    bytes = std::min(bytes, limit);
+  return bytes;
+}
+
+std::string beyond_memory(double bytes) {
+  return fmt::format("about {} of memory, and {} may be used", bytes_text(bytes),
+                     bytes_text(memory_limit()));
+}
+
+const char* const kMoreMemory =
+    "or state what may be used: WYTHE_MEMORY=\"64 GB\" before the command";
+
+void check_blocks(const ModelSpec& spec, const Size& size, FaultList& faults) {
+  const bool countable = size.blocks <= kMostNumbers;
+  if (countable && size.bytes <= memory_limit()) return;
+  const std::string needs =
+      countable ? fmt::format("needs {} and {} of computing", beyond_memory(size.bytes),
+                              time_text(size.seconds))
+                : fmt::format(
+                      "is more than {} blocks, the most that are numbered; about {} and {} "
+                      "of computing",
+                      count_text(kMostNumbers), bytes_text(size.bytes), time_text(size.seconds));
+  const bool from_file = !spec.wall.blocks.empty();
+  faults.add({"", from_file ? "wall.blocks" : "wall.unit", count_text(size.blocks) + " blocks",
+              needs,
+              from_file ? std::string("fewer blocks, ") + kMoreMemory
+                        : std::string("write larger units or a smaller wall") +
+                              (countable ? std::string(", ") + kMoreMemory : ""),
+              0});
+}
+
+void check_rows(const ModelSpec& spec, FaultList& faults) {
+  const double window = spec.output.window;
+  if (!is_length(window)) return;
+  double rows = 0, path = 0;
+  for (const StageSpec& stage : spec.stage) path = std::max(path, path_of(stage));
+  rows = path / window;
+  if (rows <= kMostRows * (1 + 1e-9)) return;
+  faults.add({"", "output.window", fmt::format("{:g} mm", 1e3 * window),
+              fmt::format("makes {:.3g} rows of the path of {:g} mm, at most {} are kept", rows,
+                          1e3 * path, count_text(kMostRows)),
+              fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRows), 0});
+}
+
+const char* slow_key(StageKind kind) {
+  switch (kind) {
+    case StageKind::kPush: return "velocity";
+    case StageKind::kBodyForce: return "rate";
+    case StageKind::kTilt: return "tilt_rate";
+    case StageKind::kHold: return "duration";
+    case StageKind::kGravity:
+    case StageKind::kLoad: break;
+  }
+  return "ramp";
+}
+
+void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {
+  if (size.seconds <= kMostSeconds || size.blocks == 0) return;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < spec.stage.size(); ++i)
+    if (seconds_of(spec.stage[i]) > seconds_of(spec.stage[longest])) longest = i;
+  if (spec.stage.empty()) return;
+  faults.add({"", fmt::format("stage.{}.{}", longest, slow_key(spec.stage[longest].kind)), "",
+              fmt::format("the run would take about {:.3g} steps, {} of computing", size.steps,
+                          time_text(size.seconds)),
+              "write a faster one or a shorter way, so that it ends within ten years", 0});
+}
+
+}  // namespace
+
+Size size_of(const ModelSpec& spec) {
+  Size size;
+  size.blocks = blocks_of(spec);
+  const double points = kJointsPerBlock * spec.solve.points_per_face;
+  const double state = kStateDoubles * (1 + points) * sizeof(double);
+  double kept = kFramesKept + static_cast<double>(spec.output.states.size());
+  double seconds = 0;
+  for (const StageSpec& stage : spec.stage) {
+    seconds += seconds_of(stage);
+    // a wall pushed by its own height has fallen
+    if (stage.kind == StageKind::kPush)
+      kept += std::min(path_of(stage), or_else(spec.wall.height, 1)) / kReadEvery;
+  }
+  size.bytes = size.blocks * (kBuildBytes + kCopies * kept * state);
+  size.steps = seconds / step_of(spec);
+  size.seconds = size.steps * size.blocks * kSecondsPerStep * points / (2 * kJointsPerBlock);
+  return size;
+}
+
+void check_size(const ModelSpec& spec, FaultList& faults) {
+  const Size size = size_of(spec);
+  check_blocks(spec, size, faults);
+  check_rows(spec, faults);
+  check_time(spec, size, faults);
+}
+
+SizeProblem check_samples(const ModelSpec& spec, double samples) {
+  const double a_sample = spec.output.rows * kCurveColumns * sizeof(double);
+  const double bytes = samples * a_sample;
+  if (bytes <= memory_limit()) return {};
+  return {fmt::format("{} samples with their curves need {} and {} of computing on one core",
+                      count_text(samples), beyond_memory(bytes),
+                      time_text(samples * size_of(spec).seconds)),
+          fmt::format("write at most {:.0f}, or shorter curves (output.rows), {}",
+                      std::floor(memory_limit() / a_sample), kMoreMemory)};
+}
+
+double memory_limit() {
+  const char* stated = std::getenv("WYTHE_MEMORY");
+  if (stated == nullptr) return memory_of_this_machine();
+  char* rest = nullptr;
+  const double number = std::strtod(stated, &rest);
+  const std::string unit = rest;
+  for (const auto& [name, factor] : {std::pair("GB", 1e9), std::pair("MB", 1e6), {"TB", 1e12}})
+    if ((unit == name || unit == std::string(" ") + name) && std::isfinite(number) && number > 0)
+      return number * factor;
+  throw InputError({{.file = "WYTHE_MEMORY",
+                     .path = "",
+                     .value = stated,
+                     .problem = "is no size of memory",
+                     .cure = "write e.g. WYTHE_MEMORY=\"64 GB\""}});
+}
+
+}  // namespace wythe
