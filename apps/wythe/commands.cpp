@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "progress.h"
@@ -25,14 +27,46 @@ void print_model(const Model& m) {
   for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", readable(note));
 }
 
-void print_result(const Result& r, const std::string& out) {
+void print_load(const Result& r) {
   const Responses& q = r.responses;
+  if (std::isnan(q.peak_reaction)) {
+    fmt::print("capacity not known: {}\n", q.peak_reason);
+    return;
+  }
+  const bool tilt = r.curve_of == StageKind::kTilt;
+  fmt::print(
+      "capacity {}load factor {:.4f}{}: {:.2f} kN, the top at {:.2f} mm{}\n",
+      q.censored_peak ? "at least " : "", r.load_factor,
+      tilt ? fmt::format(", a tilt of {:.2f} degrees", std::atan(r.load_factor) * 180 / M_PI) : "",
+      1e-3 * q.peak_reaction, 1e3 * q.displacement_at_peak,
+      q.censored_peak ? "; the wall did not fall: let the load grow farther" : "");
+}
+
+void print_push(const Result& r) {
+  const Responses& q = r.responses;
+  if (std::isnan(q.peak_reaction)) {
+    fmt::print("peak not known: {}\n", q.peak_reason);
+    return;
+  }
+  fmt::print("peak {}{:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
+             q.censored_peak ? "at least " : "", 1e-3 * q.peak_reaction,
+             1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "", 1e3 * q.displacement_at_80,
+             1e-6 * q.initial_stiffness);
+  if (q.peak_raw > 1.02 * q.peak_reaction)
+    fmt::print("rows out of balance reach {:.2f} kN at {:.2f} mm: no strength\n", 1e-3 * q.peak_raw,
+               1e3 * q.displacement_at_peak_raw);
+}
+
+void print_result(const Result& r, const std::string& out) {
+  const std::string warning = warning_of(r);
+  if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
              r.reason.empty() ? "" : ": " + readable(r.reason));
   if (!r.curve.empty()) {
-    fmt::print("peak {:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
-               1e-3 * q.peak_reaction, 1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "",
-               1e3 * q.displacement_at_80, 1e-6 * q.initial_stiffness);
+    if (is_load_controlled(r))
+      print_load(r);
+    else
+      print_push(r);
     fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
                r.failure_mode.reading.empty() ? "" : ", ", r.failure_mode.reading,
                r.failure_mode.sentence);

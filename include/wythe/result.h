@@ -35,6 +35,15 @@ struct CurveRow {
   double lintel_deflection = 0;    // sag of the first lintel of zones, against its ends [m]
   double lintel_end_rotation = 0;  // right end against left end, anticlockwise + [rad]
   double lintel_axial = 0;         // at mid-span, tension + [N]
+  double work_drive = 0;           // of the drive, since the stage began [J]
+  double work_damping = 0;         // taken by local damping, since the stage began [J]
+};
+
+// The way out of a push in windows that widen by a fiftieth each, so that its beginning is as fine
+// whatever the rows are; up to the first turn.
+struct RisePoint {
+  double displacement = 0;  // in the middle of the window [m]
+  double force = 0;         // mean of reaction and base shear over the window's path [N]
 };
 
 // Where the reaction first falls to `fraction` of the peak after it.
@@ -66,11 +75,17 @@ struct Collapse {
 
 // Responses read off the curve; definitions in docs/reference/results.md.
 struct Responses {
-  double peak_reaction = 0;         // [N]
-  double displacement_at_peak = 0;  // [m]
-  double displacement_at_80 = 0;    // [m], first crossing of 0.8 peak after the peak
-  bool censored_80 = true;          // never crossed, no collapse: the last displacement stands
-  double displacement_max = 0;      // [m], where the reaction stays below 0.2 peak
+  // The capacity: the largest reaction of a row in balance (is_in_balance); of a load-controlled
+  // stage the largest load carried in balance. NaN where there is none: peak_reason says why.
+  double peak_reaction = 0;             // [N]
+  double displacement_at_peak = 0;      // [m]
+  std::string peak_reason = {};         // why there is no capacity; "" where there is one
+  bool censored_peak = false;           // still rising, or the load never brought the wall down
+  double peak_raw = 0;                  // largest reaction of any row, rebounds and all [N]
+  double displacement_at_peak_raw = 0;  // [m]
+  double displacement_at_80 = 0;        // [m], first crossing of 0.8 peak after the peak
+  bool censored_80 = true;              // never crossed, no collapse: the last displacement stands
+  double displacement_max = 0;          // [m], where the reaction stays below 0.2 peak
   bool censored_max = true;
   double initial_stiffness = 0;  // [N/m], secant between 10 and 30 % of the peak
   double load_height = 0;        // what drifts are measured over [m]; 0: not known, no drifts
@@ -81,13 +96,19 @@ struct Responses {
   Collapse collapse = {};
 };
 
-// What to read beside the fixed responses.
+// What to read beside the fixed responses, and what the curve alone does not tell.
 struct ResponseOptions {
   std::vector<double> fractions = {0.8, 0.5};  // of the peak, after it, each in (0, 1)
   std::string collapse = {};                   // why the run ended by collapse, "": it did not
+  std::vector<RisePoint> rise = {};            // for stiffnesses; empty: read off the rows
+  double carried = kUnset;  // load-controlled: the largest load carried in balance [N]
 };
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
                                        const ResponseOptions& options = {});
+
+// Whether reaction and base shear of a row, of its neighbours and of all rows within 2.5 % of its
+// displacement agree within 2 % of its reaction: then no part of it is inertia or drag.
+[[nodiscard]] bool is_in_balance(const std::vector<CurveRow>& curve, std::size_t row);
 
 struct EnergyLedger {
   double loads = 0, drive = 0;                      // work put in [J]
@@ -98,13 +119,17 @@ struct EnergyLedger {
   double gap_ratio = 0;                             // |gap| / (|loads| + |drive| + elastic)
 };
 
-// How nearly static the push was, and a sentence for it.
+// How nearly static the push was where its peak is, and a sentence for it (docs/theory/integration.md).
+// NaN: not known.
 struct QuasiStatic {
-  double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;
-  double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;
-  double shear_gap = 0;      // |mean of (reaction - base shear)| / peak
-  double damping_share = 0;  // damping work / work of the drive, both of the push
-  std::string verdict;       // "slow enough", "too fast: halve the velocity", ...
+  double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;  // over the rows around the peak
+  double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;      // over the rows around the peak
+  double shear_gap = 0;      // |mean of (reaction - base shear)| / peak, rows around the peak
+  double damping_share = 0;  // of the drive's work on the way to the peak (its last fifth, median)
+  double beyond = 0;  // largest force, applied and felt by the ground alike, of any row / peak - 1
+  double lift = 0;    // a slow push moves the peak by no more than about this share of it
+  std::string judgement = "no push";  // "slow enough", "usable", "too fast", "unknown", "no push"
+  std::string verdict;                // the judgement with its reason and cure
 };
 
 // Something worth a mark on the curve.
@@ -214,6 +239,8 @@ struct Result {
   SolveStatus status = SolveStatus::kCompleted;
   std::string reason;  // which residual, where, when; why it stopped
   std::vector<CurveRow> curve;
+  std::vector<RisePoint> rise;            // of a push
+  StageKind curve_of = StageKind::kPush;  // what drove the curve
   Responses responses;
   EnergyLedger energy;
   QuasiStatic quasi_static;
@@ -229,13 +256,22 @@ struct Result {
   std::vector<Snapshot> readings;
   std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
-  double load_factor = 0;       // last lambda carried in equilibrium (body force), tan(tilt)
+  double load_factor = 0;       // largest lambda carried in balance (body force), tan(tilt)
   double top_displacement = 0;  // [m]
   std::int64_t steps = 0;
   double time_step = 0;  // [s], of the last stage
   double wall_seconds = 0;
   std::string state_hash;
 };
+
+[[nodiscard]] inline bool is_load_controlled(const Result& result) {
+  return result.curve_of == StageKind::kBodyForce || result.curve_of == StageKind::kTilt;
+}
+// What must be said before any number of the run: why its peak is no strength, or what it may be wrong by.
+// "": nothing.
+[[nodiscard]] std::string warning_of(const Result& result);
+// How to read this run's curve.
+[[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
 
 // Joint state at every point, for pictures and files; same arithmetic as the step.
 struct PointStress {

@@ -197,6 +197,7 @@ struct Statistics {
   double read_modes_at = kUnset;         // asked for [m]
   int replicates = 0;                    // of every bootstrap
   std::map<std::string, int> status;     // of the samples that ran
+  std::map<std::string, int> judgement;  // of the samples with a curve: QuasiStatic::judgement
   std::vector<Unanswered> unanswered;
   std::vector<std::string> modes;  // FM-1 ... FM-5 where any occurs, other names, "unclear"
   std::vector<InputSummary> input;
@@ -222,7 +223,7 @@ inline constexpr int kFewestSamples = 20;
 // in `unanswered`. Any campaign will do, an empty one too. Cost: about a second for 250 samples.
 [[nodiscard]] Statistics statistics_of(const Campaign& campaign);
 
-// Whether this sample counts in the statistics.
+// Whether this sample counts in the statistics: it ended, and a force in balance was found.
 [[nodiscard]] bool is_answered(const SampleRecord& record);
 // Of an answered sample: its largest reaction is the last, so that the wall may resist more.
 [[nodiscard]] bool is_still_rising(const SampleRecord& record);

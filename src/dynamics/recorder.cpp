@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/balance.h"
 #include "dynamics/zone_state.h"
 
 namespace wythe::dynamics {
@@ -65,7 +66,9 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, int fram
   state_at_.push_back(std::numeric_limits<double>::infinity());
   due_ = std::min({state_at_.front(), next_reading_, read_at_});
   // The curve is that of the last stage that has one.
+  result_.curve_of = stage.spec.kind;
   result_.curve.clear();
+  result_.rise.clear();
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
@@ -88,6 +91,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
     start_time_ = state.time - state.stage_time;
     while (next_close_ < travelled) next_close_ += window_;
     work_at_start_ = state.work_drive;
+    dead_ = dead_along_push(state);
     if (result_.curve.empty()) result_.curve.push_back({});
     place.bring_up(state);
     damping_at_start_ = state.work_damping;
@@ -98,9 +102,12 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   weight_ = controls.push != nullptr ? std::fabs(controls.drive_velocity) : 1.0;
   weight_sum_ += weight_;
   reaction_sum_ += weight_ * reaction;
+  rise_weight_ += weight_;
+  rise_sum_ += weight_ * reaction;
   ++steps_;
   const bool closes = travelled >= next_close_;
   sample(place, state, controls, closes);
+  take_rise(displacement, travelled);
   row_closed_ = closes;
   if (closes) {
     place.bring_up(state);
@@ -129,6 +136,19 @@ void Recorder::take_states(const Place& place, State& state) {
   due_ = std::min({state_at_[next_state_], next_reading_, read_at_});
 }
 
+// Windows of at least one sample of base shear; the push's beginning is felt at the driven blocks first
+// and at the ground last, so the wall's own force lies between the two.
+void Recorder::take_rise(double displacement, double travelled) {
+  constexpr double kFirst = 1e-6, kWider = 1.02;  // first window [m], each to the one before
+  const double out = std::fabs(displacement);
+  if (is_load_controlled(result_) || travelled > out * (1 + 1e-9) + 1e-12) return;
+  if (out < std::max(kFirst, kWider * rise_from_) || rise_shear_weight_ == 0) return;
+  const double force = 0.5 * (rise_sum_ / rise_weight_ + rise_shear_sum_ / rise_shear_weight_);
+  result_.rise.push_back({0.5 * (rise_from_ + out), displacement < 0 ? -force : force});
+  rise_from_ = out;
+  rise_weight_ = rise_sum_ = rise_shear_weight_ = rise_shear_sum_ = 0;
+}
+
 void Recorder::take_frame(const State& state, double travelled) {
   // frame k at (k/n)^1.5 of the path: most cracks open in its first tenth
   constexpr double kCloserAtFirst = 1.5;
@@ -140,10 +160,40 @@ void Recorder::take_frame(const State& state, double travelled) {
   result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
 }
 
+// The ground's force along the push, less what weights and dead loads bring there: in balance it is the
+// reaction. Weights and loads of driven blocks stay in both. Of a tilted wall it is scaled to full
+// weight, as the reaction is: W tan against W sin / cos.
+double Recorder::resisted_by_ground(const Place& place, const State& state) const {
+  const double shear = place.base_shear(stage_.drive_x, stage_.drive_y);
+  if (stage_.spec.kind == StageKind::kTilt) {
+    const double down = -state.gravity_y / model_.solve.gravity;
+    return down > 0 ? shear / down : shear;
+  }
+  return stage_.spec.kind == StageKind::kPush ? shear - dead_ : shear;
+}
+
+// Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
+double Recorder::dead_along_push(const State& state) const {
+  std::vector<bool> driven(static_cast<std::size_t>(model_.n_block), false);
+  for (const BlockId block : stage_.driven) driven[static_cast<std::size_t>(block)] = true;
+  double mass = 0, force = 0;
+  for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.heavy_mass[i];
+  for (const double node : model_.solids.node_heavy_mass) mass += node;
+  force = mass * (state.gravity_x * stage_.drive_x + state.gravity_y * stage_.drive_y);
+  for (std::size_t k = 0; k < model_.stages.size(); ++k)
+    for (const PointLoad& load : model_.stages[k].loads)
+      if (!driven[static_cast<std::size_t>(load.block)])
+        force += state.load_scale[k] * (load.fx * stage_.drive_x + load.fy * stage_.drive_y);
+  return force;
+}
+
 void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
   if (state.step % kShearEvery == 0 || all) {
+    const double shear = resisted_by_ground(place, state);
     shear_weight_ += weight_;
-    shear_sum_ += weight_ * place.base_shear(stage_.drive_x, stage_.drive_y);
+    shear_sum_ += weight_ * shear;
+    rise_shear_weight_ += weight_;
+    rise_shear_sum_ += weight_ * shear;
     const double work = std::fabs(state.work_drive - work_at_start_);
     if (work > 0) kinetic_sum_ += place.kinetic_energy(controls.mass_scaling) / work;
     ++shear_samples_;
@@ -157,13 +207,15 @@ void Recorder::sample(const Place& place, const State& state, const Controls& co
 void Recorder::close_row(const State& state) {
   CurveRow row;
   row.time = state.time - start_time_;
-  row.displacement = displacement_;
+  row.displacement = is_load_controlled(result_) ? top_displacement(model_, state) : displacement_;
   row.drift = stage_.load_height > 0 ? displacement_ / stage_.load_height : 0.0;
   row.reaction = weight_sum_ > 0 ? reaction_sum_ / weight_sum_ : 0;
   row.base_shear = shear_weight_ > 0 ? shear_sum_ / shear_weight_ : 0;
   row.unbalance_ratio = unbalance_sum_ / static_cast<double>(std::max(1L, unbalance_samples_));
   row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
   row.load_factor = load_factor_;
+  row.work_drive = state.work_drive - work_at_start_;
+  row.work_damping = damping_at_start_ - state.work_damping;
   const LintelMeasures lintel = lintel_measures(model_, state);
   row.lintel_deflection = lintel.deflection;
   row.lintel_end_rotation = lintel.end_rotation;
@@ -180,11 +232,24 @@ void Recorder::close_row(const State& state) {
 
   note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
-  if (row.reaction > peak_) {
-    peak_ = row.reaction;
-    peak_state_ = state;
-    peak_displacement_ = row.displacement;
-  }
+  note_peak(state);
+}
+
+// The state at the peak: of the largest row in balance with the one before; while there is none, of the
+// largest row of all. Rows to come decide on the balance of the last (is_in_balance), so the state
+// may be a row or two beside the peak that is read.
+void Recorder::note_peak(const State& state) {
+  const std::vector<CurveRow>& curve = result_.curve;
+  const CurveRow& row = curve.back();
+  const auto agree = [&](const CurveRow& other) {
+    return std::fabs(other.reaction - other.base_shear) <= kBalance * std::fabs(row.reaction);
+  };
+  const bool balanced = agree(row) && agree(curve[curve.size() - 2]);
+  if (balanced < peak_balanced_ || (balanced == peak_balanced_ && !(row.reaction > peak_))) return;
+  peak_balanced_ = balanced;
+  peak_ = row.reaction;
+  peak_state_ = state;
+  peak_displacement_ = row.displacement;
 }
 
 void Recorder::note_joints(const State& state, double displacement, double reaction) {
@@ -248,14 +313,12 @@ bool Recorder::fell_below() const {
   return low_rows_ >= kRows;
 }
 
-void Recorder::finish(const Place& place, State& state, const Controls& controls) {
+void Recorder::finish(const Place& place, State& state, const Controls& controls, bool ran_away) {
   if (start_time_ < 0) return;
   place.bring_up(state);
-  const double drive = state.work_drive - work_at_start_;
-  result_.quasi_static.damping_share =
-      drive > 0 ? (damping_at_start_ - state.work_damping) / drive : 0.0;
-  // A window cut short is too noisy a mean to stand beside the others.
-  if (2 * steps_ >= full_window_ && steps_ > 0) {
+  // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
+  // that stands still has no more rows.
+  if (2 * steps_ >= full_window_ && steps_ > 0 && !ran_away) {
     sample(place, state, controls, true);
     close_row(state);
   }

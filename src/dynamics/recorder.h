@@ -20,8 +20,9 @@ class Recorder {
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const Place& place, State& state, const Controls& controls, double reaction,
             double displacement, double load_factor, double travelled);
-  // Closes the last window and adds the snapshot "end".
-  void finish(const Place& place, State& state, const Controls& controls);
+  // Closes the last window and adds the snapshot "end". `ran_away`: the load stood still while the
+  // wall fell.
+  void finish(const Place& place, State& state, const Controls& controls, bool ran_away = false);
   // True when the last rows, all beyond any displacement before, lie below the stage's stop_below
   // share of the peak so far.
   [[nodiscard]] bool fell_below() const;
@@ -36,6 +37,10 @@ class Recorder {
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const Place& place, State& state);
   void take_frame(const State& state, double travelled);
+  void take_rise(double displacement, double travelled);
+  void note_peak(const State& state);
+  [[nodiscard]] double resisted_by_ground(const Place& place, const State& state) const;
+  [[nodiscard]] double dead_along_push(const State& state) const;
 
   const Model& model_;
   const Stage& stage_;
@@ -51,6 +56,7 @@ class Recorder {
   double reaction_sum_ = 0, shear_sum_ = 0, unbalance_sum_ = 0, kinetic_sum_ = 0;
   long steps_ = 0, shear_samples_ = 0, unbalance_samples_ = 0;
   double peak_ = 0;
+  bool peak_balanced_ = false;
   State peak_state_;
   double peak_displacement_ = 0;
   std::size_t next_state_ = 0;
@@ -62,6 +68,10 @@ class Recorder {
   bool grows_ = false;          // the last step went farther than any before
   std::vector<bool> slid_off_;  // joints (n_joint)
   bool row_closed_ = false;
+  // The open window of `rise`: where it began, and its sums so far.
+  double rise_from_ = 0, rise_weight_ = 0, rise_sum_ = 0;
+  double rise_shear_weight_ = 0, rise_shear_sum_ = 0;
+  double dead_ = 0;       // along the push, on blocks that are not driven [N]
   long full_window_ = 0;  // steps of the last window that was closed whole
   double furthest_ = 0;   // largest displacement of a row so far [m]
   int low_rows_ = 0;      // rows below stop_below in a row

@@ -1,5 +1,6 @@
 #include "dynamics/residual.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dynamics/zone_state.h"
@@ -83,12 +84,21 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   e.gap =
       e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing - e.damping;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
-  e.gap_ratio = scale > 0 ? std::fabs(e.gap) / scale : 0.0;
+  e.gap_ratio = scale == 0 ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
   return e;
 }
 
 BlockId runaway_block(const Model& model, const WallView& wall) {
   return runaway_of(sizes_of(model), wall);
+}
+
+double top_displacement(const Model& model, const State& state) {
+  double moved = 0;
+  const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
+  for (std::size_t i = 0; i < state.ux.size(); ++i)
+    if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
+      moved = std::max(moved, std::fabs(state.ux[i]));
+  return moved;
 }
 
 Furthest furthest_block(const Model& model, const WallView& wall) {

@@ -21,6 +21,8 @@ namespace wythe::dynamics {
                                          double mass_scaling);
 // First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
 [[nodiscard]] BlockId runaway_block(const Model& model, const WallView& wall);
+// Largest |ux| of the blocks whose centroids lie within 1 % of the height below the highest [m].
+[[nodiscard]] double top_displacement(const Model& model, const State& state);
 // The block (n_block + i: node i) that has moved furthest.
 [[nodiscard]] Furthest furthest_block(const Model& model, const WallView& wall);
 

@@ -1,10 +1,10 @@
 #include "dynamics/responses.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/real.h"
+#include "dynamics/balance.h"
 #include "dynamics/stage_run.h"
 
 namespace wythe {
@@ -13,25 +13,66 @@ namespace {
 // Displacement at which the straight line between two rows crosses a reaction.
 double crossing(const CurveRow& a, const CurveRow& b, double reaction) {
   const double rise = b.reaction - a.reaction;
-  const double share = rise == 0 ? 0.0 : (reaction - a.reaction) / rise;
+  const double share = rise == 0 ? 0.0 : clip((reaction - a.reaction) / rise, 0.0, 1.0);
   return a.displacement + share * (b.displacement - a.displacement);
 }
 
 using Curve = std::vector<CurveRow>;
 
-// Displacement where the rising branch first reaches `reaction`.
-double rising_crossing(const Curve& curve, double reaction) {
-  for (std::size_t i = 1; i < curve.size(); ++i)
-    if (curve[i].reaction >= reaction) return crossing(curve[i - 1], curve[i], reaction);
-  return curve.back().displacement;
+// Displacement where the rising branch first reaches `force`.
+double rising_crossing(const std::vector<RisePoint>& rise, double force) {
+  RisePoint before;
+  for (const RisePoint& point : rise) {
+    if (point.force >= force) {
+      const double share = (force - before.force) / (point.force - before.force);
+      return before.displacement + share * (point.displacement - before.displacement);
+    }
+    before = point;
+  }
+  return rise.empty() ? 0.0 : rise.back().displacement;
 }
 
-std::size_t peak_row(const Curve& curve) {
+// The rising branch where only rows are known.
+std::vector<RisePoint> rise_of(const Curve& curve) {
+  std::vector<RisePoint> rise;
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    rise.push_back({curve[i].displacement, 0.5 * (curve[i].reaction + curve[i].base_shear)});
+  return rise;
+}
+
+// Slope of the straight line through the points from 10 to 30 % of the peak that is nearest to them, each
+// with the weight of its window; with fewer than three of them the secant.
+double initial_stiffness_of(const std::vector<RisePoint>& rise, double peak) {
+  double w = 0, x = 0, y = 0, xx = 0, xy = 0, before = 0;
+  int count = 0;
+  for (const RisePoint& point : rise) {
+    const double weight = std::fabs(point.displacement - before), d = point.displacement;
+    before = d;
+    if (point.force > 0.3 * peak) break;
+    if (point.force < 0.1 * peak) continue;
+    ++count;
+    w += weight;
+    x += weight * d;
+    y += weight * point.force;
+    xx += weight * d * d;
+    xy += weight * d * point.force;
+  }
+  const double spread = w * xx - x * x;
+  if (count >= 3 && spread > 0) return (w * xy - x * y) / spread;
+  const double d1 = rising_crossing(rise, 0.1 * peak), d3 = rising_crossing(rise, 0.3 * peak);
+  return d3 > d1 ? 0.2 * peak / (d3 - d1) : kUnset;
+}
+
+std::size_t raw_peak_row(const Curve& curve) {
   std::size_t peak = 0;
   for (std::size_t i = 1; i < curve.size(); ++i)
     if (curve[i].reaction > curve[peak].reaction) peak = i;
   return peak;
 }
+
+// What a row still carries: a rebound lets the reaction or the base shear dip alone, a wall that has lost
+// its strength lets both.
+double carried(const CurveRow& row) { return std::max(row.reaction, row.base_shear); }
 
 // A point of the curve: at `displacement`, `reaction`, between row - 1 and row.
 struct Place {
@@ -43,7 +84,7 @@ struct Place {
 // First fall to `reaction` after the peak, else the last row: where the wall collapsed it fell there.
 Place fall_to(const Curve& curve, std::size_t peak, double reaction, bool collapsed) {
   for (std::size_t i = peak + 1; i < curve.size(); ++i)
-    if (curve[i].reaction < reaction)
+    if (carried(curve[i]) < reaction)
       return {i, crossing(curve[i - 1], curve[i], reaction), reaction, false};
   return {curve.size() - 1, curve.back().displacement, curve.back().reaction, !collapsed};
 }
@@ -72,10 +113,11 @@ double load_height_of(const Curve& curve) {
 
 // ke: secant at 0.7 peak. Equal areas up to du: A = Fu du - Fu^2 / (2 ke). The smaller root is Fu;
 // where the curve holds more than a straight line to du could, the line's end stands for it.
-Bilinear bilinear_of(const Curve& curve, double peak, const Place& ultimate) {
+Bilinear bilinear_of(const Curve& curve, const std::vector<RisePoint>& rise, double peak,
+                     const Place& ultimate) {
   constexpr double kSecant = 0.7;
   Bilinear b;
-  const double secant_at = rising_crossing(curve, kSecant * peak);
+  const double secant_at = rising_crossing(rise, kSecant * peak);
   b.censored = ultimate.censored;
   b.ultimate_displacement = ultimate.displacement;
   if (!(secant_at > 0) || !(peak > 0)) return b;
@@ -127,12 +169,29 @@ const char* to_string(SolveStatus status) {
   return "budget_spent";
 }
 
-Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
-  Responses r;
-  if (curve.empty()) return r;
-  const std::size_t peak = peak_row(curve);
-  r.peak_reaction = curve[peak].reaction;
-  r.displacement_at_peak = curve[peak].displacement;
+namespace {
+
+Bilinear no_bilinear() { return {kUnset, kUnset, kUnset, kUnset, kUnset, true}; }
+
+// What only a peak gives is not known without one.
+void leave_unknown(Responses& r, const std::vector<double>& fractions) {
+  r.displacement_at_80 = r.drift_at_80 = r.drift_at_peak = r.initial_stiffness = kUnset;
+  r.work_to_peak = r.work_to_80 = kUnset;
+  for (const double fraction : fractions) r.falls.push_back({fraction, kUnset, kUnset, true});
+  r.bilinear = no_bilinear();
+}
+
+// Largest displacement before the reaction stays below a fifth of the peak, to the end.
+void read_largest(const Curve& curve, std::size_t peak, Responses& r) {
+  std::size_t low = curve.size();
+  while (low > peak + 1 && carried(curve[low - 1]) < 0.2 * r.peak_reaction) --low;
+  if (low == curve.size()) return;
+  r.displacement_max = curve[low].displacement;
+  r.censored_max = false;
+}
+
+void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions& options,
+                     Responses& r) {
   const bool collapsed = !options.collapse.empty();
   const Place at_80 = fall_to(curve, peak, 0.8 * r.peak_reaction, collapsed);
   r.displacement_at_80 = at_80.displacement;
@@ -141,80 +200,72 @@ Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptio
     const Place fall = fall_to(curve, peak, fraction * r.peak_reaction, collapsed);
     r.falls.push_back({fraction, fall.displacement, 0, fall.censored});
   }
-  r.displacement_max = curve.back().displacement;
-  std::size_t low = curve.size();  // first of the rows that stay below 0.2 peak to the end
-  while (low > peak + 1 && curve[low - 1].reaction < 0.2 * r.peak_reaction) --low;
-  if (low < curve.size()) {
-    r.displacement_max = curve[low].displacement;
-    r.censored_max = false;
-  }
-  const double d1 = rising_crossing(curve, 0.1 * r.peak_reaction);
-  const double d3 = rising_crossing(curve, 0.3 * r.peak_reaction);
-  if (d3 > d1) r.initial_stiffness = 0.2 * r.peak_reaction / (d3 - d1);
+  read_largest(curve, peak, r);
+  const std::vector<RisePoint> rise = options.rise.empty() ? rise_of(curve) : options.rise;
+  r.initial_stiffness = initial_stiffness_of(rise, r.peak_reaction);
   r.work_to_peak = work_up_to(curve, row_place(curve, peak));
   r.work_to_80 = work_up_to(curve, at_80);
+  r.bilinear = bilinear_of(curve, rise, r.peak_reaction, at_80);
+}
+
+void read_push(const Curve& curve, const ResponseOptions& options, Responses& r) {
+  const auto peak = dynamics::largest_in_balance(curve);
+  if (!peak) {
+    r.peak_reaction = r.displacement_at_peak = kUnset;
+    r.peak_reason = dynamics::why_out_of_balance(curve);
+    leave_unknown(r, options.fractions);
+    return;
+  }
+  r.peak_reaction = curve[*peak].reaction;
+  r.displacement_at_peak = curve[*peak].displacement;
+  const bool at_the_end = r.displacement_at_peak >= 0.99 * curve.back().displacement;
+  r.censored_peak = at_the_end && options.collapse.empty();
+  read_after_peak(curve, *peak, options, r);
+}
+
+// A load that grows while the wall is in balance: what it carried, and no more; the wall has no curve
+// beyond, for there it runs away.
+void read_load(const Curve& curve, const ResponseOptions& options, Responses& r) {
+  leave_unknown(r, options.fractions);
+  r.displacement_max = kUnset;
+  const bool carried_any = options.carried > 0;
+  r.peak_reaction = carried_any ? options.carried : kUnset;
+  r.displacement_at_peak = carried_any ? curve.back().displacement : kUnset;
+  r.censored_peak = carried_any && options.collapse.empty();
+  if (!carried_any) r.peak_reason = "no load was carried in balance";
+}
+
+}  // namespace
+
+ResponseOptions reading_of(const Model& model, const Result& result) {
+  ResponseOptions read;
+  if (result.status == SolveStatus::kCollapsed) read.collapse = result.reason;
+  read.rise = result.rise;
+  if (is_load_controlled(result)) read.carried = result.load_factor * model.weight;
+  return read;
+}
+
+Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
+  Responses r;
+  if (curve.empty()) return r;
+  const std::size_t raw = raw_peak_row(curve);
+  r.peak_raw = curve[raw].reaction;
+  r.displacement_at_peak_raw = curve[raw].displacement;
+  r.displacement_max = curve.back().displacement;
   r.work_total = work_up_to(curve, row_place(curve, curve.size() - 1));
-  r.bilinear = bilinear_of(curve, r.peak_reaction, at_80);
+  if (std::isnan(options.carried))
+    read_push(curve, options, r);
+  else
+    read_load(curve, options, r);
   r.collapse = collapse_of(curve, r, options.collapse);
   read_drifts(curve, r);
   return r;
 }
 
 namespace dynamics {
-namespace {
-
-// Drag is the mean gap between reaction and base shear over the peak. In the rate study of the tuff
-// wall (docs/sensitivity.md) the peak lay above its slow limit by 0.9 to 1.7 times the drag.
-constexpr double kLift = 1.7;
-constexpr double kSlowDrag = 0.01;  // below: the peak is at most about 2 % high
-constexpr double kFastDrag = 0.03;  // above: about 5 % and more
-
-std::string verdict_for(const QuasiStatic& q) {
-  const double percent = 100 * q.shear_gap, lift = kLift * percent;
-  const auto say = [&](const char* words) {
-    return fmt::format(
-        "{}: inertia and damping drag on the push with {:.1f} % of the peak, which "
-        "is then about {:.1f} % above that of a slow push",
-        words, percent, lift);
-  };
-  if (q.shear_gap < kSlowDrag) return say("slow enough");
-  if (q.shear_gap < kFastDrag)
-    return say("usable, but halve the velocity or lower stage.damping to be sure");
-  return say("too fast: halve the velocity");
-}
-
-}  // namespace
-
-QuasiStatic judge_quasi_static(const Result& result) {
-  QuasiStatic q;
-  q.damping_share = result.quasi_static.damping_share;
-  const double peak = result.responses.peak_reaction;
-  if (result.curve.size() < 3 || !(peak > 0)) {
-    q.verdict = "no push";
-    return q;
-  }
-  // The start, where the work done is next to nothing, says nothing about the ratios.
-  double count = 0, gap = 0;
-  for (const CurveRow& row : result.curve) {
-    if (row.displacement < 0.1 * result.responses.displacement_at_peak) continue;
-    ++count;
-    q.unbalance_ratio_mean += row.unbalance_ratio;
-    q.kinetic_ratio_mean += row.kinetic_ratio;
-    q.unbalance_ratio_max = std::max(q.unbalance_ratio_max, row.unbalance_ratio);
-    q.kinetic_ratio_max = std::max(q.kinetic_ratio_max, row.kinetic_ratio);
-    gap += row.reaction - row.base_shear;
-  }
-  if (count == 0) return q;
-  q.unbalance_ratio_mean /= count;
-  q.kinetic_ratio_mean /= count;
-  q.shear_gap = std::fabs(gap) / count / peak;
-  q.verdict = verdict_for(q);
-  return q;
-}
-
 void add_curve_events(Result& result) {
   const Responses& r = result.responses;
-  if (!(r.peak_reaction > 0)) return;
+  if (!(r.peak_reaction > 0) || is_load_controlled(result)) return;
   result.events.push_back({"peak", r.displacement_at_peak, r.peak_reaction, ""});
   if (!r.censored_80)
     result.events.push_back({"80 % of the peak", r.displacement_at_80, 0.8 * r.peak_reaction, ""});

@@ -5,9 +5,6 @@
 
 namespace wythe::dynamics {
 
-// Verdict on the rate from the curve; thresholds in docs/theory/integration.md. damping_share stays as the
-// recorder found it.
-[[nodiscard]] QuasiStatic judge_quasi_static(const Result& result);
 // Adds "peak" and "80 % of the peak" to the events.
 void add_curve_events(Result& result);
 // Model time a stage is expected to take [s], settling included.

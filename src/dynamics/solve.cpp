@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "dynamics/balance.h"
 #include "dynamics/responses.h"
 #include "dynamics/step.h"
 #include "dynamics/wall_run.h"
@@ -52,15 +53,6 @@ std::function<void(const Progress&)> throttled(const Model& model, const State& 
     shown.share = scale.overall(static_cast<std::size_t>(state.stage), p.share);
     options.progress(shown);
   };
-}
-
-double top_displacement(const Model& model, const State& state) {
-  double moved = 0;
-  const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
-  for (std::size_t i = 0; i < state.ux.size(); ++i)
-    if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
-      moved = std::max(moved, std::fabs(state.ux[i]));
-  return moved;
 }
 
 }  // namespace
@@ -118,9 +110,7 @@ void WallRun::move_to(std::unique_ptr<Place> place) {
 }
 
 Result WallRun::finish() {
-  ResponseOptions read;
-  if (result_.status == SolveStatus::kCollapsed) read.collapse = result_.reason;
-  result_.responses = read_responses(result_.curve, read);
+  result_.responses = read_responses(result_.curve, reading_of(model_, result_));
   result_.quasi_static = judge_quasi_static(result_);
   result_.top_displacement = top_displacement(model_, state_);
   result_.steps = state_.step;

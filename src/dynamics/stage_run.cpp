@@ -335,7 +335,7 @@ class Factor : public StageRun {
   }
 
   void finish(StageEnd& how) override {
-    recorder_.finish(*wall_.place, state_, controls_);
+    recorder_.finish(*wall_.place, state_, controls_, !how.finished);
     wall_.result.load_factor = state_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
       how.reason = fmt::format("{}; the largest load factor carried is {:.4f}", how.reason,

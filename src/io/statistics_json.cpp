@@ -77,12 +77,15 @@ Json table_json(const Statistics& s) {
 Json samples_json(const Statistics& s) {
   Json status = Json::object();
   for (const auto& [name, count] : s.status) status[name] = count;
+  Json judgements = Json::object();
+  for (const auto& [name, count] : s.judgement) judgements[name] = count;
   Json unanswered = Json::array();
   for (const Unanswered& u : s.unanswered)
     unanswered.push_back({{"sample", u.sample}, {"status", u.status}, {"reason", u.reason}});
   return {{"asked", s.asked},
           {"run", s.run},
           {"answered", s.answered},
+          {"judgements", judgements},
           {"still_rising", s.still_rising},
           {"named_earlier", s.named_earlier},
           {"status", status},

@@ -1,6 +1,7 @@
 // summary.json of a run: the numbers an engineer quotes, with their evidence and their provenance.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "wythe/io.h"
@@ -21,6 +22,9 @@ Json energy_json(const EnergyLedger& energy) {
 
 Json quasi_static_json(const QuasiStatic& meter) {
   return {{"verdict", meter.verdict},
+          {"judgement", meter.judgement},
+          {"lift_percent", meter.lift * 1e2},
+          {"force_beyond_percent", meter.beyond * 1e2},
           {"unbalance_ratio_mean", meter.unbalance_ratio_mean},
           {"unbalance_ratio_max", meter.unbalance_ratio_max},
           {"kinetic_ratio_mean", meter.kinetic_ratio_mean},
@@ -140,6 +144,10 @@ Json falls_json(const std::vector<FallTo>& falls) {
 void add_responses(Json& json, const Responses& r) {
   json["peak_reaction_kN"] = r.peak_reaction * 1e-3;
   json["displacement_at_peak_mm"] = r.displacement_at_peak * 1e3;
+  json["peak_reason"] = r.peak_reason;
+  json["censored_peak"] = r.censored_peak;
+  json["peak_raw_kN"] = r.peak_raw * 1e-3;
+  json["displacement_at_peak_raw_mm"] = r.displacement_at_peak_raw * 1e3;
   json["displacement_at_80_percent_mm"] = r.displacement_at_80 * 1e3;
   json["censored"] = r.censored_80;
   json["censored_80"] = r.censored_80;
@@ -172,8 +180,11 @@ std::string summary_json(const Model& model, const Result& result) {
   Json json;
   json["status"] = to_string(result.status);
   json["reason"] = result.reason;
+  json["warning"] = warning_of(result);
   add_responses(json, result.responses);
   json["load_factor"] = result.load_factor;
+  if (result.curve_of == StageKind::kTilt)
+    json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;
   json["top_displacement_mm"] = result.top_displacement * 1e3;
   json["failure_mode"] = failure_mode_json(result.failure_mode);
   json["features"] = features_json(result.features);

@@ -138,6 +138,7 @@ Model compile(const ModelSpec& spec) {
   compile_stages(spec, assembly, map, model, faults);
   faults.throw_if_any();
   bound_step(model);
+  set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
   return model;

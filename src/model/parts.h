@@ -36,6 +36,11 @@ void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     Model& model, FaultList& faults);
 
+// First period of the elastic wall along (px, py) [s], every contact closed; NaN where it has none.
+[[nodiscard]] double first_period(const Model& model, double px, double py);
+// The default smooth start of each push, from that period; needs masses and joints.
+void set_push_ramps(Model& model);
+
 // Joint between two rigid segments of a beam whose centres are `spacing` apart [m], with structural
 // depth `depth` in a face `face` long [m]: kn = E/l d/face, ks = 5/6 G/l d/face, no strength limit.
 // With the points at half_scale (below) a chain of such joints has the beam's EI, EA and GA.

@@ -13,9 +13,8 @@ using geometry::Assembly;
 using geometry::Role;
 using geometry::Vec2;
 
-// Documented defaults of a stage's smooth start [s]; docs/theory/integration.md says why.
+// Documented default of a load's smooth start [s]; docs/theory/integration.md says why.
 constexpr double kLoadRamp = 0.1;
-constexpr double kPushRamp = 0.05;
 
 class StageCompiler {
  public:
@@ -56,7 +55,7 @@ class StageCompiler {
     StageSpec& s = stage.spec;
     if (std::isnan(s.damping)) s.damping = model_.solve.damping;
     const bool push = s.kind == StageKind::kPush;
-    if (std::isnan(s.ramp)) s.ramp = push ? kPushRamp : kLoadRamp;
+    if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;  // of a push: set_push_ramps
     if (s.as == Manner::kDefault) {
       if (push) s.as = Manner::kSpreader;
       if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;

@@ -36,8 +36,8 @@ namespace {
 void read_answer(const StudySpec& spec, SampleRun& run) {
   Result& r = run.result;
   if (!spec.fractions.empty()) {
-    ResponseOptions read{.fractions = spec.fractions};
-    if (r.status == SolveStatus::kCollapsed) read.collapse = r.reason;
+    ResponseOptions read = reading_of(run.model, r);
+    read.fractions = spec.fractions;
     r.responses = read_responses(r.curve, read);
   }
   r.failure_mode = name_failure_mode(run.model, r, read_modes_at(spec));

@@ -30,8 +30,10 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
     if (record.status.empty()) continue;  // has not run
     ++out.run;
     ++out.status[record.status];
+    if (record.has_curve()) ++out.judgement[record.quasi_static.judgement];
     if (!is_answered(record)) {
-      out.unanswered.push_back({record.sample, record.status, record.reason});
+      const std::string& why = record.responses.peak_reason;
+      out.unanswered.push_back({record.sample, record.status, why.empty() ? record.reason : why});
       continue;
     }
     out.still_rising += is_still_rising(record) ? 1 : 0;
@@ -110,9 +112,7 @@ const std::vector<Quantity>& quantities() {
   return kQuantities;
 }
 
-bool is_still_rising(const SampleRecord& record) {
-  return record.responses.displacement_at_peak >= record.curve.back().displacement;
-}
+bool is_still_rising(const SampleRecord& record) { return record.responses.censored_peak; }
 
 bool is_answered(const SampleRecord& record) {
   return record.answered() && record.has_curve() && record.responses.peak_reaction > 0;

@@ -103,7 +103,8 @@ SampleRecord sample_record(int sample, double peak, const std::string& mode) {
   for (int i = 0; i <= 50; ++i) {
     const double d = 1e-3 * i;
     const double force = i <= 10 ? peak * i / 10 : peak * (1 - 0.5 * (i - 10) / 40);
-    record.curve.push_back({.displacement = d, .drift = d / kLoadHeight, .reaction = force});
+    record.curve.push_back(
+        {.displacement = d, .drift = d / kLoadHeight, .reaction = force, .base_shear = force});
   }
   record.responses = read_responses(record.curve);
   record.failure_mode.name = mode;

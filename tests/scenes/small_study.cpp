@@ -48,7 +48,8 @@ name = "gravity"
 name = "push"
 at = { x = "0 m", y = "0.75 m" }
 direction = "+x"
-velocity = "20 mm/s"
+velocity = "4 mm/s"
+damping = 0.2
 until = "0.5 mm"
 )";
 

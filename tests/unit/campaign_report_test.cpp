@@ -50,6 +50,7 @@ Campaign ended_early(int n) {
   for (int i = 0; i < n; ++i) {
     campaign.records[i].responses.displacement_at_peak =
         campaign.records[i].curve.back().displacement;
+    campaign.records[i].responses.censored_peak = true;
     campaign.records[i].failure_mode.read_at = 20e-3;
   }
   return campaign;

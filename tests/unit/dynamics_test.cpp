@@ -299,13 +299,14 @@ TEST(Stages, a_push_stops_where_the_reaction_has_fallen) {
   State state = initial_state(model);
   const Result result = solve(model, state);
   EXPECT_EQ(result.status, SolveStatus::kCollapsed) << result.reason;
-  EXPECT_LT(result.curve.back().reaction, 0.3 * result.responses.peak_reaction);
+  EXPECT_LT(result.curve.back().reaction, 0.3 * result.responses.peak_raw);
   EXPECT_LT(state.drive_displacement, 10e-3);
 }
 
 // Of a cracking wall pushed at 20 mm/s and, where it is quieter than `below`, at 100 mm/s.
 double push_seconds(double fast, double below) {
   ModelSpec spec = scenes::small_wall(3e-3, 0.02);
+  spec.stage.back().ramp = 0.05;
   spec.stage.back().fast_velocity = fast;
   spec.stage.back().fast_below = below;
   const Model model = compile(spec);
@@ -393,8 +394,7 @@ TEST(Stages, what_settling_damped_is_not_the_pushs_share) {
   const Result result = solve(model, state);
   const double push = result.energy.damping - before;
   EXPECT_GT(before, push);
-  const double share = push / result.energy.drive;
-  EXPECT_NEAR(result.quasi_static.damping_share, share, 0.01 * share);
+  EXPECT_NEAR(result.curve.back().work_damping, push, 0.01 * push);
 }
 
 TEST(Stages, a_cyclic_push_visits_its_targets) {

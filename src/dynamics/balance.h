@@ -1,0 +1,38 @@
+// Which rows of a curve are forces in balance, and how nearly static a push was where its peak is.
+//
+//   reaction    what the driven blocks feel          |  in balance both are one force; where they differ,
+//   base shear  what reaches the ground              |  inertia or damping carries the difference
+//
+// Theory: docs/theory/integration.md, "A force in balance", "Is it static enough?".
+#pragma once
+
+#include <optional>
+
+#include "wythe/result.h"
+
+namespace wythe::dynamics {
+
+inline constexpr double kBalance = 0.02;  // gap of a row in balance, as a share of the force
+inline constexpr double kBalanceOver =
+    0.05;  // length of the stretch, as a share of its displacement
+
+// Rows within kBalanceOver of a row's displacement (half on either side), and its neighbours at least.
+struct Stretch {
+  std::size_t first = 0, last = 0;  // both in it
+};
+[[nodiscard]] Stretch stretch_around(const std::vector<CurveRow>& curve, std::size_t row);
+
+// The row in balance with the largest reaction along `sense` (+1, or -1 for the other way).
+[[nodiscard]] std::optional<std::size_t> largest_in_balance(const std::vector<CurveRow>& curve,
+                                                            double sense = 1);
+
+// The force of a row that was applied and reached the ground: the smaller of both.
+[[nodiscard]] double passed_on(const CurveRow& row);
+
+// Why a curve has no force in balance, in words.
+[[nodiscard]] std::string why_out_of_balance(const std::vector<CurveRow>& curve);
+
+// The verdict on the rate, from curve, responses and energy of a run.
+[[nodiscard]] QuasiStatic judge_quasi_static(const Result& result);
+
+}  // namespace wythe::dynamics

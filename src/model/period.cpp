@@ -1,0 +1,192 @@
+// The wall's first period along a direction, for the default smooth start of a push.
+//
+//   K u = M p    how gravity along p would bend the elastic wall, every contact closed
+//   omega^2 = u.K u / u.M u = u.M p / u.M u    Rayleigh's quotient: at most a few percent above the first
+//                                              mode that moves along p
+// K: joints, zones and their contacts as in step_bound.cpp; M: masses and inertias, lumped.
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <cmath>
+#include <vector>
+
+#include "model/parts.h"
+
+namespace wythe {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// One component of the jump of a point, as a row over the degrees of freedom it touches.
+struct Row {
+  int count = 0;
+  int at[7] = {};
+  double share[7] = {};
+  void add(int freedom, double value) {
+    at[count] = freedom;
+    share[count++] = value;
+  }
+};
+
+class Elastic {
+ public:
+  explicit Elastic(const Model& model) : m_(model), first_node_(3 * model.n_block) {
+    joints();
+    zones();
+    contacts();
+    hold();
+  }
+
+  [[nodiscard]] double period(double px, double py) const {
+    const int n = first_node_ + 2 * m_.solids.n_node;
+    Eigen::SparseMatrix<double> stiffness(n, n);
+    stiffness.setFromTriplets(entries_.begin(), entries_.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(stiffness);
+    if (solver.info() != Eigen::Success) return kUnset;
+    const Eigen::VectorXd mass = masses();
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
+    for (int i = 0; i < m_.n_block; ++i) {
+      force[3 * i] = mass[3 * i] * px;
+      force[3 * i + 1] = mass[3 * i + 1] * py;
+    }
+    for (int k = first_node_; k < n; k += 2) {
+      force[k] = mass[k] * px;
+      force[k + 1] = mass[k + 1] * py;
+    }
+    const Eigen::VectorXd u = solver.solve(force);
+    const double omega_squared = u.dot(force) / u.dot(mass.cwiseProduct(u));
+    return omega_squared > 0 ? 2 * M_PI / std::sqrt(omega_squared) : kUnset;
+  }
+
+ private:
+  void spring(const Row& row, double stiffness) {
+    for (int i = 0; i < row.count; ++i)
+      for (int j = 0; j < row.count; ++j)
+        entries_.emplace_back(row.at[i], row.at[j], stiffness * row.share[i] * row.share[j]);
+  }
+
+  // Motion along (dx, dy) of a point at (rx, ry) from the centroid of a block.
+  void add_block(Row& row, int block, double sign, double dx, double dy, double rx, double ry) {
+    row.add(3 * block, sign * dx);
+    row.add(3 * block + 1, sign * dy);
+    row.add(3 * block + 2, sign * (rx * dy - ry * dx));
+  }
+
+  void joints() {
+    for (std::size_t j = 0; j < m_.area.size(); ++j) {
+      const JointMaterial& material = m_.materials[static_cast<std::size_t>(m_.joint_material[j])];
+      for (std::size_t p = 0; p < m_.point_xi.size(); ++p) {
+        const double ex = m_.point_xi[p] * m_.half_x[j], ey = m_.point_xi[p] * m_.half_y[j];
+        const auto along = [&](double dx, double dy, double stiffness) {
+          Row row;
+          add_block(row, m_.joint_b[j], 1, dx, dy, m_.arm_b_x[j] + ex, m_.arm_b_y[j] + ey);
+          if (m_.joint_a[j] != kGroundBlock)
+            add_block(row, m_.joint_a[j], -1, dx, dy, m_.arm_a_x[j] + ex, m_.arm_a_y[j] + ey);
+          spring(row, stiffness * m_.area[j] * m_.point_weight[p]);
+        };
+        along(-m_.tangent_y[j], m_.tangent_x[j], material.normal_stiffness);
+        along(m_.tangent_x[j], m_.tangent_y[j], material.shear_stiffness);
+      }
+    }
+  }
+
+  void zones() {
+    const Solids& s = m_.solids;
+    for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
+      const ZoneShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[z])];
+      for (std::size_t i = 0; i < 8; ++i)
+        for (std::size_t j = 0; j < 8; ++j)
+          entries_.emplace_back(freedom(s.corner[i / 2][z], i % 2),
+                                freedom(s.corner[j / 2][z], j % 2), shape.stiffness[i][j]);
+    }
+  }
+
+  void contacts() {
+    const Solids& s = m_.solids;
+    for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
+      const auto& material = m_.materials[static_cast<std::size_t>(s.contact_material[c])];
+      const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
+      for (const bool second : {false, true}) {
+        const double share = second ? s.share_1[c] : s.share_0[c];
+        const double rx = second ? s.arm_1_x[c] : s.arm_0_x[c];
+        const double ry = second ? s.arm_1_y[c] : s.arm_0_y[c];
+        const auto along = [&](double dx, double dy, double stiffness) {
+          Row row;
+          for (const auto& [node, part] :
+               {std::pair(s.contact_p[c], 1 - share), std::pair(s.contact_q[c], share)}) {
+            row.add(freedom(node, 0), part * dx);
+            row.add(freedom(node, 1), part * dy);
+          }
+          if (s.contact_block[c] != m_.n_block)
+            add_block(row, s.contact_block[c], -1, dx, dy, rx, ry);
+          spring(row, 0.5 * stiffness * s.contact_area[c]);
+        };
+        along(-ty, tx, material.normal_stiffness);
+        along(tx, ty, material.shear_stiffness);
+      }
+    }
+  }
+
+  // What is held gets a spring that lets it move by a millionth of the rest.
+  void hold() {
+    double stiffest = 0;
+    for (const auto& entry : entries_) stiffest = std::fmax(stiffest, entry.value());
+    const auto fix = [&](int freedom) { entries_.emplace_back(freedom, freedom, 1e6 * stiffest); };
+    for (std::size_t i = 0; i < m_.turn_freedom.size(); ++i)
+      if (m_.turn_freedom[i] == 0) fix(3 * static_cast<int>(i) + 2);
+    for (std::size_t k = 0; k < m_.solids.node_free_x.size(); ++k) {
+      if (m_.solids.node_free_x[k] == 0) fix(freedom(static_cast<int>(k), 0));
+      if (m_.solids.node_free_y[k] == 0) fix(freedom(static_cast<int>(k), 1));
+    }
+  }
+
+  [[nodiscard]] int freedom(int node, std::size_t axis) const {
+    return first_node_ + 2 * node + static_cast<int>(axis);
+  }
+
+  [[nodiscard]] Eigen::VectorXd masses() const {
+    Eigen::VectorXd mass(first_node_ + 2 * m_.solids.n_node);
+    for (int i = 0; i < m_.n_block; ++i) {
+      const auto b = static_cast<std::size_t>(i);
+      mass[3 * i] = mass[3 * i + 1] = m_.mass[b];
+      mass[3 * i + 2] = m_.inertia[b];
+    }
+    for (int k = 0; k < m_.solids.n_node; ++k)
+      mass[freedom(k, 0)] = mass[freedom(k, 1)] = m_.solids.node_mass[static_cast<std::size_t>(k)];
+    return mass;
+  }
+
+  const Model& m_;
+  int first_node_;
+  Triplets entries_;
+};
+
+// Smooth start of a push: after kPeriods of them a first mode is within 1 % of its static value
+// (docs/theory/integration.md, 4.11), but no more than kShare of the time to the first turn.
+constexpr double kPeriods = 8, kShare = 0.2;
+constexpr double kUnknown = 0.05;  // where the period cannot be found [s]
+
+// Up to two digits: no bit of a run hangs on the last one of an eigenvalue.
+double rounded_up(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::ceil(x / unit * (1 - 1e-9)) * unit;
+}
+
+}  // namespace
+
+double first_period(const Model& model, double px, double py) {
+  return Elastic(model).period(px, py);
+}
+
+void set_push_ramps(Model& model) {
+  for (Stage& stage : model.stages) {
+    StageSpec& s = stage.spec;
+    if (s.kind != StageKind::kPush || !std::isnan(s.ramp)) continue;
+    const double period = first_period(model, stage.drive_x, stage.drive_y);
+    const double first = s.targets.empty() ? s.until : std::fabs(s.targets.front());
+    const double most = kShare * first / s.velocity;
+    const double wanted = period > 0 ? kPeriods * period : kUnknown;
+    s.ramp = rounded_up(wanted < most || !(most > 0) ? wanted : most);
+  }
+}
+
+}  // namespace wythe

@@ -1,0 +1,132 @@
+// The verdict on the rate of a push, on hand-made curves: each meter has a veto.
+#include "dynamics/balance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dynamics/responses.h"
+
+namespace wythe {
+namespace {
+
+// A push to 4 that peaks at 2 with 100; rows of 0.02 and what the meters show in each.
+struct Push {
+  double felt = 1;         // base shear / reaction
+  double damped = 0;       // of the drive's work
+  double kinetic = 0.001;  // kinetic energy / work so far
+  double unbalance = 1e-5;
+};
+
+Result pushed(const Push& p) {
+  Result result;
+  for (int i = 0; i <= 200; ++i) {
+    CurveRow row;
+    row.displacement = 0.02 * i;
+    row.reaction = row.displacement <= 2 ? 50 * row.displacement : 150 - 25 * row.displacement;
+    row.base_shear = p.felt * row.reaction;
+    row.kinetic_ratio = p.kinetic;
+    row.unbalance_ratio = p.unbalance;
+    row.work_drive = (i == 0 ? 0.0 : result.curve.back().work_drive) + 0.02 * row.reaction;
+    row.work_damping = p.damped * row.work_drive;
+    result.curve.push_back(row);
+  }
+  return result;
+}
+
+QuasiStatic judged(Result result) {
+  result.responses = read_responses(result.curve);
+  return dynamics::judge_quasi_static(result);
+}
+
+TEST(Verdict, a_static_push_is_slow_enough) {
+  const QuasiStatic q = judged(pushed({}));
+  EXPECT_EQ(q.judgement, "slow enough");
+  EXPECT_NEAR(q.lift, 0.02, 1e-12);  // what rounding alone may move
+  EXPECT_EQ(q.verdict.rfind("slow enough: ", 0), 0U);
+}
+
+TEST(Verdict, a_gap_at_the_peak_counts) {
+  EXPECT_EQ(judged(pushed({.felt = 0.995})).judgement, "slow enough");
+  EXPECT_EQ(judged(pushed({.felt = 0.985})).judgement, "usable");
+  EXPECT_EQ(judged(pushed({.felt = 0.9})).judgement, "too fast");  // no row is in balance
+  EXPECT_TRUE(std::isnan(judged(pushed({.felt = 0.9})).lift));
+}
+
+TEST(Verdict, a_longer_push_hides_no_gap) {
+  // drag up to 2.5, none beyond: a mean over the whole push would fall with its length
+  Result result = pushed({.felt = 0.985});
+  for (CurveRow& row : result.curve)
+    if (row.displacement > 2.5) row.base_shear = row.reaction;
+  const double gap = judged(result).shear_gap;
+  for (int i = 0; i < 2000; ++i) {
+    CurveRow row = result.curve.back();
+    row.displacement += 0.02;
+    result.curve.push_back(row);
+  }
+  EXPECT_DOUBLE_EQ(judged(result).shear_gap, gap);
+}
+
+TEST(Verdict, damping_has_a_veto_where_the_forces_agree) {
+  // every block driven: the reaction is the base shear by construction
+  EXPECT_EQ(judged(pushed({.damped = 0.005})).judgement, "slow enough");
+  EXPECT_EQ(judged(pushed({.damped = 0.02})).judgement, "usable");
+  EXPECT_EQ(judged(pushed({.damped = 0.06})).judgement, "too fast");
+  const QuasiStatic q = judged(pushed({.damped = 0.63}));
+  EXPECT_EQ(q.judgement, "too fast");
+  EXPECT_TRUE(std::isnan(q.lift));  // no such extrapolation is worth a number
+  EXPECT_NE(q.verdict.find("unknown"), std::string::npos);
+}
+
+TEST(Verdict, a_crack_that_snaps_is_no_drag) {
+  // it gives its energy to damping in one row, at any rate
+  Result result = pushed({});
+  for (std::size_t i = 95; i < result.curve.size(); ++i)
+    result.curve[i].work_damping += 0.5 * result.curve[95].work_drive;
+  EXPECT_EQ(judged(result).judgement, "slow enough");
+}
+
+TEST(Verdict, motion_and_unbalance_have_a_veto) {
+  EXPECT_EQ(judged(pushed({.kinetic = 0.08})).judgement, "too fast");
+  EXPECT_EQ(judged(pushed({.unbalance = 0.01})).judgement, "too fast");
+}
+
+TEST(Verdict, a_larger_force_out_of_balance_is_not_passed_over) {
+  // the push outruns the wall from 1 on: what is read in balance is the beginning
+  Result result = pushed({});
+  for (CurveRow& row : result.curve)
+    if (row.displacement > 1) row.base_shear = 0.9 * row.reaction;
+  const QuasiStatic q = judged(result);
+  EXPECT_EQ(q.judgement, "too fast");
+  EXPECT_GT(q.beyond, 0.7);
+}
+
+TEST(Verdict, a_jolt_that_the_ground_does_not_feel_is_passed_over) {
+  Result result = pushed({});
+  for (std::size_t i = 1; i < 10; ++i) result.curve[i].reaction += 150;  // the start of the push
+  EXPECT_EQ(judged(result).judgement, "slow enough");
+}
+
+TEST(Verdict, a_ledger_that_misses_a_percent_knows_nothing) {
+  Result result = pushed({});
+  result.energy.gap_ratio = 0.02;
+  EXPECT_EQ(judged(result).judgement, "unknown");
+  result.energy.gap_ratio = kUnset;
+  EXPECT_EQ(judged(result).judgement, "slow enough");
+}
+
+TEST(Verdict, a_load_that_waits_for_balance_is_slow_enough) {
+  Result result = pushed({.felt = 0.5});
+  result.curve_of = StageKind::kBodyForce;
+  result.responses.peak_reaction = 80;
+  EXPECT_EQ(dynamics::judge_quasi_static(result).judgement, "slow enough");
+  result.responses.peak_reaction = kUnset;
+  EXPECT_EQ(dynamics::judge_quasi_static(result).judgement, "no push");
+}
+
+TEST(Verdict, no_curve_is_no_push) {
+  EXPECT_EQ(dynamics::judge_quasi_static({}).judgement, "no push");
+}
+
+}  // namespace
+}  // namespace wythe
