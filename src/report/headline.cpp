@@ -98,11 +98,7 @@ class RunHeadline {
   }
 
   [[nodiscard]] std::string cards() const {
-    if (pushes_by_factor())
-      return draw_cards({{texts_.number(number_in(s_, "load_factor")), texts_.say("card.factor"),
-                          texts_.say("card.factor.means")},
-                         {millimetres("top_displacement_mm"), texts_.say("card.top"),
-                          texts_.say("card.top.means")}});
+    if (pushes_by_factor()) return draw_cards(cards_of_factor());
     if (has_no_capacity()) return draw_cards(cards_without_capacity());
     if (!(peak() > 0)) return "";
     const std::string rising = is_still_rising() ? "≥ " : "";
@@ -123,9 +119,7 @@ class RunHeadline {
  private:
   [[nodiscard]] double peak() const { return number_in(s_, "peak_reaction_kN"); }
   [[nodiscard]] double raw_peak() const { return number_in(s_, "peak_raw_kN"); }
-  [[nodiscard]] bool pushes_by_factor() const {
-    return !(peak() > 0) && number_in(s_, "load_factor") > 0;
-  }
+  [[nodiscard]] bool pushes_by_factor() const { return number_in(s_, "load_factor") > 0; }
   // Forces were read, but none that the ground carried.
   [[nodiscard]] bool has_no_capacity() const {
     return !(peak() > 0) && !pushes_by_factor() && raw_peak() > 0;
@@ -170,17 +164,22 @@ class RunHeadline {
         judgement_in(words_in(meter, "judgement"), words_in(meter, "verdict"));
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") add(texts_.say("run.usable"));
-    if (judgement == "unknown") add(texts_.say("run.unknown_rate"));
     const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
+    if (judgement == "unknown" && !(gap > kGap)) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
       add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
+    // blocks that slid off each other before the peak
+    const double lost = number_in(member(s_, "validity"), "overlap_lost_at_mm");
+    if (std::fabs(lost) <= std::fabs(number_in(s_, "displacement_at_peak_mm")))
+      add(texts_.say("run.slid_off", {{"at", texts_.quantity(lost, "mm")}}));
     return words;
   }
 
   [[nodiscard]] std::string answer() const {
     if (pushes_by_factor())
       return texts_.say("run.factor",
-                        {{"factor", bold(texts_.number(number_in(s_, "load_factor")))}}) +
+                        {{"factor", bold(texts_.number(number_in(s_, "load_factor")))},
+                         {"tilt", tilt()}}) +
              mode();
     if (has_no_capacity())
       return texts_.say("run.no_capacity",
@@ -194,6 +193,25 @@ class RunHeadline {
                        {"at", bold(millimetres("displacement_at_peak_mm"))},
                        {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
            mode() + (is_still_rising() ? "" : ductility());
+  }
+  // ", a tilt of 14°" where the ground was tilted.
+  [[nodiscard]] std::string tilt() const {
+    const double degrees = number_in(s_, "tilt_degrees");
+    if (!(degrees > 0)) return "";
+    return texts_.say("run.tilt", {{"tilt", bold(texts_.number(degrees) + "°")}});
+  }
+  [[nodiscard]] std::vector<Card> cards_of_factor() const {
+    std::vector<Card> cards = {{texts_.number(number_in(s_, "load_factor")),
+                                texts_.say("card.factor"), texts_.say("card.factor.means")}};
+    if (const double degrees = number_in(s_, "tilt_degrees"); degrees > 0)
+      cards.push_back(
+          {texts_.number(degrees) + "°", texts_.say("card.tilt"), texts_.say("card.tilt.means")});
+    if (peak() > 0)
+      cards.push_back(
+          {kilonewtons(peak()), texts_.say("card.carried"), texts_.say("card.carried.means")});
+    cards.push_back(
+        {millimetres("top_displacement_mm"), texts_.say("card.top"), texts_.say("card.top.means")});
+    return cards;
   }
   [[nodiscard]] std::string why_no_capacity() const {
     std::string reason = texts_.phrase(words_in(s_, "peak_reason"));

@@ -47,6 +47,23 @@ std::optional<std::vector<std::string>> places_in(std::string_view text, std::st
   return found;
 }
 
+// Patterns with a {}, the most telling first: "{} mm" fits whatever ends in millimetres.
+const std::vector<std::string>& patterns() {
+  static const std::vector<std::string> kPatterns = [] {
+    std::vector<std::string> all;
+    for (const auto& [pattern, others] : table()["phrases"].items())
+      if (pattern.find("{}") != std::string::npos) all.push_back(pattern);
+    std::stable_sort(all.begin(), all.end(), [](const std::string& a, const std::string& b) {
+      const auto letters = [](const std::string& p) {
+        return p.size() - 2 * static_cast<std::size_t>(std::count(p.begin(), p.end(), '{'));
+      };
+      return letters(a) > letters(b);
+    });
+    return all;
+  }();
+  return kPatterns;
+}
+
 std::vector<std::string> split(const std::string& text, std::string_view between) {
   std::vector<std::string> parts;
   std::size_t from = 0;
@@ -100,13 +117,12 @@ std::string Texts::phrase(const std::string& english) const {
   if (is_number(english)) return localised(english);
   const Json& phrases = table()["phrases"];
   if (phrases.contains(english)) return phrases[english].at(language_ - 1);
-  for (const auto& [pattern, others] : phrases.items()) {
-    if (pattern.find("{}") == std::string::npos) continue;
+  for (const std::string& pattern : patterns()) {
     const auto places = places_in(english, pattern);
     if (!places) continue;
     std::vector<std::string> said;
     for (const std::string& part : *places) said.push_back(phrase(part));
-    return filled(others.at(language_ - 1), said);
+    return filled(phrases[pattern].at(language_ - 1), said);
   }
   for (const char* between : {"; ", ": ", ", ", " + "}) {
     std::vector<std::string> parts = split(english, between);

@@ -408,6 +408,22 @@ test("no card's text leaves its card, wide, narrow or printed", async () => {
   }
 });
 
+// Words of a language, not of files: what stays English in the Italian page is a phrase without translation.
+test("in Italian no English is left, notes and reasons included", async () => {
+  makeRun("zones_it", "zones.toml");
+  makeFacade("facade_it");
+  for (const name of ["zones_it", "facade_it"]) {
+    run("report", folder(name), "--lang", "it");
+    const other = await open(browser, pageOf(name));
+    await other.locator("#failure details summary").click();
+    const words = (await other.locator("main").innerText()).replace(/^.*alert\('.*$/gm, "").replace(/^(facade of eight piers|small wall with a door)$/gm, "");
+    const found = words.split("\n").filter((l) => /\b(the|of|and|with|is|are|was|were|than|from|at|by|no|which|slow|wall)\b/.test(l.replace(/no(?=\t|$)/g, "")));
+    assert.deepEqual(found, [], name);
+    assert.deepEqual(other.faults, []);
+    await other.context().close();
+  }
+});
+
 test("without scripts the main result is still told", async () => {
   const other = await open(browser, pageOf("run"), { javaScript: false });
   assert.match(await other.locator("main").innerText(), /The wall resists[^]*peak reaction[^]*JavaScript/);

@@ -25,6 +25,7 @@ function readCurve(bundle: Bundle): Curve {
 }
 
 const kManyParts = 12, // of a wall, from which on only those are listed that show something
+  kOnPaper = 8, // measures in the printed appendix
   kNear = 0.25; // short of a threshold, as a share of it, and still near
 
 // Words for a frame's labels: "peak", "20 mm", "end".
@@ -43,7 +44,7 @@ class RunPage {
     this.header = bundle.header;
     this.s = this.header.summary;
     this.curve = readCurve(bundle);
-    this.byFactor = !(this.s.peak_reaction_kN > 0) && this.s.load_factor > 0;
+    this.byFactor = this.s.load_factor > 0;
     this.view = this.makeView();
   }
 
@@ -110,6 +111,7 @@ class RunPage {
         this.s.events.length > 0 ? `${say("curve.caption")} ` : "",
         this.view ? onScreen(`${say("curve.press")} `) : "",
         this.bilinearWords(),
+        this.validityWords(),
       ],
       sheet: () => ({
         head: [
@@ -159,6 +161,7 @@ class RunPage {
     if (!this.byFactor) plot.line(zip(c.displacement, c.base), "base");
     this.drawBilinear(plot);
     plot.line(zip(c.displacement, force), "force");
+    this.drawValidity(plot);
     this.drawMarks(plot);
     this.cursor = svg("g", { class: "cursor" });
     plot.over.appendChild(this.cursor);
@@ -189,6 +192,28 @@ class RunPage {
       ],
       "fit",
     );
+  }
+
+  // From here on blocks have slid off each other: the curve means little.
+  private drawValidity(plot: Plot): void {
+    const lost = this.s.validity?.overlap_lost_at_mm;
+    if (typeof lost !== "number") return;
+    const x = plot.X(lost);
+    plot.add(
+      svg("rect", {
+        class: "beyond",
+        x,
+        y: plot.top,
+        width: Math.max(0, plot.right - x),
+        height: plot.bottom - plot.top,
+        "data-beyond": lost,
+      }),
+    );
+  }
+  private validityWords(): string {
+    const v = this.s.validity;
+    if (typeof v?.overlap_lost_at_mm !== "number") return "";
+    return ` ${say("curve.beyond", { at: qty(v.overlap_lost_at_mm, "mm"), n: v.joints ?? 1 })}`;
   }
 
   private drawMarks(plot: Plot): void {
@@ -405,7 +430,10 @@ class RunPage {
   // An appendix: paper has no room for measures far below their thresholds.
   private paperMeasures(): Child {
     const all = this.s.failure_mode.evidence as any[];
-    const near = all.filter((e) => e.margin >= -kNear);
+    const near = all
+      .filter((e) => e.margin >= -kNear)
+      .sort((a, b) => b.margin - a.margin)
+      .slice(0, kOnPaper);
     if (near.length === 0) return null;
     return [
       this.measures(near),

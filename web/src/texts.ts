@@ -72,8 +72,11 @@ export const pageUnit = (unit: string): [string, number] => kUnits[unit] ?? [uni
 function escapedForPattern(text: string): string {
   return text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 }
+// The most telling first: "{} mm" fits whatever ends in millimetres.
+const letters = (pattern: string): number => pattern.replace(/\{\}/g, "").length;
 const patterns = Object.keys(phrases)
   .filter((p) => p.includes("{}"))
+  .sort((a, b) => letters(b) - letters(a))
   .map((p) => ({
     english: p,
     matcher: new RegExp("^" + p.split("{}").map(escapedForPattern).join("(.*?)") + "$", "s"),
