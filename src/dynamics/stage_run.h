@@ -68,8 +68,8 @@ class StageRun {
  private:
   [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] StageEnd runs_away() const;
-  // How many joints are crushed through, as words; "" where none is.
-  [[nodiscard]] std::string overload() const;
+  [[nodiscard]] bool is_overloaded() const;
+  [[nodiscard]] std::string crushed() const;
 
   const std::vector<BlockId>* driven_;
   std::int64_t first_step_;
