@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <string>
 
 #include "campaign_commands.h"
 #include "interrupt.h"
@@ -25,6 +26,42 @@ void print_model(const Model& m) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
   for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", readable(note));
+}
+
+// A number, or a dash where there is none.
+std::string shown(double value, int decimals) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, decimals);
+}
+
+constexpr double kMuchDrag = 0.1;  // of a loop's energy
+
+void print_cycles(const CyclicReadings& c) {
+  const bool along = c.sense > 0;
+  const DirectionReadings& other = along ? c.negative : c.positive;
+  fmt::print("read off the envelope {} the push; {} it peak {} kN at {} mm, 80 % at {}{} mm\n",
+             along ? "along" : "against", along ? "against" : "along",
+             shown(1e-3 * other.peak_reaction, 2), shown(1e3 * other.displacement_at_peak, 2),
+             other.censored_80 ? "> " : "", shown(1e3 * other.displacement_at_80, 2));
+  fmt::print("{:>5} {:<10} {:>14} {:>14} {:>7} {:>8} {:>9} {:>8}\n", "cycle", "", "mm", "kN",
+             "kept", "kN/mm", "J", "damping");
+  bool much_drag = false;
+  for (std::size_t k = 0; k < c.cycles.size(); ++k) {
+    const Cycle& y = c.cycles[k];
+    const bool drags = !y.in_balance || std::fabs(y.drag) > kMuchDrag * std::fabs(y.dissipated);
+    much_drag = much_drag || drags;
+    const auto both = [](double high, double low) {
+      return shown(high, 2) + " / " + shown(low, 2);
+    };
+    fmt::print("{:>5} {:<10} {:>14} {:>14} {:>7} {:>8} {:>9} {:>8}{}\n", k + 1, y.kind,
+               both(1e3 * y.displacement_max, 1e3 * y.displacement_min),
+               both(1e-3 * y.reaction_max, 1e-3 * y.reaction_min),
+               y.repeat > 1 ? shown(1e2 * y.kept, 0) + " %" : "", shown(1e-6 * y.stiffness, 2),
+               shown(y.dissipated, 2), shown(1e2 * y.damping_ratio, 1) + " %", drags ? " *" : "");
+  }
+  if (much_drag)
+    fmt::print(
+        "* a force out of balance, or over a tenth of the energy is motion and damping, not the "
+        "wall: push slower\n");
 }
 
 void print_load(const Result& r) {
@@ -67,6 +104,7 @@ void print_result(const Result& r, const std::string& out) {
       print_load(r);
     else
       print_push(r);
+    if (r.responses.cyclic.sense != 0) print_cycles(r.responses.cyclic);
     fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
                r.failure_mode.reading.empty() ? "" : ", ", r.failure_mode.reading,
                r.failure_mode.sentence);

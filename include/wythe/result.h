@@ -73,6 +73,50 @@ struct Collapse {
   std::string criterion;    // "the reaction stays below 0.2 of the peak", "a block fell", ...
 };
 
+struct BackbonePoint {
+  double displacement = 0;  // [m]
+  double reaction = 0;      // [N]
+};
+
+// One direction of a cyclic push, read off its envelope as a push along it: both numbers positive.
+struct DirectionReadings {
+  double peak_reaction = 0;         // [N]
+  double displacement_at_peak = 0;  // [m]
+  double displacement_at_80 = 0;    // [m]
+  bool censored_80 = true;
+  double displacement_max = 0;  // [m]
+  bool censored_max = true;
+  double initial_stiffness = 0;  // [N/m]
+  Bilinear bilinear = {};
+  std::vector<BackbonePoint> backbone = {};
+};
+
+// One cycle of a cyclic push, or what there is of it. NaN: it has no such number.
+struct Cycle {
+  // "full": both directions, each from zero displacement and back; "half": one direction, so;
+  // "partial": turned back, but not from zero to zero; "unfinished": never turned back.
+  std::string kind;
+  double displacement_max = 0, displacement_min = 0;  // where it turned [m]
+  double reaction_max = 0, reaction_min = 0;          // largest force in each direction [N]
+  double residual_max = 0, residual_min = 0;          // where the force is first zero after it [m]
+  double dissipated = 0;                              // area of the loop [J]
+  double drag = 0;           // of it, taken by the gap between reaction and base shear [J]
+  double stiffness = 0;      // secant between its extremes [N/m]
+  double damping_ratio = 0;  // equivalent viscous, E_D / (4 pi E_so)
+  std::int64_t repeat = 1;   // 1: the first of its displacements
+  double kept = 1;           // its forces against those of the first [-]
+  bool in_balance = true;    // its forces; else they are those of any row
+};
+
+// What a push that turns back says (docs/reference/results.md, "Cyclic pushes"). The fixed readings of
+// Responses are then those of the direction with the larger peak.
+struct CyclicReadings {
+  std::int64_t sense = 0;  // of the fixed readings: 1 along the push, -1 against it; 0: not cyclic
+  DirectionReadings positive, negative;
+  std::vector<Cycle> cycles;
+  double work = 0;  // of the reaction along the whole path [J]
+};
+
 // Responses read off the curve; definitions in docs/reference/results.md.
 struct Responses {
   // The capacity: the largest reaction of a row in balance (is_in_balance); of a load-controlled
@@ -94,6 +138,7 @@ struct Responses {
   std::vector<FallTo> falls = {};  // one for each fraction asked for, in that order
   Bilinear bilinear = {};
   Collapse collapse = {};
+  CyclicReadings cyclic = {};
 };
 
 // What to read beside the fixed responses, and what the curve alone does not tell.
@@ -105,6 +150,9 @@ struct ResponseOptions {
 };
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
                                        const ResponseOptions& options = {});
+// The curve the fixed readings are taken from: the curve itself; of a cyclic push, the envelope of the
+// direction with the larger peak, as a push along it.
+[[nodiscard]] std::vector<CurveRow> backbone_of(const std::vector<CurveRow>& curve);
 
 // Whether reaction and base shear of a row, of its neighbours and of all rows within 2.5 % of its
 // displacement agree within 2 % of its reaction: then no part of it is inertia or drag.

@@ -171,7 +171,7 @@ QuasiStatic of_a_load(const Result& result) {
 }  // namespace
 
 QuasiStatic judge_quasi_static(const Result& result) {
-  const Curve& curve = result.curve;
+  const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
   QuasiStatic q;
   q.verdict = "no push";
   if (is_load_controlled(result)) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dynamics/balance.h"
 #include "dynamics/zone_state.h"
@@ -54,6 +55,7 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, int fram
       result_(result),
       path_(path),
       window_(default_window(model, path)),
+      leg_window_(window_),
       frames_(frames),
       start_time_(-1),
       work_at_start_(0),
@@ -89,7 +91,12 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
                     double displacement, double load_factor, double travelled) {
   if (start_time_ < 0) {
     start_time_ = state.time - state.stage_time;
-    while (next_close_ < travelled) next_close_ += window_;
+    if (!stage_.spec.targets.empty() && stage_.spec.kind == StageKind::kPush) {
+      const auto leg = static_cast<std::size_t>(state.target);
+      const double from = leg == 0 ? 0.0 : stage_.spec.targets[leg - 1];
+      begin_leg(leg, from, travelled - std::fabs(displacement - from));
+    }
+    while (next_close_ < travelled) plan_close();
     work_at_start_ = state.work_drive;
     dead_ = dead_along_push(state);
     if (result_.curve.empty()) result_.curve.push_back({});
@@ -105,7 +112,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   rise_weight_ += weight_;
   rise_sum_ += weight_ * reaction;
   ++steps_;
-  const bool closes = travelled >= next_close_;
+  const bool closes = travelled >= next_close_ || has_turned();
   sample(place, state, controls, closes);
   take_rise(displacement, travelled);
   row_closed_ = closes;
@@ -115,6 +122,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
     take_frame(state, travelled);
   }
   take_states(place, state);
+  if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
 }
 
 // At the step, not at the row, so that neither rows nor the states asked for move a reading.
@@ -147,6 +155,34 @@ void Recorder::take_rise(double displacement, double travelled) {
   result_.rise.push_back({0.5 * (rise_from_ + out), displacement < 0 ? -force : force});
   rise_from_ = out;
   rise_weight_ = rise_sum_ = rise_shear_weight_ = rise_shear_sum_ = 0;
+}
+
+bool Recorder::has_turned() const {
+  return leg_way_ != 0 && leg_way_ * (displacement_ - leg_target_) >= 0;
+}
+
+// A leg of a cyclic push has whole windows of its own, so that a row ends where the push turns: forces
+// and works of a window on both sides of a turn would mix.
+void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
+  constexpr double kFewest =
+      20;  // rows of a leg, where output.window does not say how long they are
+  leg_way_ = 0;
+  if (leg >= stage_.spec.targets.size()) return;
+  leg_target_ = stage_.spec.targets[leg];
+  leg_way_ = leg_target_ >= from ? 1 : -1;
+  const double length = std::fabs(leg_target_ - from);
+  const double fewest = std::isfinite(model_.output.window) ? 1.0 : kFewest;
+  leg_window_ = length / std::max(fewest, std::round(length / window_));
+  leg_end_ = travelled + length;
+  next_close_ = travelled;
+  plan_close();
+}
+
+// The last window of a leg closes where the push turns.
+void Recorder::plan_close() {
+  next_close_ += leg_window_;
+  if (leg_way_ != 0 && next_close_ > leg_end_ - 0.5 * leg_window_)
+    next_close_ = std::numeric_limits<double>::infinity();
 }
 
 void Recorder::take_frame(const State& state, double travelled) {
@@ -221,14 +257,16 @@ void Recorder::close_row(const State& state) {
   row.lintel_end_rotation = lintel.end_rotation;
   row.lintel_axial = lintel.axial;
   result_.curve.push_back(row);
-  const bool low = row.reaction < stage_.spec.stop_below * peak_;
-  low_rows_ = low && std::fabs(displacement_) >= furthest_ ? low_rows_ + 1 : 0;
-  furthest_ = std::max(furthest_, std::fabs(displacement_));
+  Side& side = side_[displacement_ < 0 ? 1 : 0];
+  const double force = displacement_ < 0 ? -row.reaction : row.reaction;
+  const bool low = force < stage_.spec.stop_below * side.peak;
+  low_rows_ = low && std::fabs(displacement_) >= side.furthest ? low_rows_ + 1 : 0;
+  side.furthest = std::max(side.furthest, std::fabs(displacement_));
   full_window_ = steps_;
   weight_sum_ = shear_weight_ = 0;
   reaction_sum_ = shear_sum_ = unbalance_sum_ = kinetic_sum_ = 0;
   steps_ = shear_samples_ = unbalance_samples_ = 0;
-  next_close_ += window_;
+  plan_close();
 
   note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
@@ -245,11 +283,13 @@ void Recorder::note_peak(const State& state) {
     return std::fabs(other.reaction - other.base_shear) <= kBalance * std::fabs(row.reaction);
   };
   const bool balanced = agree(row) && agree(curve[curve.size() - 2]);
-  if (balanced < peak_balanced_ || (balanced == peak_balanced_ && !(row.reaction > peak_))) return;
-  peak_balanced_ = balanced;
-  peak_ = row.reaction;
-  peak_state_ = state;
-  peak_displacement_ = row.displacement;
+  const double force = row.displacement < 0 ? -row.reaction : row.reaction;
+  Side& side = side_[row.displacement < 0 ? 1 : 0];
+  if (balanced < side.balanced || (balanced == side.balanced && !(force > side.peak))) return;
+  side.balanced = balanced;
+  side.peak = force;
+  side.peak_state = state;
+  side.peak_displacement = row.displacement;
 }
 
 void Recorder::note_joints(const State& state, double displacement, double reaction) {
@@ -322,10 +362,13 @@ void Recorder::finish(const Place& place, State& state, const Controls& controls
     sample(place, state, controls, true);
     close_row(state);
   }
-  if (peak_ > 0) {
-    const double reaction = peak_;
-    result_.snapshots.push_back({"peak", peak_displacement_, reaction, std::move(peak_state_)});
-  }
+  const auto rank = [](const Side& side) { return std::pair(side.balanced, side.peak); };
+  const bool against = rank(side_[1]) > rank(side_[0]);
+  Side& larger = side_[against ? 1 : 0];
+  if (larger.peak > 0)
+    result_.snapshots.push_back({"peak", larger.peak_displacement,
+                                 against ? -larger.peak : larger.peak,
+                                 std::move(larger.peak_state)});
   take_snapshot("end", state);
   result_.readings.push_back(result_.snapshots.back());
   std::stable_sort(

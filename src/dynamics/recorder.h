@@ -23,8 +23,8 @@ class Recorder {
   // Closes the last window and adds the snapshot "end". `ran_away`: the load stood still while the
   // wall fell.
   void finish(const Place& place, State& state, const Controls& controls, bool ran_away = false);
-  // True when the last rows, all beyond any displacement before, lie below the stage's stop_below
-  // share of the peak so far.
+  // True when the last rows, all beyond any displacement before on their side, lie below the stage's
+  // stop_below share of the peak so far on that side.
   [[nodiscard]] bool fell_below() const;
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
@@ -33,6 +33,9 @@ class Recorder {
   void close_row(const State& state);
   void note_joints(const State& state, double displacement, double reaction);
   void note_slid_off(const std::vector<PointStress>& points, double displacement, double reaction);
+  void begin_leg(std::size_t leg, double from, double travelled);
+  void plan_close();
+  [[nodiscard]] bool has_turned() const;
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const Place& place, State& state);
@@ -46,6 +49,9 @@ class Recorder {
   const Stage& stage_;
   Result& result_;
   double path_, window_;
+  double leg_target_ = 0, leg_end_ = 0,
+         leg_window_;  // of a cyclic push: [m] along the push, of the path
+  int leg_way_ = 0;    // 0: not a cyclic push
   int frames_, next_frame_ = 1;
   double start_time_;
   double work_at_start_, damping_at_start_ = 0;
@@ -55,10 +61,15 @@ class Recorder {
   double weight_ = 1, weight_sum_ = 0, shear_weight_ = 0;
   double reaction_sum_ = 0, shear_sum_ = 0, unbalance_sum_ = 0, kinetic_sum_ = 0;
   long steps_ = 0, shear_samples_ = 0, unbalance_samples_ = 0;
-  double peak_ = 0;
-  bool peak_balanced_ = false;
-  State peak_state_;
-  double peak_displacement_ = 0;
+  // On the two sides of the start, along the push and against it; forces and distances as of a push there.
+  struct Side {
+    double peak = 0;
+    bool balanced = false;  // the peak
+    State peak_state;
+    double peak_displacement = 0;
+    double furthest = 0;  // of a row so far [m]
+  };
+  Side side_[2];
   std::size_t next_state_ = 0;
   double next_reading_;  // [m]
   double read_at_;       // [m]; infinite once a state is kept there
@@ -73,7 +84,6 @@ class Recorder {
   double rise_shear_weight_ = 0, rise_shear_sum_ = 0;
   double dead_ = 0;       // along the push, on blocks that are not driven [N]
   long full_window_ = 0;  // steps of the last window that was closed whole
-  double furthest_ = 0;   // largest displacement of a row so far [m]
   int low_rows_ = 0;      // rows below stop_below in a row
 };
 

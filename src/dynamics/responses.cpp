@@ -5,6 +5,7 @@
 
 #include "core/real.h"
 #include "dynamics/balance.h"
+#include "dynamics/cyclic.h"
 #include "dynamics/stage_run.h"
 
 namespace wythe {
@@ -246,6 +247,12 @@ ResponseOptions reading_of(const Model& model, const Result& result) {
 }
 
 Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
+  const bool pushed = std::isnan(options.carried);
+  return pushed && dynamics::is_cyclic(curve) ? dynamics::read_cyclic(curve, options)
+                                              : read_one_way(curve, options);
+}
+
+Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {
   Responses r;
   if (curve.empty()) return r;
   const std::size_t raw = raw_peak_row(curve);
@@ -266,9 +273,12 @@ namespace dynamics {
 void add_curve_events(Result& result) {
   const Responses& r = result.responses;
   if (!(r.peak_reaction > 0) || is_load_controlled(result)) return;
-  result.events.push_back({"peak", r.displacement_at_peak, r.peak_reaction, ""});
+  const double way = r.cyclic.sense < 0 ? -1 : 1;
+  result.events.push_back({"peak", way * r.displacement_at_peak, way * r.peak_reaction, ""});
   if (!r.censored_80)
-    result.events.push_back({"80 % of the peak", r.displacement_at_80, 0.8 * r.peak_reaction, ""});
+    result.events.push_back(
+        {"80 % of the peak", way * r.displacement_at_80, way * 0.8 * r.peak_reaction, ""});
+  if (r.cyclic.sense != 0) return;  // displacements to and fro are no order
   std::stable_sort(result.events.begin(), result.events.end(),
                    [](const Event& a, const Event& b) { return a.displacement < b.displacement; });
 }

@@ -3,11 +3,18 @@
 
 #include "wythe/result.h"
 
-namespace wythe::dynamics {
+namespace wythe {
+
+// Responses of a push that never turns back.
+[[nodiscard]] Responses read_one_way(const std::vector<CurveRow>& curve,
+                                     const ResponseOptions& options);
+
+namespace dynamics {
 
 // Adds "peak" and "80 % of the peak" to the events.
 void add_curve_events(Result& result);
 // Model time a stage is expected to take [s], settling included.
 [[nodiscard]] double expected_seconds(const Stage& stage);
 
-}  // namespace wythe::dynamics
+}  // namespace dynamics
+}  // namespace wythe

@@ -34,7 +34,38 @@ const FallTo* fall_to(const Responses& responses, double fraction) {
   return nullptr;
 }
 
-std::string title_row(const Campaign& campaign) {
+// Readings of cyclic pushes, by record; the stored rows alone give them. Empty where no push was cyclic.
+std::vector<CyclicReadings> cyclic_readings(const Campaign& campaign) {
+  std::vector<CyclicReadings> all;
+  bool any = false;
+  for (const SampleRecord& record : campaign.records) {
+    ResponseOptions read;
+    if (record.status == to_string(SolveStatus::kCollapsed)) read.collapse = record.reason;
+    all.push_back(record.answered() ? read_responses(record.curve, read).cyclic : CyclicReadings{});
+    any = any || all.back().sense != 0;
+  }
+  if (!any) all.clear();
+  return all;
+}
+
+constexpr const char* kCyclicTitles =
+    ",read_in,peak_reaction_positive_kN,displacement_at_80_percent_positive_mm,censored_80_"
+    "positive,"
+    "peak_reaction_negative_kN,displacement_at_80_percent_negative_mm,censored_80_negative";
+
+// The two directions of a cyclic push, after all other columns.
+std::vector<std::string> cyclic_cells(const CyclicReadings& c) {
+  if (c.sense == 0) return std::vector<std::string>(7);
+  std::vector<std::string> cells = {c.sense > 0 ? "positive" : "negative"};
+  for (const DirectionReadings* d : {&c.positive, &c.negative}) {
+    cells.push_back(number(1e-3 * d->peak_reaction));
+    cells.push_back(number(1e3 * d->displacement_at_80));
+    cells.emplace_back(d->censored_80 ? "1" : "0");
+  }
+  return cells;
+}
+
+std::string title_row(const Campaign& campaign, bool cyclic) {
   std::string row = "sample";
   for (const InputColumn& column : campaign.samples.column)
     row += "," + quoted(column_title(column));
@@ -45,7 +76,8 @@ std::string title_row(const Campaign& campaign) {
     row += fmt::format(",displacement_at_{0:g}_percent_mm,censored_{0:g}", 100 * fraction);
   return row +
          ",initial_stiffness_kN_per_mm,drift_max_percent,collapse_displacement_mm,"
-         "censored_collapse,collapse_criterion,retried,state_hash\n";
+         "censored_collapse,collapse_criterion,retried,state_hash" +
+         (cyclic ? kCyclicTitles : "") + "\n";
 }
 
 // The cells after the status; as many empty ones where there is no answer.
@@ -74,8 +106,10 @@ std::vector<std::string> answer_cells(const Campaign& campaign, const SampleReco
 }  // namespace
 
 std::string samples_csv(const Campaign& campaign) {
-  std::string text = title_row(campaign);
-  for (const SampleRecord& record : campaign.records) {
+  const std::vector<CyclicReadings> cyclic = cyclic_readings(campaign);
+  std::string text = title_row(campaign, !cyclic.empty());
+  for (std::size_t k = 0; k < campaign.records.size(); ++k) {
+    const SampleRecord& record = campaign.records[k];
     text += std::to_string(record.sample);
     for (std::size_t i = 0; i < record.inputs.size(); ++i) {
       const InputColumn& column = campaign.samples.column[i];
@@ -83,7 +117,10 @@ std::string samples_csv(const Campaign& campaign) {
     }
     text += "," + quoted(record.status);
     for (const std::string& cell : answer_cells(campaign, record)) text += "," + cell;
-    text += fmt::format(",{},{}\n", record.retried ? 1 : 0, record.state_hash);
+    text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
+    if (!cyclic.empty())
+      for (const std::string& cell : cyclic_cells(cyclic[k])) text += "," + cell;
+    text += "\n";
   }
   return text;
 }

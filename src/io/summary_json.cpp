@@ -141,6 +141,15 @@ Json falls_json(const std::vector<FallTo>& falls) {
   return list;
 }
 
+Json bilinear_json(const Bilinear& b) {
+  return {{"stiffness_kN_per_mm", b.stiffness * 1e-6},
+          {"force_kN", b.force * 1e-3},
+          {"yield_displacement_mm", b.yield_displacement * 1e3},
+          {"ultimate_displacement_mm", b.ultimate_displacement * 1e3},
+          {"ductility", b.ductility},
+          {"censored", b.censored}};
+}
+
 void add_responses(Json& json, const Responses& r) {
   json["peak_reaction_kN"] = r.peak_reaction * 1e-3;
   json["displacement_at_peak_mm"] = r.displacement_at_peak * 1e3;
@@ -162,16 +171,57 @@ void add_responses(Json& json, const Responses& r) {
   json["work_to_80_percent_J"] = r.work_to_80;
   json["work_total_J"] = r.work_total;
   json["falls"] = falls_json(r.falls);
-  json["bilinear"] = {{"stiffness_kN_per_mm", r.bilinear.stiffness * 1e-6},
-                      {"force_kN", r.bilinear.force * 1e-3},
-                      {"yield_displacement_mm", r.bilinear.yield_displacement * 1e3},
-                      {"ultimate_displacement_mm", r.bilinear.ultimate_displacement * 1e3},
-                      {"ductility", r.bilinear.ductility},
-                      {"censored", r.bilinear.censored}};
+  json["bilinear"] = bilinear_json(r.bilinear);
   json["collapse"] = {{"displacement_mm", r.collapse.displacement * 1e3},
                       {"drift_percent", r.collapse.drift * 1e2},
                       {"censored", r.collapse.censored},
                       {"criterion", r.collapse.criterion}};
+}
+
+Json direction_json(const DirectionReadings& d) {
+  Json displacement = Json::array(), reaction = Json::array();
+  for (const BackbonePoint& point : d.backbone) {
+    displacement.push_back(point.displacement * 1e3);
+    reaction.push_back(point.reaction * 1e-3);
+  }
+  return {{"peak_reaction_kN", d.peak_reaction * 1e-3},
+          {"displacement_at_peak_mm", d.displacement_at_peak * 1e3},
+          {"displacement_at_80_percent_mm", d.displacement_at_80 * 1e3},
+          {"censored_80", d.censored_80},
+          {"displacement_max_mm", d.displacement_max * 1e3},
+          {"censored_max", d.censored_max},
+          {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
+          {"bilinear", bilinear_json(d.bilinear)},
+          {"envelope", {{"displacement_mm", displacement}, {"reaction_kN", reaction}}}};
+}
+
+Json cycles_json(const std::vector<Cycle>& cycles) {
+  Json list = Json::array();
+  for (const Cycle& c : cycles) {
+    list.push_back({{"kind", c.kind},
+                    {"displacement_max_mm", c.displacement_max * 1e3},
+                    {"displacement_min_mm", c.displacement_min * 1e3},
+                    {"reaction_max_kN", c.reaction_max * 1e-3},
+                    {"reaction_min_kN", c.reaction_min * 1e-3},
+                    {"in_balance", c.in_balance},
+                    {"residual_max_mm", c.residual_max * 1e3},
+                    {"residual_min_mm", c.residual_min * 1e3},
+                    {"stiffness_kN_per_mm", c.stiffness * 1e-6},
+                    {"dissipated_J", c.dissipated},
+                    {"drag_J", c.drag},
+                    {"damping_ratio", c.damping_ratio},
+                    {"repeat", c.repeat},
+                    {"strength_kept", c.kept}});
+  }
+  return list;
+}
+
+Json cyclic_json(const CyclicReadings& c) {
+  return {{"read_in", c.sense > 0 ? "positive" : "negative"},
+          {"positive", direction_json(c.positive)},
+          {"negative", direction_json(c.negative)},
+          {"cycles", cycles_json(c.cycles)},
+          {"work_J", c.work}};
 }
 
 }  // namespace
@@ -182,6 +232,7 @@ std::string summary_json(const Model& model, const Result& result) {
   json["reason"] = result.reason;
   json["warning"] = warning_of(result);
   add_responses(json, result.responses);
+  if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
   json["load_factor"] = result.load_factor;
   if (result.curve_of == StageKind::kTilt)
     json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;

@@ -92,7 +92,7 @@ Json sample_of(const SampleRecord& r, double read_modes_at) {
                {"status", r.status},
                {"reason", r.reason},
                {"answered", is_answered(r)},
-               {"rows", r.curve.size()}};
+               {"rows", backbone_of(r.curve).size()}};
   if (!is_answered(r)) return json;
   json["mode"] = r.failure_mode.name;
   json["sentence"] = r.failure_mode.sentence;
@@ -114,7 +114,7 @@ void add_samples(Bundle& bundle, const Campaign& campaign, double read_modes_at)
   std::vector<float> displacement, reaction;
   for (const SampleRecord& r : campaign.records) {
     list.push_back(sample_of(r, read_modes_at));
-    for (const CurveRow& row : r.curve) {
+    for (const CurveRow& row : backbone_of(r.curve)) {
       displacement.push_back(static_cast<float>(row.displacement * 1e3));
       reaction.push_back(static_cast<float>(row.reaction * 1e-3));
     }

@@ -192,7 +192,7 @@ class RunHeadline {
                       {{"force", bold(kilonewtons(peak()))},
                        {"at", bold(millimetres("displacement_at_peak_mm"))},
                        {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
-           mode() + (is_still_rising() ? "" : ductility());
+           both_ways() + mode() + (is_still_rising() ? "" : ductility());
   }
   // ", a tilt of 14°" where the ground was tilted.
   [[nodiscard]] std::string tilt() const {
@@ -226,6 +226,23 @@ class RunHeadline {
   [[nodiscard]] Card stiffness_card() const {
     return {texts_.quantity(number_in(s_, "initial_stiffness_kN_per_mm"), "kN/mm"),
             texts_.say("card.stiffness"), texts_.say("card.stiffness.means")};
+  }
+  // A push to and fro: which direction is read, and what the other resists.
+  [[nodiscard]] std::string both_ways() const {
+    const Json& cyclic = member(s_, "cyclic");
+    const std::string read_in = words_in(cyclic, "read_in");
+    if (read_in.empty()) return "";
+    const bool along = read_in == "positive";
+    const Json& other = member(cyclic, along ? "negative" : "positive");
+    const double force = number_in(other, "peak_reaction_kN");
+    std::string words = " " + texts_.say(along ? "run.cyclic.along" : "run.cyclic.against");
+    if (force > 0)
+      words +=
+          " " +
+          texts_.say("run.cyclic.other",
+                     {{"force", kilonewtons(force)},
+                      {"at", texts_.quantity(number_in(other, "displacement_at_peak_mm"), "mm")}});
+    return words;
   }
   [[nodiscard]] std::string ductility() const {
     if (std::isnan(number_in(s_, "displacement_at_80_percent_mm"))) return "";

@@ -94,7 +94,7 @@ MeanCurve mean_curve_of(const Group& group, double base_height) {
   std::vector<SampleCurve> curves;
   double farthest = 0;
   for (const SampleRecord* record : group.record) {
-    curves.push_back({height_of(*record, base_height), forward_rows(record->curve)});
+    curves.push_back({height_of(*record, base_height), forward_rows(backbone_of(record->curve))});
     farthest = std::max(farthest, curves.back().rows.back().displacement);
   }
   if (curves.empty()) return out;

@@ -212,7 +212,7 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
     if (&s == read) break;
   }
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
-  mode.flags.push_back(study::drop_flag(result.curve, rules));
+  mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
   mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules);
   return mode;
 }

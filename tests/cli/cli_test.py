@@ -580,6 +580,84 @@ class Trust(Base):
         self.assertTrue(words.startswith("WARNING unknown: the energy ledger"), words)
 
 
+class Cyclic(Base):
+    """A push with targets: what console, summary and curve say of it."""
+
+    def run_to(self, *targets, text=SMALL, more=()):
+        listed = ", ".join(f'"{t} mm"' for t in targets)
+        more = ("stage.push.velocity=2 mm/s", *more)
+        done = wythe("run", self.model(text), "--out", self.out, "--quiet", "--set", f"stage.push.targets=[{listed}]",
+                     *(word for setting in more for word in ("--set", setting)))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout, json.loads((self.out / "summary.json").read_text())
+
+    def test_every_cycle_is_told_with_its_energy_and_what_is_left(self):
+        for text in (SMALL, DRY):
+            said, summary = self.run_to(1, -1, 1, -1, 2, -2, 2, -2, 0, text=text)
+            cyclic = summary["cyclic"]
+            self.assertEqual([c["kind"] for c in cyclic["cycles"]], ["full"] * 4)
+            self.assertEqual([c["repeat"] for c in cyclic["cycles"]], [1, 2, 1, 2])
+            for cycle, amplitude in zip(cyclic["cycles"], (1, 1, 2, 2)):
+                self.assertAlmostEqual(cycle["displacement_max_mm"], amplitude, delta=0.002)
+                self.assertAlmostEqual(cycle["displacement_min_mm"], -amplitude, delta=0.002)
+                self.assertGreater(cycle["dissipated_J"], 0)
+                self.assertGreater(cycle["damping_ratio"], 0)
+            # rows against the work the step counted: another way to the same number
+            self.assertAlmostEqual(cyclic["work_J"], summary["energy_J"]["drive"], delta=0.01 * cyclic["work_J"])
+            self.assertIn("read off the envelope along the push", said)
+            self.assertEqual(len(re.findall(r"^ +\d full ", said, re.M)), 4, said)
+
+    def test_fixed_keys_are_those_of_the_stronger_direction(self):
+        _, summary = self.run_to(1, -1, 2, -2, 0)
+        cyclic = summary["cyclic"]
+        read = cyclic[cyclic["read_in"]]
+        for key in ("peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm", "censored_80",
+                    "displacement_max_mm", "bilinear"):
+            self.assertEqual(summary[key], read[key], key)
+        self.assertEqual(summary["peak_reaction_kN"],
+                         max(cyclic[way]["peak_reaction_kN"] for way in ("positive", "negative")))
+        self.assertLessEqual(summary["displacement_at_peak_mm"], summary["displacement_at_80_percent_mm"])
+
+    def test_unloading_at_the_end_leaves_the_readings_of_the_push(self):
+        _, there = self.run_to(3)
+        _, back = self.run_to(3, 0)
+        self.assertNotIn("cyclic", there)
+        self.assertEqual([c["kind"] for c in back["cyclic"]["cycles"]], ["half"])
+        for key in ("peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm"):
+            self.assertAlmostEqual(back[key], there[key], delta=0.05 * there[key], msg=key)
+        self.assertEqual(back["censored_80"], there["censored_80"])
+
+    def test_the_same_motion_told_from_the_other_side_swaps_the_directions(self):
+        _, one = self.run_to(1, -2, 1, 0)
+        _, other = self.run_to(-1, 2, -1, 0, more=('stage.push.direction="-x"',))
+        self.assertEqual(one["state_hash"], other["state_hash"])
+        self.assertNotEqual(one["cyclic"]["read_in"], other["cyclic"]["read_in"])
+        for key in ("peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm", "bilinear"):
+            self.assertEqual(one[key], other[key], key)
+        for a, b in zip(one["cyclic"]["cycles"], other["cyclic"]["cycles"]):
+            self.assertEqual((a["kind"], a["dissipated_J"], a["damping_ratio"]),
+                             (b["kind"], b["dissipated_J"], b["damping_ratio"]))
+
+    def test_a_push_farther_back_than_forth_has_not_collapsed(self):
+        said, summary = self.run_to(0.5, -0.8, 0, more=("stage.push.stop_below=0.5",))
+        self.assertEqual(summary["status"], "completed", said)
+
+    def test_rows_end_where_the_push_turns_and_small_ways_have_twenty(self):
+        self.run_to(0.02, -0.02, 2, -2, 0)
+        with open(self.out / "force_displacement.csv") as file:
+            at = [float(row["displacement_mm"]) for row in csv.DictReader(file)]
+        for turn in (0.02, -0.02, 2, -2):
+            self.assertLess(min(abs(d - turn) for d in at), 0.002, turn)
+        self.assertGreaterEqual(at.index(min(at, key=lambda d: abs(d - 0.02))), 19)
+
+    def test_the_number_of_rows_moves_no_reading(self):
+        _, few = self.run_to(1, -1, 2, -2, 0, more=("output.rows=150",))
+        _, many = self.run_to(1, -1, 2, -2, 0, more=("output.rows=1500",))
+        self.assertEqual(few["state_hash"], many["state_hash"])
+        for a, b in zip(few["cyclic"]["cycles"], many["cyclic"]["cycles"]):
+            self.assertAlmostEqual(a["dissipated_J"], b["dissipated_J"], delta=0.005 * b["dissipated_J"])
+
+
 class Contact(Base):
     LAW = SMALL[SMALL.index("[material.joint]"):SMALL.index("[material.unit]")]
 

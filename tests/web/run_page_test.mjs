@@ -349,6 +349,36 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
     }
 });
 
+test("a push to and fro shows its loops, their envelopes and every cycle", async () => {
+  const { cyclic } = makeRun("cyclic_run", "cyclic.toml");
+  assert.deepEqual(
+    cyclic.cycles.map((c) => c.kind),
+    ["full", "full", "full", "unfinished"],
+  );
+  const other = await open(browser, pageOf("cyclic_run"));
+  assert.deepEqual(other.faults, []);
+  const words = await other.locator("#headline .answer").innerText();
+  assert.match(words, /to and fro/);
+  assert.equal(await other.locator("#curve path.force.thin").count(), 1);
+  assert.equal(await other.locator("#curve path.work").count(), 2); // an envelope a direction
+  assert.equal(await other.locator("#curve path.fit").count(), 2);
+  const tables = other.locator("#cycles tbody");
+  assert.equal(await tables.nth(0).locator("tr").count(), 2);
+  assert.equal(await tables.nth(1).locator("tr").count(), cyclic.cycles.length);
+  assert.match(await tables.nth(1).innerText(), /unfinished/);
+  // the mark of the peak lies on the side that is read
+  const peak = await other.locator("#curve circle.peak").first().boundingBox();
+  const axis = await other.locator("#curve svg.plot").boundingBox();
+  const middle = axis.x + axis.width / 2;
+  assert.equal(peak.x > middle, cyclic.read_in === "positive");
+  // a press on the lower branch shows the wall there, not at the same displacement of another cycle
+  await other.mouse.click(axis.x + 0.3 * axis.width, axis.y + 0.85 * axis.height);
+  assert.match(await other.locator("#wall .wall-caption").innerText(), /−/);
+  assert.deepEqual(await violations(other), []);
+  await screenshot(other, "run_cyclic_1440_light");
+  await other.context().close();
+});
+
 test("prints as an appendix of A4 pages", async () => {
   const pdf = await page.pdf({ preferCSSPageSize: true });
   fs.writeFileSync(path.join(folder("run"), "report.pdf"), pdf);

@@ -142,6 +142,10 @@ const changed = (text, ...pairs) =>
     return made.replace(from, to);
   }, text);
 const kZones = changed(kModel, ['kind = "timber",', 'kind = "timber", model = "zones", zones = 2,']);
+const kCyclic = changed(kModel, [
+  'until = "18 mm"',
+  'targets = ["2 mm", "-2 mm", "2 mm", "-2 mm", "6 mm", "-6 mm", "6 mm"]',
+]);
 // Pushed no farther than that; drawn so that the inputs are correlated.
 const shortModel = (until) =>
   changed(kModel, ['until = "18 mm"', `until = "${until}"`], ['states = ["6 mm", "12 mm"]', ""]);
@@ -159,6 +163,7 @@ export function writeInputs() {
     ["model.toml", kModel],
     ["study.toml", kStudy],
     ["zones.toml", kZones],
+    ["cyclic.toml", kCyclic],
     ["rising_model.toml", shortModel("1 mm")], // hardly a wall reaches its peak
     ["rising.toml", shortStudy("rising_model.toml")],
     ["falling_model.toml", shortModel("10 mm")], // some fall to 0.8 of it

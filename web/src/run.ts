@@ -5,6 +5,7 @@ import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
+import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { table } from "./tables";
 import { capital, num, phrase, qty, say, shortened } from "./texts";
@@ -30,6 +31,15 @@ const kManyParts = 12, // of a wall, from which on only those are listed that sh
 
 // Words for a frame's labels: "peak", "20 mm", "end".
 const labelOf = (labels: string[]): string => labels.map((l) => phrase(l)).join(", ");
+
+// Position of the smallest.
+function nearest(distances: number[]): number {
+  let best = 0;
+  distances.forEach((d, i) => {
+    if (d < distances[best]) best = i;
+  });
+  return best;
+}
 
 class RunPage {
   private readonly header: any;
@@ -68,6 +78,7 @@ class RunPage {
   sections(): Section[] {
     return [
       { id: "push", title: say("section.push"), content: this.push() },
+      cyclesSection(this.s),
       { id: "failure", title: say("section.failure"), content: this.failure() },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },
       { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },
@@ -98,12 +109,14 @@ class RunPage {
 
   private curveFigure(): Figure {
     const kind = this.byFactor ? "factor" : "force";
-    const items: [SVGSVGElement, Child][] = [[swatch("force"), say(`curve.${kind}`)]];
+    const cyclic = waysOf(this.s).length > 0;
+    const items: [SVGSVGElement, Child][] = [[swatch(cyclic ? "force thin" : "force"), say(`curve.${kind}`)]];
+    if (cyclic) items.push([swatch("work"), say("curve.envelope")]);
     if (!this.byFactor) items.push([swatch("base"), say("curve.base")]);
     if (this.s.bilinear?.force_kN > 0) items.push([swatch("fit"), say("curve.bilinear")]);
     const figure = new Figure({
       id: "curve",
-      title: say(`curve.${kind}.title`),
+      title: say(cyclic ? "curve.cyclic.title" : `curve.${kind}.title`),
       above: legend(items),
       wide: true,
       draw: (width, onPaper) => this.drawCurve(width, onPaper),
@@ -160,7 +173,8 @@ class RunPage {
     });
     if (!this.byFactor) plot.line(zip(c.displacement, c.base), "base");
     this.drawBilinear(plot);
-    plot.line(zip(c.displacement, force), "force");
+    plot.line(zip(c.displacement, force), this.isCyclic() ? "force thin" : "force");
+    drawEnvelopes(plot, this.s);
     this.drawValidity(plot);
     this.drawMarks(plot);
     this.cursor = svg("g", { class: "cursor" });
@@ -184,14 +198,22 @@ class RunPage {
   private drawBilinear(plot: Plot): void {
     const b = this.s.bilinear;
     if (this.byFactor || !(b?.force_kN > 0)) return;
-    plot.line(
-      [
-        [0, 0],
-        [b.yield_displacement_mm, b.force_kN],
-        [b.ultimate_displacement_mm, b.force_kN],
-      ],
-      "fit",
-    );
+    const ways = this.isCyclic() ? waysOf(this.s) : [{ sign: 1, readings: this.s }];
+    for (const { sign, readings } of ways) {
+      const w = readings.bilinear;
+      if (w.force_kN > 0)
+        plot.line(
+          [
+            [0, 0],
+            [sign * w.yield_displacement_mm, sign * w.force_kN],
+            [sign * w.ultimate_displacement_mm, sign * w.force_kN],
+          ],
+          "fit",
+        );
+    }
+  }
+  private isCyclic(): boolean {
+    return waysOf(this.s).length > 0;
   }
 
   // From here on blocks have slid off each other: the curve means little.
@@ -218,9 +240,15 @@ class RunPage {
 
   private drawMarks(plot: Plot): void {
     if (!this.byFactor && this.s.peak_reaction_kN > 0) {
-      plot.dot(this.s.displacement_at_peak_mm, this.s.peak_reaction_kN, 4.5, "peak");
+      const sign = signOf(this.s);
+      plot.dot(sign * this.s.displacement_at_peak_mm, sign * this.s.peak_reaction_kN, 4.5, "peak");
       if (!this.s.censored_80)
-        plot.dot(this.s.displacement_at_80_percent_mm, 0.8 * this.s.peak_reaction_kN, 4.5, "peak");
+        plot.dot(
+          sign * this.s.displacement_at_80_percent_mm,
+          sign * 0.8 * this.s.peak_reaction_kN,
+          4.5,
+          "peak",
+        );
     }
     let before: Point = [-100, -100];
     (this.s.events as any[]).forEach((e, i) => {
@@ -246,34 +274,31 @@ class RunPage {
     const info = this.view.spec.info[this.view.look.frame];
     const x = this.plot.X(info.displacement);
     const row = this.rowAt(info.displacement);
-    const y = this.plot.Y(this.byFactor ? this.curve.factor[row] : this.curve.reaction[row]);
+    const force = this.isCyclic() ? info.reaction : this.curve.reaction[row];
+    const y = this.plot.Y(this.byFactor ? this.curve.factor[row] : force);
     this.cursor.replaceChildren(
       svg("line", { class: "cursor-line", x1: x, x2: x, y1: this.plot.top, y2: this.plot.bottom }),
       svg("circle", { class: "cursor-dot", cx: x, cy: y, r: 5 }),
     );
   }
   private rowAt(displacement: number): number {
-    let best = 0;
-    this.curve.displacement.forEach((d, i) => {
-      if (Math.abs(d - displacement) < Math.abs(this.curve.displacement[best] - displacement)) best = i;
-    });
-    return best;
+    return nearest(this.curve.displacement.map((d) => Math.abs(d - displacement)));
   }
-  private frameAt(displacement: number): number {
-    const info = this.view!.spec.info;
-    let best = 0;
-    info.forEach((f, i) => {
-      if (Math.abs(f.displacement - displacement) < Math.abs(info[best].displacement - displacement))
-        best = i;
-    });
-    return best;
+  // Of rows or states: the one at a displacement; where the push passes it several times, the one seen
+  // nearest to a place on the plot.
+  private pointed(x: number[], y: number[], plot: Plot, [px, py]: Point): number {
+    return nearest(
+      x.map((d, i) =>
+        this.isCyclic() ? Math.hypot(plot.X(d) - px, plot.Y(y[i]) - py) : Math.abs(d - plot.xAt(px)),
+      ),
+    );
   }
   private listen(plot: Plot): void {
     const point = (event: PointerEvent): void => {
-      const [px] = pointIn(plot.svg, event);
-      if (px < plot.left || px > plot.right) return hideTip();
-      const row = this.rowAt(plot.xAt(px)),
-        c = this.curve;
+      const at = pointIn(plot.svg, event);
+      if (at[0] < plot.left || at[0] > plot.right) return hideTip();
+      const c = this.curve,
+        row = this.pointed(c.displacement, c.reaction, plot, at);
       showTip(event, [
         [say("displacement"), qty(c.displacement[row], "mm")],
         [say("drift"), qty(c.drift[row], "%")],
@@ -282,8 +307,16 @@ class RunPage {
           : [say("curve.force"), qty(c.reaction[row], "kN", 4)],
         ...(this.byFactor ? [] : [[say("curve.base"), qty(c.base[row], "kN", 4)] as [string, string]]),
       ]);
-      if (this.view && (event.buttons > 0 || event.type === "pointerdown"))
-        this.view.show(this.frameAt(plot.xAt(px)));
+      if (!this.view || (event.buttons === 0 && event.type !== "pointerdown")) return;
+      const info = this.view.spec.info;
+      this.view.show(
+        this.pointed(
+          info.map((f) => f.displacement),
+          info.map((f) => f.reaction),
+          plot,
+          at,
+        ),
+      );
     };
     plot.svg.addEventListener("pointermove", point);
     plot.svg.addEventListener("pointerdown", point);

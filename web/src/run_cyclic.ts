@@ -1,0 +1,112 @@
+// A push that turns back: the envelopes on the curve, and what each cycle says.
+import { h, type Child } from "./dom";
+import type { Section } from "./page";
+import type { Plot, Point } from "./plot";
+import { zip } from "./run_trust";
+import { table } from "./tables";
+import { num, qty, say } from "./texts";
+
+const kMuchDrag = 0.1; // of a loop's energy
+
+export interface Way {
+  sign: number;
+  readings: any;
+}
+// The two directions of a cyclic push; none of another.
+export function waysOf(summary: any): Way[] {
+  const c = summary.cyclic;
+  return c
+    ? [
+        { sign: 1, readings: c.positive },
+        { sign: -1, readings: c.negative },
+      ]
+    : [];
+}
+// Of the fixed readings: 1 along the push, -1 against it.
+export const signOf = (summary: any): number => (summary.cyclic?.read_in === "negative" ? -1 : 1);
+
+export function drawEnvelopes(plot: Plot, summary: any): void {
+  for (const { sign, readings } of waysOf(summary))
+    plot.line(
+      zip(readings.envelope.displacement_mm, readings.envelope.reaction_kN).map(
+        ([x, y]): Point => [sign * x, sign * y],
+      ),
+      "work",
+    );
+}
+
+// "12.1 / −11.8", with a dash for a side the cycle does not go to.
+function bothSides(high: number | null, low: number | null): string {
+  return high === null || low === null ? num(high ?? low) : `${num(high)} / ${num(low)}`;
+}
+
+function cycleRow(c: any, k: number): Child[] {
+  const drags =
+    !c.in_balance ||
+    (c.dissipated_J !== null && Math.abs(c.drag_J) > kMuchDrag * Math.abs(c.dissipated_J));
+  return [
+    `${k + 1}, ${say(`cycle.${c.kind}`)}`,
+    bothSides(c.displacement_max_mm, c.displacement_min_mm),
+    bothSides(c.reaction_max_kN, c.reaction_min_kN),
+    c.repeat > 1 ? qty(c.strength_kept === null ? null : 100 * c.strength_kept, "%") : "",
+    num(c.stiffness_kN_per_mm),
+    bothSides(c.residual_max_mm, c.residual_min_mm),
+    num(c.dissipated_J),
+    c.damping_ratio === null ? "–" : `${qty(100 * c.damping_ratio, "%")}${drags ? " *" : ""}`,
+  ];
+}
+
+function directionRow({ sign, readings: r }: Way): Child[] {
+  const bound = (censored: boolean): string => (censored ? "≥ " : "");
+  return [
+    say(sign > 0 ? "cycles.along" : "cycles.against"),
+    qty(r.peak_reaction_kN, "kN"),
+    qty(r.displacement_at_peak_mm, "mm"),
+    bound(r.censored_80) + qty(r.displacement_at_80_percent_mm, "mm"),
+    bound(r.censored_max) + qty(r.displacement_max_mm, "mm"),
+    qty(r.initial_stiffness_kN_per_mm, "kN/mm"),
+    bound(r.bilinear.censored) + num(r.bilinear.ductility),
+  ];
+}
+
+// The section of a cyclic push; empty for another.
+export function cyclesSection(summary: any): Section {
+  const section = { id: "cycles", title: say("section.cycles"), content: null as Child };
+  const cyclic = summary.cyclic;
+  if (!cyclic) return section;
+  const rows = (cyclic.cycles as any[]).map(cycleRow);
+  const marked = rows.some((r) => String(r[r.length - 1]).endsWith("*"));
+  section.content = [
+    h("p", {}, say("cycles.lead")),
+    table(
+      [
+        { head: say("cycles.direction"), left: true },
+        { head: say("card.peak") },
+        { head: say("card.at_peak") },
+        { head: say("card.at_80") },
+        { head: say("card.max") },
+        { head: say("card.stiffness") },
+        { head: say("cycles.ductility") },
+      ],
+      waysOf(summary).map(directionRow),
+      say("cycles.directions"),
+    ),
+    table(
+      [
+        { head: say("cycles.cycle"), left: true },
+        { head: say("cycles.displacements") },
+        { head: say("cycles.forces") },
+        { head: say("cycles.kept"), title: say("cycles.kept.means") },
+        { head: say("cycles.stiffness"), title: say("cycles.stiffness.means") },
+        { head: say("cycles.residual"), title: say("cycles.residual.means") },
+        { head: say("cycles.energy"), title: say("cycles.energy.means") },
+        { head: say("cycles.damping"), title: say("cycles.damping.means") },
+      ],
+      rows,
+      say("cycles.table"),
+    ),
+    marked ? h("p", { class: "note" }, say("cycles.drag")) : null,
+    h("p", { class: "soft" }, say("cycles.means")),
+  ];
+  return section;
+}
