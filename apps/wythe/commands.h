@@ -31,6 +31,7 @@ struct LimitArguments {
   std::vector<std::string> overrides;
   std::vector<std::string> only;  // of lp, infinite, macro_block_1, macro_block_2; empty: all
   bool assessment = false;
+  bool quiet = false;
 };
 int limit(const LimitArguments& arguments);
 

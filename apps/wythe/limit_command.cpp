@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "interrupt.h"
+#include "progress.h"
 #include "report_files.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -27,6 +29,8 @@ void attempt(SecondOpinion& opinion, const std::string& what, Answer answer) {
     answer();
   } catch (const InputError& error) {
     opinion.refused.push_back({what, error.what()});
+  } catch (const LimitStopped& stopped) {
+    opinion.refused.push_back({what, stopped.what()});
   }
 }
 
@@ -52,18 +56,41 @@ void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& 
     opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
 }
 
+struct LimitCase {
+  const char* name;
+  LimitOptions options;
+};
+
 // From what is left when all bond is gone to what all of it could carry at once.
+std::vector<LimitCase> limit_cases(const Model& model) {
+  std::vector<LimitCase> cases = {
+      {"dry", {}},
+      {"dry, residual friction, crushing",
+       {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints}}};
+  if (has_bond(model)) cases.push_back({"bonded", {.strength = JointStrength::kBonded}});
+  return cases;
+}
+
+// Once stopped, what is left is refused in these words.
 void add_limits(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
   if (!asked(a, "lp")) return;
-  const auto add = [&](const std::string& name, const LimitOptions& options) {
-    attempt(opinion, "limit load, " + name, [&] {
-      opinion.limits.push_back({name, limit_load(model, options)});
+  const std::vector<LimitCase> cases = limit_cases(model);
+  const double expected = expected_seconds(model) * static_cast<double>(cases.size());
+  if (!a.quiet && expected > 3)
+    fmt::print(stderr, "{} limit loads of {} blocks: about {:.0f} s\n", cases.size(), model.n_block,
+               expected);
+  LimitPrinter printer(a.quiet);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string what = fmt::format("limit load, {}", cases[i].name);
+    LimitWatch watch{.stop = &stop_asked()};
+    watch.progress = [&](double share) {
+      printer(what, (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
+    };
+    attempt(opinion, what, [&] {
+      if (stop_asked()) throw LimitStopped();
+      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
     });
-  };
-  add("dry", {});
-  add("dry, residual friction, crushing",
-      {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints});
-  if (has_bond(model)) add("bonded", {.strength = JointStrength::kBonded});
+  }
 }
 
 // Nothing answered: the reasons are the answer. Each reason once.
@@ -104,33 +131,43 @@ void print_bracket(const BracketVerdict& b) {
       b.runs > 1 ? " (nominal)" : "", b.low * unit, b.high * unit, b.below, b.above);
 }
 
+// The first sentence of a comparison: whether a run passes what its joints can carry.
 int print_bounds(const Comparison& c) {
-  int broken = 0;
+  int broken = 0, silent = 0;
   double nearest = 0;
   for (const BoundVerdict& b : c.bounds) {
-    nearest = std::max(nearest, b.peak / b.bound);
-    if (b.holds()) continue;
-    ++broken;
-    fmt::print(
-        stderr,
-        "{}: error of the run: its peak is {:.4f} times the limit load of its joints, {:.1f} "
-        "% are allowed (1 % and its rate effect); push slower, or check the run\n",
-        b.run, b.peak / b.bound, 100 * b.allowance);
+    if (!b.holds()) {
+      ++broken;
+      fmt::print(
+          stderr,
+          "{}: error of the run: its peak is {:.4f} times the limit load of its joints, which "
+          "rigid blocks cannot pass; {:.0f} % are allowed, whatever its rate; push slower, or "
+          "check the run\n",
+          b.run, b.peak / b.bound, 100 * b.allowance);
+    } else if (!b.no_evidence.empty()) {
+      ++silent;
+      fmt::print(stderr, "{}: no evidence, though below its limit load: {}\n", b.run,
+                 b.no_evidence);
+    } else {
+      nearest = std::max(nearest, b.peak / b.bound);
+    }
   }
-  if (broken == 0 && !c.bounds.empty())
+  const auto sound = static_cast<int>(c.bounds.size()) - broken - silent;
+  if (sound > 0)
     fmt::print("{} runs within the limit loads of their own joints, the nearest at {:.3f} of it\n",
-               c.bounds.size(), nearest);
+               sound, nearest);
   for (const ComparedRun& run : c.runs)
     if (!run.no_bound.empty()) fmt::print(stderr, "{} has no bound: {}\n", run.name, run.no_bound);
   return broken > 0 ? kFailed : 0;
 }
 
 int print_comparison(const Comparison& c) {
+  const int code = print_bounds(c);
   for (const GroupVerdict& g : c.groups)
     fmt::print("{} runs {:<7} / {:<28} peaks {:.2f}   post-peak gap {:.1f} kN ({:.0f} %)\n", g.runs,
                g.mode, g.mechanism, g.peak_ratio, 1e-3 * g.gap, 100 * g.gap_share);
   print_bracket(c.bracket);
-  return print_bounds(c);
+  return code;
 }
 
 // "report", unless the folder is a run's and has that one's; a campaign's is refused.
@@ -160,17 +197,22 @@ int limit(const LimitArguments& a) {
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   SecondOpinion opinion;
+  opinion.notes = left_aside(model);
   add_mechanisms(a, model, opinion);
   add_limits(a, model, opinion);
+  if (stop_asked() && opinion.mechanisms.empty() && opinion.limits.empty()) {
+    fmt::print(stderr, "stopped by the user before anything was answered; nothing is written\n");
+    return kFailed;
+  }
   throw_if_nothing(opinion);
   opinion.comparison = compare(a.with, std::move(runs), opinion.mechanisms);
   opinion.comparison.bracket = bracket_of(opinion);
   for (std::string& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
   write_opinion(a, spec, model, opinion);
-  print_opinion(opinion);
   const int code = print_comparison(opinion.comparison);
+  print_opinion(opinion);
   fmt::print("report {}/{}.html\n", a.out, page_name(a.out));
-  return code;
+  return stop_asked() ? kFailed : code;
 }
 
 }  // namespace wythe::app

@@ -133,6 +133,7 @@ void add_limit(CLI::App& app, LimitArguments& a, int& code) {
       ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2"}));
   command->add_flag("--assessment", a.assessment,
                     "displacement-based data after Circolare 7/2019, C8.7.1.2.1");
+  command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = limit(a); });
 }

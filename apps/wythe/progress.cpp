@@ -70,6 +70,29 @@ void ProgressPrinter::operator()(const Progress& progress) {
   drawn_ = true;
 }
 
+LimitPrinter::LimitPrinter(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+LimitPrinter::~LimitPrinter() {
+  if (drawn_ && terminal_) std::fputs("\r\x1b[K", stderr);
+}
+
+void LimitPrinter::operator()(const std::string& what, double share) {
+  if (quiet_) return;
+  const auto now = Clock::now();
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const bool due = std::chrono::duration<double>(now - last_).count() >= kPlainEvery;
+  if (!terminal_ && !due) return;
+  const std::string text =
+      fmt::format("{:3.0f} %  {}{}", 100 * share, what, time_left(elapsed, share));
+  if (terminal_)
+    fmt::print(stderr, "\r\x1b[K[{}] {}", bar(share), text);
+  else
+    fmt::print(stderr, "{}\n", text);
+  std::fflush(stderr);
+  last_ = now;
+  drawn_ = true;
+}
+
 CampaignPrinter::CampaignPrinter(bool quiet)
     : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 

@@ -26,6 +26,21 @@ class ProgressPrinter {
   Clock::time_point start_ = Clock::now(), last_ = Clock::now();
 };
 
+// The same for a limit analysis: what is being solved, and the share of all of it.
+class LimitPrinter {
+ public:
+  explicit LimitPrinter(bool quiet);
+  ~LimitPrinter();
+  LimitPrinter(const LimitPrinter&) = delete;
+  LimitPrinter& operator=(const LimitPrinter&) = delete;
+  void operator()(const std::string& what, double share);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool quiet_, terminal_, drawn_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = Clock::now();
+};
+
 // The same for a campaign: a line for every sample where there is no terminal.
 class CampaignPrinter {
  public:

@@ -11,6 +11,10 @@
 // Theory: docs/theory/limit_analysis.md.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,13 +52,27 @@ struct LimitAnswer {
   std::vector<double> vx, vy, omega;
   double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load
   int rows = 0, columns = 0, cuts = 0;  // size of the static programme; tangents added
+  double accuracy = 0;  // relative, of the less accurate programme's own answer; 0 at a vertex
   double seconds = 0;
+};
+// Progress of one limit load [0, 1], a few times a second, and a flag that ends it.
+struct LimitWatch {
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(double share)> progress = {};
+};
+struct LimitStopped : std::runtime_error {
+  LimitStopped() : std::runtime_error("stopped by the user") {}
 };
 // Zoned blocks count as rigid ones of the same outline, weight and contacts; the answer's lists are
 // those of the model's own blocks and joints. Associated flow, small displacements. Throws
 // InputError when nothing grows, when the dead loads alone cannot be carried (says which block
-// cannot stand), and when the load is without limit.
-[[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options);
+// cannot stand), and when the load is without limit; LimitStopped when the watch says so.
+[[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options,
+                                     const LimitWatch& watch = {});
+// What of a model's stages and blocks limit analysis takes otherwise than the run does, in words.
+[[nodiscard]] std::vector<std::string> left_aside(const Model& model);
+// Seconds a limit load of the model takes on a usual machine.
+[[nodiscard]] double expected_seconds(const Model& model);
 
 // The model with each deformable block as one rigid block, after its own blocks and joints.
 [[nodiscard]] Model with_rigid_bodies(Model model);
@@ -181,11 +199,16 @@ struct ComparedRun {
   std::string name;  // "run", "sample 17"
   std::string mode;  // its failure mode
   std::vector<CurveRow> curve = {};
-  double load_factor = 0;     // of a body force or tilt
-  double rate_effect = 0;     // share of the drive's work that damping and motion took [-]
-  double bound = -1;          // limit load of its own model, where it has one [N] or [-]
-  std::string no_bound = {};  // why it has none
-  std::string wall = {};      // in_words() of its model, or of its campaign's base model
+  double load_factor = 0;  // of a body force or tilt
+  // Its capacity [N], where it states one; NaN: it says that it has none. Unset: its highest force.
+  std::optional<double> capacity = {};
+  std::string rate_verdict = {};  // of the run on itself
+  double bound = -1;              // limit load of its own model, where it has one [N] or [-]
+  std::string no_bound = {};      // why it has none
+  double weight_on_push = 0;      // dead loads of its driven blocks along the push [N]
+  // Against the push, of a run that goes both ways: highest force, and its limit load [N].
+  double peak_back = 0, bound_back = -1;
+  std::string wall = {};  // in_words() of its model, or of its campaign's base model
 };
 struct CurveVerdict {
   std::string run, mode, mechanism;
@@ -193,12 +216,16 @@ struct CurveVerdict {
   double gap = 0;         // mean |difference| over the run's post-peak branch [N]
   double gap_share = 0;   // the same, of the run's peak
 };
+// What no run of rigid blocks may pass its limit load by, whatever it says of itself: 2 %, the share of a
+// force that a capacity may be out of balance by (docs/theory/limit_analysis.md).
+inline constexpr double kBoundTolerance = 0.02;
 // The peak of a run beside what limit analysis says it cannot pass.
 struct BoundVerdict {
   std::string run;
   double peak = 0, bound = 0;  // [N] or [-]
-  double allowance = 0;        // 1 % and the run's rate effect [-]
+  double allowance = kBoundTolerance;
   bool is_force = true;
+  std::string no_evidence = {};  // why a peak below the bound confirms nothing; empty: it does
   [[nodiscard]] bool holds() const { return peak <= bound * (1 + allowance); }
 };
 struct EnvelopePoint {

@@ -4,8 +4,10 @@
 // of a run is the limit load of its own model with all its joints' strength, without crushing.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -62,52 +64,97 @@ std::vector<CurveRow> read_curve(const fs::path& path) {
     rows.push_back({.time = v[0], .displacement = 1e-3 * v[1], .reaction = 1e3 * v[3]});
   }
   if (rows.empty()) throw IoError(path.string() + ": holds no row; run wythe run to its end");
-  return first_loading(rows);
+  return rows;
 }
 
-// The larger of two measures: what damping and motion took of the work that was put in; and by how
-// much the run's own verdict puts its peak above that of a slow push (responses.cpp has the factor).
-double rate_effect(const QuasiStatic& q) {
-  constexpr double kLift = 1.7;
-  const double work = std::max(0.0, q.damping_share) + std::max(0.0, q.kinetic_ratio_mean);
-  return std::max(work, kLift * q.shear_gap);
+// The model pushed the other way.
+Model reversed(Model model) {
+  for (Stage& stage : model.stages) {
+    if (stage.spec.kind != StageKind::kPush) continue;
+    stage.drive_x = -stage.drive_x;
+    stage.drive_y = -stage.drive_y;
+  }
+  return model;
+}
+
+// Dead loads of the driven blocks along the push: a reaction carries them, a limit load does not.
+double weight_on_push(const Model& model) {
+  const Stage* push = nullptr;
+  for (const Stage& stage : model.stages)
+    if (stage.spec.kind == StageKind::kPush) push = &stage;
+  if (push == nullptr) return 0;
+  double sum = 0;
+  for (const BlockId b : push->driven)
+    sum -= model.solve.gravity * model.heavy_mass[static_cast<std::size_t>(b)] * push->drive_y;
+  for (const Stage& stage : model.stages) {
+    if (&stage == push) break;
+    for (const PointLoad& load : stage.loads)
+      if (std::find(push->driven.begin(), push->driven.end(), load.block) != push->driven.end())
+        sum += load.fx * push->drive_x + load.fy * push->drive_y;
+  }
+  return sum;
 }
 
 void set_bound(const Model& model, ComparedRun& run) {
+  const LimitOptions bonded{.strength = JointStrength::kBonded};
+  run.weight_on_push = weight_on_push(model);
   try {
-    run.bound = limit_load(model, {.strength = JointStrength::kBonded}).load;
+    run.bound = limit_load(model, bonded).load;
+    if (run.peak_back > 0) run.bound_back = limit_load(reversed(model), bonded).load;
   } catch (const InputError& error) {
     run.no_bound = error.what();
   }
 }
 
+// A number, or NaN for null.
+double number_of(const Json& value) {
+  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+// The rows as the comparison reads them: first loading along the push; the highest force the other way
+// where the targets go there.
+void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run) {
+  std::vector<double> targets;
+  for (const Stage& stage : model.stages)
+    if (stage.spec.kind == StageKind::kPush) targets = stage.spec.targets;
+  const bool forth = targets.empty() || *std::max_element(targets.begin(), targets.end()) > 0;
+  const bool back = !targets.empty() && *std::min_element(targets.begin(), targets.end()) < 0;
+  if (!forth)
+    for (CurveRow& row : rows) row.displacement = -row.displacement, row.reaction = -row.reaction;
+  if (forth && back)
+    for (const CurveRow& row : rows) run.peak_back = std::max(run.peak_back, -row.reaction);
+  run.curve = first_loading(rows);
+}
+
 ComparedRun read_run(const fs::path& folder) {
   ComparedRun run{.name = "run", .mode = ""};
-  run.curve = read_curve(folder / "force_displacement.csv");
+  std::vector<CurveRow> rows = read_curve(folder / "force_displacement.csv");
   try {
     const Json summary = Json::parse(text_of(folder / "summary.json"));
     run.mode = summary.at("failure_mode").at("name").get<std::string>();
-    run.load_factor = summary.at("load_factor").get<double>();
-    const Json& meter = summary.at("quasi_static");
-    QuasiStatic q;
-    q.damping_share = meter.at("damping_share").get<double>();
-    q.kinetic_ratio_mean = meter.at("kinetic_ratio_mean").get<double>();
-    q.shear_gap = meter.at("shear_gap").get<double>();
-    run.rate_effect = rate_effect(q);
+    run.load_factor = std::fmax(0.0, number_of(summary.at("load_factor")));
+    run.rate_verdict = summary.at("quasi_static").at("verdict").get<std::string>();
+    if (summary.contains("peak_raw_kN"))
+      run.capacity = 1e3 * number_of(summary.at("peak_reaction_kN"));
   } catch (const Json::exception& error) {
     throw IoError((folder / "summary.json").string() + ": " + error.what());
   }
   const Model model = compile(read_model((folder / "model.used.toml").string()));
   run.wall = in_words(model);
+  take_curve(model, std::move(rows), run);
   set_bound(model, run);
   return run;
 }
 
-ComparedRun read_sample(const SampleRecord& record) {
+ComparedRun read_sample(const Model& model, const SampleRecord& record) {
   ComparedRun run{.name = "sample " + std::to_string(record.sample),
                   .mode = record.failure_mode.name};
-  run.curve = first_loading(record.curve);
-  run.rate_effect = rate_effect(record.quasi_static);
+  take_curve(model, record.curve, run);
+  run.rate_verdict = record.quasi_static.verdict;
+  if (!std::isfinite(record.responses.peak_reaction))
+    run.capacity = std::numeric_limits<double>::quiet_NaN();
+  else if (record.responses.peak_reaction > 0)
+    run.capacity = record.responses.peak_reaction;
   return run;
 }
 
@@ -121,7 +168,7 @@ std::vector<ComparedRun> read_samples(const std::string& folder) {
   std::vector<ComparedRun> runs;
   for (const SampleRecord& record : campaign.records) {
     if (!record.answered()) continue;
-    runs.push_back(read_sample(record));
+    runs.push_back(read_sample(base, record));
     runs.back().wall = wall;
     if (!has_bond(base))
       set_bound(compile(build(settings_of(campaign.samples, record.sample - 1))), runs.back());

@@ -123,6 +123,7 @@ Json limit_json(const NamedLimit& limit) {
   json["static" + tail] = a.load * unit;
   json["kinematic" + tail] = a.kinematic * unit;
   json["gap"] = a.load != 0 ? std::fabs(a.kinematic / a.load - 1) : 0.0;
+  json["accuracy"] = a.accuracy;
   json["rows"] = a.rows;
   json["columns"] = a.columns;
   json["tangents"] = a.cuts;
@@ -198,7 +199,8 @@ Json bounds_json(const Comparison& c) {
                     {"peak" + tail, b.peak * unit},
                     {"bound" + tail, b.bound * unit},
                     {"allowance", b.allowance},
-                    {"holds", b.holds()}});
+                    {"holds", b.holds()},
+                    {"no_evidence", b.no_evidence}});
   }
   return list;
 }

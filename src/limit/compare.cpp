@@ -13,8 +13,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kAllowance = 0.01;  // of the bound, beside the run's rate effect
-
 // Of sorted values: straight between the order statistics.
 double at_share(const std::vector<double>& sorted, double share) {
   const double at = share * static_cast<double>(sorted.size() - 1);
@@ -42,7 +40,37 @@ double force_of(const std::vector<CurveRow>& curve, double displacement) {
 
 double peak_of(const ComparedRun& run) {
   if (run.load_factor > 0) return run.load_factor;
+  if (run.capacity && std::isfinite(*run.capacity)) return *run.capacity;
   return run.curve.empty() ? 0 : run.curve[peak_row(run.curve)].reaction;
+}
+
+// Why a peak below its bound says nothing for the run: by its own words it is no peak of a slow push.
+std::string why_no_evidence(const ComparedRun& run) {
+  if (run.capacity && !std::isfinite(*run.capacity))
+    return "no force of it is in balance: its highest stands for its capacity";
+  const std::string& v = run.rate_verdict;
+  if (v.empty() || v == "no push" || v.starts_with("slow enough")) return "";
+  return "by its own verdict it is " + v;
+}
+
+void add_bounds(const ComparedRun& run, std::vector<BoundVerdict>& bounds) {
+  const bool is_force = run.load_factor <= 0;
+  // the reaction also carries what rests on the driven blocks, where the push is not level
+  const double peak = peak_of(run) - (is_force ? run.weight_on_push : 0);
+  const std::string why = why_no_evidence(run);
+  if (peak > 0 && run.bound >= 0)
+    bounds.push_back({.run = run.name,
+                      .peak = peak,
+                      .bound = run.bound,
+                      .is_force = is_force,
+                      .no_evidence = why});
+  const double back = run.peak_back + run.weight_on_push;
+  if (back > 0 && run.bound_back >= 0)
+    bounds.push_back({.run = run.name + ", backwards",
+                      .peak = back,
+                      .bound = run.bound_back,
+                      .is_force = is_force,
+                      .no_evidence = why});
 }
 
 std::vector<const Mechanism*> mechanisms_of(const ComparedRun& run,
@@ -96,7 +124,8 @@ CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism) {
             (run.curve[i].displacement - run.curve[i - 1].displacement);
   const double length = run.curve.back().displacement - run.curve[peak].displacement;
   v.gap = length > 0 ? area / length : gap_at(peak);
-  v.gap_share = v.gap / run.curve[peak].reaction;
+  const double highest = run.curve[peak].reaction;
+  v.gap_share = highest > 0 ? v.gap / highest : 0;
   return v;
 }
 
@@ -106,12 +135,7 @@ Comparison compare(std::string with, std::vector<ComparedRun> runs,
   c.with = std::move(with);
   c.runs = std::move(runs);
   for (const ComparedRun& run : c.runs) {
-    if (peak_of(run) > 0 && run.bound >= 0)
-      c.bounds.push_back({.run = run.name,
-                          .peak = peak_of(run),
-                          .bound = run.bound,
-                          .allowance = kAllowance + run.rate_effect,
-                          .is_force = run.load_factor <= 0});
+    add_bounds(run, c.bounds);
     if (run.curve.size() < 2 || run.load_factor > 0) continue;
     for (const Mechanism* m : mechanisms_of(run, mechanisms)) c.curves.push_back(compare(run, *m));
   }
@@ -194,7 +218,7 @@ BracketVerdict bracket_of(const SecondOpinion& opinion) {
     v.most_peak = std::max(v.most_peak, peak);
     ++v.runs;
     v.below += peak < v.low;
-    v.above += peak > v.high * (1 + kAllowance + run.rate_effect);
+    v.above += peak > v.high * (1 + kBoundTolerance);
   }
   return v;
 }

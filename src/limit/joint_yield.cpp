@@ -28,7 +28,7 @@ JointYield yield_of_joint(const JointMaterial& m, double area, const LimitOption
 
 }  // namespace
 
-YieldModel yield_of(const Model& model, const LimitOptions& options) {
+YieldModel yield_of(const Model& model, const LimitOptions& options, double times) {
   YieldModel yield;
   yield.stress_block = options.crushing == CrushingChoice::kStressBlock;
   const bool own_points = options.crushing == CrushingChoice::kPoints;
@@ -36,7 +36,7 @@ YieldModel yield_of(const Model& model, const LimitOptions& options) {
   yield.weight = own_points ? model.point_weight : std::vector<double>{0.5, 0.5};
   for (int j = 0; j < model.n_joint; ++j) {
     const JointMaterial& m = model.materials[model.joint_material[j]];
-    JointYield y = yield_of_joint(m, model.area[j], options);
+    JointYield y = yield_of_joint(m, times * model.area[j], options);
     y.half_length = std::hypot(model.half_x[j], model.half_y[j]);
     yield.joint.push_back(y);
   }

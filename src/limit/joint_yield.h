@@ -41,7 +41,9 @@ struct YieldModel {
   [[nodiscard]] std::size_t points() const { return xi.size(); }
 };
 
-[[nodiscard]] YieldModel yield_of(const Model& model, const LimitOptions& options);
+// `times`: every strength but friction (limit_load.cpp, tilts).
+[[nodiscard]] YieldModel yield_of(const Model& model, const LimitOptions& options,
+                                  double times = 1);
 // Adds tangents where N, M of a joint lie outside its stress block; returns how many.
 int cut_stress_blocks(YieldModel& yield, const std::vector<double>& point_force);
 // Leaves only tangents the solution touches: the others change nothing, and many nearly parallel

@@ -29,12 +29,13 @@ class KinematicProgramme {
     add_unit_power();
   }
 
-  KinematicAnswer solve() {
+  KinematicAnswer solve(const Watch& watch) {
     KinematicAnswer answer;
-    answer.status = lp_.solve();
+    answer.status = lp_.solve(watch);
+    answer.accuracy = lp_.accuracy();
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
     answer.load = lp_.objective() * (loads_.is_force ? u_.force : 1.0);
-    const std::vector<double> x = lp_.solution();
+    const std::vector<double>& x = lp_.solution();
     // unit power is load x velocity in scaled units; a factor's load is a weight
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
     for (int i = 0; i < m_.n_block; ++i) {
@@ -124,7 +125,7 @@ class KinematicProgramme {
     const Stage& stage = *loads_.stage;
     if (loads_.together) {
       for (const BlockId b : stage.driven)
-        lp_.add_row({{3 * b, stage.drive_x}, {3 * b + 1, stage.drive_y}}, 1, 1);
+        lp_.add_row({{3 * b, loads_.push_x}, {3 * b + 1, loads_.push_y}}, 1, 1);
       return;
     }
     const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
@@ -149,10 +150,10 @@ class KinematicProgramme {
 }  // namespace
 
 KinematicAnswer solve_kinematic(const Model& model, const LimitLoads& loads,
-                                const YieldModel& yield, const Units& units) {
+                                const YieldModel& yield, const Units& units, const Watch& watch) {
   KinematicProgramme programme(model, loads, yield, units);
   programme.build();
-  return programme.solve();
+  return programme.solve(watch);
 }
 
 }  // namespace wythe::limit

@@ -32,8 +32,9 @@ bool has_joint(const Model& model, BlockId block) {
 }
 
 [[noreturn]] void refuse_unbalanced(const Model& model, const LimitLoads& loads,
-                                    const YieldModel& yield, const Units& units) {
-  const Unbalanced worst = find_unbalanced(model, loads, yield, units);
+                                    const YieldModel& yield, const Units& units,
+                                    const Watch& watch) {
+  const Unbalanced worst = find_unbalanced(model, loads, yield, units, watch);
   if (worst.block < 0)
     refuse("wall", "", "limit analysis found no state in balance",
            "check the joints' strengths with wythe check");
@@ -79,32 +80,76 @@ void keep_first(const Model& model, LimitAnswer& answer) {
   answer.point_force.resize(joints * points);
 }
 
+Watch watch_from(const LimitWatch& watch, double from, double to) {
+  return [&watch, from, to](double share) {
+    if (watch.progress) watch.progress(from + share * (to - from));
+    return watch.stop != nullptr && watch.stop->load();
+  };
+}
+
+// What is known of a wall on a ground that tilts: strengths and loads that keep their direction against
+// weights of W (tan, -1), all divided by the cosine. Each tilt gives the next; 1: a dry wall without loads
+// needs no second.
+double secant_of(double tangent) { return std::sqrt(1 + tangent * tangent); }
+
+struct Programmes {
+  LimitLoads loads;
+  YieldModel yield;
+  Units units;
+  StaticAnswer by_forces;
+};
+
+Programmes solve_by_forces(const Model& model, const LimitOptions& options, double secant,
+                           const LimitWatch& watch) {
+  Programmes p{limit_loads(model, secant), yield_of(model, options, secant), {}, {}};
+  p.units = units_of(model, p.loads, p.yield);
+  const Watch ask = watch_from(watch, 0, 0.5);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
+  if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (p.by_forces.status == ProgrammeStatus::kInfeasible)
+    refuse_unbalanced(model, p.loads, p.yield, p.units, ask);
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+    refuse_unlimited(model, p.by_forces, p.yield);
+  return p;
+}
+
+Programmes solve_tilted(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
+  constexpr int kTilts = 60;
+  constexpr double kSame = 1e-10;
+  Programmes p = solve_by_forces(model, options, 1, watch);
+  if (p.loads.stage->spec.kind != StageKind::kTilt) return p;
+  for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
+    const double before = p.by_forces.load;
+    p = solve_by_forces(model, options, secant_of(before), watch);
+    if (std::fabs(p.by_forces.load - before) <= kSame * secant_of(before)) return p;
+  }
+  refuse("stage", p.loads.stage->spec.name, "the wall's limit tilt could not be found",
+         "use a body force, which needs no second look");
+}
+
 }  // namespace
 
-LimitAnswer limit_load(const Model& model, const LimitOptions& options) {
+LimitAnswer limit_load(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
   if (!model.solids.bodies.empty()) {
-    LimitAnswer answer = limit_load(with_rigid_bodies(model), options);
+    LimitAnswer answer = limit_load(with_rigid_bodies(model), options, watch);
     keep_first(model, answer);
     return answer;
   }
   const auto start = std::chrono::steady_clock::now();
-  const LimitLoads loads = limit_loads(model);
-  YieldModel yield = yield_of(model, options);
-  const Units units = units_of(model, loads, yield);
-  const StaticAnswer by_forces = solve_static(model, loads, yield, units);
-  if (by_forces.status == ProgrammeStatus::kInfeasible)
-    refuse_unbalanced(model, loads, yield, units);
-  if (by_forces.status == ProgrammeStatus::kUnbounded) refuse_unlimited(model, by_forces, yield);
-  const KinematicAnswer by_motion = solve_kinematic(model, loads, yield, units);
-  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, by_forces, yield);
+  const Programmes p = solve_tilted(model, options, watch);
+  const StaticAnswer& by_forces = p.by_forces;
+  const KinematicAnswer by_motion =
+      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
+  if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, by_forces, p.yield);
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
     throw std::runtime_error("limit analysis: the linear programme was not solved");
   LimitAnswer answer;
   answer.options = options;
-  answer.is_force = loads.is_force;
+  answer.is_force = p.loads.is_force;
   const auto without_round_off = [&](double load) {
-    const double least = 1e-9 * (loads.is_force ? units.force : 1.0);
+    const double least = 1e-9 * (p.loads.is_force ? p.units.force : 1.0);
     return std::fabs(load) < least ? 0.0 : load;
   };
   answer.load = without_round_off(by_forces.load);
@@ -117,7 +162,8 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options) {
   answer.dissipation = by_motion.dissipation;
   answer.rows = by_forces.rows;
   answer.columns = by_forces.columns;
-  answer.cuts = static_cast<int>(yield.tangent.size());
+  answer.accuracy = std::max(by_forces.accuracy, by_motion.accuracy);
+  answer.cuts = static_cast<int>(p.yield.tangent.size());
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

@@ -18,13 +18,17 @@ struct LimitLoads {
   std::vector<BlockForce> dead;     // (n_block)
   std::vector<BlockForce> growing;  // per unit of the load (n_block); none under `together`
   const Stage* stage = nullptr;     // what grows
+  double push_x = 0, push_y = 0;    // unit vector of a push
   bool is_force = true;
   bool together = false;  // driven blocks share one velocity, their forces sum up to the load
   std::vector<char> held_across, held_turn;  // motions the test rig prevents (n_block)
 };
 
-// Throws InputError when no stage grows.
-[[nodiscard]] LimitLoads limit_loads(const Model& model);
+// Reads what is in force when the last growing stage begins. `secant` multiplies the dead loads
+// that keep their direction while the ground tilts (limit_load.cpp). Throws InputError when no stage grows.
+[[nodiscard]] LimitLoads limit_loads(const Model& model, double secant = 1);
+// A push whose targets all lie behind it pushes against its direction.
+[[nodiscard]] bool goes_back(const Stage& push);
 // The stage that grows: the last push, body force or tilt; nullptr: none.
 [[nodiscard]] const Stage* growing_stage(const Model& model);
 

@@ -1,5 +1,6 @@
 #include "limit/linear_program.h"
 
+#include <coin/ClpEventHandler.hpp>
 #include <coin/ClpSimplex.hpp>
 #include <coin/ClpSolve.hpp>
 #include <coin/CoinPackedMatrix.hpp>
@@ -11,6 +12,7 @@ namespace wythe::limit {
 namespace {
 
 constexpr double kFar = 1e8;  // objectives are multiples of a block's weight
+constexpr int kMany = 8000;   // rows from which on the interior point is asked first
 
 double bound(double value) {
   if (value == kFree) return COIN_DBL_MAX;
@@ -22,6 +24,17 @@ std::vector<double> bounds(const std::vector<double>& values, std::size_t from =
   for (std::size_t i = from; i < values.size(); ++i) out.push_back(bound(values[i]));
   return out;
 }
+
+// Clp asks now and then; it knows no share.
+class Ear : public ClpEventHandler {
+ public:
+  explicit Ear(const Watch& watch) : watch_(watch) {}
+  int event(Event) override { return watch_ && watch_(0) ? 0 : -1; }  // 0: stop
+  [[nodiscard]] ClpEventHandler* clone() const override { return new Ear(*this); }
+
+ private:
+  Watch watch_;
+};
 
 }  // namespace
 
@@ -78,51 +91,146 @@ void LinearProgramme::append() {
   }
 }
 
-// Interior point with crossover to a vertex: 0.3 s where the simplex alone takes 3.5 s (5615 rows,
-// the tuff wall). It does not tell why there is no answer; the simplex does, and
-// where there is no limit it may stop far out instead.
-void LinearProgramme::solve_first() {
-  ClpSolve interior;
-  interior.setSolveType(ClpSolve::useBarrier);
-  solver_->clp.initialSolve(interior);
-  if (solver_->clp.status() == 0 && std::fabs(solver_->clp.objectiveValue()) < kFar) return;
-  solver_ = std::make_unique<Solver>();
-  load();
-  solver_->clp.primal();
-}
-
-ProgrammeStatus LinearProgramme::solve() {
+// Clp's interior point with crossover to a vertex: 0.3 s where its simplex alone takes 3.5 s (5615 rows,
+// the tuff wall). It does not tell why there is no answer; the simplex does, and where there is no
+// limit it may stop far out instead.
+ProgrammeStatus LinearProgramme::solve_by_vertices(const Watch& watch) {
+  const auto stopped = [&] { return watch && watch(0); };
   const bool first = loaded_rows_ == 0;
-  if (first)
-    load();
-  else
-    append();
-  loaded_rows_ = rows();
-  loaded_entries_ = value_.size();
+  Ear ear(watch);
   if (first) {
-    solve_first();
+    load();
+    solver_->clp.passInEventHandler(&ear);
+    ClpSolve interior;
+    interior.setSolveType(ClpSolve::useBarrier);
+    solver_->clp.initialSolve(interior);
+    const bool found =
+        solver_->clp.status() == 0 && std::fabs(solver_->clp.objectiveValue()) < kFar;
+    if (!found && !stopped()) {
+      solver_ = std::make_unique<Solver>();
+      load();
+      solver_->clp.passInEventHandler(&ear);
+      solver_->clp.primal();
+    }
   } else {
+    append();
+    solver_->clp.passInEventHandler(&ear);
     solver_->clp.dual();
   }
+  loaded_rows_ = rows();
+  loaded_entries_ = value_.size();
+  if (stopped()) return ProgrammeStatus::kStopped;
+  objective_ = solver_->clp.objectiveValue();
+  accuracy_ = 0;
+  const double* x = solver_->clp.primalColumnSolution();
+  solution_.assign(x, x + columns());
   switch (solver_->clp.status()) {
     case 0: return ProgrammeStatus::kOptimal;
     case 1: return ProgrammeStatus::kInfeasible;
-    case 2: return ProgrammeStatus::kUnbounded;
+    case 2: break;
     default: return ProgrammeStatus::kFailed;
   }
-}
-
-double LinearProgramme::objective() const { return solver_->clp.objectiveValue(); }
-
-std::vector<double> LinearProgramme::solution() const {
-  const double* x = solver_->clp.primalColumnSolution();
-  return {x, x + columns()};
-}
-
-std::vector<double> LinearProgramme::ray() const {
   const std::unique_ptr<double[]> ray(solver_->clp.unboundedRay());
-  if (!ray) return {};
-  return {ray.get(), ray.get() + columns()};
+  if (ray) ray_.assign(ray.get(), ray.get() + columns());
+  return ProgrammeStatus::kUnbounded;
+}
+
+// Equations between unknowns that are free, not negative, or nil: the kinematic programme.
+bool LinearProgramme::is_plain() const {
+  for (std::size_t r = 0; r < row_low_.size(); ++r)
+    if (row_low_[r] != row_high_[r]) return false;
+  for (std::size_t j = 0; j < low_.size(); ++j) {
+    const bool nil = low_[j] == 0 && high_[j] == 0;
+    if (!nil && (high_[j] != kFree || (low_[j] != 0 && low_[j] != -kFree))) return false;
+  }
+  return true;
+}
+
+// Rows with equal bounds and columns with equal bounds are equations; every other bound is an inequality.
+InequalityForm LinearProgramme::form() const {
+  InequalityForm f;
+  f.c = cost_;
+  std::vector<int> equation(row_low_.size(), -1), above(equation), below(equation);
+  const auto number = [](std::vector<double>& right, double value) {
+    right.push_back(value);
+    return static_cast<int>(right.size()) - 1;
+  };
+  for (std::size_t r = 0; r < row_low_.size(); ++r) {
+    if (row_low_[r] == row_high_[r]) {
+      equation[r] = number(f.b, row_low_[r]);
+      continue;
+    }
+    if (std::isfinite(row_high_[r])) below[r] = number(f.h, row_high_[r]);
+    if (std::isfinite(row_low_[r])) above[r] = number(f.h, -row_low_[r]);
+  }
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    const auto r = static_cast<std::size_t>(row_of_[i]);
+    if (equation[r] >= 0) f.equal.add(equation[r], column_of_[i], value_[i]);
+    if (below[r] >= 0) f.below.add(below[r], column_of_[i], value_[i]);
+    if (above[r] >= 0) f.below.add(above[r], column_of_[i], -value_[i]);
+  }
+  for (int j = 0; j < columns(); ++j) {
+    const double low = low_[static_cast<std::size_t>(j)], high = high_[static_cast<std::size_t>(j)];
+    if (low == high) {
+      f.equal.add(number(f.b, low), j, 1);
+      continue;
+    }
+    if (std::isfinite(high)) f.below.add(number(f.h, high), j, 1);
+    if (std::isfinite(low)) f.below.add(number(f.h, -low), j, -1);
+  }
+  return f;
+}
+
+// The dual of a plain programme has no unknown without an inequality, which the interior point likes:
+//   min c.x, A x = b, x >= 0 or free   ->   min -b.u, A'u <= c or = c
+InequalityForm LinearProgramme::dual_form() const {
+  InequalityForm f;
+  for (const double right : row_low_) f.c.push_back(-right);
+  std::vector<int> place(low_.size(), -1);
+  for (std::size_t j = 0; j < low_.size(); ++j) {
+    if (high_[j] == 0) continue;
+    std::vector<double>& right = low_[j] == 0 ? f.h : f.b;
+    place[j] = static_cast<int>(right.size());
+    right.push_back(cost_[j]);
+  }
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    const auto j = static_cast<std::size_t>(column_of_[i]);
+    if (place[j] >= 0) (low_[j] == 0 ? f.below : f.equal).add(place[j], row_of_[i], value_[i]);
+  }
+  return f;
+}
+
+void LinearProgramme::take_dual(const InteriorAnswer& answer) {
+  solution_.assign(low_.size(), 0);
+  std::size_t free = 0, held = 0;
+  for (std::size_t j = 0; j < low_.size(); ++j)
+    if (high_[j] != 0) solution_[j] = low_[j] == 0 ? answer.z[held++] : answer.y[free++];
+}
+
+ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
+  const bool by_dual = is_plain();
+  const InteriorAnswer answer = interior_point(by_dual ? dual_form() : form(), watch);
+  accuracy_ = answer.accuracy;
+  if (answer.status == ProgrammeStatus::kOptimal) {
+    objective_ = by_dual ? -answer.objective : answer.objective;
+    if (by_dual)
+      take_dual(answer);
+    else
+      solution_ = answer.x;
+  }
+  if (answer.status == ProgrammeStatus::kUnbounded && !by_dual) ray_ = answer.x;
+  if (!by_dual) return answer.status;
+  if (answer.status == ProgrammeStatus::kUnbounded) return ProgrammeStatus::kInfeasible;
+  return answer.status == ProgrammeStatus::kInfeasible ? ProgrammeStatus::kUnbounded
+                                                       : answer.status;
+}
+
+ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
+  ray_.clear();
+  const bool inside = rows() > kMany && loaded_rows_ == 0;
+  const ProgrammeStatus status = inside ? solve_inside(watch) : solve_by_vertices(watch);
+  if (status != ProgrammeStatus::kFailed) return status;
+  return inside ? solve_by_vertices(watch) : solve_inside(watch);
 }
 
 }  // namespace wythe::limit

@@ -1,14 +1,19 @@
-// A sparse linear programme and its solution: the only door to Clp.
+// A sparse linear programme and its solution: the only door to Clp and to the interior point.
 //
 //   minimise c.x   with   row_low <= A x <= row_high,   low <= x <= high
 //
 // Called by static_programme.cpp and kinematic_programme.cpp. Rows and columns are added one by one;
-// after a solution more rows may follow, and solving goes on from there (dual simplex).
+// after a solution more rows may follow, and solving goes on from there.
+//
+// Up to 8 000 rows Clp gives a vertex; above, the interior point the middle of the best face, where Clp
+// takes minutes (docs/decisions/0017). Where one fails the other is asked.
 #pragma once
 
 #include <limits>
 #include <memory>
 #include <vector>
+
+#include "limit/interior_point.h"
 
 namespace wythe::limit {
 
@@ -18,8 +23,6 @@ struct Entry {
   int column;
   double value;
 };
-
-enum class ProgrammeStatus { kOptimal, kInfeasible, kUnbounded, kFailed };
 
 class LinearProgramme {
  public:
@@ -33,12 +36,14 @@ class LinearProgramme {
   [[nodiscard]] int columns() const { return static_cast<int>(low_.size()); }
   [[nodiscard]] int rows() const { return static_cast<int>(row_low_.size()); }
 
-  // Solves, or goes on after rows were added.
-  ProgrammeStatus solve();
-  [[nodiscard]] double objective() const;
-  [[nodiscard]] std::vector<double> solution() const;  // (columns)
+  // Solves, or goes on after rows were added; `watch` is asked several times a second.
+  ProgrammeStatus solve(const Watch& watch = {});
+  [[nodiscard]] double objective() const { return objective_; }
+  [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
+  // What is left of the residuals and of the gap of the programme's own dual; 0 at a vertex.
+  [[nodiscard]] double accuracy() const { return accuracy_; }
   // After kUnbounded: a direction in which the objective falls for ever (columns), may be empty.
-  [[nodiscard]] std::vector<double> ray() const;
+  [[nodiscard]] const std::vector<double>& ray() const { return ray_; }
 
  private:
   struct Solver;
@@ -48,9 +53,16 @@ class LinearProgramme {
   std::vector<double> value_;
   std::size_t loaded_entries_ = 0;
   int loaded_rows_ = 0;
+  double objective_ = 0, accuracy_ = 0;
+  std::vector<double> solution_, ray_;
   void load();
-  void solve_first();
   void append();
+  [[nodiscard]] ProgrammeStatus solve_by_vertices(const Watch& watch);
+  [[nodiscard]] ProgrammeStatus solve_inside(const Watch& watch);
+  [[nodiscard]] bool is_plain() const;
+  [[nodiscard]] InequalityForm form() const;
+  [[nodiscard]] InequalityForm dual_form() const;
+  void take_dual(const InteriorAnswer& answer);
 };
 
 }  // namespace wythe::limit

@@ -30,20 +30,24 @@ struct StaticAnswer {
   std::vector<double> shear;        // (n_joint) [N]
   std::vector<double> point_force;  // (n_joint x points) [N], compression +
   std::vector<double> ray;          // of the columns, when without limit
+  double accuracy = 0;
   int rows = 0, columns = 0;
 };
 // Adds tangents to `yield` until its stress blocks hold.
 [[nodiscard]] StaticAnswer solve_static(const Model& model, const LimitLoads& loads,
-                                        YieldModel& yield, const Units& units);
+                                        YieldModel& yield, const Units& units,
+                                        const Watch& watch = {});
 
 struct KinematicAnswer {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   double dissipation = 0;
+  double accuracy = 0;
   std::vector<double> vx, vy, omega;  // per unit velocity of the load
 };
 [[nodiscard]] KinematicAnswer solve_kinematic(const Model& model, const LimitLoads& loads,
-                                              const YieldModel& yield, const Units& units);
+                                              const YieldModel& yield, const Units& units,
+                                              const Watch& watch = {});
 
 // The block that lacks most force when nothing grows, and how much [N]; -1: all stand.
 struct Unbalanced {
@@ -51,6 +55,7 @@ struct Unbalanced {
   double force = 0;
 };
 [[nodiscard]] Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads,
-                                         const YieldModel& yield, const Units& units);
+                                         const YieldModel& yield, const Units& units,
+                                         const Watch& watch = {});
 
 }  // namespace wythe::limit

@@ -42,14 +42,15 @@ class StaticProgramme {
     }
   }
 
-  StaticAnswer solve() {
+  StaticAnswer solve(const Watch& watch) {
     StaticAnswer answer;
-    answer.status = lp_.solve();
+    answer.status = lp_.solve(watch);
+    answer.accuracy = lp_.accuracy();
     answer.rows = lp_.rows();
     answer.columns = lp_.columns();
     if (answer.status == ProgrammeStatus::kUnbounded) answer.ray = lp_.ray();
     if (answer.status != ProgrammeStatus::kOptimal) return answer;
-    const std::vector<double> x = lp_.solution();
+    const std::vector<double>& x = lp_.solution();
     answer.load = x[static_cast<std::size_t>(load_)] * (loads_.is_force ? u_.force : 1.0);
     for (int j = 0; j < m_.n_joint; ++j) {
       answer.shear.push_back(x[static_cast<std::size_t>(shear(j))] * u_.force);
@@ -60,10 +61,10 @@ class StaticProgramme {
   }
 
   // After build(true): the largest unbalanced force.
-  Unbalanced worst() {
+  Unbalanced worst(const Watch& watch) {
     Unbalanced found;
-    if (lp_.solve() != ProgrammeStatus::kOptimal) return found;
-    const std::vector<double> x = lp_.solution();
+    if (lp_.solve(watch) != ProgrammeStatus::kOptimal) return found;
+    const std::vector<double>& x = lp_.solution();
     double total = 0;
     for (std::size_t row = 0; row < balance_.size(); ++row) {
       const double lack = x[slack_ + 2 * row] + x[slack_ + 2 * row + 1];
@@ -118,8 +119,8 @@ class StaticProgramme {
     std::vector<Entry> sum{{load_, -1.0}};
     for (const BlockId b : push.driven) {
       const int column = lp_.add_column(-kFree, kFree, 0);
-      put(b, 0, column, push.drive_x);
-      put(b, 1, column, push.drive_y);
+      put(b, 0, column, loads_.push_x);
+      put(b, 1, column, loads_.push_y);
       sum.push_back({column, 1.0});
     }
     sum_ = sum;
@@ -187,15 +188,15 @@ Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yi
 }
 
 StaticAnswer solve_static(const Model& model, const LimitLoads& loads, YieldModel& yield,
-                          const Units& units) {
+                          const Units& units, const Watch& watch) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(false);
-  StaticAnswer answer = programme.solve();
+  StaticAnswer answer = programme.solve(watch);
   for (int round = 0; round < kRounds && answer.status == ProgrammeStatus::kOptimal; ++round) {
     if (cut_stress_blocks(yield, answer.point_force) == 0) break;
     const double before = answer.load;
     programme.add_tangents();
-    answer = programme.solve();
+    answer = programme.solve(watch);
     if (std::fabs(answer.load - before) <= kSettled * std::fabs(before)) break;
   }
   if (answer.status == ProgrammeStatus::kOptimal) drop_idle_tangents(yield, answer.point_force);
@@ -203,10 +204,10 @@ StaticAnswer solve_static(const Model& model, const LimitLoads& loads, YieldMode
 }
 
 Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads, const YieldModel& yield,
-                           const Units& units) {
+                           const Units& units, const Watch& watch) {
   StaticProgramme programme(model, loads, yield, units);
   programme.build(true);
-  return programme.worst();
+  return programme.worst(watch);
 }
 
 }  // namespace wythe::limit

@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "geometry/polygon.h"
+#include "limit/limit_loads.h"
 #include "study/wall_parts.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
@@ -50,6 +51,36 @@ const Stage* push_of(const Model& model) {
   return found;
 }
 
+// Three hinged bodies turn as they must: what holds the pushed blocks otherwise has no place in them.
+void refuse_what_chains_ignore(const Model& model, const Stage& push, const Portal& portal,
+                               FaultList& faults) {
+  const std::string stage = "stage." + push.spec.name;
+  const char* cure = "leave it out, or take the limit load of the blocks, which counts it";
+  if (push.spec.rotation == Freedom::kBlocked)
+    add_fault(faults, stage + ".rotation", "blocked", "the macro-blocks turn where they are pushed",
+              cure);
+  if (push.spec.across == Freedom::kBlocked)
+    add_fault(faults, stage + ".across", "blocked", "the macro-blocks rise where they are pushed",
+              cure);
+  for (const BlockId b : push.driven) {
+    if (push.spec.as != Manner::kEach) break;
+    const double off = model.centroid_y[static_cast<std::size_t>(b)] - portal.load_point.y;
+    if (std::fabs(off) < 1e-6) continue;
+    add_fault(faults, stage + ".as", "each",
+              "blocks at several heights that move alike would keep a macro-block from turning",
+              cure);
+    break;
+  }
+  const Stage* grows = limit::growing_stage(model);
+  for (const Stage& s : model.stages)
+    if (s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt)
+      add_fault(faults, "stage." + s.spec.name, "",
+                grows == &s
+                    ? "is what grows last, not the push"
+                    : "stays in force under the push, and macro-blocks carry dead loads only",
+                cure);
+}
+
 void read_push(const Model& model, Portal& portal, FaultList& faults) {
   const Stage* push = push_of(model);
   if (push == nullptr || push->drive_x == 0 || push->driven.empty()) {
@@ -66,6 +97,8 @@ void read_push(const Model& model, Portal& portal, FaultList& faults) {
   const auto n = static_cast<double>(push->driven.size());
   portal.load_point = {portal.load_point.x / n, portal.load_point.y / n};
   portal.direction = push->drive_x > 0 ? 1 : -1;
+  if (limit::goes_back(*push)) portal.direction = -portal.direction;
+  refuse_what_chains_ignore(model, *push, portal, faults);
 }
 
 void read_opening(const study::WallParts& parts, const std::vector<study::Box>& openings,
@@ -170,7 +203,9 @@ double share_of(const Portal& p, const Polygon& outline, Point at) {
 
 void add_dead_loads(const Model& model, const Portal& portal, const Polygon& outline,
                     std::vector<BodyLoad>& loads) {
+  const Stage* grows = limit::growing_stage(model);
   for (const Stage& stage : model.stages) {
+    if (&stage == grows) break;
     for (const PointLoad& p : stage.loads) {
       const auto b = static_cast<std::size_t>(p.block);
       const Point at{model.centroid_x[b] + p.arm_x, model.centroid_y[b] + p.arm_y};
@@ -335,6 +370,20 @@ void check_lever(const Portal& p, const Mechanism& m) {
          "x (spandrel depth); the limit load of the blocks takes any wall");
 }
 
+// On the near pier the push is where it should be: then the chain itself is not this wall's.
+std::string cure_of_pull(const Portal& p) {
+  const bool forward = p.direction > 0;
+  const double end = forward ? p.left : p.right, jamb = forward ? p.jamb_left : p.jamb_right;
+  if (forward ? p.load_point.x <= jamb : p.load_point.x >= jamb)
+    return "the push stands where this chain wants it: the wall fails by another mechanism; take "
+           "the "
+           "limit load of the blocks, or load the piers more";
+  return fmt::format(
+      "push on the {} pier, e.g. at.x = {:.3f} m, or the other way, direction = \"{}x\"; the limit "
+      "load of the blocks takes any place",
+      forward ? "left" : "right", end, forward ? "-" : "+");
+}
+
 // No hinge pulls: the cracks it stands in carry no tension. One that does asks for a push on the other
 // side of the chain.
 void check_hinges(const Portal& p, const Mechanism& m) {
@@ -347,13 +396,9 @@ void check_hinges(const Portal& p, const Mechanism& m) {
     if (pressure[i] >= -1e-9 * force) continue;
     refuse(
         "stage.push.at", fmt::format("({:.3f} m, {:.3f} m)", p.load_point.x, p.load_point.y),
-        fmt::format("hinge {} of {} would have to pull with {:.3g} kN, and cracks carry no "
-                    "tension",
+        fmt::format("hinge {} of {} would have to pull with {:.3g} kN, and cracks carry no tension",
                     names[i], m.mode, -1e-3 * pressure[i]),
-        fmt::format("push on the {} pier, e.g. at.x = {:.3f} m for a push towards {}x; the limit "
-                    "load of the blocks takes any place",
-                    p.direction > 0 ? "left" : "right", p.direction > 0 ? p.left : p.right,
-                    p.direction > 0 ? "+" : "-"));
+        cure_of_pull(p));
   }
 }
 

@@ -110,9 +110,7 @@ class Limit(unittest.TestCase):
         done = self.limit("--out", run, "--with", run, "--only", "lp", model=model)
         data = json.loads((run / "mechanisms.json").read_text())["comparison"]
         self.assertTrue(data["bounds"][0]["holds"], data["bounds"])
-        meter = json.loads((run / "summary.json").read_text())["quasi_static"]
-        rate = max(meter["damping_share"] + meter["kinetic_ratio_mean"], 1.7 * meter["shear_gap"])
-        self.assertAlmostEqual(data["bounds"][0]["allowance"], 0.01 + rate, places=9)
+        self.assertEqual(data["bounds"][0]["allowance"], 0.02, "whatever the run's own rate")
         self.assertEqual(data["without_bound"], [])
         self.assertTrue((run / "limit.html").exists(), "the run's own report stays")
         self.assertNotIn("error of the run", done.stderr)

@@ -152,6 +152,139 @@ TEST(LimitLoad, bonded_tower_tears_at_its_base) {
          answer.load);
 }
 
+// --- what the test rig holds
+
+// A weightless panel b x h under a beam of height 2 c with 200 kN on it, pushed at the beam.
+double pushed_beam(Freedom rotation, const char* as = "free") {
+  const double b = 1.0, h = 2.0, c = 0.1;
+  std::vector<BlockSpec> blocks{scenes::rectangle("panel", 0, 0, b, h),
+                                scenes::rectangle("beam", 0, h, b, 2 * c)};
+  blocks[1].beam = true;
+  ModelSpec spec = scenes::assembly(blocks, scenes::dry_joint(20e9, 8e9, degrees(60)), 0.3, 1e-6);
+  spec.wall.beam.rotation = rotation;
+  StageSpec push = scenes::push_stage("beam", Direction::kPlusX, 0.01, 0.01);
+  if (std::string(as) == "blocked") push.rotation = Freedom::kBlocked;
+  spec.stage = {scenes::gravity_stage(), push};
+  Model model = compile(spec);
+  Stage load = model.stages.front();
+  load.spec.kind = StageKind::kLoad;
+  load.loads = {{.block = scenes::block_named(model, "beam"), .fy = -200e3}};
+  model.stages.insert(model.stages.begin() + 1, load);
+  const LimitAnswer answer = limit_load(model, {});
+  expect_no_gap(answer);
+  return answer.load;
+}
+
+TEST(LimitLoad, a_beam_kept_level_rocks_the_panel_on_both_its_corners) {
+  verify({"LP-3", "panel under a beam free to turn: N b/2 / (h + c)", "kN", 200 * 0.5 / 2.1, 1e-6,
+          "the blocks weigh 1e-8 of their load"},
+         1e-3 * pushed_beam(Freedom::kFree));
+  verify({"LP-4", "panel under a beam kept level: N b / h", "kN", 200 * 1.0 / 2.0, 1e-6,
+          "the blocks weigh 1e-8 of their load"},
+         1e-3 * pushed_beam(Freedom::kBlocked));
+  EXPECT_NEAR(pushed_beam(Freedom::kFree, "blocked"), pushed_beam(Freedom::kBlocked), 1e-3)
+      << "the same said of the push";
+}
+
+// On a tilting ground strengths and weights do not grow alike: W sin = c A + W cos tan phi.
+TEST(LimitLoad, bonded_slab_on_a_tilting_ground) {
+  ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, 40000);
+  StageSpec tilt;
+  tilt.name = "tilt";
+  tilt.kind = StageKind::kTilt;
+  tilt.tilt_rate = 0.01;
+  tilt.tilt_until = 1.5;
+  const double weight = 1.0 * 0.1 * 0.31 * 40000 * kGravity;
+  double angle = 0;  // bisection of the closed form
+  for (double step = 0.8; step > 1e-15; step /= 2)
+    if (weight * std::sin(angle + step) <
+        0.15e6 * 0.31 + weight * std::cos(angle + step) * std::tan(degrees(16.2)))
+      angle += step;
+  const double load =
+      limit_load(compile(with_stages(spec, tilt)), {.strength = JointStrength::kBonded}).load;
+  EXPECT_NEAR(load, std::tan(angle), 1e-6 * std::tan(angle));
+}
+
+TEST(LimitLoad, loads_that_come_after_the_push_do_not_hold_it) {
+  Model model = compile(loaded_pier(kUnlimited));
+  const double without = limit_load(model, {}).load;
+  Stage late = model.stages.front();
+  late.spec.kind = StageKind::kLoad;
+  late.loads = {{.block = 0, .fy = -200e3}};
+  model.stages.push_back(late);
+  EXPECT_EQ(limit_load(model, {}).load, without);
+  EXPECT_EQ(left_aside(model).size(), 1U);
+}
+
+TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
+  ModelSpec spec = scenes::half_units({}, scenes::dry_joint(20e9, 8e9, degrees(35)));
+  StageSpec push = scenes::push_stage("r6c0", Direction::kMinusX, 0.01, 0.01);
+  spec.stage = {scenes::gravity_stage(), push};
+  const double there = limit_load(compile(spec), {}).load;
+  spec.stage[1].direction = Direction::kPlusX;
+  const double back = limit_load(compile(spec), {}).load;
+  spec.stage[1].targets = {-0.002, -0.001, -0.003};
+  EXPECT_NEAR(limit_load(compile(spec), {}).load, there, 1e-9 * there);
+  EXPECT_GT(std::fabs(back - there), 1e-3 * there) << "else it shows nothing";
+}
+
+// --- many blocks
+
+// Two storeys, six windows and a door. The figure is that of Clp's interior point on the static
+// programme alone, the one method of its that ends there. Processor time: others may share the machine.
+TEST(LimitLoad, facade_of_4660_blocks_within_a_minute) {
+  const Model model =
+      compile(read_model(std::string(WYTHE_SOURCE_DIR) + "/tests/verification/facade.toml"));
+  ASSERT_EQ(model.n_block, 4660);
+  const std::clock_t start = std::clock();
+  const LimitAnswer answer = limit_load(model, {});
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20)
+      << "a third of a minute: the command asks for three";
+  expect_no_gap(answer);
+  EXPECT_LT(answer.accuracy, 1e-7);
+  verify({"LP-5", "facade of 4 660 blocks, dry", "kN", 39.545685, 2e-6, "six digits of Clp's"},
+         1e-3 * answer.load);
+}
+
+TEST(LimitLoad, stops_when_asked_to) {
+  const Model model = compile(scenes::small_wall());
+  const std::atomic<bool> stop{true};
+  EXPECT_THROW((void)limit_load(model, {}, {.stop = &stop}), LimitStopped);
+}
+
+// --- beside runs
+
+ComparedRun run_with_peak(double peak, const std::string& verdict) {
+  ComparedRun run{.name = "run", .mode = "FM-1"};
+  run.curve = {{.displacement = 0}, {.displacement = 1e-3, .reaction = peak}};
+  run.bound = 100e3;
+  run.rate_verdict = verdict;
+  return run;
+}
+
+TEST(LimitLoad, a_run_above_its_bound_is_wrong_whatever_it_says_of_its_rate) {
+  for (const char* verdict : {"slow enough: ...", "too fast: halve the velocity", ""}) {
+    EXPECT_FALSE(compare("x", {run_with_peak(200e3, verdict)}, {}).bounds.front().holds());
+    EXPECT_FALSE(compare("x", {run_with_peak(102.1e3, verdict)}, {}).bounds.front().holds());
+    EXPECT_TRUE(compare("x", {run_with_peak(101.9e3, verdict)}, {}).bounds.front().holds());
+  }
+}
+
+TEST(LimitLoad, a_run_that_calls_itself_too_fast_is_no_evidence) {
+  const auto why = [](const ComparedRun& run) {
+    return compare("x", {run}, {}).bounds.front().no_evidence;
+  };
+  EXPECT_EQ(why(run_with_peak(90e3, "slow enough: ...")), "");
+  EXPECT_NE(why(run_with_peak(90e3, "too fast: halve the velocity")), "");
+  EXPECT_NE(why(run_with_peak(90e3, "usable, but ...")), "");
+  ComparedRun without = run_with_peak(90e3, "slow enough");
+  without.capacity = std::nan("");
+  EXPECT_NE(why(without), "") << "no force in balance";
+  ComparedRun capacity = run_with_peak(200e3, "slow enough");
+  capacity.capacity = 95e3;
+  EXPECT_TRUE(compare("x", {capacity}, {}).bounds.front().holds()) << "the rebound is no capacity";
+}
+
 // --- properties
 
 TEST(LimitLoad, joint_forces_balance_every_block_and_respect_friction) {

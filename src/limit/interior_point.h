@@ -1,0 +1,48 @@
+// Interior-point method for sparse linear programmes of many thousand rows.
+//
+//   minimise c.x   with   A x = b,   G x <= h                    x has no bounds of its own
+//   its dual:  maximise -b.y - h.z   with   A'y + G'z + c = 0,   z >= 0
+//
+// Homogeneous and self-dual: it ends with both answers, or with a proof that there is none. Called by
+// linear_program.cpp alone. Reference: E. D. Andersen and K. D. Andersen, in High Performance
+// Optimization (2000) 197-232; why not Clp's: docs/decisions/0017.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace wythe::limit {
+
+enum class ProgrammeStatus { kOptimal, kInfeasible, kUnbounded, kStopped, kFailed };
+
+// Asked now and then with the share of the work done [0, 1]; true: stop.
+using Watch = std::function<bool(double share)>;
+
+// Entries of a sparse matrix, in any order.
+struct Triplets {
+  std::vector<int> row, column;
+  std::vector<double> value;
+  void add(int r, int c, double v) {
+    row.push_back(r);
+    column.push_back(c);
+    value.push_back(v);
+  }
+};
+
+struct InequalityForm {
+  std::vector<double> c, b, h;
+  Triplets equal, below;  // A, G
+};
+
+struct InteriorAnswer {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  std::vector<double> x;     // after kUnbounded a direction in which c.x falls for ever
+  std::vector<double> y, z;  // of the dual
+  double objective = 0;
+  double accuracy = 0;  // what is left of the residuals and of the gap between both objectives
+  int iterations = 0;
+};
+
+[[nodiscard]] InteriorAnswer interior_point(const InequalityForm& form, const Watch& watch = {});
+
+}  // namespace wythe::limit
