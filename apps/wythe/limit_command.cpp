@@ -72,7 +72,8 @@ std::vector<LimitCase> limit_cases(const Model& model) {
 }
 
 // Once stopped, what is left is refused in these words.
-void add_limits(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
+void add_limits(const LimitArguments& a, const Model& model, const std::atomic<bool>& stop,
+                SecondOpinion& opinion) {
   if (!asked(a, "lp")) return;
   const std::vector<LimitCase> cases = limit_cases(model);
   const double expected = expected_seconds(model) * static_cast<double>(cases.size());
@@ -82,12 +83,12 @@ void add_limits(const LimitArguments& a, const Model& model, SecondOpinion& opin
   LimitPrinter printer(a.quiet);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string what = fmt::format("limit load, {}", cases[i].name);
-    LimitWatch watch{.stop = &stop_asked()};
+    LimitWatch watch{.stop = &stop};
     watch.progress = [&](double share) {
       printer(what, (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
     };
     attempt(opinion, what, [&] {
-      if (stop_asked()) throw LimitStopped();
+      if (stop) throw LimitStopped();
       opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
     });
   }
@@ -196,11 +197,12 @@ int limit(const LimitArguments& a) {
   const Model model = read_and_compile(a.model, a.overrides, &spec);
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
+  const StopSignal stop;
   SecondOpinion opinion;
   opinion.notes = left_aside(model);
   add_mechanisms(a, model, opinion);
-  add_limits(a, model, opinion);
-  if (stop_asked() && opinion.mechanisms.empty() && opinion.limits.empty()) {
+  add_limits(a, model, stop.asked(), opinion);
+  if (stop.asked() && opinion.mechanisms.empty() && opinion.limits.empty()) {
     fmt::print(stderr, "stopped by the user before anything was answered; nothing is written\n");
     return kFailed;
   }
@@ -212,7 +214,7 @@ int limit(const LimitArguments& a) {
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);
   fmt::print("report {}/{}.html\n", a.out, page_name(a.out));
-  return stop_asked() ? kFailed : code;
+  return stop.asked() ? kFailed : code;
 }
 
 }  // namespace wythe::app

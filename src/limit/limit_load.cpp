@@ -144,7 +144,8 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
   if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, by_forces, p.yield);
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
-    throw std::runtime_error("limit analysis: the linear programme was not solved");
+    refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
+           "look for joints or blocks a thousand times smaller or stronger than the rest");
   LimitAnswer answer;
   answer.options = options;
   answer.is_force = p.loads.is_force;

@@ -491,6 +491,8 @@ class LimitHeadline {
   [[nodiscard]] std::string sentence() const {
     std::string words;
     const auto add = [&](const std::string& more) { words += (words.empty() ? "" : " ") + more; };
+    if (const int passed = passing(); passed > 0)
+      add(texts_.say("limit.some_pass", {{"n", std::to_string(passed)}}));
     if (weakest_ != nullptr)
       add(texts_.say("limit.weakest", {{"mode", bold(mode())},
                                        {"force", bold(force())},
@@ -502,9 +504,7 @@ class LimitHeadline {
                      {{"low", bold(load(extreme(false)))}, {"high", bold(load(extreme(true)))}}));
     else if (!loads.empty())
       add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
-    if (const int passed = passing(); passed >= 0)
-      add(texts_.say(passed == 0 ? "limit.none_passes" : "limit.some_pass",
-                     {{"n", std::to_string(passed)}}));
+    if (passing() == 0) add(texts_.say("limit.none_passes"));
     return words.empty() ? texts_.say("limit.nothing") : words;
   }
 
