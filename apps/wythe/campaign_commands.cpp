@@ -116,10 +116,14 @@ StudySpec asked_study(const CampaignArguments& a) {
 // samples.csv, statistics.json, report.html from the store: never one newer than another.
 Statistics write_files(const std::string& folder, const Campaign& campaign,
                        const std::string& language) {
-  write_text(folder + "/samples.csv", samples_csv(campaign));
+  Replacement results(folder, [](const std::string& name) {
+    return name == "samples.csv" || name == "statistics.json" || name == "report.html";
+  });
+  write_text(results.path() + "/samples.csv", samples_csv(campaign));
   Statistics statistics = statistics_of(campaign);
-  write_text(folder + "/statistics.json", statistics_json(statistics));
-  write_campaign_report(folder, campaign, statistics, language);
+  write_text(results.path() + "/statistics.json", statistics_json(statistics));
+  write_campaign_report(folder, results.path(), campaign, statistics, language);
+  results.commit(hold_for_test);
   return statistics;
 }
 
@@ -212,11 +216,14 @@ std::string lines(const std::vector<std::string>& texts) {
   return out;
 }
 
-void write_replay(const ReplayArguments& a, const Campaign& campaign, const SampleRun& run) {
-  write_run(a.out, run.spec, run.model, run.result);
-  write_run_report(a.out, run.spec, run.model, run.result, a.language);
-  write_text(a.out + "/model.toml", campaign.study.model_text);
-  write_text(a.out + "/settings.txt", lines(campaign.study.settings) + lines(run.settings));
+void write_replay(const ReplayArguments& a, Replacement& results, const Campaign& campaign,
+                  const SampleRun& run) {
+  write_run(results.path(), run.spec, run.model, run.result);
+  write_run_report(results.path(), run.spec, run.model, run.result, a.language);
+  write_text(results.path() + "/model.toml", campaign.study.model_text);
+  write_text(results.path() + "/settings.txt",
+             lines(campaign.study.settings) + lines(run.settings));
+  results.commit(hold_for_test);
 }
 
 // What the store says against what came out.
@@ -251,7 +258,7 @@ int replay(const ReplayArguments& a) {
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     refuse("--sample", std::to_string(a.sample), "is not in the campaign",
            fmt::format("write a number from 1 to {}", campaign.samples.n_sample()));
-  prepare_folder(a.out);
+  const std::unique_ptr<Replacement> results = replace_run(a.out);
   SolveOptions options;
   const StopSignal stop;
   options.threads = a.threads;
@@ -267,7 +274,7 @@ int replay(const ReplayArguments& a) {
     run = run_sample(campaign.study, campaign.samples, a.sample, model_builder(campaign.study),
                      options);
   }
-  if (run.refused.empty()) write_replay(a, campaign, run);
+  if (run.refused.empty()) write_replay(a, *results, campaign, run);
   return compare_replay(a, record_in(campaign, a.sample), run);
 }
 

@@ -46,6 +46,10 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
     between = ", ";
   }
   fmt::print("\n");
+  if (statistics.collapsed_before_push > 0)
+    fmt::print(
+        "{} collapsed before the push: they have no strength and are in none of the numbers\n",
+        statistics.collapsed_before_push);
   constexpr std::size_t kShown = 3;  // peak, displacement at it, at 80 % of it
   const auto& quantity = quantities();
   fmt::print("{:<24} {:>4} {:>14}", "failure mode", "n", "share %");
@@ -54,7 +58,8 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
   fmt::print(" {:>6}\n", "CoV %");
   for (const GroupSummary& group : statistics.group) {
     if (group.quantity.empty()) continue;
-    fmt::print("{:<24} {:>4} {:>14}", group.name, group.quantity[0].n,
+    fmt::print("{:<24} {:>4} {:>14}", group.name,
+               group.quantity[0].n + group.quantity[0].without_value,
                share_cell(statistics, group));
     for (std::size_t q = 0; q < kShown && q < group.quantity.size(); ++q)
       fmt::print(" {:>26}", mean_cell(group.quantity[q], quantity[q].to_unit));
@@ -62,6 +67,9 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
   }
   fmt::print(
       "means with their 95 % interval; CoV of the peak; censored displacements as recorded\n");
+  if (!statistics.group.empty() && statistics.group[0].quantity[0].without_value > 0)
+    fmt::print("{} of {} samples have no peak force and are in none of its numbers\n",
+               statistics.group[0].quantity[0].without_value, statistics.answered);
   if (statistics.still_rising > 0)
     fmt::print("{} of {} peaks are lower bounds: the force was still rising where the push ended\n",
                statistics.still_rising, statistics.answered);

@@ -132,7 +132,7 @@ int run(const RunArguments& arguments) {
   Model model = read_and_compile(arguments.model, arguments.overrides, &spec);
   model.spec_hash = spec_hash(spec);
   check_language(arguments.language);
-  prepare_folder(arguments.out);
+  const std::unique_ptr<Replacement> results = replace_run(arguments.out);
   if (!arguments.quiet) print_model(model);
   State state = initial_state(model);
   const StopSignal stop;  // until the results are written
@@ -151,8 +151,9 @@ int run(const RunArguments& arguments) {
   }
   result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
-  write_run(arguments.out, spec, model, result);
-  write_run_report(arguments.out, spec, model, result, arguments.language);
+  write_run(results->path(), spec, model, result);
+  write_run_report(results->path(), spec, model, result, arguments.language);
+  results->commit(hold_for_test);
   print_result(result, arguments.out);
   return exit_code(result.status);
 }

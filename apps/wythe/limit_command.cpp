@@ -179,14 +179,21 @@ std::string page_name(const std::string& folder) {
 void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& model,
                    const SecondOpinion& opinion) {
   prepare_folder(a.out);
+  finish_replacement(a.out);
+  const std::string page = page_name(a.out);
+  Replacement results(a.out, [&](const std::string& name) {
+    return name == "mechanisms.json" || name == page + ".html" || name == page + ".data" ||
+           (name.starts_with("mechanism_") && (name.ends_with(".csv") || name.ends_with(".svg")));
+  });
   for (const Mechanism& m : opinion.mechanisms) {
-    const std::string path = a.out + "/" + m.file_name();
+    const std::string path = results.path() + "/" + m.file_name();
     write_text(path + ".csv", mechanism_csv(m.curve));
     write_text(path + ".svg", mechanism_svg(model, m));
   }
   const std::string json = mechanisms_json(model, opinion);
-  write_text(a.out + "/mechanisms.json", json);
-  write_page(a.out, page_name(a.out), limit_data(spec, model, json), a.language);
+  write_text(results.path() + "/mechanisms.json", json);
+  write_page(results.path(), page, limit_data(spec, model, json), a.language);
+  results.commit(hold_for_test);
 }
 
 }  // namespace

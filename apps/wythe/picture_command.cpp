@@ -34,7 +34,7 @@ int picture(const PictureArguments& a) {
   std::vector<Snapshot> states;
   std::vector<double> left_out = a.at_mm;
   std::string stored;
-  for (Snapshot& s : read_states(a.folder, a.sample))
+  for (Snapshot& s : read_states(a.folder, a.sample, model))
     if (std::erase_if(left_out, [&](double mm) { return is_wanted(s, {mm}); });
         !is_wanted(s, a.at_mm))
       stored += (stored.empty() ? "" : ", ") + fmt::format("{:.1f}", 1e3 * s.displacement);

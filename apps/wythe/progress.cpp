@@ -29,7 +29,9 @@ std::string bar(double share) {
 
 // What the last sample answered: peak and mode, or why there is none.
 std::string last_sample(const SampleRecord& record) {
-  if (!record.answered()) return fmt::format("  sample {}: {}", record.sample, record.status);
+  if (!record.answered())
+    return fmt::format("  sample {}: {}{}", record.sample, record.status,
+                       record.status == "collapsed" ? " before the push" : "");
   return fmt::format("  sample {}: {:.1f} kN, {}", record.sample,
                      1e-3 * record.responses.peak_reaction, record.failure_mode.name);
 }

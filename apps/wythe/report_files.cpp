@@ -50,16 +50,19 @@ void write_run_report(const std::string& folder, const ModelSpec& spec, const Mo
   write_page(folder, "report", run_data(spec, model, result), language);
 }
 
-void write_campaign_report(const std::string& folder, const Campaign& campaign,
-                           const Statistics& statistics, const std::string& language) {
-  const SampleWalls walls = {.build = model_builder(campaign.study),
-                             .states = [&](int sample) { return read_states(folder, sample); }};
-  write_text(folder + kPage, report_page(campaign_data(campaign, statistics, walls), language));
+void write_campaign_report(const std::string& folder, const std::string& out,
+                           const Campaign& campaign, const Statistics& statistics,
+                           const std::string& language) {
+  const SampleWalls walls = {
+      .build = model_builder(campaign.study),
+      .states = [&](int sample, const Model& model) { return read_states(folder, sample, model); }};
+  write_text(out + kPage, report_page(campaign_data(campaign, statistics, walls), language));
 }
 
 int report(const ReportArguments& a) {
   check_language(a.language);
   if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
+  finish_replacement(a.folder);
   if (!fs::exists(a.folder + kData))
     throw InputError({{.file = a.folder,
                        .path = "",

@@ -22,9 +22,10 @@ void write_page(const std::string& folder, const std::string& name, const std::s
 // report.html, and report.data from which `wythe report` makes it again.
 void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
                       const Result& result, const std::string& language);
-// report.html alone: the store has all of it.
-void write_campaign_report(const std::string& folder, const Campaign& campaign,
-                           const Statistics& statistics, const std::string& language);
+// report.html alone, into `out`: the store in `folder` has all of it.
+void write_campaign_report(const std::string& folder, const std::string& out,
+                           const Campaign& campaign, const Statistics& statistics,
+                           const std::string& language);
 
 struct ReportArguments {
   std::string folder, language = "en";

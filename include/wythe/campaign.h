@@ -39,9 +39,12 @@ struct SampleRecord {
   double wall_seconds = 0;  // says nothing about the wall: not in samples.csv
   std::string state_hash;
   std::string provenance;  // of the program that ran this sample
-  [[nodiscard]] bool has_curve() const { return !curve.empty(); }
-  // Only then are responses and failure mode numbers of the wall; else its reason counts.
-  [[nodiscard]] bool answered() const { return status == "completed" || status == "collapsed"; }
+  [[nodiscard]] bool has_curve() const { return curve.size() > 1; }  // the first row is its start
+  // Only then are responses and failure mode numbers of the wall; else its reason counts. A wall that
+  // collapsed before the push left no curve, and answers nothing about it.
+  [[nodiscard]] bool answered() const {
+    return has_curve() && (status == "completed" || status == "collapsed");
+  }
 };
 
 enum class Device { kCpu, kGpu };
@@ -90,8 +93,9 @@ struct Campaign {
 // Sizes of the designs a store holds.
 [[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
 [[nodiscard]] Campaign read_campaign(const std::string& folder);
-// Stored states of one sample (single precision, at rest, for pictures).
-[[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample);
+// Stored states of one sample, whose wall this is (single precision, at rest, for pictures).
+[[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample,
+                                                const Model& model);
 // Joins shards of the same study; the answer equals that of the whole.
 void merge_campaigns(const std::vector<std::string>& folders, const std::string& out);
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -60,7 +62,34 @@ namespace wythe {
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers);
 
-// Writes the files of a run into `folder` (made if absent); report.html is write_report's.
+// New results that take the place of a folder's earlier ones as a whole. They are written to files in
+// path(), a hidden folder inside; commit() puts them in place of those whose names `is_replaced`. Killed
+// at any time, the folder shows old results only or new ones only, whose rest finish_replacement()
+// brings. One at a time in a folder: IoError where another program is at it.
+class Replacement {
+ public:
+  using Names = std::function<bool(const std::string& name)>;
+  Replacement(std::string folder, Names is_replaced);
+  ~Replacement();
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  // `at` is told each point of the way, for tests: "results written", "results ready", ...
+  void commit(const std::function<void(const char* point)>& at = {});
+
+ private:
+  std::string folder_, path_;
+  Names is_replaced_;
+  int lock_ = -1;
+};
+// Goes on with what a killed program left of a commit; nothing to do is fine.
+void finish_replacement(const std::string& folder);
+
+// Files of `wythe run` and `replay` that a run in `folder` replaces (made if absent). Throws InputError
+// where it holds anything else, IoError where it can't be written.
+[[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder);
+// Writes the files of a run into `folder` (made if absent), all but report.html; removes nothing.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);
 // summary.json of a run; keys: docs/reference/results.md.
@@ -80,7 +109,7 @@ void write_text(const std::string& path, const std::string& text);
 // Throws InputError when `folder` holds results of the other kind, whose report would be lost.
 enum class FolderFor { kRun, kCampaign };
 void check_folder(const std::string& folder, FolderFor use);
-// Checks that the files of a run can be written into `folder` before it; throws IoError.
+// Makes `folder` and checks that results can be written into it; throws IoError.
 void prepare_folder(const std::string& folder);
 
 }  // namespace wythe

@@ -32,8 +32,9 @@ namespace wythe {
 
 // How the walls of a campaign's samples are drawn; without them its page has no walls.
 struct SampleWalls {
-  ModelBuilder build;                                // of the study
-  std::function<std::vector<Snapshot>(int)> states;  // of a sample, 1-based
+  ModelBuilder build;  // of the study
+  // Of a sample, 1-based, whose wall that is.
+  std::function<std::vector<Snapshot>(int, const Model&)> states;
 };
 // Whatever the campaign holds, nothing included. Cost: a model compiled for each sample's wall.
 [[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,

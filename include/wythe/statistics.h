@@ -30,11 +30,12 @@ struct Estimate {
 struct Reading {
   double value = kUnset;
   bool censored = false;
+  [[nodiscard]] bool is_known() const { return value == value; }  // not NaN
 };
 
 // A response the statistics are made of; shown = SI * to_unit.
 struct Quantity {
-  const char* name;   // "peak_reaction", as in until rules and file keys
+  const char* name;   // "peak_reaction", as in until rules
   const char* words;  // "peak force"
   const char* unit;   // "kN", "mm", "kN/mm"
   double to_unit;
@@ -44,11 +45,14 @@ struct Quantity {
 // peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max,
 // initial_stiffness, displacement_at_50_percent, collapse_displacement: the order of every `quantity` and `response` array below.
 [[nodiscard]] const std::vector<Quantity>& quantities();
+// "peak_reaction_kN": what files call it.
+[[nodiscard]] std::string key_of(const Quantity& quantity);
 
 // One cell of Table 3. Censored values enter mean, cov, min, max and median as they were recorded;
 // survival_* treat them as lower bounds (Kaplan-Meier), the mean up to the largest recorded value.
 struct Summary {
-  int n = 0, censored = 0;
+  int n = 0, censored = 0,
+      without_value = 0;  // of the group, n with a value; the last are not in n
   double min = kUnset, max = kUnset, standard_deviation = kUnset;
   Estimate mean, cov, median;                            // BCa, BCa and percentile bootstrap
   Estimate survival_mean, survival_median;               // percentile bootstrap
@@ -88,7 +92,7 @@ struct RunningMean {
 };
 // When an asked precision was met. Relative half-widths for means, half-widths for shares.
 struct Precision {
-  std::string what;   // name of a quantity, or "share"
+  std::string what;   // key of a quantity, or "share"
   double target = 0;  // 0.01: +- 1 %, or a share +- 0.05
   int first_met = 0;  // sample size, at least kFewestSamples; 0: not met
   int held_from = 0;  // from here on it stayed met; 0: it does not now
@@ -101,7 +105,7 @@ struct Correlation {
   int n = 0;
   Estimate pearson, spearman, partial_rank;  // Fisher z intervals
 };
-// Correlation of every random input with one response in one group; correlation inside a mode is
+// Correlation of every random input with one response (its key) in one group; correlation inside a mode is
 // conditioned on the outcome and no measure of cause.
 struct CorrelationTable {
   std::string group, quantity;
@@ -193,6 +197,7 @@ struct Statistics {
   int asked = 0, run = 0, answered = 0;  // samples drawn, run, with a usable curve
   int still_rising = 0;                  // answered, the peak at the end of the push: a lower bound
   int named_earlier = 0;                 // answered, the push ended before read_modes_at
+  int collapsed_before_push = 0;         // so that they answered nothing about it
   double load_height = 0;                // of the base model; drifts take each sample's own [m]
   double read_modes_at = kUnset;         // asked for [m]
   int replicates = 0;                    // of every bootstrap

@@ -179,6 +179,7 @@ std::vector<ComparedRun> read_samples(const std::string& folder) {
 }  // namespace
 
 std::vector<ComparedRun> read_compared_runs(const std::string& folder) {
+  finish_replacement(folder);
   if (holds_campaign(folder)) return read_samples(folder);
   if (fs::exists(fs::path(folder) / "summary.json")) return {read_run(folder)};
   throw InputError({{.file = "--with",

@@ -2,7 +2,7 @@
 //
 //   force_displacement.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
-//   run.pvd                  summary.json, written last: where it is, the others are whole
+//   run.pvd                  summary.json, written last
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,17 +27,45 @@ std::string inside(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
-// Files of an earlier run in the same folder that this one may not replace.
-void remove_stale(const std::string& folder) {
+// state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu
+bool is_state(const std::string& name) {
+  for (const char* begin : {"state_blocks_", "state_joints_", "state_zones_"})
+    if (name.starts_with(begin) && name.ends_with(".vtu")) return true;
+  return false;
+}
+
+// What `wythe run` writes; `replay` has two files more.
+bool is_file_of_run(const std::string& name, bool of_replay) {
+  for (const char* file : {"force_displacement.csv", "summary.json", "run.pvd", "report.html",
+                           "report.data", "model.used.toml", "blocks.json"})
+    if (name == file) return true;
+  return is_state(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
+}
+
+// A folder is a run's where it has a run's curve and nothing but a run's files; hidden ones are nobody's.
+void refuse_others(const std::string& folder) {
   std::error_code error;
-  fs::remove(inside(folder, "summary.json"), error);
+  const bool of_replay = fs::exists(inside(folder, "settings.txt"), error);
+  const bool of_run = fs::exists(inside(folder, "summary.json"), error) ||
+                      fs::exists(inside(folder, "force_displacement.csv"), error);
+  std::vector<std::string> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const bool is_state = name.starts_with("state_blocks_") || name.starts_with("state_joints_") ||
-                          name.starts_with("state_zones_");
-    std::error_code ignored;
-    if (is_state && name.ends_with(".vtu")) fs::remove(entry.path(), ignored);
+    if (name.starts_with(".") || name == "lost+found") continue;
+    if (!of_run || !entry.is_regular_file(error) || !is_file_of_run(name, of_replay))
+      others.push_back(name);
   }
+  if (others.empty()) return;
+  std::sort(others.begin(), others.end());
+  const std::size_t more = others.size() - 1;
+  throw InputError(
+      {{.file = folder,
+        .path = "",
+        .value = "",
+        .problem =
+            fmt::format("holds {}{}, which no run wrote: results are not put among other files",
+                        others.front(), more > 0 ? fmt::format(" and {} more", more) : ""),
+        .cure = "name a new folder, an empty one, or one that holds an earlier run alone"}});
 }
 
 void write_states(const std::string& folder, const Model& model,
@@ -118,10 +146,21 @@ void prepare_folder(const std::string& folder) {
   fs::remove(probe, error);
 }
 
+std::unique_ptr<Replacement> replace_run(const std::string& folder) {
+  check_folder(folder, FolderFor::kRun);
+  finish_replacement(folder);
+  refuse_others(folder);
+  prepare_folder(folder);
+  const bool of_replay = fs::exists(inside(folder, "settings.txt"));
+  return std::make_unique<Replacement>(
+      folder, [of_replay](const std::string& name) { return is_file_of_run(name, of_replay); });
+}
+
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result) {
-  prepare_folder(folder);
-  remove_stale(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
   io::write_file(inside(folder, "force_displacement.csv"),
                  io::curve_csv(result.curve, has_lintel_of_zones(model)));
   io::write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));

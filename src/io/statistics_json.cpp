@@ -4,7 +4,6 @@
 // fractions; what is not a number or infinite is null.
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -28,17 +27,8 @@ void add(Json& json, const std::string& key, const Estimate& estimate, double sc
   json[key + "_interval"] = pair(estimate.interval, scale);
 }
 
-// "kN/mm" -> "kN_per_mm"
-std::string unit_in_key(const std::string& unit) {
-  std::string out;
-  for (char c : unit) {
-    if (c == '/') out += "_per_";
-    if (c == '%') out += "percent";
-    if (std::isalnum(static_cast<unsigned char>(c))) out += c;
-  }
-  return out;
-}
-std::string key_of(const Quantity& q) { return std::string(q.name) + "_" + unit_in_key(q.unit); }
+// "_kN"
+std::string unit_in_key(const Quantity& q) { return key_of(q).substr(std::string(q.name).size()); }
 
 const Quantity& named(const std::string& name) {
   for (const Quantity& q : quantities())
@@ -48,7 +38,7 @@ const Quantity& named(const std::string& name) {
 
 Json summary_of(const Summary& s, const Quantity& q) {
   const double scale = q.to_unit;
-  Json json = {{"n", s.n}};
+  Json json = {{"n", s.n}, {"without_value", s.without_value}};
   if (q.can_be_censored) json["censored"] = s.censored;
   add(json, "mean", s.mean, scale);
   add(json, "cov", s.cov);
@@ -88,6 +78,7 @@ Json samples_json(const Statistics& s) {
           {"judgements", judgements},
           {"still_rising", s.still_rising},
           {"named_earlier", s.named_earlier},
+          {"collapsed_before_push", s.collapsed_before_push},
           {"status", status},
           {"unanswered", unanswered}};
 }
@@ -268,7 +259,7 @@ Json drift_limits_json(const Statistics& s) {
 }
 
 Json exceedance_json(const Exceedance& e, const Quantity& q) {
-  const std::string unit = "_" + unit_in_key(q.unit);
+  const std::string unit = unit_in_key(q);
   Json value = Json::array(), probability = Json::array(), low = Json::array(),
        high = Json::array();
   for (const ExceedancePoint& p : e.point) {

@@ -2,6 +2,8 @@
 //
 // Curves go along in single precision; walls as the stored states of each sample, as far as
 // kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -127,11 +129,24 @@ void add_samples(Bundle& bundle, const Campaign& campaign, double read_modes_at)
 Json quantities_json() {
   Json list = Json::array();
   for (const Quantity& q : quantities())
-    list.push_back({{"name", q.name}, {"unit", q.unit}, {"can_be_censored", q.can_be_censored}});
+    list.push_back({{"name", q.name},
+                    {"key", key_of(q)},
+                    {"unit", q.unit},
+                    {"can_be_censored", q.can_be_censored}});
   return list;
 }
 
 // --- walls ---------------------------------------------------------------------------------------
+
+Model wall_of(const Campaign& campaign, const SampleWalls& walls, int sample) {
+  try {
+    return compile(walls.build(settings_of(campaign.samples, sample - 1)));
+  } catch (const InputError& error) {
+    throw IoError(fmt::format(
+        "sample {}: it has run, but what the store holds of its inputs makes no wall: {}", sample,
+        error.what()));
+  }
+}
 
 bool same_shape(const Model& a, const Model& b) {
   return a.joint_a == b.joint_a && a.joint_b == b.joint_b &&
@@ -149,9 +164,9 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
   for (const SampleRecord& r : campaign.records) {
     if (!is_answered(r)) continue;
     --waiting;
-    const std::vector<Snapshot> states = walls.states(r.sample);
+    const Model model = wall_of(campaign, walls, r.sample);
+    const std::vector<Snapshot> states = walls.states(r.sample, model);
     if (states.empty()) continue;
-    const Model model = compile(walls.build(settings_of(campaign.samples, r.sample - 1)));
     if (arrays.count() == 0) {
       first = model;
       add_wall(bundle, first);

@@ -325,6 +325,8 @@ class CampaignHeadline {
     if (answered < run)
       add(texts_.say("campaign.unanswered",
                      {{"missing", std::to_string(run - answered)}, {"run", std::to_string(run)}}));
+    if (const int fell = count("collapsed_before_push"); fell > 0)
+      add(texts_.say("campaign.before_push", {{"n", std::to_string(fell)}}));
     if (run < asked)
       add(texts_.say("campaign.unrun",
                      {{"missing", std::to_string(asked - run)}, {"asked", std::to_string(asked)}}));

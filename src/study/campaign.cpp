@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <exception>
 #include <map>
 #include <memory>
@@ -214,7 +213,7 @@ class Runner {
       while (waiting_.contains(prefix + 1)) ++prefix;
       store_.set_value("until_from", std::to_string(prefix));
     }
-    until_from_ = std::atoi(store_.value("until_from").c_str());
+    until_from_ = store_.number_of_sample("until_from");
     judge();
   }
 

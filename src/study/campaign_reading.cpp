@@ -33,8 +33,8 @@ Campaign read_campaign(const std::string& folder) {
   return campaign;
 }
 
-std::vector<Snapshot> read_states(const std::string& folder, int sample) {
-  return opened(folder).states(sample);
+std::vector<Snapshot> read_states(const std::string& folder, int sample, const Model& model) {
+  return opened(folder).states(sample, model);
 }
 
 std::string column_title(const InputColumn& column) {

@@ -105,13 +105,15 @@ MeanCurve mean_curve_of(const Group& group, double base_height) {
 
 std::vector<DriftLimit> drift_limits(const Answered& samples) {
   if (samples.n() == 0) return {};
-  std::vector<Reading> drifts =
-      readings_of(all_of(samples), quantity_named("displacement_at_80_percent"));
+  const Quantity& quantity = quantity_named("displacement_at_80_percent");
+  const Group known = with_value(all_of(samples), quantity);
+  std::vector<Reading> drifts = readings_of(known, quantity);
   for (std::size_t i = 0; i < drifts.size(); ++i) {
-    const double height = height_of(*samples.record[i], samples.campaign.load_height);
+    const double height = height_of(*known.record[i], samples.campaign.load_height);
     if (!(height > 0)) return {};
     drifts[i].value /= height;
   }
+  if (drifts.empty()) return {};
   drifts = in_order(std::move(drifts));
   std::vector<DriftLimit> out;
   for (const CodeLimit& code : kCodeLimits) {

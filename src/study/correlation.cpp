@@ -137,12 +137,48 @@ Column ranks(const Column& values) {
   const std::vector<int> order = order_of(values);
   Column rank(values.size());
   for (std::size_t i = 0; i < order.size();) {
-    std::size_t end = i;
+    std::size_t end = i + 1;
     while (end < order.size() && values[order[end]] == values[order[i]]) ++end;
     for (std::size_t k = i; k < end; ++k) rank[order[k]] = 0.5 * static_cast<double>(i + 1 + end);
     i = end;
   }
   return rank;
+}
+
+// Every value has a mass of 1; a bound hands its own to those beyond it in equal parts (Efron), which
+// is what Kaplan and Meier's curve does.
+Column ranks(const std::vector<Reading>& readings) {
+  std::vector<int> order(readings.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    const Reading &x = readings[a], &y = readings[b];
+    return x.value != y.value ? x.value < y.value : x.censored < y.censored;
+  });
+  const auto n = static_cast<double>(readings.size());
+  Column rank(readings.size());
+  double below = 0, mass = 1;  // of all values passed; of each that is left
+  for (std::size_t i = 0; i < order.size();) {
+    const Reading& first = readings[order[i]];
+    std::size_t end = i;
+    while (end < order.size() && readings[order[end]].value == first.value &&
+           readings[order[end]].censored == first.censored)
+      ++end;
+    const auto equal = static_cast<double>(end - i), left = static_cast<double>(order.size() - end);
+    const double here = first.censored ? n - below : equal * mass;  // what the true values share
+    for (std::size_t k = i; k < end; ++k) rank[order[k]] = below + 0.5 * here + 0.5;
+    if (!first.censored)
+      below += equal * mass;
+    else if (left > 0)
+      mass += equal * mass / left;
+    i = end;
+  }
+  return rank;
+}
+
+std::vector<Reading> observed(const Column& values) {
+  std::vector<Reading> readings;
+  for (const double value : values) readings.push_back({value, false});
+  return readings;
 }
 
 double pearson(const Column& x, const Column& y) {
@@ -164,10 +200,13 @@ Column partial_correlations(const std::vector<Column>& x, const Column& y) {
   return partial;
 }
 
-std::vector<Correlation> correlate(const std::vector<Column>& inputs, const Column& response) {
-  const int n = static_cast<int>(response.size());
+std::vector<Correlation> correlate(const std::vector<Column>& inputs,
+                                   const std::vector<Reading>& readings) {
+  const int n = static_cast<int>(readings.size());
   const int controlled = static_cast<int>(inputs.size()) - 1;
-  const Column response_ranks = ranks(response);
+  const Column response_ranks = ranks(readings);
+  Column response;  // as recorded
+  for (const Reading& r : readings) response.push_back(r.value);
   std::vector<Column> input_ranks;
   for (const Column& input : inputs) input_ranks.push_back(ranks(input));
   // as many columns as samples leave nothing to correlate

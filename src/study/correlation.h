@@ -14,6 +14,11 @@ using Column = std::vector<double>;
 
 // 1 ... n, ties by their mean rank.
 [[nodiscard]] Column ranks(const Column& values);
+// The same where some are lower bounds: the mean of the ranks that each can have, (7.9) of
+// docs/theory/statistics.md. Bounds that no observed value separates tie, wherever their pushes ended.
+[[nodiscard]] Column ranks(const std::vector<Reading>& readings);
+// None of them a bound.
+[[nodiscard]] std::vector<Reading> observed(const Column& values);
 // NaN when either is constant or there are fewer than three values.
 [[nodiscard]] double pearson(const Column& x, const Column& y);
 
@@ -24,7 +29,7 @@ using Column = std::vector<double>;
 
 // All three of every input with one response, with their intervals.
 [[nodiscard]] std::vector<Correlation> correlate(const std::vector<Column>& inputs,
-                                                 const Column& response);
+                                                 const std::vector<Reading>& response);
 
 // First-order index by the correlation ratio over bins of equal count, less what chance adds:
 //   S = (SSB - (bins - 1) MSW) / SST,  MSW = SSW / (n - bins)

@@ -14,6 +14,10 @@ namespace {
 
 constexpr int kPatience = 2000;  // for another program's lock [ms]
 
+constexpr const char* kCure =
+    "restore it from a copy, save what can be read with sqlite3 FILE \".recover\", or begin the "
+    "campaign in another folder";
+
 // What to say and what to do about an SQLite result code.
 std::string advice(int code) {
   switch (code & 0xff) {
@@ -25,9 +29,7 @@ std::string advice(int code) {
     case SQLITE_NOTADB:
       return "is not a campaign store, or its first bytes are damaged; restore it from a copy, or "
              "begin the campaign in another folder";
-    case SQLITE_CORRUPT:
-      return "is damaged; restore it from a copy, save what can be read with sqlite3 FILE "
-             "\".recover\", or begin the campaign in another folder";
+    case SQLITE_CORRUPT: return std::string("is damaged; ") + kCure;
     case SQLITE_FULL:
       return "the disk is full; every sample stored so far is kept: free some space and go on with "
              "--resume";
@@ -61,6 +63,8 @@ void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_fi
 void Database::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
 Statement::Statement(Database& database, const std::string& sql) : database_(database) {
+  if (const auto from = sql.find(" FROM "); from != std::string::npos)
+    table_ = sql.substr(from + 6, sql.find_first_of(" )", from + 6) - from - 6);
   sqlite3_stmt* statement = nullptr;
   check(sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement, nullptr));
   statement_.reset(statement);
@@ -98,21 +102,57 @@ void Statement::reset() {
   parameter_ = 0;
 }
 
+// The next column's position, once its value is of one of these types or NULL.
+int Statement::take(const std::string& wanted, int type, int other_type) {
+  const int at = column_++, found = sqlite3_column_type(statement_.get(), at);
+  if (found != SQLITE_NULL && found != type && found != other_type)
+    damaged(fmt::format("{} is not {}", sqlite3_column_name(statement_.get(), at), wanted));
+  return at;
+}
+
+void Statement::damaged(const std::string& what) {
+  sqlite3_stmt* row = statement_.get();
+  std::string where = table_.empty() ? "" : "table " + table_ + ", ";
+  const char* first = sqlite3_column_name(row, 0);
+  if (first != nullptr && std::string_view(first) == "sample")
+    if (const auto* sample = reinterpret_cast<const char*>(sqlite3_column_text(row, 0)))
+      where += fmt::format("sample {}: ", sample);
+  database_.damaged(where + what);
+}
+
 double Statement::number() {
-  const int at = column_++;
+  const int at = take("a number", SQLITE_FLOAT, SQLITE_INTEGER);
   if (sqlite3_column_type(statement_.get(), at) == SQLITE_NULL)
     return std::numeric_limits<double>::quiet_NaN();
   return sqlite3_column_double(statement_.get(), at);
 }
-std::int64_t Statement::integer() { return sqlite3_column_int64(statement_.get(), column_++); }
+double Statement::finite() {
+  const double value = number();
+  if (!std::isfinite(value))
+    damaged(fmt::format("{} is not a finite number",
+                        sqlite3_column_name(statement_.get(), column_ - 1)));
+  return value;
+}
+std::int64_t Statement::integer() {
+  return sqlite3_column_int64(statement_.get(), take("a whole number", SQLITE_INTEGER));
+}
+std::int64_t Statement::integer(std::int64_t least, std::int64_t most) {
+  const bool none = sqlite3_column_type(statement_.get(), column_) == SQLITE_NULL;
+  const std::int64_t value = integer();
+  if (none || value < least || value > most)
+    damaged(fmt::format("{} is {}, which must be from {} to {}",
+                        sqlite3_column_name(statement_.get(), column_ - 1),
+                        none ? "missing" : std::to_string(value), least, most));
+  return value;
+}
 std::string Statement::text() {
-  const int at = column_++;
+  const int at = take("text", SQLITE_TEXT);
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), at));
   const int size = sqlite3_column_bytes(statement_.get(), at);
   return text == nullptr ? std::string() : std::string(text, static_cast<std::size_t>(size));
 }
 std::string_view Statement::bytes() {
-  const int at = column_++;
+  const int at = take("packed bytes", SQLITE_BLOB);
   const auto* data = static_cast<const char*>(sqlite3_column_blob(statement_.get(), at));
   const int size = sqlite3_column_bytes(statement_.get(), at);
   return {data, static_cast<std::size_t>(size)};
@@ -144,6 +184,10 @@ void Database::execute(const std::string& sql) {
 std::int64_t Database::integer(const std::string& sql) {
   Statement statement(*this, sql);
   return statement.step() ? statement.integer() : 0;
+}
+
+void Database::damaged(const std::string& what) const {
+  throw IoError(fmt::format("{}: is damaged: {}; {}", name_, what, kCure));
 }
 
 void Database::refuse(int code) {

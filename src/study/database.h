@@ -48,13 +48,19 @@ class Statement {
     reset();
   }
 
-  // The next column of the row; NULL reads as NaN, 0 or "".
+  // The next column of the row; NULL reads as NaN, 0 or "". A value of another type is damage.
   [[nodiscard]] double number();
   [[nodiscard]] std::int64_t integer();
   [[nodiscard]] std::string text();
   [[nodiscard]] std::string_view bytes();  // until the next step
+  // A whole number within these bounds, NULL is none; a number that is not infinite, NULL is none.
+  [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most);
+  [[nodiscard]] double finite();
+  // What else is wrong with the row: IoError that names the file, table and sample.
+  [[noreturn]] void damaged(const std::string& what);
 
  private:
+  int take(const std::string& wanted, int type, int other_type = 0);
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
   };
@@ -62,6 +68,7 @@ class Statement {
 
   Database& database_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  std::string table_;  // for messages
   int parameter_ = 0, column_ = 0;
 };
 
@@ -76,6 +83,8 @@ class Database {
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
   // Throws what the last failure was.
   [[noreturn]] void refuse(int code);
+  // Throws that what the file holds can't be: its cure is that of any damage.
+  [[noreturn]] void damaged(const std::string& what) const;
 
  private:
   struct Close {

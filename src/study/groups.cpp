@@ -145,10 +145,18 @@ std::vector<Group> unions_of(const Answered& samples) {
           group_of(samples, "FM-3 + FM-4", {"FM-3", "FM-4"})};
 }
 
+Group with_value(const Group& group, const Quantity& quantity) {
+  Group known{group.name, group.modes, {}};
+  for (const SampleRecord* record : group.record)
+    if (quantity.read(record->responses).is_known()) known.record.push_back(record);
+  return known;
+}
+
 std::vector<Reading> readings_of(const Group& group, const Quantity& quantity) {
   std::vector<Reading> readings;
   for (const SampleRecord* record : group.record)
-    readings.push_back(quantity.read(record->responses));
+    if (const Reading reading = quantity.read(record->responses); reading.is_known())
+      readings.push_back(reading);
   return readings;
 }
 
@@ -159,8 +167,11 @@ bool all_censored(const Group& group, const Quantity& quantity) {
 
 GroupSummary summarise(const Group& group) {
   GroupSummary out{group.name, group.modes, {}};
-  for (const Quantity& quantity : quantities())
+  for (const Quantity& quantity : quantities()) {
     out.quantity.push_back(summarise_one(readings_of(group, quantity), quantity.can_be_censored));
+    out.quantity.back().without_value =
+        static_cast<int>(group.record.size()) - out.quantity.back().n;
+  }
   return out;
 }
 

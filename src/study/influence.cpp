@@ -33,9 +33,9 @@ Column input_of(const std::vector<const SampleRecord*>& records, int column) {
   return values;
 }
 
-Column response_of(const Group& group, const Quantity& quantity) {
+Column values_of(const std::vector<Reading>& readings) {
   Column values;
-  for (const Reading& r : readings_of(group, quantity)) values.push_back(r.value);
+  for (const Reading& r : readings) values.push_back(r.value);
   return values;
 }
 
@@ -80,12 +80,13 @@ std::vector<InputSummary> input_summaries(const Campaign& campaign) {
 
 CorrelationTable correlation_table(const Answered& samples, const Group& group,
                                    const Quantity& quantity) {
-  CorrelationTable out{group.name, quantity.name, 0, {}};
-  for (const Reading& r : readings_of(group, quantity)) out.censored += r.censored ? 1 : 0;
+  CorrelationTable out{group.name, key_of(quantity), 0, {}};
+  const std::vector<Reading> readings = readings_of(group, quantity);
+  for (const Reading& r : readings) out.censored += r.censored ? 1 : 0;
   const std::vector<int> random = random_columns(samples.campaign.samples);
   std::vector<Column> inputs;
-  for (int k : random) inputs.push_back(input_of(group.record, k));
-  out.input = correlate(inputs, response_of(group, quantity));
+  for (int k : random) inputs.push_back(input_of(with_value(group, quantity).record, k));
+  out.input = correlate(inputs, readings);
   for (std::size_t i = 0; i < random.size(); ++i)
     out.input[i].input = samples.campaign.samples.column[random[i]].name;
   return out;
@@ -97,11 +98,12 @@ std::vector<FirstOrderIndex> first_order_indices(const Answered& samples) {
   const std::vector<InputCorrelation> pairs = input_correlations(samples.campaign.samples);
   for (const Quantity& quantity : quantities()) {
     if (all_censored(all, quantity)) continue;
-    const Column response = response_of(all, quantity);
+    const Column response = values_of(readings_of(all, quantity));
+    const Group known = with_value(all, quantity);
     for (int k : random_columns(samples.campaign.samples)) {
-      FirstOrderIndex index = first_order_index(input_of(all.record, k), response);
+      FirstOrderIndex index = first_order_index(input_of(known.record, k), response);
       index.input = samples.campaign.samples.column[k].name;
-      index.quantity = quantity.name;
+      index.quantity = key_of(quantity);
       index.entangled = entangled_with(index.input, pairs);
       out.push_back(index);
     }

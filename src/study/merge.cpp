@@ -27,7 +27,7 @@ class Comparison {
     if (!store.is_current())
       throw IoError(store.database().name() +
                     ": was written by an older wythe; merge with that one, or run it again");
-    store.check_whole();
+    store.check_whole();  // before a byte of it is copied
     const StudySpec spec = store.study();
     if (first_.empty()) {
       first_ = folder;

@@ -31,16 +31,21 @@ std::string compressed(const void* bytes, std::size_t count) {
   return out;
 }
 
+[[noreturn]] void refuse(const std::string& what, const std::string& problem) {
+  throw IoError(what + " is damaged in the store: " + problem +
+                "; restore it from a copy, or begin the campaign in another folder");
+}
+
 template <class Number>
 std::vector<Number> decompressed(std::string_view bytes, std::size_t count,
                                  const std::string& what) {
-  std::vector<Number> numbers(count);
   const std::size_t wanted = count * sizeof(Number);
+  if (ZSTD_getFrameContentSize(bytes.data(), bytes.size()) != wanted)
+    refuse(what, "it does not hold " + std::to_string(count) + " numbers");
+  std::vector<Number> numbers(count);
   const std::size_t size = ZSTD_decompress(numbers.data(), wanted, bytes.data(), bytes.size());
-  if (ZSTD_isError(size) != 0)
-    throw IoError(what + " is damaged in the store: " + ZSTD_getErrorName(size));
-  if (size != wanted)
-    throw IoError(what + " is damaged in the store: it has another number of values");
+  if (ZSTD_isError(size) != 0) refuse(what, ZSTD_getErrorName(size));
+  if (size != wanted) refuse(what, "it ends early");
   return numbers;
 }
 
@@ -55,12 +60,6 @@ std::string pack_floats(std::span<const double> numbers) {
   narrow.reserve(numbers.size());
   for (const double number : numbers) narrow.push_back(static_cast<float>(number));
   return compressed(narrow.data(), narrow.size() * sizeof(float));
-}
-
-std::size_t packed_floats(std::string_view bytes) {
-  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR) return 0;
-  return static_cast<std::size_t>(size / sizeof(float));
 }
 
 std::vector<double> unpack_doubles(std::string_view bytes, std::size_t count,

@@ -14,9 +14,8 @@ namespace wythe::study {
 [[nodiscard]] std::string pack_doubles(std::span<const double> numbers);
 [[nodiscard]] std::string pack_floats(std::span<const double> numbers);
 
-// How many floats a packed array says it holds; 0 where it does not say.
-[[nodiscard]] std::size_t packed_floats(std::string_view bytes);
-// `what` names the array in the IoError thrown when the bytes are damaged or are not `count` numbers.
+// `what` names the array in the IoError thrown when the bytes are damaged or are not `count` numbers;
+// nothing is allocated before the frame says that it holds as many.
 [[nodiscard]] std::vector<double> unpack_doubles(std::string_view bytes, std::size_t count,
                                                  const std::string& what);
 [[nodiscard]] std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,

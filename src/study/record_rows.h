@@ -52,6 +52,10 @@ void each_response(Visitor& v, R& r) {
   v("collapse_drift", r.collapse.drift);
   v("collapse_censored", r.collapse.censored);
   v("collapse_criterion", r.collapse.criterion);
+  v("peak_reason", r.peak_reason);
+  v("censored_peak", r.censored_peak);
+  v("peak_raw_N", r.peak_raw);
+  v("displacement_at_peak_raw_m", r.displacement_at_peak_raw);
 }
 
 template <class Visitor, class Mode>
@@ -84,6 +88,9 @@ void each_quasi_static(Visitor& v, Quasi& q) {
   v("shear_gap", q.shear_gap);
   v("damping_share", q.damping_share);
   v("rate_verdict", q.verdict);
+  v("force_beyond_peak", q.beyond);
+  v("rate_lift", q.lift);
+  v("rate_judgement", q.judgement);
 }
 
 template <class Visitor, class Record>

@@ -61,6 +61,7 @@ std::vector<RunningMean> running_means(const Answered& samples) {
     bool all_censored = true;
     for (const SampleRecord* record : samples.record) {
       const Reading reading = quantity.read(record->responses);
+      if (!reading.is_known()) continue;
       moments.add(reading.value);
       all_censored = all_censored && reading.censored;
       running.n.push_back(moments.n());
@@ -77,7 +78,7 @@ std::vector<Precision> precisions(const Answered& samples,
   std::vector<Precision> out;
   for (std::size_t q = 0; q < running.size(); ++q)
     for (const double target : kMeanTargets)
-      out.push_back(precision_of(quantities()[q].name, target, half_widths(running[q])));
+      out.push_back(precision_of(key_of(quantities()[q]), target, half_widths(running[q])));
   for (const double target : kShareTargets)
     out.push_back(precision_of("share", target, share_half_widths(samples)));
   return out;

@@ -16,6 +16,13 @@ using study::Group;
 
 constexpr int kFewestForTable = 10;  // samples in a mode for a table of its correlations
 
+// "kN/mm" -> "kN_per_mm"
+std::string unit_in_key(const std::string& unit) {
+  std::string out;
+  for (const char c : unit) out += c == '/' ? "_per_" : std::string(1, c);
+  return out;
+}
+
 const char* name_of(Design design) {
   switch (design) {
     case Design::kMonteCarlo: return "Monte Carlo";
@@ -30,10 +37,13 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
     if (record.status.empty()) continue;  // has not run
     ++out.run;
     ++out.status[record.status];
-    if (record.has_curve()) ++out.judgement[record.quasi_static.judgement];
+    if (record.has_curve() && !record.quasi_static.judgement.empty())
+      ++out.judgement[record.quasi_static.judgement];
     if (!is_answered(record)) {
       const std::string& why = record.responses.peak_reason;
       out.unanswered.push_back({record.sample, record.status, why.empty() ? record.reason : why});
+      const bool fell = record.status == to_string(SolveStatus::kCollapsed);
+      out.collapsed_before_push += fell && !record.has_curve() ? 1 : 0;
       continue;
     }
     out.still_rising += is_still_rising(record) ? 1 : 0;
@@ -112,10 +122,12 @@ const std::vector<Quantity>& quantities() {
   return kQuantities;
 }
 
+std::string key_of(const Quantity& q) { return std::string(q.name) + "_" + unit_in_key(q.unit); }
+
 bool is_still_rising(const SampleRecord& record) { return record.responses.censored_peak; }
 
 bool is_answered(const SampleRecord& record) {
-  return record.answered() && record.has_curve() && record.responses.peak_reaction > 0;
+  return record.answered() && !(record.responses.peak_reaction <= 0);
 }
 
 Statistics statistics_of(const Campaign& campaign) {

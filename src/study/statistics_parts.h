@@ -29,8 +29,10 @@ struct Group {
 // FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel), where any such mode occurs.
 [[nodiscard]] std::vector<Group> unions_of(const Answered& samples);
 
+// Those of its samples that have a value; a peak that is no force in balance is none.
+[[nodiscard]] Group with_value(const Group& group, const Quantity& quantity);
 [[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
-// Lower bounds alone show no influence of anything.
+// Lower bounds alone, or no value at all, show no influence of anything.
 [[nodiscard]] bool all_censored(const Group& group, const Quantity& quantity);
 
 // groups.cpp: Table 3, shares, how firm the names are

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "study/packing.h"
@@ -20,10 +22,21 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
 
+constexpr std::int64_t kMostRows = 10'000'000;  // of a curve: ten times what output.rows may ask
+
+// How a sample that is stored has ended.
+bool is_outcome(const std::string& status) {
+  for (const SolveStatus s :
+       {SolveStatus::kCompleted, SolveStatus::kCollapsed, SolveStatus::kInterrupted,
+        SolveStatus::kNotSettled, SolveStatus::kUnstable, SolveStatus::kBudgetSpent})
+    if (status == to_string(s)) return true;
+  return status == "refused";
+}
+
 // Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
-// one at that displacement, the peak, or the end.
-constexpr const char* kReadingsOfVersion1 = R"(
-PRAGMA query_only = 0;  -- a view of this connection's own, the file stays as it is
+// one at that displacement, the peak, or the end. A feature's value had no unit in its name.
+constexpr const char* kListsOfVersion1 = R"(
+CREATE TEMP VIEW feature AS SELECT sample, position, name, displacement_m, value AS value_m FROM main.feature;
 CREATE TEMP VIEW reading AS
 SELECT sample, position, what, failure_mode,
        CASE WHEN mm IS NULL THEN '' ELSE coalesce(
@@ -34,8 +47,7 @@ SELECT sample, position, what, failure_mode,
        CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
 FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
              CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
-      FROM main.reading AS old JOIN main.sample USING (sample)) AS r;
-PRAGMA query_only = 1)";
+      FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
 
 // Binds the members of a record in order.
 struct Binder {
@@ -80,18 +92,36 @@ struct ListWriter {
   }
 };
 
+// Those columns of a table, NULL for one that an older schema has not.
+std::string known_columns(Store& store, const std::string& table, const ColumnNames& names) {
+  Database& database = store.database();
+  std::set<std::string> there;
+  Statement info(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
+  while (info.step()) there.insert(info.text());
+  std::string list;
+  for (const auto& [name, type] : names.columns) {
+    if (store.is_current() && !there.contains(name))
+      database.damaged(fmt::format("table {} has no column {}", table, name));
+    list += ", " + (there.contains(name) ? name : "NULL AS " + name);
+  }
+  return list;
+}
+
 // Reads one list of all samples.
 struct ListReader {
-  Database& database;
+  Store& store;
   std::map<int, RecordLists>& lists;
-  int last;
+  int samples;
   template <class Member, class Columns>
   void list(const char* table, std::vector<Member> RecordLists::*members, const Columns& columns) {
-    Statement select(
-        database,
-        fmt::format("SELECT * FROM {} WHERE sample <= {} ORDER BY sample, position", table, last));
+    ColumnNames names;
+    Member any{};
+    columns(names, any);
+    Statement select(store.database(),
+                     fmt::format("SELECT sample, position{} FROM {} ORDER BY 1, 2",
+                                 known_columns(store, table, names), table));
     while (select.step()) {
-      const int sample = static_cast<int>(select.integer());
+      const auto sample = static_cast<int>(select.integer(1, samples));
       static_cast<void>(select.integer());
       Taker taker{select};
       columns(taker, (lists[sample].*members).emplace_back());
@@ -99,26 +129,56 @@ struct ListReader {
   }
 };
 
-std::map<int, std::vector<double>> read_inputs(Database& database) {
-  std::map<int, std::vector<double>> inputs;
-  Statement select(database, "SELECT sample, value FROM sample_input ORDER BY sample, position");
+// Every sample has a value for each of the columns; NULL is one that came out as no number.
+std::vector<std::vector<double>> read_inputs(Database& database, std::size_t columns) {
+  std::vector<std::vector<double>> inputs;
+  Statement select(database,
+                   "SELECT sample, position, value FROM sample_input ORDER BY sample, position");
   while (select.step()) {
-    const int sample = static_cast<int>(select.integer());
-    inputs[sample].push_back(select.number());
+    const std::size_t sample =
+        inputs.empty() ? 1 : inputs.size() + (inputs.back().size() == columns);
+    const std::size_t at = inputs.size() == sample ? inputs.back().size() : 0;
+    const auto is = [&](std::int64_t found, std::size_t due) {
+      return found == static_cast<std::int64_t>(due);
+    };
+    if (!is(select.integer(), sample) || !is(select.integer(), at))
+      select.damaged(fmt::format("input {} of sample {} is missing", at, sample));
+    if (at == 0) inputs.emplace_back();
+    inputs.back().push_back(select.number());
   }
+  if (!inputs.empty() && inputs.back().size() != columns)
+    database.damaged(fmt::format("table sample_input: sample {} has {} of {} inputs", inputs.size(),
+                                 inputs.back().size(), columns));
   return inputs;
 }
 
-void read_curves(Database& database, int last, std::map<int, std::vector<CurveRow>>& curves) {
-  Statement select(database,
-                   fmt::format("SELECT sample, rows, data FROM curve WHERE sample <= {}", last));
+std::map<int, std::vector<CurveRow>> read_curves(Database& database, int samples) {
+  std::map<int, std::vector<CurveRow>> curves;
+  Statement select(database, "SELECT sample, rows, data FROM curve");
   while (select.step()) {
-    const int sample = static_cast<int>(select.integer());
-    const auto rows = static_cast<std::size_t>(select.integer());
+    const auto sample = static_cast<int>(select.integer(1, samples));
+    const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
     curves[sample] = curve_rows(
         unpack_doubles(select.bytes(), rows * kCurveColumns,
                        fmt::format("{}: the curve of sample {}", database.name(), sample)));
   }
+  return curves;
+}
+
+// What an answered sample says must be numbers and places that there are.
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
+  const auto refuse = [&](const std::string& what) {
+    database.damaged(fmt::format("sample {}: {}", record.sample, what));
+  };
+  for (const double input : record.inputs)
+    if (!std::isfinite(input)) refuse("it has run with an input that is no number");
+  for (const CurveRow& row : record.curve)
+    if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
+      refuse("its curve holds what is not a number");
+  for (const SignRow& row : lists.signs)
+    if (row.of_element < 0 || row.of_element >= static_cast<std::int64_t>(lists.elements.size()))
+      refuse(
+          fmt::format("a sign belongs to element {} of {}", row.of_element, lists.elements.size()));
 }
 
 void write_study_rows(Database& database, const Rows& rows) {
@@ -193,13 +253,25 @@ void Store::check_version(Access access) {
         fmt::format("{}: was written by a newer wythe (store version {}, this one reads up "
                     "to {}); use that version or a later one",
                     name, version_, kSchemaVersion));
+  if (version_ < 1)
+    throw IoError(fmt::format(
+        "{}: has store version {}, which no wythe wrote; restore it from a copy", name, version_));
   if (is_current()) return;
   if (access == Access::kWrite)
     throw IoError(
         fmt::format("{}: was written by an older wythe (store version {}, now {}); it can be read, "
                     "reported and replayed; to add samples begin a campaign in another folder",
                     name, version_, kSchemaVersion));
-  database_.execute(kReadingsOfVersion1);
+  show_as_present();
+}
+
+// Views of this connection's own; the file stays as it is. Columns that an older version has not read
+// as NULL (known_columns).
+void Store::show_as_present() {
+  if (version_ > 1) return;
+  database_.execute("PRAGMA query_only = 0");
+  database_.execute(kListsOfVersion1);
+  database_.execute("PRAGMA query_only = 1");
 }
 
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
@@ -243,32 +315,61 @@ StudySpec Store::study() {
     std::string key = select.text();
     rows.emplace_back(std::move(key), select.text());
   }
-  return study_of(rows);
+  try {
+    StudySpec spec = study_of(rows);
+    if (const std::vector<Fault> faults = check_study(spec); !faults.empty())
+      throw IoError(InputError(faults).what());
+    return spec;
+  } catch (const IoError& error) {
+    database_.damaged(std::string("table study, ") + error.what());
+  }
 }
 
 StoreHead Store::head() {
-  return {value("shard"), value("provenance"),
-          std::strtod(value("load_height_m").c_str(), nullptr)};
+  const std::string height = value("load_height_m");
+  double metres = 0;
+  const auto [end, error] = std::from_chars(height.data(), height.data() + height.size(), metres);
+  if (error != std::errc() || end != height.data() + height.size() || !(metres >= 0) ||
+      std::isinf(metres))
+    database_.damaged(fmt::format("table study, load_height_m: \"{}\" is not a height", height));
+  return {value("shard"), value("provenance"), metres};
+}
+
+int Store::number_of_sample(const std::string& key) {
+  const std::string text = value(key);
+  if (text.empty()) return 0;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0)
+    database_.damaged(fmt::format("table study, {}: \"{}\" is not a number of samples", key, text));
+  return number;
 }
 
 SampleTable Store::samples() {
   SampleTable table;
   Statement select(
       database_,
-      "SELECT name, path, si_unit, unit, to_unit, shift, is_random, cut_off FROM input "
+      "SELECT position, name, path, si_unit, unit, to_unit, shift, is_random, cut_off FROM input "
       "ORDER BY position");
   while (select.step()) {
+    const auto position = static_cast<std::int64_t>(table.column.size());
+    static_cast<void>(select.integer(position, position));
     InputColumn& c = table.column.emplace_back();
     c.name = select.text();
     c.path = select.text();
     c.si_unit = select.text();
     c.unit = select.text();
-    c.to_unit = select.number();
-    c.offset = select.number();
-    c.is_random = select.integer() != 0;
+    c.to_unit = select.finite();
+    c.offset = select.finite();
+    c.is_random = select.integer(0, 1) != 0;
     if (c.is_random) table.cut_off.push_back(select.number());
   }
-  for (auto& [sample, values] : read_inputs(database_)) table.value.push_back(std::move(values));
+  table.value = read_inputs(database_, table.column.size());
+  const std::vector<int> batch = study().batch;
+  if (const auto asked = std::accumulate(batch.begin(), batch.end(), std::int64_t{0});
+      asked != table.n_sample())
+    database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
+                                  table.n_sample(), asked));
   return table;
 }
 
@@ -319,63 +420,68 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
 void Store::check_whole() {
   Statement check(database_, "PRAGMA quick_check(1)");
   const std::string verdict = check.step() ? check.text() : "";
-  if (verdict != "ok")
-    throw IoError(
-        fmt::format("{}: is damaged ({}); restore it from a copy, save what can be read with "
-                    "sqlite3 FILE \".recover\", or begin the campaign in another folder",
-                    database_.name(), verdict));
+  if (verdict != "ok") database_.damaged(verdict);
+  static_cast<void>(records(std::numeric_limits<int>::max()));
 }
 
-std::vector<Snapshot> Store::states(int sample) {
+std::vector<Snapshot> Store::states(int sample, const Model& model) {
   std::vector<Snapshot> states;
+  const State rest = initial_state(model);
+  const auto blocks = static_cast<std::int64_t>(rest.ux.size());
+  const auto points = static_cast<std::int64_t>(rest.kappa.size());
   Statement select(
       database_,
-      "SELECT label, displacement_m, reaction_N, blocks, points, data FROM state WHERE "
+      "SELECT sample, label, displacement_m, reaction_N, blocks, points, data FROM state WHERE "
       "sample = ? ORDER BY position");
   select.bind(sample);
   while (select.step()) {
     Snapshot& s = states.emplace_back();
+    static_cast<void>(select.integer());
     s.label = select.text();
-    s.displacement = select.number();
-    s.reaction = select.number();
-    const auto blocks = static_cast<std::size_t>(select.integer());
-    const auto points = static_cast<std::size_t>(select.integer());
-    const std::string_view packed = select.bytes();
-    const std::size_t least = kBlockArrays * blocks + kPointArrays * points;
-    const std::size_t more = std::max(least, packed_floats(packed)) - least;
+    s.displacement = select.finite();
+    s.reaction = select.finite();
+    static_cast<void>(select.integer(blocks, blocks));  // those of its wall
+    static_cast<void>(select.integer(points, points));
     const std::vector<double> arrays =
-        unpack_floats(packed, least + more / kNodeArrays * kNodeArrays,
+        unpack_floats(select.bytes(), state_arrays(rest).size(),
                       fmt::format("{}: state {} of sample {}", database_.name(), s.label, sample));
-    s.state = state_at_rest(arrays, blocks, points);
+    if (!std::all_of(arrays.begin(), arrays.end(), [](double x) { return std::isfinite(x); }))
+      select.damaged(fmt::format("state {} holds what is not a number", s.label));
+    s.state = state_at_rest(arrays, rest.ux.size(), rest.kappa.size());
   }
   return states;
 }
 
 int last_counted(Store& store) {
-  const std::string met = store.value("until_met_at");
-  return met.empty() ? std::numeric_limits<int>::max() : std::atoi(met.c_str());
+  const int met = store.number_of_sample("until_met_at");
+  return met == 0 ? std::numeric_limits<int>::max() : met;
 }
 
 std::vector<SampleRecord> Store::records(int last) {
-  std::map<int, std::vector<double>> inputs = read_inputs(database_);
-  std::map<int, std::vector<CurveRow>> curves;
-  read_curves(database_, last, curves);
+  SampleTable table = samples();
+  std::map<int, std::vector<CurveRow>> curves = read_curves(database_, table.n_sample());
   std::map<int, RecordLists> lists;
-  ListReader reader{database_, lists, last};
+  ListReader reader{*this, lists, table.n_sample()};
   each_list(reader);
   std::vector<SampleRecord> records;
   Statement select(database_,
-                   fmt::format("SELECT sample, {} FROM sample WHERE sample <= {} ORDER BY "
-                               "sample",
-                               sample_columns(), last));
+                   fmt::format("SELECT sample{} FROM sample WHERE sample <= {} ORDER BY sample",
+                               known_columns(*this, "sample", record_columns()), last));
   while (select.step()) {
     SampleRecord& record = records.emplace_back();
-    record.sample = static_cast<int>(select.integer());
+    record.sample = static_cast<int>(select.integer(1, table.n_sample()));
+    record.curve = std::move(curves[record.sample]);
+    record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
     Taker taker{select};
     each_column(taker, record);
-    if (record.answered()) each_answer(taker, record);
-    record.inputs = std::move(inputs[record.sample]);
-    record.curve = std::move(curves[record.sample]);
+    if (!is_outcome(record.status))
+      select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
+    if (!record.answered()) continue;  // nor are there lists of what it did
+    each_answer(taker, record);
+    if (!is_current())  // what version 2 had no column for
+      record.responses.censored_peak =
+          record.responses.displacement_at_peak >= record.curve.back().displacement;
+    check_answer(database_, record, lists[record.sample]);
     put_lists(std::move(lists[record.sample]), record);
   }
   return records;

@@ -19,7 +19,7 @@
 
 namespace wythe::study {
 
-inline constexpr int kSchemaVersion = 2;  // 1 can be read, not written
+inline constexpr int kSchemaVersion = 3;  // older ones can be read, not written
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
@@ -56,20 +56,24 @@ class Store {
   [[nodiscard]] StoreHead head();
   [[nodiscard]] std::set<int> done();
   [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
-  [[nodiscard]] std::vector<Snapshot> states(int sample);
+  // Of one sample, whose wall this is; IoError where they are not states of it.
+  [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
   [[nodiscard]] std::string value(const std::string& key);
+  // A value that counts samples; 0 where it is empty.
+  [[nodiscard]] int number_of_sample(const std::string& key);
 
   void set_value(const std::string& key, const std::string& value);
   void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
   void write(const PackedSample& sample);
   // False for an older schema, which is only shown as the present one.
   [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
-  // Reads every page; IoError when one is damaged.
+  // Reads every page and every row but the states; IoError when one is damaged.
   void check_whole();
   [[nodiscard]] Database& database() { return database_; }
 
  private:
   void check_version(Access access);
+  void show_as_present();
   Database database_;
   std::int64_t version_ = kSchemaVersion;
 };

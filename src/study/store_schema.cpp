@@ -22,14 +22,6 @@ struct ListTables {
   }
 };
 
-ColumnNames record_columns() {
-  ColumnNames names;
-  SampleRecord record;
-  each_column(names, record);
-  each_answer(names, record);
-  return names;
-}
-
 std::string quoted(const std::string& name) {
   std::string out = "\"";
   for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
@@ -79,16 +71,19 @@ std::string samples_view_sql(const SampleTable& samples) {
       " drift_at_80_percent * 100 AS drift_at_80_of_peak_percent,"
       " drift_max * 100 AS drift_max_percent,"
       " collapse_displacement_m * 1e3 AS collapse_displacement_mm,"
-      " collapse_censored AS censored_collapse, collapse_criterion, reason\n"
+      " collapse_censored AS censored_collapse, collapse_criterion, reason,"
+      " peak_raw_N / 1e3 AS peak_raw_kN, censored_peak, peak_reason, rate_judgement\n"
       "FROM sample s WHERE sample <= coalesce((SELECT CAST(value AS INTEGER) FROM study"
       " WHERE key = 'until_met_at' AND value <> ''), 1000000000);\n";
   return sql;
 }
 
-std::string sample_columns() {
-  std::string sql;
-  for (const auto& [name, type] : record_columns().columns) sql += (sql.empty() ? "" : ", ") + name;
-  return sql;
+ColumnNames record_columns() {
+  ColumnNames names;
+  SampleRecord record;
+  each_column(names, record);
+  each_answer(names, record);
+  return names;
 }
 
 std::string insert_sql(const std::string& table, int columns) {

@@ -10,8 +10,6 @@ namespace wythe::study {
 [[nodiscard]] std::string schema_sql();
 // The view `samples`: inputs and responses in the units of samples.csv, one row a sample.
 [[nodiscard]] std::string samples_view_sql(const SampleTable& samples);
-// Names of the columns of `sample` after the number, in the order of record_rows.h.
-[[nodiscard]] std::string sample_columns();
 [[nodiscard]] std::string insert_sql(const std::string& table, int columns);
 
 // Collects the names a list of record_rows.h gives its members.
@@ -22,5 +20,8 @@ struct ColumnNames {
   void operator()(const char* name, const std::int64_t&) { columns.emplace_back(name, "INTEGER"); }
   void operator()(const char* name, const std::string&) { columns.emplace_back(name, "TEXT"); }
 };
+
+// Those of `sample` after the number, in the order of record_rows.h.
+[[nodiscard]] ColumnNames record_columns();
 
 }  // namespace wythe::study

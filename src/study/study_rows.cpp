@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/text.h"
+#include "wythe/error.h"
 
 namespace wythe::study {
 namespace {
@@ -27,9 +28,17 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-double number_in(const std::string& text) {
-  double number = kUnset;
-  std::from_chars(text.data(), text.data() + text.size(), number);
+[[noreturn]] void refuse(const std::string& key, const std::string& value, const char* wanted) {
+  throw IoError(fmt::format("{}: \"{}\" is not {}", key, value, wanted));
+}
+
+// "0.15 Pa" -> 0.15; "" is not set.
+template <class Number>
+Number number_in(const std::string& key, const std::string& text) {
+  const char* end = text.data() + text.size();
+  Number number{};
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || (stop != end && *stop != ' ')) refuse(key, text, "a number");
   return number;
 }
 
@@ -69,19 +78,24 @@ class RowReader {
       : rows_(rows), above_(std::move(above)) {}
   void text(const char* key, std::string& value) { value = found(key); }
   void number(const char* key, double& value, const std::string& = "1") {
-    value = number_in(found(key));
+    const std::string text = found(key);
+    value = text.empty() ? kUnset : number_in<double>(above_ + key, text);
   }
   template <class E, std::size_t N>
   void word(const char* key, E& value, const Word<E> (&words)[N]) {
     const std::string text = found(key);
     for (const Word<E>& word : words)
-      if (text == word.word) value = word.value;
+      if (text == word.word) {
+        value = word.value;
+        return;
+      }
+    refuse(above_ + key, text, "a word that it can be");
   }
   void texts(const char* key, std::vector<std::string>& values) { values = lines_of(found(key)); }
   template <class Number>
   void numbers(const char* key, std::vector<Number>& values) {
     for (const std::string& line : lines_of(found(key)))
-      values.push_back(static_cast<Number>(number_in(line)));
+      values.push_back(number_in<Number>(above_ + key, line));
   }
   void flag(const char* key, bool& value) { value = found(key) == "true"; }
 
@@ -246,8 +260,7 @@ StudySpec study_of(const Rows& rows) {
   StudySpec spec;
   RowReader root(known, "");
   each_key(root, spec);
-  const std::string seed = value_of(rows, "seed");
-  std::from_chars(seed.data(), seed.data() + seed.size(), spec.seed);
+  spec.seed = number_in<std::uint64_t>("seed", value_of(rows, "seed"));
   for (const std::string& name : lines_of(value_of(rows, "variables"))) {
     VariableSpec& variable = spec.variable.emplace_back();
     variable.name = name;

@@ -77,8 +77,8 @@ struct Reader {
     std::vector<std::string> names;
     for (const Quantity& q : quantities()) names.emplace_back(q.name);
     if (clause.function == "relative_interval") {
-      for (const std::string& name : names)
-        if (name == clause.argument) return;
+      for (const Quantity& q : quantities())
+        if (clause.argument == q.name || clause.argument == key_of(q)) return;
       fault(fmt::format("relative_interval does not know \"{}\"", clause.argument),
             name_advice(clause.argument, names));
     } else if (clause.function != "interval") {
@@ -120,10 +120,11 @@ double relative_half_width(const std::string& name, const Campaign& campaign) {
   study::Moments moments;
   bool all_censored = true;
   for (const Quantity& q : quantities()) {
-    if (name != q.name) continue;
+    if (name != q.name && name != key_of(q)) continue;
     for (const SampleRecord& record : campaign.records) {
       if (!is_answered(record)) continue;
       const Reading reading = q.read(record.responses);
+      if (!reading.is_known()) continue;
       moments.add(reading.value);
       all_censored = all_censored && reading.censored;
     }

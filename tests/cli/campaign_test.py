@@ -134,6 +134,25 @@ class Results(Base):
         for word in ("valid", "ft_MPa", "c_MPa", "6 samples"):
             self.assertIn(word, done.stdout)
 
+    def test_results_are_replaced_as_a_whole_or_not_at_all(self):
+        names = ("samples.csv", "statistics.json", "report.html")
+        self.copy()
+        self.assertEqual(wythe("report", self.out()).returncode, 0)
+        old = {n: (self.out() / n).read_bytes() for n in names}
+        with sqlite3.connect(self.out() / "campaign.db") as store:
+            store.execute("DELETE FROM sample WHERE sample > 4")
+        for point in ("results written", "results ready", "results removed", "results moving"):
+            Held(point, "report", self.out()).kill()
+            there = {n: (self.out() / n).read_bytes() for n in names if (self.out() / n).exists()}
+            same = [there[n] == old[n] for n in there]
+            self.assertIn(same, ([True] * 3, [False] * len(there)), point)  # all old, or none
+            if point == "results written":
+                self.assertEqual(there, old)
+        done = wythe("report", self.out())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([p.name for p in self.out().iterdir() if p.name.startswith(".")], [])
+        self.assertEqual(len(self.rows(self.out())), 4)
+
     def test_report_writes_the_results_again(self):
         self.copy()
         done = wythe("report", self.out())
@@ -207,6 +226,48 @@ class Disturbed(Base):
         done = self.resume(None, "--samples", "20")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("samples 20 of 20", done.stdout)
+
+
+class FallenBeforeThePush(unittest.TestCase):
+    """A ledge on a block, held by a bond that one of three samples has not: it falls under its own weight."""
+
+    def test_has_no_strength_anywhere(self):
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary)
+            blocks = [{"id": "base", "polygon": [[0, 0], [0.2, 0], [0.2, 0.2], [0, 0.2]]},
+                      {"id": "ledge", "polygon": [[0.08, 0.2], [0.48, 0.2], [0.48, 0.4], [0.08, 0.4]]}]
+            (folder / "blocks.json").write_text(json.dumps({"units": "m", "blocks": blocks}))
+            text = re.sub(r'\[wall\].*?\[material.joint\]',
+                          '[wall]\nblocks = "blocks.json"\nthickness = "0.2 m"\n[wall.unit]\n'
+                          'density = "2000 kg/m^3"\n[material.joint]', MODEL, count=1, flags=re.S)
+            text = text[:text.index("[[stage]]")] + '[[stage]]\nname = "gravity"\n' + text[text.rindex("[[stage]]"):]
+            (folder / "model.toml").write_text(text.replace('x = "0 m", y = "0.75 m"', 'x = "0.08 m", y = "0.3 m"'))
+            study = STUDY.replace("samples = 6", "samples = 3").replace(
+                'distribution = "normal"\nmean = "0.15 MPa"\ncov = 0.2', 'distribution = "uniform"\nlow = "0.0005 MPa"\nhigh = "0.03 MPa"')
+            (folder / "study.toml").write_text(study)
+            done = wythe("campaign", folder / "study.toml", "--out", folder / "out", "--jobs", 1)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with (folder / "out/samples.csv").open() as file:
+                rows = list(csv.DictReader(file))
+            fallen = [r["sample"] for r in rows if r["status"] == "collapsed" and r["peak_reaction_kN"] == ""]
+            self.assertEqual(len(fallen), 1, rows)
+            for row in rows:
+                if row["sample"] in fallen:
+                    self.assertEqual({row[name] for name in CONTRACT[4:]}, {""})
+            with sqlite3.connect(folder / "out/campaign.db") as store:
+                weakest = store.execute("SELECT * FROM samples WHERE peak_reaction_kN IS NOT NULL "
+                                        "ORDER BY peak_reaction_kN LIMIT 5").fetchall()
+                self.assertEqual(len(weakest), 2)
+                self.assertEqual(store.execute("SELECT count(*) FROM sample WHERE coalesce(peak_reaction_N, "
+                                               "displacement_max_m, failure_mode, energy_loads_J) IS NULL").fetchone()[0], 1)
+            said = json.loads((folder / "out/statistics.json").read_text())
+            self.assertEqual(said["samples"]["collapsed_before_push"], 1)
+            self.assertEqual([str(u["sample"]) for u in said["samples"]["unanswered"]], fallen)
+            self.assertIn('in stage "gravity"', said["samples"]["unanswered"][0]["reason"])
+            self.assertEqual(said["table"]["all"]["peak_reaction_kN"]["n"], 2)
+            self.assertIn("1 collapsed before the push: they have no strength", done.stdout)
+            self.assertRegex(done.stderr, r"sample \d: collapsed before the push")
+            self.assertIn("1 of them collapsed before the push", (folder / "out/report.html").read_text())
 
 
 class InstructionSets(Base):
@@ -292,6 +353,7 @@ class Faults(Base):
         before = (self.whole / "report.html").read_bytes()
         for command in (["replay", self.whole, "--sample", 1], ["run", self.folder / "model.toml"]):
             self.refused(wythe(*command, "--out", self.whole, "--quiet"), 2, "holds a campaign", "another folder")
+        self.assertEqual({p.name for p in self.whole.iterdir()}, {"campaign.db", "samples.csv", "statistics.json", "report.html"})
         self.assertEqual((self.whole / "report.html").read_bytes(), before)
         done = wythe("replay", self.whole, "--sample", 1, "--out", self.out(), "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -6,6 +6,7 @@ import math
 import os
 import pathlib
 import re
+import resource
 import signal
 import subprocess
 import tempfile
@@ -382,6 +383,55 @@ class Behaviour(Base):
                 rows = list(csv.DictReader(file))
             self.assertGreater(len(rows), 0)
             self.assertLess(float(rows[-1]["displacement_mm"]), 3)
+
+    DIFFERENT = ("summary.json", "force_displacement.csv", "model.used.toml", "report.html", "report.data")
+
+    def test_a_killed_run_leaves_the_earlier_one_or_is_brought_to_its_end(self):
+        self.assertEqual(wythe("run", self.model(), "--out", self.out, "--quiet").returncode, 0)
+        old = {p.name: p.read_bytes() for p in self.out.iterdir()}
+        again = ("run", self.model(), "--out", self.out, "--quiet", "--set")
+        for point in ("stage push", "results written"):
+            Held(point, *again, "stage.push.until=1 mm").kill()
+            self.assertEqual({p.name: p.read_bytes() for p in self.out.iterdir() if not p.name.startswith(".")}, old, point)
+        for mm, point in enumerate(("results ready", "results removed", "results moving"), 1):
+            Held(point, *again, f"stage.push.until={mm} mm").kill()
+            left = {p.name: p.read_bytes() for p in self.out.iterdir() if not p.name.startswith(".")}
+            same = {old[name] == text for name, text in left.items() if name in self.DIFFERENT}
+            self.assertLessEqual(len(same), 1, f"{point}: of two runs: {sorted(left)}")
+            done = wythe("report", self.out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = {p.name for p in self.out.iterdir()}
+            self.assertFalse([n for n in names if n.startswith(".")])
+            self.assertEqual({"summary.json", "report.html", "report.data"} - names, set())
+            self.assertIn(f'until = "{mm} mm"', (self.out / "model.used.toml").read_text())
+            old = {p.name: p.read_bytes() for p in self.out.iterdir()}
+
+    def test_a_failed_run_leaves_the_earlier_one_whole(self):
+        self.assertEqual(wythe("run", self.model(), "--out", self.out, "--quiet").returncode, 0)
+        old = {p.name: p.read_bytes() for p in self.out.iterdir()}
+
+        def small_files():  # the summary fits, the page does not
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, resource.RLIM_INFINITY))
+
+        done = wythe("run", self.model(), "--out", self.out, "--quiet", "--set", "stage.push.until=1 mm",
+                     preexec_fn=small_files)
+        self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+        self.assertEqual({p.name: p.read_bytes() for p in self.out.iterdir()}, old)
+
+    def test_a_run_replaces_a_run_and_nothing_else(self):
+        model = self.model()
+        for _ in range(2):
+            self.assertEqual(wythe("run", model, "--out", self.out, "--quiet", "--set", "stage.push.until=1 mm").returncode, 0)
+        done = wythe("run", model, "--out", self.folder, "--quiet")  # where the model itself lies
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("holds model.toml and 1 more, which no run wrote", done.stderr)
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"model.toml", "out"})
+        held = Held("stage push", "run", model, "--out", self.out, "--quiet")
+        done = wythe("run", model, "--out", self.out, "--quiet")
+        held.go_on()
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("another wythe is writing its results there", done.stderr)
 
     def test_a_hold_changes_nothing(self):
         held = Held("stage precompression", "run", self.model(), "--out", self.out, "--quiet")

@@ -191,7 +191,7 @@ TEST(CampaignData, draws_every_stored_state_of_each_sample) {
   const Model model = compile(spec);
   SampleWalls walls;
   walls.build = [&](const std::vector<std::string>&) { return spec; };
-  walls.states = [&](int sample) {
+  walls.states = [&](int sample, const Model&) {
     std::vector<Snapshot> states;
     if (sample == 4) return states;  // none stored
     for (const double at : {1e-3, 2e-3}) states.push_back({"", at, 10e3, initial_state(model)});

@@ -29,6 +29,8 @@ CampaignOutcome run(const StudySpec& asked, const std::string& folder, CampaignO
   return run_campaign(asked, model_builder(asked), folder, options, progress);
 }
 
+Model wall() { return compile(model_builder(scenes::small_study(2))({})); }
+
 std::string csv(const std::string& folder) { return samples_csv(read_campaign(folder)); }
 
 // What was refused; "" when nothing was.
@@ -72,7 +74,7 @@ TEST(Campaign, samples_csv_has_the_contract_columns) {
 TEST(Campaign, asked_states_and_the_whole_curve_are_stored) {
   const TemporaryFolder folder;
   run(scenes::small_study(2), folder / "out");
-  const std::vector<Snapshot> states = read_states(folder / "out", 2);
+  const std::vector<Snapshot> states = read_states(folder / "out", 2, wall());
   ASSERT_EQ(states.size(), 2U);
   EXPECT_EQ(states[0].label, "0.2 mm");
   EXPECT_EQ(states[1].label, "0.4 mm");
@@ -104,7 +106,7 @@ TEST(Campaign, shards_merge_into_the_whole) {
   run(asked, folder / "s2", {.shard = 2, .shards = 2});
   merge_campaigns({folder / "s2", folder / "s1"}, folder / "merged");
   EXPECT_EQ(csv(folder / "merged"), csv(folder / "whole"));
-  EXPECT_EQ(read_states(folder / "merged", 4).size(), 2U);
+  EXPECT_EQ(read_states(folder / "merged", 4, wall()).size(), 2U);
   // what is merged can go on as a whole
   const CampaignOutcome more = run(asked, folder / "merged", {.resume = true});
   EXPECT_EQ(more.done, 5);

@@ -126,12 +126,78 @@ TEST_F(RunFiles, series_lists_blocks_and_joints_with_displacement_as_time) {
       << pvd;
 }
 
-TEST_F(RunFiles, states_of_an_earlier_run_disappear) {
-  std::ofstream(path("state_blocks_07.vtu")) << "old";
-  std::ofstream(path("notes.txt")) << "mine";
+TEST_F(RunFiles, all_of_an_earlier_run_is_replaced) {
   write_sample();
-  EXPECT_FALSE(fs::exists(path("state_blocks_07.vtu")));
-  EXPECT_TRUE(fs::exists(path("notes.txt")));
+  for (const char* name : {"state_blocks_07.vtu", "report.html", "report.data", "blocks.json"})
+    std::ofstream(path(name)) << "old";
+  const std::string before = text("summary.json");
+  {
+    const auto dropped = replace_run(folder_.string());
+    std::ofstream(dropped->path() + "/summary.json") << "half";
+  }
+  EXPECT_EQ(text("summary.json"), before);
+  EXPECT_TRUE(fs::exists(path("state_blocks_07.vtu")));
+  const auto results = replace_run(folder_.string());
+  EXPECT_TRUE(
+      has(refusal([&] { (void)replace_run(folder_.string()); }), "another wythe is writing"));
+  std::ofstream(results->path() + "/summary.json") << "new";
+  results->commit();
+  EXPECT_EQ(text("summary.json"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+// Killed at every point of a commit: old results only, or new ones only; the next command has the rest.
+TEST_F(RunFiles, a_commit_that_is_killed_never_mixes_two_runs) {
+  struct Killed {};
+  const auto files = [&] {
+    std::string all;
+    for (const char* name : {"force_displacement.csv", "report.html", "summary.json"})
+      if (fs::exists(path(name))) all += text(name) + " ";
+    return all;
+  };
+  for (const char* point :
+       {"results written", "results ready", "results removed", "results moving"}) {
+    for (const char* name : {"force_displacement.csv", "report.html", "summary.json"})
+      std::ofstream(path(name)) << "old";
+    {
+      const auto results = replace_run(folder_.string());
+      for (const char* name : {"force_displacement.csv", "report.html", "summary.json"})
+        std::ofstream(results->path() + "/" + name) << "new";
+      EXPECT_THROW(results->commit([&](const char* at) {
+        if (std::string(at) == point) throw Killed();
+      }),
+                   Killed);
+    }
+    const std::string left = files();
+    EXPECT_FALSE(has(left, "old") && has(left, "new")) << point << ": " << left;
+    finish_replacement(folder_.string());
+    EXPECT_EQ(files(), std::string(point) == "results written" ? "old old old " : "new new new ");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 3) << point;
+  }
+}
+
+TEST_F(RunFiles, a_folder_of_other_things_is_refused_untouched) {
+  const auto said = [&] {
+    try {
+      (void)replace_run(folder_.string());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said(), "");  // empty
+  for (const char* name : {"model.toml", "blocks.json", "report.html", "notes.txt"}) {
+    std::ofstream(path(name)) << "mine";
+    EXPECT_TRUE(has(said(), std::string("holds ") + name + ", which no run wrote")) << said();
+    EXPECT_EQ(text(name), "mine");
+    fs::remove(path(name));
+  }
+  write_sample();
+  EXPECT_EQ(said(), "");
+  std::ofstream(path("limit.html")) << "another command's";
+  std::ofstream(path("model.toml")) << "mine";
+  EXPECT_TRUE(has(said(), "holds limit.html and 1 more")) << said();
+  EXPECT_TRUE(fs::exists(path("summary.json")));
 }
 
 TEST_F(RunFiles, a_missing_folder_is_made_with_its_parents) {

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "scenes/sample_campaign.h"
 #include "study/bootstrap.h"
-#include "study/correlation.h"
 #include "study/intervals.h"
 #include "study/survival.h"
 #include "wythe/error.h"
@@ -164,56 +164,43 @@ TEST(LognormalFit, needs_two_observed_values) {
   EXPECT_TRUE(std::isnan(fit_lognormal({{2, false}, {3, true}}, {1, 1}).median));
 }
 
-// --- correlation -------------------------------------------------------------------------------
-
-TEST(Correlation, ranks_share_ties) {
-  EXPECT_EQ(ranks({30, 10, 20, 20}), (Column{4, 1, 2.5, 2.5}));
-}
-
-TEST(Correlation, spearman_sees_any_rising_curve_as_one) {
-  Column x, y;
-  for (int i = 0; i < 20; ++i) x.push_back(i), y.push_back(std::exp(i));
-  const Correlation c = correlate({x}, y).front();
-  EXPECT_DOUBLE_EQ(c.spearman.value, 1);
-  EXPECT_LT(c.pearson.value, 0.8);
-}
-
-TEST(Correlation, spearman_by_hand) {
-  // ranks differ by 1, -1, 0, 1, -1: 1 - 6 * 4 / (5 * 24)
-  const Correlation c = correlate({{1, 2, 3, 4, 5}}, {2, 1, 3, 5, 4}).front();
-  EXPECT_NEAR(c.spearman.value, 0.8, 1e-14);
-}
-
-TEST(Correlation, partial_follows_the_formula_of_three) {
-  const Column a = {1, 2, 3, 4, 5, 6}, b = {2, 1, 4, 3, 6, 5}, y = {1, 3, 2, 6, 4, 5};
-  const double ay = pearson(a, y), by = pearson(b, y), ab = pearson(a, b);
-  const double expected = (ay - ab * by) / std::sqrt((1 - ab * ab) * (1 - by * by));
-  EXPECT_NEAR(partial_correlations({a, b}, y)[0], expected, 1e-13);
-}
-
-TEST(Correlation, partial_finds_a_weak_input_behind_a_strong_one) {
-  // y = 10 a + b exactly: given the other, each decides alone
-  Column a, b, y;
-  RandomBits bits(3);
-  for (int i = 0; i < 200; ++i) {
-    a.push_back(bits.uniform()), b.push_back(bits.uniform());
-    y.push_back(10 * a.back() + b.back());
-  }
-  EXPECT_LT(pearson(b, y), 0.25);
-  EXPECT_NEAR(partial_correlations({a, b}, y)[0], 1, 1e-9);
-  EXPECT_NEAR(partial_correlations({a, b}, y)[1], 1, 1e-9);
-}
-
-TEST(Correlation, a_column_that_follows_from_another_has_no_partial) {
-  EXPECT_TRUE(std::isnan(partial_correlations({{1, 2, 3, 4}, {2, 4, 6, 8}}, {1, 3, 2, 4})[0]));
-}
-
-TEST(FirstOrder, bins_hold_equal_counts) {
-  const std::vector<int> bin = equal_bins({5, 1, 4, 2, 3, 6}, 3);
-  EXPECT_EQ(bin, (std::vector<int>{2, 0, 1, 0, 1, 2}));
-}
-
 // --- a campaign --------------------------------------------------------------------------------
+
+// A push without a force in balance has no peak; a wall that fell before it has nothing.
+TEST(CampaignStatistics, what_has_no_value_is_not_counted_but_told) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 12; ++i) records.push_back(sample_record(i, 100e3 + 1e3 * i, "FM-1"));
+  records[3].responses.peak_reaction = records[3].responses.displacement_at_80 = kUnset;
+  records[7].status = "collapsed", records[7].curve.clear(), records[7].responses = {};
+  const Statistics s = statistics_of(of_records(records));
+  EXPECT_EQ(s.answered, 11);
+  EXPECT_EQ(s.collapsed_before_push, 1);
+  const Summary& peak = s.group[0].quantity[0];
+  EXPECT_EQ(peak.n, 10);
+  EXPECT_EQ(peak.without_value, 1);
+  EXPECT_EQ(peak.min, 101e3);
+  EXPECT_NEAR(peak.mean.value, (12 * 100e3 + 78e3 - 104e3 - 108e3) / 10, 1e-6);
+  EXPECT_EQ(s.running[0].n.back(), 10);
+  EXPECT_EQ(s.share[0].count, 11);
+  const std::string json = statistics_json(s);
+  EXPECT_NE(json.find("\"collapsed_before_push\": 1"), std::string::npos);
+  EXPECT_NE(json.find("\"without_value\": 1"), std::string::npos);
+  EXPECT_FALSE(precise_enough("relative_interval(peak_reaction_kN) < 1 %", of_records(records)));
+}
+
+// One name with its unit for each response: in no value or key does it stand without.
+TEST(CampaignStatistics, the_file_names_each_response_with_its_unit) {
+  const auto json =
+      nlohmann::json::parse(statistics_json(statistics_of(scenes::sample_campaign(40))));
+  for (const auto& [list, key] :
+       {std::pair{"correlation", "response"}, {"first_order", "response"}, {"precision", "what"}}) {
+    EXPECT_FALSE(json[list].empty());
+    for (const auto& row : json[list])
+      EXPECT_TRUE(row[key] == "share" || json["table"]["all"].contains(row[key])) << row[key];
+  }
+  EXPECT_NO_THROW(check_rule(
+      "relative_interval(peak_reaction_kN) < 1 % and relative_interval(displacement_max) < 0.1"));
+}
 
 TEST(CampaignStatistics, table_by_hand) {
   const Statistics s =
@@ -544,7 +531,7 @@ TEST(Precision, first_met_and_held_are_told_apart) {
   for (int i = 1; i <= 20; ++i) records.push_back(sample_record(i, 100e3 + i, "FM-1"));
   records.push_back(sample_record(21, 300e3, "FM-1"));
   for (const Precision& p : statistics_of(of_records(records)).precision) {
-    if (p.what != "peak_reaction" || p.target != 0.01) continue;
+    if (p.what != "peak_reaction_kN" || p.target != 0.01) continue;
     EXPECT_EQ(p.first_met, 20);
     EXPECT_EQ(p.held_from, 0);
     EXPECT_GT(p.expected, 21);

@@ -16,6 +16,7 @@
 #include "study/packing.h"
 #include "study/record_rows.h"
 #include "wythe/error.h"
+#include "wythe/io.h"
 
 namespace wythe::study {
 namespace {
@@ -316,6 +317,7 @@ TEST_F(StoreFile, of_version_1_is_read_and_not_written) {
     record.responses.displacement_at_peak = 9.7e-3;
     store.write(packed(record, {{"20 mm", 0.02003, 0, random_state(2, 2)}}));
     store.database().execute(
+        "ALTER TABLE feature RENAME COLUMN value_m TO value;"
         "DROP TABLE reading; CREATE TABLE reading (sample INTEGER NOT NULL, position INTEGER NOT "
         "NULL, what TEXT, failure_mode TEXT, PRIMARY KEY (sample, position)) WITHOUT ROWID;"
         "INSERT INTO reading VALUES (1, 0, 'at 9.7 mm', 'FM-5'), (1, 1, 'at 20.03 mm', 'FM-1'),"
@@ -332,8 +334,10 @@ TEST_F(StoreFile, of_version_1_is_read_and_not_written) {
   EXPECT_EQ(r[3].what(), "crack width x 0.75");
   EXPECT_EQ(r[3].name, "unclear");
   EXPECT_EQ(record.failure_mode.scores, full_record(1).failure_mode.scores);
+  ASSERT_EQ(record.features.size(), 1U);
+  EXPECT_EQ(record.features[0].value, 0.123);
   const std::string said = refusal([&] { Store(out_, Store::Access::kWrite); });
-  EXPECT_TRUE(has(said, "older wythe (store version 1, now 2)")) << said;
+  EXPECT_TRUE(has(said, "older wythe (store version 1, now 3)")) << said;
   EXPECT_TRUE(has(refusal([&] { merge_campaigns({out_}, folder_ / "merged"); }), "older wythe"));
 }
 
@@ -372,23 +376,27 @@ TEST_F(StoreFile, a_sample_without_answer_has_no_numbers) {
 }
 
 TEST_F(StoreFile, states_come_back_at_rest_and_rounded) {
-  const State state = random_state(5, 12);
+  const ModelBuilder build = model_builder(scenes::small_study(2));
+  const Model model = compile(build({}));
+  const std::size_t blocks = initial_state(model).ux.size(),
+                    points = initial_state(model).kappa.size();
+  const State state = random_state(blocks, points);
   {
     Store store(out_, Store::Access::kWrite);
     store.write(packed(full_record(1), {{"10 mm", 0.01, 1e5, state}, {"end", 0.02, 2e5, state}}));
   }
-  const std::vector<Snapshot> states = read_states(out_, 1);
+  const std::vector<Snapshot> states = read_states(out_, 1, model);
   ASSERT_EQ(states.size(), 2U);
   EXPECT_EQ(states[0].label, "10 mm");
   EXPECT_EQ(states[1].reaction, 2e5);
-  EXPECT_EQ(states[0].state.vx, std::vector<double>(5, 0.0));
-  for (std::size_t i = 0; i < 12; ++i) {
+  EXPECT_EQ(states[0].state.vx, std::vector<double>(blocks, 0.0));
+  for (std::size_t i = 0; i < points; ++i) {
     EXPECT_FLOAT_EQ(static_cast<float>(states[0].state.crush[i]),
                     static_cast<float>(state.crush[i]));
     EXPECT_FLOAT_EQ(static_cast<float>(states[0].state.tension_set[i]),
                     static_cast<float>(state.tension_set[i]));
   }
-  EXPECT_TRUE(read_states(out_, 2).empty());
+  EXPECT_TRUE(read_states(out_, 2, model).empty());
 }
 
 // Numbers nobody can compress: the tuff wall's 852 blocks and 2600 joints, three states, 500 rows.
@@ -456,7 +464,7 @@ TEST_F(StoreFile, a_lock_ends_with_its_holder) {
 
 TEST_F(StoreFile, a_newer_store_is_refused) {
   Database(name(), Database::Access::kWrite).execute("PRAGMA user_version = 99");
-  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 2)"))
+  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 3)"))
       << read_refusal();
 }
 

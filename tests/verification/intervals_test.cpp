@@ -181,7 +181,7 @@ TEST(Coverage, correlations_of_50_pairs) {
   claim.because = "scatter of 10000 toy campaigns, 0.22 %, and the z approximation below 0.5 %";
   const auto of_pearson = [&](RandomBits& bits) {
     const Pair p = correlated(bits, 50, rho);
-    return correlate({p.x}, p.y)[0].pearson.interval;
+    return correlate({p.x}, observed(p.y))[0].pearson.interval;
   };
   verify(claim, coverage(rho, of_pearson, 10000));
   claim.what = "Fisher z interval of Spearman's rank correlation, 50 pairs";
@@ -189,7 +189,7 @@ TEST(Coverage, correlations_of_50_pairs) {
   claim.because = "scatter of 10000 toy campaigns, 0.22 %; Bonett and Wright's spread is 1 % wide";
   const auto of_spearman = [&](RandomBits& bits) {
     const Pair p = correlated(bits, 50, rho);
-    return correlate({p.x}, p.y)[0].spearman.interval;
+    return correlate({p.x}, observed(p.y))[0].spearman.interval;
   };
   // of a normal pair: 6/pi asin(rho/2)
   verify(claim, coverage(6 / std::numbers::pi * std::asin(rho / 2), of_spearman, 10000));
@@ -203,7 +203,7 @@ TEST(Estimators, rank_correlations_of_a_linear_model) {
     a.push_back(normal(bits)), b.push_back(normal(bits));
     y.push_back(2 * a.back() + b.back() + normal(bits));
   }
-  const std::vector<Correlation> c = correlate({a, b}, y);
+  const std::vector<Correlation> c = correlate({a, b}, observed(y));
   const std::string because = "20000 samples: standard error below 0.004, three of these";
   verify(
       {"correlation", "y = 2a + b + e: Pearson a", "-", 2 / std::sqrt(6.0), 0.012, because, true},

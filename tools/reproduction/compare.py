@@ -166,7 +166,7 @@ def shares(page):
 def running(page):
     r, t = page.campaign.statistics["running"][F], page.campaign.table("all", F)
     n, mean, last = r["n"], r["mean"], r["mean"][-1]
-    words = {"peak_reaction": "mean F max", "displacement_at_80_percent": "mean D at 0.8 F max", "share": "widest share"}
+    words = {"peak_reaction_kN": "mean F max", "displacement_at_80_percent_mm": "mean D at 0.8 F max", "share": "widest share"}
     rows = []
     for p in (p for p in page.campaign.statistics["precision"] if p["what"] in words):
         later = "not met" + (f", expected at {p['expected_at']}" if p["expected_at"] else "")

@@ -95,11 +95,10 @@ def check(campaign):
 
 
 def correlations(campaign, checked):
-    column = {"peak_reaction": "peak_reaction_kN", "initial_stiffness": "initial_stiffness_kN_per_mm"}
     for c in (c for c in campaign.statistics["correlation"] if c["pearson"] is not None):
         chosen = [s for s in campaign.of() if s["mode"] in campaign.statistics["table"][c["group"]]["modes"]]
         name = next(n for n in INPUTS if n == c["input"] or n.startswith(c["input"] + "_"))
-        x, y = [s[name] for s in chosen], [s[column.get(c["response"], c["response"] + "_mm")] for s in chosen]
+        x, y = [s[name] for s in chosen], [s[c["response"]] for s in chosen]
         r, rho = pearson(x, y), pearson(ranks(x), ranks(y))
         for word, value, spread in (("pearson", r, 1.0), ("spearman", rho, 1 + rho * rho / 2)):
             what = f"{c['group']}, {word} of {c['input']} with {c['response']}"

@@ -102,7 +102,7 @@ export class Campaign {
       name: q.name,
       unit: q.unit,
       canBeCensored: q.can_be_censored,
-      key: `${q.name}_${q.unit.replace("/", "_per_")}`,
+      key: q.key,
     }));
     this.samples = this.readSamples();
     this.answered = this.samples.filter((s) => s.answered);

@@ -172,7 +172,7 @@ class Scatter {
     private quantity: Quantity,
     id: string,
   ) {
-    this.input = strongest(campaign, quantity.name);
+    this.input = strongest(campaign, quantity.key);
     const inputs = h(
       "select",
       { class: "pick-input" },
@@ -261,7 +261,7 @@ class Scatter {
   private caption(): void {
     const groups = ["all", ...this.campaign.modes.filter((m) => this.campaign.shown(m))];
     const parts = groups
-      .map((g) => [g, correlationOf(this.campaign, g, this.quantity.name, this.input.name)])
+      .map((g) => [g, correlationOf(this.campaign, g, this.quantity.key, this.input.name)])
       .filter(([, c]) => c && c.spearman !== null) as [string, any][];
     const words = (c: any): string =>
       `${fixed(c.spearman)} (${c.spearman_interval?.[0] != null ? `${fixed(c.spearman_interval[0])} … ${fixed(c.spearman_interval[1])}` : "–"})`;
@@ -357,10 +357,10 @@ export function sensitivity(campaign: Campaign): HTMLElement | null {
   const bars = (): { input: string; value: number | null; interval: (number | null)[] }[] =>
     measure === "first_order"
       ? indices
-          .filter((f) => f.response === q.name)
+          .filter((f) => f.response === q.key)
           .map((f) => ({ input: f.input, value: f.index, interval: f.index_interval ?? [null, null] }))
       : table
-          .filter((c) => c.group === group && c.response === q.name)
+          .filter((c) => c.group === group && c.response === q.key)
           .map((c) => ({
             input: c.input,
             value: c[measure],
@@ -507,14 +507,15 @@ export function sensitivityTable(campaign: Campaign): Child {
       ],
       rows.map((c) => {
         const index = indices.find((f) => f.input === c.input && f.response === c.response) ?? {};
-        const known = campaign.bounds(campaign.quantities.find((q) => q.name === c.response)!);
+        const response = campaign.quantities.find((q) => q.key === c.response)!;
+        const known = campaign.bounds(response);
         return [
           {
             show: [
-              say(`quantity.${c.response}`),
+              say(`quantity.${response.name}`),
               known.many ? h("span", { class: "pm" }, known.words()) : null,
             ],
-            sort: say(`quantity.${c.response}`),
+            sort: say(`quantity.${response.name}`),
           },
           c.input,
           of(c, "spearman"),

@@ -459,15 +459,15 @@ export function precision(campaign: Campaign): Child {
   };
   const relative = (v: number | null): string => (v === null ? "–" : `±${qty(100 * v, "%", 2)}`);
   const plain = (v: number | null): string => (v === null ? "–" : `±${num(v, 2)}`);
-  const quantity = (name: string): Quantity => campaign.quantities.find((q) => q.name === name)!;
+  const quantity = (name: string): Quantity => campaign.quantities.find((q) => q.key === name)!;
   const until = campaign.header.until;
   return [
     block(
-      campaign.quantities.map((q) => q.name),
+      campaign.quantities.map((q) => q.key),
       relative,
       (n) => {
         const known = campaign.bounds(quantity(n));
-        return [say(`quantity.${n}`), known.many ? h("span", { class: "pm" }, known.words()) : null];
+        return [say(`quantity.${quantity(n).name}`), known.many ? h("span", { class: "pm" }, known.words()) : null];
       },
       say("precision.title"),
       (n) => campaign.bounds(quantity(n)).many,

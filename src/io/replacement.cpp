@@ -1,0 +1,124 @@
+// Replacement: old results, or new ones, never some of both.
+//
+//   DIR/.wythe_new     what is being written; the old results stay as they are
+//   DIR/.wythe_ready   the same, whole (one rename): from here on the new results count
+//   1  what .replaced in it names is removed from DIR, then .replaced
+//   2  every file is moved to DIR, then the empty folder is removed
+//
+// A program killed at 1 or 2 leaves a part of one set of results in DIR, and all that is missing of the
+// new one in .wythe_ready; finish_replacement() goes on with 1 or 2.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "io/write_file.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNew = ".wythe_new";
+constexpr const char* kReady = ".wythe_ready";
+constexpr const char* kReplaced = ".replaced";
+
+void check(const std::string& folder, const std::error_code& error) {
+  if (error)
+    throw IoError(
+        fmt::format("{}: the results cannot be put in place: {}", folder, error.message()));
+}
+
+// The lock of a folder: its descriptor, -1 where another program holds it. Freed however that one ends.
+int locked(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0)
+    throw IoError(fmt::format("{}: cannot be opened: {}", folder, std::strerror(errno)));
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+    return descriptor;  // a file system without locks has none to wait for
+  ::close(descriptor);
+  return -1;
+}
+
+void bring(const fs::path& folder, const std::function<void(const char*)>& at) {
+  const fs::path ready = folder / kReady, list = ready / kReplaced;
+  std::error_code error;
+  if (!fs::exists(ready, error)) return;
+  if (std::ifstream names(list); names) {
+    for (std::string name; std::getline(names, name);)
+      if (name.find('/') == std::string::npos && fs::is_regular_file(folder / name, error))
+        fs::remove(folder / name, error), check(folder, error);
+    at("results removed");
+    fs::remove(list, error), check(folder, error);
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(ready)) {
+    fs::rename(entry.path(), folder / entry.path().filename(), error), check(folder, error);
+    at("results moving");
+  }
+  fs::remove(ready, error), check(folder, error);
+}
+
+}  // namespace
+
+Replacement::Replacement(std::string folder, Names is_replaced)
+    : folder_(std::move(folder)),
+      path_((fs::path(folder_) / kNew).string()),
+      is_replaced_(std::move(is_replaced)),
+      lock_(locked(folder_)) {
+  if (lock_ < 0)
+    throw IoError(
+        folder_ +
+        ": another wythe is writing its results there; wait for it, or name another folder");
+  bring(folder_, [](const char*) {});
+  std::error_code error;
+  fs::remove_all(path_, error);  // of a program that was killed
+  fs::create_directory(path_, error), check(folder_, error);
+}
+
+Replacement::~Replacement() {
+  std::error_code error;
+  fs::remove_all(path_, error);
+  ::close(lock_);
+}
+
+void Replacement::commit(const std::function<void(const char*)>& point) {
+  const auto at = [&](const char* name) {
+    if (point) point(name);
+  };
+  std::string names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+    if (const std::string name = entry.path().filename().string(); is_replaced_(name))
+      names += name + '\n';
+  io::write_file((fs::path(path_) / kReplaced).string(), names);
+  at("results written");
+  std::error_code error;
+  fs::rename(path_, fs::path(folder_) / kReady, error), check(folder_, error);
+  ::fsync(
+      lock_);  // the folder itself; where that can't be, its file system keeps the order of renames
+  at("results ready");
+  bring(folder_, at);
+}
+
+void finish_replacement(const std::string& folder) {
+  std::error_code error;
+  if (!fs::exists(fs::path(folder) / kReady, error)) return;
+  const int lock = locked(folder);
+  if (lock < 0) return;  // by the program that is at it
+  try {
+    bring(folder, [](const char*) {});
+  } catch (...) {
+    ::close(lock);
+    throw;
+  }
+  ::close(lock);
+}
+
+}  // namespace wythe
