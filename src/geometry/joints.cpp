@@ -199,15 +199,17 @@ std::vector<std::pair<int, int>> near_pairs(const std::vector<Block>& blocks, do
   const auto is_fixed = [&](const Entry& entry) {
     return blocks[static_cast<std::size_t>(entry.block)].role == Role::kSupport;
   };
-  const auto both_fixed = [&](const Entry& a, const Entry& b) {
-    return is_fixed(a) && is_fixed(b);
-  };
+  // The next entry that moves: two supports, however many lie on each other, are not even looked at.
+  std::vector<std::size_t> next_free(entries.size() + 1, entries.size());
+  for (std::size_t k = entries.size(); k-- > 0;)
+    next_free[k] = is_fixed(entries[k]) ? next_free[k + 1] : k;
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const Rect& a = boxes[static_cast<std::size_t>(entries[k].block)];
-    for (std::size_t m = k + 1; m < entries.size() && entries[m].cell == entries[k].cell; ++m) {
+    const auto next = [&](std::size_t m) { return is_fixed(entries[k]) ? next_free[m] : m; };
+    for (std::size_t m = next(k + 1); m < entries.size() && entries[m].cell == entries[k].cell;
+         m = next(m + 1)) {
       const Rect& b = boxes[static_cast<std::size_t>(entries[m].block)];
-      if (meet(a, b) && home_cell(grid, a, b) == entries[k].cell &&
-          !both_fixed(entries[k], entries[m])) {
+      if (meet(a, b) && home_cell(grid, a, b) == entries[k].cell) {
         pairs.emplace_back(entries[k].block, entries[m].block);
         if (pairs.size() >= most) return pairs;
       }

@@ -109,7 +109,7 @@ double memory_of_this_machine() {
 }
 
 std::string beyond_memory(double bytes) {
-  return fmt::format("about {} of memory, and {} may be used", bytes_text(bytes),
+  return fmt::format("about {} of memory ({} may be used)", bytes_text(bytes),
                      bytes_text(memory_limit()));
 }
 
