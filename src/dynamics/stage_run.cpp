@@ -98,8 +98,9 @@ bool StageRun::is_overloaded() const {
     for (const PointLoad& dead : model_.stages[k].loads) load -= state_.load_scale[k] * dead.fy;
   for (int i = model_.n_pair; i < model_.n_joint; ++i) {
     const auto j = static_cast<std::size_t>(i);
-    bears += model_.area[j] *
-             model_.materials[static_cast<std::size_t>(model_.joint_material[j])].compressive_strength;
+    bears +=
+        model_.area[j] *
+        model_.materials[static_cast<std::size_t>(model_.joint_material[j])].compressive_strength;
   }
   return load > bears;
 }
@@ -131,14 +132,13 @@ StageEnd StageRun::runs_away() const {
                         "wall",
                         why, name, at),
             false};
-  return {SolveStatus::kUnstable,
-          fmt::format("block {} runs away at {}: {}; check loads, strengths and their units, or "
-                      "lower solve.step_fraction",
-                      name, at,
-                      why.empty() ? "a load or a push far beyond what the wall carries, or too "
-                                    "long a step"
-                                  : why),
-          false};
+  return {
+      SolveStatus::kUnstable,
+      fmt::format("block {} runs away at {}: {}", name, at,
+                  why.empty() ? "a load or a push far beyond what the wall carries, or too long a "
+                                "step; check loads and their units, or lower solve.step_fraction"
+                              : why + "; check loads, strengths and their units"),
+      false};
 }
 
 // Budget, instability, and collapse: a block farther off than the push can have brought it.
