@@ -201,11 +201,12 @@ class Run(Base):
 
 class BadInput(Base):
     def test_missing_file_names_it(self):
-        for command in (["run", "none.toml", "--out", self.out], ["check", "none.toml"],
-                        ["limit", "none.toml", "--out", self.out], ["campaign", "none.toml", "--out", self.out],
-                        ["contact", "none.toml", "--path", "none.csv", "--out", self.out],
-                        ["contact", self.model(), "--path", "none.csv", "--out", self.out]):
-            done = wythe(*command, cwd=self.folder)
+        none, path = self.folder / "none.toml", self.folder / "none.csv"
+        for command in (["run", none, "--out", self.out], ["check", none], ["limit", none, "--out", self.out],
+                        ["campaign", none, "--out", self.out],
+                        ["contact", none, "--path", path, "--out", self.out],
+                        ["contact", self.model(), "--path", path, "--out", self.out]):
+            done = wythe(*command)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertRegex(done.stderr, r"none\.(toml|csv): there is no such file; (name a file|did you mean)")
             self.assertFalse(self.out.exists())
