@@ -112,7 +112,7 @@ test("damaged data of a run give a message", () => {
   fs.rmSync(data);
   assert.throws(
     () => run("report", folder("spoilt")),
-    (error) => error.status === 4 && /report\.data/.test(error.stderr),
+    (error) => error.status === 2 && /report\.data/.test(error.stderr),
   );
 });
 

@@ -367,6 +367,7 @@ test("a push to and fro shows its loops, their envelopes and every cycle", async
   assert.equal(await tables.nth(1).locator("tr").count(), cyclic.cycles.length);
   assert.match(await tables.nth(1).innerText(), /unfinished/);
   // the mark of the peak lies on the side that is read
+  await other.locator("#curve svg.plot").scrollIntoViewIfNeeded();
   const peak = await other.locator("#curve circle.peak").first().boundingBox();
   const axis = await other.locator("#curve svg.plot").boundingBox();
   const middle = axis.x + axis.width / 2;

@@ -1,4 +1,4 @@
-// A wall of two piers and a lintel, small enough for tests: 112 blocks, a tenth of a second a sample;
+// A wall of two piers and a lintel, small enough for tests: 112 blocks, half a second a sample;
 // the same with a deformable lintel; and studies whose pushes end early.
 import fs from "node:fs";
 import path from "node:path";
@@ -51,7 +51,7 @@ pier_load = "80 kN"
 [[stage]]
 name = "push <script>alert('stage')</script>"
 at = { x = "0 m", y = "1.1 m", courses = 3 }
-velocity = "60 mm/s"
+velocity = "10 mm/s"
 damping = 0.3
 until = "18 mm"
 [output]
@@ -164,9 +164,9 @@ export function writeInputs() {
     ["study.toml", kStudy],
     ["zones.toml", kZones],
     ["cyclic.toml", kCyclic],
-    ["rising_model.toml", shortModel("1 mm")], // hardly a wall reaches its peak
+    ["rising_model.toml", shortModel("0.5 mm")], // hardly a wall reaches its peak
     ["rising.toml", shortStudy("rising_model.toml")],
-    ["falling_model.toml", shortModel("10 mm")], // some fall to 0.8 of it
+    ["falling_model.toml", shortModel("15 mm")], // some fall to 0.8 of it
     ["falling.toml", shortStudy("falling_model.toml")],
   ]) {
     // whole or not at all: other tests read them at the same time
