@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -226,13 +227,20 @@ void write_replay(const ReplayArguments& a, Replacement& results, const Campaign
   results.commit(hold_for_test);
 }
 
+void print_sample(const Result& result) {
+  const std::string warning = warning_of(result);
+  if (!warning.empty()) fmt::print("WARNING {}\n", warning);
+  const double peak = result.responses.peak_reaction;
+  fmt::print("peak {}   mode {}   state {}\n",
+             std::isnan(peak) ? "not known" : fmt::format("{:.2f} kN", 1e-3 * peak),
+             result.failure_mode.name, result.state_hash);
+}
+
 // What the store says against what came out.
 int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const SampleRun& run) {
   const std::string status = run.refused.empty() ? to_string(run.result.status) : "refused";
   fmt::print("sample {}: {}{}\n", a.sample, status, run.refused.empty() ? "" : ": " + run.refused);
-  if (run.refused.empty())
-    fmt::print("peak {:.2f} kN   mode {}   state {}\n", 1e-3 * run.result.responses.peak_reaction,
-               run.result.failure_mode.name, run.result.state_hash);
+  if (run.refused.empty()) print_sample(run.result);
   if (stored == nullptr) {
     fmt::print("the campaign has not run this sample: nothing to compare\n");
     return 0;

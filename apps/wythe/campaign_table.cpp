@@ -36,9 +36,28 @@ void print_entangled(const std::vector<InputCorrelation>& pairs) {
         pairs.front().a, pairs.front().b, pairs.front().rank);
 }
 
+// What must be known before any number: how many pushes were no static ones.
+void print_warning(const Statistics& statistics) {
+  std::string counts;
+  int doubtful = 0, judged = 0;
+  for (const auto& [judgement, count] : statistics.judgement) {
+    judged += judgement == "no push" ? 0 : count;
+    if (judgement == "slow enough" || judgement == "no push") continue;
+    doubtful += count;
+    counts += fmt::format("{}{} \"{}\"", counts.empty() ? "" : ", ", count,
+                          judgement.empty() ? "not judged" : judgement);
+  }
+  if (doubtful > 0)
+    fmt::print(
+        "WARNING {} of {} pushes are not called slow enough ({}): their forces may be wrong by "
+        "more than 4 %; halve the velocity or lower stage.damping\n",
+        doubtful, judged, counts);
+}
+
 }  // namespace
 
 void print_table(const Campaign& campaign, const Statistics& statistics) {
+  print_warning(statistics);
   fmt::print("samples {} of {}:", campaign.records.size(), campaign.samples.n_sample());
   const char* between = " ";
   for (const auto& [status, count] : statistics.status) {

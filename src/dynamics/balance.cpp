@@ -36,6 +36,12 @@ std::optional<std::size_t> largest_in_balance(const Curve& curve, double sense) 
   return best;
 }
 
+double force_beyond(const Curve& curve, double peak) {
+  double most = peak;
+  for (const CurveRow& row : curve) most = std::max(most, passed_on(row));
+  return most / peak - 1;
+}
+
 std::string why_out_of_balance(const Curve& curve) {
   double reaction = 0, passed = 0;
   for (const CurveRow& row : curve) {
@@ -43,10 +49,15 @@ std::string why_out_of_balance(const Curve& curve) {
     passed = std::max(passed, passed_on(row));
   }
   if (!(reaction > 0)) return "nothing resisted the push";
+  const auto balanced = largest_in_balance(curve);
   return fmt::format(
-      "reaction and base shear differ by more than {:g} % wherever the wall resisted: the largest "
-      "reaction is {:.4g} kN, the largest force that also reached the ground {:.4g} kN",
-      100 * kBalance, 1e-3 * reaction, 1e-3 * passed);
+      "reaction and base shear differ by more than {:g} % {}: the largest reaction is {:.4g} kN, "
+      "the "
+      "largest force that also reached the ground {:.4g} kN",
+      100 * kBalance,
+      balanced ? fmt::format("but for rows up to {:.4g} kN", 1e-3 * curve[*balanced].reaction)
+               : "wherever the wall resisted",
+      1e-3 * reaction, 1e-3 * passed);
 }
 
 namespace {
@@ -56,7 +67,6 @@ constexpr double kScatter = 0.02;     // two runs that differ by rounding alone 
 constexpr double kLift = 2.0;         // of the drag at the peak: what it adds to the force, at most
 constexpr double kSlow = 0.04;        // lift up to which a push is slow enough: a drag of 1 %
 constexpr double kUsable = 0.08;      // up to which it is usable: a drag of 3 %
-constexpr double kKnown = 0.25;       // beyond, by how much the peak is wrong cannot be said
 constexpr double kKinetic = 0.05;     // kinetic energy / work of the drive, at the peak
 constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces, at the peak
 constexpr double kLedger = 0.01;      // energy that the ledger misses
@@ -93,14 +103,6 @@ void read_meters(const Curve& curve, std::size_t peak, QuasiStatic& q) {
   q.kinetic_ratio_mean /= count;
   q.shear_gap = std::fabs(gap) / count / curve[peak].reaction;
   q.damping_share = damping_on_the_way(curve, peak);
-}
-
-// The largest force that was applied and felt by the ground alike in a row that is not in balance: the
-// wall may carry as much.
-double force_beyond(const Curve& curve, double peak) {
-  double most = peak;
-  for (const CurveRow& row : curve) most = std::max(most, passed_on(row));
-  return most / peak - 1;
 }
 
 std::string veto_of(const QuasiStatic& q) {
@@ -177,7 +179,8 @@ QuasiStatic judge_quasi_static(const Result& result) {
   if (is_load_controlled(result)) {
     q = of_a_load(result);
   } else if (curve.size() >= 3) {
-    if (const auto peak = largest_in_balance(curve)) {
+    const auto peak = largest_in_balance(curve);
+    if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
       read_meters(curve, *peak, q);
       q.beyond = force_beyond(curve, curve[*peak].reaction);
       judge(q);

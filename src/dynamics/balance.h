@@ -26,6 +26,11 @@ struct Stretch {
 [[nodiscard]] std::optional<std::size_t> largest_in_balance(const std::vector<CurveRow>& curve,
                                                             double sense = 1);
 
+// By how much the largest force that was applied and reached the ground exceeds `peak`, as a share of it: a
+// row out of balance that the wall may carry. Above kKnown the peak is only where the push began.
+inline constexpr double kKnown = 0.25;
+[[nodiscard]] double force_beyond(const std::vector<CurveRow>& curve, double peak);
+
 // The force of a row that was applied and reached the ground: the smaller of both.
 [[nodiscard]] double passed_on(const CurveRow& row);
 

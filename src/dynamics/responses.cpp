@@ -211,7 +211,7 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
 
 void read_push(const Curve& curve, const ResponseOptions& options, Responses& r) {
   const auto peak = dynamics::largest_in_balance(curve);
-  if (!peak) {
+  if (!peak || dynamics::force_beyond(curve, curve[*peak].reaction) > dynamics::kKnown) {
     r.peak_reaction = r.displacement_at_peak = kUnset;
     r.peak_reason = dynamics::why_out_of_balance(curve);
     leave_unknown(r, options.fractions);

@@ -90,6 +90,13 @@ class Results(Base):
         self.assertIn("samples 6 of 6: 6 completed", self.done.stdout)
         self.assertRegex(self.done.stderr, r"6 of 6 samples  .* a minute.*  sample \d: [\d.]+ kN, ")
 
+    def test_pushes_that_are_too_fast_are_counted_first(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--samples", "2", "--quiet",
+                     "--set", "stage.push.velocity=20 mm/s")
+        self.assertTrue(done.stdout.startswith('WARNING 2 of 2 pushes are not called slow enough (2 "too fast")'), done.stdout)
+        counts = json.loads((self.out() / "statistics.json").read_text())["samples"]["judgements"]
+        self.assertEqual(counts, {"too fast": 2})
+
     def test_samples_csv_has_the_contract_columns(self):
         rows = self.rows(self.whole)
         self.assertEqual(list(rows[0])[:len(CONTRACT)], CONTRACT)

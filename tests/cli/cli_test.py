@@ -302,7 +302,9 @@ class Signals(Base):
         for command in (["run", pipe, "--out", self.out], ["check", pipe], ["limit", pipe, "--out", self.out],
                         ["campaign", pipe, "--out", self.out]):
             for how in (signal.SIGINT, signal.SIGTERM):
-                process = subprocess.Popen([WYTHE, *map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                # a shell that starts the tests in the background lets its children ignore SIGINT
+                process = subprocess.Popen([WYTHE, *map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
                 with open(pipe, "w"):  # returns once the program has opened the other end
                     process.send_signal(how)
                     process.communicate(timeout=60)

@@ -134,14 +134,14 @@ test("scatter draws every sample for any input and response, with its correlatio
     const c = s.correlation.find(
       (r) => r.group === "all" && r.input === input && r.response.startsWith(`${response}_`),
     );
-    assert.equal(c !== undefined, s.inputs.find((i) => i.name === input).random, input);
-    if (c)
-      assert.ok(
-        (await page.locator("#scatter-1 figcaption").innerText()).includes(
-          String(Math.abs(Number(c.spearman.toFixed(2)))),
-        ),
-        `${input} ${response}`,
-      );
+    if (!s.inputs.find((i) => i.name === input).random) continue; // what follows from others has no table
+    assert.ok(c, `${input} ${response}`);
+    assert.ok(
+      (await page.locator("#scatter-1 figcaption").innerText()).includes(
+        String(Math.abs(Number(c.spearman.toFixed(2)))),
+      ),
+      `${input} ${response}`,
+    );
   }
 });
 
