@@ -190,7 +190,7 @@ QuasiStatic judge_quasi_static(const Result& result) {
       q.shear_gap = q.damping_share = q.beyond = q.lift = kUnset;
       q.judgement = "too fast";
       q.verdict = "too fast: no force in balance was found: " + why_out_of_balance(curve) +
-                  "; push ten times slower";
+                  "; lower stage.damping or push ten times slower";
     }
   }
   if (result.energy.gap_ratio > kLedger && q.judgement != "no push") {
