@@ -11,6 +11,10 @@ namespace {
 
 using Curve = std::vector<CurveRow>;
 
+constexpr std::size_t kFewestRows = 3;  // the first is zero, and a row needs one beside it
+constexpr const char* kTooFewRows =
+    "the curve has too few rows to tell a strength from a jolt; shorten output.window";
+
 }  // namespace
 
 Stretch stretch_around(const Curve& curve, std::size_t row) {
@@ -49,6 +53,7 @@ std::string why_out_of_balance(const Curve& curve) {
     passed = std::max(passed, passed_on(row));
   }
   if (!(reaction > 0)) return "nothing resisted the push";
+  if (curve.size() < kFewestRows) return kTooFewRows;
   const auto balanced = largest_in_balance(curve);
   return fmt::format(
       "reaction and base shear differ by more than {:g} % {}: the largest reaction is {:.4g} kN, "
@@ -178,7 +183,11 @@ QuasiStatic judge_quasi_static(const Result& result) {
   q.verdict = "no push";
   if (is_load_controlled(result)) {
     q = of_a_load(result);
-  } else if (curve.size() >= 3) {
+  } else if (curve.size() > 1 && curve.size() < kFewestRows) {
+    q.judgement = "unknown";
+    q.verdict = std::string("unknown: ") + kTooFewRows;
+    q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
+  } else if (curve.size() >= kFewestRows) {
     const auto peak = largest_in_balance(curve);
     if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
       read_meters(curve, *peak, q);
@@ -216,7 +225,7 @@ std::string warning_of(const Result& result) {
 }
 
 bool is_in_balance(const std::vector<CurveRow>& curve, std::size_t row) {
-  if (row < 1 || row >= curve.size() || curve.size() < 3) return false;
+  if (row < 1 || row >= curve.size() || curve.size() < dynamics::kFewestRows) return false;
   const double allowed = dynamics::kBalance * std::fabs(curve[row].reaction);
   const dynamics::Stretch s = dynamics::stretch_around(curve, row);
   for (std::size_t i = s.first; i <= s.last; ++i)

@@ -135,6 +135,17 @@ TEST(Verdict, a_load_that_waits_for_balance_is_slow_enough) {
   EXPECT_EQ(dynamics::judge_quasi_static(result).judgement, "no push");
 }
 
+TEST(Verdict, a_curve_of_one_row_knows_nothing) {
+  Result result = pushed({});
+  result.curve = {result.curve[0], result.curve[200]};
+  const QuasiStatic q = judged(result);
+  EXPECT_EQ(q.judgement, "unknown");
+  EXPECT_NE(q.verdict.find("output.window"), std::string::npos);
+  const Responses r = read_responses(result.curve);
+  EXPECT_TRUE(std::isnan(r.peak_reaction));
+  EXPECT_NE(r.peak_reason.find("too few rows"), std::string::npos);
+}
+
 TEST(Verdict, no_curve_is_no_push) {
   EXPECT_EQ(dynamics::judge_quasi_static({}).judgement, "no push");
 }
