@@ -85,10 +85,12 @@ void print_push(const Result& r) {
     fmt::print("peak not known: {}\n", q.peak_reason);
     return;
   }
-  fmt::print("peak {}{:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {:.1f} kN/mm\n",
+  fmt::print("peak {}{:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {}\n",
              q.censored_peak ? "at least " : "", 1e-3 * q.peak_reaction,
              1e3 * q.displacement_at_peak, q.censored_80 ? "> " : "", 1e3 * q.displacement_at_80,
-             1e-6 * q.initial_stiffness);
+             std::isnan(q.initial_stiffness)
+                 ? "not known"
+                 : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
   if (q.peak_raw > 1.02 * q.peak_reaction)
     fmt::print("rows out of balance reach {:.2f} kN at {:.2f} mm: no strength\n", 1e-3 * q.peak_raw,
                1e3 * q.displacement_at_peak_raw);

@@ -203,10 +203,13 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
   }
   read_largest(curve, peak, r);
   const std::vector<RisePoint> rise = options.rise.empty() ? rise_of(curve) : options.rise;
-  r.initial_stiffness = initial_stiffness_of(rise, r.peak_reaction);
+  // A push that begins on a wall already pushed has no rise from zero, so neither stiffness is to be had.
+  const bool begins_loaded =
+      !options.rise.empty() && options.rise.front().force > 0.1 * r.peak_reaction;
+  r.initial_stiffness = begins_loaded ? kUnset : initial_stiffness_of(rise, r.peak_reaction);
   r.work_to_peak = work_up_to(curve, row_place(curve, peak));
   r.work_to_80 = work_up_to(curve, at_80);
-  r.bilinear = bilinear_of(curve, rise, r.peak_reaction, at_80);
+  r.bilinear = begins_loaded ? no_bilinear() : bilinear_of(curve, rise, r.peak_reaction, at_80);
 }
 
 void read_push(const Curve& curve, const ResponseOptions& options, Responses& r) {

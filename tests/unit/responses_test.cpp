@@ -130,6 +130,17 @@ TEST(InitialStiffness, comes_from_the_rise_whatever_the_rows_are) {
   EXPECT_NEAR(read_responses(coarse, {.rise = straight}).initial_stiffness, 50, 1e-9);
 }
 
+TEST(InitialStiffness, of_a_wall_already_pushed_is_not_known) {
+  // a second push: 60 stand at its start, so 10 and 30 % of the peak are passed in its first window
+  std::vector<RisePoint> rise;
+  for (double d = 1e-3; d < 2; d *= 1.02) rise.push_back({d, 60 + 20 * d});
+  const Responses r =
+      read_responses(curve_of({{0, 0}, {1, 80}, {2, 100}, {3, 90}}), {.rise = rise});
+  EXPECT_DOUBLE_EQ(r.peak_reaction, 100);
+  EXPECT_TRUE(std::isnan(r.initial_stiffness));
+  EXPECT_TRUE(std::isnan(r.bilinear.ductility));
+}
+
 TEST(Responses, peak_is_the_largest_reaction) {
   const Responses r = read_responses(curve_of({{0, 0}, {1, 60}, {2, 100}, {3, 90}, {4, 100}}));
   EXPECT_EQ(r.peak_reaction, 100);
