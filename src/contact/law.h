@@ -16,20 +16,39 @@
 // constant normal stress the work done does not depend on how it is cut into steps. Zero dilation.
 #pragma once
 
+#include <type_traits>
+
 #include "contact/softening.h"
 #include "core/real.h"
 #include "wythe/contact_law.h"
 
 namespace wythe::contact {
 
-// Compile-time choice of the law's variant; the wall's joints are grouped by it.
+// Which law a material follows.
+struct LawChoice {
+  Softening softening = Softening::kBilinear;
+  Coupling coupling = Coupling::kUnion;
+  Unloading unloading = Unloading::kSecant;
+  bool operator==(const LawChoice&) const = default;
+};
+
+// How a function of the law learns of the choice: a Variant states it when the program is compiled, so
+// that nothing is asked at run time; AnyVariant reads it from the constants, the same in all lanes. Two
+// are compiled, the paper's and any (with_variant, parameters.h): each costs seconds of compile time.
 template <Softening softening_, Coupling coupling_, Unloading unloading_>
 struct Variant {
-  static constexpr Softening softening = softening_;
-  static constexpr Coupling coupling = coupling_;
-  static constexpr Unloading unloading = unloading_;
+  static constexpr LawChoice known{softening_, coupling_, unloading_};
 };
 using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant>;
+struct AnyVariant {};
+
+template <class V, class Constants>
+[[nodiscard]] WYTHE_INLINE constexpr LawChoice choice_of(const Constants& m) {
+  if constexpr (std::is_same_v<V, AnyVariant>)
+    return m.choice;
+  else
+    return V::known;
+}
 
 // Parameters of one material with every division done beforehand (constants_of, parameters.cpp).
 template <class Real>
@@ -42,6 +61,7 @@ struct LawConstants {
   Real half_inv_GII;                 // 1/(2 GII) [m/N]
   Real fc, p_full, inv_p_full;       // [Pa], 2 Gc/fc [m], [1/m]
   Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
+  LawChoice choice;
 };
 
 // Committed history of a point; the only memory of the law.
@@ -81,14 +101,15 @@ template <class Real>
 // Share of tensile strength left, y = 1 - dt, at the largest opening kappa.
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<Real>& m, Real kappa) {
-  if constexpr (V::softening == Softening::kBilinear) {
+  if (choice_of<V>(m).softening == Softening::kBilinear) {
     return Real(1.0) - clip((kappa - m.tension_onset) * m.tension_rate, Real(0.0), Real(1.0));
   } else {
     // y - g(a (kappa - y w0)) is concave and rising in y: Newton from y = 1 turns monotone at once.
     const Real zero(0.0), one(1.0);
     Real y = one;
     for (int k = 0; k < 6; ++k) {
-      const Shape<Real> g = soften<V::softening>(maximum(zero, m.ft_over_GI * (kappa - y * m.w0)));
+      const Shape<Real> g =
+          soften(choice_of<V>(m).softening, maximum(zero, m.ft_over_GI * (kappa - y * m.w0)));
       const Real rise = one + g.slope * m.ft_over_GI * m.w0;
       y = clip(y - (y - g.left) / rise, zero, one);
     }
@@ -99,8 +120,9 @@ template <class V, class Real>
 
 // 1 - d from 1 - dt and 1 - ds.
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real strength_left(Real tension, Real shear) {
-  if constexpr (V::coupling == Coupling::kUnion) return tension * shear;
+[[nodiscard]] WYTHE_INLINE Real strength_left(const LawConstants<Real>& m, Real tension,
+                                              Real shear) {
+  if (choice_of<V>(m).coupling == Coupling::kUnion) return tension * shear;
   return minimum(tension, shear);
 }
 
@@ -126,9 +148,10 @@ template <class V, bool pressed, class Real>
   Real peak_drop = yield.drop;  // t0 - tr
   if constexpr (!pressed) peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;
   yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
-  if constexpr (V::coupling == Coupling::kUnion) {
+  const Coupling coupling = choice_of<V>(m).coupling;
+  if (coupling == Coupling::kUnion) {
     yield.drop = yield.drop * left;
-  } else if constexpr (V::coupling == Coupling::kMaximum) {
+  } else if (coupling == Coupling::kMaximum) {
     yield.floor = one - left;
   } else {
     const Real secant = minimum(m.kn, m.ft * left / maximum(kappa, Real(1e-30)));
@@ -139,15 +162,17 @@ template <class V, bool pressed, class Real>
 
 // ds reached after the accumulated slip s.
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real damage_of_slip(const Yield<Real>& yield, Real s) {
+[[nodiscard]] WYTHE_INLINE Real damage_of_slip(const LawConstants<Real>& m,
+                                               const Yield<Real>& yield, Real s) {
   const Real x = Real(2.0) * s * yield.slip_rate;
-  return Real(1.0) - soften<V::softening>(x).left;
+  return Real(1.0) - soften(choice_of<V>(m).softening, x).left;
 }
 
 template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real stress_at(const Yield<Real>& yield, Real ds) {
+[[nodiscard]] WYTHE_INLINE Real stress_at(const LawConstants<Real>& m, const Yield<Real>& yield,
+                                          Real ds) {
   Real held = ds;
-  if constexpr (V::coupling != Coupling::kUnion) held = maximum(ds, yield.floor);
+  if (choice_of<V>(m).coupling != Coupling::kUnion) held = maximum(ds, yield.floor);
   return maximum(Real(0.0), yield.residual + yield.drop * (Real(1.0) - held));
 }
 
@@ -160,7 +185,8 @@ template <class V, class Real>
   const Real held = maximum(ds, yield.floor);  // T is flat until ds passes this
   const Real flat = (trial - yield.residual - yield.drop * (one - held)) * m.inv_ks;
   Real increment = flat;
-  if constexpr (V::softening == Softening::kBilinear) {
+  const Softening softening = choice_of<V>(m).softening;
+  if (softening == Softening::kBilinear) {
     const Real rate = yield.slip_rate;
     const Real falling =
         (trial - yield.residual - yield.drop * (one - s * rate)) / (m.ks - yield.drop * rate);
@@ -170,7 +196,7 @@ template <class V, class Real>
   } else {
     for (int k = 0; k < 6; ++k) {
       const Real x = Real(2.0) * (s + increment) * yield.slip_rate;
-      const Shape<Real> g = soften<V::softening>(x);
+      const Shape<Real> g = soften(softening, x);
       const auto acts = one - g.left > held;
       const Real left = select(acts, g.left, one - held);
       const Real fall = select(acts, yield.drop * g.slope * Real(2.0) * yield.slip_rate, zero);
@@ -201,10 +227,10 @@ template <class V, class Real>
 WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yield, Real s,
                              History<Real>& h, Answer<Real>& answer) {
   const Real zero(0.0);
-  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
+  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
   answer.tau = m.ks * (s - h.plastic_slip);
   const Real trial = magnitude(answer.tau);
-  const Real start = stress_at<V>(yield, h.shear_damage);
+  const Real start = stress_at<V>(m, yield, h.shear_damage);
   answer.friction = answer.fracture = zero;
   const auto slides = trial > start;
   if (!any(slides)) return;
@@ -212,7 +238,7 @@ WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yie
       select(slides, plastic_increment<V>(m, yield, trial, h.slip, h.shear_damage), zero);
   h.slip = h.slip + increment;
   h.plastic_slip = h.plastic_slip + sign(answer.tau) * increment;
-  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(yield, h.slip));
+  h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
   answer.tau = m.ks * (s - h.plastic_slip);
   // Work of the plastic slip: friction is the residual's part, fracture the rest.
   const Real worked = Real(0.5) * (start + magnitude(answer.tau)) * increment;
@@ -224,7 +250,7 @@ WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yie
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real pull(const LawConstants<Real>& m, Real open, Real strength,
                                      Real inv_kappa, Real tension_set) {
-  if constexpr (V::unloading == Unloading::kElastic)
+  if (choice_of<V>(m).unloading == Unloading::kElastic)
     return clip(m.kn * (open - tension_set), Real(0.0), strength);
   return open * minimum(m.kn, strength * inv_kappa);
 }
@@ -247,8 +273,8 @@ template <class V, class Real>
   const Yield<Real> yield = yield_of<V, true>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
   bool_of_t<Real> rests = we < zero;
   rests = rests & (sigma + crush_strength >= zero);
-  rests = rests & (damage_of_slip<V>(yield, h.slip) <= h.shear_damage);
-  rests = rests & (magnitude(tau) <= stress_at<V>(yield, h.shear_damage));
+  rests = rests & (damage_of_slip<V>(m, yield, h.slip) <= h.shear_damage);
+  rests = rests & (magnitude(tau) <= stress_at<V>(m, yield, h.shear_damage));
   return {sigma, tau, rests};
 }
 
@@ -286,7 +312,7 @@ template <class V, class Real>
   Real felt = compression, inv_kappa = zero;
   if (opens) {
     inv_kappa = one / maximum(h.kappa, Real(1e-30));
-    const Real strength = m.ft * strength_left<V>(left, shear_left0);
+    const Real strength = m.ft * strength_left<V>(m, left, shear_left0);
     felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
   }
 
@@ -295,12 +321,12 @@ template <class V, class Real>
   shear_step<V>(m, yield, s, h, answer);
 
   // Normal stress with the damage of this step, and the energy it set free.
-  const Real all_left = strength_left<V>(left, one - h.shear_damage);
+  const Real all_left = strength_left<V>(m, left, one - h.shear_damage);
   answer.sigma = compression;
   if (opens) {
-    const Real strength0 = m.ft * strength_left<V>(tension_left<V>(m, kappa0), shear_left0);
+    const Real strength0 = m.ft * strength_left<V>(m, tension_left<V>(m, kappa0), shear_left0);
     const Real strength1 = m.ft * all_left;
-    if constexpr (V::unloading == Unloading::kElastic) {
+    if (choice_of<V>(m).unloading == Unloading::kElastic) {
       const Real set = maximum(h.tension_set, open - strength1 * m.inv_kn);
       answer.fracture =
           answer.fracture + Real(0.5) * (strength0 + strength1) * (set - h.tension_set);

@@ -245,8 +245,9 @@ std::vector<MaterialFault> check_joint_material(const JointMaterial& material) {
 
 std::vector<ContactAnswer> drive_contact(const JointMaterial& material,
                                          const std::vector<ContactPathRow>& path) {
-  return contact::with_variant(
-      material, [&](auto variant) { return drive<decltype(variant)>(material, path); });
+  return contact::with_variant(contact::choice_of(material), [&](auto variant) {
+    return drive<decltype(variant)>(material, path);
+  });
 }
 
 namespace contact {
@@ -279,6 +280,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
   m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
   m.inv_p_full = limited ? 1.0 / m.p_full : 0.0;
   m.crush_gain = 1.0 / (m.kn - (limited ? m.fc / m.p_full : 0.0));
+  m.choice = choice_of(s);
   return m;
 }
 

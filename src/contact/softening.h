@@ -19,16 +19,16 @@ struct Shape {
   Real slope;  // dg/dx, <= 0
 };
 
-template <Softening kind, class Real>
-[[nodiscard]] WYTHE_INLINE Shape<Real> soften(Real x) {
+template <class Real>
+[[nodiscard]] WYTHE_INLINE Shape<Real> soften(Softening kind, Real x) {
   const Real zero(0.0), one(1.0);
-  if constexpr (kind == Softening::kBilinear) {
+  if (kind == Softening::kBilinear) {
     const Real g = maximum(zero, one - Real(0.5) * x);
     return {g, select(g > zero, Real(-0.5), zero)};
-  } else if constexpr (kind == Softening::kExponential) {
+  } else if (kind == Softening::kExponential) {
     const Real g = exp_of_minus(x);
     return {g, zero - g};
-  } else if constexpr (kind == Softening::kPolynomial) {
+  } else if (kind == Softening::kPolynomial) {
     const Real r = maximum(zero, one - x * Real(1.0 / 3.0));
     return {r * r, Real(-2.0 / 3.0) * r};
   } else {

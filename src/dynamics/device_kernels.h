@@ -19,7 +19,8 @@
 
 namespace wythe::dynamics::device {
 
-inline constexpr int kLawRows = sizeof(contact::LawConstants<double>) / sizeof(double);
+// The numbers of a law; its choice is the same in all walls and stands apart.
+inline constexpr int kLawRows = offsetof(contact::LawConstants<double>, choice) / sizeof(double);
 
 // Rows of `walls` numbers that every step brings along; load_scale of each stage follows.
 enum Row { kDt, kDamping, kScale, kGravityX, kGravityY, kVelocity, kAimX, kAimY, kRows };
@@ -46,6 +47,7 @@ struct WorkRows {
 // Constants of the materials' laws, (n_material, kLawRows, walls).
 struct LawRows {
   const double* rows;
+  const contact::LawChoice* choice;  // (n_material)
   std::ptrdiff_t walls;
   WYTHE_INLINE contact::LawConstants<double> at(int material, int wall) const {
     const double* row = rows + static_cast<std::ptrdiff_t>(material) * kLawRows * walls + wall;
@@ -54,7 +56,7 @@ struct LawRows {
       row += walls;
       return value;
     };
-    return law_by<double>(next);
+    return law_by<double>(choice[material], next);
   }
 };
 

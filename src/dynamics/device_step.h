@@ -68,7 +68,9 @@ class DeviceStepper final : public SideBySide {
   [[nodiscard]] MoveControls controls() const;
   [[nodiscard]] WallView view();
   [[nodiscard]] WallSizes sizes();
-  [[nodiscard]] device::LawRows law() const { return {mirror_.there(law_.data()), walls_}; }
+  [[nodiscard]] device::LawRows law() const {
+    return {mirror_.there(law_.data()), mirror_.there(choice_.data()), walls_};
+  }
   [[nodiscard]] device::WorkRows joint_work() {
     return {mirror_.there(joint_work_.data()), 3, walls_};
   }
@@ -94,6 +96,7 @@ class DeviceStepper final : public SideBySide {
   State all_;
   std::vector<double> mass_, heavy_mass_, inertia_, node_mass_, node_heavy_mass_;
   std::vector<double> law_, joint_work_, block_work_, rows_, answer_, asked_, flat_, sums_;
+  std::vector<contact::LawChoice> choice_;
   std::vector<device::WallStage> stage_;
   Mirror<Device> mirror_;
   std::vector<Wall> wall_;
@@ -125,6 +128,7 @@ DeviceStepper<Device>::DeviceStepper(const Model& model, int walls, Device devic
   inertia_ = in_all(model.inertia);
   node_mass_ = in_all(model.solids.node_mass);
   node_heavy_mass_ = in_all(model.solids.node_heavy_mass);
+  for (const JointMaterial& m : model.materials) choice_.push_back(contact::choice_of(m));
   law_.resize(model.materials.size() * device::kLawRows * at(walls_));
   joint_work_.resize(3 * at(model.n_joint + model.solids.n_contact) * at(walls_));
   block_work_.resize(2 * at(model.n_block + model.solids.n_node) * at(walls_));
@@ -159,8 +163,8 @@ void DeviceStepper<Device>::mirror_arrays() {
   add(w.half_length, w.block_middle, w.pose, w.force, w.busy, w.contact_x, w.contact_y, w.contact_m,
       w.load_x, w.load_y, w.load_m, w.total_x, w.total_y, w.total_m, w.is_free, w.zone_force,
       w.contact_block_force, w.contact_edge_force, w.node_total_x, w.node_total_y);
-  add(mass_, heavy_mass_, inertia_, node_mass_, node_heavy_mass_, law_, joint_work_, block_work_,
-      rows_, answer_, asked_, flat_, sums_, stage_);
+  add(mass_, heavy_mass_, inertia_, node_mass_, node_heavy_mass_, law_, choice_, joint_work_,
+      block_work_, rows_, answer_, asked_, flat_, sums_, stage_);
   for (const auto* array : kept()) add(*array);
   mirror_.add(kEdgeXi, 2);
   mirror_.add(kEdgeWeight, 2);
@@ -303,7 +307,7 @@ void DeviceStepper<Device>::put(int lane, const Model& model, State& state) {
     const contact::LawConstants<double> constants = contact::constants_of(material);
     const std::size_t n = flat.size();
     flat.resize(n + device::kLawRows);
-    std::memcpy(flat.data() + n, &constants, sizeof constants);
+    std::memcpy(flat.data() + n, &constants, device::kLawRows * sizeof(double));
   }
   move_columns(lane,
                {&mass_, &heavy_mass_, &inertia_, &node_mass_, &node_heavy_mass_, &work_.load_x,
@@ -491,10 +495,10 @@ void DeviceStepper<Device>::joint_pass() {
     const auto begin = at(first.begin);
     std::size_t end = begin;
     for (; c < chunks.size() && chunks[c].on_ground == first.on_ground &&
-           contact::same_variant(at_begin(chunks[c]), at_begin(first));
+           contact::choice_of(at_begin(chunks[c])) == contact::choice_of(at_begin(first));
          ++c)
       end = at(chunks[c].end);
-    contact::with_variant(at_begin(first), [&](auto chosen) {
+    contact::with_variant(contact::choice_of(at_begin(first)), [&](auto chosen) {
       using V = decltype(chosen);
       if (first.on_ground)
         device_.run(
@@ -515,7 +519,8 @@ void DeviceStepper<Device>::edge_pass() {
   const std::int32_t* material = mirror_.there(z.contact_material.data());
   for (const JointChunk& chunk : work_.contact_chunks)
     contact::with_variant(
-        model_.materials[at(z.contact_material[at(chunk.begin)])], [&](auto chosen) {
+        contact::choice_of(model_.materials[at(z.contact_material[at(chunk.begin)])]),
+        [&](auto chosen) {
           device_.run(
               at(chunk.end - chunk.begin), walls_,
               device::Edges<decltype(chosen)>{v, material, law(), joint_work(), controls().dt,

@@ -76,18 +76,20 @@ struct FaceHistory {
   using H = contact::History<Real>;
   H at[n_point > 0 ? n_point : kMaxFacePoints];
 
-  WYTHE_INLINE void load(const JointArrays& v, Access access, std::size_t j) {
+  WYTHE_INLINE void load(const JointArrays& v, Access access,
+                         const contact::LawConstants<Real>& law, std::size_t j) {
     each(
-        v, [&](const double* array, Real H::*member) __attribute__((always_inline)) {
+        v, law, [&](const double* array, Real H::*member) __attribute__((always_inline)) {
           access.template points<n_point>(
               array, j, v.n_face_point, [&](int k) __attribute__((always_inline))->Real & {
                 return at[k].*member;
               });
         });
   }
-  WYTHE_INLINE void store(const JointArrays& v, Access access, std::size_t j) const {
+  WYTHE_INLINE void store(const JointArrays& v, Access access,
+                          const contact::LawConstants<Real>& law, std::size_t j) const {
     each(
-        v, [&](double* array, Real H::*member) __attribute__((always_inline)) {
+        v, law, [&](double* array, Real H::*member) __attribute__((always_inline)) {
           access.template keep_points<n_point>(
               [&](int k) __attribute__((always_inline)) { return at[k].*member; }, array, j,
               v.n_face_point);
@@ -96,13 +98,15 @@ struct FaceHistory {
 
  private:
   template <class Do>
-  WYTHE_INLINE static void each(const JointArrays& v, const Do& act) {
+  WYTHE_INLINE static void each(const JointArrays& v, const contact::LawConstants<Real>& law,
+                                const Do& act) {
     act(v.kappa, &H::kappa);
     act(v.crush, &H::crush);
     act(v.plastic_slip, &H::plastic_slip);
     act(v.slip, &H::slip);
     act(v.shear_damage, &H::shear_damage);
-    if constexpr (V::unloading == Unloading::kElastic) act(v.tension_set, &H::tension_set);
+    if (contact::choice_of<V>(law).unloading == Unloading::kElastic)
+      act(v.tension_set, &H::tension_set);
   }
 };
 
@@ -133,7 +137,7 @@ WYTHE_OUTLINE FaceForce<Real> busy_face(const JointArrays& v, Access access,
                                         const contact::LawConstants<Real>& law, std::size_t j,
                                         const FaceJump<Real>& jump, JointWork<Real>& work) {
   FaceHistory<n_point, V, Access> history;
-  history.load(v, access, j);
+  history.load(v, access, law, j);
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
   bool_of_t<Real> busy = zero > zero;
@@ -147,7 +151,7 @@ WYTHE_OUTLINE FaceForce<Real> busy_face(const JointArrays& v, Access access,
         work = {work.friction + now.friction * share, work.fracture + now.fracture * share,
                 work.crushing + now.crushing * share};
       });
-  history.store(v, access, j);
+  history.store(v, access, law, j);
   access.mark(v.busy, j, any(busy));
   return sum;
 }
@@ -158,7 +162,7 @@ template <class V, int n_point, bool one_slip, class Access, class Real>
                                              const contact::LawConstants<Real>& law, std::size_t j,
                                              const FaceJump<Real>& jump, FaceForce<Real>& sum) {
   FaceHistory<n_point, V, Access> history;
-  history.load(v, access, j);
+  history.load(v, access, law, j);
   const Real zero(0.0);
   sum = {zero, zero, zero, zero};
   bool_of_t<Real> rests = zero <= zero;
@@ -241,25 +245,39 @@ WYTHE_INLINE void ground_force(const JointArrays& v, Access access,
 
 // The constants of a law, each by take(member).
 template <class Real, class Take>
-[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_by(const Take& take) {
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_by(const contact::LawChoice& choice,
+                                                              const Take& take) {
   using C = contact::LawConstants<double>;
-  return {
-      take(&C::kn),           take(&C::ks),           take(&C::inv_ks),     take(&C::inv_kn),
-      take(&C::ft),           take(&C::w0),           take(&C::ft_over_GI), take(&C::tension_onset),
-      take(&C::tension_rate), take(&C::c_res),        take(&C::c_drop),     take(&C::tan_res),
-      take(&C::tan_drop),     take(&C::half_inv_GII), take(&C::fc),         take(&C::p_full),
-      take(&C::inv_p_full),   take(&C::crush_gain)};
+  return {take(&C::kn),
+          take(&C::ks),
+          take(&C::inv_ks),
+          take(&C::inv_kn),
+          take(&C::ft),
+          take(&C::w0),
+          take(&C::ft_over_GI),
+          take(&C::tension_onset),
+          take(&C::tension_rate),
+          take(&C::c_res),
+          take(&C::c_drop),
+          take(&C::tan_res),
+          take(&C::tan_drop),
+          take(&C::half_inv_GII),
+          take(&C::fc),
+          take(&C::p_full),
+          take(&C::inv_p_full),
+          take(&C::crush_gain),
+          choice};
 }
 // The same law in every lane; the law of each wall.
 template <class Real>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_of(
     const contact::LawConstants<double>* law, Neighbours<Real>) {
-  return law_by<Real>([&](auto member) { return Real(law->*member); });
+  return law_by<Real>(law->choice, [&](auto member) { return Real(law->*member); });
 }
 template <class Real>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_of(
     const contact::LawConstants<double>* law, Walls<Real>) {
-  return law_by<Real>([&](auto member) {
+  return law_by<Real>(law->choice, [&](auto member) {
     double lane[Lanes<Real>::width];
     for (int k = 0; k < Lanes<Real>::width; ++k) lane[k] = law[k].*member;
     return Lanes<Real>::load(lane);

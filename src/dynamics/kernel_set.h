@@ -9,10 +9,9 @@
 namespace wythe::dynamics {
 
 template <class Access>
-void joints_of(const JointArrays& v, Access access, const JointMaterial& variant,
-               const contact::LawConstants<double>* law, bool on_ground, std::size_t begin,
-               std::size_t end, const JointEnergy& energy) {
-  contact::with_variant(variant, [&](auto chosen) {
+void joints_of(const JointArrays& v, Access access, const contact::LawConstants<double>* law,
+               bool on_ground, std::size_t begin, std::size_t end, const JointEnergy& energy) {
+  contact::with_variant(law->choice, [&](auto chosen) {
     using V = decltype(chosen);
     if (on_ground) return joint_run<V, true, 0>(v, access, law, begin, end, energy);
     if constexpr (Access::any_points)
@@ -22,10 +21,9 @@ void joints_of(const JointArrays& v, Access access, const JointMaterial& variant
 }
 
 template <class Access>
-void edges_of(const EdgeArrays& v, Access access, const JointMaterial& variant,
-              const contact::LawConstants<double>* law, std::size_t begin, std::size_t end,
-              const JointEnergy& energy) {
-  contact::with_variant(variant, [&](auto chosen) {
+void edges_of(const EdgeArrays& v, Access access, const contact::LawConstants<double>* law,
+              std::size_t begin, std::size_t end, const JointEnergy& energy) {
+  contact::with_variant(law->choice, [&](auto chosen) {
     edge_run<decltype(chosen)>(v, access, law, begin, end, energy);
   });
 }
@@ -35,10 +33,9 @@ struct KernelsOf {
   using Side = Neighbours<Real>;
   using Wall = Walls<Real>;
 
-  static void joints(const JointArrays& v, const JointMaterial& variant,
-                     const contact::LawConstants<double>* law, bool on_ground, std::size_t begin,
-                     std::size_t end, const JointEnergy& energy) {
-    joints_of(v, Side{}, variant, law, on_ground, begin, end, energy);
+  static void joints(const JointArrays& v, const contact::LawConstants<double>* law, bool on_ground,
+                     std::size_t begin, std::size_t end, const JointEnergy& energy) {
+    joints_of(v, Side{}, law, on_ground, begin, end, energy);
   }
   static void move(const BlockArrays& v, const MoveControls& controls, std::size_t begin,
                    std::size_t end, const BlockEnergy& energy) {
@@ -47,10 +44,10 @@ struct KernelsOf {
   static void turn(const BlockArrays& v, std::size_t begin, std::size_t end) {
     turn_run(v, Side{}, begin, end);
   }
-  static void wall_joints(const JointArrays& v, std::ptrdiff_t stride, const JointMaterial& variant,
+  static void wall_joints(const JointArrays& v, std::ptrdiff_t stride,
                           const contact::LawConstants<double>* law, bool on_ground,
                           std::size_t begin, std::size_t end, const JointEnergy& energy) {
-    joints_of(v, Wall{stride}, variant, law, on_ground, begin, end, energy);
+    joints_of(v, Wall{stride}, law, on_ground, begin, end, energy);
   }
   static void wall_gather(const GatherArrays& v, std::ptrdiff_t stride, std::size_t begin,
                           std::size_t end) {
@@ -69,10 +66,9 @@ struct KernelsOf {
                     std::size_t end) {
     zone_run(v, Side{}, shape, begin, end);
   }
-  static void edges(const EdgeArrays& v, const JointMaterial& variant,
-                    const contact::LawConstants<double>* law, std::size_t begin, std::size_t end,
-                    const JointEnergy& energy) {
-    edges_of(v, Side{}, variant, law, begin, end, energy);
+  static void edges(const EdgeArrays& v, const contact::LawConstants<double>* law,
+                    std::size_t begin, std::size_t end, const JointEnergy& energy) {
+    edges_of(v, Side{}, law, begin, end, energy);
   }
   static void nodes(const NodeArrays& v, const MoveControls& controls, std::size_t begin,
                     std::size_t end, const BlockEnergy& energy) {
@@ -82,10 +78,10 @@ struct KernelsOf {
                          std::size_t begin, std::size_t end) {
     zone_run(v, Wall{stride}, shape, begin, end);
   }
-  static void wall_edges(const EdgeArrays& v, std::ptrdiff_t stride, const JointMaterial& variant,
+  static void wall_edges(const EdgeArrays& v, std::ptrdiff_t stride,
                          const contact::LawConstants<double>* law, std::size_t begin,
                          std::size_t end, const JointEnergy& energy) {
-    edges_of(v, Wall{stride}, variant, law, begin, end, energy);
+    edges_of(v, Wall{stride}, law, begin, end, energy);
   }
   static void wall_nodes(const NodeArrays& v, std::ptrdiff_t stride, const MoveControls& controls,
                          std::size_t begin, std::size_t end, const BlockEnergy& energy) {

@@ -95,21 +95,19 @@ struct Kernels {
   const char* name;
   int width;
 
-  void (*joints)(const JointArrays&, const JointMaterial& variant,
-                 const contact::LawConstants<double>*, bool on_ground, std::size_t begin,
-                 std::size_t end, const JointEnergy&);
+  void (*joints)(const JointArrays&, const contact::LawConstants<double>*, bool on_ground,
+                 std::size_t begin, std::size_t end, const JointEnergy&);
   void (*move)(const BlockArrays&, const MoveControls&, std::size_t begin, std::size_t end,
                const BlockEnergy&);
   void (*turn)(const BlockArrays&, std::size_t begin, std::size_t end);
   void (*zones)(const ZoneArrays&, const ZoneShape&, std::size_t begin, std::size_t end);
-  void (*edges)(const EdgeArrays&, const JointMaterial& variant,
-                const contact::LawConstants<double>*, std::size_t begin, std::size_t end,
-                const JointEnergy&);
+  void (*edges)(const EdgeArrays&, const contact::LawConstants<double>*, std::size_t begin,
+                std::size_t end, const JointEnergy&);
   void (*nodes)(const NodeArrays&, const MoveControls&, std::size_t begin, std::size_t end,
                 const BlockEnergy&);
 
   // the same for `width` walls; law: one a wall
-  void (*wall_joints)(const JointArrays&, std::ptrdiff_t stride, const JointMaterial& variant,
+  void (*wall_joints)(const JointArrays&, std::ptrdiff_t stride,
                       const contact::LawConstants<double>*, bool on_ground, std::size_t begin,
                       std::size_t end, const JointEnergy&);
   void (*wall_gather)(const GatherArrays&, std::ptrdiff_t stride, std::size_t begin,
@@ -119,9 +117,8 @@ struct Kernels {
   void (*wall_turn)(const BlockArrays&, std::ptrdiff_t stride, std::size_t begin, std::size_t end);
   void (*wall_zones)(const ZoneArrays&, std::ptrdiff_t stride, const ZoneShape&, std::size_t begin,
                      std::size_t end);
-  void (*wall_edges)(const EdgeArrays&, std::ptrdiff_t stride, const JointMaterial& variant,
-                     const contact::LawConstants<double>*, std::size_t begin, std::size_t end,
-                     const JointEnergy&);
+  void (*wall_edges)(const EdgeArrays&, std::ptrdiff_t stride, const contact::LawConstants<double>*,
+                     std::size_t begin, std::size_t end, const JointEnergy&);
   void (*wall_nodes)(const NodeArrays&, std::ptrdiff_t stride, const MoveControls&,
                      std::size_t begin, std::size_t end, const BlockEnergy&);
 };

@@ -20,7 +20,9 @@ const Kernels& kernels_for(int lanes) {
 
 bool same_law(const Model& a, const Model& b) {
   return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
-                    contact::same_variant);
+                    [](const JointMaterial& p, const JointMaterial& q) {
+                      return contact::choice_of(p) == contact::choice_of(q);
+                    });
 }
 
 bool same_solids(const Solids& a, const Solids& b) {
@@ -164,7 +166,7 @@ void LaneStepper::joint_pass() {
     const auto begin = static_cast<std::size_t>(chunk.begin);
     const auto material = static_cast<std::size_t>(model_.joint_material[begin]);
     sum_joints(c, work_.joint_energy, [&](int lane, const JointEnergy& energy) {
-      kernels_.wall_joints(shifted(arrays, lane), lanes_, model_.materials[material],
+      kernels_.wall_joints(shifted(arrays, lane), lanes_,
                            &work_.law[material * at(lanes_) + at(lane)], chunk.on_ground, begin,
                            static_cast<std::size_t>(chunk.end), energy);
     });

@@ -119,8 +119,8 @@ void Stepper::joint_pass(State& state) {
     const Range range{static_cast<std::size_t>(chunk.begin), static_cast<std::size_t>(chunk.end)};
     double friction[kGroup] = {}, fracture[kGroup] = {}, crushing[kGroup] = {};
     const auto run = [&](const Kernels& kernels, std::size_t begin, std::size_t end) {
-      kernels.joints(arrays, model_.materials[material], &work_.law[material], chunk.on_ground,
-                     begin, end, {friction, fracture, crushing});
+      kernels.joints(arrays, &work_.law[material], chunk.on_ground, begin, end,
+                     {friction, fracture, crushing});
     };
     run(kernels_, range.begin, range.grouped());
     run(scalar_kernels(), range.grouped(), range.end);

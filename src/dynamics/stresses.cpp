@@ -61,7 +61,7 @@ std::vector<PointStress> point_stresses(const Model& m, const State& s) {
                                s.slip[p],  s.shear_damage[p], s.tension_set[p]};
     const auto material = static_cast<std::size_t>(m.joint_material[j]);
     const contact::Answer<double> now =
-        contact::with_variant(m.materials[material], [&](auto variant) {
+        contact::with_variant(law[material].choice, [&](auto variant) {
           return contact::update<decltype(variant)>(law[material], at.w, at.s, h);
         });
     points[p] = {at.w,

@@ -62,8 +62,7 @@ void Stepper::zone_contact_pass(State& state) {
     const std::size_t material = material_of(m, chunk);
     double friction[kGroup] = {}, fracture[kGroup] = {}, crushing[kGroup] = {};
     run_chunk(chunk, kernels_, [&](const Kernels& kernels, std::size_t begin, std::size_t end) {
-      kernels.edges(arrays, model_.materials[material], &work_.law[material], begin, end,
-                    {friction, fracture, crushing});
+      kernels.edges(arrays, &work_.law[material], begin, end, {friction, fracture, crushing});
     });
     ChunkEnergy& energy = work_.contact_energy[static_cast<std::size_t>(c)];
     energy.friction = sum_of_groups(friction, 1);
@@ -116,10 +115,9 @@ void LaneStepper::zone_contact_pass() {
     const JointChunk& chunk = work_.contact_chunks[c];
     const std::size_t material = material_of(model_.solids, chunk);
     sum_joints(c, work_.contact_energy, [&](int lane, const JointEnergy& energy) {
-      kernels_.wall_edges(shifted(arrays, lane), lanes_, model_.materials[material],
-                          &work_.law[material * at(lanes_) + at(lane)],
-                          static_cast<std::size_t>(chunk.begin),
-                          static_cast<std::size_t>(chunk.end), energy);
+      kernels_.wall_edges(
+          shifted(arrays, lane), lanes_, &work_.law[material * at(lanes_) + at(lane)],
+          static_cast<std::size_t>(chunk.begin), static_cast<std::size_t>(chunk.end), energy);
     });
   }
 }

@@ -106,7 +106,7 @@ std::vector<PointStress> contact_stresses(const Model& m, const State& s) {
     const JointMaterial& material =
         m.materials[static_cast<std::size_t>(m.solids.contact_material[c])];
     const contact::LawConstants<double> law = contact::constants_of(material);
-    const contact::Answer<double> now = contact::with_variant(material, [&](auto variant) {
+    const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
       return contact::update<decltype(variant)>(law, at.w, at.s, h);
     });
     points.push_back({at.w, at.s, now.sigma, now.tau, now.tension_damage, h.shear_damage,
