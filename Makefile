@@ -46,9 +46,10 @@ web: setup       ## build the report viewer: src/report/assets/viewer.html
 format:          ## clang-format all C++
 	clang-format -i $(SOURCES)
 
-check: configure ## layers, sizes, format, clang-tidy
+check: configure ## layers, sizes, words, format, clang-tidy
 	tools/check_layers
 	tools/check_sizes
+	tools/check_words
 	tools/check_format
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }

@@ -1,5 +1,5 @@
 // Four doubles at a time. Compiled with -mavx2: every function here is a template over the
-// instruction set, none is shared with code for older processors (tools/check_kernels).
+// instruction set, none is shared with code for older processors (tests/cli/kernels_test.sh).
 #include "dynamics/kernel_set.h"
 
 namespace wythe::dynamics {

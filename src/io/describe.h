@@ -7,7 +7,7 @@
 //     text, texts, choice        string, vector<string>, an enum by its words
 //     table, list, map           a struct, a vector of structs [[..]], structs by name [..<name>]
 //
-// Visitors: toml_reader.h, toml_writer.cpp, reference.cpp, same_spec.cpp. A new key is one line
+// Visitors: toml_reader.h, toml_writer.cpp, reference.cpp, same_spec.h. A new key is one line
 // here and nothing elsewhere. Order here is order in written files and in the reference page.
 #pragma once
 

@@ -6,9 +6,9 @@
 //                         connection
 //   rocking               pier        share of a section at the foot that is open,   rocking
 //                                     or of its motion that turns about a toe (dry)
-//   diagonal shear crack  pier        height over which the shaft is parted; where   crossed_pier
+//   diagonal shear crack  pier        height over which the shaft is parted; where   pier_crossed
 //                                     it is dry, but for what turning explains
-//                         spandrel    length over which the depth is parted          crossed_spandrel
+//                         spandrel    length over which the depth is parted          spandrel_crossed
 //   sliding               pier, wall  slip all across a bed section, or all of them  sliding
 //                         spandrel,   slip all down a vertical section               sliding
 //                         connection

@@ -10,7 +10,7 @@ namespace wythe {
 
 // Parameters of one variable: all its distribution needs, none it does not take, and in range.
 void check_variable(const VariableSpec& spec, const std::string& file, FaultList& faults);
-// Pairs, ranges, and that the matrix they make is positive definite (correlation_check.cpp).
+// Pairs, ranges, and that the matrix they make is positive definite (copula.cpp).
 void check_correlation(const StudySpec& study, FaultList& faults);
 
 // "0.15 MPa", "0.5": a value in the unit an input is shown in.

@@ -44,8 +44,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 [[nodiscard]] ModelSpec stack(int n, double width, double height, const JointMaterial& joint,
                               double thickness, double density);
 // A grid of half units 0.155 m x 0.11 m, every joint of one material, with a hole of
-// `hole` columns x `hole` courses from column and course `hole_at`; blocks "r<course>c<column>" on
-// a fixed sill "sill".
+// `hole` columns x `hole` courses that begins at column `hole_at_column` and course
+// `hole_at_course`. Blocks are named "r<course>c<column>"; they stand on a fixed block "sill".
 struct BondSize {
   int columns = 8, courses = 8;
   int hole_at_column = 3, hole_at_course = 3, hole = 2;

@@ -35,7 +35,7 @@ using Field = std::function<double(double x, double y)>;
 // Forces of the zones on their nodes, by the kernel's own arithmetic.
 [[nodiscard]] NodeVectors forces_of_zones(const Solids& s, const NodeVectors& u);
 [[nodiscard]] double energy_of_zones(const Solids& s, const NodeVectors& u);
-// Small displacements under `load` where node_free holds (a sparse factorisation of the zones'
+// Small displacements under `load` of the free nodes (a sparse factorisation of the zones'
 // stiffnesses, independent of the step).
 [[nodiscard]] NodeVectors solved(const Solids& s, const NodeVectors& load);
 [[nodiscard]] double work(const NodeVectors& force, const NodeVectors& u);

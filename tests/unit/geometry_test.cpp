@@ -12,7 +12,7 @@
 namespace wythe::geometry {
 namespace {
 
-// The paper's wall (reference/physics.md section 1).
+// The paper's wall (examples/tuff_wall).
 ModelSpec papers_wall() {
   ModelSpec spec;
   spec.wall.length = 5.10;

@@ -12,7 +12,7 @@
 
 namespace wythe::verification {
 
-// What a case claims. `id` is that of shared/cases/closed_form, where the case stands there.
+// What a case claims. `id` ("CF07a") numbers the cases: docs/verification.md lists them.
 struct Claim {
   std::string id, what, unit;
   double expected = 0;

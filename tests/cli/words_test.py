@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""tools/check_words finds each kind of name that does not exist, and nothing in a tree without faults."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
+
+GOOD = {
+    "Makefile": "docs: build\n",
+    "src/law.h": "// The law (3.2), decision 0001. Calls `find_root`, see apps/main.cpp.\ndouble find_root();\n",
+    "apps/main.cpp": '#include "law.h"\nconst char* kOption = "--until";\n',
+    "docs/theory/law.md": "```\nsigma = kn w      (3.2)\n```\n`find_root` in `law.h`\n",
+    "docs/decisions/0001-points.md": "`--until`, `make docs`, `src/law.*`, [law](../theory/law.md)\n",
+}
+BAD = [  # file, a line put at its end, what must be said
+    ("docs/theory/law.md", "`src/law.cpp`", "docs/theory/law.md:5: src/law.cpp: no such file"),
+    ("docs/theory/law.md", "`tools/check`", "tools/check: no such file or folder"),
+    ("docs/theory/law.md", "`lane.*`", "lane.*: no such files"),
+    ("docs/theory/law.md", "wythe run --fast", "--fast: no program here takes this option"),
+    ("docs/theory/law.md", "decision 0002", "0002: no such decision"),
+    ("docs/theory/law.md", "`make cake`", "cake: the Makefile has no such target"),
+    ("docs/theory/law.md", "`Model::weight`", "Model::weight: no such name in the code"),
+    ("src/law.h", "// drive.cpp", "src/law.h:3: drive.cpp: no such file"),
+    ("src/law.h", "// by (3.9)", "3.9: no such equation in docs/theory"),
+    ("src/law.h", "// find_zero() does it", "find_zero: no such name in the code"),
+]
+
+
+def check(tree):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in tree.items():
+            path = pathlib.Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        run = subprocess.run([str(SOURCE / "tools/check_words"), folder], text=True, check=False,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return run.returncode, run.stdout
+
+
+class Words(unittest.TestCase):
+    def test_a_tree_without_faults_passes(self):
+        self.assertEqual(check(GOOD), (0, "words: what documents and comments name exists\n"))
+
+    def test_each_kind_of_missing_name_is_found(self):
+        for name, line, said in BAD:
+            with self.subTest(line):
+                status, output = check({**GOOD, name: GOOD[name] + line + "\n"})
+                self.assertEqual(status, 1, output)
+                self.assertEqual(len(output.splitlines()), 1, output)
+                self.assertIn(said, output)
+
+    def test_code_is_not_taken_for_a_comment(self):
+        tree = {**GOOD, "src/law.h": GOOD["src/law.h"] + 'const char* kName = "// (9.9) drive.cpp";\n'}
+        self.assertEqual(check(tree)[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
