@@ -1,9 +1,9 @@
-// A campaign: the samples of a study run over all cores into one store, and out of it again.
+// A campaign: runs the samples of a study on all cores, stores the results, reads them again.
 //
 //   run_campaign(study) -> DIR/campaign.db (SQLite) -> read_campaign -> statistics, samples.csv
 //
-// Each sample is one transaction: killing the program loses only what was in flight. What a sample
-// answers depends on its inputs only, never on jobs, order, shard or resume.
+// Each sample is one transaction: if the program is killed, only the samples that were running are
+// lost. The result of a sample depends only on its inputs, never on jobs, order, shard or resume.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ namespace wythe {
 
 struct SolveOptions;
 
-// What one sample answered. `status` is a SolveStatus in words, or "refused" (its inputs are not
+// The result of one sample. `status` is a SolveStatus in words, or "refused" (its inputs are not
 // admissible: the reason says which and why), or "" while it has not run.
 struct SampleRecord {
   int sample = 0;              // 1-based, as users count
@@ -36,12 +36,12 @@ struct SampleRecord {
   std::vector<CurveRow> curve;
   std::int64_t steps = 0;
   double time_step = 0;     // [s]
-  double wall_seconds = 0;  // says nothing about the wall: not in samples.csv
+  double wall_seconds = 0;  // run time on the clock; not in samples.csv, since it is no result
   std::string state_hash;
   std::string provenance;  // of the program that ran this sample
   [[nodiscard]] bool has_curve() const { return curve.size() > 1; }  // the first row is its start
-  // Only then are responses and failure mode numbers of the wall; else its reason counts. A wall that
-  // collapsed before the push left no curve, and answers nothing about it.
+  // Whether responses and failure mode are results; otherwise `reason` says why there are none. A
+  // wall that collapsed before the push has no curve and no results.
   [[nodiscard]] bool answered() const {
     return has_curve() && (status == "completed" || status == "collapsed");
   }
@@ -51,10 +51,10 @@ enum class Device { kCpu, kGpu };
 
 struct CampaignOptions {
   int jobs = 0;                             // samples at once; 0: one per core
-  Device device = Device::kCpu;             // kGpu: all samples side by side there, jobs unused
+  Device device = Device::kCpu;             // kGpu: all samples together there, jobs unused
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
-  const std::atomic<bool>* stop = nullptr;  // finish nothing half
+  const std::atomic<bool>* stop = nullptr;  // true: stop now, drop unfinished samples
   std::string provenance = {};              // version, commit, compiler, flags
 };
 
@@ -69,19 +69,19 @@ struct CampaignProgress {
 struct CampaignOutcome {
   int done = 0, total = 0;  // of this shard
   bool interrupted = false;
-  int precise_at = 0;       // samples that met the study's `until`, the first so many; 0: none
+  int precise_at = 0;       // number of samples at which the study's `until` was met; 0: not met
   std::string until_state;  // the rule's measures, in words
   std::vector<std::string> notes;  // for the user, e.g. an unfinished design
 };
 
-// Runs what the store in `folder` does not hold yet. Where it holds a design already (resume), a
-// larger study.batch adds a batch. Throws InputError (changed study on resume: says what changed),
+// Runs the samples that the store in `folder` does not hold yet. With `resume`, a study of more
+// samples than the store adds a batch. Throws InputError (changed study on resume: says what changed),
 // IoError (locked, damaged or newer store, full disk).
 CampaignOutcome run_campaign(const StudySpec& study, const ModelBuilder& build,
                              const std::string& folder, const CampaignOptions& options,
                              const std::function<void(const CampaignProgress&)>& progress = {});
 
-// All a store holds but its states, samples in order.
+// The content of a store except the stored states; samples in order.
 struct Campaign {
   StudySpec study;
   SampleTable samples;
@@ -93,15 +93,16 @@ struct Campaign {
 // Sizes of the designs a store holds.
 [[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
 [[nodiscard]] Campaign read_campaign(const std::string& folder);
-// Stored states of one sample, whose wall this is (single precision, at rest, for pictures).
+// Stored states of one sample, `model` being its wall (single precision, without velocities, for
+// pictures).
 [[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample,
                                                 const Model& model);
-// Joins shards of the same study; the answer equals that of the whole.
+// Joins shards of one study; the result equals that of the undivided campaign.
 void merge_campaigns(const std::vector<std::string>& folders, const std::string& out);
 
 // One sample alone, as the campaign runs it: the same bits, with every state.
 struct SampleRun {
-  std::string refused;  // why it was not run, else ""
+  std::string refused;  // why it was not run; "": it was
   std::vector<std::string> settings;
   ModelSpec spec;
   Model model;
@@ -111,7 +112,7 @@ struct SampleRun {
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                                    const ModelBuilder& build, const SolveOptions& options);
 
-// "tensile_strength_MPa": name and unit of an input as samples.csv and the store's view head it.
+// "tensile_strength_MPa": name and unit of an input, its column title in samples.csv and the store.
 [[nodiscard]] std::string column_title(const InputColumn& column);
 
 }  // namespace wythe

@@ -15,8 +15,8 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // Shape of the softening branch in tension and shear; each holds the same area GI or GII.
 enum class Softening { kBilinear, kExponential, kPolynomial, kPetersson };
-// How tension damage dt and shear damage ds combine: d = dt + ds - dt ds, max(dt, ds), or
-// max(1 - secant/kn, ds) acting on shear (stiffness damage, weakens shear earlier).
+// How tension damage d_t and shear damage d_s combine: d = d_t + d_s - d_t d_s, max(d_t, d_s), or
+// max(1 - secant/kn, d_s) acting on shear (stiffness damage, weakens shear earlier).
 enum class Coupling { kUnion, kMaximum, kStiffness };
 // Unloading from an open joint: to the origin, or elastic to a tension set.
 enum class Unloading { kSecant, kElastic };
@@ -42,7 +42,7 @@ struct JointMaterial {
   double shear_modulus = kUnset;
   double youngs_modulus_across = kUnset;  // unset: isotropic
   double poisson_ratio = kUnset;          // unset: E/2G - 1
-  // Principal stresses of a zone from which the run says so; it stays elastic [Pa].
+  // Principal stresses of a zone beyond which the run reports an event; the zone stays elastic [Pa].
   double tension_limit = kUnset, compression_limit = kUnset;
 };
 
@@ -63,8 +63,8 @@ struct ContactPathRow {
 struct ContactAnswer {
   double normal_stress = 0;   // sigma [Pa], tension +
   double shear_stress = 0;    // tau [Pa]
-  double damage_tension = 0;  // dt [-]
-  double damage_shear = 0;    // ds [-]
+  double damage_tension = 0;  // d_t [-]
+  double damage_shear = 0;    // d_s [-]
   double damage = 0;          // d [-], coupled
   double crushing = 0;        // h [-]
   double dissipated = 0;      // [N/m], since the start of the path

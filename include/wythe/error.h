@@ -1,7 +1,6 @@
-// How wythe tells what went wrong.
-//
-// Three parties can err (docs/architecture.md): the user or a file -> InputError with every fault
-// at once; the environment -> IoError; the mathematics -> SolveStatus inside Result, never thrown.
+// Errors, by their cause (docs/architecture.md): a wrong input -> InputError with every fault at
+// once; a problem of the machine or file system -> IoError; a failure of the computation ->
+// SolveStatus inside Result, never thrown.
 #pragma once
 
 #include <stdexcept>
@@ -34,7 +33,7 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-// The machine or file system refused: missing file, unwritable folder, disk full. Exit code 4.
+// A problem of the machine or file system: missing file, unwritable folder, disk full. Exit code 4.
 class IoError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-// Naming the failure: what happened to each part of the wall, then a name, by rules anyone can read.
+// The failure mode: what happened to each part of the wall, and from that a name, by stated rules.
 //
 //   Model + State --read_elements()--> ElementState of every pier, spandrel, connection, toe
 //                 --name_from_state()--> FM-1 ... FM-5 (two piers, one opening) or a plain name
@@ -18,7 +18,7 @@ namespace wythe {
 
 // Thresholds of the rules. Lengths follow from the wall's own courses: see rules_for.
 struct ModeRules {
-  double crack = 0;             // opening, or movement along a crack, that the eye sees [m]
+  double crack = 0;             // opening, or movement along a crack, that counts as a crack [m]
   double sliding = 0;           // slip all across a section that is sliding [m]
   double pier_crossed = 0.75;   // share of a pier's width a diagonal crack crosses [-]
   double spandrel_crossed = 1;  // share of a spandrel's depth a diagonal crack crosses [-]
@@ -28,30 +28,31 @@ struct ModeRules {
   double drop = 0.2;            // flag: sudden fall of the reaction, of the peak [-]
   double doubt = 0.15;          // a measure this near its threshold, as a share of it, is in doubt
 };
-// crack = 1 % of the course height (a tenth of a usual mortar bed), sliding = 3 cracks.
+// crack = 1 % of the course height (a tenth of a usual mortar bed), sliding = 3 crack.
 [[nodiscard]] ModeRules rules_for(const Model& model);
 
-inline constexpr double kReadModesAt = 40e-3;  // where nothing else is asked [m]
+inline constexpr double kReadModesAt = 40e-3;  // default displacement of the reading [m]
 
-// Whether a mode was read short of where it was asked, either way, the push having ended before.
+// Whether the push ended before the displacement at which the mode was to be read (either direction).
 [[nodiscard]] inline bool is_read_early(double read_at, double asked) {
   return std::fabs(read_at) < 0.99 * asked;
 }
 
 using ElementStates = std::vector<ElementState>;
 
-// What one state shows; first displacements are NaN.
+// State of each part in one state of the wall; first displacements are NaN.
 [[nodiscard]] ElementStates read_elements(const Model& model, const State& state);
 [[nodiscard]] ElementStates read_elements(const Model& model, const State& state,
                                           const ModeRules& rules);
-// Name, scores, evidence, elements and the flags that one state shows.
+// Name, scores, evidence, elements and flags of one state of the wall.
 [[nodiscard]] FailureMode name_from_state(const Model& model, const State& state);
 [[nodiscard]] FailureMode name_from_state(const Model& model, const State& state,
                                           const ModeRules& rules);
 
-// Reads Result::readings at `read_at` [m], which SolveOptions::read_modes_at should have been, and
-// those before it for first displacements; the snapshots for sensitivity. "unclear" where margins are
-// small, where half a pier's section has slid off its neighbours, or where there is no state.
+// Names the mode from the state of Result::readings at `read_at` [m]; the run must have had the same
+// SolveOptions::read_modes_at. Earlier readings give the first displacements, the snapshots the
+// sensitivity. The name is "unclear" where margins are small, where half a pier's section has slid
+// off its neighbours, or where there is no state.
 [[nodiscard]] FailureMode name_failure_mode(const Model& model, const Result& result,
                                             double read_at = kReadModesAt);
 

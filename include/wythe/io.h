@@ -18,38 +18,38 @@
 
 namespace wythe {
 
-// `overrides` are "path=value" texts of --set; value is TOML, quotes may be left out:
-//   stage.push.velocity=1 mm/s     list members by name or by index
-// `blocks` stands for the content of the blocks file; "": the file is read.
+// `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
+// of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
+// `blocks` is the content of the blocks file; "": the file itself is read.
 // Throws IoError when the file can't be read, InputError with every fault otherwise.
 [[nodiscard]] ModelSpec read_model(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {},
                                     const std::string& blocks = "");
-// compile() of a spec that was read from `toml_text` with `overrides`: its faults have file and line.
+// compile() of a spec that was read from `toml_text` with `overrides`; its faults name file and line.
 [[nodiscard]] Model compile_model(const ModelSpec& spec, const std::string& toml_text,
                                   const std::string& file_name,
                                   const std::vector<std::string>& overrides = {});
-// Both in one; the spec goes to `spec` where one is given.
+// Reads and compiles a model file; the spec is also written to `spec` unless that is null.
 [[nodiscard]] Model read_and_compile(const std::string& path,
                                      const std::vector<std::string>& overrides = {},
                                      ModelSpec* spec = nullptr);
 // Every key with its value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
-// Names a spec: hash of everything write_model says and of its blocks.
+// Identifies a spec: hash of the text of write_model and of its blocks.
 [[nodiscard]] std::uint64_t spec_hash(const ModelSpec& spec);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
 
 // Study files (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
-// correlation. change the study, all others its base model. The base model and measured values are
-// read with it: the StudySpec needs no other file. Throws as read_model does, all faults at once.
+// correlation. change the study, all others its base model. The base model and files of measured
+// values are read too, so that the StudySpec needs no other file. Throws as read_model does.
 [[nodiscard]] StudySpec read_study(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] StudySpec parse_study(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {});
-// One text, base model and measured values inside; parse_study(write_study(s), s.file) == s.
+// The study as one text, with base model and measured values; parse_study(write_study(s), s.file) == s.
 [[nodiscard]] std::string write_study(const StudySpec& study);
 // Whether a file is a study rather than a model: it has a [study] table.
 [[nodiscard]] bool is_study(const std::string& path);
@@ -62,10 +62,10 @@ namespace wythe {
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers);
 
-// New results that take the place of a folder's earlier ones as a whole. They are written to files in
-// path(), a hidden folder inside; commit() puts them in place of those whose names `is_replaced`. Killed
-// at any time, the folder shows old results only or new ones only, whose rest finish_replacement()
-// brings. One at a time in a folder: IoError where another program is at it.
+// Replaces the earlier results in a folder, all of them or none. New files are written to path(), a
+// hidden folder inside; commit() moves them up and removes the old files whose names `is_replaced`
+// accepts. If the program is killed at any time, the folder holds old results only, or new ones only;
+// finish_replacement() then moves the rest. One program at a time: IoError where another one writes.
 class Replacement {
  public:
   using Names = std::function<bool(const std::string& name)>;
@@ -75,7 +75,7 @@ class Replacement {
   Replacement& operator=(const Replacement&) = delete;
   [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const std::string& path() const { return path_; }
-  // `at` is told each point of the way, for tests: "results written", "results ready", ...
+  // `at` is called at each point on the way, for tests: "results written", "results ready", ...
   void commit(const std::function<void(const char* point)>& at = {});
 
  private:
@@ -83,11 +83,11 @@ class Replacement {
   Names is_replaced_;
   int lock_ = -1;
 };
-// Goes on with what a killed program left of a commit; nothing to do is fine.
+// Finishes the commit of a program that was killed; does nothing where there is none.
 void finish_replacement(const std::string& folder);
 
-// Files of `wythe run` and `replay` that a run in `folder` replaces (made if absent). Throws InputError
-// where it holds anything else, IoError where it can't be written.
+// The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent). Throws
+// InputError where the folder holds anything else, IoError where it can't be written.
 [[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder);
 // Writes the files of a run into `folder` (made if absent), all but report.html; removes nothing.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
@@ -106,7 +106,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 [[nodiscard]] std::vector<ComparedRun> read_compared_runs(const std::string& folder);
 // Writes a whole file at once or throws IoError; never leaves half a file.
 void write_text(const std::string& path, const std::string& text);
-// Throws InputError when `folder` holds results of the other kind, whose report would be lost.
+// Throws InputError when `folder` holds results of the other kind, since their report would be lost.
 enum class FolderFor { kRun, kCampaign };
 void check_folder(const std::string& folder, FolderFor use);
 // Makes `folder` and checks that results can be written into it; throws IoError.

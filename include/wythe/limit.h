@@ -1,12 +1,12 @@
-// A second opinion on a model without time stepping: limit analysis of its blocks, and the collapse
-// of three macro-blocks cut from it.
+// A second opinion on a model, without time integration: limit analysis of its blocks, and the
+// collapse of three macro-blocks cut from it.
 //
-//   Model --limit_load()--> LimitAnswer           largest load rigid-plastic joints carry, by linear
-//                                                 programming; static and kinematic theorem
+//   Model --limit_load()--> LimitAnswer           largest load that rigid-plastic joints carry, by
+//                                                 linear programming; static and kinematic theorem
 //   Model --find_portal()--> Portal               two piers, one opening, a spandrel
 //   Portal --cut_mechanism()--> Mechanism         FM-1 or FM-4: bodies, hinges, their loads
 //   Chain --follow()--> CapacityCurve             force against displacement, down to no force
-//   curves of runs --compare()--> Verdict         do they agree
+//   curves of runs --compare()--> Comparison      do they agree
 //
 // Theory: docs/theory/limit_analysis.md.
 #pragma once
@@ -25,11 +25,11 @@ namespace wythe {
 
 // --- limit analysis of the block model ------------------------------------------------------------
 
-// What a joint resists beside compression and friction.
+// Whether joints have strength besides compression and friction.
 enum class JointStrength { kDry, kBonded };  // bonded: tension cut-off ft and cohesion c
 enum class FrictionChoice { kPeak, kResidual };
-// How crushing bounds a joint: not at all; each contact point by its share of fc A, as the D-RBA has
-// it; or a stress block at fc, M <= N l/2 (1 - N/(fc A)).
+// How crushing limits the forces of a joint: not at all; each contact point by its share of fc A, as
+// in the D-RBA; or by a stress block at fc, M <= N l/2 (1 - N/(fc A)).
 enum class CrushingChoice { kNone, kPoints, kStressBlock };
 
 struct LimitOptions {
@@ -38,8 +38,8 @@ struct LimitOptions {
   CrushingChoice crushing = CrushingChoice::kNone;
 };
 
-// What grows: the force of the push stage along its direction [N], or lambda W on every block
-// (body force and tilt, lambda = tan of the angle) [-].
+// A limit load. The load that grows is the force of the push stage along its direction [N], or
+// lambda W on every block (body force and tilt, lambda = tan of the angle) [-].
 struct LimitAnswer {
   LimitOptions options;
   bool is_force = true;
@@ -52,7 +52,7 @@ struct LimitAnswer {
   std::vector<double> vx, vy, omega;
   double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load
   int rows = 0, columns = 0, cuts = 0;  // size of the static programme; tangents added
-  double accuracy = 0;  // relative, of the less accurate programme's own answer; 0 at a vertex
+  double accuracy = 0;  // relative, of the less accurate programme; 0: exact to round-off
   double seconds = 0;
 };
 // Progress of one limit load [0, 1], a few times a second, and a flag that ends it.
@@ -63,21 +63,21 @@ struct LimitWatch {
 struct LimitStopped : std::runtime_error {
   LimitStopped() : std::runtime_error("stopped by the user") {}
 };
-// Zoned blocks count as rigid ones of the same outline, weight and contacts; the answer's lists are
-// those of the model's own blocks and joints. Associated flow, small displacements. Throws
-// InputError when nothing grows, when the dead loads alone cannot be carried (says which block
-// cannot stand), and when the load is without limit; LimitStopped when the watch says so.
+// Deformable blocks count as rigid ones of the same outline, weight and contacts; the lists of the
+// answer cover the rigid blocks and joints only. Associated flow, small displacements. Throws
+// InputError when no load grows, when the dead loads alone cannot be carried (names a block that
+// cannot stand), and when the load has no limit; LimitStopped when `watch` asks to stop.
 [[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options,
                                      const LimitWatch& watch = {});
-// What of a model's stages and blocks limit analysis takes otherwise than the run does, in words.
+// What limit analysis treats otherwise than the run (stages, deformable blocks), in words.
 [[nodiscard]] std::vector<std::string> left_aside(const Model& model);
 // Seconds a limit load of the model takes on a usual machine.
 [[nodiscard]] double expected_seconds(const Model& model);
 
 // The model with each deformable block as one rigid block, after its own blocks and joints.
 [[nodiscard]] Model with_rigid_bodies(Model model);
-// Whether some joint has a tensile strength that can be lost; unlimited ones (the chain of a lintel)
-// are no bond.
+// Whether some joint has a tensile strength that it can lose. Joints of unlimited strength (the chain
+// of a lintel) do not count.
 [[nodiscard]] bool has_bond(const Model& model);
 
 // --- a chain of macro-blocks ------------------------------------------------------------------------
@@ -114,7 +114,7 @@ struct Chain {
 
 struct ChainState {
   double displacement = 0;       // of the load point along the force [m]
-  double force = 0;              // that holds the chain in balance [N]
+  double force = 0;              // at the load point, for which the chain is in balance [N]
   std::vector<double> rotation;  // of each body, anticlockwise, since the start [rad]
   std::vector<double> rate;      // of each body's rotation per that of the first [-]
   std::vector<Point> hinges;     // where they are now
@@ -126,17 +126,17 @@ struct CapacityCurve {
   ChainEnd end = ChainEnd::kNoForce;
   [[nodiscard]] double force_at(double displacement) const;  // 0 beyond the end
 };
-// Where a point of a body has come to.
+// Present position of a point of a body.
 [[nodiscard]] Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at);
-// What passes through the hinges at rest: C1 and C3 on the bodies, C12 on the first body, C23 on the
-// last [N]. One body: its only hinge.
+// Forces in the hinges at the start [N]: C1 and C3 act on the bodies, C12 on the first body, C23 on
+// the last. One body: its only hinge.
 [[nodiscard]] std::vector<Point> hinge_forces(const Chain& chain, double force);
-// Virtual work on the geometry as it turns: F v_load + sum P v = 0. Throws InputError where the load
-// point does not move, or where the chain falls without a force.
+// Force by virtual work in the turned geometry, F v_load + sum P v = 0, from rest to no force. Throws
+// InputError where the load point does not move, or where the chain falls without a force.
 [[nodiscard]] CapacityCurve follow(const Chain& chain);
 
 // Displacement-based assessment of a chain after Circolare 7/2019, C8.7.1.2.1: equivalent system of
-// one degree of freedom. Which shares of d0 the limit states take is the caller's.
+// one degree of freedom. The caller chooses the shares of d0 for the limit states.
 struct Assessment {
   double alpha0 = 0;              // force at rest / weight of all moving loads [-]
   double alpha0_by_weights = 0;   // multiplier of horizontal forces proportional to all loads [-]
@@ -157,7 +157,7 @@ struct LimitStateShares {
 enum class Hypothesis { kInfinite, kMacroBlock1, kMacroBlock2 };
 [[nodiscard]] const char* to_string(Hypothesis hypothesis);  // "infinite", "macro_block_1", ...
 
-// What the mechanisms need of a wall, found in its blocks. All heights above the wall's base.
+// Geometry of a wall with one opening, found from its blocks. Heights are above the wall's base.
 struct Portal {
   double left = 0, right = 0;            // ends of the wall [m]
   double jamb_left = 0, jamb_right = 0;  // of the opening [m]
@@ -165,7 +165,7 @@ struct Portal {
   double thickness = 0;                  // [m]
   double block_height = 0;               // of one course [m]
   double compressive_strength = 0;       // fc [Pa], of the weakest bed or foundation joint
-  std::string strength_material;         // whose it is
+  std::string strength_material;         // the material it belongs to
   Point load_point;                      // mean centroid of the driven blocks
   double direction = 1;                  // of the push, along x
 };
@@ -192,7 +192,7 @@ struct Mechanism {
 [[nodiscard]] Mechanism cut_mechanism(const Model& model, const Portal& portal,
                                       const std::string& mode, Hypothesis hypothesis);
 
-// --- beside runs ------------------------------------------------------------------------------------
+// --- comparison with runs ---------------------------------------------------------------------------
 
 // A run to compare with: a stored run, or a sample of a campaign.
 struct ComparedRun {
@@ -200,13 +200,13 @@ struct ComparedRun {
   std::string mode;  // its failure mode
   std::vector<CurveRow> curve = {};
   double load_factor = 0;  // of a body force or tilt
-  // Its capacity [N], where it states one; NaN: it says that it has none. Unset: its highest force.
+  // Its capacity [N]. NaN: the run says that it has none. Unset: it says nothing, take its highest force.
   std::optional<double> capacity = {};
-  std::string rate_verdict = {};  // of the run on itself
+  std::string rate_verdict = {};  // the run's own verdict on its push rate
   double bound = -1;              // limit load of its own model, where it has one [N] or [-]
-  std::string no_bound = {};      // why it has none
+  std::string no_bound = {};      // why `bound` is missing
   double weight_on_push = 0;      // dead loads of its driven blocks along the push [N]
-  // Against the push, of a run that goes both ways: highest force, and its limit load [N].
+  // Of a cyclic run, in the direction against the push: highest force, and its limit load [N].
   double peak_back = 0, bound_back = -1;
   std::string wall = {};  // in_words() of its model, or of its campaign's base model
 };
@@ -216,10 +216,10 @@ struct CurveVerdict {
   double gap = 0;         // mean |difference| over the run's post-peak branch [N]
   double gap_share = 0;   // the same, of the run's peak
 };
-// What no run of rigid blocks may pass its limit load by, whatever it says of itself: 2 %, the share of a
-// force that a capacity may be out of balance by (docs/theory/limit_analysis.md).
+// A run of rigid blocks may exceed its limit load by this share, whatever its verdict: 2 %, since a
+// capacity may be out of balance by 2 % of its force (docs/theory/limit_analysis.md).
 inline constexpr double kBoundTolerance = 0.02;
-// The peak of a run beside what limit analysis says it cannot pass.
+// The peak of a run and the limit load that it cannot exceed.
 struct BoundVerdict {
   std::string run;
   double peak = 0, bound = 0;  // [N] or [-]
@@ -240,7 +240,7 @@ struct GroupVerdict {
   double mean_peak = 0;                           // of the runs [N]
   double peak_ratio = 0, gap = 0, gap_share = 0;  // means of the single ones
 };
-// Peaks beside the limit loads of the compared model: nominal where the runs vary its strengths.
+// Peaks and the least and largest limit load of the compared model (nominal strengths in a campaign).
 struct BracketVerdict {
   double low = 0, high = 0;              // least and largest limit load [N] or [-]
   double least_peak = 0, most_peak = 0;  // of the runs
@@ -256,13 +256,13 @@ struct Comparison {
   BracketVerdict bracket = {};
 };
 [[nodiscard]] CurveVerdict compare(const ComparedRun& run, const Mechanism& mechanism);
-// Each run with the mechanisms of its mode, or with all of them where its mode has none.
+// Each run is compared with the mechanisms of its mode, or with all where its mode has none.
 [[nodiscard]] Comparison compare(std::string with, std::vector<ComparedRun> runs,
                                  const std::vector<Mechanism>& mechanisms);
-// Blocks, weights, loads and push of a model: equal for runs that can be compared with it.
+// Blocks, weights, loads and push of a model as a text; runs with equal texts can be compared.
 [[nodiscard]] std::string in_words(const Model& model);
-// Lowest, mean and highest force of runs at equal displacements with their 5 and 95 % (straight
-// between order statistics), as far as half of them reach.
+// Lowest, mean and highest force of the runs at equal displacements, with their percentiles 5 and 95
+// (interpolated between order statistics), up to the displacement that half of them reach.
 [[nodiscard]] std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs,
                                                   const std::string& mode);
 
@@ -271,7 +271,7 @@ struct NamedLimit {
   std::string name;  // "dry", "bonded", ...
   LimitAnswer answer;
 };
-// What was asked for and can't be answered.
+// An analysis that was asked for and can't be done.
 struct Refusal {
   std::string what, why;  // "FM-1 macro_block_2", the fault with its cure
 };
@@ -284,9 +284,9 @@ struct SecondOpinion {
   std::vector<std::string> notes = {};  // for the user
   Comparison comparison;
 };
-// Peaks of the compared runs beside the opinion's own limit loads.
+// Peaks of the compared runs and the limit loads of `opinion`.
 [[nodiscard]] BracketVerdict bracket_of(const SecondOpinion& opinion);
-// What a reader should doubt: a mechanism that crushing makes stronger, runs of another model.
+// Warnings for the reader: a mechanism that crushing makes stronger, runs of another model.
 [[nodiscard]] std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opinion);
 
 }  // namespace wythe

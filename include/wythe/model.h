@@ -48,7 +48,7 @@ struct PointLoad {
   double fx = 0, fy = 0;        // [N]
 };
 
-// One stage with every word resolved to blocks, newtons, metres and seconds.
+// One stage, ready to run: blocks, newtons, metres and seconds in place of words.
 struct Stage {
   StageSpec spec;  // with all defaults written in
   std::vector<PointLoad> loads;
@@ -57,7 +57,7 @@ struct Stage {
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
 };
 
-// What lies where, for pictures, failure modes and reports; the step never reads it.
+// Names and positions, for pictures, failure modes and reports; the step never reads them.
 struct Anatomy {
   std::vector<std::string> block_id;
   std::vector<BlockRole> block_role;
@@ -77,8 +77,8 @@ struct Anatomy {
   std::vector<std::string> notes;  // what the builder fitted or left out
 };
 
-// Everything zones of one shape and material share (src/solids). A triangle is a zone whose last two
-// corners are one node.
+// Data that zones of one shape and material have in common (src/solids). A triangle is a zone whose
+// last two corners are one node.
 struct ZoneShape {
   double x[4] = {}, y[4] = {};            // corners seen from their mean, anticlockwise [m]
   double grad_x[4] = {}, grad_y[4] = {};  // gradient of each corner's share, in the middle [1/m]
@@ -88,8 +88,8 @@ struct ZoneShape {
   double share[4] = {};                   // of the mass, at each corner [-]
   double area = 0;                        // [m^2]
   double thickness = 0;                   // [m]
-  double omega_squared = 0;               // highest of one zone on its own mass [1/s^2]
-  double mass = 0;                        // [kg]
+  double omega_squared = 0;  // highest circular frequency of one free zone, squared [1/s^2]
+  double mass = 0;           // [kg]
   bool operator==(const ZoneShape&) const = default;
 };
 
@@ -135,7 +135,7 @@ struct Solids {
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: place of a corner's
   std::vector<std::int32_t> contact_begin, contact_entry;  // or an end's force in Workspace
   std::vector<double> node_x, node_y;                      // at the start [m]
-  std::vector<double> node_mass, node_heavy_mass;          // inertia; what gravity pulls [kg]
+  std::vector<double> node_mass, node_heavy_mass;          // inertia; mass for the weight [kg]
   std::vector<double> node_free_x, node_free_y;            // 1, or 0 where the node is held
 
   std::vector<SolidBody> bodies;
@@ -160,7 +160,7 @@ struct Model {
   std::vector<std::int32_t> block_entry;       // 2 joint + side (0: block is a, 1: block is b);
                                                // of each block first those of side a
   std::vector<double> mass;                    // inertia [kg] (n_block)
-  std::vector<double> heavy_mass;              // what gravity pulls [kg] (n_block); 0 for plates,
+  std::vector<double> heavy_mass;              // mass for the weight [kg] (n_block); 0 for plates,
                                                // whose weight is part of their load
   std::vector<double> inertia;                 // [kg m^2] (n_block)
   std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)
@@ -185,7 +185,7 @@ struct Model {
   [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }
 };
 
-// Exactly what a restart needs; saving and restoring it is invisible.
+// Exactly what a restart needs: a run that is saved and restored gives the same bits.
 struct State {
   // written by integrate (n_block)
   std::vector<double> ux, uy, theta;  // [m], [m], [rad]
@@ -211,12 +211,12 @@ struct State {
   double gravity_x = 0, gravity_y = 0;  // acceleration now in force [m/s^2]
   double body_factor = 0;               // lambda of the body force, or the angle of a tilt
   double load_factor = 0;               // largest one reached in balance
-  double balance = 1;                   // unbalance ratio the load factor last saw
+  double balance = 1;                   // unbalance ratio, last sampled by the servo
   std::vector<double> load_scale;       // share of each stage's loads in force (n_stage)
   double drive_displacement = 0;        // prescribed displacement along the push [m]
   double travelled = 0;                 // length of the driven path so far [m]
   double turn_time = 0;                 // stage time of the last start or turn of a push [s]
-  double pace = 0;                      // of a push: 0 at velocity, 1 at fast_velocity
+  double pace = 0;                      // of a push: 0 is `velocity`, 1 is `fast_velocity`
   int target = 0;                       // next of a cyclic stage
 
   // energy ledger, since the start [J]

@@ -33,10 +33,10 @@ namespace wythe {
 // How the walls of a campaign's samples are drawn; without them its page has no walls.
 struct SampleWalls {
   ModelBuilder build;  // of the study
-  // Of a sample, 1-based, whose wall that is.
+  // Stored states of a sample (1-based), with its model.
   std::function<std::vector<Snapshot>(int, const Model&)> states;
 };
-// Whatever the campaign holds, nothing included. Cost: a model compiled for each sample's wall.
+// Data of any campaign, an empty one too. Cost: compiles one model for each sample's wall.
 [[nodiscard]] std::string campaign_data(const Campaign& campaign, const Statistics& statistics,
                                         const SampleWalls& walls = {});
 
@@ -44,7 +44,7 @@ struct SampleWalls {
 [[nodiscard]] std::string limit_data(const ModelSpec& spec, const Model& model,
                                      const std::string& mechanisms_json);
 
-// The page of such bytes. Throws IoError where they are damaged or of another version, InputError
+// The page made from these bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is none of report_languages().
 [[nodiscard]] std::string report_page(const std::string& data, const std::string& language = "en");
 [[nodiscard]] std::vector<std::string> report_languages();

@@ -1,4 +1,4 @@
-// What a run answers: the curve, the numbers an engineer quotes, and the evidence.
+// The results of a run: the curve, the numbers an engineer quotes, and the evidence for them.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ struct CurveRow {
   double work_damping = 0;         // taken by local damping, since the stage began [J]
 };
 
-// The way out of a push in windows that widen by a fiftieth each, so that its beginning is as fine
-// whatever the rows are; up to the first turn.
+// The curve of a push up to its first turn, from which stiffnesses are read. Each window is 2 % wider
+// than the one before, so that the beginning is equally fine for any number of rows.
 struct RisePoint {
   double displacement = 0;  // in the middle of the window [m]
   double force = 0;         // mean of reaction and base shear over the window's path [N]
@@ -65,7 +65,7 @@ struct Bilinear {
   bool censored = true;  // 0.8 peak was never crossed: du and ductility are lower bounds
 };
 
-// The largest displacement the wall carried, and by what its end was told.
+// The largest displacement at which the wall still stood, and the criterion that ended it.
 struct Collapse {
   double displacement = 0;  // [m]
   double drift = 0;         // displacement / load height [-]
@@ -78,7 +78,7 @@ struct BackbonePoint {
   double reaction = 0;      // [N]
 };
 
-// One direction of a cyclic push, read off its envelope as a push along it: both numbers positive.
+// One direction of a cyclic push, read from its envelope; all numbers are positive.
 struct DirectionReadings {
   double peak_reaction = 0;         // [N]
   double displacement_at_peak = 0;  // [m]
@@ -91,7 +91,7 @@ struct DirectionReadings {
   std::vector<BackbonePoint> backbone = {};
 };
 
-// One cycle of a cyclic push, or what there is of it. NaN: it has no such number.
+// One cycle of a cyclic push, complete or not. NaN: the cycle has no such number.
 struct Cycle {
   // "full": both directions, each from zero displacement and back; "half": one direction, so;
   // "partial": turned back, but not from zero to zero; "unfinished": never turned back.
@@ -105,13 +105,13 @@ struct Cycle {
   double damping_ratio = 0;  // equivalent viscous, E_D / (4 pi E_so)
   std::int64_t repeat = 1;   // 1: the first of its displacements
   double kept = 1;           // its forces against those of the first [-]
-  bool in_balance = true;    // its forces; else they are those of any row
+  bool in_balance = true;  // its forces are of rows in balance; false: there were none, of any row
 };
 
-// What a push that turns back says (docs/reference/results.md, "Cyclic pushes"). The fixed readings of
+// Results of a cyclic push (docs/reference/results.md, "Cyclic pushes"). The other members of
 // Responses are then those of the direction with the larger peak.
 struct CyclicReadings {
-  std::int64_t sense = 0;  // of the fixed readings: 1 along the push, -1 against it; 0: not cyclic
+  std::int64_t sense = 0;  // of the other members: 1 along the push, -1 against it; 0: not cyclic
   DirectionReadings positive, negative;
   std::vector<Cycle> cycles;
   double work = 0;  // of the reaction along the whole path [J]
@@ -125,7 +125,7 @@ struct Responses {
   double displacement_at_peak = 0;      // [m]
   std::string peak_reason = {};         // why there is no capacity; "" where there is one
   bool censored_peak = false;           // still rising, or the load never brought the wall down
-  double peak_raw = 0;                  // largest reaction of any row, rebounds and all [N]
+  double peak_raw = 0;                  // largest reaction of any row, in balance or not [N]
   double displacement_at_peak_raw = 0;  // [m]
   double displacement_at_80 = 0;        // [m], first crossing of 0.8 peak after the peak
   bool censored_80 = true;              // never crossed, no collapse: the last displacement stands
@@ -141,7 +141,7 @@ struct Responses {
   CyclicReadings cyclic = {};
 };
 
-// What to read beside the fixed responses, and what the curve alone does not tell.
+// Further readings that are asked for, and facts that the curve alone does not hold.
 struct ResponseOptions {
   std::vector<double> fractions = {0.8, 0.5};  // of the peak, after it, each in (0, 1)
   std::string collapse = {};                   // why the run ended by collapse, "": it did not
@@ -150,12 +150,12 @@ struct ResponseOptions {
 };
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
                                        const ResponseOptions& options = {});
-// The curve the fixed readings are taken from: the curve itself; of a cyclic push, the envelope of the
-// direction with the larger peak, as a push along it.
+// The curve from which responses are read: the curve itself; of a cyclic push the envelope of the
+// direction with the larger peak, with positive numbers.
 [[nodiscard]] std::vector<CurveRow> backbone_of(const std::vector<CurveRow>& curve);
 
 // Whether reaction and base shear of a row, of its neighbours and of all rows within 2.5 % of its
-// displacement agree within 2 % of its reaction: then no part of it is inertia or drag.
+// displacement agree within 2 % of its reaction, so that inertia and drag have no part in it.
 [[nodiscard]] bool is_in_balance(const std::vector<CurveRow>& curve, std::size_t row);
 
 struct EnergyLedger {
@@ -167,29 +167,29 @@ struct EnergyLedger {
   double gap_ratio = 0;                             // |gap| / (|loads| + |drive| + elastic)
 };
 
-// How nearly static the push was where its peak is, and a sentence for it (docs/theory/integration.md).
-// NaN: not known.
+// How nearly static the push was at its peak, in numbers and in words (docs/theory/integration.md,
+// "Is it static enough?"). NaN: not known.
 struct QuasiStatic {
   double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;  // over the rows around the peak
   double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;      // over the rows around the peak
   double shear_gap = 0;      // |mean of (reaction - base shear)| / peak, rows around the peak
   double damping_share = 0;  // of the drive's work on the way to the peak (its last fifth, median)
-  double beyond = 0;  // largest force, applied and felt by the ground alike, of any row / peak - 1
-  double lift = 0;    // a slow push moves the peak by no more than about this share of it
+  double beyond = 0;         // largest min(reaction, base shear) of any row / peak - 1
+  double lift = 0;           // a slow push moves the peak by no more than about this share of it
   std::string judgement = "no push";  // "slow enough", "usable", "too fast", "unknown", "no push"
   std::string verdict;                // the judgement with its reason and cure
 };
 
-// Something worth a mark on the curve.
+// Something that happened during the run and is marked on the curve.
 struct Event {
   std::string name;              // "first crack", "first full crack", "peak", ...
   double displacement = 0;       // [m]
   double reaction = 0;           // [N]
   std::string where;             // joint kind and place
-  bool is_beyond_limit = false;  // a stress that its material does not bear
+  bool is_beyond_limit = false;  // a zone's stress passed the limit of its material
 };
 
-// A measure beside its threshold.
+// A measure and its threshold.
 struct Evidence {
   std::string element, measure;
   double value = 0, threshold = 0;
@@ -199,7 +199,7 @@ struct Evidence {
   [[nodiscard]] double margin() const { return threshold > 0 ? value / threshold - 1 : 0.0; }
 };
 
-// One thing that can happen to an element, and the measure by which it did or did not.
+// One thing that can happen to an element, and the measure that decides whether it did.
 struct ElementSign {
   std::string state;    // "flexural crack", "rocking", "diagonal shear crack", "sliding", ...
   std::string measure;  // in words
@@ -220,13 +220,13 @@ struct ElementState {
   double displacement_first = std::numeric_limits<double>::quiet_NaN();
 };
 
-// The name another reading gives: at another stored state or with another threshold.
+// The failure mode that another reading gives: at another stored state or with another threshold.
 struct NameReading {
   std::string name;
   std::string state;        // label of the other state, "20 mm", "peak", "end"; "" at the same one
   double displacement = 0;  // of the state read [m]
-  std::string threshold = {};  // the one changed, "crack width"; "" none
-  double factor = 1;           // of it
+  std::string threshold = {};  // the changed threshold, "crack width"; "": none
+  double factor = 1;           // by which it was changed
   // "at 20 mm", "at the peak", "crack width x 1.25": the same words for every wall.
   [[nodiscard]] std::string what() const;
 };
@@ -244,13 +244,13 @@ struct FailureMode {
   std::vector<NameReading> sensitivity = {};
 };
 
-// From where on the run means little: contact points belong to the faces that touched at the start,
-// so a pressed joint whose faces overlap by less than half carries its force where there is no face.
+// Where the model stops being valid. Contact points belong to the faces that touched at the start. A
+// compressed joint whose faces overlap by less than half carries a force where there is no face left.
 struct Validity {
   double overlap_lost = std::numeric_limits<double>::quiet_NaN();  // of the first row that shows
                                                                    // such a joint [m], NaN: none
-  int joints = 0;     // that were such a joint in any row
-  std::string where;  // the first: joint kind and place
+  int joints = 0;     // number of such joints, over all rows
+  std::string where;  // kind and place of the first one
   [[nodiscard]] bool holds() const { return joints == 0; }
 };
 
@@ -299,8 +299,8 @@ struct Result {
   FailureMode failure_mode;
   std::vector<Feature> features;
   std::vector<Snapshot> snapshots;
-  // What the failure mode is read on, whatever output.states holds: the state of the first step at
-  // each millimetre and at SolveOptions::read_modes_at, at each turn of a cyclic push ("turn"), "end".
+  // States for the failure mode, independent of output.states: the first step at each millimetre and
+  // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
   std::vector<Snapshot> readings;
   std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
@@ -315,10 +315,9 @@ struct Result {
 [[nodiscard]] inline bool is_load_controlled(const Result& result) {
   return result.curve_of == StageKind::kBodyForce || result.curve_of == StageKind::kTilt;
 }
-// What must be said before any number of the run: why its peak is no strength, or what it may be wrong by.
-// "": nothing.
+// A warning to print before all numbers: why the peak is no strength, or how wrong it may be. "": none.
 [[nodiscard]] std::string warning_of(const Result& result);
-// How to read this run's curve.
+// Options with which the responses of this run are read.
 [[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
 
 // Joint state at every point, for pictures and files; same arithmetic as the step.
@@ -330,7 +329,7 @@ struct PointStress {
 };
 [[nodiscard]] std::vector<PointStress> point_stresses(const Model& model, const State& state);
 
-// Whether a joint is pressed and its faces overlap by less than half; `points` of the whole wall.
+// Whether a joint is compressed while its faces overlap by less than half. `points`: whole wall.
 [[nodiscard]] bool has_slid_off(const Model& model, const std::vector<PointStress>& points,
                                 JointId joint);
 

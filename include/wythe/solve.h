@@ -28,15 +28,16 @@ struct SolveOptions {
   std::function<void(const Progress&)> progress;  // first of each stage, then a few times a second
 };
 
-// Never throws on mathematics: the status says what happened. Advances `state` to the end.
+// Runs the stages and advances `state` to the end. Does not throw when the computation fails: the
+// status of the result says what happened.
 [[nodiscard]] Result solve(const Model& model, State& state, const SolveOptions& options = {});
 
 // The instruction set in use and how many walls of a campaign a core steps side by side, e.g.
-// "avx2, 4 walls side by side". WYTHE_SIMD and WYTHE_LANES force others; throws InputError where they
-// ask for what is not there.
+// "avx2, 4 walls side by side". The environment variables WYTHE_SIMD and WYTHE_LANES choose others;
+// throws InputError where the machine does not have them.
 [[nodiscard]] std::string instruction_set();
 
-// One line about steps and time before a run, for `wythe check`.
+// Expected steps and time of a run, for `wythe check`.
 struct RunEstimate {
   double time_step = 0;  // [s]
   std::int64_t steps = 0;

@@ -1,10 +1,10 @@
-// What the samples of a campaign say together: how strong, how far, how it fails, how sure.
+// Statistics of the samples of a campaign: strengths, displacements, failure modes, with intervals.
 //
 //   Campaign --statistics_of()--> Statistics --> statistics.json (io.h), report.html (report.h)
 //   --until "relative_interval(peak_reaction) < 1 % and interval(share) < 0.1" --precise_enough()
 //
-// Every interval is of 95 %; the same campaign gives the same bits. Estimators, their sources and
-// their bias: docs/theory/statistics.md. What is NaN has no answer (too few samples); an infinite
+// Every interval is a 95 % interval; the same campaign gives the same bits. Estimators, their sources
+// and their bias: docs/theory/statistics.md. NaN: no answer (too few samples). An infinite
 // displacement lies beyond the end of the push.
 #pragma once
 
@@ -26,14 +26,14 @@ struct Estimate {
   Interval interval;
 };
 
-// A response read off one curve. A censored value is a lower bound: the push ended before.
+// A response read from one curve. A censored value is a lower bound, since the push ended too early.
 struct Reading {
   double value = kUnset;
   bool censored = false;
   [[nodiscard]] bool is_known() const { return value == value; }  // not NaN
 };
 
-// A response the statistics are made of; shown = SI * to_unit.
+// A response that statistics are made for; shown = SI * to_unit.
 struct Quantity {
   const char* name;   // "peak_reaction", as in until rules
   const char* words;  // "peak force"
@@ -52,7 +52,7 @@ struct Quantity {
 // survival_* treat them as lower bounds (Kaplan-Meier), the mean up to the largest recorded value.
 struct Summary {
   int n = 0, censored = 0,
-      without_value = 0;  // of the group, n with a value; the last are not in n
+      without_value = 0;  // samples with a value; of them censored; without a value, not in n
   double min = kUnset, max = kUnset, standard_deviation = kUnset;
   Estimate mean, cov, median;                            // BCa, BCa and percentile bootstrap
   Estimate survival_mean, survival_median;               // percentile bootstrap
@@ -72,15 +72,15 @@ struct Share {
   Estimate share;  // Wilson interval
 };
 
-// In how many samples another reading of the same push gives another name.
+// In how many samples another reading of the same push gives another failure mode.
 struct NameSensitivity {
-  NameReading reading;  // its name left empty
+  NameReading reading;  // its `name` is empty
   int n = 0, differs = 0;
   Estimate share;  // Wilson
 };
 // In how many samples a severity flag is raised.
 struct FlagCount {
-  Evidence flag;  // its value left 0
+  Evidence flag;  // its `value` is 0
   int n = 0, raised = 0;
   Estimate share;  // Wilson
 };
@@ -90,13 +90,13 @@ struct RunningMean {
   std::vector<int> n;
   std::vector<Estimate> mean;
 };
-// When an asked precision was met. Relative half-widths for means, half-widths for shares.
+// When a precision that was asked for was reached. Relative half-widths for means, half-widths for shares.
 struct Precision {
   std::string what;   // key of a quantity, or "share"
   double target = 0;  // 0.01: +- 1 %, or a share +- 0.05
   int first_met = 0;  // sample size, at least kFewestSamples; 0: not met
-  int held_from = 0;  // from here on it stayed met; 0: it does not now
-  int expected = 0;   // size at which it will be, as the width falls with 1/sqrt(n); 0: it is met
+  int held_from = 0;  // sample size from which on it stayed met; 0: it is not met now
+  int expected = 0;   // size at which it should be met, as the width falls with 1/sqrt(n); 0: it is
   double now = kUnset;
 };
 
@@ -105,20 +105,20 @@ struct Correlation {
   int n = 0;
   Estimate pearson, spearman, partial_rank;  // Fisher z intervals
 };
-// Correlation of every random input with one response (its key) in one group; correlation inside a mode is
-// conditioned on the outcome and no measure of cause.
+// Correlation of every random input with one response (its key) in one group. Inside a mode it is
+// conditioned on the outcome, so it does not measure a cause.
 struct CorrelationTable {
   std::string group, quantity;
   int censored = 0;
   std::vector<Correlation> input;
 };
 
-// Var E[Y | X] / Var Y from the given samples, by bins of equal count (all samples together).
+// First-order index Var E[Y | X] / Var Y, estimated from all samples with bins of equal count.
 struct FirstOrderIndex {
   std::string input, quantity;
   int bins = 0;
   Estimate index;
-  std::vector<std::string> entangled;  // inputs whose rank correlation with it exceeds kEntangled
+  std::vector<std::string> entangled;  // inputs with a rank correlation to it above kEntangled
 };
 
 // Probability of each mode in bins of equal count of one input.
@@ -156,7 +156,7 @@ struct DriftLimit {
   bool is_lower_bound = false;
 };
 
-// P(X > x), with censored values as such, and the lognormal that fits it.
+// P(X > x), censored values taken as lower bounds, and the lognormal distribution fitted to it.
 struct ExceedancePoint {
   double value = 0;  // [SI]
   Estimate probability;
@@ -182,10 +182,10 @@ struct InputCorrelation {
 };
 // All pairs, the strongest first.
 [[nodiscard]] std::vector<InputCorrelation> input_correlations(const SampleTable& samples);
-// Above it an index or a correlation of either input holds a part of the other's influence.
+// Above this rank correlation two inputs share their influence on a response.
 inline constexpr double kEntangled = 0.1;
 
-// A sample that has no answer, and why.
+// A sample without results, and why.
 struct Unanswered {
   int sample = 0;
   std::string status, reason;
@@ -197,9 +197,9 @@ struct Statistics {
   int asked = 0, run = 0, answered = 0;  // samples drawn, run, with a usable curve
   int still_rising = 0;                  // answered, the peak at the end of the push: a lower bound
   int named_earlier = 0;                 // answered, the push ended before read_modes_at
-  int collapsed_before_push = 0;         // so that they answered nothing about it
+  int collapsed_before_push = 0;         // and have no results for this reason
   double load_height = 0;                // of the base model; drifts take each sample's own [m]
-  double read_modes_at = kUnset;         // asked for [m]
+  double read_modes_at = kUnset;         // where modes are to be read [m]
   int replicates = 0;                    // of every bootstrap
   std::map<std::string, int> status;     // of the samples that ran
   std::map<std::string, int> judgement;  // of the samples with a curve: QuasiStatic::judgement

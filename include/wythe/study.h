@@ -2,8 +2,8 @@
 //
 //   study.toml --read_study()--> StudySpec --draw_samples()--> SampleTable --settings_of(i)--> model i
 //
-// A sample is the base model with settings ("material.joint.tensile_strength = 143215.2 Pa"), the
-// same ones `wythe run --set` takes: any sample can be run alone from two texts, with equal bits.
+// A sample is the base model with settings ("material.joint.tensile_strength = 143215.2 Pa"), written
+// as for `wythe run --set`. So each sample can be run alone from two texts, with equal bits.
 #pragma once
 
 #include <cstdint>
@@ -94,19 +94,20 @@ struct SampleTable {
   [[nodiscard]] int n_sample() const { return static_cast<int>(value.size()); }
 };
 
-// Every fault of a study by itself, without its base model: parameters a distribution lacks or does
+// Every fault of a study alone, without its base model: parameters a distribution lacks or does
 // not take, cycles and mismatched units in formulas, a correlation matrix that is not positive
 // definite, ... Faults name the key, not the line; parse_study (io.h) adds that.
 [[nodiscard]] std::vector<Fault> check_study(const StudySpec& study);
 
-// What the study asks and its base model's push does not reach: states and failure modes are then
-// read where the push ends.
+// Displacements that the study asks for and the push of its base model does not reach; states and
+// failure modes are then read where the push ends. In words.
 [[nodiscard]] std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base);
 
-// Draws every sample of the study. Sample i of a batch depends on (seed, i, n, design, batch) and on
-// the variables only, never on threads; a batch never on those after it. Without correlation no
-// variable's values depend on the others; in a Latin hypercube which of them meet in a sample does, on
-// the variables before it: what chance correlates is taken out. Throws InputError with every fault of check_study().
+// Draws every sample of the study. Sample i of a batch depends only on (seed, i, n, design, batch) and
+// on the variables, never on threads or later batches. Without correlation the set of values of a
+// variable does not depend on other variables. In a Latin hypercube their order does: it depends on
+// the variables before it, because chance correlations between them are removed. Throws InputError
+// with every fault of check_study().
 [[nodiscard]] SampleTable draw_samples(const StudySpec& study);
 
 // "path=value unit" texts of one sample (0-based), 17 digits in SI units: exact.
@@ -115,7 +116,7 @@ struct SampleTable {
 // Makes the ModelSpec of the base model with settings; io.h has the one that reads TOML.
 using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& settings)>;
 
-// "" when the model with these settings compiles, else why it does not, in one line: a strength
+// "" when the model with these settings compiles, otherwise the reason in one line: a strength
 // below zero, snap-back, an inadmissible friction angle, a value that is not finite, ...
 [[nodiscard]] std::string refusal_of(const std::vector<std::string>& settings,
                                      const ModelBuilder& build);

@@ -1,4 +1,4 @@
-// Texts of users in messages: names and values may hold anything.
+// Safe printing of names and values that users wrote: they may contain any characters.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace wythe {
 
-// A text as it may be printed: control characters are shown (\x1b, \n), and what is longer than `most`
-// bytes is cut, with its length.
+// The text with control characters written out (\x1b, \n). A text longer than `most` bytes is cut, and
+// its length is stated.
 [[nodiscard]] std::string readable(const std::string& text, std::size_t most = 100'000);
 
 }  // namespace wythe

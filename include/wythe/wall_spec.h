@@ -1,7 +1,7 @@
-// What the user states: the wall, its materials, the stages of the test and the settings.
+// The content of a model file: the wall, its materials, the stages of the test and the settings.
 //
-// Plain data, SI units. src/io/describe.h names every member once; reading, writing, --set, error
-// paths and the reference page all come from there. Physical values start as NaN (kUnset).
+// Plain data in SI units. src/io/describe.h describes every member once; reading, writing, --set,
+// error messages and the reference page follow from it. Physical values start as NaN (kUnset).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace wythe {
 
 enum class Bond { kRunning, kStack, kFlemish, kEnglish, kHeader };
 enum class Split { kMiddle, kNone };
-// What to do where unit or course does not divide the wall or an opening evenly.
+// What to do where units or courses do not fit evenly into the wall or an opening.
 enum class Fit { kWhole, kCut };
 enum class Freedom { kFree, kBlocked };
 
@@ -27,7 +27,7 @@ enum class LintelModel { kSegments, kZones };
 enum class ZoneKind { kMixed, kCst };
 enum class Plane { kStress, kStrain };
 
-// How a deformable block is cut and what holds out of its plane.
+// How a deformable block is divided into zones, and its plane condition.
 struct ZoneSpec {
   int zones = 0;           // through the depth; 0: the block is rigid
   double length = kUnset;  // of a zone [m]; unset: as long as deep
@@ -36,7 +36,7 @@ struct ZoneSpec {
 };
 
 struct LintelSpec {
-  std::string kind;            // "" no lintel; "timber", "stone", ...: a word for the reader
+  std::string kind;            // "": no lintel; "timber", "stone", ...: only a label
   double depth = kUnset;       // structural depth [m]; occupies the nearest whole number of courses
   double bearing = kUnset;     // length of support on each side [m]
   std::string material;        // key in `material`: density, youngs_modulus, shear_modulus
@@ -96,7 +96,7 @@ struct ContactRule {
 
 enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold };
 enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
-// How a stage acts. Load: kPressure or kPlate. Push: kSpreader or kEach.
+// How a stage acts on the wall. Load: kPressure or kPlate. Push: kSpreader or kEach.
 enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
 
 // Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
@@ -125,7 +125,7 @@ struct StageSpec {
   Direction direction = Direction::kPlusX;
   double velocity = kUnset;       // [m/s]
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
-  double fast_below = 2e-4;       // unbalance ratio that is near balance
+  double fast_below = 2e-4;       // unbalance ratio below which the wall is near balance
   double until = kUnset;          // [m]
   std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
   double stop_below = 0;          // stop when the reaction falls below this share of the peak
@@ -149,7 +149,7 @@ struct SolveSpec {
   double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio
   double settle_limit = 20;         // give up settling after this time [s]
   double mass_scaling = 1;          // density scaling of the gravity and load stages
-  bool raise_light_inertia = true;  // of lintels, plates, beams that would rule the time step
+  bool raise_light_inertia = true;  // of lintels, plates, beams that would shorten the time step
   double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
 };
 
@@ -178,7 +178,7 @@ struct ModelSpec {
   std::vector<StageSpec> stage;
   SolveSpec solve;
   OutputSpec output;
-  std::vector<BlockSpec> block;  // contents of wall.blocks; not a key
+  std::vector<BlockSpec> block;  // content of the file wall.blocks; not a key
   std::string folder;            // folder of the model file, for relative paths; not a key
 };
 

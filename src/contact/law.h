@@ -6,13 +6,13 @@
 // Rots 1997. Signs: opening and tension +, compression sn = -sigma +.
 //
 //   crushing   w_e = w + p,  p >= 0 grows where kn w_e < -fc(p)          area Gc
-//   tension    y = 1 - dt = g(ft/GI (kappa - y w0)),  w0 = ft/kn         area GI, elastic part included
-//   shear      T = R + B (1 - ds),  ds = 1 - g(s (t0 - tr)/GII)          work above the residual GII
-//   coupling   1 - d = (1 - dt)(1 - ds)  or  min(1 - dt, 1 - ds); with stiffness damage shear sees
-//              1 - secant/kn in place of dt
+//   tension    y = 1 - d_t = g(ft/GI (kappa - y w0)),  w0 = ft/kn         area GI, elastic part included
+//   shear      T = R + B (1 - d_s),  d_s = 1 - g(s (t0 - tr)/GII)          work above the residual GII
+//   coupling   1 - d = (1 - d_t)(1 - d_s)  or  min(1 - d_t, 1 - d_s); with stiffness damage shear sees
+//              1 - secant/kn in place of d_t
 //   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
 //
-// The return in shear is implicit in ds and the crushing return in p: on a straight piece of path at
+// The return in shear is implicit in d_s and the crushing return in p: on a straight piece of path at
 // constant normal stress the work done does not depend on how it is cut into steps. Zero dilation.
 #pragma once
 
@@ -55,7 +55,7 @@ template <class Real>
 struct LawConstants {
   Real kn, ks, inv_ks, inv_kn;       // [Pa/m], [m/Pa]
   Real ft, w0, ft_over_GI;           // [Pa], [m], [1/m]
-  Real tension_onset, tension_rate;  // bilinear dt = clip((kappa - onset) rate, 0, 1)
+  Real tension_onset, tension_rate;  // bilinear d_t = clip((kappa - onset) rate, 0, 1)
   Real c_res, c_drop;                // c_res, c - c_res [Pa]
   Real tan_res, tan_drop;            // tan phi_res, tan phi0 - tan phi_res
   Real half_inv_GII;                 // 1/(2 GII) [m/N]
@@ -71,14 +71,14 @@ struct History {
   Real crush;         // crushing shortening p = -w_p [m]
   Real plastic_slip;  // signed [m]
   Real slip;          // accumulated |plastic slip| [m]
-  Real shear_damage;  // ds [-]
+  Real shear_damage;  // d_s [-]
   Real tension_set;   // w_t [m] (elastic unloading)
 };
 
 template <class Real>
 struct Answer {
   Real sigma, tau;                    // [Pa]
-  Real tension_damage, damage;        // dt, d [-]
+  Real tension_damage, damage;        // d_t, d [-]
   Real friction, fracture, crushing;  // dissipated in this step [N/m]
 };
 
@@ -98,7 +98,7 @@ template <class Real>
   return Real(0.5) * (before + after) * length;
 }
 
-// Share of tensile strength left, y = 1 - dt, at the largest opening kappa.
+// Share of tensile strength left, y = 1 - d_t, at the largest opening kappa.
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<Real>& m, Real kappa) {
   if (choice_of<V>(m).softening == Softening::kBilinear) {
@@ -118,7 +118,7 @@ template <class V, class Real>
   }
 }
 
-// 1 - d from 1 - dt and 1 - ds.
+// 1 - d from 1 - d_t and 1 - d_s.
 template <class V, class Real>
 [[nodiscard]] WYTHE_INLINE Real strength_left(const LawConstants<Real>& m, Real tension,
                                               Real shear) {

@@ -267,7 +267,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
     m.tension_onset = m.w0;
     m.tension_rate = 1.0 / (2.0 * s.mode_1_energy / m.ft - m.w0);
     m.half_inv_GII = s.mode_2_energy > 0 ? 0.5 / s.mode_2_energy : 0.0;
-  } else {  // dt = 1 from the start, no division
+  } else {  // d_t = 1 from the start, no division
     m.tension_onset = -1.0;
     m.tension_rate = 1.0;
   }
