@@ -179,6 +179,7 @@ struct Model {
   OutputSpec output;
   Anatomy anatomy;
   std::uint64_t spec_hash = 0;
+  std::uint64_t topology = 0;  // walls with the same can be stepped side by side (model/fields.h)
 
   [[nodiscard]] int n_point() const { return n_joint * n_face_point; }
   // With the two points of each zone contact, which follow those of the joints.

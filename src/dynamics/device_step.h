@@ -170,11 +170,11 @@ void DeviceStepper<Device>::mirror_arrays() {
   mirror_.add(kEdgeWeight, 2);
 }
 
-// Motion and history of all walls (kKept).
+// Motion and history of all walls (kStateFields).
 template <class Device>
 std::vector<std::vector<double>*> DeviceStepper<Device>::kept() {
   std::vector<std::vector<double>*> arrays;
-  for (const auto array : kKept) arrays.push_back(&(all_.*array));
+  for (const StateField& field : kStateFields) arrays.push_back(&(all_.*field.array));
   return arrays;
 }
 
@@ -295,7 +295,7 @@ void DeviceStepper<Device>::put(int lane, const Model& model, State& state) {
   const auto append = [&](const std::vector<double>& more) {
     flat.insert(flat.end(), more.begin(), more.end());
   };
-  for (const auto array : kKept) append(state.*array);
+  for (const StateField& field : kStateFields) append(state.*field.array);
   move_columns(lane, kept(), flat, false);
 
   flat.clear();
@@ -353,9 +353,9 @@ void DeviceStepper<Device>::copy_out(int lane, State& state) {
   std::vector<double> flat;
   move_columns(lane, kept(), flat, true);
   auto from = flat.begin();
-  for (const auto array : kKept) {
-    std::copy_n(from, (state.*array).size(), (state.*array).begin());
-    from += static_cast<std::ptrdiff_t>((state.*array).size());
+  for (const StateField& field : kStateFields) {
+    std::copy_n(from, (state.*field.array).size(), (state.*field.array).begin());
+    from += static_cast<std::ptrdiff_t>((state.*field.array).size());
   }
   const Wall& wall = wall_[at(lane)];
   const Solids& z = model_.solids;

@@ -18,39 +18,10 @@ const Kernels& kernels_for(int lanes) {
   return *widest;
 }
 
-bool same_law(const Model& a, const Model& b) {
-  return std::equal(a.materials.begin(), a.materials.end(), b.materials.begin(), b.materials.end(),
-                    [](const JointMaterial& p, const JointMaterial& q) {
-                      return contact::choice_of(p) == contact::choice_of(q);
-                    });
-}
-
-bool same_solids(const Solids& a, const Solids& b) {
-  return a.n_node == b.n_node && a.n_zone == b.n_zone && a.n_contact == b.n_contact &&
-         a.corner == b.corner && a.zone_shape == b.zone_shape && a.shapes == b.shapes &&
-         a.contact_block == b.contact_block && a.contact_p == b.contact_p &&
-         a.contact_q == b.contact_q && a.share_0 == b.share_0 && a.share_1 == b.share_1 &&
-         a.arm_0_x == b.arm_0_x && a.arm_0_y == b.arm_0_y && a.arm_1_x == b.arm_1_x &&
-         a.arm_1_y == b.arm_1_y && a.contact_tangent_x == b.contact_tangent_x &&
-         a.contact_tangent_y == b.contact_tangent_y && a.contact_area == b.contact_area &&
-         a.contact_material == b.contact_material && a.zone_begin == b.zone_begin &&
-         a.zone_entry == b.zone_entry && a.contact_begin == b.contact_begin &&
-         a.contact_entry == b.contact_entry && a.node_free_x == b.node_free_x &&
-         a.node_free_y == b.node_free_y;
-}
-
 }  // namespace
 
 bool fit_together(const Model& a, const Model& b) {
-  return a.n_block == b.n_block && a.n_joint == b.n_joint && a.n_pair == b.n_pair &&
-         a.n_face_point == 2 && b.n_face_point == 2 && a.stages.size() == b.stages.size() &&
-         a.joint_a == b.joint_a && a.joint_b == b.joint_b && a.joint_material == b.joint_material &&
-         a.arm_a_x == b.arm_a_x && a.arm_a_y == b.arm_a_y && a.arm_b_x == b.arm_b_x &&
-         a.arm_b_y == b.arm_b_y && a.half_x == b.half_x && a.half_y == b.half_y &&
-         a.tangent_x == b.tangent_x && a.tangent_y == b.tangent_y && a.area == b.area &&
-         a.point_xi == b.point_xi && a.point_weight == b.point_weight &&
-         a.block_begin == b.block_begin && a.block_entry == b.block_entry &&
-         a.turn_freedom == b.turn_freedom && same_law(a, b) && same_solids(a.solids, b.solids);
+  return a.topology == b.topology && a.n_face_point == 2;
 }
 
 LaneStepper::LaneStepper(const Model& model, int lanes)
@@ -60,7 +31,8 @@ LaneStepper::LaneStepper(const Model& model, int lanes)
       wall_(at(lanes)),
       work_(model, lanes),
       all_(initial_state(model)) {
-  for (const auto array : kKept) (all_.*array).assign((all_.*array).size() * at(lanes), 0.0);
+  for (const StateField& field : kStateFields)
+    (all_.*field.array).assign((all_.*field.array).size() * at(lanes), 0.0);
   const auto in_all_lanes = [&](const std::vector<double>& of_block) {
     std::vector<double> all;
     for (const double value : of_block) all.insert(all.end(), at(lanes), value);
@@ -115,16 +87,16 @@ void LaneStepper::set(int lane, const Controls& controls) {
 }
 
 void LaneStepper::copy_in(int lane, const State& state) {
-  for (const auto array : kKept) {
-    const Strided to{(all_.*array).data() + lane, lanes_};
-    for (std::size_t i = 0; i < (state.*array).size(); ++i) to[i] = (state.*array)[i];
+  for (const StateField& field : kStateFields) {
+    const Strided to{(all_.*field.array).data() + lane, lanes_};
+    for (std::size_t i = 0; i < (state.*field.array).size(); ++i) to[i] = (state.*field.array)[i];
   }
 }
 
 void LaneStepper::copy_out(int lane, State& state) const {
-  for (const auto array : kKept) {
-    const double* from = (all_.*array).data() + lane;
-    for (double& value : state.*array) {
+  for (const StateField& field : kStateFields) {
+    const double* from = (all_.*field.array).data() + lane;
+    for (double& value : state.*field.array) {
       value = *from;
       from += lanes_;
     }

@@ -8,15 +8,9 @@
 #include "dynamics/wall_view.h"
 #include "dynamics/workspace.h"
 #include "dynamics/zones.h"
+#include "model/fields.h"
 
 namespace wythe::dynamics {
-
-// What a wall keeps from step to step: motion and history.
-inline constexpr std::array kKept{
-    &State::ux,           &State::uy,      &State::theta,        &State::vx,
-    &State::vy,           &State::omega,   &State::kappa,        &State::crush,
-    &State::plastic_slip, &State::slip,    &State::shear_damage, &State::tension_set,
-    &State::node_ux,      &State::node_uy, &State::node_vx,      &State::node_vy};
 
 [[nodiscard]] inline JointArrays joint_arrays(const Model& m, Workspace& w, State& s) {
   return {.a = m.joint_a.data(),

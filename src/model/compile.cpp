@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/fields.h"
 #include "model/parts.h"
 #include "model/size.h"
 #include "model/step_bound.h"
@@ -141,6 +142,7 @@ Model compile(const ModelSpec& spec) {
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
+  model.topology = topology_of(model);
   return model;
 }
 

@@ -1,5 +1,6 @@
 #include "study/record_rows.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace wythe::study {
@@ -9,13 +10,6 @@ constexpr double CurveRow::*kCurve[kCurveColumns] = {
     &CurveRow::time,          &CurveRow::displacement, &CurveRow::drift,
     &CurveRow::reaction,      &CurveRow::base_shear,   &CurveRow::unbalance_ratio,
     &CurveRow::kinetic_ratio, &CurveRow::load_factor};
-
-constexpr std::vector<double> State::*kBlock[kBlockArrays] = {&State::ux, &State::uy,
-                                                              &State::theta};
-constexpr std::vector<double> State::*kPoint[kPointArrays] = {
-    &State::kappa, &State::crush,        &State::plastic_slip,
-    &State::slip,  &State::shear_damage, &State::tension_set};
-constexpr std::vector<double> State::*kNode[kNodeArrays] = {&State::node_ux, &State::node_uy};
 
 }  // namespace
 
@@ -66,30 +60,27 @@ std::vector<CurveRow> curve_rows(const std::vector<double>& columns) {
 
 std::vector<double> state_arrays(const State& state) {
   std::vector<double> arrays;
-  arrays.reserve(kBlockArrays * state.ux.size() + kPointArrays * state.kappa.size() +
-                 kNodeArrays * state.node_ux.size());
-  const auto add = [&](const std::vector<double>& array) {
-    arrays.insert(arrays.end(), array.begin(), array.end());
-  };
-  for (const auto member : kBlock) add(state.*member);
-  for (const auto member : kPoint) add(state.*member);
-  for (const auto member : kNode) add(state.*member);
+  for (const StateField& field : kStateFields)
+    if (field.in_store)
+      arrays.insert(arrays.end(), (state.*field.array).begin(), (state.*field.array).end());
   return arrays;
 }
 
 State state_at_rest(const std::vector<double>& arrays, std::size_t blocks, std::size_t points) {
+  const std::size_t left = arrays.size() - kBlockArrays * blocks - kPointArrays * points;
+  const auto count = [&](Entity entity) {
+    if (entity == Entity::kBlock) return blocks;
+    return entity == Entity::kPoint ? points : left / kNodeArrays;
+  };
   State state;
   auto next = arrays.begin();
-  const auto take = [&](std::vector<double>& array, std::size_t count) {
-    array.assign(next, next + static_cast<std::ptrdiff_t>(count));
-    next += static_cast<std::ptrdiff_t>(count);
-  };
-  for (const auto member : kBlock) take(state.*member, blocks);
-  for (const auto member : kPoint) take(state.*member, points);
-  const std::size_t nodes = static_cast<std::size_t>(arrays.end() - next) / kNodeArrays;
-  for (const auto member : kNode) take(state.*member, nodes);
-  for (auto* velocity : {&state.node_vx, &state.node_vy}) velocity->assign(nodes, 0.0);
-  for (auto* velocity : {&state.vx, &state.vy, &state.omega}) velocity->assign(blocks, 0.0);
+  for (const StateField& field : kStateFields) {
+    const std::size_t n = count(field.entity);
+    (state.*field.array).assign(n, 0.0);
+    if (!field.in_store) continue;
+    std::copy_n(next, n, (state.*field.array).begin());
+    next += static_cast<std::ptrdiff_t>(n);
+  }
   return state;
 }
 

@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "model/fields.h"
 #include "wythe/campaign.h"
 
 namespace wythe::study {
@@ -193,7 +194,9 @@ inline constexpr int kCurveColumns = 8;
 
 // Arrays of a packed state: 3 over blocks, 6 over contact points, 2 over nodes of zones; of these the
 // number follows from the size.
-inline constexpr int kBlockArrays = 3, kPointArrays = 6, kNodeArrays = 2;
+inline constexpr int kBlockArrays = stored_fields_of(Entity::kBlock),
+                     kPointArrays = stored_fields_of(Entity::kPoint),
+                     kNodeArrays = stored_fields_of(Entity::kNode);
 [[nodiscard]] std::vector<double> state_arrays(const State& state);
 [[nodiscard]] State state_at_rest(const std::vector<double>& arrays, std::size_t blocks,
                                   std::size_t points);

@@ -1,0 +1,61 @@
+// What follows from the table of fields: the first state, the name of a state, the name of a topology.
+#include "model/fields.h"
+
+#include <type_traits>
+
+#include "contact/parameters.h"
+#include "core/hash.h"
+
+namespace wythe {
+namespace {
+
+void add(Hash& hash, const std::vector<double>& numbers) { hash.add(numbers); }
+void add(Hash& hash, const std::vector<std::int32_t>& ids) {
+  hash.add(ids.data(), ids.size() * sizeof(std::int32_t));
+}
+void add(Hash& hash, const std::vector<ZoneShape>& shapes) {
+  static_assert(std::is_trivially_copyable_v<ZoneShape> &&
+                sizeof(ZoneShape) == (4 + 4 + 4 + 4 + 64 + 9 + 4 + 4) * sizeof(double));
+  for (const ZoneShape& shape : shapes) {
+    const auto* number = reinterpret_cast<const double*>(&shape);
+    for (std::size_t k = 0; k < sizeof(ZoneShape) / sizeof(double); ++k) hash.add(number[k]);
+  }
+}
+
+}  // namespace
+
+State initial_state(const Model& model) {
+  State s;
+  for (const StateField& field : kStateFields)
+    (s.*field.array).assign(count_of(model, field.entity), 0.0);
+  s.load_scale.assign(model.stages.size(), 0.0);
+  return s;
+}
+
+std::string state_hash(const State& s) {
+  Hash hash;
+  for (const StateField& field : kStateFields) hash.add(s.*field.array);
+  return hash.text();
+}
+
+std::uint64_t topology_of(const Model& model) {
+  Hash hash;
+  for (const int count : {model.n_block, model.n_pair, model.n_face_point})
+    hash.add(static_cast<double>(count));
+  hash.add(static_cast<double>(model.stages.size()));
+  for (const JointMaterial& m : model.materials) {
+    const contact::LawChoice choice = contact::choice_of(m);
+    for (const int word : {static_cast<int>(choice.softening), static_cast<int>(choice.coupling),
+                           static_cast<int>(choice.unloading)})
+      hash.add(static_cast<double>(word));
+  }
+  each_model_field(model, [&](const auto& array, Entity, Shared shared, auto name, auto) {
+    if (shared != Shared::kTopology) return;
+    hash.add(std::string_view(name));
+    hash.add(static_cast<double>(array.size()));
+    add(hash, array);
+  });
+  return hash.value();
+}
+
+}  // namespace wythe

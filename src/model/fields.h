@@ -1,0 +1,164 @@
+// The table of fields: every array of State and Model, declared once.
+//
+// A line says what the array holds, of which entity, in which unit. What follows from the table, so
+// that nothing else lists arrays: their allocation (initial_state), the rows in which a step keeps them
+// for walls side by side (dynamics/passes/tables.h), copies in and out of these rows, the device's
+// memory, the hash of a state, restarts and packed snapshots, and the identity of a topology.
+//
+// To add a number that the joint law remembers: a member of contact::History and its line in
+// contact::kHistory (law.h), an array in State, and its line below, in the same order.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wythe/model.h"
+
+namespace wythe {
+
+// What an array has one number of.
+enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kOther };
+
+[[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
+  switch (entity) {
+    case Entity::kBlock: return static_cast<std::size_t>(m.n_block);
+    case Entity::kNode: return static_cast<std::size_t>(m.solids.n_node);
+    case Entity::kPoint: return static_cast<std::size_t>(m.n_history());
+    case Entity::kJoint: return static_cast<std::size_t>(m.n_joint);
+    case Entity::kZone: return static_cast<std::size_t>(m.solids.n_zone);
+    case Entity::kContact: return static_cast<std::size_t>(m.solids.n_contact);
+    case Entity::kOther: break;
+  }
+  return 0;
+}
+
+// --- the state: kept from step to step, each wall its own, hashed, saved, packed in this order ---------
+
+struct StateField {
+  std::vector<double> State::*array;
+  Entity entity;
+  bool in_store;  // kept in the states of a campaign's store, in this order; velocities are not
+  std::string_view name, unit, meaning;
+};
+
+inline constexpr std::array kStateFields{
+    StateField{&State::ux, Entity::kBlock, true, "ux", "m", "displacement of the centroid along x"},
+    StateField{&State::uy, Entity::kBlock, true, "uy", "m", "displacement of the centroid along y"},
+    StateField{&State::theta, Entity::kBlock, true, "theta", "rad", "rotation, anticlockwise"},
+    StateField{&State::vx, Entity::kBlock, false, "vx", "m/s",
+               "velocity along x, half a step back"},
+    StateField{&State::vy, Entity::kBlock, false, "vy", "m/s",
+               "velocity along y, half a step back"},
+    StateField{&State::omega, Entity::kBlock, false, "omega", "rad/s",
+               "rate of rotation, half a step back"},
+    StateField{&State::kappa, Entity::kPoint, true, "kappa", "m", "largest opening reached"},
+    StateField{&State::crush, Entity::kPoint, true, "crush", "m", "shortening by crushing"},
+    StateField{&State::plastic_slip, Entity::kPoint, true, "plastic_slip", "m",
+               "plastic slip, signed"},
+    StateField{&State::slip, Entity::kPoint, true, "slip", "m",
+               "plastic slip, summed without sign"},
+    StateField{&State::shear_damage, Entity::kPoint, true, "shear_damage", "1", "damage in shear"},
+    StateField{&State::tension_set, Entity::kPoint, true, "tension_set", "m",
+               "opening that stays (elastic unloading)"},
+    StateField{&State::node_ux, Entity::kNode, true, "node_ux", "m",
+               "displacement of a node along x"},
+    StateField{&State::node_uy, Entity::kNode, true, "node_uy", "m",
+               "displacement of a node along y"},
+    StateField{&State::node_vx, Entity::kNode, false, "node_vx", "m/s",
+               "velocity of a node along x"},
+    StateField{&State::node_vy, Entity::kNode, false, "node_vy", "m/s",
+               "velocity of a node along y"},
+};
+
+// How many of its fields an entity has, and which of them an array is: its row.
+[[nodiscard]] constexpr int fields_of(Entity entity) {
+  return static_cast<int>(std::count_if(kStateFields.begin(), kStateFields.end(),
+                                        [&](const StateField& f) { return f.entity == entity; }));
+}
+[[nodiscard]] constexpr int stored_fields_of(Entity entity) {
+  return static_cast<int>(
+      std::count_if(kStateFields.begin(), kStateFields.end(),
+                    [&](const StateField& f) { return f.entity == entity && f.in_store; }));
+}
+[[nodiscard]] constexpr int row_of(std::vector<double> State::*array) {
+  int row = 0;
+  for (const StateField& field : kStateFields) {
+    if (field.array != array) continue;
+    for (const StateField* before = kStateFields.data(); before != &field; ++before)
+      row += before->entity == field.entity ? 1 : 0;
+  }
+  return row;
+}
+
+// --- the model -------------------------------------------------------------------------------------------
+
+// Walls of a campaign that differ in kOwn fields alone can be stepped side by side.
+enum class Shared {
+  kTopology,  // who touches whom, and where: the same in walls that are stepped side by side
+  kOwn,       // each wall has its own numbers
+};
+
+// visit(array, entity, shared, name, unit) for every array of the model that a step reads. M: Model or
+// const Model.
+template <class M, class Visit>
+void each_model_field(M& m, const Visit& visit) {
+  using E = Entity;
+  constexpr Shared kAll = Shared::kTopology, kOwn = Shared::kOwn;
+  visit(m.joint_a, E::kJoint, kAll, "joint_a", "");
+  visit(m.joint_b, E::kJoint, kAll, "joint_b", "");
+  visit(m.joint_material, E::kJoint, kAll, "joint_material", "");
+  visit(m.arm_a_x, E::kJoint, kAll, "arm_a_x", "m");
+  visit(m.arm_a_y, E::kJoint, kAll, "arm_a_y", "m");
+  visit(m.arm_b_x, E::kJoint, kAll, "arm_b_x", "m");
+  visit(m.arm_b_y, E::kJoint, kAll, "arm_b_y", "m");
+  visit(m.half_x, E::kJoint, kAll, "half_x", "m");
+  visit(m.half_y, E::kJoint, kAll, "half_y", "m");
+  visit(m.tangent_x, E::kJoint, kAll, "tangent_x", "1");
+  visit(m.tangent_y, E::kJoint, kAll, "tangent_y", "1");
+  visit(m.area, E::kJoint, kAll, "area", "m^2");
+  visit(m.point_xi, E::kOther, kAll, "point_xi", "1");
+  visit(m.point_weight, E::kOther, kAll, "point_weight", "1");
+  visit(m.block_begin, E::kOther, kAll, "block_begin", "");
+  visit(m.block_entry, E::kOther, kAll, "block_entry", "");
+  visit(m.turn_freedom, E::kBlock, kAll, "turn_freedom", "1");
+  visit(m.mass, E::kBlock, kOwn, "mass", "kg");
+  visit(m.heavy_mass, E::kBlock, kOwn, "heavy_mass", "kg");
+  visit(m.inertia, E::kBlock, kOwn, "inertia", "kg m^2");
+
+  auto& s = m.solids;
+  for (auto& corner : s.corner) visit(corner, E::kZone, kAll, "corner", "");
+  visit(s.zone_shape, E::kZone, kAll, "zone_shape", "");
+  visit(s.shapes, E::kOther, kAll, "shapes", "");
+  visit(s.contact_block, E::kContact, kAll, "contact_block", "");
+  visit(s.contact_p, E::kContact, kAll, "contact_p", "");
+  visit(s.contact_q, E::kContact, kAll, "contact_q", "");
+  visit(s.share_0, E::kContact, kAll, "share_0", "1");
+  visit(s.share_1, E::kContact, kAll, "share_1", "1");
+  visit(s.arm_0_x, E::kContact, kAll, "arm_0_x", "m");
+  visit(s.arm_0_y, E::kContact, kAll, "arm_0_y", "m");
+  visit(s.arm_1_x, E::kContact, kAll, "arm_1_x", "m");
+  visit(s.arm_1_y, E::kContact, kAll, "arm_1_y", "m");
+  visit(s.contact_tangent_x, E::kContact, kAll, "contact_tangent_x", "1");
+  visit(s.contact_tangent_y, E::kContact, kAll, "contact_tangent_y", "1");
+  visit(s.contact_area, E::kContact, kAll, "contact_area", "m^2");
+  visit(s.contact_material, E::kContact, kAll, "contact_material", "");
+  visit(s.zone_begin, E::kOther, kAll, "zone_begin", "");
+  visit(s.zone_entry, E::kOther, kAll, "zone_entry", "");
+  visit(s.contact_begin, E::kOther, kAll, "contact_begin", "");
+  visit(s.contact_entry, E::kOther, kAll, "contact_entry", "");
+  visit(s.node_free_x, E::kNode, kAll, "node_free_x", "1");
+  visit(s.node_free_y, E::kNode, kAll, "node_free_y", "1");
+  visit(s.node_mass, E::kNode, kOwn, "node_mass", "kg");
+  visit(s.node_heavy_mass, E::kNode, kOwn, "node_heavy_mass", "kg");
+}
+
+// Names what walls must share to be stepped side by side: a hash over the kTopology fields, the number
+// of stages, and the laws that materials follow (not their strengths). compile() keeps it in
+// Model::topology.
+[[nodiscard]] std::uint64_t topology_of(const Model& model);
+
+}  // namespace wythe
