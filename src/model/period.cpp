@@ -161,7 +161,7 @@ class Elastic {
 };
 
 // Smooth start of a push: after kPeriods of them a first mode is within 1 % of its static value
-// (docs/theory/integration.md, 4.11), but no more than kShare of the time to the first turn.
+// (docs/theory/integration.md, 4.14), but no more than kShare of the time to the first turn.
 constexpr double kPeriods = 8, kShare = 0.2;
 constexpr double kUnknown = 0.05;  // where the period cannot be found [s]
 
