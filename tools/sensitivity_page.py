@@ -4,11 +4,12 @@ import os
 
 HEAD = """# Sensitivity of the tuff wall
 
-Made by `tools/sensitivity run` on the released binary and `tools/sensitivity page`; the model is
-`examples/tuff_wall/model.toml` (Table 1 of the paper) with the paper's lintel of 0.3 GPa, a chain of rigid
-segments (`PAPER_LINTEL` of `tools/paired_samples`), each row changes only what it names. Forces are averaged over one row of the curve (a window of 0.1 mm) unless stated. D is the displacement at 80 % of the
-peak after it; ">" means the push ended first. "Drag" is the mean gap between reaction and base shear over
-the peak, "ledger gap" what the energy ledger misses.
+Which choices change the result for the tuff wall, and by how much? The model is `examples/tuff_wall/model.toml` (Table 1 of the
+paper) with the paper's lintel of 0.3 GPa as a chain of rigid segments (`PAPER_LINTEL` of `tools/paired_samples`). Each row changes
+one thing. Forces are means over one row of the curve (a window of 0.1 mm) unless stated otherwise. D is the displacement at which the
+force has fallen to 80 % of the peak; ">" means that the push ended before. "Drag" is the mean difference between reaction and base
+shear, divided by the peak. "Ledger gap" is the energy that the energy ledger misses. Made by `tools/sensitivity run` and
+`tools/sensitivity page`.
 """
 
 
@@ -52,9 +53,9 @@ def rate_rows(rows):
 
 def rate_section(rows):
     lines = ["## Rate and damping", "",
-             "Local damping takes a share of every unbalanced force, so each vibration drags on the push: the",
-             "peak rises with velocity times damping. The last column is the straight line through the three",
-             "slowest velocities, read at zero.", "",
+             "Local damping takes a share of every unbalanced force. So each vibration brakes the push, and the peak",
+             "rises with velocity times damping. The last column is the value at zero velocity of the straight line",
+             "through the three slowest velocities.", "",
              "| local damping | 10 mm/s | 5 mm/s | 2 mm/s | 1 mm/s | slope kN per mm/s | at zero rate |",
              "|---|---|---|---|---|---|---|"]
     for damping, runs in sorted(rate_rows(rows).items(), reverse=True):
