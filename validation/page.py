@@ -180,9 +180,10 @@ def write(out, page, folder_of):
     os.makedirs(figures, exist_ok=True)
     registry, variants = read_csv("registry.csv"), read_csv("variants.csv")
     lines = ["# Validation", "", "<!-- written by tools/validation page; edit validation/ instead -->", "",
-             "Published walls, computed and compared. *Blind*: nothing was fitted to the reference. *Calibration*: the inputs",
-             "were fitted to it by somebody. *Measured* is a test, *computed* somebody else's calculation or a closed form.",
-             "Ratios are computed over reference. Inputs, assumptions and data: the folders of validation/.", "",
+             "Published walls are computed here and compared with tests and calculations of others. *Blind* means that nothing was",
+             "fitted to the reference; *calibration*, that somebody fitted the inputs to it. A *measured* reference is a test, a",
+             "*computed* one is a calculation of others or a closed form. Ratios are computed value over reference. Inputs,",
+             "assumptions and data are in the folders of validation/.", "",
              made_with(out, folder_of), "", readme_overview(), ""]
     for title, folder, cases in SECTIONS:
         head, moves = section(title, folder, cases, registry, variants)
