@@ -35,7 +35,7 @@ std::size_t control_at(const std::string& text, std::size_t i) {
   return turns ? 3 : 0;
 }
 
-// Lines of a sentence stay lines.
+// The text with control characters written out; its line breaks stay.
 std::string readable_lines(const std::string& text) {
   std::string out;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -88,7 +88,7 @@ void Stepper::node_pass(State& s, const Controls& controls) {
   });
 }
 
-// A few dozen rows.
+// Adds the forces of the zone contacts to the blocks they touch; not in parallel, as there are few.
 void gather_zone_contacts(const Model& model, Workspace& work, int lanes) {
   const Solids& m = model.solids;
   for (int c = 0; c < m.n_contact; ++c)

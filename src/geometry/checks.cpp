@@ -18,7 +18,7 @@ constexpr std::size_t kNamed = 5;  // blocks named in one message
 
 double longer_side(const Rect& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); }
 
-// Whether it was refused.
+// Adds a fault if the two blocks overlap; true if they do.
 bool refuse_overlap(const Block& a, const Block& b, double tolerance, FaultList& faults) {
   const Rect box_a = bounds(a.outline), box_b = bounds(b.outline);
   if (!overlaps(box_a, box_b, tolerance)) return false;

@@ -67,7 +67,7 @@ std::vector<CurveRow> read_curve(const fs::path& path) {
   return rows;
 }
 
-// The model pushed the other way.
+// The model with its push reversed.
 Model reversed(Model model) {
   for (Stage& stage : model.stages) {
     if (stage.spec.kind != StageKind::kPush) continue;

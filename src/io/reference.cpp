@@ -27,7 +27,7 @@ The kind of a stage is told from its keys: `velocity` makes a push, a load a loa
 force, `tilt_rate` a tilt, `duration` a hold.
 )";
 
-// A bar would end the cell.
+// The text for a cell of a table: each | is escaped, since it would end the cell.
 std::string cell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
     text.insert(at, "\\");

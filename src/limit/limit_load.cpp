@@ -87,9 +87,9 @@ Watch watch_from(const LimitWatch& watch, double from, double to) {
   };
 }
 
-// What is known of a wall on a ground that tilts: strengths and loads that keep their direction against
-// weights of W (tan, -1), all divided by the cosine. Each tilt gives the next; 1: a dry wall without loads
-// needs no second.
+// A wall on tilted ground, with everything divided by the cosine: weights W (tan, -1), while strengths
+// and loads of fixed direction grow by 1/cos of the tilt. The tilt of one solution gives the factor of
+// the next; a dry wall without loads needs only the first, whose factor is 1.
 double secant_of(double tangent) { return std::sqrt(1 + tangent * tangent); }
 
 struct Programmes {

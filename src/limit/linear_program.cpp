@@ -25,12 +25,12 @@ std::vector<double> bounds(const std::vector<double>& values, std::size_t from =
   return out;
 }
 
-// Clp asks now and then; it knows no share.
-class Ear : public ClpEventHandler {
+// Clp calls this from time to time; it stops Clp when the watch asks for it. Clp reports no progress.
+class StopHandler : public ClpEventHandler {
  public:
-  explicit Ear(const Watch& watch) : watch_(watch) {}
+  explicit StopHandler(const Watch& watch) : watch_(watch) {}
   int event(Event) override { return watch_ && watch_(0) ? 0 : -1; }  // 0: stop
-  [[nodiscard]] ClpEventHandler* clone() const override { return new Ear(*this); }
+  [[nodiscard]] ClpEventHandler* clone() const override { return new StopHandler(*this); }
 
  private:
   Watch watch_;
@@ -97,10 +97,10 @@ void LinearProgramme::append() {
 ProgrammeStatus LinearProgramme::solve_by_vertices(const Watch& watch) {
   const auto stopped = [&] { return watch && watch(0); };
   const bool first = loaded_rows_ == 0;
-  Ear ear(watch);
+  StopHandler handler(watch);
   if (first) {
     load();
-    solver_->clp.passInEventHandler(&ear);
+    solver_->clp.passInEventHandler(&handler);
     ClpSolve interior;
     interior.setSolveType(ClpSolve::useBarrier);
     solver_->clp.initialSolve(interior);
@@ -109,12 +109,12 @@ ProgrammeStatus LinearProgramme::solve_by_vertices(const Watch& watch) {
     if (!found && !stopped()) {
       solver_ = std::make_unique<Solver>();
       load();
-      solver_->clp.passInEventHandler(&ear);
+      solver_->clp.passInEventHandler(&handler);
       solver_->clp.primal();
     }
   } else {
     append();
-    solver_->clp.passInEventHandler(&ear);
+    solver_->clp.passInEventHandler(&handler);
     solver_->clp.dual();
   }
   loaded_rows_ = rows();

@@ -17,7 +17,7 @@ namespace wythe::study {
 inline constexpr int kReplicates = 2000;
 inline constexpr int kFewestForBootstrap = 5;  // fewer samples say nothing about their own scatter
 
-// splitmix64 (Steele, Lea and Flood 2014).
+// Random numbers: splitmix64 (Steele, Lea and Flood 2014).
 class RandomBits {
  public:
   explicit RandomBits(std::uint64_t seed) : state_(seed) {}

@@ -12,7 +12,7 @@ namespace wythe::study {
 
 using Column = std::vector<double>;
 
-// 1 ... n, ties by their mean rank.
+// Ranks from 1 to n; equal values get their mean rank.
 [[nodiscard]] Column ranks(const Column& values);
 // The same where some are lower bounds: the mean of the ranks that each can have, (7.9) of
 // docs/theory/statistics.md. Bounds that no observed value separates tie, wherever their pushes ended.

@@ -81,9 +81,9 @@ class Database {
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
-  // Throws what the last failure was.
+  // Throws the last failure of SQLite as an IoError.
   [[noreturn]] void refuse(int code);
-  // Throws that what the file holds can't be: its cure is that of any damage.
+  // Throws an IoError: the file holds something impossible, so it is damaged.
   [[noreturn]] void damaged(const std::string& what) const;
 
  private:

@@ -64,7 +64,7 @@ double widest_line(const std::vector<LineSum>& lines) {
   return widest;
 }
 
-// The slip that nine lines in ten have at least.
+// The slip that 0.9 of the lines have at least [m].
 double slip_on_all(const std::vector<LineSum>& lines) {
   std::vector<double> slip;
   for (const LineSum& line : lines) slip.push_back(std::fabs(line.slip));
@@ -185,9 +185,9 @@ struct Beds {
   double bond = 0, force = 0;  // of all sections but the foundation [N]
 };
 
-class Reader {
+class SignReader {
  public:
-  Reader(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
+  SignReader(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
       : parts_(parts), motion_(motion), joints_(motion.joints), rules_(rules) {}
 
   [[nodiscard]] ElementState pier(const Pier& p) const {
@@ -342,7 +342,7 @@ double width_growth(const Pier& pier, const WallParts& parts,
 
 ElementStates element_states(const WallParts& parts, const WallMotion& motion,
                              const ModeRules& rules) {
-  const Reader reader(parts, motion, rules);
+  const SignReader reader(parts, motion, rules);
   ElementStates elements;
   for (const Pier& p : parts.piers) elements.push_back(reader.pier(p));
   for (const Spandrel& s : parts.spandrels) elements.push_back(reader.spandrel(s));

@@ -152,7 +152,7 @@ class Namer {
     }
   }
 
-  // Kinds of damage, gravest first.
+  // Ranks the kinds of damage of any other wall, the most severe first.
   void rank_plainly() {
     const bool bare = parts_.openings == 0;
     const auto add = [&](const char* of_pier, const char* alone, double sure) {

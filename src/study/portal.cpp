@@ -384,8 +384,8 @@ std::string cure_of_pull(const Portal& p) {
       forward ? "left" : "right", end, forward ? "-" : "+");
 }
 
-// No hinge pulls: the cracks it stands in carry no tension. One that does asks for a push on the other
-// side of the chain.
+// Refuses a mechanism in which a hinge pulls, since cracks carry no tension: the push then belongs on
+// the other side of the chain.
 void check_hinges(const Portal& p, const Mechanism& m) {
   const double force = m.curve.states.front().force;
   const std::vector<Point> h = hinge_forces(m.chain, force);

@@ -292,7 +292,7 @@ void make_uncorrelated(Columns& z) {
 
 // Puts the values of each column in the order of the uncorrelated ones; three times, which leaves rank
 // correlations of at most 0.004 in 250 samples.
-void take_out_chance(Columns& u) {
+void remove_chance_correlations(Columns& u) {
   for (int round = 0; round < 3; ++round) {
     Columns order = u;
     make_uncorrelated(order);
@@ -334,7 +334,8 @@ CorrelationMatrix nearest_positive_definite(const CorrelationMatrix& matrix) {
 void impose_correlation(Columns& u, const CorrelationMatrix& matrix, Design design) {
   if (u.empty()) return;
   const std::size_t n = u.front().size();
-  if (design == Design::kLatinHypercube && n >= kFewestPerColumn * u.size()) take_out_chance(u);
+  if (design == Design::kLatinHypercube && n >= kFewestPerColumn * u.size())
+    remove_chance_correlations(u);
   OT::Sample scores(n, u.size());
   for (std::size_t j = 0; j < u.size(); ++j)
     for (std::size_t i = 0; i < n; ++i) scores(i, j) = OT::DistFunc::qNormal(u[j][i]);

@@ -50,7 +50,7 @@ std::vector<std::string> clauses_of(const std::string& rule) {
   return clauses;
 }
 
-struct Reader {
+struct RuleReader {
   const std::string& rule;
   FaultList& faults;
 
@@ -109,7 +109,7 @@ struct Reader {
 std::vector<Clause> parsed(const std::string& rule) {
   FaultList faults;
   std::vector<Clause> clauses;
-  const Reader reader{rule, faults};
+  const RuleReader reader{rule, faults};
   for (const std::string& text : clauses_of(rule)) clauses.push_back(reader.clause_of(text));
   faults.throw_if_any();
   return clauses;
