@@ -101,7 +101,7 @@ void move_head_to_course(const Axis& courses, PlacedOpening& opening,
   opening.hole.y1 = line;
 }
 
-// What it is made of is a word for the reader: one that no reader knows may be meant otherwise.
+// The kind is only a label. An unknown label gets a note, since the user may expect an effect.
 void note_unknown_kind(const LintelSpec& lintel, const PlacedOpening& opening,
                        std::vector<std::string>& notes) {
   static const std::vector<std::string> kKnown = {"timber", "stone", "concrete", "steel", "brick"};

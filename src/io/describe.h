@@ -68,7 +68,7 @@ inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage
 template <class Visitor>
 void describe(Visitor& v, LintelSpec& s) {
   v.text("kind", s.kind, {.fallback = "no lintel", .example = "timber",
-         .doc = "What it is made of, a word for the reader: timber, stone, concrete, steel, brick. Its "
+         .doc = "What it is made of; only a label: timber, stone, concrete, steel, brick. Its "
                 "presence makes the lintel; any other word gets a note."});
   v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "needed with a lintel", .example = "110 mm",
@@ -199,7 +199,7 @@ void describe_strength(Visitor& v, JointMaterial& m) {
   v.quantity("compressive_strength", m.compressive_strength, {.unit = "Pa", .shown = "MPa",
              .range = kPositive, .may_be_unlimited = true, .fallback = "required",
              .example = "3.96 MPa",
-             .doc = "fc of the masonry, lumped in the joint; \"unlimited\" for no crushing."});
+             .doc = "fc of the masonry, modelled in the joint; \"unlimited\": no crushing."});
 }
 
 template <class Visitor>
@@ -207,7 +207,7 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
   v.quantity("mode_1_energy", m.mode_1_energy, {.unit = "N/m", .shown = "N/m",
              .range = kNotNegative, .fallback = "needed where the joint has tensile strength",
              .example = "4.3 N/m",
-             .doc = "GI, energy to open a unit area fully: the whole area under the curve."});
+             .doc = "GI, energy that breaks a unit area in tension: the area under the curve."});
   v.quantity("mode_2_energy", m.mode_2_energy, {.unit = "N/m", .shown = "N/m",
              .range = kNotNegative, .fallback = "needed where shear strength drops",
              .example = "125 N/m",
@@ -219,7 +219,7 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
   v.choice("softening", m.softening, kSofteningWords, {.example = "bilinear",
            .doc = "Shape of the falling branch in tension and shear; the energy stays the same."});
   v.choice("coupling", m.coupling, kCouplingWords, {.example = "union",
-           .doc = "How damage in tension and in shear combine: dt + ds - dt ds, the larger, or "
+           .doc = "How damage in tension and in shear combine: d_t + d_s - d_t d_s, the larger, or "
                   "the loss of stiffness acting on shear."});
   v.choice("unloading", m.unloading, kUnloadingWords, {.example = "secant",
            .doc = "How an open joint closes: straight to the origin, or elastically to a set."});
@@ -247,10 +247,10 @@ void describe(Visitor& v, JointMaterial& m) {
                                     "with youngs_modulus_across."});
   v.quantity("tension_limit", m.tension_limit, {.unit = "Pa", .shown = "MPa", .range = kPositive,
              .fallback = "none", .example = "20 MPa",
-             .doc = "Principal tension of a zone from which the run says so; it stays elastic."});
+             .doc = "Principal tension of a zone beyond which the run reports it; no effect."});
   v.quantity("compression_limit", m.compression_limit, {.unit = "Pa", .shown = "MPa",
              .range = kPositive, .fallback = "none", .example = "20 MPa",
-             .doc = "Principal compression of a zone from which the run says so; it stays elastic."});
+             .doc = "Principal compression of a zone beyond which the run reports it; no effect."});
 }
 
 template <class Visitor>
@@ -297,7 +297,7 @@ void describe_load(Visitor& v, StageSpec& s) {
              .doc = "Vertical load on the centre of the loading beam, downwards."});
   v.choice("as", s.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
            .fallback = "pressure (load), spreader (push)", .example = "plate",
-           .doc = "A load acts as an even pressure or through a free stiff plate; a push moves "
+           .doc = "A load acts as a uniform pressure or through a free stiff plate; a push moves "
                   "its blocks through a spreader (equal forces, mean path) or each the same way."});
   v.text("plate_joint", s.plate_joint, {.kinds = kLoadStage, .example = "foundation",
          .doc = "Name of the joint material under a plate."});
@@ -312,11 +312,11 @@ void describe_push(Visitor& v, StageSpec& s) {
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,
              .kinds = kPushStage, .fallback = "required", .example = "10 mm/s",
-             .doc = "Speed of the push; slow enough when half of it gives the same curve."});
+             .doc = "Velocity of the push; slow enough if half of it gives the same curve."});
   v.quantity("fast_velocity", s.fast_velocity, {.unit = "m/s", .shown = "mm/s",
              .range = kSpeed, .kinds = kPushStage, .fallback = "velocity throughout",
              .example = "40 mm/s",
-             .doc = "Speed while the wall is near balance; `velocity` while it cracks."});
+             .doc = "Velocity while the wall is near balance; `velocity` while it cracks."});
   v.number("fast_below", s.fast_below, {.range = kPositive, .kinds = kPushStage,
            .example = "2e-4",
            .doc = "Unbalance ratio below which the push goes at `fast_velocity`; above twice this "
@@ -327,7 +327,7 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.quantities("targets", s.targets, {.unit = "m", .shown = "mm", .range = kCoordinate,
                .kinds = kPushStage,
                .fallback = "none", .example = "[\"2 mm\", \"-2 mm\", \"4 mm\"]",
-               .doc = "Cyclic push: displacements along `direction`, reached in turn."});
+               .doc = "Cyclic push: displacements along `direction`, one after the other."});
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",
            .doc = "End early when the reaction stays below this share of its peak; 0: never."});
@@ -352,7 +352,7 @@ void describe_other_drives(Visitor& v, StageSpec& s) {
              .doc = "Tilt at which the stage ends."});
   v.quantity("duration", s.duration, {.unit = "s", .shown = "s", .range = kPositive,
              .kinds = kHoldStage, .fallback = "required", .example = "1 s",
-             .doc = "How long everything is held as it is."});
+             .doc = "How long loads and pushed blocks are held."});
 }
 
 template <class Visitor>
@@ -360,10 +360,10 @@ void describe(Visitor& v, StageSpec& s) {
   v.text("name", s.name, {.fallback = "required", .example = "push",
          .doc = "Its name, different from the other stages'; `--set stage.push.velocity=...` "
                 "finds it by this."});
-  v.choice("kind", s.kind, kStageKindWords, {.fallback = "told from the other keys",
+  v.choice("kind", s.kind, kStageKindWords, {.fallback = "follows from the other keys",
            .example = "push", .doc = "What the stage does; a stage named gravity is one."});
   v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
-             .kinds = kRampedStage, .fallback = "0.05 s for a push, 0.1 s otherwise",
+             .kinds = kRampedStage, .fallback = "push: 8 first periods of the wall; 0.1 s otherwise",
              .example = "0.1 s", .doc = "Duration of the smooth start."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping",
            .example = "0.8", .doc = "Local damping in this stage."});
@@ -391,15 +391,15 @@ void describe(Visitor& v, SolveSpec& s) {
   v.number("settle_ratio", s.settle_ratio, {.range = kPositive, .example = "1e-5",
            .doc = "A stage has settled when unbalanced over contact forces fall below this."});
   v.quantity("settle_limit", s.settle_limit, {.unit = "s", .shown = "s", .range = kPositive,
-             .example = "20 s", .doc = "Time after which settling is given up (not_settled)."});
+             .example = "20 s", .doc = "Time after which a stage ends as not_settled."});
   v.number("mass_scaling", s.mass_scaling, {.range = kFromOne, .example = "1",
-           .doc = "Density scaling of the quasi-static stages before the first push."});
+           .doc = "Scaling of the inertia in the gravity and load stages before the first push."});
   v.flag("raise_light_inertia", s.raise_light_inertia, {.example = "true",
          .doc = "Lintels, plates and beams whose own stable step is shorter than the masonry's get "
-                "more inertia, not weight, until it is the same; a note says how much."});
+                "more inertia, but not weight, until it is as long; a note says how much."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
              .range = kPositive, .fallback = "the smallest block height", .example = "110 mm",
-             .doc = "A block that moved so far beyond the push has fallen: collapse."});
+             .doc = "Collapse: a block has moved this far beyond the push."});
 }
 
 template <class Visitor>
@@ -421,13 +421,13 @@ void describe(Visitor& v, ModelSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "tuff wall",
          .doc = "Title of the report."});
   v.text("note", s.note, {.fallback = "none", .example = "Table 1 of the paper",
-         .doc = "Anything worth remembering."});
+         .doc = "Remarks."});
   v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
   v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
         "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
         "given elsewhere; bodies (lintels, blocks) need density and moduli only."});
   v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});
-  v.list("stage", s.stage, {.doc = "What is done to the wall, in turn. At least one."});
+  v.list("stage", s.stage, {.doc = "What is done to the wall, stage after stage. At least one."});
   v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});
   v.table("output", s.output, {.doc = "What is written."});
 }
