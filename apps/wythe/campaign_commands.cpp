@@ -140,8 +140,8 @@ Device device_of(const std::string& word) {
 
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
   (void)write_files(a.out, read_campaign(a.out), a.language);
-  fmt::print(stderr, "stopped: {} of {} samples are stored, none is half done. Go on with\n  {}\n",
-             outcome.done, outcome.total, resume_command(a));
+  fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", outcome.done,
+             outcome.total, resume_command(a));
   return kFailed;
 }
 
@@ -184,7 +184,7 @@ int campaign(const CampaignArguments& a) {
   if (outcome.precise_at > 0)
     fmt::print("precise enough after {} samples: {}\n", outcome.precise_at, outcome.until_state);
   else if (!outcome.until_state.empty())
-    fmt::print("not yet precise enough: {}; more samples: --resume --samples N\n",
+    fmt::print("not yet precise enough: {}; add samples with --resume --samples N\n",
                outcome.until_state);
   return code;
 }
@@ -247,11 +247,11 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const S
   }
   const std::string hash = run.refused.empty() ? run.result.state_hash : "";
   if (stored->status == status && stored->state_hash == hash) {
-    fmt::print("equal to the campaign's to the bit\n");
+    fmt::print("the result equals that of the campaign, bit for bit\n");
     return 0;
   }
   fmt::print(stderr,
-             "differs from the campaign's: {}, state {}; stored {}, state {}\n"
+             "the result differs from that of the campaign: {}, state {}; stored {}, state {}\n"
              "the campaign was run by {}; this is {}\n",
              status, hash, stored->status, stored->state_hash, stored->provenance,
              provenance_text());

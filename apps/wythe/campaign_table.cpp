@@ -31,8 +31,8 @@ std::string share_cell(const Statistics& statistics, const GroupSummary& group) 
 void print_entangled(const std::vector<InputCorrelation>& pairs) {
   if (!pairs.empty() && std::fabs(pairs.front().rank) > kEntangled)
     fmt::print(
-        "mind: {} and {} were drawn with a rank correlation of {:.3f}; what is said of either "
-        "holds a part of the other\n",
+        "note: {} and {} were drawn with a rank correlation of {:.3f}, so their influences "
+        "cannot be told apart\n",
         pairs.front().a, pairs.front().b, pairs.front().rank);
 }
 
@@ -49,8 +49,8 @@ void print_warning(const Statistics& statistics) {
   }
   if (doubtful > 0)
     fmt::print(
-        "WARNING {} of {} pushes are not called slow enough ({}): their forces may be wrong by "
-        "more than 4 %; halve the velocity or lower stage.damping\n",
+        "WARNING {} of {} pushes were not slow enough ({}): their forces may be wrong by more "
+        "than 4 %; halve the velocity or lower stage.damping\n",
         doubtful, judged, counts);
 }
 
@@ -66,9 +66,8 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
   }
   fmt::print("\n");
   if (statistics.collapsed_before_push > 0)
-    fmt::print(
-        "{} collapsed before the push: they have no strength and are in none of the numbers\n",
-        statistics.collapsed_before_push);
+    fmt::print("{} collapsed before the push: they have no strength and are not counted below\n",
+               statistics.collapsed_before_push);
   constexpr std::size_t kShown = 3;  // peak, displacement at it, at 80 % of it
   const auto& quantity = quantities();
   fmt::print("{:<24} {:>4} {:>14}", "failure mode", "n", "share %");
@@ -85,15 +84,16 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
     fmt::print(" {:>6}\n", cell(100 * group.quantity[0].cov.value, "{:.1f}"));
   }
   fmt::print(
-      "means with their 95 % interval; CoV of the peak; censored displacements as recorded\n");
+      "means with their 95 % interval; CoV of the peak; a displacement that the push did not "
+      "reach counts as recorded\n");
   if (!statistics.group.empty() && statistics.group[0].quantity[0].without_value > 0)
-    fmt::print("{} of {} samples have no peak force and are in none of its numbers\n",
+    fmt::print("{} of {} samples have no peak force and are left out of its mean\n",
                statistics.group[0].quantity[0].without_value, statistics.answered);
   if (statistics.still_rising > 0)
     fmt::print("{} of {} peaks are lower bounds: the force was still rising where the push ended\n",
                statistics.still_rising, statistics.answered);
   if (statistics.named_earlier > 0)
-    fmt::print("{} of {} pushes ended before {:g} mm, their modes are named at their end\n",
+    fmt::print("{} of {} pushes ended before {:g} mm; their failure modes were read at the end\n",
                statistics.named_earlier, statistics.answered, 1e3 * statistics.read_modes_at);
   print_entangled(statistics.input_correlation);
 }

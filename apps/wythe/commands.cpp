@@ -38,10 +38,11 @@ constexpr double kMuchDrag = 0.1;  // of a loop's energy
 void print_cycles(const CyclicReadings& c) {
   const bool along = c.sense > 0;
   const DirectionReadings& other = along ? c.negative : c.positive;
-  fmt::print("read off the envelope {} the push; {} it peak {} kN at {} mm, 80 % at {}{} mm\n",
-             along ? "along" : "against", along ? "against" : "along",
-             shown(1e-3 * other.peak_reaction, 2), shown(1e3 * other.displacement_at_peak, 2),
-             other.censored_80 ? "> " : "", shown(1e3 * other.displacement_at_80, 2));
+  fmt::print(
+      "these are values of the envelope {} the push; {} it: peak {} kN at {} mm, 80 % at {}{} mm\n",
+      along ? "along" : "against", along ? "against" : "along",
+      shown(1e-3 * other.peak_reaction, 2), shown(1e3 * other.displacement_at_peak, 2),
+      other.censored_80 ? "> " : "", shown(1e3 * other.displacement_at_80, 2));
   fmt::print("{:>5} {:<10} {:>14} {:>14} {:>7} {:>8} {:>9} {:>8}\n", "cycle", "", "mm", "kN",
              "kept", "kN/mm", "J", "damping");
   bool much_drag = false;
@@ -60,8 +61,8 @@ void print_cycles(const CyclicReadings& c) {
   }
   if (much_drag)
     fmt::print(
-        "* a force out of balance, or over a tenth of the energy is motion and damping, not the "
-        "wall: push slower\n");
+        "* a force is out of balance, or more than a tenth of the energy went into motion and "
+        "damping: push slower\n");
 }
 
 void print_load(const Result& r) {
@@ -92,8 +93,9 @@ void print_push(const Result& r) {
                  ? "not known"
                  : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
   if (q.peak_raw > 1.02 * q.peak_reaction)
-    fmt::print("rows out of balance reach {:.2f} kN at {:.2f} mm: no strength\n", 1e-3 * q.peak_raw,
-               1e3 * q.displacement_at_peak_raw);
+    fmt::print(
+        "the largest force of all, {:.2f} kN at {:.2f} mm, is out of balance: it is no strength\n",
+        1e-3 * q.peak_raw, 1e3 * q.displacement_at_peak_raw);
 }
 
 void print_result(const Result& r, const std::string& out) {
@@ -112,9 +114,8 @@ void print_result(const Result& r, const std::string& out) {
                r.failure_mode.sentence);
     if (!r.validity.holds())
       fmt::print(
-          "warning: from {:.2f} mm on {} joint{} slid off: pressed, with less than half of the "
-          "face left; "
-          "what hangs on that means little. First: {}\n",
+          "warning: from {:.2f} mm on {} compressed joint{} lost more than half of the contact "
+          "face; results that depend on them are not reliable. The first: {}\n",
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           r.validity.where);
     fmt::print("rate: {}\n", r.quasi_static.verdict);

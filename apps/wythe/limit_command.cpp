@@ -141,13 +141,12 @@ int print_bounds(const Comparison& c) {
       ++broken;
       fmt::print(
           stderr,
-          "{}: error of the run: its peak is {:.4f} times the limit load of its joints, which "
-          "rigid blocks cannot pass; {:.0f} % are allowed, whatever its rate; push slower, or "
-          "check the run\n",
+          "{}: error of the run: its peak is {:.4f} times its limit load. Rigid blocks cannot "
+          "exceed that load; {:.0f} % are allowed. Push slower, or check the run\n",
           b.run, b.peak / b.bound, 100 * b.allowance);
     } else if (!b.no_evidence.empty()) {
       ++silent;
-      fmt::print(stderr, "{}: no evidence, though below its limit load: {}\n", b.run,
+      fmt::print(stderr, "{}: no evidence: its peak is below its limit load, but {}\n", b.run,
                  b.no_evidence);
     } else {
       nearest = std::max(nearest, b.peak / b.bound);
@@ -158,7 +157,8 @@ int print_bounds(const Comparison& c) {
     fmt::print("{} runs within the limit loads of their own joints, the nearest at {:.3f} of it\n",
                sound, nearest);
   for (const ComparedRun& run : c.runs)
-    if (!run.no_bound.empty()) fmt::print(stderr, "{} has no bound: {}\n", run.name, run.no_bound);
+    if (!run.no_bound.empty())
+      fmt::print(stderr, "{} has no limit load to compare with: {}\n", run.name, run.no_bound);
   return broken > 0 ? kFailed : 0;
 }
 
@@ -210,7 +210,7 @@ int limit(const LimitArguments& a) {
   add_mechanisms(a, model, opinion);
   add_limits(a, model, stop.asked(), opinion);
   if (stop.asked() && opinion.mechanisms.empty() && opinion.limits.empty()) {
-    fmt::print(stderr, "stopped by the user before anything was answered; nothing is written\n");
+    fmt::print(stderr, "stopped by the user before the first result; nothing is written\n");
     return kFailed;
   }
   throw_if_nothing(opinion);

@@ -46,7 +46,7 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
   command->add_option("model", a.model, "the wall, MODEL.toml")->required();
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
   add_overrides(command, a.overrides);
-  command->add_option("--threads", a.threads, "threads inside this wall; same bits for any number")
+  command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
@@ -54,8 +54,8 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
 }
 
 void add_check(CLI::App& app, CheckArguments& a, int& code) {
-  CLI::App* command =
-      app.add_subcommand("check", "validate a model or a study and print what it compiles to");
+  CLI::App* command = app.add_subcommand(
+      "check", "check a model or a study; print its size and the time it will take");
   command->footer("example: wythe check examples/tuff_wall/model.toml");
   command->add_option("file", a.file, "MODEL.toml or STUDY.toml")->required();
   add_overrides(command, a.overrides);
@@ -64,7 +64,7 @@ void add_check(CLI::App& app, CheckArguments& a, int& code) {
 
 void add_contact(CLI::App& app, ContactArguments& a, int& code) {
   CLI::App* command =
-      app.add_subcommand("contact", "drive one joint along a path of opening and slip");
+      app.add_subcommand("contact", "stresses of one joint along a path of opening and slip");
   command->footer(
       "example: wythe contact examples/joint_law/law.toml --path examples/joint_law/path.csv --out "
       "out.csv");
@@ -76,7 +76,7 @@ void add_contact(CLI::App& app, ContactArguments& a, int& code) {
 
 void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
-      "campaign", "draw samples of a study, push each, and say how strong, how far, how sure");
+      "campaign", "draw the samples of a study, push one wall for each, write statistics");
   command->footer(
       "example: wythe campaign examples/tuff_wall/study.toml --out out/campaign --samples 24");
   command->add_option("study", a.study, "the study, STUDY.toml")->required();
@@ -85,10 +85,10 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_option("--samples", a.samples, "number of samples, in place of the study's");
   command->add_option("--seed", a.seed, "seed of the samples, in place of the study's");
   add_overrides(command, a.overrides);
-  command->add_option("--jobs", a.jobs, "samples at once (all cores); same bits for any number");
-  command->add_option("--device", a.device,
-                      "cpu, or gpu where the program was built for one (-DWYTHE_CUDA=ON)");
-  command->add_flag("--resume", a.resume, "go on with what the folder holds");
+  command->add_option("--jobs", a.jobs,
+                      "samples run at the same time (default: one a core); no change of results");
+  command->add_option("--device", a.device, "cpu, or gpu in a program built with -DWYTHE_CUDA=ON");
+  command->add_flag("--resume", a.resume, "continue the campaign that the folder holds");
   command->add_option("--shard", a.shard, "I/N: only samples I, I + N, ...; join with wythe merge");
   command->add_option("--until", a.until,
                       "stop when precise enough, e.g. \"relative_interval(peak_reaction) < 1 %\"");
@@ -101,19 +101,19 @@ void add_merge(CLI::App& app, MergeArguments& a, int& code) {
   CLI::App* command = app.add_subcommand("merge", "join the shards of a campaign");
   command->footer("example: wythe merge out/shard_1 out/shard_2 --out out/campaign");
   command->add_option("folders", a.folders, "folders of the shards")->required();
-  command->add_option("--out", a.out, "folder for the whole, made if absent")->required();
+  command->add_option("--out", a.out, "folder for the joined campaign, made if absent")->required();
   add_language(command, a.language);
   command->callback([&] { code = merge(a); });
 }
 
 void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
-      "replay", "run one sample of a campaign alone: same bits, all files of a run");
+      "replay", "run one sample of a campaign again and write all files of a run");
   command->footer("example: wythe replay out/campaign --sample 17 --out out/sample_17");
   command->add_option("folder", a.folder, "folder of the campaign")->required();
   command->add_option("--sample", a.sample, "number of the sample, from 1")->required();
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
-  command->add_option("--threads", a.threads, "threads inside this wall; same bits for any number")
+  command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
@@ -122,7 +122,7 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
 
 void add_limit(CLI::App& app, LimitArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
-      "limit", "macro-block mechanisms FM-1 and FM-4, and limit analysis of the blocks");
+      "limit", "check a model by limit analysis of its blocks and by macro-blocks (FM-1, FM-4)");
   command->footer(
       "example: wythe limit examples/tuff_wall/model.toml --out out/limit --with out/campaign");
   command->add_option("model", a.model, "the wall, MODEL.toml")->required();
@@ -140,7 +140,7 @@ void add_limit(CLI::App& app, LimitArguments& a, int& code) {
 
 void add_report(CLI::App& app, ReportArguments& a, int& code) {
   CLI::App* command =
-      app.add_subcommand("report", "write report.html again from what a folder of results holds");
+      app.add_subcommand("report", "write report.html again from the stored results of a folder");
   command->footer("example: wythe report out/campaign --lang it");
   command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
   add_language(command, a.language);
@@ -162,7 +162,8 @@ void add_picture(CLI::App& app, PictureArguments& a, int& code) {
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app(
-      "wythe: how strong a masonry wall is, how far it drifts, how it fails, and how sure we are");
+      "wythe pushes masonry walls until they fail: strength, drift, failure mode and their "
+      "uncertainty");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::function<std::string()>(version_text));
   int code = 0;

@@ -93,7 +93,7 @@ class Results(Base):
     def test_pushes_that_are_too_fast_are_counted_first(self):
         done = wythe("campaign", self.study, "--out", self.out(), "--samples", "2", "--quiet",
                      "--set", "stage.push.velocity=20 mm/s")
-        self.assertTrue(done.stdout.startswith('WARNING 2 of 2 pushes are not called slow enough (2 "too fast")'), done.stdout)
+        self.assertTrue(done.stdout.startswith('WARNING 2 of 2 pushes were not slow enough (2 "too fast")'), done.stdout)
         counts = json.loads((self.out() / "statistics.json").read_text())["samples"]["judgements"]
         self.assertEqual(counts, {"too fast": 2})
 
@@ -189,7 +189,7 @@ class Disturbed(Base):
         held = self.held(2)
         said = held.interrupt()
         self.assertEqual(held.process.returncode, 3, said)
-        stored = int(re.search(r"stopped: (\d+) of 20 samples are stored, none is half done", said).group(1))
+        stored = int(re.search(r"stopped: (\d+) of 20 samples are stored", said).group(1))
         self.assertGreaterEqual(stored, 2)
         self.assertLess(stored, 20)
         asked = json.loads((self.out() / "statistics.json").read_text())["samples"]
@@ -310,7 +310,7 @@ class Parts(Base):
     def test_replay_gives_the_same_bits_and_all_files(self):
         done = wythe("replay", self.whole, "--sample", 3, "--out", self.out(), "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("equal to the campaign's to the bit", done.stdout)
+        self.assertIn("equals that of the campaign, bit for bit", done.stdout)
         names = {p.name for p in self.out().iterdir()}
         for name in ("force_displacement.csv", "summary.json", "report.html", "run.pvd", "model.toml", "settings.txt"):
             self.assertIn(name, names)
@@ -320,7 +320,7 @@ class Parts(Base):
         with sqlite3.connect(store) as database:
             database.execute("UPDATE sample SET state_hash = '0123456789abcdef' WHERE sample = 3")
         done = wythe("replay", self.out(), "--sample", 3, "--out", self.folder / "replayed", "--quiet")
-        self.refused(done, 3, "differs from the campaign's", "0123456789abcdef", "the campaign was run by")
+        self.refused(done, 3, "differs from that of the campaign", "0123456789abcdef", "the campaign was run by")
 
     def test_replay_of_a_sample_that_is_not_there(self):
         done = wythe("replay", self.whole, "--sample", 7, "--out", self.out())

@@ -142,7 +142,7 @@ class Cyclic(Base):
                 self.assertGreater(cycle["damping_ratio"], 0)
             # rows against the work the step counted: another way to the same number
             self.assertAlmostEqual(cyclic["work_J"], summary["energy_J"]["drive"], delta=0.01 * cyclic["work_J"])
-            self.assertIn("read off the envelope along the push", said)
+            self.assertIn("values of the envelope along the push", said)
             self.assertEqual(len(re.findall(r"^ +\d full ", said, re.M)), 4, said)
 
     def test_fixed_keys_are_those_of_the_stronger_direction(self):

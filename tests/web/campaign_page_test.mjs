@@ -393,7 +393,7 @@ test("the replay command of the page works and gives the same bits", async () =>
     .slice(1)
     .map((w) => (w === "DIR" ? folder("campaign") : w));
   words[words.length - 1] = folder("replayed");
-  assert.match(run(...words, "--quiet"), /equal to the campaign's to the bit/);
+  assert.match(run(...words, "--quiet"), /equals that of the campaign, bit for bit/);
 });
 
 test("samples are reached by keyboard and number too", async () => {
