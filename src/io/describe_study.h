@@ -68,7 +68,7 @@ void describe(Visitor& v, StudyHead& h) {
   v.text("name", s.name, {.fallback = "none", .example = "tuff wall, Table 2",
          .doc = "Title of the report."});
   v.text("note", s.note, {.fallback = "none", .example = "Table 2 of the paper",
-         .doc = "Anything worth remembering."});
+         .doc = "Remarks."});
   v.text("model", h.model, {.fallback = "required", .example = "model.toml",
          .doc = "The base model, relative to the study file."});
   v.text("model_text", s.model_text, {.fallback = "none",
