@@ -1,4 +1,4 @@
-# The same law and step for NVIDIA graphics processors: src/dynamics/gpu.cu in place of gpu_none.cpp.
+# The same law and step for NVIDIA graphics processors: src/dynamics/executors/gpu.cu in place of gpu_none.cpp.
 if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
   set(CMAKE_CUDA_ARCHITECTURES 80 90)
 endif()
@@ -8,7 +8,7 @@ if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
   set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
 endif()
 list(FILTER WYTHE_SOURCES EXCLUDE REGEX "gpu_none")
-set_property(TARGET wythe PROPERTY SOURCES ${WYTHE_SOURCES} src/dynamics/gpu.cu
+set_property(TARGET wythe PROPERTY SOURCES ${WYTHE_SOURCES} src/dynamics/executors/gpu.cu
   ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
 # -fmad=false: no fused multiply-add, the bits of the other processors
 set_target_properties(wythe PROPERTIES CUDA_STANDARD 20)

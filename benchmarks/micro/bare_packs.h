@@ -4,7 +4,7 @@
 
 #include "bare_wall.h"
 #include "core/pack.h"
-#include "dynamics/lanes.h"
+#include "dynamics/passes/access.h"
 
 namespace wythe::bench {
 

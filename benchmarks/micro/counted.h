@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "dynamics/lanes.h"
+#include "dynamics/passes/access.h"
 
 namespace wythe::bench {
 

@@ -10,9 +10,7 @@
 #include "bare_packs.h"
 #include "contact/parameters.h"
 #include "counted.h"
-#include "dynamics/blocks.h"
-#include "dynamics/forces.h"
-#include "dynamics/step_arrays.h"
+#include "dynamics/executors/kernel_set.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
 
@@ -103,13 +101,15 @@ double difference(const State& bare, const State& engine) {
 State engine_after(int steps) {
   const Cracked& wall = cracked();
   State state = wall.held;
-  dynamics::Stepper stepper(wall.model, 1);
-  stepper.refresh(state);
-  stepper.choose_driven(wall.push().driven);
+  dynamics::Processor processor(wall.model, 1);
+  processor.put(0, wall.model, state);
+  processor.place(0)->choose_driven(wall.push().driven);
   dynamics::Controls controls;
   controls.dt = wall.dt;
   controls.damping = kLambda;
-  for (int k = 0; k < steps; ++k) stepper.step(state, controls);
+  processor.set(0, controls);
+  for (int k = 0; k < steps; ++k) processor.step();
+  processor.drop(0);
   return ledger_since(state, wall.held);
 }
 
@@ -129,35 +129,31 @@ void check_bare_kernels() {
 
 Cost engine_cost(int lanes) {
   const Model& m = cracked().model;
-  State s = cracked().held;
-  dynamics::Workspace work(m);
-  using Access = dynamics::Walls<Counted>;
-  double sums[3 * dynamics::kGroup] = {};
-  const dynamics::JointEnergy joints{sums, sums + dynamics::kGroup, sums + 2 * dynamics::kGroup};
-  const dynamics::BlockEnergy blocks{sums, sums + dynamics::kGroup};
-  const auto nb = static_cast<std::size_t>(m.n_block);
-  const dynamics::BlockArrays arrays = dynamics::block_arrays(m, work, s);
-  dynamics::turn_run(arrays, Access{}, 0, nb);
+  using Access = dynamics::Walls<Counted, 1>;
+  const dynamics::Layout layout(m, dynamics::Layout::kWalls);
+  dynamics::Memory memory;
+  const dynamics::Tables t = dynamics::make_tables(layout, m, 1, memory);
+  dynamics::put_wall(layout, t, 0, m, cracked().held);
+  const dynamics::WallView wall = dynamics::view_of(layout, m, t, 0);
+  dynamics::set_rates(wall, cracked().dt, 1);
+  wall.of_wall(dynamics::kDt) = cracked().dt;
+  wall.of_wall(dynamics::kDamping) = kLambda;
+  const auto step = [&] {
+    double works[dynamics::kTerms * dynamics::kGroup] = {};
+    for (const dynamics::Chunk& chunk : layout.chunks[dynamics::kJoints])
+      dynamics::PassesOf<Access>::joints(t, chunk, works);
+    for (const dynamics::Chunk& chunk : layout.chunks[dynamics::kBlocks])
+      dynamics::run_pass<dynamics::Blocks<Access>>(t, chunk, works);
+  };
+  step();  // until it knows which joints move
   counts = {};
-  for (const dynamics::JointChunk& c : work.joint_chunks) {
-    const auto begin = static_cast<std::size_t>(c.begin), end = static_cast<std::size_t>(c.end);
-    const auto* law = &work.law[static_cast<std::size_t>(m.joint_material[begin])];
-    const dynamics::JointArrays v = dynamics::joint_arrays(m, work, s);
-    if (c.on_ground)
-      dynamics::joint_run<contact::PaperVariant, true, 0>(v, Access{}, law, begin, end, joints);
-    else
-      dynamics::joint_run<contact::PaperVariant, false, 2>(v, Access{}, law, begin, end, joints);
-  }
-  dynamics::gather_run(dynamics::gather_arrays(m, work), Access{}, 0, nb);
-  const double damping = kLambda, scale = 1;
-  dynamics::move_run(arrays, Access{},
-                     {&cracked().dt, &damping, &scale, &s.gravity_x, &s.gravity_y}, 0, nb, blocks);
-  dynamics::turn_run(arrays, Access{}, 0, nb);
+  step();
   // Each wall's own: history of a point, force of a joint, rows of a block. Shared: geometry, lists.
   const auto nj = static_cast<double>(m.n_joint), np = static_cast<double>(m.n_point());
-  const double own = 8 * (5 * np + 4 * nj + 23 * static_cast<double>(nb));
-  const double shared = nj * (2 * 4 + 9 * 8) + static_cast<double>(m.block_entry.size()) * 4 +
-                        static_cast<double>(nb) * (2 * 4 + 8);
+  const auto nb = static_cast<double>(m.n_block);
+  const double own = 8 * (dynamics::kHistoryRows * np + 4 * nj + (dynamics::kBlockRows + 4) * nb);
+  const double shared = nj * (2 * 4 + dynamics::kJointRows * 8) +
+                        static_cast<double>(m.block_entry.size()) * 4 + nb * (2 * 4 + 8);
   return per_point(counts, (own + shared / lanes) / np);
 }
 

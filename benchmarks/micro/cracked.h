@@ -7,7 +7,7 @@
 
 #include "bare_wall.h"
 #include "contact/law.h"
-#include "dynamics/step.h"
+#include "dynamics/executors/processor.h"
 
 namespace wythe::bench {
 

@@ -16,8 +16,7 @@
 #include <vector>
 
 #include "cracked.h"
-#include "dynamics/lane_step.h"
-#include "dynamics/step.h"
+#include "dynamics/executors/processor.h"
 #include "wythe/solve.h"
 
 namespace {
@@ -94,11 +93,11 @@ dynamics::Controls push_controls() {
 void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels& kernels) {
   const Cracked& wall = cracked();
   State s = wall.state;
-  dynamics::Stepper stepper(wall.model, threads, kernels);
-  stepper.refresh(s);
-  stepper.choose_driven(wall.push().driven);
-  const dynamics::Controls controls = push_controls();
-  for (auto _ : bench) stepper.step(s, controls);
+  dynamics::Processor processor(wall.model, 1, threads, kernels);
+  processor.put(0, wall.model, s);
+  processor.place(0)->choose_driven(wall.push().driven);
+  processor.set(0, push_controls());
+  for (auto _ : bench) processor.step();
   report(bench, wall.model.n_point(), engine_cost(1));
 }
 
@@ -106,19 +105,19 @@ void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels
 void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
   const Cracked& wall = cracked();
   std::vector<State> states(sets * static_cast<std::size_t>(lanes), wall.state);
-  std::vector<std::unique_ptr<dynamics::LaneStepper>> steppers;
+  std::vector<std::unique_ptr<dynamics::Processor>> processors;
   for (std::size_t set = 0; set < sets; ++set) {
-    auto& stepper =
-        *steppers.emplace_back(std::make_unique<dynamics::LaneStepper>(wall.model, lanes));
+    auto& processor =
+        *processors.emplace_back(std::make_unique<dynamics::Processor>(wall.model, lanes));
     for (int lane = 0; lane < lanes; ++lane) {
-      stepper.put(lane, wall.model,
-                  states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
-      stepper.place(lane)->choose_driven(wall.push().driven);
-      stepper.set(lane, push_controls());
+      processor.put(lane, wall.model,
+                    states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
+      processor.place(lane)->choose_driven(wall.push().driven);
+      processor.set(lane, push_controls());
     }
   }
   for (auto _ : bench)
-    for (const auto& stepper : steppers) stepper->step();
+    for (const auto& processor : processors) processor->step();
   report(bench, static_cast<std::int64_t>(states.size()) * wall.model.n_point(),
          engine_cost(lanes));
 }

@@ -16,6 +16,7 @@
 // constant normal stress the work done does not depend on how it is cut into steps. Zero dilation.
 #pragma once
 
+#include <array>
 #include <type_traits>
 
 #include "contact/softening.h"
@@ -63,6 +64,13 @@ struct LawConstants {
   Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
   LawChoice choice;
 };
+// Its numbers, in order: how they are copied, and laid out for walls side by side.
+template <class Real, class C = LawConstants<Real>>
+inline constexpr std::array kConstants{
+    &C::kn,     &C::ks,         &C::inv_ks,        &C::inv_kn,       &C::ft,
+    &C::w0,     &C::ft_over_GI, &C::tension_onset, &C::tension_rate, &C::c_res,
+    &C::c_drop, &C::tan_res,    &C::tan_drop,      &C::half_inv_GII, &C::fc,
+    &C::p_full, &C::inv_p_full, &C::crush_gain};
 
 // Committed history of a point; the only memory of the law.
 template <class Real>
@@ -74,6 +82,15 @@ struct History {
   Real shear_damage;  // d_s [-]
   Real tension_set;   // w_t [m] (elastic unloading)
 };
+// Its numbers, in the order of the table of fields (model/fields.h).
+template <class Real, class H = History<Real>>
+inline constexpr std::array kHistory{&H::kappa, &H::crush,        &H::plastic_slip,
+                                     &H::slip,  &H::shear_damage, &H::tension_set};
+// Whether a law of this choice asks for number k of its history: what it never asks for is not loaded.
+[[nodiscard]] WYTHE_INLINE constexpr bool remembers(const LawChoice& choice, std::size_t k) {
+  return kHistory<double>[k] != &History<double>::tension_set ||
+         choice.unloading == Unloading::kElastic;
+}
 
 template <class Real>
 struct Answer {
@@ -83,8 +100,8 @@ struct Answer {
 };
 
 // Crushing return: updates p and gives the work done in crushing [N/m].
-template <class Real>
-[[nodiscard]] WYTHE_INLINE Real crush_return(const LawConstants<Real>& m, Real w, Real& p) {
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real crush_return(const LawConstants<C>& m, Real w, Real& p) {
   const Real zero(0.0);
   const Real before = m.fc * maximum(zero, Real(1.0) - p * m.inv_p_full);
   const Real excess = zero - m.kn * (w + p) - before;
@@ -99,8 +116,8 @@ template <class Real>
 }
 
 // Share of tensile strength left, y = 1 - d_t, at the largest opening kappa.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<Real>& m, Real kappa) {
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real tension_left(const LawConstants<C>& m, Real kappa) {
   if (choice_of<V>(m).softening == Softening::kBilinear) {
     return Real(1.0) - clip((kappa - m.tension_onset) * m.tension_rate, Real(0.0), Real(1.0));
   } else {
@@ -119,9 +136,8 @@ template <class V, class Real>
 }
 
 // 1 - d from 1 - d_t and 1 - d_s.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real strength_left(const LawConstants<Real>& m, Real tension,
-                                              Real shear) {
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real strength_left(const LawConstants<C>& m, Real tension, Real shear) {
   if (choice_of<V>(m).coupling == Coupling::kUnion) return tension * shear;
   return minimum(tension, shear);
 }
@@ -135,9 +151,8 @@ struct Yield {
   Real slip_rate;  // (t0 - tr)/(2 GII) = 1/su [1/m]
 };
 
-// `pressed`: sigma < 0 is known, which spares a maximum.
-template <class V, bool pressed, class Real>
-[[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<Real>& m, Real sigma, Real left,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Yield<Real> yield_of(const LawConstants<C>& m, Real sigma, Real left,
                                                 Real kappa) {
   const Real zero(0.0), one(1.0);
   const Real sn = zero - sigma;
@@ -145,8 +160,7 @@ template <class V, bool pressed, class Real>
   yield.residual = m.c_res + sn * m.tan_res;
   yield.drop = m.c_drop + sn * m.tan_drop;
   yield.floor = zero;
-  Real peak_drop = yield.drop;  // t0 - tr
-  if constexpr (!pressed) peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;
+  const Real peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;  // t0 - tr
   yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
   const Coupling coupling = choice_of<V>(m).coupling;
   if (coupling == Coupling::kUnion) {
@@ -161,15 +175,15 @@ template <class V, bool pressed, class Real>
 }
 
 // ds reached after the accumulated slip s.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real damage_of_slip(const LawConstants<Real>& m,
-                                               const Yield<Real>& yield, Real s) {
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real damage_of_slip(const LawConstants<C>& m, const Yield<Real>& yield,
+                                               Real s) {
   const Real x = Real(2.0) * s * yield.slip_rate;
   return Real(1.0) - soften(choice_of<V>(m).softening, x).left;
 }
 
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real stress_at(const LawConstants<Real>& m, const Yield<Real>& yield,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real stress_at(const LawConstants<C>& m, const Yield<Real>& yield,
                                           Real ds) {
   Real held = ds;
   if (choice_of<V>(m).coupling != Coupling::kUnion) held = maximum(ds, yield.floor);
@@ -177,8 +191,8 @@ template <class V, class Real>
 }
 
 // Plastic slip of this step: |tau_trial| - ks D = T(s + D), T falling with D; D >= 0.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<Real>& m,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real plastic_increment(const LawConstants<C>& m,
                                                   const Yield<Real>& yield, Real trial, Real s,
                                                   Real ds) {
   const Real zero(0.0), one(1.0);
@@ -209,8 +223,8 @@ template <class V, class Real>
 
 // Energy set free by the normal stress when kappa or d grew: the area between the old and the new
 // secant, exact for straight branches [N/m].
-template <class Real>
-[[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<Real>& m, Real open, Real kappa0,
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real secant_release(const LawConstants<C>& m, Real open, Real kappa0,
                                                Real kappa1, Real strength0, Real strength1,
                                                Real inv_kappa1) {
   const Real start = maximum(kappa0, minimum(kappa1, strength0 * m.inv_kn));
@@ -223,8 +237,8 @@ template <class Real>
 
 // Shear of one step: elastic trial, implicit return, damage. `felt` is the normal stress with the
 // damage so far. Gives tau and adds the work of the plastic slip to the answer.
-template <class V, class Real>
-WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yield, Real s,
+template <class V, class C, class Real>
+WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield, Real s,
                              History<Real>& h, Answer<Real>& answer) {
   const Real zero(0.0);
   h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
@@ -247,51 +261,64 @@ WYTHE_INLINE void shear_step(const LawConstants<Real>& m, const Yield<Real>& yie
 }
 
 // Tensile stress of an open point, before (`strength`) any damage of this step in shear.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Real pull(const LawConstants<Real>& m, Real open, Real strength,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real pull(const LawConstants<C>& m, Real open, Real strength,
                                      Real inv_kappa, Real tension_set) {
   if (choice_of<V>(m).unloading == Unloading::kElastic)
     return clip(m.kn * (open - tension_set), Real(0.0), strength);
   return open * minimum(m.kn, strength * inv_kappa);
 }
 
-// A point that keeps its history: closed, neither crushing nor sliding, its shear damage not growing
-// under the present pressure. Where it `rests`, update() gives the same stresses and history, bit for
-// bit; elsewhere, and where something is not a number, it has to be asked.
+// A point that keeps its history: it crushes no further, opens no wider than before, does not slide, and
+// its shear damage does not grow under the present pressure. Where it `rests`, update() gives the same
+// stresses and history, bit for bit; elsewhere, and where something is not a number, it has to be asked.
 template <class Real>
 struct Rest {
   Real sigma, tau;  // [Pa]
   bool_of_t<Real> rests;
 };
 
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Rest<Real> at_rest(const LawConstants<Real>& m, Real w, Real s,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Rest<Real> at_rest(const LawConstants<C>& m, Real w, Real s,
                                               const History<Real>& h) {
   const Real zero(0.0), one(1.0);
-  const Real we = w + h.crush, sigma = m.kn * we, tau = m.ks * (s - h.plastic_slip);
+  const Real we = w + h.crush, pressed = m.kn * we, open = maximum(we, zero);
   const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
-  const Yield<Real> yield = yield_of<V, true>(m, sigma, tension_left<V>(m, h.kappa), h.kappa);
-  bool_of_t<Real> rests = we < zero;
-  rests = rests & (sigma + crush_strength >= zero);
+  bool_of_t<Real> rests = pressed + crush_strength >= zero;
+  rests = rests & (open <= h.kappa);
+  const Real left = tension_left<V>(m, h.kappa);
+  const auto is_open = we > zero;
+  const bool opens = any(is_open);
+  Real sigma = minimum(pressed, zero);
+  if (opens) {
+    const Real strength = m.ft * strength_left<V>(m, left, one - h.shear_damage);
+    const Real inv_kappa = one / maximum(h.kappa, Real(1e-30));
+    sigma = sigma + pull<V>(m, open, strength, inv_kappa, h.tension_set);
+    if (choice_of<V>(m).unloading == Unloading::kElastic)
+      rests = rests & (open - strength * m.inv_kn <= h.tension_set);
+  }
+  Yield<Real> yield = yield_of<V>(m, sigma, left, h.kappa);
+  if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
+  const Real tau = m.ks * (s - h.plastic_slip);
   rests = rests & (damage_of_slip<V>(m, yield, h.slip) <= h.shear_damage);
   rests = rests & (magnitude(tau) <= stress_at<V>(m, yield, h.shear_damage));
   return {sigma, tau, rests};
 }
 
-// Whether a point that update() took from `before` to `now` at the opening w may go on being busy.
+// Whether update() took a point from `before` to `now` by changing its history: it may go on doing so.
 template <class Real>
-[[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_busy(const History<Real>& before,
-                                                      const History<Real>& now, Real w) {
-  bool_of_t<Real> busy = w + now.crush >= Real(0.0);
-  busy = busy | (now.crush > before.crush);
-  busy = busy | (now.slip > before.slip);
-  return busy | (now.shear_damage > before.shear_damage);
+[[nodiscard]] WYTHE_INLINE bool_of_t<Real> moves(const History<Real>& before,
+                                                 const History<Real>& now) {
+  bool_of_t<Real> moved = now.kappa > before.kappa;
+  moved = moved | (now.crush > before.crush);
+  moved = moved | (now.slip > before.slip);
+  return moved | (now.shear_damage > before.shear_damage);
 }
 
 // One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
 // What happens only to open, sliding or crushing points is skipped where no lane needs it.
-template <class V, class Real>
-[[nodiscard]] WYTHE_INLINE Answer<Real> update(const LawConstants<Real>& m, Real w, Real s,
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Answer<Real> update(const LawConstants<C>& m, Real w, Real s,
                                                History<Real>& h) {
   const Real zero(0.0), one(1.0);
   Answer<Real> answer;
@@ -316,7 +343,7 @@ template <class V, class Real>
     felt = felt + pull<V>(m, open, strength, inv_kappa, h.tension_set);
   }
 
-  Yield<Real> yield = yield_of<V, false>(m, felt, left, h.kappa);
+  Yield<Real> yield = yield_of<V>(m, felt, left, h.kappa);
   if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
   shear_step<V>(m, yield, s, h, answer);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "dynamics/balance.h"
+#include "dynamics/residual.h"
 #include "dynamics/zone_state.h"
 
 namespace wythe::dynamics {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "dynamics/place.h"
+#include "dynamics/executors/executor.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {

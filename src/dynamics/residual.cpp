@@ -3,29 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/passes/sums.h"
 #include "dynamics/zone_state.h"
 
 namespace wythe::dynamics {
-
-WallSizes sizes_of(const Model& m) {
-  return {m.n_block,
-          m.n_pair,
-          m.n_joint,
-          m.solids.n_node,
-          static_cast<int>(m.solids.contact_block.size()),
-          m.solids.contact_block.data(),
-          {m.mass.data()},
-          {m.inertia.data()},
-          {m.solids.node_mass.data()}};
-}
-
-double unbalance_ratio(const Model& model, const WallView& wall) {
-  return unbalance_of(sizes_of(model), wall);
-}
-
-double kinetic_energy(const Model& model, const WallView& wall, double mass_scaling) {
-  return kinetic_of(sizes_of(model), wall, mass_scaling);
-}
 
 namespace {
 
@@ -37,6 +18,16 @@ double recoverable(const JointMaterial& m, const PointStress& point, double crus
   const double normal =
       secant ? 0.5 * sigma * (point.opening + crush) : 0.5 * sigma * sigma / m.normal_stiffness;
   return normal + 0.5 * tau * tau / m.shear_stiffness;
+}
+
+// At the half step, without mass scaling [J].
+double kinetic_energy(const Model& m, const State& s) {
+  double energy = 0;
+  for (std::size_t i = 0; i < s.vx.size(); ++i)
+    energy += kinetic_of(m.mass[i], m.inertia[i], s.vx[i], s.vy[i], s.omega[i]);
+  for (std::size_t i = 0; i < s.node_vx.size(); ++i)
+    energy += kinetic_of(m.solids.node_mass[i], 0, s.node_vx[i], s.node_vy[i], 0);
+  return energy;
 }
 
 }  // namespace
@@ -60,22 +51,11 @@ double elastic_energy(const Model& model, const State& state) {
   return energy + strain_energy(model, state);
 }
 
-double base_shear(const Model& model, const WallView& wall, double px, double py) {
-  return shear_of(sizes_of(model), wall, px, py);
-}
-
 EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
-  State moving = s;  // a view is of arrays that may be written
-  WallView wall;
-  wall.vx = {moving.vx.data()};
-  wall.vy = {moving.vy.data()};
-  wall.omega = {moving.omega.data()};
-  wall.node_vx = {moving.node_vx.data()};
-  wall.node_vy = {moving.node_vy.data()};
   EnergyLedger e;
   e.loads = s.work_loads;
   e.drive = s.work_drive;
-  e.kinetic = kinetic_energy(model, wall, mass_scaling);
+  e.kinetic = kinetic_energy(model, s) * mass_scaling;
   e.elastic = elastic_energy(model, s);
   e.friction = s.dissipated_friction;
   e.fracture = s.dissipated_fracture;
@@ -88,10 +68,6 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   return e;
 }
 
-BlockId runaway_block(const Model& model, const WallView& wall) {
-  return runaway_of(sizes_of(model), wall);
-}
-
 double top_displacement(const Model& model, const State& state) {
   double moved = 0;
   const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
@@ -99,10 +75,6 @@ double top_displacement(const Model& model, const State& state) {
     if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
       moved = std::max(moved, std::fabs(state.ux[i]));
   return moved;
-}
-
-Furthest furthest_block(const Model& model, const WallView& wall) {
-  return furthest_of(sizes_of(model), wall);
 }
 
 }  // namespace wythe::dynamics

@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "dynamics/balance.h"
+#include "dynamics/executors/processor.h"
+#include "dynamics/residual.h"
 #include "dynamics/responses.h"
-#include "dynamics/step.h"
 #include "dynamics/wall_run.h"
 
 namespace wythe {
@@ -123,11 +124,15 @@ Result WallRun::finish() {
 }  // namespace dynamics
 
 Result solve(const Model& model, State& state, const SolveOptions& options) {
-  dynamics::Stepper stepper(model, std::max(1, options.threads));
-  stepper.refresh(state);
-  dynamics::WallRun run(model, state, options,
-                        std::make_unique<dynamics::ViewPlace>(model, stepper.view_of(state)));
-  while (!run.ended()) run.look(stepper.step(state, run.next()).reaction);
+  dynamics::Processor processor(model, 1, std::max(1, options.threads));
+  processor.put(0, model, state);
+  dynamics::WallRun run(model, state, options, processor.place(0));
+  while (!run.ended()) {
+    processor.set(0, run.next());
+    processor.step();
+    run.look(processor.reaction(0));
+  }
+  processor.drop(0);
   return run.finish();
 }
 
@@ -144,14 +149,15 @@ RunEstimate estimate(const Model& model) {
   constexpr int kTrial = 200;
   constexpr double kTrialSeconds = 0.5;  // of a large wall
   State state = initial_state(model);
-  dynamics::Stepper stepper(model, 1);
-  stepper.refresh(state);
+  dynamics::Processor processor(model, 1);
+  processor.put(0, model, state);
   dynamics::Controls controls;
   controls.dt = e.time_step;
+  processor.set(0, controls);
   const auto start = Clock::now();
   int tried = 0;
   while (tried < kTrial && seconds_since(start) < kTrialSeconds) {
-    stepper.step(state, controls);
+    processor.step();
     ++tried;
   }
   e.seconds = seconds_since(start) / tried * steps;

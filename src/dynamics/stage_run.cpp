@@ -7,6 +7,7 @@
 
 #include "core/real.h"
 #include "dynamics/recorder.h"
+#include "dynamics/residual.h"
 
 namespace wythe::dynamics {
 namespace {

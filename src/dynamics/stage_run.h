@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-#include "dynamics/place.h"
+#include "dynamics/executors/executor.h"
 #include "wythe/result.h"
 #include "wythe/solve.h"
 

@@ -15,8 +15,8 @@
 #include <numeric>
 #include <thread>
 
-#include "dynamics/gpu.h"
-#include "dynamics/lane_solver.h"
+#include "dynamics/executors/gpu.h"
+#include "dynamics/executors/lane_solver.h"
 #include "study/folder_lock.h"
 #include "study/sample_run.h"
 #include "study/store.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/device_step.h"
-#include "dynamics/lane_solver.h"
+#include "dynamics/executors/device_step.h"
+#include "dynamics/executors/lane_solver.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
 #include "scenes/zones.h"
@@ -169,8 +169,8 @@ TEST(Lanes, walls_with_deformable_lintels_too) {
 
 // --- on a device, which here is this processor with memory of its own ------------------------------
 
-std::unique_ptr<dynamics::SideBySide> host_device(const Model& model, int walls) {
-  return std::make_unique<dynamics::DeviceStepper<dynamics::HostDevice>>(model, walls);
+std::unique_ptr<dynamics::Executor> host_device(const Model& model, int walls) {
+  return std::make_unique<dynamics::DeviceExecutor<dynamics::HostDevice>>(model, walls);
 }
 
 TEST(Device, walls_have_the_bits_of_those_alone) {
@@ -187,7 +187,7 @@ TEST(Device, the_order_of_threads_does_not_matter) {
   std::vector<std::unique_ptr<Wall>> walls;
   for (const double strength : {1.0, 0.8, 1.2}) walls.push_back(wall_of(strength));
   solve_together(walls, 4, [](const Model& model, int lanes) {
-    return std::make_unique<dynamics::DeviceStepper<dynamics::HostDevice>>(
+    return std::make_unique<dynamics::DeviceExecutor<dynamics::HostDevice>>(
         model, lanes, dynamics::HostDevice{.backwards = true});
   });
 }

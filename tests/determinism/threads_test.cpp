@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "dynamics/workspace.h"
+#include "dynamics/passes/tables.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "wythe/solve.h"
@@ -35,9 +35,9 @@ Model wide_wall() {
 
 TEST(Determinism, threads_do_not_change_a_bit) {
   const Model model = wide_wall();
-  const dynamics::Workspace work(model);
-  ASSERT_GT(work.joint_chunks.size(), 3U);
-  ASSERT_GT(work.block_chunks, 1);
+  const dynamics::Layout layout(model, dynamics::Layout::kNeighbours);
+  ASSERT_GT(layout.chunks[dynamics::kJoints].size(), 3U);
+  ASSERT_GT(layout.chunks[dynamics::kBlocks].size(), 1U);
   const End one = run(model, 1);
   ASSERT_EQ(one.result.status, SolveStatus::kCompleted) << one.result.reason;
   EXPECT_GT(one.result.energy.fracture, 0);
@@ -58,9 +58,9 @@ TEST(Determinism, threads_do_not_change_a_bit_of_a_lintel_of_zones) {
   lintel.zone_length = 0.02;
   spec.solve.settle_ratio = 1e-3;
   const Model model = compile(spec);
-  const dynamics::Workspace work(model);
-  ASSERT_GT(work.zone_chunks.size(), 1U);
-  ASSERT_GT(work.node_chunks, 1);
+  const dynamics::Layout layout(model, dynamics::Layout::kNeighbours);
+  ASSERT_GT(layout.chunks[dynamics::kZones].size(), 1U);
+  ASSERT_GT(layout.chunks[dynamics::kNodes].size(), 1U);
   const End one = run(model, 1);
   ASSERT_EQ(one.result.status, SolveStatus::kCompleted) << one.result.reason;
   for (const int threads : {2, 3}) {

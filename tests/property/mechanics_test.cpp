@@ -39,8 +39,8 @@ struct Couple {
 Couple couple_of(const Rig& rig, const State& before, std::size_t j) {
   const auto a = static_cast<std::size_t>(rig.model.joint_a[j]);
   const auto b = static_cast<std::size_t>(rig.model.joint_b[j]);
-  const auto& w = rig.stepper.workspace();
-  const double *row = &w.force[4 * j], fx = row[0], fy = row[1];
+  const auto row = rig.force(j);
+  const double fx = row[0], fy = row[1];
   const double xa = rig.model.centroid_x[a] + before.ux[a],
                ya = rig.model.centroid_y[a] + before.uy[a];
   const double xb = rig.model.centroid_x[b] + before.ux[b],
@@ -57,24 +57,23 @@ TEST(Momentum, joints_make_no_linear_or_angular_momentum) {
     Rig rig(compile(spec));
     scatter(rig.state, 3e-5, *rc::gen::element(1e-4, 0.3));  // small and large turns
     for (double& slip : rig.state.plastic_slip) slip = 1e-5 * random_share();
-    rig.stepper.refresh(rig.state);
     const State before = rig.state;
     rig.step();
-    const auto& w = rig.stepper.workspace();
     for (std::size_t j = 0; j < static_cast<std::size_t>(rig.model.n_pair); ++j) {
       const Couple couple = couple_of(rig, before, j);
       RC_ASSERT(std::fabs(couple.sum) <= 1e-13 * couple.size);  // some hundred roundings
     }
     // forces cancel in pairs: what is left of the blocks' sum comes from the ground
     double sum_x = 0, sum_y = 0, size = 0;
-    for (std::size_t i = 0; i < w.contact_x.size(); ++i) {
-      sum_x += w.contact_x[i];
-      sum_y += w.contact_y[i];
-      size += std::fabs(w.contact_x[i]) + std::fabs(w.contact_y[i]);
+    for (std::size_t i = 0; i < rig.state.ux.size(); ++i) {
+      const auto contact = rig.contact(i);
+      sum_x += contact.x;
+      sum_y += contact.y;
+      size += std::fabs(contact.x) + std::fabs(contact.y);
     }
-    for (auto j = static_cast<std::size_t>(rig.model.n_pair); j < w.force.size() / 4; ++j) {
-      sum_x += w.force[4 * j];
-      sum_y += w.force[4 * j + 1];
+    for (auto j = static_cast<std::size_t>(rig.model.n_pair); j < rig.model.joint_b.size(); ++j) {
+      sum_x += rig.force(j)[0];
+      sum_y += rig.force(j)[1];
     }
     RC_ASSERT(std::fabs(sum_x) + std::fabs(sum_y) <= 1e-12 * size);
   }));
@@ -96,16 +95,15 @@ TEST(Conjugacy, forces_are_the_gradient_of_the_elastic_energy_at_any_rotation) {
   EXPECT_TRUE(rc::check([] {
     Rig rig(compile(scenes::half_units(kSmall, scenes::elastic_joint(20e9, 8e9))));
     scatter(rig.state, 1e-3, *rc::gen::element(1e-3, 0.3));
-    rig.stepper.refresh(rig.state);
     const State at = rig.state;
     State along = at;
     scatter(along, 1e-3, 1e-2);
     rig.step();
-    const auto& w = rig.stepper.workspace();
     double power = 0, size = 0;
     for (std::size_t i = 0; i < at.ux.size(); ++i) {
-      const double terms[] = {w.contact_x[i] * along.ux[i], w.contact_y[i] * along.uy[i],
-                              w.contact_m[i] * along.theta[i]};
+      const auto contact = rig.contact(i);
+      const double terms[] = {contact.x * along.ux[i], contact.y * along.uy[i],
+                              contact.m * along.theta[i]};
       for (const double term : terms) {
         power -= term;
         size += std::fabs(term);

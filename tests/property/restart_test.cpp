@@ -30,7 +30,6 @@ TEST(Restart, a_copied_state_goes_on_in_a_new_stepper_with_the_same_bits) {
   Rig resumed(model);
   prepare(resumed);
   resumed.state = saved;
-  resumed.stepper.refresh(resumed.state);
   for (int k = 0; k < 1500; ++k) resumed.step();
   EXPECT_EQ(state_hash(resumed.state), state_hash(whole.state));
   EXPECT_EQ(resumed.energy().gap, whole.energy().gap);

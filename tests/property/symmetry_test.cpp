@@ -77,7 +77,7 @@ Answer push(const ModelSpec& spec, const Setting& setting = {}) {
   Answer answer;
   for (int k = 1; k <= kPushSteps; ++k) {
     rig.drive(0, 0.05 * std::min(1.0, k / 500.0));
-    answer.reaction.push_back(rig.step().reaction);
+    answer.reaction.push_back(rig.step());
   }
   answer.model = rig.model;
   answer.state = rig.state;

@@ -57,7 +57,7 @@ TEST(ZoneWalls, the_ground_carries_the_weight_of_a_deformable_block) {
   Rig rig(compile(column(3, {"b0", "b2"}, 2)));
   rig.state.gravity_y = -9.81;
   rig.settle(1e-10);
-  EXPECT_NEAR(dynamics::base_shear(rig.model, rig.view(), 0, 1) / rig.model.weight, -1, 1e-8);
+  EXPECT_NEAR(dynamics::shear_of(rig.view(), 0, 1) / rig.model.weight, -1, 1e-8);
   EXPECT_NEAR(rig.model.weight, 3 * 0.5 * 0.2 * kThick * 1000 * 9.81, 1e-9);
   double lowest = 0;  // stress in the lowest row is the weight above its middle
   for (const ZoneStress& zone : zone_stresses(rig.model, rig.state))

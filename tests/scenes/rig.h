@@ -1,4 +1,5 @@
-// A wall stepped by hand: model, state, stepper and controls together, without stages.
+// A wall stepped by hand: model, state, processor and controls together, without stages. The state may be
+// changed between steps; after a step its arrays are up to date.
 //
 //   Rig rig(compile(spec));
 //   rig.state.gravity_y = -9.81;
@@ -7,13 +8,16 @@
 //   rig.run(0.5);              seconds
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
 
+#include <array>
+
+#include "dynamics/executors/processor.h"
 #include "dynamics/residual.h"
-#include "dynamics/step.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
 
@@ -22,34 +26,46 @@ namespace wythe::scenes {
 class Rig {
  public:
   explicit Rig(Model built, int threads = 1)
-      : model(std::move(built)), state(initial_state(model)), stepper(model, threads) {
+      : model(std::move(built)), state(initial_state(model)), processor(model, 1, threads) {
     controls.damping = model.solve.damping;
     controls.dt =
         model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1 + controls.damping));
-    stepper.refresh(state);
+    processor.put(0, model, state);
+    known_ = state;
   }
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
 
-  dynamics::DriveForce step() { return stepper.step(state, controls); }
+  // Gives the reaction.
+  double step() {
+    take_changes();
+    go();
+    bring_up();
+    return processor.reaction(0);
+  }
   void run(double seconds) {
+    take_changes();
     const auto steps = static_cast<std::int64_t>(std::ceil(seconds / controls.dt - 1e-9));
-    for (std::int64_t k = 0; k < steps; ++k) step();
+    for (std::int64_t k = 0; k < steps; ++k) go();
+    bring_up();
   }
   // Throws when the unbalance does not fall below `ratio` within `limit` seconds.
   void settle(double ratio, double limit = 20) {
+    take_changes();
     const double start = state.time;
-    for (int k = 1; k <= 100; ++k) step();
-    while (dynamics::unbalance_ratio(model, view()) > ratio) {
+    for (int k = 1; k <= 100; ++k) go();
+    while (dynamics::unbalance_of(view()) > ratio) {
       if (state.time - start > limit) throw std::runtime_error("the rig did not settle");
-      for (int k = 0; k < 100; ++k) step();
+      for (int k = 0; k < 100; ++k) go();
     }
+    bring_up();
   }
   // Blocks driven at `velocity` along the first push stage's direction; `ramp` seconds to get there.
   void drive(std::size_t stage, double velocity) {
     controls.push = &model.stages[stage];
     controls.drive_velocity = velocity;
-    stepper.choose_driven(model.stages[stage].driven);
+    driven_ = model.stages[stage].driven;
+    dynamics::choose_driven(view(), driven_);
   }
   [[nodiscard]] PointStress point(JointId joint, int k) const {
     return point_stresses(model, state)[static_cast<std::size_t>(joint * model.n_face_point + k)];
@@ -57,12 +73,39 @@ class Rig {
   [[nodiscard]] EnergyLedger energy() const {
     return dynamics::energy_ledger(model, state, controls.mass_scaling);
   }
-  [[nodiscard]] dynamics::WallView view() { return stepper.view_of(state); }
+  [[nodiscard]] const dynamics::WallView& view() const { return processor.view(0); }
+  // Of the last step: rows fx, fy, ma, mb of a joint; contact forces on a block.
+  [[nodiscard]] std::array<double, 4> force(std::size_t joint) const {
+    const double* row = view().t.force + 4 * processor.layout().joint_place[joint];
+    return {row[0], row[1], row[2], row[3]};
+  }
+  [[nodiscard]] dynamics::BlockForce<double> contact(std::size_t block) const {
+    return dynamics::contact_force(view().t, static_cast<std::ptrdiff_t>(block), 0);
+  }
 
   Model model;
   State state;
-  dynamics::Stepper stepper;
+  dynamics::Processor processor;
   dynamics::Controls controls;
+
+ private:
+  void go() {
+    processor.set(0, controls);
+    processor.step();
+  }
+  void bring_up() {
+    processor.place(0)->bring_up(state);
+    known_ = state;
+  }
+  void take_changes() {
+    const auto same = [&](const StateField& f) { return state.*f.array == known_.*f.array; };
+    if (std::all_of(kStateFields.begin(), kStateFields.end(), same)) return;
+    processor.put(0, model, state);
+    dynamics::choose_driven(view(), driven_);
+  }
+
+  State known_;  // as the processor has it
+  std::vector<BlockId> driven_;
 };
 
 }  // namespace wythe::scenes

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "dynamics/motion.h"
+#include "dynamics/passes/motion.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "wythe/failure_mode.h"
@@ -56,9 +56,9 @@ TEST(Step, gravity_is_carried_by_the_ground) {
   rig.settle(1e-7);
   double up = 0;
   for (auto j = static_cast<std::size_t>(rig.model.n_pair); j < rig.model.joint_b.size(); ++j)
-    up -= rig.stepper.workspace().force[4 * j + 1];
+    up -= rig.force(j)[1];
   EXPECT_NEAR(up / rig.model.weight, 1.0, 1e-5);  // unbalance per block, 50 blocks
-  EXPECT_NEAR(dynamics::base_shear(rig.model, rig.view(), 1, 0), 0, 1e-5 * rig.model.weight);
+  EXPECT_NEAR(dynamics::shear_of(rig.view(), 1, 0), 0, 1e-5 * rig.model.weight);
 }
 
 TEST(Step, a_load_keeps_its_direction_and_follows_its_block) {
@@ -70,10 +70,9 @@ TEST(Step, a_load_keeps_its_direction_and_follows_its_block) {
   rig.state.uy[0] = 10;
   rig.state.theta[0] = 0.5 * scenes::kPi;  // (0.1, 0.05) now points to (-0.05, 0.1)
   rig.state.load_scale[load] = 1;
-  rig.stepper.refresh(rig.state);
   rig.step();
-  EXPECT_NEAR(rig.stepper.workspace().load_y[0], -50, 1e-12);
-  EXPECT_NEAR(rig.stepper.workspace().load_m[0], 0.05 * 50, 1e-12);
+  EXPECT_NEAR(rig.view().block(0, dynamics::kLoadY), -50, 1e-12);
+  EXPECT_NEAR(rig.view().block(0, dynamics::kLoadM), 0.05 * 50, 1e-12);
 }
 
 TEST(Step, half_the_bound_is_stable_and_the_bound_holds_for_a_wall) {
@@ -84,7 +83,7 @@ TEST(Step, half_the_bound_is_stable_and_the_bound_holds_for_a_wall) {
     rig.controls.dt = share * 2 / rig.model.omega_max;
     for (std::size_t i = 0; i < rig.state.ux.size(); ++i)
       rig.state.vx[i] = 1e-3 * std::sin(3.0 * static_cast<double>(i));
-    const double before = dynamics::kinetic_energy(rig.model, rig.view(), 1);
+    const double before = dynamics::kinetic_of(rig.view(), 1);
     for (int k = 0; k < 20000; ++k) rig.step();
     // stable central differences hold the energy within 1/(1 - share^2) of itself
     EXPECT_LT(rig.energy().kinetic, before / (1 - share * share)) << share;
@@ -98,8 +97,8 @@ TEST(Step, the_bound_is_not_wasteful) {
   rig.controls.dt = 1.5 * 2 / rig.model.omega_max;
   for (std::size_t i = 0; i < rig.state.ux.size(); ++i)
     rig.state.vx[i] = 1e-9 * std::sin(3.0 * static_cast<double>(i));
-  for (int k = 0; k < 5000 && dynamics::runaway_block(rig.model, rig.view()) < 0; ++k) rig.step();
-  EXPECT_GE(dynamics::runaway_block(rig.model, rig.view()), 0);
+  for (int k = 0; k < 5000 && dynamics::runaway_of(rig.view()) < 0; ++k) rig.step();
+  EXPECT_GE(dynamics::runaway_of(rig.view()), 0);
 }
 
 // --- the drive ------------------------------------------------------------------------------------------
@@ -130,7 +129,7 @@ TEST(Drive, spreader_meets_the_mean_velocity_and_gives_equal_forces) {
   for (const BlockId b : driven) {
     const auto i = static_cast<std::size_t>(b);
     applied.push_back(rig.model.mass[i] * (rig.state.vx[i] - before[i]) / rig.controls.dt -
-                      rig.stepper.workspace().total_x[i]);
+                      rig.view().cold(b, dynamics::kTotalX));
   }
   EXPECT_NEAR(applied[1] / applied[0], 1.0, 1e-9);
   EXPECT_NEAR(applied[2] / applied[0], 1.0, 1e-9);

@@ -121,7 +121,7 @@ class Walker {
     EXPECT_TRUE(same_bits(rest.tau, answer.tau)) << rest.tau << " " << answer.tau;
     EXPECT_TRUE(same_bits(h_, now));
     EXPECT_EQ(answer.friction + answer.fracture + answer.crushing, 0);
-    EXPECT_FALSE(contact::stays_busy(h_, now, w));
+    EXPECT_FALSE(contact::moves(h_, now));
     tally_.crushed += h_.crush > 0;
     tally_.slid += h_.slip > 0;
     tally_.torn += contact::tension_left<V>(m_, h_.kappa) == 0;
@@ -133,7 +133,7 @@ class Walker {
   // may vanish in the rounding of the history, and need not be called busy.
   void check_busy(double w, double s, const contact::Answer<double>& answer, const History& now) {
     const double press = m_.kn * (w + h_.crush), shear = m_.ks * (s - h_.plastic_slip);
-    const bool opens = w + now.crush > 0;
+    const bool opens = now.kappa > h_.kappa;
     const bool slides = std::fabs(shear) * (1 - 1e-9) > std::fabs(answer.tau);
     const bool crushes = press < 0 && press * (1 - 1e-9) < answer.sigma;
     const bool presses = !slides && now.shear_damage > h_.shear_damage;
@@ -142,7 +142,7 @@ class Walker {
     tally_.crushes += crushes;
     tally_.presses += presses;
     if (opens || slides || crushes || presses) {
-      EXPECT_TRUE(contact::stays_busy(h_, now, w))
+      EXPECT_TRUE(contact::moves(h_, now))
           << "opens " << opens << " slides " << slides << " crushes " << crushes;
     }
   }
@@ -176,7 +176,7 @@ class EveryVariant : public testing::TestWithParam<std::tuple<Softening, Couplin
 TEST_P(EveryVariant, at_rest_has_the_bits_of_update_and_misses_no_rest) {
   const auto [softening, coupling, unloading] = GetParam();
   const Tally t = walk_variant(softening, coupling, unloading);
-  EXPECT_EQ(t.open, 0);
+  EXPECT_GT(t.open, 100);                  // open, and no wider than before
   EXPECT_GT(t.rest, 0.4 * t.closed);       // 49 % measured; the others slide, crush or are damaged
   EXPECT_GT(t.rest, 0.999 * t.unchanged);  // all measured; rounding may swallow a motion
   // every kind of history comes to rest, and every kind of motion is met
@@ -302,12 +302,11 @@ TEST(FaceFrame, forces_and_moments_are_those_of_plain_vectors_at_any_turn) {
       for (double& u : *array) u = dice.either() * dice.between(0.05, 0.5);
     const double most = k % 2 == 0 ? 0.3 : 3;
     for (double& theta : rig.state.theta) theta = dice.between(-most, most);
-    rig.stepper.refresh(rig.state);
     const State before = rig.state;
     rig.step();
     for (std::size_t j = 0; j < 2; ++j) {
       const JointForces plain = plain_forces(rig.model, before, j);
-      const double* row = &rig.stepper.workspace().force[4 * j];
+      const auto row = rig.force(j);
       EXPECT_LE(std::abs(Vector{row[0], row[1]} - plain.force), 1e-12 * plain.size);
       EXPECT_LE(std::fabs(row[2] - plain.on_a), 1e-12 * plain.moment_size);
       EXPECT_LE(std::fabs(row[3] - plain.on_b), 1e-12 * plain.moment_size);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "dynamics/shuffle.h"
+#include "dynamics/passes/shuffle.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -19,26 +19,6 @@ template <class V>
 class Shuffle : public testing::Test {};
 using Widths = testing::Types<Two, Four, Eight>;
 TYPED_TEST_SUITE(Shuffle, Widths);
-
-TYPED_TEST(Shuffle, pairs_are_taken_apart_and_put_together) {
-  using V = TypeParam;
-  constexpr int width = shuffle::width_of<V>;
-  std::array<double, 2 * width> pairs;
-  std::iota(pairs.begin(), pairs.end(), 1.0);
-  const V low = shuffle::load<V>(pairs.data()), high = shuffle::load<V>(pairs.data() + width);
-  std::array<double, width> first, second;
-  shuffle::store(shuffle::evens(low, high), first.data());
-  shuffle::store(shuffle::odds(low, high), second.data());
-  for (std::size_t k = 0; k < width; ++k) {
-    EXPECT_EQ(first[k], pairs[2 * k]);
-    EXPECT_EQ(second[k], pairs[2 * k + 1]);
-  }
-  std::array<double, 2 * width> back;
-  const V a = shuffle::load<V>(first.data()), b = shuffle::load<V>(second.data());
-  shuffle::store(shuffle::zip_low<V>(a, b), back.data());
-  shuffle::store(shuffle::zip_high<V>(a, b), back.data() + width);
-  EXPECT_EQ(back, pairs);
-}
 
 TYPED_TEST(Shuffle, scattered_rows_become_columns_and_go_back) {
   using V = TypeParam;

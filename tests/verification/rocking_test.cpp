@@ -195,7 +195,6 @@ double rocking_period(double theta0) {
   rig.state.ux[0] = rx - (c * rx - s * ry);
   rig.state.uy[0] = ry - (s * rx + c * ry) - sink;
   rig.state.theta[0] = theta0;
-  rig.stepper.refresh(rig.state);
   while (true) {
     const double before = rig.state.theta[0], t = rig.state.time;
     rig.step();

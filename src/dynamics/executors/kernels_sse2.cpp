@@ -1,0 +1,11 @@
+// Two doubles at a time: every x86-64 processor.
+#include "dynamics/executors/kernel_set.h"
+
+namespace wythe::dynamics {
+
+const Kernels& sse2_kernels() {
+  static constexpr Kernels kSet = kernels_of<Pack<xsimd::sse2>>("sse2");
+  return kSet;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,154 @@
+#include "dynamics/executors/lane_solver.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "dynamics/executors/gpu.h"
+#include "wythe/error.h"
+#include "wythe/solve.h"
+
+namespace wythe {
+namespace dynamics {
+
+int lanes_in_use() {
+  const char* forced = std::getenv("WYTHE_LANES");
+  if (forced == nullptr || *forced == '\0') return kernels_in_use().width;
+  const std::string text = forced;
+  for (const int lanes : {1, 2, 4, 8})
+    if (text == std::to_string(lanes)) return lanes;
+  throw InputError({{.file = "WYTHE_LANES",
+                     .path = "",
+                     .value = text,
+                     .problem = "is not a number of walls that can be stepped side by side",
+                     .cure = "write 1, 2, 4 or 8, or leave it out for this processor's best"}});
+}
+
+}  // namespace dynamics
+
+std::string instruction_set() {
+  const int lanes = dynamics::lanes_in_use();
+  return fmt::format("{}, {} wall{} side by side{}", dynamics::kernels_in_use().name, lanes,
+                     lanes == 1 ? "" : "s", dynamics::gpu_build());
+}
+
+namespace dynamics {
+
+LaneSolver::LaneSolver(int width, Make make) : width_(width), make_(std::move(make)) {}
+
+void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
+  auto wall = std::make_unique<Wall>(Wall{ticket, model, state, -1, nullptr, nullptr});
+  wall->alone = std::make_unique<Processor>(model, 1);
+  wall->alone->put(0, model, state);
+  wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->place(0));
+  walls_.push_back(std::move(wall));
+  changed_ = true;
+}
+
+bool LaneSolver::fits(const Wall& wall) const {
+  return together_ && fit_together(wall.model, together_->model());
+}
+
+// Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
+void LaneSolver::settle_in(Wall& wall, int lane) {
+  if (lane >= 0) {
+    if (wall.alone) wall.alone->drop(0);
+    together_->put(lane, wall.model, wall.state);
+    wall.run->move_to(together_->place(lane));
+    wall.alone.reset();
+  } else if (!wall.alone) {
+    wall.alone = std::make_unique<Processor>(wall.model, 1);
+    wall.alone->put(0, wall.model, wall.state);
+    wall.run->move_to(wall.alone->place(0));
+  }
+  wall.lane = lane;
+}
+
+int LaneSolver::lanes_for(int fitting) const {
+  if (make_) return fitting > 0 ? width_ : 1;
+  int lanes = 1;
+  while (lanes < fitting) lanes *= 2;
+  return lanes;
+}
+
+std::unique_ptr<Executor> LaneSolver::made(const Model& model, int lanes) const {
+  if (make_) return make_(model, lanes);
+  return std::make_unique<Processor>(model, lanes);
+}
+
+// As few lanes as hold the walls that are running, and every wall that fits in one of them.
+void LaneSolver::arrange() {
+  changed_ = false;
+  const Model& first = together_ && !walls_.empty() ? together_->model() : walls_.front()->model;
+  int fitting = 0;
+  for (const auto& wall : walls_) fitting += fit_together(wall->model, first) ? 1 : 0;
+  const int lanes = lanes_for(fitting);
+  if (together_ && together_->lanes() != lanes) {
+    for (const auto& wall : walls_)
+      if (wall->lane >= 0) {
+        together_->drop(wall->lane);
+        wall->lane = -1;
+        settle_in(*wall, -1);
+      }
+    if (lanes < 2) {
+      together_.reset();
+      if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
+      return;
+    }
+    together_ = made(together_->model(), lanes);
+  } else if (!together_) {
+    if (lanes < 2) return;
+    together_ = made(first, lanes);
+  }
+  std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
+  for (const auto& wall : walls_)
+    if (wall->lane >= 0) taken[static_cast<std::size_t>(wall->lane)] = true;
+  for (const auto& wall : walls_) {
+    if (wall->lane >= 0 || !fits(*wall)) continue;
+    const auto free = std::find(taken.begin(), taken.end(), false);
+    *free = true;
+    settle_in(*wall, static_cast<int>(free - taken.begin()));
+  }
+}
+
+void LaneSolver::step() {
+  for (const auto& wall : walls_) {
+    wall->steps = wall->lane < 0 || together_->takes_part(wall->lane);
+    if (!wall->steps) continue;
+    const Controls& controls = wall->run->next();
+    if (wall->lane >= 0) {
+      together_->set(wall->lane, controls);
+      continue;
+    }
+    wall->alone->set(0, controls);
+    wall->alone->step();
+    wall->run->look(wall->alone->reaction(0));
+    if (!together_) return;  // walls that share nothing take their turns one after the other
+  }
+  together_->step();
+  for (const auto& wall : walls_)
+    if (wall->lane >= 0 && wall->steps) wall->run->look(together_->reaction(wall->lane));
+}
+
+LaneSolver::Ended LaneSolver::next() {
+  if (changed_) arrange();
+  const auto ended = [](const auto& wall) { return wall->run->ended(); };
+  auto found = std::find_if(walls_.begin(), walls_.end(), ended);
+  while (found == walls_.end()) {
+    step();
+    found = std::find_if(walls_.begin(), walls_.end(), ended);
+  }
+  const std::unique_ptr<Wall> wall = std::move(*found);
+  walls_.erase(found);
+  changed_ = true;
+  if (wall->lane >= 0)
+    together_->drop(wall->lane);
+  else
+    wall->alone->drop(0);
+  return {wall->ticket, wall->run->finish()};
+}
+
+}  // namespace dynamics
+}  // namespace wythe

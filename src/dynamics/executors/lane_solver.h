@@ -1,0 +1,71 @@
+// Many walls, solved side by side in SIMD lanes; a lane that ends is free for the next wall at once.
+//
+//   LaneSolver solver(width);
+//   while (walls left or solver.running() > 0) {
+//     while (solver.has_room()) solver.put(ticket, model, state, options);
+//     LaneSolver::Ended ended = solver.next();     // steps all until one ends
+//   }
+//
+// When lanes stay empty the walls move into half as many lanes, and the last one into a step of its
+// own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
+// stepped alone beside them. No wall's bits depend on any of this (docs/architecture.md).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "dynamics/executors/processor.h"
+#include "dynamics/wall_run.h"
+
+namespace wythe::dynamics {
+
+// Walls worth stepping side by side: the width of the widest pack in use; WYTHE_LANES=1|2|4|8 in the
+// environment forces another (tests). Throws InputError where it says something else.
+[[nodiscard]] int lanes_in_use();
+
+class LaneSolver {
+ public:
+  using Make = std::function<std::unique_ptr<Executor>(const Model&, int lanes)>;
+  // In SIMD lanes of this processor; or, with `make`, all in `width` lanes of what it makes.
+  explicit LaneSolver(int width, Make make = {});
+
+  [[nodiscard]] int running() const { return static_cast<int>(walls_.size()); }
+  [[nodiscard]] bool has_room() const { return running() < width_; }
+  // Takes a wall; model, state and what options refer to have to live until it has ended.
+  void put(int ticket, const Model& model, State& state, const SolveOptions& options);
+
+  struct Ended {
+    int ticket = 0;
+    Result result;
+  };
+  // Steps all walls until one has ended. At least one has to be running.
+  [[nodiscard]] Ended next();
+
+ private:
+  struct Wall {
+    int ticket;
+    const Model& model;
+    State& state;
+    int lane = -1;                    // -1: alone
+    std::unique_ptr<Executor> alone;  // where lane is -1
+    std::unique_ptr<WallRun> run;
+    bool steps = false;  // takes part in the step under way
+  };
+
+  void arrange();
+  void settle_in(Wall& wall, int lane);
+  void step();
+  [[nodiscard]] bool fits(const Wall& wall) const;
+
+  [[nodiscard]] int lanes_for(int fitting) const;
+  [[nodiscard]] std::unique_ptr<Executor> made(const Model& model, int lanes) const;
+
+  int width_;
+  Make make_;
+  std::unique_ptr<Executor> together_;
+  std::vector<std::unique_ptr<Wall>> walls_;
+  bool changed_ = false;  // walls came or went since the last arrange()
+};
+
+}  // namespace wythe::dynamics

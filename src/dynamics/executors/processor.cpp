@@ -1,0 +1,186 @@
+#include "dynamics/executors/processor.h"
+
+#include <algorithm>
+
+namespace wythe::dynamics {
+
+void Executor::step() {
+  begin_step();  //          dead loads follow their blocks
+  run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
+  run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
+  run(kEdges);   //          the law between these and rigid blocks
+  run(kBlocks);  //          central differences with local damping, poses      passes/blocks.h
+  run(kNodes);   //          the same for nodes                                 passes/solids.h
+  drive();       //          the driven blocks, and their reaction              passes/drive.h
+  end_step();    //          works into the ledger, clock
+}
+
+namespace {
+
+// Of a set, the widest that fills no more than the lanes.
+const Kernels& kernels_for(int lanes, const Kernels& most) {
+  const Kernels* widest = &scalar_kernels();
+  for (const Kernels* set : kernels_here())
+    if (set->width <= std::min(lanes, most.width)) widest = set;
+  return *widest;
+}
+
+class HostPlace final : public Place {
+ public:
+  HostPlace(const Processor& processor, const Model& model, int lane)
+      : processor_(processor), model_(model), view_(processor.view(lane)) {}
+
+  [[nodiscard]] double unbalance_ratio() const override { return unbalance_of(view_); }
+  [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
+    return kinetic_of(view_, mass_scaling);
+  }
+  [[nodiscard]] double base_shear(double px, double py) const override {
+    return shear_of(view_, px, py);
+  }
+  [[nodiscard]] BlockId runaway_block() const override { return runaway_of(view_); }
+  [[nodiscard]] Furthest furthest_block() const override { return furthest_of(view_); }
+  void choose_driven(const std::vector<BlockId>& blocks) override {
+    dynamics::choose_driven(view_, blocks);
+  }
+  void bring_up(State& state) const override {
+    read_wall(processor_.layout(), view_.t, static_cast<int>(view_.lane), model_, state);
+  }
+
+ private:
+  const Processor& processor_;
+  const Model& model_;
+  WallView view_;
+};
+
+// Dead loads of all stages, in their order, on their blocks as they are turned now.
+void place_loads(const Model& model, const State& state, const WallView& wall) {
+  for (const Stage& stage : model.stages)
+    for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
+  for (std::size_t k = 0; k < model.stages.size(); ++k) {
+    const double scale = state.load_scale[k];
+    if (scale == 0) continue;
+    for (const PointLoad& load : model.stages[k].loads) add_load(load, scale, wall);
+  }
+}
+
+}  // namespace
+
+Processor::Processor(const Model& model, int lanes, int threads, const Kernels& kernels)
+    : model_(model),
+      kernels_(lanes == 1 ? kernels : kernels_for(lanes, kernels)),
+      width_(lanes == 1 ? 1 : kernels_.width),
+      layout_(model, lanes == 1 ? Layout::kNeighbours : Layout::kWalls),
+      rest_(initial_state(model)),
+      wall_(at(lanes)),
+      bank_(at(lanes / width_)),
+      workers_(lanes == 1 ? threads : 1) {
+  for (Bank& bank : bank_) {
+    bank.tables = make_tables(layout_, model_, width_, bank.memory);
+    for (int pass = 0; pass < kPasses; ++pass)
+      bank.works[pass].resize(layout_.chunks[pass].size() * kTerms * at(width_));
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    wall_[at(lane)].view = view_of(layout_, model_, bank_of(lane).tables, lane % width_);
+    put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
+    set(lane, {});
+  }
+}
+
+void Processor::put(int lane, const Model& model, State& state) {
+  Wall& wall = wall_[at(lane)];
+  wall.model = &model;
+  wall.state = &state;
+  put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
+  set(lane, {});
+}
+
+void Processor::drop(int lane) {
+  Wall& wall = wall_[at(lane)];
+  read_wall(layout_, bank_of(lane).tables, lane % width_, *wall.model, *wall.state);
+  wall.model = nullptr;
+  wall.state = nullptr;
+  put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);  // at rest: costs least
+  set(lane, {});
+}
+
+std::unique_ptr<Place> Processor::place(int lane) {
+  return std::make_unique<HostPlace>(*this, *wall_[at(lane)].model, lane);
+}
+
+void Processor::set(int lane, const Controls& controls) {
+  Controls& now = wall_[at(lane)].controls;
+  const bool same = now.dt == controls.dt && now.mass_scaling == controls.mass_scaling;
+  now = controls;
+  view(lane).of_wall(kDt) = controls.dt;
+  view(lane).of_wall(kDamping) = controls.damping;
+  if (!same || controls.dt == 0) set_rates(view(lane), controls.dt, controls.mass_scaling);
+}
+
+void Processor::begin_step() {
+  for (int lane = 0; lane < lanes(); ++lane) {
+    const Wall& wall = wall_[at(lane)];
+    if (wall.model == nullptr) continue;
+    place_loads(*wall.model, *wall.state, wall.view);
+    wall.view.of_wall(kGravityX) = wall.state->gravity_x;
+    wall.view.of_wall(kGravityY) = wall.state->gravity_y;
+  }
+}
+
+void Processor::run_chunk(Pass pass, Bank& bank, std::size_t chunk) {
+  constexpr int kMostLanes = 8;
+  double sums[kTerms * kGroup * kMostLanes] = {};
+  const Kernel kernel = (width_ == 1 && lanes() == 1 ? kernels_.neighbours : kernels_.walls)[pass];
+  kernel(bank.tables, layout_.chunks[pass][chunk], sums);
+  double* works = &bank.works[pass][chunk * kTerms * at(width_)];
+  for (int term = 0; term < kTerms; ++term)
+    for (int wall = 0; wall < width_; ++wall) {
+      double sum = 0;
+      for (int k = 0; k < kGroup; ++k) sum += sums[(term * kGroup + k) * width_ + wall];
+      works[term * width_ + wall] = sum;
+    }
+}
+
+void Processor::run(Pass pass) {
+  const auto chunks = static_cast<int>(layout_.chunks[pass].size());
+  if (chunks == 0) return;
+  for (Bank& bank : bank_) {
+    if (chunks == 1)
+      run_chunk(pass, bank, 0);
+    else
+      workers_.for_each_chunk(chunks, [&](int c) { run_chunk(pass, bank, at(c)); });
+  }
+}
+
+void Processor::drive() {
+  for (int lane = 0; lane < lanes(); ++lane) {
+    Wall& wall = wall_[at(lane)];
+    wall.reaction = 0;
+    if (wall.controls.push == nullptr) continue;
+    State& s = *wall.state;
+    WallWork work{s.work_drive, s.work_damping, s.work_loads};
+    wall.reaction =
+        drive_blocks(drive_of(*wall.controls.push), view(lane), wall.controls.drive_velocity, work);
+    s.work_drive = work.drive;
+    s.work_damping = work.damping;
+    s.work_loads = work.loads;
+    s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
+  }
+}
+
+void Processor::end_step() {
+  for (int lane = 0; lane < lanes(); ++lane) {
+    const Wall& wall = wall_[at(lane)];
+    if (wall.model == nullptr) continue;
+    double* const ledger[kTerms] = {
+        &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
+        &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
+    for (const Pass pass : {kJoints, kEdges, kBlocks, kNodes}) {
+      const std::vector<double>& works = bank_of(lane).works[pass];
+      for (std::size_t k = at(lane % width_); k < works.size(); k += at(width_))
+        *ledger[k / at(width_) % kTerms] += works[k];
+    }
+    advance_clock(*wall.state, wall.controls);
+  }
+}
+
+}  // namespace wythe::dynamics

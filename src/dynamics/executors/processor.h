@@ -1,0 +1,70 @@
+// Walls on this processor: one wall, its neighbours in the lanes of packs and its chunks shared by
+// threads; or walls side by side, one a lane.
+//
+//   Processor one(model, 1, threads);
+//   one.put(0, model, state);
+//   one.set(0, controls);
+//   one.step();
+//   one.place(0)->bring_up(state);
+#pragma once
+
+#include <vector>
+
+#include "core/parallel.h"
+#include "dynamics/executors/executor.h"
+#include "dynamics/executors/kernels.h"
+
+namespace wythe::dynamics {
+
+class Processor final : public Executor {
+ public:
+  // Lanes 1, 2, 4 or 8; several threads for one wall only.
+  Processor(const Model& model, int lanes, int threads = 1,
+            const Kernels& kernels = kernels_in_use());
+
+  [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
+  [[nodiscard]] const Model& model() const override { return model_; }
+  void put(int lane, const Model& model, State& state) override;
+  void drop(int lane) override;
+  [[nodiscard]] std::unique_ptr<Place> place(int lane) override;
+  void set(int lane, const Controls& controls) override;
+  [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
+
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
+
+ private:
+  struct Wall {
+    const Model* model = nullptr;  // null: the lane is idle
+    State* state = nullptr;
+    Controls controls;
+    double reaction = 0;
+    WallView view;
+  };
+  // As many walls as one pack takes, with memory of their own.
+  struct Bank {
+    Memory memory;
+    Tables tables;
+    std::vector<double> works[kPasses];  // (chunks, kTerms, walls) [J]
+  };
+
+  void begin_step() override;
+  void run(Pass pass) override;
+  void drive() override;
+  void end_step() override;
+  void run_chunk(Pass pass, Bank& bank, std::size_t chunk);
+
+  [[nodiscard]] static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+  [[nodiscard]] const Bank& bank_of(int lane) const { return bank_[at(lane / width_)]; }
+
+  const Model model_;
+  const Kernels& kernels_;
+  const int width_;  // walls of a bank
+  const Layout layout_;
+  const State rest_;
+  std::vector<Wall> wall_;
+  std::vector<Bank> bank_;
+  Workers workers_;
+};
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,190 @@
+// How a Real takes its lanes from the tables (tables.h).
+//
+//   Neighbours   lane k is entity k of a group of one wall
+//   Walls        lane k is wall k: all share geometry, each has its own state
+//
+// A spot is a group of neighbours, or one entity. Both know
+//   shared(table, row)      one number for all walls         row: spot * rows of the table + row
+//   own(table, row), keep(value, table, row)                 what each wall has for itself
+//   rows(rows, ids, spot), keep_rows(...)                    rows of four of entities ids[spot]
+//   of(table, rows, row, ids, spot)                          one row of entities ids[spot]
+//   of_wall(numbers, row)                                    one number a wall (time step, law)
+//   marked(flags, spot), mark(flags, spot, flag)             one flag for all lanes of a Real
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "dynamics/passes/tables.h"
+#ifndef __CUDACC__  // there a Real is a double
+#include "core/pack.h"
+#include "dynamics/passes/shuffle.h"
+#endif
+
+namespace wythe::dynamics {
+
+template <class Real>
+struct Rows {
+  Real c0, c1, c2, c3;
+};
+
+// Raw loads and stores.
+template <class Real>
+struct Lanes;
+
+template <>
+struct Lanes<double> {
+  static constexpr int width = 1;
+  WYTHE_INLINE static double load(const double* from) { return *from; }
+  WYTHE_INLINE static void store(double value, double* to) { *to = value; }
+  WYTHE_INLINE static Rows<double> load_rows(const double* rows, const std::int32_t* id) {
+    const double* row = rows + 4 * static_cast<std::ptrdiff_t>(*id);
+    return {row[0], row[1], row[2], row[3]};
+  }
+  WYTHE_INLINE static void store_rows(const Rows<double>& r, double* to) {
+    to[0] = r.c0;
+    to[1] = r.c1;
+    to[2] = r.c2;
+    to[3] = r.c3;
+  }
+};
+
+#ifndef __CUDACC__
+template <class Arch>
+struct Lanes<Pack<Arch>> {
+  using Real = Pack<Arch>;
+  using Vector = typename Real::Vector;
+  static constexpr int width = Real::width;
+
+  WYTHE_INLINE static Real load(const double* from) { return Real::load(from); }
+  WYTHE_INLINE static void store(Real value, double* to) { value.store(to); }
+  WYTHE_INLINE static Rows<Real> load_rows(const double* rows, const std::int32_t* id) {
+    Vector row[4];
+    shuffle::load_rows(rows, id, row);
+    shuffle::transpose(row);
+    return {real(row[0]), real(row[1]), real(row[2]), real(row[3])};
+  }
+  WYTHE_INLINE static void store_rows(const Rows<Real>& r, double* to) {
+    Vector row[4] = {r.c0.lanes, r.c1.lanes, r.c2.lanes, r.c3.lanes};
+    shuffle::transpose(row);
+    shuffle::store_rows(row, to);
+  }
+
+ private:
+  WYTHE_INLINE static Real real(Vector v) { return Real(typename Real::Batch(v)); }
+};
+#endif
+
+template <class R>
+struct Neighbours {
+  using Real = R;
+  using L = Lanes<Real>;
+  using Id = std::ptrdiff_t;
+  static constexpr bool one_wall = true;
+  static constexpr int parts = kGroup / L::width;  // Reals of a group
+  static constexpr int sums = parts;               // Reals whose works are summed apart
+  int lane = 0;                                    // the first this Real takes
+
+  WYTHE_INLINE static constexpr Id walls() { return 1; }
+  WYTHE_INLINE void take_part(int part) { lane = part * L::width; }
+
+  WYTHE_INLINE Real shared(const double* table, Id row) const {
+    return L::load(table + row * kGroup + lane);
+  }
+  WYTHE_INLINE Real own(const double* table, Id row) const { return shared(table, row); }
+  WYTHE_INLINE void keep(Real value, double* table, Id row) const {
+    L::store(value, table + row * kGroup + lane);
+  }
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id spot) const {
+    return L::load_rows(from, id + spot * kGroup + lane);
+  }
+  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
+    L::store_rows(r, to + 4 * (spot * kGroup + lane));
+  }
+  WYTHE_INLINE Real of(const double* table, int rows, int row, const std::int32_t* id,
+                       Id spot) const {
+    double lanes[L::width];
+    for (int k = 0; k < L::width; ++k) {
+      const std::int32_t e = id[spot * kGroup + lane + k];
+      lanes[k] = table[(static_cast<Id>(e / kGroup) * rows + row) * kGroup + e % kGroup];
+    }
+    return L::load(lanes);
+  }
+  WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return Real(numbers[row]); }
+  WYTHE_INLINE Id flag(Id spot) const { return spot * parts + lane / L::width; }
+  WYTHE_INLINE bool marked(const std::uint8_t* flags, Id spot) const {
+    return flags[flag(spot)] != 0;
+  }
+  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, bool on) const { flags[flag(spot)] = on; }
+  // kGroup sums of a term, of Real k.
+  WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * L::width); }
+  WYTHE_INLINE void keep_sum(Real s, double* term, int k) const {
+    L::store(s, term + k * L::width);
+  }
+};
+
+// `fixed`: walls side by side, where all are taken at once; 0: any number of which this Real takes those
+// from `lane` on (a device).
+template <class R, int fixed>
+struct Walls {
+  using Real = R;
+  using L = Lanes<Real>;
+  using Id = std::ptrdiff_t;
+  static constexpr bool one_wall = false;
+  static constexpr int parts = 1;
+  static constexpr int sums = kGroup;
+  Id number = fixed;
+  Id lane = 0;
+
+  WYTHE_INLINE Id walls() const { return fixed > 0 ? fixed : number; }
+  WYTHE_INLINE void take_part(int) {}
+  WYTHE_INLINE Real shared(const double* table, Id row) const { return Real(table[row]); }
+  WYTHE_INLINE Real own(const double* table, Id row) const {
+    return L::load(table + row * walls() + lane);
+  }
+  WYTHE_INLINE void keep(Real value, double* table, Id row) const {
+    L::store(value, table + row * walls() + lane);
+  }
+  WYTHE_INLINE Rows<Real> row_of(const double* from, Id entity) const {
+    const double* row = from + 4 * entity * walls() + lane;
+    return {L::load(row), L::load(row + walls()), L::load(row + 2 * walls()),
+            L::load(row + 3 * walls())};
+  }
+  WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id spot) const {
+    return row_of(from, id[spot]);
+  }
+  WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
+    double* row = to + 4 * spot * walls() + lane;
+    L::store(r.c0, row);
+    L::store(r.c1, row + walls());
+    L::store(r.c2, row + 2 * walls());
+    L::store(r.c3, row + 3 * walls());
+  }
+  WYTHE_INLINE Real of(const double* table, int rows, int row, const std::int32_t* id,
+                       Id spot) const {
+    return own(table, static_cast<Id>(id[spot]) * rows + row);
+  }
+  WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return own(numbers, row); }
+  WYTHE_INLINE Id flag(Id spot) const { return spot * (walls() / L::width) + lane; }
+  WYTHE_INLINE bool marked(const std::uint8_t* flags, Id spot) const {
+    return flags[flag(spot)] != 0;
+  }
+  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, bool on) const { flags[flag(spot)] = on; }
+  WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * walls()); }
+  WYTHE_INLINE void keep_sum(Real s, double* term, int k) const { L::store(s, term + k * walls()); }
+};
+
+// The numbers of a law: the same in every lane of one wall, each wall's own.
+template <class Access>
+[[nodiscard]] WYTHE_INLINE contact::LawConstants<typename Access::Real> law_of(
+    Access access, const double* law, int material, const contact::LawChoice& choice) {
+  using Real = typename Access::Real;
+  contact::LawConstants<Real> m;
+  for (int k = 0; k < kLawRows; ++k)
+    m.*contact::kConstants<Real>[static_cast<std::size_t>(k)] =
+        access.of_wall(law, static_cast<std::ptrdiff_t>(material) * kLawRows + k);
+  m.choice = choice;
+  return m;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,136 @@
+// Blocks: the forces on them, central differences with local damping, and their poses for the next step.
+#pragma once
+
+#include "dynamics/passes/access.h"
+#include "dynamics/passes/motion.h"
+
+namespace wythe::dynamics {
+
+template <class Real>
+struct BlockWork {
+  Real loads, damping;  // [J]
+};
+
+template <class Real>
+struct BlockForce {
+  Real x, y, m;  // [N], [N m]
+};
+
+// Contact force on block i of wall `lane` (of one wall: 0): the joints of which it is side a, less those
+// of which it is side b, then zone contacts, each in their order.
+WYTHE_INLINE BlockForce<double> contact_force(const Tables& t, std::ptrdiff_t i,
+                                              std::ptrdiff_t lane) {
+  const std::ptrdiff_t walls = t.lanes;
+  BlockForce<double> a{0, 0, 0}, b{0, 0, 0};
+  const auto middle = t.block_middle[i], last = t.block_begin[i + 1];
+  for (auto e = t.block_begin[i]; e < middle; ++e) {
+    const double* row = t.force + 4 * t.block_entry[e] * walls + lane;
+    a = {a.x + row[0], a.y + row[walls], a.m + row[2 * walls]};
+  }
+  for (auto e = middle; e < last; ++e) {
+    const double* row = t.force + 4 * t.block_entry[e] * walls + lane;
+    b = {b.x + row[0], b.y + row[walls], b.m + row[3 * walls]};
+  }
+  BlockForce<double> sum{a.x - b.x, a.y - b.y, a.m + b.m};
+  for (auto e = t.block_edge_begin[i]; e < t.block_edge_begin[i + 1]; ++e) {
+    const double* row = t.edge_block_force + 4 * t.block_edge_entry[e] * walls + lane;
+    sum = {sum.x + row[0], sum.y + row[walls], sum.m + row[2 * walls]};
+  }
+  return sum;
+}
+
+template <class A>
+struct Blocks {
+  using Access = A;
+  using Real = typename Access::Real;
+  using Work = BlockWork<Real>;
+
+  const Tables& t;
+  Access access;
+  Real dt, damping, gravity_x, gravity_y;
+
+  WYTHE_INLINE Blocks(const Tables& tables, Access lanes, const Chunk&)
+      : t(tables),
+        access(lanes),
+        dt(access.of_wall(t.wall, kDt)),
+        damping(access.of_wall(t.wall, kDamping)),
+        gravity_x(access.of_wall(t.wall, kGravityX)),
+        gravity_y(access.of_wall(t.wall, kGravityY)) {}
+
+  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void at(std::ptrdiff_t i, Work& work) const {
+    const Real zero(0.0);
+    const BlockForce<Real> contact = gather(i);
+    const Real heavy = own(i, kHeavyMass), load_m = own(i, kLoadM);
+    const Real load_x = own(i, kLoadX) + heavy * gravity_x;
+    const Real load_y = own(i, kLoadY) + heavy * gravity_y;
+    const Real fx = contact.x + load_x, fy = contact.y + load_y;
+    const Real fm = access.shared(t.turn_freedom, i) * (contact.m + load_m);
+    const auto is_free = own(i, kIsFree) > zero;
+    const Real rate = own(i, kRate), turn_rate = own(i, kTurnRate);
+    Real place[3];
+    const auto advance = [&](int k, BlockRow velocity, Real force, Real dt_over_m)
+        __attribute__((always_inline)) {
+      const Real v0 = own(i, velocity);
+      const Real u0 = own(i, static_cast<BlockRow>(kUx + k));
+      const Moved<Real> moved = accelerate(v0, force, dt_over_m, dt, damping);
+      keep(select(is_free, moved.velocity, v0), i, velocity);
+      place[k] = select(is_free, u0 + dt * moved.velocity, u0);
+      keep(place[k], i, static_cast<BlockRow>(kUx + k));
+      return moved;
+    };
+    const Moved<Real> x = advance(0, kVx, fx, rate);
+    const Moved<Real> y = advance(1, kVy, fy, rate);
+    const Moved<Real> r = advance(2, kOmega, fm, turn_rate);
+    const Real loads =
+        dt * (load_x * x.mean_velocity + load_y * y.mean_velocity + load_m * r.mean_velocity);
+    const Real damped = x.damping_work + y.damping_work + r.damping_work;
+    work = {work.loads + select(is_free, loads, zero),
+            work.damping + select(is_free, damped, zero)};
+    const SinCos<Real> turned = sin_cos(Real(0.5) * place[2]);
+    access.keep_rows({place[0], place[1], turned.cos, turned.sin}, t.pose, i);
+  }
+
+ private:
+  [[nodiscard]] WYTHE_INLINE Real own(std::ptrdiff_t i, BlockRow row) const {
+    return access.own(t.block, i * kBlockRows + row);
+  }
+  WYTHE_INLINE void keep(Real value, std::ptrdiff_t i, BlockRow row) const {
+    access.keep(value, t.block, i * kBlockRows + row);
+  }
+
+  [[nodiscard]] WYTHE_INLINE BlockForce<Real> gather(std::ptrdiff_t i) const {
+    if constexpr (Access::one_wall) {
+      using L = typename Access::L;
+      double x[L::width], y[L::width], m[L::width];
+      for (int k = 0; k < L::width; ++k) {
+        const BlockForce<double> f = contact_force(t, i * kGroup + access.lane + k, 0);
+        x[k] = f.x, y[k] = f.y, m[k] = f.m;
+      }
+      return {L::load(x), L::load(y), L::load(m)};
+    } else {
+      Real ax(0.0), ay(0.0), am(0.0), bx(0.0), by(0.0), bm(0.0);
+      const auto middle = t.block_middle[i], last = t.block_begin[i + 1];
+      for (auto e = t.block_begin[i]; e < middle; ++e) {
+        const Rows<Real> f = access.row_of(t.force, t.block_entry[e]);
+        ax = ax + f.c0;
+        ay = ay + f.c1;
+        am = am + f.c2;
+      }
+      for (auto e = middle; e < last; ++e) {
+        const Rows<Real> f = access.row_of(t.force, t.block_entry[e]);
+        bx = bx + f.c0;
+        by = by + f.c1;
+        bm = bm + f.c3;
+      }
+      BlockForce<Real> sum{ax - bx, ay - by, am + bm};
+      for (auto e = t.block_edge_begin[i]; e < t.block_edge_begin[i + 1]; ++e) {
+        const Rows<Real> f = access.row_of(t.edge_block_force, t.block_edge_entry[e]);
+        sum = {sum.x + f.c0, sum.y + f.c1, sum.m + f.c2};
+      }
+      return sum;
+    }
+  }
+};
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,304 @@
+// Each joint finds its stresses, advances its history and writes its own force.
+//
+// A joint's points lie on the line between the two faces; both faces follow their blocks. With
+// j the jump of the face centre, h the half length of the face, delta = tb - ta, phi = (ta + tb)/2
+// and the face along the tangent, its growth (Rb - Ra) e is normal to the mean face and its mean
+// (Ra + Rb) e / 2 along it:
+//
+//   w(xi) = j . n(phi) + xi 2 h sin(delta/2)      s(xi) = j . t(phi)      the same at all points
+//   f = area weight (sigma n + tau t) on a, -f on b, both acting at the midpoint of the pair
+//   lever of the points about the midpoint of the centres: xi h cos(delta/2) t(phi)
+//
+// The midpoint with the mean rotation is exactly work-conjugate to w and s and gives equal and
+// opposite forces on one line of action: linear and angular momentum are kept and no energy is made
+// by large rotation (docs/theory/kinematics.md). On the ground the normal stands still and the force
+// acts at the block's own point, so that a block may slide any distance.
+//
+// The half-angle cosines of two blocks multiply to those of the mean angle: no root, no division.
+#pragma once
+
+#include "core/several.h"
+#include "dynamics/passes/access.h"
+
+namespace wythe::dynamics {
+
+template <class Real>
+struct JointWork {
+  Real friction, fracture, crushing;  // [J]
+};
+
+// Motion of one side: displacement of the face centre and the turned arm to it.
+template <class Real>
+struct FaceMotion {
+  Real move_x, move_y;
+  Real arm_x, arm_y;
+};
+
+// cos theta - 1, free of cancellation, and sin theta.
+template <class Real>
+struct Turn {
+  Real drop, sine;
+};
+template <class Real>
+[[nodiscard]] WYTHE_INLINE Turn<Real> turn_of(const Rows<Real>& pose) {
+  return {Real(-2.0) * pose.c3 * pose.c3, Real(2.0) * pose.c3 * pose.c2};
+}
+
+template <class Real>
+[[nodiscard]] WYTHE_INLINE FaceMotion<Real> face_motion(const Rows<Real>& pose,
+                                                        const Turn<Real>& turn, Real arm_x,
+                                                        Real arm_y) {
+  const Real dx = turn.drop * arm_x - turn.sine * arm_y;
+  const Real dy = turn.sine * arm_x + turn.drop * arm_y;
+  return {pose.c0 + dx, pose.c1 + dy, arm_x + dx, arm_y + dy};
+}
+
+// Sums over the points of a joint, in its (n, t) axes: F = sum f, G = sum xi f.
+template <class Real>
+struct FaceForce {
+  Real fn, ft, gn, gt;
+};
+
+// Jump of the face centre and its growth along the face, in the joint's (n, t) axes. Between two
+// blocks nothing grows along t: `dt` is not read.
+template <class Real>
+struct FaceJump {
+  Real jn, jt, dn, dt;
+};
+
+// A run of joints (or edges) on its way through the law: who they are, what their points are.
+template <class Access>
+struct FaceRun {
+  using Real = typename Access::Real;
+  Access access;
+  contact::LawConstants<Real> law;
+  const double *xi, *weight;  // of the points of a face
+  double* history;            // of the run's first spot
+  std::uint8_t* busy;
+  std::ptrdiff_t begin;  // its first spot
+  int points;
+};
+template <class Access>
+[[nodiscard]] WYTHE_INLINE FaceRun<Access> face_run(const Tables& t, Access access,
+                                                    const Chunk& chunk, std::uint8_t* busy) {
+  return {access,
+          law_of(access, t.law, chunk.material, chunk.choice),
+          t.point_xi + chunk.rule,
+          t.point_weight + chunk.rule,
+          t.history,
+          busy,
+          chunk.begin,
+          chunk.points};
+}
+
+// `n` points of a face from point `from` on, taken together.
+template <class V, int n, bool one_slip, class Access>
+struct FacePoints {
+  using Real = typename Access::Real;
+  using Points = Several<Real, n>;
+  using History = contact::History<Points>;
+
+  const FaceRun<Access>& run;
+  std::ptrdiff_t first;  // row of points of the first
+  int from;
+
+  WYTHE_INLINE History load() const {
+    History h;
+    for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
+      if (contact::remembers(contact::choice_of<V>(run.law), r))
+        for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+          (h.*contact::kHistory<Points>[r]).template part<k>() =
+              run.access.own(run.history, (first + k) * kHistoryRows + r);
+        });
+    });
+    return h;
+  }
+  WYTHE_INLINE void store(const History& h) const {
+    for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
+      if (contact::remembers(contact::choice_of<V>(run.law), r))
+        for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+          run.access.keep((h.*contact::kHistory<Points>[r]).template part<k>(), run.history,
+                          (first + k) * kHistoryRows + r);
+        });
+    });
+  }
+  [[nodiscard]] WYTHE_INLINE Points of_points(const double* number) const {
+    Points all;
+    for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+      all.template part<k>() = Real(number[from + k]);
+    });
+    return all;
+  }
+  [[nodiscard]] WYTHE_INLINE Points opening(const FaceJump<Real>& jump) const {
+    return Points(jump.jn) + of_points(run.xi) * Points(jump.dn);
+  }
+  [[nodiscard]] WYTHE_INLINE Points slip(const FaceJump<Real>& jump) const {
+    if constexpr (one_slip) return Points(jump.jt);
+    return Points(jump.jt) + of_points(run.xi) * Points(jump.dt);
+  }
+  WYTHE_INLINE void add(Real area, const Points& sigma, const Points& tau,
+                        FaceForce<Real>& sum) const {
+    const Points xi = of_points(run.xi), share = Points(area) * of_points(run.weight);
+    const Points fn = sigma * share, ft = tau * share, gn = fn * xi, gt = ft * xi;
+    for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+      sum = {sum.fn + fn.template part<k>(), sum.ft + ft.template part<k>(),
+             sum.gn + gn.template part<k>(), sum.gt + gt.template part<k>()};
+    });
+  }
+
+  // Forces of points that keep their history; whether they do.
+  WYTHE_INLINE bool_of_t<Real> rest(Real area, const FaceJump<Real>& jump,
+                                    FaceForce<Real>& sum) const {
+    const contact::Rest<Points> now =
+        contact::at_rest<V>(run.law, opening(jump), slip(jump), load());
+    add(area, now.sigma, now.tau, sum);
+    return now.rests.all_parts();
+  }
+  // The whole law: the one place where history advances. Gives whether it did.
+  WYTHE_INLINE bool_of_t<Real> advance(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                                       JointWork<Real>& work) const {
+    const History before = load();
+    History now = before;
+    const contact::Answer<Points> a = contact::update<V>(run.law, opening(jump), slip(jump), now);
+    store(now);
+    add(area, a.sigma, a.tau, sum);
+    const Points share = Points(area) * of_points(run.weight);
+    const Points friction = a.friction * share, fracture = a.fracture * share,
+                 crushing = a.crushing * share;
+    for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+      work = {work.friction + friction.template part<k>(),
+              work.fracture + fracture.template part<k>(),
+              work.crushing + crushing.template part<k>()};
+    });
+    return contact::moves(before, now).any_part();
+  }
+};
+
+// act(FacePoints) for all points of the face at `spot`: together where their number n is known when the
+// program is compiled, one by one where it is not (n = 0).
+template <class V, int n, bool one_slip, class Access, class Act>
+WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, int history,
+                              const Act& act) {
+  const int points = n > 0 ? n : run.points;
+  const std::ptrdiff_t first = history + (spot - run.begin) * points;
+  if constexpr (n > 0) {
+    act(FacePoints<V, n, one_slip, Access>{run, first, 0});
+  } else {
+    for (int k = 0; k < points; ++k) act(FacePoints<V, 1, one_slip, Access>{run, first + k, k});
+  }
+}
+
+template <class V, int n, bool one_slip, class Access, class Real>
+WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
+                                          int history, Real area, const FaceJump<Real>& jump,
+                                          JointWork<Real>& work) {
+  const Real zero(0.0);
+  FaceForce<Real> sum{zero, zero, zero, zero};
+  bool_of_t<Real> moved = zero > zero;
+  each_points<V, n, one_slip>(
+      run, spot, history, [&](const auto& points) __attribute__((always_inline)) {
+        moved = moved | points.advance(area, jump, sum, work);
+      });
+  run.access.mark(run.busy, spot, any(moved));
+  return sum;
+}
+
+// Forces of a face. One whose points keep their history takes a short way and stores nothing; one that
+// moved in the last step is not asked for it.
+template <class V, int n, bool one_slip, class Access, class Real>
+[[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
+                                                      std::ptrdiff_t spot, int history, Real area,
+                                                      const FaceJump<Real>& jump,
+                                                      JointWork<Real>& work) {
+  if (!run.access.marked(run.busy, spot)) {
+    const Real zero(0.0);
+    FaceForce<Real> sum{zero, zero, zero, zero};
+    bool_of_t<Real> rests = zero <= zero;
+    each_points<V, n, one_slip>(
+        run, spot, history, [&](const auto& points) __attribute__((always_inline)) {
+          rests = rests & points.rest(area, jump, sum);
+        });
+    if (all(rests)) return sum;
+  }
+  return moving_face<V, n, one_slip>(run, spot, history, area, jump, work);
+}
+
+// Joints of one law, one support and one number of points.
+template <class V, bool on_ground, int n, class A>
+struct Joints {
+  using Access = A;
+  using Real = typename Access::Real;
+  using Work = JointWork<Real>;
+
+  const Tables& t;
+  FaceRun<Access> run;
+  int history;
+
+  WYTHE_INLINE Joints(const Tables& tables, Access access, const Chunk& chunk)
+      : t(tables),
+        run(face_run(tables, access, chunk, tables.joint_busy)),
+        history(chunk.history) {}
+
+  WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
+  WYTHE_INLINE void at(std::ptrdiff_t spot, Work& work) const {
+    if constexpr (on_ground)
+      ground(spot, work);
+    else
+      pair(spot, work);
+  }
+
+ private:
+  [[nodiscard]] WYTHE_INLINE Real geometry(std::ptrdiff_t spot, JointRow row) const {
+    return run.access.shared(t.joint, spot * kJointRows + row);
+  }
+
+  WYTHE_INLINE void pair(std::ptrdiff_t j, Work& work) const {
+    const Real half(0.5);
+    const Rows<Real> pose_a = run.access.rows(t.pose, t.joint_a, j);
+    const Rows<Real> pose_b = run.access.rows(t.pose, t.joint_b, j);
+    const FaceMotion<Real> a =
+        face_motion(pose_a, turn_of(pose_a), geometry(j, kArmAX), geometry(j, kArmAY));
+    const FaceMotion<Real> b =
+        face_motion(pose_b, turn_of(pose_b), geometry(j, kArmBX), geometry(j, kArmBY));
+    // cosine and sine of phi and of delta/2
+    const Real cc = pose_a.c2 * pose_b.c2, ss = pose_a.c3 * pose_b.c3;
+    const Real sc = pose_a.c3 * pose_b.c2, cs = pose_a.c2 * pose_b.c3;
+    const Real cos = cc - ss, sin = sc + cs;
+    const Real tx0 = geometry(j, kTangentX), ty0 = geometry(j, kTangentY);
+    const Real tx = cos * tx0 - sin * ty0, ty = sin * tx0 + cos * ty0;
+    const Real reach = geometry(j, kHalfLength);
+    const Real jx = b.move_x - a.move_x, jy = b.move_y - a.move_y;
+    const FaceForce<Real> f =
+        face_force<V, n, true>(run, j, history, geometry(j, kArea),
+                               FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty,
+                                              Real(2.0) * reach * (cs - sc), Real(0.0)},
+                               work);
+    // back to the wall's axes: n = (-ty, tx)
+    const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
+    const Real couple = reach * (cc + ss) * f.gn;
+    const Real cx = half * jx, cy = half * jy;
+    run.access.keep_rows({fx, fy, ((a.arm_x + cx) * fy - (a.arm_y + cy) * fx) + couple,
+                          ((b.arm_y - cy) * fx - (b.arm_x - cx) * fy) - couple},
+                         t.force, j);
+  }
+
+  // The tangent of the ground stands still, and it has no lever.
+  WYTHE_INLINE void ground(std::ptrdiff_t j, Work& work) const {
+    const Rows<Real> pose = run.access.rows(t.pose, t.joint_b, j);
+    const Turn<Real> turn = turn_of(pose);
+    const FaceMotion<Real> b = face_motion(pose, turn, geometry(j, kArmBX), geometry(j, kArmBY));
+    const Real tx = geometry(j, kTangentX), ty = geometry(j, kTangentY);
+    const Real reach = geometry(j, kHalfLength);
+    const FaceForce<Real> f = face_force<V, n, false>(
+        run, j, history, geometry(j, kArea),
+        FaceJump<Real>{b.move_y * tx - b.move_x * ty, b.move_x * tx + b.move_y * ty,
+                       reach * turn.sine, reach * turn.drop},
+        work);
+    const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
+    // the turned face is h ((1 + drop) t + sine n)
+    const Real couple = reach * ((Real(1.0) + turn.drop) * f.gn - turn.sine * f.gt);
+    run.access.keep_rows({fx, fy, Real(0.0), (b.arm_y * fx - b.arm_x * fy) - couple}, t.force, j);
+  }
+};
+
+}  // namespace wythe::dynamics

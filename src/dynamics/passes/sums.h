@@ -1,0 +1,95 @@
+// The sums over a wall that residual.h names, in one order of terms, hence one result wherever the wall
+// is stepped.
+#pragma once
+
+#include "dynamics/passes/blocks.h"
+#include "dynamics/passes/wall.h"
+
+namespace wythe::dynamics {
+
+WYTHE_INLINE double unbalance_of(const WallView& wall) {
+  double unbalanced = 0, contact = 0;
+  for (int i = 0; i < wall.blocks; ++i) {
+    if (!(wall.block(i, kIsFree) > 0)) continue;
+    const BlockForce<double> f = contact_force(wall.t, i, wall.lane);
+    const double heavy = wall.block(i, kHeavyMass);
+    const double x = f.x + (wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
+    const double y = f.y + (wall.block(i, kLoadY) + heavy * wall.of_wall(kGravityY));
+    unbalanced += magnitude(x) + magnitude(y);
+  }
+  for (int i = 0; i < wall.nodes; ++i)
+    unbalanced += magnitude(wall.node(i, kNodeTotalX)) + magnitude(wall.node(i, kNodeTotalY));
+  for (int j = 0; j < wall.joints; ++j) {
+    const double sides = j < wall.first_ground ? 2.0 : 1.0;
+    contact += sides * (magnitude(wall.of_four(wall.t.force, j, 0)) +
+                        magnitude(wall.of_four(wall.t.force, j, 1)));
+  }
+  for (int c = 0; c < wall.edges; ++c) {
+    const double sides = wall.t.edge_block[c] == wall.t.n_block ? 1.0 : 2.0;
+    contact += sides * (magnitude(wall.of_four(wall.t.edge_block_force, c, 0)) +
+                        magnitude(wall.of_four(wall.t.edge_block_force, c, 1)));
+  }
+  if (contact > 0) return unbalanced / contact;
+  return unbalanced > 0 ? 1.0 : 0.0;
+}
+
+// Kinetic energy of a body of mass m and inertia I [J].
+WYTHE_INLINE double kinetic_of(double m, double I, double vx, double vy, double omega) {
+  return 0.5 * m * (vx * vx + vy * vy) + 0.5 * I * omega * omega;
+}
+WYTHE_INLINE double kinetic_of(const WallView& wall, double mass_scaling) {
+  double energy = 0;
+  for (int i = 0; i < wall.blocks; ++i)
+    energy += kinetic_of(wall.cold(i, kMass), wall.cold(i, kInertia), wall.block(i, kVx),
+                         wall.block(i, kVy), wall.block(i, kOmega));
+  for (int i = 0; i < wall.nodes; ++i)
+    energy +=
+        kinetic_of(wall.node(i, kNodeMass), 0, wall.node(i, kNodeVx), wall.node(i, kNodeVy), 0);
+  return energy * mass_scaling;
+}
+
+WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
+  double sum = 0;  // the force on side a, the ground, resists with the opposite sign
+  for (int j = wall.first_ground; j < wall.joints; ++j)
+    sum += wall.of_four(wall.t.force, j, 0) * px + wall.of_four(wall.t.force, j, 1) * py;
+  for (int c = 0; c < wall.edges; ++c)
+    if (wall.t.edge_block[c] == wall.t.n_block)
+      sum += wall.of_four(wall.t.edge_block_force, c, 0) * px +
+             wall.of_four(wall.t.edge_block_force, c, 1) * py;
+  return sum;
+}
+
+// Numbers blocks first, then nodes.
+WYTHE_INLINE BlockId runaway_of(const WallView& wall) {
+  constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
+  const auto finite = [](double x) { return x - x == 0; };
+  for (int i = 0; i < wall.blocks; ++i)
+    if (!(magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy)) < kFast) ||
+        !finite(wall.block(i, kOmega)) || !finite(wall.block(i, kTheta)))
+      return i;
+  for (int i = 0; i < wall.nodes; ++i)
+    if (!(magnitude(wall.node(i, kNodeVx)) + magnitude(wall.node(i, kNodeVy)) < kFast))
+      return wall.moving_blocks + i;
+  return -1;
+}
+
+// Distance of the block that has moved furthest [m], and which it is; blocks first, then nodes.
+struct Furthest {
+  double distance = 0;
+  BlockId block = 0;
+};
+
+WYTHE_INLINE Furthest furthest_of(const WallView& wall) {
+  double most = 0;
+  BlockId block = 0;
+  const auto look = [&](double ux, double uy, BlockId i) {
+    const double moved = ux * ux + uy * uy;
+    if (moved > most) most = moved, block = i;
+  };
+  for (int i = 0; i < wall.blocks; ++i) look(wall.block(i, kUx), wall.block(i, kUy), i);
+  for (int i = 0; i < wall.nodes; ++i)
+    look(wall.node(i, kNodeUx), wall.node(i, kNodeUy), wall.moving_blocks + i);
+  return {square_root(most), block};
+}
+
+}  // namespace wythe::dynamics

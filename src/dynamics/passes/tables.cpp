@@ -1,0 +1,262 @@
+// Lays out the tables of a model and fills what all walls share.
+#include "dynamics/passes/tables.h"
+
+#include <algorithm>
+
+#include "contact/parameters.h"
+
+namespace wythe::dynamics {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i - 1, i), and gives each
+// its groups. A chunk of neighbours begins a group of its own.
+template <class Fits, class Describe>
+std::vector<Chunk> cut(int n, Layout::Kind kind, const Fits& fits, const Describe& describe) {
+  std::vector<Chunk> chunks;
+  for (int i = 0; i < n; ++i) {
+    const bool joins = !chunks.empty() && chunks.back().n < kChunk && fits(i - 1, i);
+    if (!joins) {
+      Chunk chunk;
+      if (!chunks.empty()) chunk.begin = chunks.back().end;
+      chunk.first = i;
+      describe(i, chunk);
+      chunks.push_back(chunk);
+    }
+    Chunk& chunk = chunks.back();
+    ++chunk.n;
+    chunk.end = chunk.begin + (kind == Layout::kWalls ? chunk.n : (chunk.n + kGroup - 1) / kGroup);
+  }
+  return chunks;
+}
+
+// Places of the entities of chunks; how many places there are.
+std::int32_t place_all(const std::vector<Chunk>& chunks, Layout::Kind kind,
+                       std::vector<std::int32_t>& place) {
+  const int group = kind == Layout::kWalls ? 1 : kGroup;
+  for (const Chunk& chunk : chunks)
+    for (int k = 0; k < chunk.n; ++k) place.push_back(chunk.begin * group + k);
+  return chunks.empty() ? 0 : chunks.back().end * group;
+}
+
+// The histories of chunks, one behind the other.
+void place_points(std::vector<Chunk>& chunks, Layout::Kind kind, std::int32_t& rows,
+                  std::vector<std::int32_t>& history) {
+  const int group = kind == Layout::kWalls ? 1 : kGroup;
+  for (Chunk& chunk : chunks) {
+    chunk.history = rows;
+    for (int k = 0; k < chunk.n; ++k) history.push_back(rows + k / group * chunk.points);
+    rows += (chunk.end - chunk.begin) * chunk.points;
+  }
+}
+
+const contact::LawChoice choice_of(const Model& m, int material) {
+  return contact::choice_of(m.materials[at(material)]);
+}
+
+std::vector<Chunk> cut_joints(const Model& m, Layout::Kind kind) {
+  return cut(
+      m.n_joint, kind,
+      [&](int i, int j) {
+        return m.joint_material[at(i)] == m.joint_material[at(j)] && j != m.n_pair;
+      },
+      [&](int j, Chunk& chunk) {
+        chunk.material = m.joint_material[at(j)];
+        chunk.choice = choice_of(m, chunk.material);
+        chunk.on_ground = j >= m.n_pair;
+        chunk.points = m.n_face_point;
+      });
+}
+
+std::vector<Chunk> cut_edges(const Model& m, Layout::Kind kind) {
+  const auto& material = m.solids.contact_material;
+  return cut(
+      m.solids.n_contact, kind, [&](int i, int j) { return material[at(i)] == material[at(j)]; },
+      [&](int j, Chunk& chunk) {
+        chunk.material = material[at(j)];
+        chunk.choice = choice_of(m, chunk.material);
+        chunk.points = 2;
+        chunk.rule = static_cast<std::int32_t>(m.point_xi.size());
+      });
+}
+
+std::vector<Chunk> cut_zones(const Solids& s, Layout::Kind kind) {
+  return cut(
+      s.n_zone, kind, [&](int i, int j) { return s.zone_shape[at(i)] == s.zone_shape[at(j)]; },
+      [&](int j, Chunk& chunk) { chunk.material = s.zone_shape[at(j)]; });
+}
+
+std::vector<Chunk> cut_plain(int n, Layout::Kind kind) {
+  return cut(
+      n, kind, [](int, int) { return true; }, [](int, Chunk&) {});
+}
+
+// Fills tables that all walls share; everything else of the memory is zero.
+class Filler {
+ public:
+  Filler(const Layout& layout, const Model& model, Tables& tables)
+      : l_(layout), m_(model), t_(tables) {}
+
+  void fill() {
+    fill_joints();
+    fill_edges();
+    fill_blocks();
+    fill_solids();
+  }
+
+ private:
+  void put(double* table, std::int32_t place, int rows, int row, double value) {
+    table[l_.number(place, rows, row, 1)] = value;
+  }
+  // Of joints and edges that fill up a group both sides are the ground.
+  [[nodiscard]] std::int32_t pose_of(BlockId block) const {
+    return block == kGroundBlock ? t_.n_block : block;
+  }
+
+  void fill_joints() {
+    std::fill_n(t_.joint_a, l_.joints, t_.n_block);
+    std::fill_n(t_.joint_b, l_.joints, t_.n_block);
+    for (int j = 0; j < m_.n_joint; ++j) {
+      const auto i = at(j);
+      const std::int32_t place = l_.joint_place[i];
+      t_.joint_a[place] = pose_of(m_.joint_a[i]);
+      t_.joint_b[place] = pose_of(m_.joint_b[i]);
+      const double half = m_.half_x[i] * m_.tangent_x[i] + m_.half_y[i] * m_.tangent_y[i];
+      const double rows[kJointRows] = {m_.arm_a_x[i], m_.arm_a_y[i],   m_.arm_b_x[i],
+                                       m_.arm_b_y[i], m_.tangent_x[i], m_.tangent_y[i],
+                                       half,          m_.area[i]};
+      for (int r = 0; r < kJointRows; ++r) put(t_.joint, place, kJointRows, r, rows[r]);
+    }
+    std::copy(m_.point_xi.begin(), m_.point_xi.end(), t_.point_xi);
+    std::copy(m_.point_weight.begin(), m_.point_weight.end(), t_.point_weight);
+    const std::size_t edge = m_.point_xi.size();
+    t_.point_xi[edge] = -1, t_.point_xi[edge + 1] = 1;
+    t_.point_weight[edge] = t_.point_weight[edge + 1] = 0.5;
+  }
+
+  void fill_edges() {
+    const Solids& s = m_.solids;
+    std::fill_n(t_.edge_block, l_.edges, t_.n_block);
+    for (int c = 0; c < s.n_contact; ++c) {
+      const auto i = at(c);
+      const std::int32_t place = l_.edge_place[i];
+      t_.edge_block[place] = s.contact_block[i] == m_.n_block ? t_.n_block : s.contact_block[i];
+      t_.edge_p[place] = s.contact_p[i];
+      t_.edge_q[place] = s.contact_q[i];
+      const double rows[kEdgeRows] = {
+          s.arm_0_x[i],           s.arm_0_y[i],           s.arm_1_x[i],
+          s.arm_1_y[i],           s.share_0[i],           s.share_1[i],
+          s.contact_tangent_x[i], s.contact_tangent_y[i], s.contact_area[i]};
+      for (int r = 0; r < kEdgeRows; ++r) put(t_.edge, place, kEdgeRows, r, rows[r]);
+    }
+  }
+
+  // Joints of each block in the model's order: those of which it is side a, then b. Zone contacts.
+  void fill_blocks() {
+    std::int32_t next = 0, next_edge = 0;
+    const auto add = [&](std::int32_t entry) {
+      t_.block_entry[next++] = l_.joint_place[at(entry >> 1)];
+    };
+    for (int i = 0; i < l_.blocks; ++i) {
+      t_.block_begin[i] = next;
+      t_.block_edge_begin[i] = next_edge;
+      t_.block_middle[i] = next;
+      if (i >= m_.n_block) continue;
+      t_.turn_freedom[i] = m_.turn_freedom[at(i)];
+      auto e = m_.block_begin[at(i)];
+      for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
+        add(m_.block_entry[at(e)]);
+      t_.block_middle[i] = next;
+      for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
+      for (int c = 0; c < m_.solids.n_contact; ++c)
+        if (m_.solids.contact_block[at(c)] == i)
+          t_.block_edge_entry[next_edge++] = l_.edge_place[at(c)];
+    }
+    t_.block_begin[l_.blocks] = next;
+    t_.block_edge_begin[l_.blocks] = next_edge;
+  }
+
+  void fill_solids() {
+    const Solids& s = m_.solids;
+    for (int k = 0; k < 4; ++k)
+      for (int z = 0; z < s.n_zone; ++z)
+        t_.corner[k][l_.zone_place[at(z)]] = s.corner[at(k)][at(z)];
+    std::copy(s.shapes.begin(), s.shapes.end(), t_.shapes);
+    std::copy(s.node_free_x.begin(), s.node_free_x.end(), t_.node_free_x);
+    std::copy(s.node_free_y.begin(), s.node_free_y.end(), t_.node_free_y);
+    const auto list = [&](const std::vector<std::int32_t>& begin, std::int32_t* to) {
+      for (int i = 0; i <= l_.nodes; ++i)
+        to[i] = begin.empty() ? 0 : begin[at(std::min(i, s.n_node))];
+    };
+    list(s.zone_begin, t_.node_zone_begin);
+    list(s.contact_begin, t_.node_edge_begin);
+    // an entry is the place of an x component in rows of four of zones (corners 0 and 1, then 2 and 3)
+    for (std::size_t e = 0; e < s.zone_entry.size(); ++e) {
+      const std::int32_t was = s.zone_entry[e], low = 4 * s.n_zone;
+      const std::int32_t z = (was % low) / 4;
+      t_.node_zone_entry[e] = (was >= low ? 4 * l_.zones : 0) + 4 * l_.zone_place[at(z)] + was % 4;
+    }
+    for (std::size_t e = 0; e < s.contact_entry.size(); ++e)
+      t_.node_edge_entry[e] =
+          4 * l_.edge_place[at(s.contact_entry[e] / 4)] + s.contact_entry[e] % 4;
+  }
+
+  const Layout& l_;
+  const Model& m_;
+  Tables& t_;
+};
+
+}  // namespace
+
+Layout::Layout(const Model& m, Kind of) : kind(of) {
+  const Solids& s = m.solids;
+  chunks[kJoints] = cut_joints(m, kind);
+  chunks[kEdges] = cut_edges(m, kind);
+  chunks[kZones] = cut_zones(s, kind);
+  chunks[kBlocks] = cut_plain(m.n_block, kind);
+  chunks[kNodes] = cut_plain(s.n_node, kind);
+  joints = place_all(chunks[kJoints], kind, joint_place);
+  edges = place_all(chunks[kEdges], kind, edge_place);
+  zones = place_all(chunks[kZones], kind, zone_place);
+  std::vector<std::int32_t> same;
+  blocks = place_all(chunks[kBlocks], kind, same);
+  nodes = place_all(chunks[kNodes], kind, same);
+  std::int32_t rows = 0;
+  place_points(chunks[kJoints], kind, rows, joint_history);
+  place_points(chunks[kEdges], kind, rows, edge_history);
+  points = rows * (kind == kWalls ? 1 : kGroup);
+  entries = m.block_entry.size();
+  edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
+                                  [&](BlockId block) { return block != m.n_block; }));
+}
+
+Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
+  Tables t;
+  t.lanes = l.kind == Layout::kWalls ? walls : 1;
+  t.n_block = l.blocks;
+  // once to count, once to point
+  const auto lanes = at(t.lanes);
+  std::size_t shared = 0, own = 0, ids = 0, busy = 0;
+  const auto count = [&](auto*& table, std::size_t n) {
+    using T = std::remove_cvref_t<decltype(*table)>;
+    if constexpr (std::is_same_v<T, double>) shared += n;
+    if constexpr (std::is_same_v<T, std::int32_t>) ids += n;
+  };
+  const auto count_own = [&](auto*& table, std::size_t n) {
+    using T = std::remove_cvref_t<decltype(*table)>;
+    (std::is_same_v<T, double> ? own : busy) += n * lanes;
+  };
+  each_table(l, m, t, count, count_own);
+  memory.shared.assign(shared, 0.0);
+  memory.own.assign(own, 0.0);
+  memory.ids.assign(ids, 0);
+  memory.shapes.resize(m.solids.shapes.size());
+  memory.busy.assign(busy, 0);
+  point_tables(l, m, t, memory.shared.data(), memory.own.data(), memory.ids.data(),
+               memory.shapes.data(), memory.busy.data());
+  Filler(l, m, t).fill();
+  return t;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,257 @@
+// Where the numbers of a step lie: tables of rows, one row a quantity, for one wall or many side by side.
+//
+//   kind         a lane is           row r of entity e, wall k                        used by
+//   kNeighbours  an entity of one    ((e / 8) rows + r) 8 + e % 8                     packs of one wall
+//                wall: groups of 8
+//   kWalls       a wall              (e rows + r) walls + k                           walls side by side
+//
+// What others look up by an entity's number (poses, forces of joints, zones) lies in rows of four, all
+// of an entity together: (e 4 + c) walls + k. Joints come in runs of one law, one support and one number
+// of points; in groups of 8 the last is filled up with joints between the ground and itself, which rest.
+//
+// Tables are pointers into one piece of memory for each type, so that a device needs one copy.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "contact/law.h"
+#include "model/fields.h"
+
+namespace wythe::dynamics {
+
+inline constexpr int kGroup = 8;    // lanes of the widest pack
+inline constexpr int kChunk = 256;  // entities of a chunk; fixed, so sums do not depend on threads
+
+// Rows of the geometry of a joint: arms to the face's centre, tangent, half length, area.
+enum JointRow {
+  kArmAX,
+  kArmAY,
+  kArmBX,
+  kArmBY,
+  kTangentX,
+  kTangentY,
+  kHalfLength,
+  kArea,
+  kJointRows
+};
+// Rows of a zone's contact (solids): arms of its two points, their shares on the edge, tangent, area.
+enum EdgeRow {
+  kArm0X,
+  kArm0Y,
+  kArm1X,
+  kArm1Y,
+  kShare0,
+  kShare1,
+  kEdgeTangentX,
+  kEdgeTangentY,
+  kEdgeArea,
+  kEdgeRows
+};
+// Rows of a block: its fields of State first; then what a step needs of it.
+enum BlockRow {
+  kUx,
+  kUy,
+  kTheta,
+  kVx,
+  kVy,
+  kOmega,
+  kRate,      // dt / (mass mass_scaling), dt / (inertia mass_scaling)
+  kTurnRate,  //
+  kHeavyMass,
+  kIsFree,  // 0: moved by the drive
+  kLoadX,   // dead loads [N], [N m]
+  kLoadY,
+  kLoadM,
+  kBlockRows
+};
+static_assert(kOmega + 1 == fields_of(Entity::kBlock) && kUx == row_of(&State::ux) &&
+              kUy == row_of(&State::uy) && kTheta == row_of(&State::theta) &&
+              kVx == row_of(&State::vx) && kVy == row_of(&State::vy) &&
+              kOmega == row_of(&State::omega));
+// Rows of a block that only the drive and the meters read; forces and totals of driven blocks alone.
+enum ColdRow { kMass, kInertia, kContactX, kContactY, kTotalX, kTotalY, kTotalM, kColdRows };
+enum NodeRow {
+  kNodeUx,
+  kNodeUy,
+  kNodeVx,
+  kNodeVy,
+  kNodeRate,
+  kNodeHeavyMass,
+  kNodeTotalX,  // forces with gravity, 0 where held [N]
+  kNodeTotalY,
+  kNodeMass,
+  kNodeRows
+};
+static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
+              kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
+              kNodeVy == row_of(&State::node_vy));
+inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
+static_assert(kHistoryRows == fields_of(Entity::kPoint));
+inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
+// Numbers of a wall that every step brings along.
+enum WallRow { kDt, kDamping, kGravityX, kGravityY, kWallRows };
+
+// Runs of entities that one call of a kernel takes. Groups: of 8 neighbours, or single entities.
+struct Chunk {
+  std::int32_t begin = 0, end = 0;  // groups
+  std::int32_t first = 0, n = 0;    // entities
+  std::int32_t material = 0;        // of joints and edges; of zones their shape
+  std::int32_t points = 0;          // of a face
+  std::int32_t rule = 0;            // where its points stand: into point_xi, point_weight
+  std::int32_t history = 0;         // of its first group: rows of points before it
+  bool on_ground = false;
+  contact::LawChoice choice;
+};
+
+// Loops of a step that have a kernel. A pass is written once (passes/*.h) and listed here.
+enum Pass { kJoints, kZones, kEdges, kBlocks, kNodes, kPasses };
+
+// Works of a chunk [J]: kGroup sums of each, for each wall, added up in order.
+enum Term { kFriction, kFracture, kCrushing, kLoads, kDamped, kTerms };
+
+struct Tables {
+  std::ptrdiff_t lanes = 1;  // walls side by side; of neighbours 1
+  int n_block = 0;           // number of the ground in `pose`
+
+  // the same for all walls
+  double *joint, *edge, *turn_freedom, *node_free_x, *node_free_y;
+  double *point_xi, *point_weight;
+  std::int32_t *joint_a, *joint_b;  // poses of the two sides
+  std::int32_t *block_begin, *block_middle,
+      *block_entry;                                   // joints of a block: as side a, then as b
+  std::int32_t *block_edge_begin, *block_edge_entry;  // zone contacts of a block
+  std::int32_t *edge_block, *edge_p, *edge_q;
+  std::int32_t* corner[4];
+  std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
+  ZoneShape* shapes;
+
+  // each wall its own
+  double* law;         // (n_material, kLawRows)
+  double* block;       // (n_block, kBlockRows)
+  double* cold;        // (n_block, kColdRows)
+  double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
+  double* history;     // (points, kHistoryRows)
+  double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids
+  double* node;        // (n_node, kNodeRows)
+  double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
+  double* high_force;  // another table, those on 2 and 3
+  double* edge_block_force;              // rows of four: fx, fy, moment on the rigid block
+  double* edge_force;                    // rows of four: on nodes p and q
+  double* wall;                          // (kWallRows)
+  std::uint8_t *joint_busy, *edge_busy;  // a point moved in the last step: which way a step takes
+};
+
+// How long each table is and which entity lies where.
+struct Layout {
+  enum Kind { kNeighbours, kWalls };
+
+  Layout(const Model& model, Kind kind);
+
+  Kind kind;
+  std::vector<Chunk> chunks[kPasses];
+  // Of joint j, zone z, edge c: the place in its tables.
+  std::vector<std::int32_t> joint_place, zone_place, edge_place;
+  std::vector<std::int32_t> joint_history, edge_history;  // rows of points before its group
+
+  // entities with those that fill up groups
+  std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, points = 0;
+  std::size_t entries = 0, edge_entries = 0;
+
+  // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
+  [[nodiscard]] std::ptrdiff_t number(std::int32_t e, int rows, int row, int walls) const {
+    if (kind == kWalls) return (static_cast<std::ptrdiff_t>(e) * rows + row) * walls;
+    return (static_cast<std::ptrdiff_t>(e / kGroup) * rows + row) * kGroup + e % kGroup;
+  }
+  // Point k of the joint (or edge) at `place` with `history` rows of points before its group.
+  [[nodiscard]] std::ptrdiff_t point_number(std::int32_t place, std::int32_t history, int k,
+                                            int row, int walls) const {
+    const auto point = static_cast<std::ptrdiff_t>(history + k) * kHistoryRows + row;
+    return kind == kWalls ? point * walls : point * kGroup + place % kGroup;
+  }
+};
+
+// The memory of the tables of `walls` walls: what all share and what each has for itself.
+struct Memory {
+  std::vector<double> shared, own;
+  std::vector<std::int32_t> ids;
+  std::vector<ZoneShape> shapes;
+  std::vector<std::uint8_t> busy;
+};
+
+// visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
+// counts of one wall. Whoever allocates and points follows this list.
+template <class Visit, class Own>
+void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, const Own& own) {
+  const auto n = [](auto count) { return static_cast<std::size_t>(count); };
+  visit(t.joint, n(l.joints) * kJointRows);
+  visit(t.edge, n(l.edges) * kEdgeRows);
+  visit(t.turn_freedom, n(l.blocks));
+  visit(t.node_free_x, n(l.nodes));
+  visit(t.node_free_y, n(l.nodes));
+  visit(t.point_xi, m.point_xi.size() + 2);
+  visit(t.point_weight, m.point_weight.size() + 2);
+  visit(t.joint_a, n(l.joints));
+  visit(t.joint_b, n(l.joints));
+  visit(t.block_begin, n(l.blocks) + 1);
+  visit(t.block_middle, n(l.blocks));
+  visit(t.block_entry, l.entries);
+  visit(t.block_edge_begin, n(l.blocks) + 1);
+  visit(t.block_edge_entry, l.edge_entries);
+  visit(t.edge_block, n(l.edges));
+  visit(t.edge_p, n(l.edges));
+  visit(t.edge_q, n(l.edges));
+  for (auto& corner : t.corner) visit(corner, n(l.zones));
+  visit(t.node_zone_begin, n(l.nodes) + 1);
+  visit(t.node_zone_entry, m.solids.zone_entry.size());
+  visit(t.node_edge_begin, n(l.nodes) + 1);
+  visit(t.node_edge_entry, m.solids.contact_entry.size());
+  visit(t.shapes, m.solids.shapes.size());
+  own(t.law, m.materials.size() * kLawRows);
+  own(t.block, n(l.blocks) * kBlockRows);
+  own(t.cold, n(l.blocks) * kColdRows);
+  own(t.pose, 4 * (n(l.blocks) + 1));
+  own(t.history, n(l.points) * kHistoryRows);
+  own(t.force, 4 * n(l.joints));
+  own(t.node, n(l.nodes) * kNodeRows);
+  own(t.zone_force, 4 * n(l.zones));
+  own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it
+  own(t.edge_block_force, 4 * n(l.edges));
+  own(t.edge_force, 4 * n(l.edges));
+  own(t.wall, n(kWallRows));
+  own(t.joint_busy, n(l.joints));
+  own(t.edge_busy, n(l.edges));
+}
+
+// Points the tables into memory of this or another machine, laid out as Memory is.
+template <class Doubles, class Ids, class Shapes, class Bytes>
+void point_tables(const Layout& l, const Model& m, Tables& t, Doubles* shared, Doubles* own,
+                  Ids* ids, Shapes* shapes, Bytes* busy) {
+  const auto take = [](auto*& table, auto*& next, std::size_t n) {
+    table = next;
+    next += n;
+  };
+  each_table(
+      l, m, t,
+      [&](auto*& table, std::size_t n) {
+        using T = std::remove_cvref_t<decltype(*table)>;
+        if constexpr (std::is_same_v<T, double>) take(table, shared, n);
+        if constexpr (std::is_same_v<T, std::int32_t>) take(table, ids, n);
+        if constexpr (std::is_same_v<T, ZoneShape>) take(table, shapes, n);
+      },
+      [&](auto*& table, std::size_t n) {
+        using T = std::remove_cvref_t<decltype(*table)>;
+        if constexpr (std::is_same_v<T, double>)
+          take(table, own, n * static_cast<std::size_t>(t.lanes));
+        if constexpr (std::is_same_v<T, std::uint8_t>)
+          take(table, busy, n * static_cast<std::size_t>(t.lanes));
+      });
+}
+
+// Tables in memory of this machine, filled with what all walls share; every wall at rest and without law.
+[[nodiscard]] Tables make_tables(const Layout& layout, const Model& model, int walls,
+                                 Memory& memory);
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,65 @@
+// One wall of the tables, seen by what looks at a single wall: drive, loads, meters, copies of its state.
+#pragma once
+
+#include "dynamics/passes/tables.h"
+
+namespace wythe::dynamics {
+
+// Plain numbers, so that a device can hold it. Entities that fill up a group of neighbours carry nothing
+// and stand still: a sum may run over them.
+struct WallView {
+  Tables t;
+  std::ptrdiff_t lane = 0;
+  int shift = 0, mask = 0;  // of an entity's number: its group, its place in it
+  int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
+  int moving_blocks = 0;  // of the model: nodes are numbered behind them
+
+  WYTHE_INLINE double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
+    const std::ptrdiff_t width = mask != 0 ? kGroup : t.lanes;
+    return table[((e >> shift) * rows + row) * width + (e & mask) + lane];
+  }
+  WYTHE_INLINE double& block(std::ptrdiff_t i, BlockRow row) const {
+    return number(t.block, kBlockRows, i, row);
+  }
+  WYTHE_INLINE double& cold(std::ptrdiff_t i, ColdRow row) const {
+    return number(t.cold, kColdRows, i, row);
+  }
+  WYTHE_INLINE double& node(std::ptrdiff_t i, NodeRow row) const {
+    return number(t.node, kNodeRows, i, row);
+  }
+  // Column c of a row of four.
+  WYTHE_INLINE double& of_four(double* rows, std::ptrdiff_t e, int c) const {
+    return rows[(4 * e + c) * t.lanes + lane];
+  }
+  WYTHE_INLINE double& of_wall(WallRow row) const { return t.wall[row * t.lanes + lane]; }
+};
+
+[[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
+                               int lane);
+
+// A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
+void put_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
+              const State& state);
+// Its motion and history, into the state's own arrays.
+void read_wall(const Layout& layout, const Tables& tables, int lane, const Model& model,
+               State& state);
+// The pose of every block, from where it is.
+void turn_all(const WallView& wall);
+
+// What a step multiplies by: dt over each mass.
+WYTHE_INLINE void set_rates(const WallView& wall, double dt, double mass_scaling) {
+  const auto rate = [&](double mass) { return mass > 0 ? dt / (mass * mass_scaling) : 0; };
+  for (int i = 0; i < wall.blocks; ++i) {
+    wall.block(i, kRate) = rate(wall.cold(i, kMass));
+    wall.block(i, kTurnRate) = rate(wall.cold(i, kInertia));
+  }
+  for (int i = 0; i < wall.nodes; ++i) wall.node(i, kNodeRate) = rate(wall.node(i, kNodeMass));
+}
+
+// Marks the blocks that the drive moves.
+inline void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks) {
+  for (int i = 0; i < wall.blocks; ++i) wall.block(i, kIsFree) = 1;
+  for (const BlockId block : blocks) wall.block(block, kIsFree) = 0;
+}
+
+}  // namespace wythe::dynamics
