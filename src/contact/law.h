@@ -311,7 +311,8 @@ template <class Real>
                                                  const History<Real>& now) {
   bool_of_t<Real> moved = now.kappa > before.kappa;
   moved = moved | (now.crush > before.crush);
-  moved = moved | (now.slip > before.slip);
+  moved = moved | (now.plastic_slip > before.plastic_slip);
+  moved = moved | (now.plastic_slip < before.plastic_slip);
   return moved | (now.shear_damage > before.shear_damage);
 }
 
