@@ -117,12 +117,12 @@ struct SolidBody {
 struct Solids {
   int n_node = 0, n_zone = 0, n_contact = 0;
 
-  // read by zone_pass (one row per zone)
+  // read by the pass over zones (one row per zone)
   std::array<std::vector<std::int32_t>, 4> corner;  // nodes, anticlockwise
   std::vector<std::int32_t> zone_shape;             // into shapes; equal for all of a body
   std::vector<ZoneShape> shapes;
 
-  // read by zone_contact_pass (one row per contact, sorted by material)
+  // read by the pass over their contacts (one row per contact, sorted by material)
   std::vector<BlockId> contact_block;                        // n_block on the ground
   std::vector<std::int32_t> contact_p, contact_q;            // nodes of the edge
   std::vector<double> share_0, share_1;                      // [-]
@@ -131,7 +131,7 @@ struct Solids {
   std::vector<double> contact_area;                          // [m^2]
   std::vector<std::int32_t> contact_material;                // into Model::materials
 
-  // read by node_pass (one row per node)
+  // read by the pass over nodes (one row per node)
   std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: place of a corner's
   std::vector<std::int32_t> contact_begin, contact_entry;  // or an end's force in Workspace
   std::vector<double> node_x, node_y;                      // at the start [m]
@@ -192,7 +192,7 @@ struct State {
   std::vector<double> ux, uy, theta;  // [m], [m], [rad]
   std::vector<double> vx, vy, omega;  // at the half step [m/s], [rad/s]
 
-  // written by node_pass (n_node)
+  // written by the pass over nodes (n_node)
   std::vector<double> node_ux, node_uy;  // [m]
   std::vector<double> node_vx, node_vy;  // at the half step [m/s]
 

@@ -1,6 +1,6 @@
 // The joint law at one contact point: stresses and history from opening w and relative slip s.
 //
-// Called by dynamics/forces.h for every point of every step and by drive_contact() for one point.
+// Called by dynamics/passes/joints.h for every point of every step and by drive_contact() for one point.
 // One source for every scalar type (double, Dual, SIMD pack), branch-free through select().
 // Equations: docs/theory/joint_law.md; parameters after Pulatsu et al. (the D-RBA paper), Lourenco &
 // Rots 1997. Signs: opening and tension +, compression sn = -sigma +.

@@ -11,7 +11,7 @@ namespace {
 
 using contact::LawConstants;
 
-// Kinematics of joint j at xi, as in dynamics/forces.h but in plain steps.
+// Kinematics of joint j at xi, as in dynamics/passes/joints.h but in plain steps.
 struct PointMotion {
   double w, s, x, y;
 };

@@ -27,7 +27,7 @@ const ZoneShape& shape_of(const Solids& m, std::size_t zone) {
   return m.shapes[static_cast<std::size_t>(m.zone_shape[zone])];
 }
 
-// Kinematics of point k of contact c, as in dynamics/zones.h but in plain steps.
+// Kinematics of point k of contact c, as in dynamics/passes/solids.h but in plain steps.
 struct EdgeMotion {
   double w, s, x, y;
 };
