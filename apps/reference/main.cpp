@@ -1,5 +1,5 @@
 // Writes the reference page of model files from the specs' own descriptions (make docs).
-#include <fstream>
+#include <exception>
 #include <iostream>
 
 #include "wythe/io.h"
@@ -9,11 +9,10 @@ int main(int argc, char** argv) {
     std::cerr << "usage: wythe_reference PAGE.md\n";
     return 2;
   }
-  std::ofstream page(argv[1]);
-  page << wythe::reference_page();
-  page.close();
-  if (!page) {
-    std::cerr << argv[1] << ": cannot be written\n";
+  try {
+    wythe::write_text(argv[1], wythe::reference_page());
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
     return 4;
   }
 }

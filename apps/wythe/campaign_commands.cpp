@@ -166,6 +166,7 @@ int campaign(const CampaignArguments& a) {
   if (options.device == Device::kGpu) options.provenance += ", on the graphics processor";
   read_shard(a.shard, options);
   const StudySpec study = asked_study(a);
+  hold_for_test("model read");
   const ModelBuilder build = model_builder(study);
   check_folder(a.out, FolderFor::kCampaign);
   CampaignOutcome outcome;

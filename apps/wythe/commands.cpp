@@ -133,6 +133,7 @@ void print_result(const Result& r, const std::string& out) {
 int run(const RunArguments& arguments) {
   ModelSpec spec;
   Model model = read_and_compile(arguments.model, arguments.overrides, &spec);
+  hold_for_test("model read");
   model.spec_hash = spec_hash(spec);
   check_language(arguments.language);
   const std::unique_ptr<Replacement> results = replace_run(arguments.out);
@@ -164,6 +165,7 @@ int run(const RunArguments& arguments) {
 int check(const CheckArguments& arguments) {
   if (is_study(arguments.file)) return check_study_file(arguments);
   const Model model = read_and_compile(arguments.file, arguments.overrides);
+  hold_for_test("model read");
   const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", readable(arguments.file));
   print_model(model);

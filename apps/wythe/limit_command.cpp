@@ -202,6 +202,7 @@ int limit(const LimitArguments& a) {
   check_language(a.language);
   ModelSpec spec;
   const Model model = read_and_compile(a.model, a.overrides, &spec);
+  hold_for_test("model read");
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "campaign_commands.h"
 #include "wythe/error.h"
@@ -19,13 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kData = "/report.data";
 constexpr const char* kPage = "/report.html";
-
-std::string read_bytes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) throw IoError("cannot be read");
-  return bytes;
-}
 
 }  // namespace
 
@@ -72,7 +63,7 @@ int report(const ReportArguments& a) {
                        .cure = "name a folder that run, campaign, replay or limit wrote"}});
   std::string page;
   try {
-    page = report_page(read_bytes(a.folder + kData), a.language);
+    page = report_page(read_data(a.folder + kData), a.language);
   } catch (const IoError& error) {
     throw IoError(a.folder + kData + ": " + error.what());
   }

@@ -104,7 +104,9 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 // The run, or the samples that answered, in a folder of `wythe run` or `wythe campaign`. Throws
 // InputError when it holds neither, IoError when its files are damaged.
 [[nodiscard]] std::vector<ComparedRun> read_compared_runs(const std::string& folder);
-// Writes a whole file at once or throws IoError; never leaves half a file.
+// Content of a file of packed data, e.g. report.data; throws InputError where it can be none, and IoError.
+[[nodiscard]] std::string read_data(const std::string& path);
+// Writes a whole file at once or throws IoError; never leaves half a file, never follows a link.
 void write_text(const std::string& path, const std::string& text);
 // Throws InputError when `folder` holds results of the other kind, since their report would be lost.
 enum class FolderFor { kRun, kCampaign };

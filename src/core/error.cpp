@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/limits.h"
 #include "wythe/text.h"
 
 namespace wythe {
@@ -10,10 +11,9 @@ namespace {
 
 std::string listed(const std::vector<Fault>& faults) {
   std::string out;
-  for (const Fault& fault : faults) {
-    if (!out.empty()) out += '\n';
-    out += to_string(fault);
-  }
+  const std::size_t told = std::min(faults.size(), kMostFaults);
+  for (std::size_t i = 0; i < told; ++i) out += (i > 0 ? "\n" : "") + to_string(faults[i]);
+  if (told < faults.size()) out += "\nand more like these; mend these first";
   return out;
 }
 

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/limits.h"
+
 namespace wythe {
 namespace {
+
+constexpr std::ptrdiff_t kMostShown = 60;  // names in one sentence
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -34,10 +38,12 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+  if (name.size() > kLongestName || candidates.size() > kMostCandidates) return "";
   const std::string wanted = lower(name);
   int best = std::max(1, static_cast<int>(name.size()) / 3) + 1;
   std::string nearest;
   for (const std::string& candidate : candidates) {
+    if (candidate.size() > 2 * kLongestName) continue;
     const int distance = edit_distance(wanted, lower(candidate));
     if (distance < best) {
       best = distance;
@@ -51,7 +57,9 @@ std::string name_advice(std::string_view name, const std::vector<std::string>& c
   const std::string nearest = nearest_name(name, candidates);
   if (!nearest.empty()) return "did you mean " + nearest + "?";
   if (candidates.empty()) return "";
-  return "known here: " + joined(candidates, ", ");
+  if (candidates.size() <= kMostShown) return "known here: " + joined(candidates, ", ");
+  return "known here: " + joined({candidates.begin(), candidates.begin() + kMostShown}, ", ") +
+         " and " + std::to_string(candidates.size() - kMostShown) + " more";
 }
 
 std::string_view trimmed(std::string_view text) {

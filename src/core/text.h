@@ -13,7 +13,8 @@ namespace wythe {
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
 // The candidate closest to `name`, or "" when none is close enough to be meant: at most one slip
-// for every three letters, and never less than one. Upper and lower case count as the same.
+// for every three letters, and never less than one. Upper and lower case count as the same. Long names and long lists of
+// names (core/limits.h) have none: a file could make the comparison last for hours.
 [[nodiscard]] std::string nearest_name(std::string_view name,
                                        const std::vector<std::string>& candidates);
 

@@ -13,10 +13,11 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "core/files.h"
 #include "core/text.h"
 #include "io/describe.h"
+#include "io/json.h"
 #include "wythe/io.h"
 
 namespace wythe::io {
@@ -43,19 +44,7 @@ class BlocksReader {
       : context_(context), file_(std::move(file)), spec_(spec) {}
 
   void read(const std::string& text) {
-    Json json;
-    try {
-      json = Json::parse(text);
-    } catch (const Json::parse_error& error) {
-      const std::size_t at = std::min(error.byte, text.size());
-      const auto line =
-          std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-      refuse("", "", fmt::format("not valid JSON at byte {}", error.byte), "",
-             static_cast<int>(line) + 1);
-      return;
-    } catch (const Json::exception& error) {
-      return refuse("", "", fmt::format("can't be read: {}", error.what()), "");
-    }
+    const Json json = parse_json(text, file_);
     if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
     read_units(json);
     read_thickness(json);
@@ -72,14 +61,10 @@ class BlocksReader {
       R"(write e.g. {"units": "m", "blocks": [{"id": "b1", "polygon": [[0, 0], [1, 0], [1, 1]]}]})";
 
   void refuse(const std::string& where, const std::string& value, const std::string& problem,
-              const std::string& cure, int line = 0) {
+              const std::string& cure) {
     const std::string path = where.empty() ? "wall.blocks" : "wall.blocks." + where;
-    context_.faults.add({.file = file_,
-                         .path = path,
-                         .value = value,
-                         .problem = problem,
-                         .cure = cure,
-                         .line = line});
+    context_.faults.add(
+        {.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
 
   void read_units(const Json& json) {
@@ -110,7 +95,8 @@ class BlocksReader {
   void read_polygons(const Json& blocks) {
     if (!blocks.is_array() || blocks.empty())
       return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
-    for (std::size_t i = 0; i < blocks.size(); ++i) read_polygon_block(blocks[i], i);
+    for (std::size_t i = 0; i < blocks.size() && !enough(context_.faults); ++i)
+      read_polygon_block(blocks[i], i);
   }
 
   void read_polygon_block(const Json& json, std::size_t index) {
@@ -188,7 +174,8 @@ class BlocksReader {
     static const std::vector<std::string> kKnown = {
         "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
     for (const auto& item : json.items())
-      if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end())
+      if (!enough(context_.faults) &&
+          std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end())
         refuse(id + '.' + item.key(), short_dump(item.value()), "no such key",
                name_advice(item.key(), kKnown));
   }
@@ -200,6 +187,7 @@ class BlocksReader {
     if (!json.is_array() || json.size() < 3)
       return refuse(where, short_dump(json), "must have 3 vertices or more", "");
     for (const Json& vertex : json) {
+      if (enough(context_.faults)) return;
       const bool pair = vertex.is_array() && vertex.size() == 2;
       const auto x = pair ? read_number(vertex[0]) : std::nullopt;
       const auto y = pair ? read_number(vertex[1]) : std::nullopt;
@@ -215,7 +203,7 @@ class BlocksReader {
     if (!boxes.is_array() || boxes.empty())
       return refuse("blocks_xyxy", short_dump(boxes), "must be a list of boxes",
                     R"(write e.g. "blocks_xyxy": [[0, 0, 0.2, 0.1]])");
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t i = 0; i < boxes.size() && !enough(context_.faults); ++i) {
       BlockSpec block;
       block.id = "b" + std::to_string(i + 1);
       read_box(boxes[i], std::move(block));
@@ -261,7 +249,12 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
                  const std::string& text) {
   const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   try {
-    BlocksReader(context, file, spec).read(text.empty() ? read_text(file) : text);
+    BlocksReader(context, file, spec).read(text.empty() ? read_text(file, kMostJson) : text);
+  } catch (const InputError& error) {
+    for (Fault fault : error.faults()) {
+      fault.path = "wall.blocks";
+      context.faults.add(std::move(fault));
+    }
   } catch (const IoError& error) {
     const toml::node* node = root["wall"]["blocks"].node();
     context.fault("wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),

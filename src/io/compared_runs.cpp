@@ -3,14 +3,14 @@
 // A run is force_displacement.csv, summary.json and model.used.toml; a campaign its store. The bound
 // of a run is the limit load of its own model with all its joints' strength, without crushing.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "core/files.h"
+#include "core/limits.h"
+#include "io/csv.h"
+#include "io/json.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 
@@ -18,15 +18,8 @@ namespace wythe {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace io;
 using Json = nlohmann::json;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file) throw IoError(path.string() + ": cannot be read");
-  return text.str();
-}
 
 // Rows of a curve while the push goes on; a cyclic one gives its envelope of first loading.
 std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
@@ -36,34 +29,26 @@ std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
   return kept;
 }
 
-std::vector<double> numbers_of(const std::string& line) {
-  std::vector<double> values;
-  const char* at = line.data();
-  const char* end = at + line.size();
-  while (at < end) {
-    double value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc()) break;
-    values.push_back(value);
-    at = next < end ? next + 1 : next;
-  }
-  return values;
-}
-
-std::vector<CurveRow> read_curve(const fs::path& path) {
-  std::istringstream text(text_of(path));
-  std::string line;
-  std::getline(text, line);
-  if (!line.starts_with("time_s,displacement_mm,drift_percent,reaction_kN"))
-    throw IoError(path.string() + ": is not a curve of wythe run");
+std::vector<CurveRow> read_curve(const std::string& path) {
+  const std::string text = read_text(path, kMostCsv);
+  CsvLines lines(text, path);
+  if (!lines.next() ||
+      !lines.text().starts_with("time_s,displacement_mm,drift_percent,reaction_kN"))
+    throw IoError(path + ": is not a curve of wythe run");
   std::vector<CurveRow> rows;
-  for (int number = 2; std::getline(text, line); ++number) {
-    const std::vector<double> v = numbers_of(line);
-    if (v.size() < 4)
-      throw IoError(path.string() + ":" + std::to_string(number) + ": too few numbers");
-    rows.push_back({.time = v[0], .displacement = 1e-3 * v[1], .reaction = 1e3 * v[3]});
+  while (lines.next()) {
+    const std::vector<std::string>& cells = lines.cells();
+    const auto number = [&](std::size_t i) {
+      return i < cells.size() ? number_in(cells[i]) : kUnset;
+    };
+    const CurveRow row{
+        .time = number(0), .displacement = 1e-3 * number(1), .reaction = 1e3 * number(3)};
+    if (!std::isfinite(row.displacement + row.reaction))
+      throw IoError(path + ":" + std::to_string(lines.line()) +
+                    ": needs finite numbers in its first four columns; run the model again");
+    rows.push_back(row);
   }
-  if (rows.empty()) throw IoError(path.string() + ": holds no row; run wythe run to its end");
+  if (rows.empty()) throw IoError(path + ": holds no row; run wythe run to its end");
   return rows;
 }
 
@@ -128,16 +113,17 @@ void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run
 
 ComparedRun read_run(const fs::path& folder) {
   ComparedRun run{.name = "run", .mode = ""};
-  std::vector<CurveRow> rows = read_curve(folder / "force_displacement.csv");
+  std::vector<CurveRow> rows = read_curve((folder / "force_displacement.csv").string());
+  const std::string file = (folder / "summary.json").string();
+  const Json summary = parse_json(read_text(file, kMostJson), file);
   try {
-    const Json summary = Json::parse(text_of(folder / "summary.json"));
     run.mode = summary.at("failure_mode").at("name").get<std::string>();
     run.load_factor = std::fmax(0.0, number_of(summary.at("load_factor")));
     run.rate_verdict = summary.at("quasi_static").at("verdict").get<std::string>();
     if (summary.contains("peak_raw_kN"))
       run.capacity = 1e3 * number_of(summary.at("peak_reaction_kN"));
   } catch (const Json::exception& error) {
-    throw IoError((folder / "summary.json").string() + ": " + error.what());
+    throw IoError(file + ": " + error.what());
   }
   const Model model = compile(read_model((folder / "model.used.toml").string()));
   run.wall = in_words(model);

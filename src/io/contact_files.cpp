@@ -1,15 +1,14 @@
 // The files of `wythe contact`: one joint law (TOML), the path it is driven along and its answer.
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
+#include "io/csv.h"
 #include "io/toml_reader.h"
 #include "wythe/io.h"
 
@@ -50,17 +49,6 @@ JointMaterial pick_law(ReadContext& context, const LawFile& file) {
 
 // --- path ----------------------------------------------------------------------------------------
 
-std::vector<std::string> split_row(const std::string& line) {
-  std::vector<std::string> cells;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t comma = line.find(',', begin);
-    cells.emplace_back(trimmed(std::string_view(line).substr(begin, comma - begin)));
-    if (comma == std::string::npos) return cells;
-    begin = comma + 1;
-  }
-}
-
 struct PathColumn {
   std::string name;
   std::size_t index = 0;
@@ -74,18 +62,9 @@ class PathReader {
 
   std::vector<ContactPathRow> read(const std::string& text) {
     std::vector<ContactPathRow> rows;
-    bool has_header = false;
-    for (std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; begin < text.size();) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      const std::string line = text.substr(begin, end - begin);
-      begin = end + 1;
-      ++line_;
-      if (trimmed(line).empty()) continue;
-      if (has_header)
-        read_row(line, rows);
-      else if (!(has_header = read_header(line)))
-        break;
-    }
+    CsvLines lines(text, context_.file);
+    const bool has_header = lines.next() && read_header(lines);
+    while (has_header && !enough(context_.faults) && lines.next()) read_row(lines, rows);
     if (rows.empty() && context_.faults.empty())
       context_.fault("", 0, "", has_header ? "has no rows" : "is empty",
                      "write a header opening_mm,slip_mm and one row for each point of the path");
@@ -94,8 +73,9 @@ class PathReader {
   }
 
  private:
-  bool read_header(const std::string& line) {
-    header_ = split_row(line);
+  bool read_header(const CsvLines& lines) {
+    header_ = lines.cells();
+    line_ = lines.line();
     for (PathColumn* column : {&opening_, &slip_}) {
       const auto found = std::find(header_.begin(), header_.end(), column->name);
       column->index = static_cast<std::size_t>(found - header_.begin());
@@ -107,30 +87,28 @@ class PathReader {
     return context_.faults.empty();
   }
 
-  void read_row(const std::string& line, std::vector<ContactPathRow>& rows) {
-    const std::vector<std::string> cells = split_row(line);
+  void read_row(const CsvLines& lines, std::vector<ContactPathRow>& rows) {
+    const std::vector<std::string>& cells = lines.cells();
+    line_ = lines.line();
     if (cells.size() != header_.size())
       return context_.fault(
-          "", line_, line,
+          "", line_, lines.text(),
           fmt::format("has {} cells, the header has {}", cells.size(), header_.size()),
           "separate the cells by commas");
     rows.push_back({.opening = read_mm(cells, opening_), .slip = read_mm(cells, slip_)});
   }
 
   double read_mm(const std::vector<std::string>& cells, const PathColumn& column) {
-    std::string_view cell = cells[column.index];
-    if (cell.starts_with('+')) cell.remove_prefix(1);
-    double value = 0;
-    const char* end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, value);
-    if (error == std::errc() && stop == end && std::isfinite(value)) {
-      if (std::fabs(value) <= kFarthest) return value / 1e3;
-      context_.fault(column.name, line_, std::string(cell),
+    const std::string& cell = cells[column.index];
+    const double value = number_in(cell);
+    if (std::fabs(value) <= kFarthest) return value / 1e3;
+    if (!std::isnan(value)) {
+      context_.fault(column.name, line_, cell,
                      fmt::format("is farther than a kilometre ({:.0f} mm)", kFarthest),
                      "write it in millimetres; a joint is open or worn smooth long before");
       return 0;
     }
-    context_.fault(column.name, line_, std::string(cell), "must be a finite number",
+    context_.fault(column.name, line_, cell, "must be a finite number",
                    "write it in millimetres with a decimal point, e.g. 0.05");
     return 0;
   }
@@ -163,19 +141,17 @@ JointMaterial read_law(const std::string& path) {
 }
 
 std::vector<ContactPathRow> read_contact_path(const std::string& path) {
-  return io::PathReader(path).read(io::read_input(path, "path.csv"));
+  return io::PathReader(path).read(io::read_input(path, "path.csv", kMostCsv));
 }
 
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers) {
-  std::ofstream out(path, std::ios::binary);
-  out << "opening_mm,slip_mm,normal_stress_MPa,shear_stress_MPa,damage_tension,damage_shear,"
-         "damage,crushing,dissipated_N_per_m\n";
+  std::string text =
+      "opening_mm,slip_mm,normal_stress_MPa,shear_stress_MPa,damage_tension,damage_shear,"
+      "damage,crushing,dissipated_N_per_m\n";
   for (std::size_t i = 0; i < rows.size() && i < answers.size(); ++i)
-    out << io::answer_row(rows[i], answers[i]);
-  // A full disk is noticed only when the buffer goes out.
-  out.close();
-  if (!out) throw IoError(fmt::format("can't write {}: {}", path, std::strerror(errno)));
+    text += io::answer_row(rows[i], answers[i]);
+  write_file(path, text);
 }
 
 }  // namespace wythe

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/limits.h"
 #include "core/text.h"
 
 namespace wythe::io {
@@ -112,7 +113,8 @@ std::string key_advice(const std::vector<ModelKey>& keys, const std::string& pat
   for (const ModelKey& key : keys) {
     if (!key.path.starts_with(right)) continue;
     const std::string step = step_at(key.path, right.size());
-    if (std::find(next.begin(), next.end(), step) == next.end()) next.push_back(step);
+    if (next.size() <= kMostCandidates && std::find(next.begin(), next.end(), step) == next.end())
+      next.push_back(step);
   }
   const std::string wrong = step_at(path, right.size());
   if (const std::string near = nearest_name(wrong, next); !near.empty() && near != wrong)

@@ -25,12 +25,12 @@ std::vector<std::string> split_path(const std::string& path) {
 // Puts the value as TOML reads it, or as a text when it is not TOML: 1 mm/s, running, +x.
 void put_value(toml::table& table, const std::string& key, const std::string& text) {
   try {
-    toml::table parsed = toml::parse("value = " + text);
+    toml::table parsed = parse_toml("value = " + text, "--set");
     if (toml::node* value = parsed.size() == 1 ? parsed.get("value") : nullptr) {
       value->visit([&](auto& node) { table.insert_or_assign(key, std::move(node)); });
       return;
     }
-  } catch (const toml::parse_error&) {
+  } catch (const InputError&) {
   }
   table.insert_or_assign(key, text);
 }
@@ -73,6 +73,11 @@ class Walk {
 
   void put(toml::table& root) {
     const std::vector<std::string> steps = split_path(given_);
+    if (steps.size() > kMostDepth) {
+      refuse(fmt::format("has {} steps, at most {} are followed", steps.size(), kMostDepth),
+             "write e.g. stage.push.velocity");
+      return;
+    }
     toml::node* node = &root;
     for (std::size_t i = 0; i + 1 < steps.size() && node; ++i) node = descend(*node, steps[i]);
     if (node) put_last(*node, steps.back());
@@ -137,6 +142,14 @@ class Walk {
 
 void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts) {
+  if (texts.size() > kMostSettings) {
+    context.faults.add({.file = "--set",
+                        .path = "",
+                        .value = fmt::format("{} settings", texts.size()),
+                        .problem = fmt::format("at most {} are taken", kMostSettings),
+                        .cure = "write them into the model"});
+    return;
+  }
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string path(trimmed(text.substr(0, equals)));

@@ -15,10 +15,11 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 #include <system_error>
 
-#include "io/write_file.h"
+#include "core/files.h"
+#include "core/limits.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 
@@ -48,13 +49,37 @@ int locked(const std::string& folder) {
   return -1;
 }
 
+// Whether that hidden folder is there, itself: a link would lead to somebody else's files.
+bool is_there(const fs::path& hidden) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(hidden, error).type();
+  if (type == fs::file_type::directory || type == fs::file_type::not_found)
+    return type == fs::file_type::directory;
+  throw InputError({{.file = hidden.string(),
+                     .path = "",
+                     .value = "",
+                     .problem = "is no folder, and new results are kept in one of that name",
+                     .cure = "remove it, or name another place"}});
+}
+
+// The folder's name, once nothing that results would replace in it is a link, folder, pipe or device.
+const std::string& checked(const std::string& folder, const Replacement::Names& is_replaced) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (is_replaced(entry.path().filename().string())) check_output(entry.path().string());
+  static_cast<void>(is_there(fs::path(folder) / kNew));
+  return folder;
+}
+
 void bring(const fs::path& folder, const std::function<void(const char*)>& at) {
   const fs::path ready = folder / kReady, list = ready / kReplaced;
   std::error_code error;
-  if (!fs::exists(ready, error)) return;
-  if (std::ifstream names(list); names) {
+  if (!is_there(ready)) return;
+  if (fs::exists(list, error)) {
+    std::istringstream names(read_file(list.string(), kMostToml));
     for (std::string name; std::getline(names, name);)
-      if (name.find('/') == std::string::npos && fs::is_regular_file(folder / name, error))
+      if (name.find('/') == std::string::npos &&
+          fs::is_regular_file(fs::symlink_status(folder / name, error)))
         fs::remove(folder / name, error), check(folder, error);
     at("results removed");
     fs::remove(list, error), check(folder, error);
@@ -72,7 +97,7 @@ Replacement::Replacement(std::string folder, Names is_replaced)
     : folder_(std::move(folder)),
       path_((fs::path(folder_) / kNew).string()),
       is_replaced_(std::move(is_replaced)),
-      lock_(locked(folder_)) {
+      lock_(locked(checked(folder_, is_replaced_))) {
   if (lock_ < 0)
     throw IoError(
         folder_ +
@@ -97,7 +122,7 @@ void Replacement::commit(const std::function<void(const char*)>& point) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
     if (const std::string name = entry.path().filename().string(); is_replaced_(name))
       names += name + '\n';
-  io::write_file((fs::path(path_) / kReplaced).string(), names);
+  write_file((fs::path(path_) / kReplaced).string(), names);
   at("results written");
   std::error_code error;
   fs::rename(path_, fs::path(folder_) / kReady, error), check(folder_, error);
@@ -108,8 +133,7 @@ void Replacement::commit(const std::function<void(const char*)>& point) {
 }
 
 void finish_replacement(const std::string& folder) {
-  std::error_code error;
-  if (!fs::exists(fs::path(folder) / kReady, error)) return;
+  if (!is_there(fs::path(folder) / kReady)) return;
   const int lock = locked(folder);
   if (lock < 0) return;  // by the program that is at it
   try {

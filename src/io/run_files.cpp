@@ -10,11 +10,12 @@
 #include <string>
 #include <system_error>
 
+#include "core/files.h"
 #include "core/hash.h"
+#include "core/limits.h"
 #include "io/blocks_json.h"
 #include "io/curve_csv.h"
 #include "io/vtu.h"
-#include "io/write_file.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 
@@ -52,8 +53,10 @@ void refuse_others(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(".") || name == "lost+found") continue;
-    if (!of_run || !entry.is_regular_file(error) || !is_file_of_run(name, of_replay))
+    if (!of_run || !is_file_of_run(name, of_replay))
       others.push_back(name);
+    else
+      check_output(entry.path().string());
   }
   if (others.empty()) return;
   std::sort(others.begin(), others.end());
@@ -76,19 +79,19 @@ void write_states(const std::string& folder, const Model& model,
     const std::string blocks = fmt::format("state_blocks_{:02}.vtu", number);
     const std::string joints = fmt::format("state_joints_{:02}.vtu", number);
     const std::vector<PointStress> points = point_stresses(model, snapshot.state);
-    io::write_file(inside(folder, blocks), io::blocks_vtu(model, snapshot.state));
-    io::write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state, points));
+    write_file(inside(folder, blocks), io::blocks_vtu(model, snapshot.state));
+    write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state, points));
     const double millimetres = snapshot.displacement * 1e3;
     series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
     series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});
     if (model.solids.n_zone > 0) {
       const std::string zones = fmt::format("state_zones_{:02}.vtu", number);
-      io::write_file(inside(folder, zones), io::zones_vtu(model, snapshot.state));
+      write_file(inside(folder, zones), io::zones_vtu(model, snapshot.state));
       series.push_back({.time = millimetres, .part = 2, .name = "zones", .file = zones});
     }
     ++number;
   }
-  io::write_file(inside(folder, "run.pvd"), io::series_pvd(series));
+  write_file(inside(folder, "run.pvd"), io::series_pvd(series));
 }
 
 bool has_lintel_of_zones(const Model& model) {
@@ -105,7 +108,7 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
   for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
     used.stage[k] = model.stages[k].spec;
   if (!used.wall.blocks.empty()) {
-    io::write_file(inside(folder, "blocks.json"), io::blocks_text(used.block));
+    write_file(inside(folder, "blocks.json"), io::blocks_text(used.block));
     used.wall.blocks = "blocks.json";
   }
   return write_model(used);
@@ -123,6 +126,8 @@ std::uint64_t spec_hash(const ModelSpec& spec) {
 void check_folder(const std::string& folder, FolderFor use) {
   const bool run = use == FolderFor::kRun;
   std::error_code error;
+  for (const char* name : {"campaign.lock", "samples.csv", "statistics.json", "report.html"})
+    if (!run) check_output(inside(folder, name));  // the store sees to its own
   if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
   throw InputError({{.file = folder,
                      .path = "",
@@ -142,7 +147,7 @@ void prepare_folder(const std::string& folder) {
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
   // a real write of some size: permissions, read-only mounts and full disks all show here
   const std::string probe = inside(folder, ".wythe_probe");
-  io::write_file(probe, std::string(65536, ' '));
+  write_file(probe, std::string(65536, ' '));
   fs::remove(probe, error);
 }
 
@@ -161,13 +166,15 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
-  io::write_file(inside(folder, "force_displacement.csv"),
-                 io::curve_csv(result.curve, has_lintel_of_zones(model)));
-  io::write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
+  write_file(inside(folder, "force_displacement.csv"),
+             io::curve_csv(result.curve, has_lintel_of_zones(model)));
+  write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
-  io::write_file(inside(folder, "summary.json"), summary_json(model, result));
+  write_file(inside(folder, "summary.json"), summary_json(model, result));
 }
 
-void write_text(const std::string& path, const std::string& text) { io::write_file(path, text); }
+std::string read_data(const std::string& path) { return read_file(path, kMostPacked); }
+
+void write_text(const std::string& path, const std::string& text) { write_file(path, text); }
 
 }  // namespace wythe

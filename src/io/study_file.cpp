@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/files.h"
 #include "core/text.h"
 #include "io/blocks_json.h"
 #include "io/describe_study.h"
@@ -81,9 +82,9 @@ class StudyReader {
     read_head();
     if (!study_.model_text.empty()) list_model_keys();
     for (const auto& [name, table] : in_file_order(context_, root_.get("variable"), "variable"))
-      read_variable(name, *table);
+      if (!enough(context_.faults)) read_variable(name, *table);
     for (const auto& [name, table] : in_file_order(context_, root_.get("dependent"), "dependent"))
-      read_dependent(name, *table);
+      if (!enough(context_.faults)) read_dependent(name, *table);
     read_correlations();
     check_settings();
     check_parts();
@@ -182,8 +183,8 @@ class StudyReader {
     study_.model_file = inside ? model : beside(context_.file, model);
     if (inside) return;
     try {
-      study_.model_text = read_text(study_.model_file);
-    } catch (const IoError& error) {
+      study_.model_text = read_text(study_.model_file, kMostToml);
+    } catch (const std::runtime_error& error) {
       reader.refuse("model", error.what(), "name the base model, relative to the study file");
     }
   }
@@ -335,7 +336,7 @@ class StudyReader {
         .unit = reader.has("unit") && variable.unit != "1" ? variable.unit : ""};
     try {
       variable.values = read_value_column(request, faults);
-    } catch (const IoError& error) {
+    } catch (const std::runtime_error& error) {
       reader.refuse("file", error.what(), "name a CSV file, relative to the study file");
     }
     for (const Fault& fault : faults.all()) model_faults_.push_back(fault);
@@ -389,7 +390,7 @@ class StudyReader {
                      "write each under [[correlation]], with two brackets");
       return;
     }
-    for (std::size_t i = 0; i < list->size(); ++i)
+    for (std::size_t i = 0; i < list->size() && !enough(context_.faults); ++i)
       read_correlation(*list->get(i)->as_table(), under("correlation", std::to_string(i)));
   }
 

@@ -2,15 +2,13 @@
 #include "io/toml_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
+#include "core/files.h"
+#include "core/shape.h"
 #include "core/text.h"
 #include "io/range_text.h"
 #include "units/quantity_error.h"
@@ -139,7 +137,7 @@ void Reader::quantities(const char* name, std::vector<double>& values, const Key
     return;
   }
   values.clear();
-  for (std::size_t i = 0; i < array->size(); ++i) {
+  for (std::size_t i = 0; i < array->size() && !enough(context_.faults); ++i) {
     const std::string path = under(below(name), std::to_string(i));
     if (const auto read = read_quantity(*array->get(i), path, name, key)) values.push_back(*read);
   }
@@ -302,6 +300,7 @@ void Reader::refuse_unknown() {
   for (const auto& [name, node] : table_) {
     const std::string word(name.str());
     if (entry(word)) continue;
+    if (enough(context_.faults)) return;
     context_.fault(below(word), line_of(node), shown(node), fmt::format("no such key {}", word),
                    name_advice(word, known));
   }
@@ -310,6 +309,7 @@ void Reader::refuse_unknown() {
 // --- whole files ---------------------------------------------------------------------------------
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
+  check_shape(text, Syntax::kToml, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
@@ -322,34 +322,23 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   }
 }
 
-std::string read_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream out;
-  if (in) out << in.rdbuf();
-  if (!in || in.bad() || std::filesystem::is_directory(path))
-    throw IoError(fmt::format("can't read {}: {}", path, std::strerror(errno)));
-  return std::move(out).str();
-}
-
-std::string read_input(const std::string& path, const char* example) {
+std::string read_input(const std::string& path, const char* example, std::size_t most) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  const bool folder = fs::is_directory(status);
-  if (fs::exists(status) && !folder) return read_text(path);
-  if (!folder && status.type() != fs::file_type::not_found) return read_text(path);  // says why not
+  if (fs::status(path, error).type() != fs::file_type::not_found) return read_text(path, most);
   const fs::path above = fs::path(path).parent_path();
   std::vector<std::string> beside;
   for (fs::directory_iterator it(above.empty() ? "." : above, error), end; !error && it != end;
        it.increment(error))
-    beside.push_back((above / it->path().filename()).string());
-  const std::string nearest = folder ? "" : nearest_name(path, beside);
-  throw InputError({Fault{.file = path,
-                          .path = "",
-                          .value = "",
-                          .problem = folder ? "is a folder, not a file" : "there is no such file",
-                          .cure = nearest.empty() ? fmt::format("name a file, e.g. {}", example)
-                                                  : fmt::format("did you mean {}?", nearest)}});
+    beside.push_back(it->path().filename().string());
+  const std::string nearest = nearest_name(fs::path(path).filename().string(), beside);
+  throw InputError({Fault{
+      .file = path,
+      .path = "",
+      .value = "",
+      .problem = "there is no such file",
+      .cure = nearest.empty() ? fmt::format("name a file, e.g. {}", example)
+                              : fmt::format("did you mean {}?", (above / nearest).string())}});
 }
 
 void throw_faults(const ReadContext& context) {

@@ -14,6 +14,7 @@
 
 #include <toml++/toml.h>
 
+#include "core/limits.h"
 #include "io/describe.h"
 #include "wythe/error.h"
 
@@ -74,7 +75,7 @@ class Reader {
     const toml::node* node = find(name, key);
     if (!node) return;
     const toml::array* array = as_list_of_tables(*node, name);
-    for (std::size_t i = 0; array && i < array->size(); ++i) {
+    for (std::size_t i = 0; array && i < array->size() && !enough(context_.faults); ++i) {
       const std::string path = under(below(name), std::to_string(i));
       read_table(context_, *array->get(i)->as_table(), path, values.emplace_back());
     }
@@ -86,6 +87,7 @@ class Reader {
     const toml::table* outer = node ? as_table(*node, name) : nullptr;
     if (!outer) return;
     for (const auto& [inner_name, inner] : *outer) {
+      if (enough(context_.faults)) return;
       const std::string label(inner_name.str());
       const toml::table* found = as_table(inner, under(name, label));
       if (found) read_table(context_, *found, under(below(name), label), values[label]);
@@ -144,12 +146,11 @@ void read_table(ReadContext& context, const toml::table& table, const std::strin
   finish(reader, value);
 }
 
-// Parses TOML; a syntax error is thrown as InputError with its line.
+// Parses TOML; a syntax error is thrown as InputError with its line, too deep or too long a text too.
 [[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
-// Whole file as text; IoError that names the path.
-[[nodiscard]] std::string read_text(const std::string& path);
-// The same for a file that the user named: InputError with a cure where there is none.
-[[nodiscard]] std::string read_input(const std::string& path, const char* example);
+// A file that the user named, by read_text (core/files.h); where there is none, the nearest name beside it.
+[[nodiscard]] std::string read_input(const std::string& path, const char* example,
+                                     std::size_t most = kMostToml);
 // Throws all faults of the context, ordered by line.
 void throw_faults(const ReadContext& context);
 

@@ -1,13 +1,14 @@
 #include "io/value_column.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "core/files.h"
+#include "core/limits.h"
 #include "core/text.h"
+#include "io/csv.h"
 #include "units/quantity_error.h"
 #include "wythe/units.h"
 
@@ -41,16 +42,6 @@ Head head_of(std::string cell, const std::string& si_unit) {
   return {cell, cell, ""};
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.emplace_back(trimmed(std::string_view(line).substr(begin, comma - begin)));
-    if (comma == std::string::npos) return cells;
-    begin = comma + 1;
-  }
-}
-
 class ColumnReader {
  public:
   ColumnReader(const ColumnRequest& request, FaultList& faults)
@@ -58,18 +49,10 @@ class ColumnReader {
 
   std::vector<double> read(const std::string& text) {
     std::vector<double> values;
-    bool has_head = false;
-    for (std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; begin < text.size();) {
-      const std::size_t end = std::min(text.find('\n', begin), text.size());
-      const std::string line(trimmed(std::string_view(text).substr(begin, end - begin)));
-      begin = end + 1;
-      ++line_;
-      if (line.empty() || line.starts_with('#')) continue;
-      if (has_head)
-        read_row(line, values);
-      else if (!(has_head = read_head(line)))
-        return {};
-    }
+    CsvLines lines(text, request_.file);
+    const bool has_head = lines.next();
+    if (has_head && !read_head(lines)) return {};
+    while (!enough(faults_) && lines.next()) read_row(lines, values);
     if (values.empty() && good_)
       refuse("", 0, has_head ? "has no values" : "is empty",
              "write a head such as ft_MPa and one value a line");
@@ -88,10 +71,11 @@ class ColumnReader {
                  .line = line});
   }
 
-  bool read_head(const std::string& line) {
+  bool read_head(const CsvLines& lines) {
     std::vector<std::string> names;
     std::optional<Head> found;
-    for (const std::string& cell : cells_of(line)) {
+    line_ = lines.line();
+    for (const std::string& cell : lines.cells()) {
       const Head head = head_of(cell, request_.si_unit);
       if (head.whole == request_.column || head.name == request_.column) {
         found = head;
@@ -128,19 +112,17 @@ class ColumnReader {
     return true;
   }
 
-  void read_row(const std::string& line, std::vector<double>& values) {
-    const std::vector<std::string> cells = cells_of(line);
+  void read_row(const CsvLines& lines, std::vector<double>& values) {
+    const std::vector<std::string>& cells = lines.cells();
+    line_ = lines.line();
     if (cells.size() != columns_)
-      return refuse(line, line_,
+      return refuse(lines.text(), line_,
                     fmt::format("has {} cells, the head has {}", cells.size(), columns_),
                     "separate the cells by commas, decimals by a point");
     const std::string& cell = cells[index_];
     if (cell.empty() && columns_ > 1) return;  // another column goes on here
-    const char* begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
-    const char* end = cell.data() + cell.size();
-    double number = 0;
-    const auto [stop, error] = std::from_chars(begin, end, number);
-    if (error != std::errc() || stop != end || !std::isfinite(number))
+    const double number = number_in(cell);
+    if (std::isnan(number))
       return refuse(cell, line_, "must be a finite number", "write it with a point, e.g. 0.15");
     // the quantity's own door: 0.15 MPa has the same bits here and in a model
     values.push_back(unit_.empty() ? number : parse_quantity(cell + ' ' + unit_, request_.si_unit));
@@ -157,7 +139,7 @@ class ColumnReader {
 }  // namespace
 
 std::vector<double> read_value_column(const ColumnRequest& request, FaultList& faults) {
-  return ColumnReader(request, faults).read(read_text(request.file));
+  return ColumnReader(request, faults).read(read_text(request.file, kMostCsv));
 }
 
 }  // namespace wythe::io

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/limits.h"
+#include "core/shape.h"
 #include "wythe/error.h"
 
 namespace wythe::report {
@@ -18,10 +20,6 @@ static_assert(std::endian::native == std::endian::little, "arrays are stored as 
 constexpr char kMark[8] = {'W', 'Y', 'T', 'H', 'E', 0, 0, 1};  // the last byte is the version
 constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t);
 constexpr std::size_t kAlign = 8;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw IoError("the data of a report " + what + "; run the model again to write them anew");
-}
 
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -34,23 +32,61 @@ std::string deflated(const std::string& bytes) {
   return out;
 }
 
-std::string inflated(std::string_view packed) {
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) throw IoError("out of memory while reading the report's data");
-  std::string out, chunk(1 << 18, '\0');
-  // zlib takes the input as const in effect only
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = static_cast<uInt>(packed.size());
-  int code = Z_OK;
-  while (code == Z_OK) {
-    stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
-    stream.avail_out = static_cast<uInt>(chunk.size());
-    code = inflate(&stream, Z_NO_FLUSH);
-    out.append(chunk.data(), chunk.size() - stream.avail_out);
+// Packed bytes, unpacked as far as somebody asks: a few of them may stand for any number.
+class Inflation {
+ public:
+  explicit Inflation(std::string_view packed) {
+    if (packed.size() > kMostPacked) refuse_data("are larger than a browser takes");
+    // zlib takes the input as const in effect only
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+    stream_.avail_in = static_cast<uInt>(packed.size());
+    if (inflateInit(&stream_) != Z_OK)
+      throw IoError("out of memory while reading the report's data");
   }
-  inflateEnd(&stream);
-  if (code != Z_STREAM_END) refuse("are damaged");
-  return out;
+  ~Inflation() { inflateEnd(&stream_); }
+  Inflation(const Inflation&) = delete;
+  Inflation& operator=(const Inflation&) = delete;
+
+  // The next bytes, exactly as many.
+  std::string next(std::size_t count) {
+    std::string out(count, '\0');
+    if (unpack(out) != count) refuse_data("are damaged");
+    return out;
+  }
+  // Whether exactly `count` bytes are left, sums of control included; none of them is kept.
+  bool ends_after(std::size_t count) {
+    std::string chunk(1 << 18, '\0');
+    while (count > chunk.size()) {
+      if (unpack(chunk) != chunk.size()) return false;
+      count -= chunk.size();
+    }
+    chunk.resize(count + 1);
+    return unpack(chunk) == count && ended_;
+  }
+
+ private:
+  std::size_t unpack(std::string& to) {
+    stream_.next_out = reinterpret_cast<Bytef*>(to.data());
+    stream_.avail_out = static_cast<uInt>(to.size());
+    int code = Z_OK;
+    while (code == Z_OK && stream_.avail_out > 0) code = inflate(&stream_, Z_NO_FLUSH);
+    ended_ = code == Z_STREAM_END;
+    return to.size() - stream_.avail_out;
+  }
+  z_stream stream_{};
+  bool ended_ = false;
+};
+
+// Bytes of all arrays, as the header places them.
+std::size_t bytes_of_arrays(const Json& arrays) {
+  double end = 0;
+  for (const auto& [name, array] : arrays.items()) {
+    const std::string type = array.at("type");
+    const double size = type == "float32" || type == "int32" ? 4 : type == "int16" ? 2 : 1;
+    end = std::max(end, array.at("at").get<double>() + size * array.at("count").get<double>());
+  }
+  if (!(end <= kMostPacked)) refuse_data("unpack to more than a browser takes (512 MB)");
+  return (static_cast<std::size_t>(end) + kAlign - 1) / kAlign * kAlign;
 }
 
 }  // namespace
@@ -100,21 +136,35 @@ std::string Bundle::packed() const {
   return deflated(bytes + text + arrays_);
 }
 
+void refuse_data(const std::string& what) {
+  throw IoError("the data of a report " + what + "; run the model again to write them anew");
+}
+
 std::uint8_t share_byte(double share) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
 Json header_of(std::string_view packed) {
-  const std::string bytes = inflated(packed);
-  if (bytes.size() < kHead || std::memcmp(bytes.data(), kMark, 5) != 0) refuse("are damaged");
-  if (std::memcmp(bytes.data(), kMark, sizeof kMark) != 0)
-    refuse("were written by another version of wythe");
+  Inflation data(packed);
+  const std::string head = data.next(kHead);
+  if (std::memcmp(head.data(), kMark, 5) != 0) refuse_data("are damaged");
+  if (std::memcmp(head.data(), kMark, sizeof kMark) != 0)
+    refuse_data("were written by another version of wythe");
   std::uint32_t length = 0;
-  std::memcpy(&length, bytes.data() + sizeof kMark, sizeof length);
-  if (bytes.size() < kHead + length) refuse("are damaged");
-  Json header = Json::parse(bytes.substr(kHead, length), nullptr, false);
-  if (!header.is_object() || !header.contains("kind")) refuse("are damaged");
-  return header;
+  std::memcpy(&length, head.data() + sizeof kMark, sizeof length);
+  if (length > kMostJson) refuse_data("are damaged");
+  try {
+    const std::string text = data.next(length);
+    check_shape(text, Syntax::kJson, "");
+    Json header = Json::parse(text);
+    if (!header.contains("kind") || !data.ends_after(bytes_of_arrays(header.at("arrays"))))
+      refuse_data("are damaged");
+    return header;
+  } catch (const InputError&) {
+    refuse_data("are damaged");
+  } catch (const Json::exception&) {
+    refuse_data("are damaged");
+  }
 }
 
 }  // namespace wythe::report

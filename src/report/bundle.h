@@ -38,7 +38,11 @@ class Bundle {
 // [0, 1] to a byte, off by at most 1/510.
 [[nodiscard]] std::uint8_t share_byte(double share);
 
-// The header alone. Throws IoError where the bytes are damaged or of another version.
+// Throws IoError: the data of a report are damaged, or what else is wrong with them; its cure.
+[[noreturn]] void refuse_data(const std::string& what);
+
+// The header alone. Throws IoError where the bytes are damaged, of another version, or stand for more than
+// they should; only the header is kept in memory.
 [[nodiscard]] Json header_of(std::string_view packed);
 
 }  // namespace wythe::report

@@ -87,7 +87,7 @@ std::string draw_cards(const std::vector<Card>& cards) {
 class RunHeadline {
  public:
   RunHeadline(const Json& header, const Texts& texts)
-      : header_(header), s_(header["summary"]), texts_(texts) {}
+      : header_(header), s_(header.at("summary")), texts_(texts) {}
 
   [[nodiscard]] std::string sentence() const { return cautions() + answer(); }
 
@@ -305,7 +305,7 @@ class RunHeadline {
 class CampaignHeadline {
  public:
   CampaignHeadline(const Json& header, const Texts& texts)
-      : s_(header["statistics"]), samples_(s_["samples"]), texts_(texts) {
+      : s_(header.at("statistics")), samples_(s_.at("samples")), texts_(texts) {
     count_judgements(member(header, "samples"));
   }
 
@@ -359,8 +359,8 @@ class CampaignHeadline {
         {texts_.say("card.answered.value", {{"answered", std::to_string(count("answered"))},
                                             {"asked", std::to_string(count("asked"))}}),
          texts_.say("card.answered"),
-         escaped(texts_.phrase(s_["design"])) + ", " +
-             texts_.say("seed", {{"seed", s_["seed"].dump()}})});
+         escaped(texts_.phrase(s_.at("design"))) + ", " +
+             texts_.say("seed", {{"seed", s_.at("seed").dump()}})});
     return draw_cards(cards);
   }
 
@@ -372,7 +372,7 @@ class CampaignHeadline {
         if (n.is_number()) judgements_[judgement] = n.get<int>();
     const bool are_counted = !judgements_.empty();
     for (const Json& sample : samples) {
-      if (!member(sample, "answered").is_boolean() || !sample["answered"].get<bool>()) continue;
+      if (!member(sample, "answered").is_boolean() || !sample.at("answered").get<bool>()) continue;
       const Json& response = member(sample, "response");
       without_force_ += response.is_array() && !response.empty() && response[0].is_null() ? 1 : 0;
       if (!are_counted)
@@ -397,7 +397,9 @@ class CampaignHeadline {
   [[nodiscard]] int count(const char* key) const { return samples_.value(key, 0); }
   // Most pushes ended before their peak: the forces are lower bounds.
   [[nodiscard]] bool is_bound() const { return 2 * count("still_rising") > count("answered"); }
-  [[nodiscard]] const Json& all(const char* response) const { return s_["table"]["all"][response]; }
+  [[nodiscard]] const Json& all(const char* response) const {
+    return s_.at("table").at("all").at(response);
+  }
   [[nodiscard]] double mean_80() const {
     return number_in(all("displacement_at_80_percent_mm"), "survival_mean");
   }
@@ -455,14 +457,14 @@ class CampaignHeadline {
   }
   [[nodiscard]] std::string fails() const {
     std::vector<std::pair<int, std::string>> counts;
-    for (const auto& [name, share] : s_["shares"].items())
-      if (share["modes"].size() == 1 && share["count"] > 0 && name != "unclear")
-        counts.emplace_back(-share["count"].get<int>(), name);
+    for (const auto& [name, share] : s_.at("shares").items())
+      if (share.at("modes").size() == 1 && share.at("count") > 0 && name != "unclear")
+        counts.emplace_back(-share.at("count").get<int>(), name);
     std::stable_sort(counts.begin(), counts.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::string list;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, counts.size()); ++i) {
-      const double share = s_["shares"][counts[i].second]["share"];
+      const double share = s_.at("shares").at(counts[i].second).at("share");
       list += (i == 0 ? "" : ", ") + bold(escaped(texts_.phrase(counts[i].second))) + " (" +
               texts_.quantity(100 * share, "%", 2) + ")";
     }
@@ -483,8 +485,8 @@ class CampaignHeadline {
 
 class LimitHeadline {
  public:
-  LimitHeadline(const Json& header, const Texts& texts) : o_(header["opinion"]), texts_(texts) {
-    for (const Json& m : o_["mechanisms"])
+  LimitHeadline(const Json& header, const Texts& texts) : o_(header.at("opinion")), texts_(texts) {
+    for (const Json& m : o_.at("mechanisms"))
       if (weakest_ == nullptr ||
           number_in(m, "force_at_rest_kN") < number_in(*weakest_, "force_at_rest_kN"))
         weakest_ = &m;
@@ -500,7 +502,7 @@ class LimitHeadline {
                                        {"force", bold(force())},
                                        {"hypothesis", hypothesis()},
                                        {"means", hypothesis(".means")}}));
-    const Json& loads = o_["limit_loads"];
+    const Json& loads = o_.at("limit_loads");
     if (loads.size() > 1)
       add(texts_.say("limit.bracket",
                      {{"low", bold(load(extreme(false)))}, {"high", bold(load(extreme(true)))}}));
@@ -520,19 +522,21 @@ class LimitHeadline {
     if (weakest_ != nullptr)
       cards.push_back({force(), texts_.say("card.weakest"),
                        mode() + ", " + hypothesis() + ": " + hypothesis(".means")});
-    for (const Json& l : o_["limit_loads"])
+    for (const Json& l : o_.at("limit_loads"))
       cards.push_back({load(l), texts_.say("card.limit_load"),
-                       escaped(texts_.phrase(l["name"].get<std::string>()))});
+                       escaped(texts_.phrase(l.at("name").get<std::string>()))});
     return draw_cards(cards);
   }
 
  private:
-  [[nodiscard]] std::string mode() const { return escaped((*weakest_)["mode"].get<std::string>()); }
+  [[nodiscard]] std::string mode() const {
+    return escaped((*weakest_).at("mode").get<std::string>());
+  }
   [[nodiscard]] std::string force() const {
     return texts_.quantity(number_in(*weakest_, "force_at_rest_kN"), "kN");
   }
   [[nodiscard]] std::string hypothesis(const std::string& what = "") const {
-    return texts_.say("hypothesis." + (*weakest_)["hypothesis"].get<std::string>() + what);
+    return texts_.say("hypothesis." + (*weakest_).at("hypothesis").get<std::string>() + what);
   }
   [[nodiscard]] static double value_of(const Json& l) {
     return l.contains("static_kN") ? number_in(l, "static_kN") : number_in(l, "static");
@@ -542,17 +546,18 @@ class LimitHeadline {
                                    : "λ = " + texts_.number(value_of(l));
   }
   [[nodiscard]] const Json& extreme(bool largest) const {
-    const Json& loads = o_["limit_loads"];
+    const Json& loads = o_.at("limit_loads");
     const auto less = [](const Json& a, const Json& b) { return value_of(a) < value_of(b); };
     return largest ? *std::max_element(loads.begin(), loads.end(), less)
                    : *std::min_element(loads.begin(), loads.end(), less);
   }
   // Runs whose peak lies above their limit load; -1 where none was compared.
   [[nodiscard]] int passing() const {
-    const Json& c = o_["comparison"];
-    if (!c.is_object() || c["bounds"].empty()) return -1;
-    return static_cast<int>(std::count_if(c["bounds"].begin(), c["bounds"].end(),
-                                          [](const Json& b) { return !b["holds"].get<bool>(); }));
+    const Json& c = o_.at("comparison");
+    if (!c.is_object() || c.at("bounds").empty()) return -1;
+    return static_cast<int>(
+        std::count_if(c.at("bounds").begin(), c.at("bounds").end(),
+                      [](const Json& b) { return !b.at("holds").get<bool>(); }));
   }
 
   const Json& o_;
@@ -575,9 +580,9 @@ std::string put_together(const Json& header, const Texts& texts, const std::stri
 }  // namespace
 
 std::string headline_of(const Json& header, const Texts& texts) {
-  if (header["kind"] == "campaign")
+  if (header.at("kind") == "campaign")
     return put_together<CampaignHeadline>(header, texts, "campaign");
-  if (header["kind"] == "limit") return put_together<LimitHeadline>(header, texts, "limit");
+  if (header.at("kind") == "limit") return put_together<LimitHeadline>(header, texts, "limit");
   return put_together<RunHeadline>(header, texts, "run");
 }
 

@@ -25,10 +25,10 @@ std::span<const std::uint8_t> bytes_of(const std::string& data) {
 
 }  // namespace
 
-std::string report_page(const std::string& data, const std::string& language) {
+std::string report_page(const std::string& data, const std::string& language) try {
   const Texts texts(language);
   const Json header = header_of(data);
-  const std::string kind = header["kind"], title = header.value("title", "");
+  const std::string kind = header.at("kind"), title = header.value("title", "");
   std::string page(kViewerHtml);
   put(page, "<html lang=\"en\"", "<html lang=\"" + language + "\"");
   put(page, "<title>wythe</title>",
@@ -39,6 +39,8 @@ std::string report_page(const std::string& data, const std::string& language) {
           "</p></noscript>");
   put(page, "<!--wythe:data-->", base64(bytes_of(data)));
   return page;
+} catch (const Json::exception&) {
+  refuse_data("are damaged");
 }
 
 std::vector<std::string> report_languages() { return languages(); }

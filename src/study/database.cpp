@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/files.h"
+#include "core/limits.h"
+#include "model/size.h"
 #include "wythe/error.h"
 
 namespace wythe::study {
@@ -160,6 +163,8 @@ std::string_view Statement::bytes() {
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {
   const bool reads = access == Access::kRead;
+  for (const char* of_sqlite : {"", "-wal", "-shm", "-journal"})
+    (reads ? check_input : check_output)(name_ + of_sqlite);
   const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
   const bool writable = ::access(folder.c_str(), W_OK) == 0 && ::access(name_.c_str(), W_OK) == 0;
   // A reader that may write takes the journal away when it is the last to close the file.
@@ -173,6 +178,10 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
   handle_.reset(handle);
   if (code != SQLITE_OK) refuse(code);
   sqlite3_busy_timeout(handle, kPatience);
+  // a store may come from anybody: no cell beyond what memory takes, no function called by its schema
+  sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMostPacked);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   if (reads) execute("PRAGMA query_only = 1");
 }
 
@@ -184,6 +193,12 @@ void Database::execute(const std::string& sql) {
 std::int64_t Database::integer(const std::string& sql) {
   Statement statement(*this, sql);
   return statement.step() ? statement.integer() : 0;
+}
+
+void Database::take(double bytes) {
+  taken_ += bytes;
+  if (const double most = memory_limit(); taken_ > most)
+    damaged(fmt::format("it unpacks to more than {:.3g} GB, all that may be used", 1e-9 * most));
 }
 
 void Database::damaged(const std::string& what) const {

@@ -81,6 +81,8 @@ class Database {
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
+  // Counts what is about to be unpacked from this file; throws where all of it is more than memory holds.
+  void take(double bytes);
   // Throws the last failure of SQLite as an IoError.
   [[noreturn]] void refuse(int code);
   // Throws an IoError: the file holds something impossible, so it is damaged.
@@ -91,6 +93,7 @@ class Database {
     void operator()(sqlite3* handle) const;
   };
   std::string name_;
+  double taken_ = 0;  // bytes
   std::unique_ptr<sqlite3, Close> handle_;
 };
 

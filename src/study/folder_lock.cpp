@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/files.h"
 #include "core/text.h"
 #include "wythe/error.h"
 
@@ -44,7 +45,8 @@ FolderLock::FolderLock(const std::string& folder)
   std::filesystem::create_directories(folder, error);
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
   while (descriptor_ < 0) {
-    const int opened = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    check_output(path_);
+    const int opened = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (opened < 0)
       throw IoError(fmt::format("{}: cannot be written: {}", folder, std::strerror(errno)));
     if (::flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {

@@ -8,6 +8,7 @@
 #include "study/folder_lock.h"
 #include "study/record_rows.h"
 #include "study/store.h"
+#include "study/store_schema.h"
 #include "wythe/error.h"
 
 namespace wythe {
@@ -106,22 +107,12 @@ class Comparison {
   std::vector<Fault> faults_;
 };
 
-struct TableNames {
-  std::vector<std::string> names = {"sample", "curve", "state"};
-  template <class Member, class Columns>
-  void list(const char* table, std::vector<Member> RecordLists::*, const Columns&) {
-    names.emplace_back(table);
-  }
-};
-
 void copy_rows(Store& out, const std::string& folder) {
   Database& database = out.database();
   Statement(database, "ATTACH DATABASE ? AS shard").run(store_path(folder).string());
   {
-    TableNames tables;
-    each_list(tables);
     Transaction transaction(database);
-    for (const std::string& table : tables.names)
+    for (const std::string& table : result_tables())
       database.execute(
           fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM shard.{0}", table));
     transaction.commit();

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/limits.h"
+#include "model/size.h"
 #include "study/packing.h"
 #include "study/record_rows.h"
 #include "study/store_schema.h"
@@ -21,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
-
-constexpr std::int64_t kMostRows = 10'000'000;  // of a curve: ten times what output.rows may ask
 
 // How a sample that is stored has ended.
 bool is_outcome(const std::string& status) {
@@ -158,6 +158,7 @@ std::map<int, std::vector<CurveRow>> read_curves(Database& database, int samples
   while (select.step()) {
     const auto sample = static_cast<int>(select.integer(1, samples));
     const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
+    database.take(static_cast<double>(rows * (kCurveColumns * sizeof(double) + sizeof(CurveRow))));
     curves[sample] = curve_rows(
         unpack_doubles(select.bytes(), rows * kCurveColumns,
                        fmt::format("{}: the curve of sample {}", database.name(), sample)));
@@ -256,6 +257,7 @@ void Store::check_version(Access access) {
   if (version_ < 1)
     throw IoError(fmt::format(
         "{}: has store version {}, which no wythe wrote; restore it from a copy", name, version_));
+  check_tables();
   if (is_current()) return;
   if (access == Access::kWrite)
     throw IoError(
@@ -263,6 +265,21 @@ void Store::check_version(Access access) {
                     "reported and replayed; to add samples begin a campaign in another folder",
                     name, version_, kSchemaVersion));
   show_as_present();
+}
+
+// Tables that only hold rows: a view or a computed column would answer without end, a trigger write.
+void Store::check_tables() {
+  std::vector<std::string> names = result_tables();
+  names.insert(names.end(), {"study", "input", "sample_input"});
+  Statement select(
+      database_,
+      fmt::format("SELECT s.type, s.name FROM main.sqlite_schema s WHERE s.tbl_name IN "
+                  "('{}') AND (s.type IN ('view', 'trigger') OR EXISTS (SELECT 1 FROM "
+                  "pragma_table_xinfo(s.name) WHERE hidden > 0 OR dflt_value IS NOT NULL))",
+                  fmt::join(names, "', '")));
+  if (!select.step()) return;
+  const std::string type = select.text();
+  database_.damaged(fmt::format("its {} {} is none that wythe made", type, select.text()));
 }
 
 // Views of this connection's own; the file stays as it is. Columns that an older version has not read
@@ -427,6 +444,7 @@ void Store::check_whole() {
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
   std::vector<Snapshot> states;
   const State rest = initial_state(model);
+  const std::size_t numbers = state_arrays(rest).size();
   const auto blocks = static_cast<std::int64_t>(rest.ux.size());
   const auto points = static_cast<std::int64_t>(rest.kappa.size());
   Statement select(
@@ -442,8 +460,9 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
     s.reaction = select.finite();
     static_cast<void>(select.integer(blocks, blocks));  // those of its wall
     static_cast<void>(select.integer(points, points));
+    database_.take(static_cast<double>(2 * numbers * sizeof(double)));
     const std::vector<double> arrays =
-        unpack_floats(select.bytes(), state_arrays(rest).size(),
+        unpack_floats(select.bytes(), numbers,
                       fmt::format("{}: state {} of sample {}", database_.name(), s.label, sample));
     if (!std::all_of(arrays.begin(), arrays.end(), [](double x) { return std::isfinite(x); }))
       select.damaged(fmt::format("state {} holds what is not a number", s.label));

@@ -73,6 +73,7 @@ class Store {
 
  private:
   void check_version(Access access);
+  void check_tables();
   void show_as_present();
   Database database_;
   std::int64_t version_ = kSchemaVersion;

@@ -22,6 +22,14 @@ struct ListTables {
   }
 };
 
+struct ListNames {
+  std::vector<std::string> names;
+  template <class Member, class Columns>
+  void list(const char* table, std::vector<Member> RecordLists::*, const Columns&) {
+    names.emplace_back(table);
+  }
+};
+
 std::string quoted(const std::string& name) {
   std::string out = "\"";
   for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
@@ -29,6 +37,12 @@ std::string quoted(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> result_tables() {
+  ListNames tables{{"sample", "curve", "state"}};
+  each_list(tables);
+  return tables.names;
+}
 
 std::string schema_sql() {
   std::string sql =

@@ -8,6 +8,8 @@
 namespace wythe::study {
 
 [[nodiscard]] std::string schema_sql();
+// Tables that hold what samples answered.
+[[nodiscard]] std::vector<std::string> result_tables();
 // The view `samples`: inputs and responses in the units of samples.csv, one row a sample.
 [[nodiscard]] std::string samples_view_sql(const SampleTable& samples);
 [[nodiscard]] std::string insert_sql(const std::string& table, int columns);

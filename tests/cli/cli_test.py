@@ -78,7 +78,9 @@ class Held:
     def __init__(self, point, *arguments):
         self.process = subprocess.Popen([WYTHE, *map(str, arguments)], text=True, stdin=subprocess.PIPE,
                                         stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                                        env=os.environ | {"WYTHE_TEST_HOLD": point})
+                                        env=os.environ | {"WYTHE_TEST_HOLD": point},
+                                        # a shell that starts the tests in the background lets its children ignore it
+                                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         said = []
         for line in self.process.stderr:
             said.append(line)
@@ -296,19 +298,14 @@ class Signals(Base):
     """SIGTERM as Ctrl-C: what was computed is kept, and nothing makes the program deaf."""
 
     def test_reading_and_building_end_with_the_signal(self):
-        # a pipe that is never filled: the program waits in reading the model
-        pipe = self.folder / "pipe.toml"
-        os.mkfifo(pipe)
-        for command in (["run", pipe, "--out", self.out], ["check", pipe], ["limit", pipe, "--out", self.out],
-                        ["campaign", pipe, "--out", self.out]):
+        model = self.model()
+        study = SOURCE / "examples/tuff_wall/study.toml"
+        for command in (["run", model, "--out", self.out], ["check", model], ["limit", model, "--out", self.out],
+                        ["campaign", study, "--out", self.out]):
             for how in (signal.SIGINT, signal.SIGTERM):
-                # a shell that starts the tests in the background lets its children ignore SIGINT
-                process = subprocess.Popen([WYTHE, *map(str, command)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                           preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-                with open(pipe, "w"):  # returns once the program has opened the other end
-                    process.send_signal(how)
-                    process.communicate(timeout=60)
-                self.assertEqual(process.returncode, -how, command)
+                held = Held("model read", *command)
+                held.interrupt(how)
+                self.assertEqual(held.process.returncode, -how, command)
 
 
 class Guards(Base):
@@ -563,11 +560,12 @@ class Contact(Base):
         self.assertEqual(done.returncode, 2)
         self.assertIn("slip_mm", done.stderr)
 
-    def test_full_disk_is_noticed(self):
+    def test_a_device_is_no_place_for_results(self):
         (self.folder / "law.toml").write_text(self.LAW)
         (self.folder / "path.csv").write_text("opening_mm,slip_mm\n0,0\n")
         done = wythe("contact", self.folder / "law.toml", "--path", self.folder / "path.csv", "--out", "/dev/full")
-        self.assertEqual(done.returncode, 4)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/dev/full: is a device", done.stderr)
 
 
 if __name__ == "__main__":

@@ -228,8 +228,8 @@ TEST(Answer, has_the_agreed_columns_and_shortest_numbers) {
             "0.3,-2,0.15,-0.2,0.25,0.5,0.625,0,4.3\n");
 }
 
-TEST(Answer, full_disk_and_missing_folder_are_noticed) {
-  EXPECT_THROW(write_contact_answer("/dev/full", {{}}, {{}}), IoError);
+TEST(Answer, a_device_and_a_missing_folder_are_refused) {
+  EXPECT_THROW(write_contact_answer("/dev/full", {{}}, {{}}), InputError);
   EXPECT_THROW(write_contact_answer("/nowhere/f.csv", {{}}, {{}}), IoError);
 }
 

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/files.h"
 #include "io/curve_csv.h"
 #include "io/vtu.h"
-#include "io/write_file.h"
 #include "scenes/sample_run.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -231,15 +231,14 @@ TEST_F(RunFiles, an_unwritable_folder_is_refused_with_the_cause) {
 }
 
 TEST_F(RunFiles, a_write_that_breaks_off_leaves_the_old_file_and_no_scraps) {
-  io::write_file(path("a.txt"), "old");
+  write_file(path("a.txt"), "old");
   // a file size limit fails in the middle of the write, as a full disk does
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   auto* handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small = {.rlim_cur = 4096, .rlim_max = before.rlim_max};
   ::setrlimit(RLIMIT_FSIZE, &small);
-  const std::string said =
-      refusal([&] { io::write_file(path("a.txt"), std::string(100000, 'x')); });
+  const std::string said = refusal([&] { write_file(path("a.txt"), std::string(100000, 'x')); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_TRUE(has(said, "a.txt") && has(said, "File too large")) << said;

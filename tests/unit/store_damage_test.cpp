@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -203,6 +204,40 @@ TEST_F(ChangedStore, counts_are_compared_with_the_wall_and_the_study) {
     EXPECT_TRUE(has(said, "campaign.db")) << said;
     EXPECT_TRUE(has(said, "restore it from a copy") || has(sql, "DROP TABLE")) << said;
   }
+}
+
+// What answers without end, computes its cells, or writes when it is written to is no table of a store.
+TEST_F(ChangedStore, tables_that_compute_are_refused_before_they_are_read) {
+  const std::string endless =
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS sample, 0 AS "
+      "position, 'x' AS name FROM n";
+  for (const auto& [sql, words] : std::vector<std::pair<std::string, std::string>>{
+           {"DROP TABLE event; CREATE VIEW event AS " + endless, "its view event is none"},
+           {"DROP TABLE study; CREATE VIEW study AS " + endless, "its view study is none"},
+           {"CREATE TRIGGER t AFTER INSERT ON sample BEGIN DELETE FROM curve; END",
+            "its trigger t is none"},
+           {"ALTER TABLE event ADD COLUMN z AS (zeroblob(1000000000))", "its table event is none"},
+           {"ALTER TABLE event ADD COLUMN z TEXT DEFAULT 'long'", "its table event is none"}}) {
+    put_back();
+    Database(store_path(out_), Database::Access::kWrite).execute("DROP VIEW samples;" + sql);
+    const std::string said = said_by_report();
+    EXPECT_TRUE(has(said, words) && has(said, "restore it from a copy")) << sql << "\n  " << said;
+  }
+}
+
+TEST_F(ChangedStore, states_that_unpack_to_more_than_memory_are_refused) {
+  const Campaign campaign = read_campaign(out_);
+  const Model model = compile(model_builder(campaign.study)(settings_of(campaign.samples, 0)));
+  EXPECT_GT(read_states(out_, 1, model).size(), 0U);
+  Database(store_path(out_), Database::Access::kWrite)
+      .execute(
+          "WITH RECURSIVE n(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM n WHERE i < 1100) "
+          "INSERT INTO state SELECT 1, i, 'copy', 0, 0, blocks, points, data FROM n, "
+          "(SELECT * FROM state WHERE sample = 1 LIMIT 1)");
+  ::setenv("WYTHE_MEMORY", "10 MB", 1);
+  const std::string said = said_by([&] { (void)read_states(out_, 1, model); });
+  ::unsetenv("WYTHE_MEMORY");
+  EXPECT_TRUE(has(said, "unpacks to more than 0.01 GB")) << said;
 }
 
 TEST_F(ChangedStore, another_walls_state_is_not_drawn_as_this_ones) {

@@ -1,0 +1,185 @@
+// POSIX calls rather than streams: they say why they failed, and they can refuse to wait or to follow.
+#include "core/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "wythe/error.h"
+
+namespace wythe {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, std::string value, std::string problem,
+                         std::string cure, int line = 0) {
+  throw InputError({{.file = path,
+                     .path = "",
+                     .value = std::move(value),
+                     .problem = std::move(problem),
+                     .cure = std::move(cure),
+                     .line = line}});
+}
+
+[[noreturn]] void refuse_reading(const std::string& path, int cause) {
+  throw IoError(fmt::format("can't read {}: {}", path, std::strerror(cause)));
+}
+
+[[noreturn]] void refuse_writing(const std::string& path, int cause) {
+  throw IoError(fmt::format("{}: cannot be written: {}", path, std::strerror(cause)));
+}
+
+// What stands there instead of a regular file; "" for one.
+const char* other_kind(mode_t mode) {
+  if (S_ISREG(mode)) return "";
+  if (S_ISLNK(mode)) return "a link";
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+void check_readable(const std::string& path, const struct stat& there) {
+  const std::string kind = other_kind(there.st_mode);
+  if (kind.empty()) return;
+  refuse(path, "", "is " + kind + ", not a file",
+         kind == "a folder" ? "name a file in it"
+                            : "write what it gives to a file first, and name that file");
+}
+
+std::string megabytes(std::size_t bytes) { return fmt::format("{:.6g} MB", 1e-6 * double(bytes)); }
+
+[[noreturn]] void refuse_size(const std::string& path, std::size_t bytes, std::size_t most) {
+  refuse(path, "",
+         fmt::format("has {} or more, at most {} are read", megabytes(bytes), megabytes(most)),
+         "name the file that is meant, or split it (docs/reference/limits.md)");
+}
+
+struct Descriptor {
+  int number;
+  explicit Descriptor(int opened) : number(opened) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+// Bytes read, 0 at the end.
+std::size_t read_some(int descriptor, char* to, std::size_t room, const std::string& path) {
+  while (true) {
+    const ssize_t got = ::read(descriptor, to, room);
+    if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno != EINTR) refuse_reading(path, errno);
+  }
+}
+
+// Length of the UTF-8 character at `i`; 0 where there is none, or a zero byte, which no text holds.
+std::size_t character_at(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+  };
+  const unsigned first = byte(i);
+  if (first < 0x80) return first != 0 ? 1 : 0;
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  for (std::size_t k = 1; k < size; ++k)
+    if ((byte(i + k) & 0xc0) != 0x80) return 0;
+  return size;
+}
+
+void check_utf8(const std::string& path, std::string_view text) {
+  int line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t size = character_at(text, i);
+    if (size == 0)
+      refuse(path, fmt::format("byte 0x{:02x}", static_cast<unsigned char>(text[i])),
+             "is no part of a UTF-8 text", "save the file as UTF-8 in your editor", line);
+    line += text[i] == '\n';
+    i += size;
+  }
+}
+
+// 0, or errno. The data reach the disk before the rename, so that a crash leaves old or new.
+int fill(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  // EINVAL and EROFS: a file system that has nothing to flush
+  if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) return errno;
+  return 0;
+}
+
+}  // namespace
+
+void check_input(const std::string& path) {
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0) check_readable(path, there);
+}
+
+void check_output(const std::string& path) {
+  struct stat there {};
+  if (::lstat(path.c_str(), &there) != 0) return;  // the open that follows says what is wrong
+  const std::string kind = other_kind(there.st_mode);
+  if (kind.empty()) return;
+  std::error_code error;
+  const std::string to = std::filesystem::read_symlink(path, error).string();
+  refuse(path, "",
+         fmt::format("is {}{}{}, and results go to files of their own", kind,
+                     to.empty() ? "" : " to ", to),
+         "remove it, or name another place");
+}
+
+std::string read_file(const std::string& path, std::size_t most) {
+  check_input(path);  // before it is opened: that alone may wait for a pipe, or start a device
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat there {};
+  if (file.number < 0 || ::fstat(file.number, &there) != 0) refuse_reading(path, errno);
+  check_readable(path, there);
+  const auto stated = static_cast<std::size_t>(there.st_size);
+  if (stated > most) refuse_size(path, stated, most);
+  // one byte of room tells a file that has grown, or whose size is not known before (/proc)
+  std::string text(stated + 1, '\0');
+  std::size_t size = 0;
+  while (const std::size_t got =
+             read_some(file.number, text.data() + size, text.size() - size, path)) {
+    size += got;
+    if (size > most) refuse_size(path, size, most);
+    if (size == text.size()) text.resize(std::min(2 * size, most + 1));
+  }
+  text.resize(size);
+  return text;
+}
+
+std::string read_text(const std::string& path, std::size_t most) {
+  std::string text = read_file(path, most);
+  check_utf8(path, text);
+  return text;
+}
+
+void write_file(const std::string& path, std::string_view text) {
+  check_output(path);
+  const std::string temporary = path + ".part" + std::to_string(::getpid());
+  ::unlink(temporary.c_str());  // of a killed program that had this number
+  const int descriptor =
+      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) refuse_writing(path, errno);
+  int cause = fill(descriptor, text);
+  if (::close(descriptor) != 0 && cause == 0) cause = errno;
+  if (cause == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) cause = errno;
+  if (cause != 0) {
+    ::unlink(temporary.c_str());
+    refuse_writing(path, cause);
+  }
+}
+
+}  // namespace wythe

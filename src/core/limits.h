@@ -1,0 +1,34 @@
+// The most that is taken from outside, a line a number, with its reason (docs/reference/limits.md).
+//
+// Readers ask these before they take memory or time. What a wall may be is another question: model/size.h.
+#pragma once
+
+#include <cstddef>
+
+#include "wythe/error.h"
+
+namespace wythe {
+
+// --- bytes of one file
+constexpr std::size_t kMostToml = 4'000'000;   // a model of 1000 openings has 0.3 MB
+constexpr std::size_t kMostJson = 32'000'000;  // 170 000 blocks; in memory up to 20 times as much
+constexpr std::size_t kMostCsv = 256'000'000;  // a curve of a million rows has 200 MB
+constexpr std::size_t kMostPacked =
+    512'000'000;  // data of a report, unpacked: no browser takes more; a cell of a store
+
+// --- shape of a text
+constexpr int kMostDepth = 32;         // of tables and lists in each other: a model has 5
+constexpr int kMostKeys = 20'000;      // of a TOML file: a model of 1000 openings has 11 000
+constexpr int kMostSettings = 2'000;   // of --set and study.set: each is looked for among all keys
+constexpr int kMostColumns = 1'000;    // of a CSV file
+constexpr int kMostRows = 10'000'000;  // of a CSV file or a curve: output.rows may ask for a tenth
+
+// --- what is said about it
+constexpr std::size_t kMostFaults = 100;  // told at once: nobody mends more before the next try
+[[nodiscard]] inline bool enough(const FaultList& faults) {
+  return faults.all().size() > kMostFaults;
+}
+constexpr std::size_t kMostCandidates = 500;  // names that a misspelt one is compared with
+constexpr std::size_t kLongestName = 100;     // characters of a name that is compared
+
+}  // namespace wythe

@@ -1,0 +1,36 @@
+// Lines of a CSV text, one after the other, as cells: the one place that cuts them (core/limits.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wythe::io {
+
+class CsvLines {
+ public:
+  // `text` and `file` outlive it.
+  CsvLines(std::string_view text, const std::string& file);
+
+  // To the next line that says something: neither blank nor a comment (#). False at the end. Throws
+  // InputError at a line of more than kMostColumns cells, and at the line beyond kMostRows.
+  bool next();
+  [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }  // trimmed
+  [[nodiscard]] const std::string& text() const { return text_of_line_; }         // trimmed
+  [[nodiscard]] int line() const { return line_; }                                // from 1
+
+ private:
+  [[noreturn]] void refuse(int most, const char* what) const;
+  void cut();
+
+  std::string_view rest_;
+  const std::string& file_;
+  std::string text_of_line_;
+  std::vector<std::string> cells_;
+  int line_ = 0, rows_ = 0;
+};
+
+// A whole cell as a finite number, a leading + allowed; NaN for anything else.
+[[nodiscard]] double number_in(std::string_view cell);
+
+}  // namespace wythe::io
