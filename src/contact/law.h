@@ -86,10 +86,11 @@ struct History {
 template <class Real, class H = History<Real>>
 inline constexpr std::array kHistory{&H::kappa, &H::crush,        &H::plastic_slip,
                                      &H::slip,  &H::shear_damage, &H::tension_set};
-// Whether a law of this choice asks for number k of its history: what it never asks for is not loaded.
-[[nodiscard]] WYTHE_INLINE constexpr bool remembers(const LawChoice& choice, std::size_t k) {
-  return kHistory<double>[k] != &History<double>::tension_set ||
-         choice.unloading == Unloading::kElastic;
+// How many of them, from the first, a law of this choice asks for: no others are kept in memory.
+[[nodiscard]] WYTHE_INLINE constexpr int remembered(const LawChoice& choice) {
+  constexpr int all = static_cast<int>(kHistory<double>.size());
+  static_assert(kHistory<double>.back() == &History<double>::tension_set);
+  return choice.unloading == Unloading::kElastic ? all : all - 1;
 }
 
 template <class Real>
@@ -275,22 +276,26 @@ template <class V, class C, class Real>
 template <class Real>
 struct Rest {
   Real sigma, tau;  // [Pa]
-  bool_of_t<Real> rests;
+  bool_of_t<Real> rests, open;
 };
 
-template <class V, class C, class Real>
+// `closed`: the caller expects no point to be open, which spares most of the work; one that is does not
+// rest.
+template <class V, bool closed, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Rest<Real> at_rest(const LawConstants<C>& m, Real w, Real s,
                                               const History<Real>& h) {
   const Real zero(0.0), one(1.0);
-  const Real we = w + h.crush, pressed = m.kn * we, open = maximum(we, zero);
+  const Real we = w + h.crush, pressed = m.kn * we;
   const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
+  const bool_of_t<Real> is_open = we > zero;
   bool_of_t<Real> rests = pressed + crush_strength >= zero;
-  rests = rests & (open <= h.kappa);
   const Real left = tension_left<V>(m, h.kappa);
-  const auto is_open = we > zero;
-  const bool opens = any(is_open);
   Real sigma = minimum(pressed, zero);
-  if (opens) {
+  if constexpr (closed) {
+    rests = rests & (we <= zero);
+  } else {
+    const Real open = maximum(we, zero);
+    rests = rests & (open <= h.kappa);
     const Real strength = m.ft * strength_left<V>(m, left, one - h.shear_damage);
     const Real inv_kappa = one / maximum(h.kappa, Real(1e-30));
     sigma = sigma + pull<V>(m, open, strength, inv_kappa, h.tension_set);
@@ -298,11 +303,11 @@ template <class V, class C, class Real>
       rests = rests & (open - strength * m.inv_kn <= h.tension_set);
   }
   Yield<Real> yield = yield_of<V>(m, sigma, left, h.kappa);
-  if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
+  if constexpr (!closed) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
   const Real tau = m.ks * (s - h.plastic_slip);
   rests = rests & (damage_of_slip<V>(m, yield, h.slip) <= h.shear_damage);
   rests = rests & (magnitude(tau) <= stress_at<V>(m, yield, h.shear_damage));
-  return {sigma, tau, rests};
+  return {sigma, tau, rests, is_open};
 }
 
 // Whether update() took a point from `before` to `now` by changing its history: it may go on doing so.

@@ -102,9 +102,15 @@ class Walker {
   }
 
   void ask(double w, double s, bool counted = true) {
-    const contact::Rest<double> rest = contact::at_rest<V>(m_, w, s, h_);
+    const contact::Rest<double> rest = contact::at_rest<V, false>(m_, w, s, h_);
     History now = h_;
     const contact::Answer<double> answer = contact::update<V>(m_, w, s, now);
+    // the way of closed points: the same answer, or none
+    const contact::Rest<double> shut = contact::at_rest<V, true>(m_, w, s, h_);
+    EXPECT_EQ(shut.rests, rest.rests && w + h_.crush <= 0);
+    if (shut.rests) {
+      EXPECT_TRUE(same_bits(shut.sigma, rest.sigma) && same_bits(shut.tau, rest.tau));
+    }
     const bool closed = counted && w + h_.crush < 0;
     tally_.closed += closed;
     tally_.unchanged += closed && same_bits(h_, now);

@@ -81,7 +81,7 @@ class DeviceExecutor final : public Executor {
   Shared<Device, double> shared_, own_, flat_;
   Shared<Device, std::int32_t> ids_;
   Shared<Device, ZoneShape> shapes_;
-  Shared<Device, std::uint8_t> busy_;
+  Shared<Device, std::uint8_t> ways_;
   Tables there_;  // of all walls, in the device's memory
   Shared<Device, double> joint_works_, block_works_, sums_;
   std::vector<double> wall_;  // (kWallRows, walls)
@@ -108,7 +108,7 @@ DeviceExecutor<Device>::DeviceExecutor(const Model& model, int walls, Device dev
       flat_(device_, memory_.own.size()),
       ids_(device_, memory_.ids.size()),
       shapes_(device_, memory_.shapes.size()),
-      busy_(device_, memory_.busy.size() * at(walls), false),
+      ways_(device_, memory_.ways.size() * at(walls), false),
       joint_works_(device_, 3 * at(layout_.joints + layout_.edges) * at(walls)),
       block_works_(device_, 2 * at(layout_.blocks + layout_.nodes) * at(walls)),
       sums_(device_, 3 * device::SumWorks::kParts),
@@ -122,7 +122,7 @@ DeviceExecutor<Device>::DeviceExecutor(const Model& model, int walls, Device dev
   there_.lanes = walls;
   there_.n_block = layout_.blocks;
   point_tables(layout_, model_, there_, shared_.there, own_.there, ids_.there, shapes_.there,
-               busy_.there);
+               ways_.there);
   shared_.here = memory_.shared;
   ids_.here = memory_.ids;
   shapes_.here = memory_.shapes;
@@ -170,6 +170,8 @@ void DeviceExecutor<Device>::put(int lane, const Model& model, State& s) {
   list_stages();
   put_wall(layout_, here_, 0, model, s);
   copy_column(lane, false);
+  ids_.here = memory_.ids;  // blocks that this wall loads or drives
+  ids_.send();
   for (std::size_t row = 0; row < 4; ++row)
     answer_.here[of(lane, row)] = row == 1 ? s.work_drive : 0;
   answer_.send();

@@ -6,15 +6,18 @@
 // A spot is a group of neighbours, or one entity. Both know
 //   shared(table, row)      one number for all walls         row: spot * rows of the table + row
 //   own(table, row), keep(value, table, row)                 what each wall has for itself
-//   rows(rows, ids, spot), keep_rows(...)                    rows of four of entities ids[spot]
+//   rows(rows, ids, spot)                                    rows of four of entities ids[spot]
+//   own_rows(rows, spot), keep_rows(...)                     its own
 //   of(table, rows, row, ids, spot)                          one row of entities ids[spot]
 //   of_wall(numbers, row)                                    one number a wall (time step, law)
 //   marked(flags, spot), mark(flags, spot, flag)             one flag for all lanes of a Real
+//   history_lanes()                                          numbers of a row of history
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include "core/several.h"
 #include "dynamics/passes/tables.h"
 #ifndef __CUDACC__  // there a Real is a double
 #include "core/pack.h"
@@ -86,6 +89,7 @@ struct Neighbours {
   int lane = 0;                                    // the first this Real takes
 
   WYTHE_INLINE static constexpr Id walls() { return 1; }
+  WYTHE_INLINE static constexpr Id history_lanes() { return kGroup; }
   WYTHE_INLINE void take_part(int part) { lane = part * L::width; }
 
   WYTHE_INLINE Real shared(const double* table, Id row) const {
@@ -101,6 +105,11 @@ struct Neighbours {
   WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
     L::store_rows(r, to + 4 * (spot * kGroup + lane));
   }
+  WYTHE_INLINE Rows<Real> own_rows(const double* from, Id spot) const {
+    std::int32_t id[L::width];
+    for (int k = 0; k < L::width; ++k) id[k] = k;
+    return L::load_rows(from + 4 * (spot * kGroup + lane), id);
+  }
   WYTHE_INLINE Real of(const double* table, int rows, int row, const std::int32_t* id,
                        Id spot) const {
     double lanes[L::width];
@@ -112,10 +121,12 @@ struct Neighbours {
   }
   WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return Real(numbers[row]); }
   WYTHE_INLINE Id flag(Id spot) const { return spot * parts + lane / L::width; }
-  WYTHE_INLINE bool marked(const std::uint8_t* flags, Id spot) const {
-    return flags[flag(spot)] != 0;
+  WYTHE_INLINE std::uint8_t marked(const std::uint8_t* flags, Id spot) const {
+    return flags[flag(spot)];
   }
-  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, bool on) const { flags[flag(spot)] = on; }
+  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, std::uint8_t now) const {
+    flags[flag(spot)] = now;
+  }
   // kGroup sums of a term, of Real k.
   WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * L::width); }
   WYTHE_INLINE void keep_sum(Real s, double* term, int k) const {
@@ -137,6 +148,7 @@ struct Walls {
   Id lane = 0;
 
   WYTHE_INLINE Id walls() const { return fixed > 0 ? fixed : number; }
+  WYTHE_INLINE Id history_lanes() const { return walls(); }
   WYTHE_INLINE void take_part(int) {}
   WYTHE_INLINE Real shared(const double* table, Id row) const { return Real(table[row]); }
   WYTHE_INLINE Real own(const double* table, Id row) const {
@@ -153,6 +165,7 @@ struct Walls {
   WYTHE_INLINE Rows<Real> rows(const double* from, const std::int32_t* id, Id spot) const {
     return row_of(from, id[spot]);
   }
+  WYTHE_INLINE Rows<Real> own_rows(const double* from, Id spot) const { return row_of(from, spot); }
   WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
     double* row = to + 4 * spot * walls() + lane;
     L::store(r.c0, row);
@@ -166,10 +179,12 @@ struct Walls {
   }
   WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return own(numbers, row); }
   WYTHE_INLINE Id flag(Id spot) const { return spot * (walls() / L::width) + lane; }
-  WYTHE_INLINE bool marked(const std::uint8_t* flags, Id spot) const {
-    return flags[flag(spot)] != 0;
+  WYTHE_INLINE std::uint8_t marked(const std::uint8_t* flags, Id spot) const {
+    return flags[flag(spot)];
   }
-  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, bool on) const { flags[flag(spot)] = on; }
+  WYTHE_INLINE void mark(std::uint8_t* flags, Id spot, std::uint8_t now) const {
+    flags[flag(spot)] = now;
+  }
   WYTHE_INLINE Real sum(const double* term, int k) const { return L::load(term + k * walls()); }
   WYTHE_INLINE void keep_sum(Real s, double* term, int k) const { L::store(s, term + k * walls()); }
 };
@@ -180,9 +195,10 @@ template <class Access>
     Access access, const double* law, int material, const contact::LawChoice& choice) {
   using Real = typename Access::Real;
   contact::LawConstants<Real> m;
-  for (int k = 0; k < kLawRows; ++k)
-    m.*contact::kConstants<Real>[static_cast<std::size_t>(k)] =
-        access.of_wall(law, static_cast<std::ptrdiff_t>(material) * kLawRows + k);
+  for_each_part<kLawRows>([&](auto k) __attribute__((always_inline)) {
+    constexpr auto member = contact::kConstants<Real>[decltype(k)::value];
+    m.*member = access.of_wall(law, static_cast<std::ptrdiff_t>(material) * kLawRows + k);
+  });
   m.choice = choice;
   return m;
 }

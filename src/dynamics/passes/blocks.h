@@ -59,39 +59,59 @@ struct Blocks {
 
   WYTHE_INLINE void take_part(int part) { access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t i, Work& work) const {
-    const Real zero(0.0);
-    const BlockForce<Real> contact = gather(i);
-    const Real heavy = own(i, kHeavyMass), load_m = own(i, kLoadM);
-    const Real load_x = own(i, kLoadX) + heavy * gravity_x;
-    const Real load_y = own(i, kLoadY) + heavy * gravity_y;
-    const Real fx = contact.x + load_x, fy = contact.y + load_y;
-    const Real fm = access.shared(t.turn_freedom, i) * (contact.m + load_m);
-    const auto is_free = own(i, kIsFree) > zero;
-    const Real rate = own(i, kRate), turn_rate = own(i, kTurnRate);
-    Real place[3];
-    const auto advance = [&](int k, BlockRow velocity, Real force, Real dt_over_m)
-        __attribute__((always_inline)) {
-      const Real v0 = own(i, velocity);
-      const Real u0 = own(i, static_cast<BlockRow>(kUx + k));
-      const Moved<Real> moved = accelerate(v0, force, dt_over_m, dt, damping);
-      keep(select(is_free, moved.velocity, v0), i, velocity);
-      place[k] = select(is_free, u0 + dt * moved.velocity, u0);
-      keep(place[k], i, static_cast<BlockRow>(kUx + k));
-      return moved;
-    };
-    const Moved<Real> x = advance(0, kVx, fx, rate);
-    const Moved<Real> y = advance(1, kVy, fy, rate);
-    const Moved<Real> r = advance(2, kOmega, fm, turn_rate);
-    const Real loads =
-        dt * (load_x * x.mean_velocity + load_y * y.mean_velocity + load_m * r.mean_velocity);
-    const Real damped = x.damping_work + y.damping_work + r.damping_work;
-    work = {work.loads + select(is_free, loads, zero),
-            work.damping + select(is_free, damped, zero)};
-    const SinCos<Real> turned = sin_cos(Real(0.5) * place[2]);
-    access.keep_rows({place[0], place[1], turned.cos, turned.sin}, t.pose, i);
+    if (t.special[i] != 0)
+      move<true>(i, work);
+    else
+      move<false>(i, work);
   }
 
  private:
+  // `special`: dead loads may act on it, or the drive may move it.
+  template <bool special>
+  WYTHE_INLINE void move(std::ptrdiff_t i, Work& work) const {
+    const Real zero(0.0);
+    const BlockForce<Real> contact = gather(i);
+    const Real heavy = own(i, kHeavyMass);
+    BlockForce<Real> load{zero, zero, zero};
+    if constexpr (special) load = {own(i, kLoadX), own(i, kLoadY), own(i, kLoadM)};
+    load.x = load.x + heavy * gravity_x;
+    load.y = load.y + heavy * gravity_y;
+    const Real fx = contact.x + load.x, fy = contact.y + load.y;
+    const Real fm = access.shared(t.turn_freedom, i) * (contact.m + load.m);
+    const Real rate = own(i, kRate), turn_rate = own(i, kTurnRate);
+    const Rows<Real> pose = access.own_rows(t.pose, i);
+    Moved<Real> x = accelerate(own(i, kVx), fx, rate, dt, damping);
+    Moved<Real> y = accelerate(own(i, kVy), fy, rate, dt, damping);
+    Moved<Real> r = accelerate(own(i, kOmega), fm, turn_rate, dt, damping);
+    const Real theta0 = own(i, kTheta);
+    Rows<Real> next{pose.c0 + dt * x.velocity, pose.c1 + dt * y.velocity, zero, zero};
+    Real theta = theta0 + dt * r.velocity;
+    const Real loads =
+        dt * (load.x * x.mean_velocity + load.y * y.mean_velocity + load.m * r.mean_velocity);
+    const Real damped = x.damping_work + y.damping_work + r.damping_work;
+    if constexpr (special) {
+      const auto is_free = own(i, kIsFree) > zero;
+      x.velocity = select(is_free, x.velocity, own(i, kVx));
+      y.velocity = select(is_free, y.velocity, own(i, kVy));
+      r.velocity = select(is_free, r.velocity, own(i, kOmega));
+      next.c0 = select(is_free, next.c0, pose.c0);
+      next.c1 = select(is_free, next.c1, pose.c1);
+      theta = select(is_free, theta, theta0);
+      work = {work.loads + select(is_free, loads, zero),
+              work.damping + select(is_free, damped, zero)};
+    } else {
+      work = {work.loads + loads, work.damping + damped};
+    }
+    keep(x.velocity, i, kVx);
+    keep(y.velocity, i, kVy);
+    keep(r.velocity, i, kOmega);
+    keep(theta, i, kTheta);
+    const SinCos<Real> turned = sin_cos(Real(0.5) * theta);
+    next.c2 = turned.cos;
+    next.c3 = turned.sin;
+    access.keep_rows(next, t.pose, i);
+  }
+
   [[nodiscard]] WYTHE_INLINE Real own(std::ptrdiff_t i, BlockRow row) const {
     return access.own(t.block, i * kBlockRows + row);
   }

@@ -125,12 +125,12 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
     wall.block(i, kVx) = vp * px - across.velocity * py;
     wall.block(i, kVy) = vp * py + across.velocity * px;
     wall.block(i, kOmega) = turn.velocity;
-    wall.block(i, kUx) += dt * wall.block(i, kVx);
-    wall.block(i, kUy) += dt * wall.block(i, kVy);
+    wall.ux(i) += dt * wall.block(i, kVx);
+    wall.uy(i) += dt * wall.block(i, kVy);
     wall.block(i, kTheta) += dt * turn.velocity;
     const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
-    const double row[4] = {wall.block(i, kUx), wall.block(i, kUy), half.cos, half.sin};
-    for (int c = 0; c < 4; ++c) wall.of_four(wall.t.pose, i, c) = row[c];
+    wall.of_four(wall.t.pose, i, 2) = half.cos;
+    wall.of_four(wall.t.pose, i, 3) = half.sin;
   }
   return reaction;
 }

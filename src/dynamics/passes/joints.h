@@ -73,20 +73,20 @@ struct FaceRun {
   Access access;
   contact::LawConstants<Real> law;
   const double *xi, *weight;  // of the points of a face
-  double* history;            // of the run's first spot
-  std::uint8_t* busy;
+  double* history;            // from the run's first spot on
+  std::uint8_t* way;
   std::ptrdiff_t begin;  // its first spot
   int points;
 };
 template <class Access>
 [[nodiscard]] WYTHE_INLINE FaceRun<Access> face_run(const Tables& t, Access access,
-                                                    const Chunk& chunk, std::uint8_t* busy) {
+                                                    const Chunk& chunk, std::uint8_t* way) {
   return {access,
           law_of(access, t.law, chunk.material, chunk.choice),
           t.point_xi + chunk.rule,
           t.point_weight + chunk.rule,
-          t.history,
-          busy,
+          t.history + static_cast<std::ptrdiff_t>(chunk.history) * access.history_lanes(),
+          way,
           chunk.begin,
           chunk.points};
 }
@@ -99,27 +99,30 @@ struct FacePoints {
   using History = contact::History<Points>;
 
   const FaceRun<Access>& run;
-  std::ptrdiff_t first;  // row of points of the first
+  std::ptrdiff_t first;  // number of its history
   int from;
 
+  [[nodiscard]] WYTHE_INLINE int rows() const {
+    return contact::remembered(contact::choice_of<V>(run.law));
+  }
   WYTHE_INLINE History load() const {
     History h;
     for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
-      if (contact::remembers(contact::choice_of<V>(run.law), r))
-        for_each_part<n>([&](auto k) __attribute__((always_inline)) {
-          (h.*contact::kHistory<Points>[r]).template part<k>() =
-              run.access.own(run.history, (first + k) * kHistoryRows + r);
-        });
+      constexpr auto member = contact::kHistory<Points>[decltype(r)::value];
+      if (r >= rows()) return;
+      for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+        (h.*member).template part<k>() = run.access.own(run.history, first + k * rows() + r);
+      });
     });
     return h;
   }
   WYTHE_INLINE void store(const History& h) const {
     for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
-      if (contact::remembers(contact::choice_of<V>(run.law), r))
-        for_each_part<n>([&](auto k) __attribute__((always_inline)) {
-          run.access.keep((h.*contact::kHistory<Points>[r]).template part<k>(), run.history,
-                          (first + k) * kHistoryRows + r);
-        });
+      constexpr auto member = contact::kHistory<Points>[decltype(r)::value];
+      if (r >= rows()) return;
+      for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+        run.access.keep((h.*member).template part<k>(), run.history, first + k * rows() + r);
+      });
     });
   }
   [[nodiscard]] WYTHE_INLINE Points of_points(const double* number) const {
@@ -146,20 +149,24 @@ struct FacePoints {
     });
   }
 
-  // Forces of points that keep their history; whether they do.
-  WYTHE_INLINE bool_of_t<Real> rest(Real area, const FaceJump<Real>& jump,
-                                    FaceForce<Real>& sum) const {
+  // Forces of points that keep their history; whether they do, and whether any is open.
+  template <bool closed>
+  WYTHE_INLINE void rest(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                         bool_of_t<Real>& rests, bool_of_t<Real>& open) const {
     const contact::Rest<Points> now =
-        contact::at_rest<V>(run.law, opening(jump), slip(jump), load());
+        contact::at_rest<V, closed>(run.law, opening(jump), slip(jump), load());
     add(area, now.sigma, now.tau, sum);
-    return now.rests.all_parts();
+    rests = rests & now.rests.all_parts();
+    open = open | now.open.any_part();
   }
-  // The whole law: the one place where history advances. Gives whether it did.
-  WYTHE_INLINE bool_of_t<Real> advance(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
-                                       JointWork<Real>& work) const {
+  // The whole law: the one place where history advances. Whether it did, and whether any is open.
+  WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                            JointWork<Real>& work, bool_of_t<Real>& moved,
+                            bool_of_t<Real>& open) const {
     const History before = load();
     History now = before;
-    const contact::Answer<Points> a = contact::update<V>(run.law, opening(jump), slip(jump), now);
+    const Points w = opening(jump);
+    const contact::Answer<Points> a = contact::update<V>(run.law, w, slip(jump), now);
     store(now);
     add(area, a.sigma, a.tau, sum);
     const Points share = Points(area) * of_points(run.weight);
@@ -170,57 +177,73 @@ struct FacePoints {
               work.fracture + fracture.template part<k>(),
               work.crushing + crushing.template part<k>()};
     });
-    return contact::moves(before, now).any_part();
+    moved = moved | contact::moves(before, now).any_part();
+    open = open | (w + now.crush > Points(Real(0.0))).any_part();
   }
 };
 
 // act(FacePoints) for all points of the face at `spot`: together where their number n is known when the
 // program is compiled, one by one where it is not (n = 0).
 template <class V, int n, bool one_slip, class Access, class Act>
-WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, int history,
-                              const Act& act) {
+WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, const Act& act) {
   const int points = n > 0 ? n : run.points;
-  const std::ptrdiff_t first = history + (spot - run.begin) * points;
+  const int rows = contact::remembered(contact::choice_of<V>(run.law));
+  const std::ptrdiff_t first = (spot - run.begin) * points * rows;
   if constexpr (n > 0) {
     act(FacePoints<V, n, one_slip, Access>{run, first, 0});
   } else {
-    for (int k = 0; k < points; ++k) act(FacePoints<V, 1, one_slip, Access>{run, first + k, k});
+    for (int k = 0; k < points; ++k)
+      act(FacePoints<V, 1, one_slip, Access>{run, first + k * rows, k});
   }
 }
+
+// Which way a face took in the last step, and so the one to try first in the next. It decides what a step
+// takes, never what it gives: each way finds out whether it holds.
+enum Way : std::uint8_t { kClosed, kOpen, kMoving };
 
 template <class V, int n, bool one_slip, class Access, class Real>
 WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
-                                          int history, Real area, const FaceJump<Real>& jump,
+                                          Real area, const FaceJump<Real>& jump,
                                           JointWork<Real>& work) {
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
-  bool_of_t<Real> moved = zero > zero;
+  bool_of_t<Real> moved = zero > zero, open = zero > zero;
   each_points<V, n, one_slip>(
-      run, spot, history, [&](const auto& points) __attribute__((always_inline)) {
-        moved = moved | points.advance(area, jump, sum, work);
+      run, spot, [&](const auto& points) __attribute__((always_inline)) {
+        points.advance(area, jump, sum, work, moved, open);
       });
-  run.access.mark(run.busy, spot, any(moved));
+  run.access.mark(run.way, spot, any(moved) ? kMoving : any(open) ? kOpen : kClosed);
   return sum;
 }
 
-// Forces of a face. One whose points keep their history takes a short way and stores nothing; one that
-// moved in the last step is not asked for it.
+// Forces of a face whose points keep their history; false where they do not.
+template <class V, int n, bool one_slip, bool closed, class Access, class Real>
+[[nodiscard]] WYTHE_INLINE bool resting_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
+                                             Real area, const FaceJump<Real>& jump,
+                                             FaceForce<Real>& sum) {
+  const Real zero(0.0);
+  sum = {zero, zero, zero, zero};
+  bool_of_t<Real> rests = zero <= zero, open = zero > zero;
+  each_points<V, n, one_slip>(
+      run, spot, [&](const auto& points) __attribute__((always_inline)) {
+        points.template rest<closed>(area, jump, sum, rests, open);
+      });
+  if (!all(rests)) return false;
+  if constexpr (!closed) run.access.mark(run.way, spot, any(open) ? kOpen : kClosed);
+  return true;
+}
+
+// Forces of a face. Two short ways store no history; one that moved in the last step is asked for neither.
 template <class V, int n, bool one_slip, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
-                                                      std::ptrdiff_t spot, int history, Real area,
+                                                      std::ptrdiff_t spot, Real area,
                                                       const FaceJump<Real>& jump,
                                                       JointWork<Real>& work) {
-  if (!run.access.marked(run.busy, spot)) {
-    const Real zero(0.0);
-    FaceForce<Real> sum{zero, zero, zero, zero};
-    bool_of_t<Real> rests = zero <= zero;
-    each_points<V, n, one_slip>(
-        run, spot, history, [&](const auto& points) __attribute__((always_inline)) {
-          rests = rests & points.rest(area, jump, sum);
-        });
-    if (all(rests)) return sum;
-  }
-  return moving_face<V, n, one_slip>(run, spot, history, area, jump, work);
+  const std::uint8_t way = run.access.marked(run.way, spot);
+  FaceForce<Real> sum;
+  if (way == kClosed && resting_face<V, n, one_slip, true>(run, spot, area, jump, sum)) return sum;
+  if (way == kOpen && resting_face<V, n, one_slip, false>(run, spot, area, jump, sum)) return sum;
+  return moving_face<V, n, one_slip>(run, spot, area, jump, work);
 }
 
 // Joints of one law, one support and one number of points.
@@ -232,12 +255,9 @@ struct Joints {
 
   const Tables& t;
   FaceRun<Access> run;
-  int history;
 
   WYTHE_INLINE Joints(const Tables& tables, Access access, const Chunk& chunk)
-      : t(tables),
-        run(face_run(tables, access, chunk, tables.joint_busy)),
-        history(chunk.history) {}
+      : t(tables), run(face_run(tables, access, chunk, tables.joint_way)) {}
 
   WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t spot, Work& work) const {
@@ -269,7 +289,7 @@ struct Joints {
     const Real reach = geometry(j, kHalfLength);
     const Real jx = b.move_x - a.move_x, jy = b.move_y - a.move_y;
     const FaceForce<Real> f =
-        face_force<V, n, true>(run, j, history, geometry(j, kArea),
+        face_force<V, n, true>(run, j, geometry(j, kArea),
                                FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty,
                                               Real(2.0) * reach * (cs - sc), Real(0.0)},
                                work);
@@ -290,7 +310,7 @@ struct Joints {
     const Real tx = geometry(j, kTangentX), ty = geometry(j, kTangentY);
     const Real reach = geometry(j, kHalfLength);
     const FaceForce<Real> f = face_force<V, n, false>(
-        run, j, history, geometry(j, kArea),
+        run, j, geometry(j, kArea),
         FaceJump<Real>{b.move_y * tx - b.move_x * ty, b.move_x * tx + b.move_y * ty,
                        reach * turn.sine, reach * turn.drop},
         work);

@@ -70,10 +70,9 @@ struct Edges {
 
   const Tables& t;
   FaceRun<Access> run;
-  int history;
 
   WYTHE_INLINE Edges(const Tables& tables, Access access, const Chunk& chunk)
-      : t(tables), run(face_run(tables, access, chunk, tables.edge_busy)), history(chunk.history) {}
+      : t(tables), run(face_run(tables, access, chunk, tables.edge_way)) {}
 
   WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t c, Work& work) const {
@@ -96,7 +95,7 @@ struct Edges {
     const Real n0 = e0.jump_y * tx - e0.jump_x * ty, t0 = e0.jump_x * tx + e0.jump_y * ty;
     const Real n1 = e1.jump_y * tx - e1.jump_x * ty, t1 = e1.jump_x * tx + e1.jump_y * ty;
     const FaceForce<Real> f = face_force<V, 2, false>(
-        run, c, history, geometry(c, kEdgeArea),
+        run, c, geometry(c, kEdgeArea),
         FaceJump<Real>{half * (n0 + n1), half * (t0 + t1), half * (n1 - n0), half * (t1 - t0)},
         work);
     // sums back to the points, in the wall's axes

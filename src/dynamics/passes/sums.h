@@ -86,7 +86,7 @@ WYTHE_INLINE Furthest furthest_of(const WallView& wall) {
     const double moved = ux * ux + uy * uy;
     if (moved > most) most = moved, block = i;
   };
-  for (int i = 0; i < wall.blocks; ++i) look(wall.block(i, kUx), wall.block(i, kUy), i);
+  for (int i = 0; i < wall.blocks; ++i) look(wall.ux(i), wall.uy(i), i);
   for (int i = 0; i < wall.nodes; ++i)
     look(wall.node(i, kNodeUx), wall.node(i, kNodeUy), wall.moving_blocks + i);
   return {square_root(most), block};

@@ -41,13 +41,11 @@ std::int32_t place_all(const std::vector<Chunk>& chunks, Layout::Kind kind,
 }
 
 // The histories of chunks, one behind the other.
-void place_points(std::vector<Chunk>& chunks, Layout::Kind kind, std::int32_t& rows,
-                  std::vector<std::int32_t>& history) {
-  const int group = kind == Layout::kWalls ? 1 : kGroup;
+void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   for (Chunk& chunk : chunks) {
-    chunk.history = rows;
-    for (int k = 0; k < chunk.n; ++k) history.push_back(rows + k / group * chunk.points);
-    rows += (chunk.end - chunk.begin) * chunk.points;
+    chunk.rows = contact::remembered(chunk.choice);
+    chunk.history = numbers;
+    numbers += (chunk.end - chunk.begin) * chunk.points * chunk.rows;
   }
 }
 
@@ -222,10 +220,9 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   std::vector<std::int32_t> same;
   blocks = place_all(chunks[kBlocks], kind, same);
   nodes = place_all(chunks[kNodes], kind, same);
-  std::int32_t rows = 0;
-  place_points(chunks[kJoints], kind, rows, joint_history);
-  place_points(chunks[kEdges], kind, rows, edge_history);
-  points = rows * (kind == kWalls ? 1 : kGroup);
+  place_points(chunks[kJoints], history);
+  place_points(chunks[kEdges], history);
+  history *= kind == kWalls ? 1 : kGroup;
   entries = m.block_entry.size();
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));
@@ -237,7 +234,7 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   t.n_block = l.blocks;
   // once to count, once to point
   const auto lanes = at(t.lanes);
-  std::size_t shared = 0, own = 0, ids = 0, busy = 0;
+  std::size_t shared = 0, own = 0, ids = 0, ways = 0;
   const auto count = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;
     if constexpr (std::is_same_v<T, double>) shared += n;
@@ -245,16 +242,16 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
   };
   const auto count_own = [&](auto*& table, std::size_t n) {
     using T = std::remove_cvref_t<decltype(*table)>;
-    (std::is_same_v<T, double> ? own : busy) += n * lanes;
+    (std::is_same_v<T, double> ? own : ways) += n * lanes;
   };
   each_table(l, m, t, count, count_own);
   memory.shared.assign(shared, 0.0);
   memory.own.assign(own, 0.0);
   memory.ids.assign(ids, 0);
   memory.shapes.resize(m.solids.shapes.size());
-  memory.busy.assign(busy, 0);
+  memory.ways.assign(ways, 0);
   point_tables(l, m, t, memory.shared.data(), memory.own.data(), memory.ids.data(),
-               memory.shapes.data(), memory.busy.data());
+               memory.shapes.data(), memory.ways.data());
   Filler(l, m, t).fill();
   return t;
 }

@@ -50,10 +50,8 @@ enum EdgeRow {
   kEdgeArea,
   kEdgeRows
 };
-// Rows of a block: its fields of State first; then what a step needs of it.
+// Rows of a block; its displacements are columns of its pose.
 enum BlockRow {
-  kUx,
-  kUy,
   kTheta,
   kVx,
   kVy,
@@ -67,10 +65,6 @@ enum BlockRow {
   kLoadM,
   kBlockRows
 };
-static_assert(kOmega + 1 == fields_of(Entity::kBlock) && kUx == row_of(&State::ux) &&
-              kUy == row_of(&State::uy) && kTheta == row_of(&State::theta) &&
-              kVx == row_of(&State::vx) && kVy == row_of(&State::vy) &&
-              kOmega == row_of(&State::omega));
 // Rows of a block that only the drive and the meters read; forces and totals of driven blocks alone.
 enum ColdRow { kMass, kInertia, kContactX, kContactY, kTotalX, kTotalY, kTotalM, kColdRows };
 enum NodeRow {
@@ -101,7 +95,8 @@ struct Chunk {
   std::int32_t material = 0;        // of joints and edges; of zones their shape
   std::int32_t points = 0;          // of a face
   std::int32_t rule = 0;            // where its points stand: into point_xi, point_weight
-  std::int32_t history = 0;         // of its first group: rows of points before it
+  std::int32_t rows = 0;            // of history that their law remembers
+  std::int32_t history = 0;         // numbers of history before its first group, of one lane
   bool on_ground = false;
   contact::LawChoice choice;
 };
@@ -123,6 +118,8 @@ struct Tables {
   std::int32_t *block_begin, *block_middle,
       *block_entry;                                   // joints of a block: as side a, then as b
   std::int32_t *block_edge_begin, *block_edge_entry;  // zone contacts of a block
+  std::int32_t*
+      special;  // of a group (spot): a stage of some wall loads or drives one of its blocks
   std::int32_t *edge_block, *edge_p, *edge_q;
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
@@ -138,10 +135,10 @@ struct Tables {
   double* node;        // (n_node, kNodeRows)
   double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
   double* high_force;  // another table, those on 2 and 3
-  double* edge_block_force;              // rows of four: fx, fy, moment on the rigid block
-  double* edge_force;                    // rows of four: on nodes p and q
-  double* wall;                          // (kWallRows)
-  std::uint8_t *joint_busy, *edge_busy;  // a point moved in the last step: which way a step takes
+  double* edge_block_force;            // rows of four: fx, fy, moment on the rigid block
+  double* edge_force;                  // rows of four: on nodes p and q
+  double* wall;                        // (kWallRows)
+  std::uint8_t *joint_way, *edge_way;  // that a face took in the last step (joints.h)
 };
 
 // How long each table is and which entity lies where.
@@ -154,10 +151,9 @@ struct Layout {
   std::vector<Chunk> chunks[kPasses];
   // Of joint j, zone z, edge c: the place in its tables.
   std::vector<std::int32_t> joint_place, zone_place, edge_place;
-  std::vector<std::int32_t> joint_history, edge_history;  // rows of points before its group
 
   // entities with those that fill up groups
-  std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, points = 0;
+  std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, history = 0;
   std::size_t entries = 0, edge_entries = 0;
 
   // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
@@ -165,11 +161,13 @@ struct Layout {
     if (kind == kWalls) return (static_cast<std::ptrdiff_t>(e) * rows + row) * walls;
     return (static_cast<std::ptrdiff_t>(e / kGroup) * rows + row) * kGroup + e % kGroup;
   }
-  // Point k of the joint (or edge) at `place` with `history` rows of points before its group.
-  [[nodiscard]] std::ptrdiff_t point_number(std::int32_t place, std::int32_t history, int k,
-                                            int row, int walls) const {
-    const auto point = static_cast<std::ptrdiff_t>(history + k) * kHistoryRows + row;
-    return kind == kWalls ? point * walls : point * kGroup + place % kGroup;
+  // Row `row` of point k of entity n of a chunk of joints or edges.
+  [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, int n, int k, int row,
+                                            int walls) const {
+    const int group = kind == kWalls ? n : n / kGroup;
+    const std::ptrdiff_t number =
+        chunk.history + (static_cast<std::ptrdiff_t>(group) * chunk.points + k) * chunk.rows + row;
+    return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
 };
 
@@ -178,7 +176,7 @@ struct Memory {
   std::vector<double> shared, own;
   std::vector<std::int32_t> ids;
   std::vector<ZoneShape> shapes;
-  std::vector<std::uint8_t> busy;
+  std::vector<std::uint8_t> ways;
 };
 
 // visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
@@ -200,6 +198,7 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   visit(t.block_entry, l.entries);
   visit(t.block_edge_begin, n(l.blocks) + 1);
   visit(t.block_edge_entry, l.edge_entries);
+  visit(t.special, n(l.blocks));
   visit(t.edge_block, n(l.edges));
   visit(t.edge_p, n(l.edges));
   visit(t.edge_q, n(l.edges));
@@ -213,7 +212,7 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   own(t.block, n(l.blocks) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.pose, 4 * (n(l.blocks) + 1));
-  own(t.history, n(l.points) * kHistoryRows);
+  own(t.history, n(l.history));
   own(t.force, 4 * n(l.joints));
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
@@ -221,14 +220,14 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   own(t.edge_block_force, 4 * n(l.edges));
   own(t.edge_force, 4 * n(l.edges));
   own(t.wall, n(kWallRows));
-  own(t.joint_busy, n(l.joints));
-  own(t.edge_busy, n(l.edges));
+  own(t.joint_way, n(l.joints));
+  own(t.edge_way, n(l.edges));
 }
 
 // Points the tables into memory of this or another machine, laid out as Memory is.
 template <class Doubles, class Ids, class Shapes, class Bytes>
 void point_tables(const Layout& l, const Model& m, Tables& t, Doubles* shared, Doubles* own,
-                  Ids* ids, Shapes* shapes, Bytes* busy) {
+                  Ids* ids, Shapes* shapes, Bytes* ways) {
   const auto take = [](auto*& table, auto*& next, std::size_t n) {
     table = next;
     next += n;
@@ -246,7 +245,7 @@ void point_tables(const Layout& l, const Model& m, Tables& t, Doubles* shared, D
         if constexpr (std::is_same_v<T, double>)
           take(table, own, n * static_cast<std::size_t>(t.lanes));
         if constexpr (std::is_same_v<T, std::uint8_t>)
-          take(table, busy, n * static_cast<std::size_t>(t.lanes));
+          take(table, ways, n * static_cast<std::size_t>(t.lanes));
       });
 }
 

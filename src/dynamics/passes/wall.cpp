@@ -6,6 +6,11 @@
 namespace wythe::dynamics {
 namespace {
 
+static_assert(row_of(&State::ux) == 0 && row_of(&State::uy) == 1 &&
+              row_of(&State::theta) == kTheta + 2 && row_of(&State::vx) == kVx + 2 &&
+              row_of(&State::vy) == kVy + 2 && row_of(&State::omega) == kOmega + 2 &&
+              fields_of(Entity::kBlock) == kOmega + 3);
+
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 // act(entity of the model, its number in the table) for all entities of a field.
@@ -13,20 +18,25 @@ template <class Act>
 void each_number(const Layout& l, const Tables& t, const Model& m, const StateField& field,
                  const Act& act) {
   const int walls = static_cast<int>(t.lanes), row = row_of(field.array);
-  const auto plain = [&](double* table, int n, int rows) {
-    for (int i = 0; i < n; ++i) act(at(i), table + l.number(i, rows, row, walls));
+  // a displacement is a column of the pose; the rows of a block begin behind both
+  if (field.array == &State::ux || field.array == &State::uy) {
+    for (int i = 0; i < m.n_block; ++i) act(at(i), t.pose + (4 * i + row) * walls);
+    return;
+  }
+  const auto plain = [&](double* table, int n, int rows, int r) {
+    for (int i = 0; i < n; ++i) act(at(i), table + l.number(i, rows, r, walls));
   };
-  if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows);
-  if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows);
-  const auto points = [&](const std::vector<std::int32_t>& place,
-                          const std::vector<std::int32_t>& history, int per, std::size_t first) {
-    for (std::size_t j = 0; j < place.size(); ++j)
-      for (int k = 0; k < per; ++k)
-        act(first + j * at(per) + at(k),
-            t.history + l.point_number(place[j], history[j], k, row, walls));
+  if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows, row - 2);
+  if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
+  const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
+    for (const Chunk& chunk : chunks)
+      for (int n = 0; row < chunk.rows && n < chunk.n; ++n)
+        for (int k = 0; k < per; ++k)
+          act(first + at(chunk.first + n) * at(per) + at(k),
+              t.history + l.point_number(chunk, n, k, row, walls));
   };
-  points(l.joint_place, l.joint_history, m.n_face_point, 0);
-  points(l.edge_place, l.edge_history, 2, at(m.n_point()));
+  points(l.chunks[kJoints], 0, m.n_face_point);
+  points(l.chunks[kEdges], at(m.n_point()), 2);
 }
 
 }  // namespace
@@ -65,6 +75,10 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
     wall.cold(i, kMass) = m.mass[at(i)];
     wall.cold(i, kInertia) = m.inertia[at(i)];
   }
+  for (const Stage& stage : m.stages) {
+    for (const PointLoad& load : stage.loads) wall.special(load.block) = 1;
+    for (const BlockId block : stage.driven) wall.special(block) = 1;
+  }
   for (int i = 0; i < m.solids.n_node; ++i) {
     wall.node(i, kNodeHeavyMass) = m.solids.node_heavy_mass[at(i)];
     wall.node(i, kNodeMass) = m.solids.node_mass[at(i)];
@@ -82,8 +96,8 @@ void read_wall(const Layout& l, const Tables& t, int lane, const Model& m, State
 void turn_all(const WallView& wall) {
   for (int i = 0; i < wall.blocks; ++i) {
     const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
-    const double row[4] = {wall.block(i, kUx), wall.block(i, kUy), half.cos, half.sin};
-    for (int c = 0; c < 4; ++c) wall.of_four(wall.t.pose, i, c) = row[c];
+    wall.of_four(wall.t.pose, i, 2) = half.cos;
+    wall.of_four(wall.t.pose, i, 3) = half.sin;
   }
 }
 

@@ -27,6 +27,9 @@ struct WallView {
   WYTHE_INLINE double& node(std::ptrdiff_t i, NodeRow row) const {
     return number(t.node, kNodeRows, i, row);
   }
+  WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
+  WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }
+  WYTHE_INLINE std::int32_t& special(std::ptrdiff_t i) const { return t.special[i >> shift]; }
   // Column c of a row of four.
   WYTHE_INLINE double& of_four(double* rows, std::ptrdiff_t e, int c) const {
     return rows[(4 * e + c) * t.lanes + lane];
