@@ -17,6 +17,7 @@
 
 #include "cracked.h"
 #include "dynamics/executors/processor.h"
+#include "wythe/reading.h"
 #include "wythe/solve.h"
 
 namespace {
@@ -41,14 +42,14 @@ void report(benchmark::State& bench, std::int64_t points, const Cost& cost) {
 // The law on every point of the cracked wall, openings and slips replayed with a small swing.
 void law_alone(benchmark::State& bench) {
   const Cracked& wall = cracked();
-  const std::vector<PointStress> at = point_stresses(wall.model, wall.state);
+  const std::vector<PointReading> at = read_points(wall.model, wall.state);
   State s = wall.state;
   const auto per = static_cast<std::size_t>(wall.model.n_face_point);
   double swing = 1e-9;
   for (auto _ : bench) {
     swing = -swing;
     double sum = 0;
-    for (std::size_t p = 0; p < at.size(); ++p) {
+    for (std::size_t p = 0; p < static_cast<std::size_t>(wall.model.n_point()); ++p) {
       contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
                                  s.slip[p],  s.shear_damage[p], s.tension_set[p]};
       const auto& law = wall.law[static_cast<std::size_t>(wall.model.joint_material[p / per])];

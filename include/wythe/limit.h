@@ -20,6 +20,7 @@
 
 #include "wythe/model.h"
 #include "wythe/result.h"
+#include "wythe/vector.h"
 
 namespace wythe {
 
@@ -82,18 +83,15 @@ struct LimitStopped : std::runtime_error {
 
 // --- a chain of macro-blocks ------------------------------------------------------------------------
 
-struct Point {
-  double x = 0, y = 0;  // [m]
-};
 // A load that keeps its direction and follows a point of its body: self-weight at the centroid, ...
 struct BodyLoad {
-  Point at;               // at the start
+  Vec2 at;                // at the start
   double fx = 0, fy = 0;  // [N]
   bool is_weight = false;
 };
 struct MacroBlock {
   std::string name;  // "left pier", "spandrel", "right pier"
-  std::vector<Point> outline;
+  std::vector<Vec2> outline;
   std::vector<BodyLoad> loads;
 };
 // Rigid bodies hinged to each other and to the ground at both ends, one degree of freedom:
@@ -106,9 +104,9 @@ struct MacroBlock {
 //                            =====
 struct Chain {
   std::vector<MacroBlock> bodies;  // 1 or 3
-  std::vector<Point> hinges;       // 1 or 4
+  std::vector<Vec2> hinges;        // 1 or 4
   int loaded_body = 0;
-  Point load_point;      // where the horizontal force acts, on the loaded body
+  Vec2 load_point;       // where the horizontal force acts, on the loaded body
   double direction = 1;  // of the force: +1 or -1 along x
 };
 
@@ -117,7 +115,7 @@ struct ChainState {
   double force = 0;              // at the load point, for which the chain is in balance [N]
   std::vector<double> rotation;  // of each body, anticlockwise, since the start [rad]
   std::vector<double> rate;      // of each body's rotation per that of the first [-]
-  std::vector<Point> hinges;     // where they are now
+  std::vector<Vec2> hinges;      // where they are now
 };
 enum class ChainEnd { kNoForce, kLocked, kTurnsBack };
 [[nodiscard]] const char* to_string(ChainEnd end);
@@ -127,10 +125,10 @@ struct CapacityCurve {
   [[nodiscard]] double force_at(double displacement) const;  // 0 beyond the end
 };
 // Present position of a point of a body.
-[[nodiscard]] Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at);
+[[nodiscard]] Vec2 placed(const Chain& chain, const ChainState& state, std::size_t body, Vec2 at);
 // Forces in the hinges at the start [N]: C1 and C3 act on the bodies, C12 on the first body, C23 on
 // the last. One body: its only hinge.
-[[nodiscard]] std::vector<Point> hinge_forces(const Chain& chain, double force);
+[[nodiscard]] std::vector<Vec2> hinge_forces(const Chain& chain, double force);
 // Force by virtual work in the turned geometry, F v_load + sum P v = 0, from rest to no force. Throws
 // InputError where the load point does not move, or where the chain falls without a force.
 [[nodiscard]] CapacityCurve follow(const Chain& chain);
@@ -166,7 +164,7 @@ struct Portal {
   double block_height = 0;               // of one course [m]
   double compressive_strength = 0;       // fc [Pa], of the weakest bed or foundation joint
   std::string strength_material;         // the material it belongs to
-  Point load_point;                      // mean centroid of the driven blocks
+  Vec2 load_point;                       // mean centroid of the driven blocks
   double direction = 1;                  // of the push, along x
 };
 // Throws InputError with every fault: not one opening, no horizontal push, a loading beam, a load

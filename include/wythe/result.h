@@ -276,13 +276,6 @@ struct StageReport {
   bool settled = false;
 };
 
-// Mean stresses of a zone in the wall's axes, and where its corners are now.
-struct ZoneStress {
-  double sigma_x = 0, sigma_y = 0, tau = 0;  // [Pa]
-  std::array<double, 4> x{}, y{};            // [m]
-};
-[[nodiscard]] std::vector<ZoneStress> zone_stresses(const Model& model, const State& state);
-
 struct Result {
   SolveStatus status = SolveStatus::kCompleted;
   std::string reason;  // which residual, where, when; why it stopped
@@ -319,18 +312,5 @@ struct Result {
 [[nodiscard]] std::string warning_of(const Result& result);
 // Options with which the responses of this run are read.
 [[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
-
-// Joint state at every point, for pictures and files; same arithmetic as the step.
-struct PointStress {
-  double opening = 0, slip = 0;                                           // w, relative slip [m]
-  double normal_stress = 0, shear_stress = 0;                             // [Pa]
-  double damage_tension = 0, damage_shear = 0, damage = 0, crushing = 0;  // [-]
-  double x = 0, y = 0;                                                    // where it is now [m]
-};
-[[nodiscard]] std::vector<PointStress> point_stresses(const Model& model, const State& state);
-
-// Whether a joint is compressed while its faces overlap by less than half. `points`: whole wall.
-[[nodiscard]] bool has_slid_off(const Model& model, const std::vector<PointStress>& points,
-                                JointId joint);
 
 }  // namespace wythe

@@ -9,7 +9,7 @@
 
 #include "dynamics/balance.h"
 #include "dynamics/residual.h"
-#include "dynamics/zone_state.h"
+#include "reading/zones.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -253,7 +253,7 @@ void Recorder::close_row(const State& state) {
   row.load_factor = load_factor_;
   row.work_drive = state.work_drive - work_at_start_;
   row.work_damping = damping_at_start_ - state.work_damping;
-  const LintelMeasures lintel = lintel_measures(model_, state);
+  const reading::LintelMeasures lintel = reading::lintel_measures(model_, state);
   row.lintel_deflection = lintel.deflection;
   row.lintel_end_rotation = lintel.end_rotation;
   row.lintel_axial = lintel.axial;
@@ -294,42 +294,46 @@ void Recorder::note_peak(const State& state) {
 }
 
 void Recorder::note_joints(const State& state, double displacement, double reaction) {
-  const std::vector<PointStress> points = point_stresses(model_, state);
+  const std::vector<PointReading> points = read_points(model_, state);
   note_slid_off(points, displacement, reaction);
-  const auto per_joint = static_cast<std::size_t>(model_.n_face_point);
-  const auto mark = [&](const char* name, std::size_t p) {
-    if (has_event(result_, name)) return;
-    const JointKind kind = model_.anatomy.joint_kind[p / per_joint];
-    result_.events.push_back({name, displacement, reaction,
-                              fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(kind),
-                                          clean(points[p].x), clean(points[p].y))});
-  };
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::size_t j = p / per_joint;
+  for (JointId joint = 0; joint < model_.n_joint; ++joint) {
+    const auto mark = [&](const char* name, const PointReading& point) {
+      if (!has_event(result_, name))
+        result_.events.push_back({name, displacement, reaction, place_of(joint, point)});
+    };
+    const auto j = static_cast<std::size_t>(joint);
     const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
     const bool dry = m.tensile_strength == 0;
-    if (points[p].crushing > 0) mark("first crushing", p);
-    if (dry) continue;
-    if (points[p].damage > 0) mark("first crack", p);
-    if (points[p].damage < kThrough) continue;
-    mark("first full crack", p);
-    double& when = result_.joint_crack_displacement[j];
-    if (std::isnan(when)) when = displacement;
+    const PointRange range = points_of(model_, joint);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const PointReading& point = points[static_cast<std::size_t>(p)];
+      if (point.crushing > 0) mark("first crushing", point);
+      if (dry) continue;
+      if (point.damage > 0) mark("first crack", point);
+      if (point.damage < kThrough) continue;
+      mark("first full crack", point);
+      double& when = result_.joint_crack_displacement[j];
+      if (std::isnan(when)) when = displacement;
+    }
   }
 }
 
-void Recorder::note_slid_off(const std::vector<PointStress>& points, double displacement,
+std::string Recorder::place_of(JointId joint, const PointReading& point) const {
+  return fmt::format("{} at ({:.2f}, {:.2f}) m",
+                     kind_name(model_.anatomy.joint_kind[static_cast<std::size_t>(joint)]),
+                     clean(point.where.x), clean(point.where.y));
+}
+
+void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,
                              double reaction) {
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
     if (slid_off_[j] || !has_slid_off(model_, points, joint)) continue;
     slid_off_[j] = true;
     if (result_.validity.joints++ > 0) continue;
-    const PointStress& p = points[j * static_cast<std::size_t>(model_.n_face_point)];
+    const auto first = static_cast<std::size_t>(points_of(model_, joint).begin);
     result_.validity.overlap_lost = displacement;
-    result_.validity.where =
-        fmt::format("{} at ({:.2f}, {:.2f}) m", kind_name(model_.anatomy.joint_kind[j]), clean(p.x),
-                    clean(p.y));
+    result_.validity.where = place_of(joint, points[first]);
     result_.events.push_back(
         {"blocks slid off each other", displacement, reaction, result_.validity.where});
   }
@@ -337,14 +341,15 @@ void Recorder::note_slid_off(const std::vector<PointStress>& points, double disp
 
 // Once a body and sense: zones stay elastic, so the user must know.
 void Recorder::note_limits(const State& state, double displacement, double reaction) {
-  for (const BeyondLimit& beyond : beyond_limits(model_, state)) {
+  for (const reading::BeyondLimit& beyond : reading::beyond_limits(model_, state)) {
     const std::string name = fmt::format("{} beyond its {} limit", beyond.body->id,
                                          beyond.tension ? "tension" : "compression");
     if (has_event(result_, name.c_str())) continue;
     result_.events.push_back(
         {name, displacement, reaction,
          fmt::format("{:.3g} MPa at ({:.2f}, {:.2f}) m, limit {:.3g} MPa; it stays elastic",
-                     1e-6 * beyond.stress, clean(beyond.x), clean(beyond.y), 1e-6 * beyond.limit),
+                     1e-6 * beyond.stress, clean(beyond.where.x), clean(beyond.where.y),
+                     1e-6 * beyond.limit),
          true});
   }
 }

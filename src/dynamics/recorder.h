@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/executors/executor.h"
+#include "wythe/reading.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {
@@ -32,7 +33,8 @@ class Recorder {
   void sample(const Place& place, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_joints(const State& state, double displacement, double reaction);
-  void note_slid_off(const std::vector<PointStress>& points, double displacement, double reaction);
+  void note_slid_off(const std::vector<PointReading>& points, double displacement, double reaction);
+  [[nodiscard]] std::string place_of(JointId joint, const PointReading& point) const;
   void begin_leg(std::size_t leg, double from, double travelled);
   void plan_close();
   [[nodiscard]] bool has_turned() const;

@@ -4,19 +4,19 @@
 #include <cmath>
 
 #include "dynamics/passes/sums.h"
-#include "dynamics/zone_state.h"
+#include "reading/zones.h"
 
 namespace wythe::dynamics {
 
 namespace {
 
 // Recoverable energy of a point per area [J/m^2].
-double recoverable(const JointMaterial& m, const PointStress& point, double crush) {
+double recoverable(const JointMaterial& m, const PointReading& point) {
   const double sigma = point.normal_stress, tau = point.shear_stress;
   // secant: recoverable along the line to the origin; elastic unloading: along kn
   const bool secant = sigma > 0 && m.unloading == Unloading::kSecant;
-  const double normal =
-      secant ? 0.5 * sigma * (point.opening + crush) : 0.5 * sigma * sigma / m.normal_stiffness;
+  const double normal = secant ? 0.5 * sigma * (point.opening + point.crushed)
+                               : 0.5 * sigma * sigma / m.normal_stiffness;
   return normal + 0.5 * tau * tau / m.shear_stiffness;
 }
 
@@ -33,22 +33,18 @@ double kinetic_energy(const Model& m, const State& s) {
 }  // namespace
 
 double elastic_energy(const Model& model, const State& state) {
-  const std::vector<PointStress> points = point_stresses(model, state);
+  const std::vector<PointReading> points = read_points(model, state);
   double energy = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::size_t j = p / static_cast<std::size_t>(model.n_face_point);
-    const std::size_t k = p % static_cast<std::size_t>(model.n_face_point);
-    const auto& m = model.materials[static_cast<std::size_t>(model.joint_material[j])];
-    energy += model.area[j] * model.point_weight[k] * recoverable(m, points[p], state.crush[p]);
+  for (JointId joint = 0; joint < joint_count(model); ++joint) {
+    const JointShape shape = joint_shape(model, joint);
+    const JointMaterial& law = model.materials[static_cast<std::size_t>(shape.material)];
+    const PointRange range = points_of(model, joint);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const PointReading& point = points[static_cast<std::size_t>(p)];
+      energy += shape.area * point.share * recoverable(law, point);
+    }
   }
-  const Solids& solids = model.solids;
-  const std::vector<PointStress> contacts = contact_stresses(model, state);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& m = model.materials[static_cast<std::size_t>(solids.contact_material[i / 2])];
-    const double crush = state.crush[static_cast<std::size_t>(model.n_point()) + i];
-    energy += 0.5 * solids.contact_area[i / 2] * recoverable(m, contacts[i], crush);
-  }
-  return energy + strain_energy(model, state);
+  return energy + reading::strain_energy(model, state);
 }
 
 EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {

@@ -109,17 +109,17 @@ bool StageRun::is_overloaded() const {
 // How many joints are crushed through, as words; "" where none is.
 std::string StageRun::crushed() const {
   wall_.place->bring_up(state_);
-  const std::vector<PointStress> points = point_stresses(model_, state_);
-  const auto per_joint = static_cast<std::size_t>(model_.n_face_point);
-  std::size_t joints = 0;
-  for (std::size_t p = 0; p < points.size(); p += per_joint)
-    joints += std::any_of(points.begin() + static_cast<std::ptrdiff_t>(p),
-                          points.begin() + static_cast<std::ptrdiff_t>(p + per_joint),
-                          [](const PointStress& point) { return point.crushing >= 1; });
+  const std::vector<PointReading> points = read_points(model_, state_);
+  int joints = 0;
+  for (JointId j = 0; j < model_.n_joint; ++j) {
+    const PointRange range = points_of(model_, j);
+    joints += std::any_of(points.begin() + range.begin, points.begin() + range.end,
+                          [](const PointReading& point) { return point.crushing >= 1; });
+  }
   if (joints == 0) return "";
   return fmt::format("{}{} of {} joints are crushed through",
                      is_overloaded() ? "the wall can't carry its load: " : "", joints,
-                     points.size() / per_joint);
+                     model_.n_joint);
 }
 
 // A motion that is no number, or faster than any fall, is an error of the computation, unless the load is

@@ -13,13 +13,10 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/vector.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe::geometry {
-
-struct Vec2 {
-  double x = 0, y = 0;
-};
 
 enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport };
 

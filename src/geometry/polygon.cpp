@@ -110,8 +110,6 @@ Polygon part_inside(const Polygon& outline, const Polygon& convex) {
   return shape.size() < 3 ? Polygon{} : shape;
 }
 
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
 PolygonMoments moments(const Polygon& outline) {
   PolygonMoments m;
   if (outline.empty()) return m;

@@ -16,11 +16,6 @@ struct Rect {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-[[nodiscard]] inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-[[nodiscard]] inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-[[nodiscard]] inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-[[nodiscard]] double length(Vec2 a);
-
 [[nodiscard]] Polygon outline_of(const Rect& rect);  // anticlockwise from the lower left corner
 [[nodiscard]] Rect bounds(const Polygon& outline);
 [[nodiscard]] Rect join(const Rect& a, const Rect& b);

@@ -14,17 +14,17 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMilli = 1e3, kPerKilo = 1e-3;
 
-Json point_json(Point p) { return {p.x, p.y}; }
+Json point_json(Vec2 p) { return {p.x, p.y}; }
 
-Json points_json(const std::vector<Point>& points) {
+Json points_json(const std::vector<Vec2>& points) {
   Json list = Json::array();
-  for (const Point& p : points) list.push_back(point_json(p));
+  for (const Vec2& p : points) list.push_back(point_json(p));
   return list;
 }
 
-Json forces_json(const std::vector<Point>& forces) {
+Json forces_json(const std::vector<Vec2>& forces) {
   Json list = Json::array();
-  for (const Point& f : forces) list.push_back({f.x * kPerKilo, f.y * kPerKilo});
+  for (const Vec2& f : forces) list.push_back({f.x * kPerKilo, f.y * kPerKilo});
   return list;
 }
 

@@ -78,9 +78,8 @@ void write_states(const std::string& folder, const Model& model,
   for (const Snapshot& snapshot : snapshots) {
     const std::string blocks = fmt::format("state_blocks_{:02}.vtu", number);
     const std::string joints = fmt::format("state_joints_{:02}.vtu", number);
-    const std::vector<PointStress> points = point_stresses(model, snapshot.state);
     write_file(inside(folder, blocks), io::blocks_vtu(model, snapshot.state));
-    write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state, points));
+    write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state));
     const double millimetres = snapshot.displacement * 1e3;
     series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
     series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});

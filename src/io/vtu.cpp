@@ -9,8 +9,7 @@
 #include <cstring>
 
 #include "core/text.h"
-#include "dynamics/zone_state.h"
-#include "model/deformed.h"
+#include "wythe/reading.h"
 
 namespace wythe::io {
 namespace {
@@ -52,13 +51,15 @@ std::string data_array(const char* name, const std::vector<T>& values, int compo
       vtk_type<T>(), name, components, base64(bytes));
 }
 
+void add(std::vector<double>& list, const Vec3& v) { list.insert(list.end(), {v.x, v.y, v.z}); }
+
 // Points and cells while they are collected.
 struct Mesh {
-  std::vector<double> points;  // x, y, 0 of each point [m]
+  std::vector<double> points;  // x, y, z of each point [m]
   std::vector<std::int64_t> offsets;
   std::uint8_t cell_type = kVtkPolygon;
 
-  void add_point(const PlacedPoint& p) { points.insert(points.end(), {p.x, p.y, 0.0}); }
+  void add_point(const Vec3& p) { add(points, p); }
   void close_cell() { offsets.push_back(static_cast<std::int64_t>(points.size() / 3)); }
 };
 
@@ -88,49 +89,17 @@ struct JointColumns {
   std::vector<std::int32_t> kind, joint;
 };
 
-// The points of one joint or contact, with their shares of its area.
-struct PointRange {
-  const PointStress* first;
-  const double* weight;
-  int count;
-};
-
-// Reduces them to a row (see vtu.h for the rule of each column).
-void add_row(JointColumns& columns, const PointRange& points, JointKind kind, JointId joint) {
-  PointStress row;
-  row.opening = -HUGE_VAL;
-  for (int k = 0; k < points.count; ++k) {
-    const PointStress& point = points.first[k];
-    row.opening = std::fmax(row.opening, point.opening);
-    if (std::abs(point.slip) > std::abs(row.slip)) row.slip = point.slip;
-    row.damage = std::fmax(row.damage, point.damage);
-    row.damage_tension = std::fmax(row.damage_tension, point.damage_tension);
-    row.damage_shear = std::fmax(row.damage_shear, point.damage_shear);
-    row.crushing = std::fmax(row.crushing, point.crushing);
-    row.normal_stress += points.weight[k] * point.normal_stress;
-    row.shear_stress += points.weight[k] * point.shear_stress;
-  }
-  columns.opening.push_back(row.opening * 1e3);
-  columns.slip.push_back(row.slip * 1e3);
-  columns.damage.push_back(row.damage);
-  columns.damage_tension.push_back(row.damage_tension);
-  columns.damage_shear.push_back(row.damage_shear);
-  columns.normal.push_back(row.normal_stress * 1e-6);
-  columns.shear.push_back(row.shear_stress * 1e-6);
-  columns.crushing.push_back(row.crushing);
-  columns.kind.push_back(static_cast<std::int32_t>(kind));
-  columns.joint.push_back(joint);
-}
-
-// Lines and rows of the zone contacts.
-void add_contacts(const Model& model, const State& state, Mesh& mesh, JointColumns& columns) {
-  static constexpr double kHalf[2] = {0.5, 0.5};
-  const std::vector<PointStress> points = dynamics::contact_stresses(model, state);
-  for (std::size_t c = 0; 2 * c < points.size(); ++c) {
-    for (std::size_t k = 0; k < 2; ++k) mesh.add_point({points[2 * c + k].x, points[2 * c + k].y});
-    mesh.close_cell();
-    add_row(columns, {&points[2 * c], kHalf, 2}, JointKind::kLintelBond, -1);
-  }
+void add_row(JointColumns& columns, const JointReading& joint, JointId id) {
+  columns.opening.push_back(joint.opening * 1e3);
+  columns.slip.push_back(joint.slip * 1e3);
+  columns.damage.push_back(joint.damage);
+  columns.damage_tension.push_back(joint.damage_tension);
+  columns.damage_shear.push_back(joint.damage_shear);
+  columns.normal.push_back(joint.normal_stress * 1e-6);
+  columns.shear.push_back(joint.shear_stress * 1e-6);
+  columns.crushing.push_back(joint.crushing);
+  columns.kind.push_back(static_cast<std::int32_t>(joint.shape.kind));
+  columns.joint.push_back(id);
 }
 
 }  // namespace
@@ -140,11 +109,12 @@ std::string blocks_vtu(const Model& model, const State& state) {
   std::vector<double> displacement, rotation;
   std::vector<std::int32_t> role, course, block;
   for (BlockId b = 0; b < model.n_block; ++b) {
-    for (const PlacedPoint& p : placed_outline(model, state, b)) mesh.add_point(p);
+    const BlockReading now = read_block(model, state, b);
+    for (const Vec3& p : outline_now(model, state, b)) mesh.add_point(p);
     mesh.close_cell();
-    displacement.insert(displacement.end(), {state.ux[b] * 1e3, state.uy[b] * 1e3, 0.0});
-    rotation.push_back(state.theta[b] * 1e3);
-    role.push_back(static_cast<std::int32_t>(model.anatomy.block_role[b]));
+    add(displacement, 1e3 * now.moved);
+    rotation.push_back(1e3 * now.turned.by.z);
+    role.push_back(static_cast<std::int32_t>(now.role));
     course.push_back(model.anatomy.block_course[b]);
     block.push_back(b);
   }
@@ -154,19 +124,15 @@ std::string blocks_vtu(const Model& model, const State& state) {
                       data_array("course", course) + data_array("block", block));
 }
 
-std::string joints_vtu(const Model& model, const State& state,
-                       const std::vector<PointStress>& points) {
+std::string joints_vtu(const Model& model, const State& state) {
   Mesh mesh;
   mesh.cell_type = kVtkLine;
   JointColumns columns;
-  for (JointId j = 0; j < model.n_joint; ++j) {
-    for (const PlacedPoint& p : placed_joint(model, state, j)) mesh.add_point(p);
+  for (const JointReading& joint : read_wall(model, state).joints) {
+    for (const Vec3& p : ends_now(model, state, joint.shape.id)) mesh.add_point(p);
     mesh.close_cell();
-    add_row(columns,
-            {&points[j * model.n_face_point], model.point_weight.data(), model.n_face_point},
-            model.anatomy.joint_kind[j], j);
+    add_row(columns, joint, joint.shape.id < model.n_joint ? joint.shape.id : -1);
   }
-  add_contacts(model, state, mesh, columns);
   return mesh_vtu(mesh, state,
                   data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
                       data_array("damage", columns.damage) +
@@ -182,29 +148,22 @@ std::string zones_vtu(const Model& model, const State& state) {
   Mesh mesh;
   std::vector<double> displacement, x, y, xy, first, second;
   std::vector<std::int32_t> body, zone;
-  const std::vector<ZoneStress> stresses = zone_stresses(model, state);
+  const std::vector<ZoneReading> zones = read_zones(model, state);
   for (std::size_t b = 0; b < model.solids.bodies.size(); ++b)
     for (int z = 0; z < model.solids.bodies[b].n_zone; ++z) {
-      const auto at = static_cast<std::size_t>(model.solids.bodies[b].first_zone + z);
-      const ZoneStress& now = stresses[at];
-      const bool triangle = model.solids.corner[2][at] == model.solids.corner[3][at];
-      double moved_x = 0, moved_y = 0;
-      for (std::size_t k = 0; k < (triangle ? 3 : 4); ++k) {
-        const auto node = static_cast<std::size_t>(model.solids.corner[k][at]);
-        mesh.add_point({now.x[k], now.y[k]});
-        moved_x += state.node_ux[node] / (triangle ? 3 : 4);
-        moved_y += state.node_uy[node] / (triangle ? 3 : 4);
-      }
+      const int at = model.solids.bodies[b].first_zone + z;
+      const ZoneReading& now = zones[at];
+      for (int k = 0; k < now.corners; ++k) mesh.add_point(now.corner[k]);
       mesh.close_cell();
-      displacement.insert(displacement.end(), {moved_x * 1e3, moved_y * 1e3, 0.0});
-      const auto [greatest, least] = dynamics::principal_stresses(now);
+      add(displacement, 1e3 * now.moved);
+      const auto [greatest, least] = principal_stresses(now);
       x.push_back(now.sigma_x * 1e-6);
       y.push_back(now.sigma_y * 1e-6);
       xy.push_back(now.tau * 1e-6);
       first.push_back(greatest * 1e-6);
       second.push_back(least * 1e-6);
       body.push_back(static_cast<std::int32_t>(b));
-      zone.push_back(static_cast<std::int32_t>(at));
+      zone.push_back(at);
     }
   return mesh_vtu(mesh, state,
                   data_array("displacement_mm", displacement, 3) + data_array("stress_x_MPa", x) +

@@ -8,17 +8,15 @@
 #include <vector>
 
 #include "wythe/model.h"
-#include "wythe/result.h"
 
 namespace wythe::io {
 
 // Cells: blocks. displacement_mm (3), rotation_mrad, role (BlockRole), course, block (BlockId).
 [[nodiscard]] std::string blocks_vtu(const Model& model, const State& state);
 
-// Cells: joints, then the contacts of deformable blocks (kind 5, joint -1). Of a joint's points: opening_mm, damages and crushing are the largest, slip_mm the
-// one of largest magnitude, stresses the area-weighted mean; kind (JointKind), joint (JointId).
-[[nodiscard]] std::string joints_vtu(const Model& model, const State& state,
-                                     const std::vector<PointStress>& points);
+// Cells: joints, then the contacts of deformable blocks (kind 5, joint -1). Opening, slip, damages,
+// crushing and mean stresses as in JointReading; kind (JointKind), joint (JointId).
+[[nodiscard]] std::string joints_vtu(const Model& model, const State& state);
 
 // Cells: zones of deformable blocks. displacement_mm (3) of the middle; mean stresses stress_x_MPa,
 // stress_y_MPa, stress_xy_MPa, principal_1_MPa, principal_2_MPa (tension positive); body, zone.

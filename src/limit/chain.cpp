@@ -22,20 +22,12 @@ constexpr double kFarthest = 1.5;  // no chain turns farther [rad]
 constexpr int kStates = 500;       // of a curve
 constexpr double kLocked = 1e-9;   // b x c over their lengths
 
-Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-Point turned(Point a, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * a.x - s * a.y, s * a.x + c * a.y};
-}
-double angle_between(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
+double angle_between(Vec2 from, Vec2 to) { return std::atan2(cross(from, to), dot(from, to)); }
 
 // Bodies turned, first of all by `rotation` of the first.
 struct Pose {
   std::vector<double> rotation, rate;
-  std::vector<Point> hinges;
+  std::vector<Vec2> hinges;
 };
 
 class Follower {
@@ -44,12 +36,12 @@ class Follower {
 
   [[nodiscard]] std::optional<Pose> pose(double turn) const {
     if (c_.bodies.size() == 1) return Pose{{turn}, {1.0}, c_.hinges};
-    const Point p0 = c_.hinges[0], p3 = c_.hinges[3];
-    const Point a0 = c_.hinges[1] - p0, b0 = c_.hinges[2] - c_.hinges[1], c0 = c_.hinges[2] - p3;
-    const Point a = turned(a0, turn), p1 = p0 + a;
-    const std::optional<Point> p2 = meet(p1, dot(b0, b0), p3, dot(c0, c0), cross(b0, c0));
+    const Vec2 p0 = c_.hinges[0], p3 = c_.hinges[3];
+    const Vec2 a0 = c_.hinges[1] - p0, b0 = c_.hinges[2] - c_.hinges[1], c0 = c_.hinges[2] - p3;
+    const Vec2 a = turned(a0, turn), p1 = p0 + a;
+    const std::optional<Vec2> p2 = meet(p1, dot(b0, b0), p3, dot(c0, c0), cross(b0, c0));
     if (!p2) return std::nullopt;
-    const Point b = *p2 - p1, c = *p2 - p3;
+    const Vec2 b = *p2 - p1, c = *p2 - p3;
     const double area = cross(b, c);
     if (std::fabs(area) <= kLocked * std::sqrt(dot(b, b) * dot(c, c))) return std::nullopt;
     return Pose{{turn, angle_between(b0, b), angle_between(c0, c)},
@@ -59,22 +51,22 @@ class Follower {
 
   // The hinge of the pose that a body turns about, and the velocity of that hinge.
   struct Pivot {
-    Point before, now, velocity;
+    Vec2 before, now, velocity;
   };
   [[nodiscard]] Pivot pivot(const Pose& pose, std::size_t body) const {
     if (body == 0) return {c_.hinges[0], pose.hinges[0], {0, 0}};
     if (body == 2) return {c_.hinges[3], pose.hinges[3], {0, 0}};
-    const Point arm = pose.hinges[1] - pose.hinges[0];
+    const Vec2 arm = pose.hinges[1] - pose.hinges[0];
     return {c_.hinges[1], pose.hinges[1], {-arm.y, arm.x}};
   }
-  [[nodiscard]] Point place(const Pose& pose, std::size_t body, Point at) const {
+  [[nodiscard]] Vec2 place(const Pose& pose, std::size_t body, Vec2 at) const {
     const Pivot p = pivot(pose, body);
     return p.now + turned(at - p.before, pose.rotation[body]);
   }
   // Per unit rate of the first body.
-  [[nodiscard]] Point velocity(const Pose& pose, std::size_t body, Point at) const {
+  [[nodiscard]] Vec2 velocity(const Pose& pose, std::size_t body, Vec2 at) const {
     const Pivot p = pivot(pose, body);
-    const Point arm = turned(at - p.before, pose.rotation[body]);
+    const Vec2 arm = turned(at - p.before, pose.rotation[body]);
     const double w = pose.rate[body];
     return {p.velocity.x - w * arm.y, p.velocity.y + w * arm.x};
   }
@@ -86,7 +78,7 @@ class Follower {
     double power = 0;
     for (std::size_t i = 0; i < c_.bodies.size(); ++i) {
       for (const BodyLoad& load : c_.bodies[i].loads) {
-        const Point v = velocity(pose, i, load.at);
+        const Vec2 v = velocity(pose, i, load.at);
         power += load.fx * v.x + load.fy * v.y;
       }
     }
@@ -94,7 +86,7 @@ class Follower {
   }
   [[nodiscard]] ChainState state(const Pose& pose) const {
     ChainState s;
-    const Point now = place(pose, loaded(), c_.load_point);
+    const Vec2 now = place(pose, loaded(), c_.load_point);
     s.displacement = c_.direction * (now.x - c_.load_point.x);
     s.force = -dead_power(pose) / load_speed(pose);
     s.rotation = pose.rotation;
@@ -107,15 +99,15 @@ class Follower {
   [[nodiscard]] std::size_t loaded() const { return static_cast<std::size_t>(c_.loaded_body); }
 
   // Where the circles about p1 and p3 (radii squared) meet, on the side b x c tells.
-  static std::optional<Point> meet(Point p1, double r1, Point p3, double r3, double side) {
-    const Point base = p3 - p1;
+  static std::optional<Vec2> meet(Vec2 p1, double r1, Vec2 p3, double r3, double side) {
+    const Vec2 base = p3 - p1;
     const double length2 = dot(base, base);
     const double along = (r1 - r3 + length2) / (2 * length2);
     const double height2 = r1 / length2 - along * along;
     if (height2 < 0) return std::nullopt;
     // b x c = base x b, for c = b - base
     const double height = std::copysign(std::sqrt(height2), side);
-    return p1 + Point{along * base.x - height * base.y, along * base.y + height * base.x};
+    return p1 + Vec2{along * base.x - height * base.y, along * base.y + height * base.x};
   }
 
   const Chain& c_;
@@ -167,14 +159,14 @@ const char* to_string(ChainEnd end) {
   return "";
 }
 
-Point placed(const Chain& chain, const ChainState& state, std::size_t body, Point at) {
+Vec2 placed(const Chain& chain, const ChainState& state, std::size_t body, Vec2 at) {
   return Follower(chain).place({state.rotation, state.rate, state.hinges}, body, at);
 }
 
 // Moments of the piers about their feet give H12: a x H12 = -M1, c x (R2 - H12) = -M3.
-std::vector<Point> hinge_forces(const Chain& chain, double force) {
-  std::vector<Point> sum(chain.bodies.size(), {0, 0});  // of the loads on each body
-  const auto moment = [&](std::size_t body, Point about) {
+std::vector<Vec2> hinge_forces(const Chain& chain, double force) {
+  std::vector<Vec2> sum(chain.bodies.size(), {0, 0});  // of the loads on each body
+  const auto moment = [&](std::size_t body, Vec2 about) {
     double m = 0;
     for (const BodyLoad& load : chain.bodies[body].loads)
       m += cross(load.at - about, {load.fx, load.fy});
@@ -183,16 +175,16 @@ std::vector<Point> hinge_forces(const Chain& chain, double force) {
     return m;
   };
   for (std::size_t i = 0; i < sum.size(); ++i)
-    for (const BodyLoad& load : chain.bodies[i].loads) sum[i] = sum[i] + Point{load.fx, load.fy};
-  Point& loaded = sum[static_cast<std::size_t>(chain.loaded_body)];
+    for (const BodyLoad& load : chain.bodies[i].loads) sum[i] = sum[i] + Vec2{load.fx, load.fy};
+  Vec2& loaded = sum[static_cast<std::size_t>(chain.loaded_body)];
   loaded.x += chain.direction * force;
   if (sum.size() == 1) return {{-sum[0].x, -sum[0].y}};
-  const std::vector<Point>& h = chain.hinges;
-  const Point a = h[1] - h[0], c = h[2] - h[3];
+  const std::vector<Vec2>& h = chain.hinges;
+  const Vec2 a = h[1] - h[0], c = h[2] - h[3];
   const double m1 = -moment(0, h[0]), m3 = moment(2, h[3]) + cross(c, sum[1]);
   const double det = a.y * c.x - a.x * c.y;  // of (a x H, c x H) in H.x, H.y
-  const Point h12{(a.x * m3 - c.x * m1) / det, (a.y * m3 - c.y * m1) / det};
-  const Point h23 = sum[1] - h12;
+  const Vec2 h12{(a.x * m3 - c.x * m1) / det, (a.y * m3 - c.y * m1) / det};
+  const Vec2 h23 = sum[1] - h12;
   return {{-sum[0].x - h12.x, -sum[0].y - h12.y}, h12, h23, {-sum[2].x - h23.x, -sum[2].y - h23.y}};
 }
 
@@ -237,7 +229,7 @@ Assessment assess(const Chain& chain, const CapacityCurve& curve, double gravity
   double weight = 0, first = 0, second = 0, lifted = 0;
   for (std::size_t i = 0; i < chain.bodies.size(); ++i) {
     for (const BodyLoad& load : chain.bodies[i].loads) {
-      const Point v = follower.velocity(rest, i, load.at);
+      const Vec2 v = follower.velocity(rest, i, load.at);
       const double p = -load.fy, along = sense * chain.direction * v.x;
       weight += p;
       first += p * along;

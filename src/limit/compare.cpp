@@ -191,7 +191,7 @@ std::string in_words(const Model& given) {
   const Stage* grows = limit::growing_stage(model);
   if (grows == nullptr) return words + ", no push";
   words += fmt::format(", loaded along ({:.3g}, {:.3g})", grows->drive_x, grows->drive_y);
-  Point push;
+  Vec2 push;
   for (const BlockId b : grows->driven) {
     push.x +=
         model.centroid_x[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());

@@ -18,9 +18,9 @@ bool is_factor(const Stage& s) {
 
 // Where the stages before the growing one leave gravity: a body force or a tilt stays in force. Tests
 // built in code may leave gravity out; then blocks weigh nothing.
-Point gravity_before(const Model& model, const Stage* grows) {
+Vec2 gravity_before(const Model& model, const Stage* grows) {
   const double g = model.solve.gravity;
-  Point gravity;
+  Vec2 gravity;
   for (const Stage& s : model.stages) {
     const bool now = &s == grows;
     if (s.spec.kind == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g};
@@ -33,7 +33,7 @@ Point gravity_before(const Model& model, const Stage* grows) {
 }
 
 void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
-  const Point gravity = gravity_before(model, loads.stage);
+  const Vec2 gravity = gravity_before(model, loads.stage);
   for (std::size_t i = 0; i < loads.dead.size(); ++i) {
     loads.dead[i].fx += gravity.x * model.heavy_mass[i];
     loads.dead[i].fy += gravity.y * model.heavy_mass[i];
@@ -83,7 +83,7 @@ void add_block(const Solids& solids, const SolidBody& body, Model& model) {
   model.anatomy.block_course.push_back(-1);
   const auto shape = solids.zone_shape[static_cast<std::size_t>(body.first_zone)];
   model.anatomy.block_thickness.push_back(solids.shapes[static_cast<std::size_t>(shape)].thickness);
-  const geometry::Vec2 centroid = geometry::moments(outline).centroid;
+  const Vec2 centroid = geometry::moments(outline).centroid;
   model.centroid_x.push_back(centroid.x);
   model.centroid_y.push_back(centroid.y);
   double mass = 0, heavy = 0;

@@ -80,7 +80,7 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
   for (const geometry::Block& block : assembly.blocks) {
     if (block.role == Role::kSupport) {
       map.push_back(kGroundBlock);
-      for (const geometry::Vec2& v : block.outline) {
+      for (const Vec2& v : block.outline) {
         anatomy.support_x.push_back(v.x);
         anatomy.support_y.push_back(v.y);
       }
@@ -106,7 +106,7 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
     anatomy.block_role.push_back(role_of(block.role));
     anatomy.block_course.push_back(block.course);
     anatomy.block_thickness.push_back(block.thickness);
-    for (const geometry::Vec2& v : block.outline) {
+    for (const Vec2& v : block.outline) {
       anatomy.outline_x.push_back(v.x);
       anatomy.outline_y.push_back(v.y);
     }

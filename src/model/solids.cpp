@@ -16,7 +16,6 @@ using geometry::Assembly;
 using geometry::Block;
 using geometry::Face;
 using geometry::Rect;
-using geometry::Vec2;
 
 constexpr double kThinnest = 20;  // longest side of a zone over its shortest
 constexpr int kMostZones = 20000;

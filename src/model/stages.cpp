@@ -11,7 +11,6 @@ namespace {
 
 using geometry::Assembly;
 using geometry::Role;
-using geometry::Vec2;
 
 // Documented default of a load's smooth start [s]; docs/theory/integration.md says why.
 constexpr double kLoadRamp = 0.1;

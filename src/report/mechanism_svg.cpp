@@ -7,6 +7,7 @@
 #include "report/style.h"
 #include "report/svg.h"
 #include "report/wall_picture.h"
+#include "wythe/reading.h"
 #include "wythe/report.h"
 
 namespace wythe {
@@ -41,7 +42,7 @@ const char* title_of(Hypothesis h) {
 struct Canvas {
   Axis x, y;
   double width = 0, height = 0;
-  [[nodiscard]] Pixel operator()(Point p) const { return {x(p.x), y(p.y)}; }
+  [[nodiscard]] Pixel operator()(Vec2 p) const { return {x(p.x), y(p.y)}; }
 };
 
 Canvas canvas_of(const Model& model) {
@@ -66,13 +67,10 @@ const ChainState& shown_state(const Model& model, const Mechanism& m) {
 }
 
 std::string blocks_at_rest(const Model& model, const Canvas& canvas) {
-  const Anatomy& a = model.anatomy;
   std::string data;
-  for (std::size_t b = 0; b + 1 < a.outline_begin.size(); ++b) {
+  for (BlockId b = 0; b < model.n_block; ++b) {
     std::vector<Pixel> outline;
-    for (int i = a.outline_begin[b]; i < a.outline_begin[b + 1]; ++i)
-      outline.push_back(canvas(
-          {a.outline_x[static_cast<std::size_t>(i)], a.outline_y[static_cast<std::size_t>(i)]}));
+    for (const Vec3& corner : outline_of(model, b)) outline.push_back(canvas({corner.x, corner.y}));
     data += path_data(outline, true);
   }
   return path(data, "mortar");
@@ -82,7 +80,7 @@ std::string bodies(const Mechanism& m, const ChainState& now, const Canvas& canv
   std::string before, after;
   for (std::size_t i = 0; i < m.chain.bodies.size(); ++i) {
     std::vector<Pixel> rest, moved;
-    for (const Point& p : m.chain.bodies[i].outline) {
+    for (const Vec2& p : m.chain.bodies[i].outline) {
       rest.push_back(canvas(p));
       moved.push_back(canvas(placed(m.chain, now, i, p)));
     }

@@ -34,7 +34,7 @@ std::vector<Frame> frames_of(const Result& result) {
   for (Frame& f : all) {
     const bool same = !frames.empty() &&
                       frames.back().snapshot->state.time == f.snapshot->state.time &&
-                      frames.back().snapshot->state.ux == f.snapshot->state.ux;
+                      state_hash(frames.back().snapshot->state) == state_hash(f.snapshot->state);
     if (same)
       frames.back().labels.insert(frames.back().labels.end(), f.labels.begin(), f.labels.end());
     else

@@ -30,7 +30,7 @@ class FrameArrays {
  private:
   bool with_forces_;
   int count_ = 0;
-  std::vector<double> ux_, uy_, theta_;      // (n_frame, n_block) [m], [m], [rad]
+  std::vector<double> ux_, uy_, turned_;     // (n_frame, n_block) [m], [m], [rad]
   std::vector<double> node_ux_, node_uy_;    // (n_frame, n_node) of zones [m]
   std::vector<double> greater_, smaller_;    // (n_frame, n_zone) principal stresses, tension + [Pa]
   std::vector<double> opening_, slip_;       // (n_frame, n_joint) largest of a joint's points [m]

@@ -6,16 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
-#include "dynamics/zone_state.h"
-#include "model/deformed.h"
 #include "report/html.h"
 #include "report/style.h"
 #include "report/svg.h"
 #include "report/wall_picture.h"
+#include "wythe/reading.h"
 #include "wythe/report.h"
-#include "wythe/result.h"
 
 namespace wythe {
 namespace report {
@@ -28,20 +27,15 @@ constexpr double kVisible = 0.05e-3;  // openings and slips below are drawn as c
 constexpr double kCrushMark = 0.05;   // crushing from which a point is marked [-]
 constexpr int kTints = 4;
 
-// What one joint shows: the largest of its points.
-struct JointFace {
-  double opening = -HUGE_VAL, slip = 0, damage = 0;
-};
-
 struct Canvas {
   Axis x, y;
   double width = 0, height = 0;
-  [[nodiscard]] Pixel operator()(PlacedPoint p) const { return {x(p.x), y(p.y)}; }
+  [[nodiscard]] Pixel operator()(Vec3 p) const { return {x(p.x), y(p.y)}; }
 };
 
 struct Bounds {
   double x0 = std::numeric_limits<double>::infinity(), x1 = -x0, y0 = x0, y1 = -x0;
-  void add(PlacedPoint p) {
+  void add(Vec3 p) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
     x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
     y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
@@ -56,9 +50,8 @@ Bounds bounds_of(const Model& model, const State& state, double scale) {
   for (std::size_t i = 0; i < a.support_x.size(); ++i) rest.add({a.support_x[i], a.support_y[i]});
   if (!(rest.x1 > rest.x0)) rest = {.x0 = 0, .x1 = 1, .y0 = 0, .y1 = 1};
   now = rest;
-  for (BlockId b = 0; b < model.n_block; ++b)
-    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) now.add(p);
-  for (int i = 0; i < model.solids.n_node; ++i) now.add(placed_node(model, state, i, scale));
+  for (BlockId b = 0; b < block_count(model); ++b)
+    for (const Vec3& p : outline_now(model, state, b, scale)) now.add(p);
   const double reach = 0.5 * std::max(rest.x1 - rest.x0, rest.y1 - rest.y0);
   return {.x0 = std::max(now.x0, rest.x0 - reach),
           .x1 = std::min(now.x1, rest.x1 + reach),
@@ -90,20 +83,15 @@ std::string draw_blocks(const Model& model, const State& state, double scale,
                         const Canvas& canvas) {
   std::array<std::string, kTints> stones;
   std::string timber, plates;
-  for (BlockId b = 0; b < model.n_block; ++b) {
+  for (BlockId b = 0; b < block_count(model); ++b) {
     std::vector<Pixel> outline;
-    for (const PlacedPoint& p : placed_outline(model, state, b, scale))
-      outline.push_back(canvas(p));
-    const BlockRole role = model.anatomy.block_role[b];
-    std::string& group = role == BlockRole::kMasonry  ? stones[tint_of(model, b)]
+    for (const Vec3& p : outline_now(model, state, b, scale)) outline.push_back(canvas(p));
+    const BlockRole role = read_block(model, state, b).role;
+    const int tint = b < model.n_block ? tint_of(model, b) : 0;
+    std::string& group = role == BlockRole::kMasonry  ? stones[tint]
                          : role == BlockRole::kLintel ? timber
                                                       : plates;
     group += path_data(outline, true);
-  }
-  for (const SolidBody& body : model.solids.bodies) {
-    std::vector<Pixel> rim;
-    for (const int node : body.rim) rim.push_back(canvas(placed_node(model, state, node, scale)));
-    (body.role == BlockRole::kLintel ? timber : stones[0]) += path_data(rim, true);
   }
   std::string out;
   for (int i = 0; i < kTints; ++i) out += path(stones[i], fmt::format("stone{}", i));
@@ -117,7 +105,7 @@ std::string draw_zones(const Model& model, const State& state, double scale, con
   for (std::size_t z = 0; z < model.solids.zone_shape.size(); ++z) {
     std::vector<Pixel> outline;
     for (const auto& corner : model.solids.corner)
-      outline.push_back(canvas(placed_node(model, state, corner[z], scale)));
+      outline.push_back(canvas(node_now(model, state, corner[z], scale)));
     edges += path_data(outline, true);
   }
   return edges.empty() ? "" : path(edges, "zone");
@@ -136,11 +124,8 @@ std::string draw_supports(const Model& model, const Canvas& canvas) {
   std::string out = fixed.empty() ? "" : path(fixed, "support");
   std::string ground, hatch;
   for (JointId j = model.n_pair; j < model.n_joint && fixed.empty(); ++j) {
-    const BlockId b = model.joint_b[j];
-    const double cx = model.centroid_x[b] + model.arm_b_x[j];
-    const double cy = model.centroid_y[b] + model.arm_b_y[j];
-    const Pixel from = canvas({cx - model.half_x[j], cy - model.half_y[j]});
-    const Pixel to = canvas({cx + model.half_x[j], cy + model.half_y[j]});
+    const JointShape joint = joint_shape(model, j);
+    const Pixel from = canvas(joint.centre - joint.half), to = canvas(joint.centre + joint.half);
     ground += path_data({from, to}, false);
     const double low = std::min(from.x, to.x);
     for (double x = std::ceil(low / 9) * 9; x < std::max(from.x, to.x); x += 9)
@@ -160,17 +145,6 @@ std::string draw_rest(const Model& model, const Canvas& canvas) {
               "rest");
 }
 
-JointFace face_of(const PointStress* points, int count) {
-  JointFace face;
-  for (int k = 0; k < count; ++k) {
-    const PointStress& p = points[k];
-    face.opening = std::fmax(face.opening, p.opening);
-    face.slip = std::fmax(face.slip, std::abs(p.slip));
-    face.damage = std::fmax(face.damage, p.damage);
-  }
-  return face;
-}
-
 const char* kind_word(JointKind kind) {
   switch (kind) {
     case JointKind::kBed: return "bed joint";
@@ -187,76 +161,68 @@ const char* kind_word(JointKind kind) {
 }
 
 // Picks how a cracked joint shows and counts it; width grows with the root of the movement.
-const char* crack_class(const JointFace& face, WallPicture& picture) {
-  if (std::max(face.opening, face.slip) < kVisible || face.damage < 0.999) {
-    int& count = face.damage < 0.999 ? picture.softening : picture.closed;
+const char* crack_class(const JointReading& joint, WallPicture& picture) {
+  const double slip = std::fabs(joint.slip);
+  if (std::max(joint.opening, slip) < kVisible || joint.damage < 0.999) {
+    int& count = joint.damage < 0.999 ? picture.softening : picture.closed;
     ++count;
-    return face.damage < 0.999 ? "crack softening" : "crack closed";
+    return joint.damage < 0.999 ? "crack softening" : "crack closed";
   }
-  ++(face.opening >= face.slip ? picture.open : picture.slipped);
-  return face.opening >= face.slip ? "crack open" : "crack slip";
+  ++(joint.opening >= slip ? picture.open : picture.slipped);
+  return joint.opening >= slip ? "crack open" : "crack slip";
 }
 
-std::string draw_crack(JointKind kind, const JointFace& face, Pixel from, Pixel to,
-                       WallPicture& picture) {
-  const double movement = std::max({face.opening, face.slip, 0.0});
-  const std::string css = crack_class(face, picture);
-  const bool is_softening = face.damage < 0.999;
+std::string draw_crack(const JointReading& joint, Pixel from, Pixel to, WallPicture& picture) {
+  const double slip = std::fabs(joint.slip);
+  const double movement = std::max({joint.opening, slip, 0.0});
+  const std::string css = crack_class(joint, picture);
+  const bool is_softening = joint.damage < 0.999;
   // a joint that softens shows fainter the less of its strength is gone
-  const double width = is_softening ? 0.5 + 0.7 * face.damage
+  const double width = is_softening ? 0.5 + 0.7 * joint.damage
                                     : 1.1 + 2.9 * std::sqrt(std::min(1.0, movement / 5e-3));
-  picture.widest = std::max(picture.widest, face.opening);
-  picture.longest = std::max(picture.longest, face.slip);
+  picture.widest = std::max(picture.widest, joint.opening);
+  picture.longest = std::max(picture.longest, slip);
   return fmt::format(
       "<line class=\"{}\" stroke-width=\"{:.1f}\" opacity=\"{:.2f}\" x1=\"{:.1f}\" y1=\"{:.1f}\" "
       "x2=\"{:.1f}\" "
       "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
-      css, width, is_softening ? 0.25 + 0.65 * face.damage : 1.0, from.x, from.y, to.x, to.y,
-      kind_word(kind), rounded(std::max(0.0, face.opening) * 1e3, 2), rounded(face.slip * 1e3, 2),
-      rounded(face.damage, 2));
+      css, width, is_softening ? 0.25 + 0.65 * joint.damage : 1.0, from.x, from.y, to.x, to.y,
+      kind_word(joint.shape.kind), rounded(std::max(0.0, joint.opening) * 1e3, 2),
+      rounded(slip * 1e3, 2), rounded(joint.damage, 2));
 }
 
+// Both ends of a joint where the picture has them [m].
+using Ends = std::function<std::array<Vec3, 2>(const JointReading&)>;
+
 // Sound joints as mortar lines, cracked ones by what they did.
-std::string draw_joints(const Model& model, const State& state, double scale, const Canvas& canvas,
-                        const std::vector<PointStress>& points, WallPicture& picture) {
+std::string draw_joints(const WallReading& wall, const Ends& ends_of, const Canvas& canvas,
+                        WallPicture& picture) {
   std::string mortar, split, cracks;
-  for (JointId j = 0; j < model.n_joint; ++j) {
-    const auto ends = placed_joint(model, state, j, scale);
-    const Pixel from = canvas(ends[0]);
-    const Pixel to = canvas(ends[1]);
-    const JointKind kind = model.anatomy.joint_kind[j];
-    const JointFace face = face_of(&points[j * model.n_face_point], model.n_face_point);
-    if (face.damage > 0.01)
-      cracks += draw_crack(kind, face, from, to, picture);
-    else if (kind == JointKind::kSplit)
+  for (const JointReading& joint : wall.joints) {
+    const auto ends = ends_of(joint);
+    const Pixel from = canvas(ends[0]), to = canvas(ends[1]);
+    if (joint.damage > 0.01)
+      cracks += draw_crack(joint, from, to, picture);
+    else if (joint.shape.kind == JointKind::kSplit)
       split += path_data({from, to}, false);
-    else if (kind != JointKind::kLintelChain)
+    else if (joint.shape.kind != JointKind::kLintelChain)
       mortar += path_data({from, to}, false);
-  }
-  const std::vector<PointStress> contacts = dynamics::contact_stresses(model, state);
-  for (int c = 0; c < model.solids.n_contact; ++c) {
-    const auto ends = placed_contact(model, state, c, scale);
-    const JointFace face = face_of(&contacts[2 * static_cast<std::size_t>(c)], 2);
-    if (face.damage > 0.01)
-      cracks += draw_crack(JointKind::kLintelBond, face, canvas(ends[0]), canvas(ends[1]), picture);
-    else
-      mortar += path_data({canvas(ends[0]), canvas(ends[1])}, false);
   }
   return path(split, "split") + path(mortar, "mortar") + cracks;
 }
 
-std::string draw_crushed(const Model& model, const State& state, double scale, const Canvas& canvas,
-                         const std::vector<PointStress>& points, WallPicture& picture) {
+std::string draw_crushed(const WallReading& wall, const Ends& ends_of, const Canvas& canvas,
+                         WallPicture& picture) {
   std::string out;
-  for (PointId p = 0; p < model.n_point(); ++p) {
-    if (!(points[p].crushing >= kCrushMark)) continue;
-    const auto ends = placed_joint(model, state, p / model.n_face_point, scale);
-    // xi runs from -1 to 1 along the face; the mark stands a little inside its end
-    const double share = 0.5 + 0.46 * model.point_xi[p % model.n_face_point];
-    const PlacedPoint at = {ends[0].x + share * (ends[1].x - ends[0].x),
-                            ends[0].y + share * (ends[1].y - ends[0].y)};
-    out += circle(canvas(at), 2.6 + 2.4 * std::min(1.0, points[p].crushing), "crushed");
-    ++picture.crushed;
+  for (const JointReading& joint : wall.joints) {
+    for (const PointReading& point : wall.points_of(joint)) {
+      if (!(point.crushing >= kCrushMark)) continue;
+      const auto ends = ends_of(joint);
+      const double share = 0.5 + 0.46 * point.place;  // a little inside the end of the face
+      out += circle(canvas(ends[0] + share * (ends[1] - ends[0])),
+                    2.6 + 2.4 * std::min(1.0, point.crushing), "crushed");
+      ++picture.crushed;
+    }
   }
   return out;
 }
@@ -276,7 +242,7 @@ std::string draw_arrow(const Model& model, const State& state, double scale, con
   if (stage == nullptr) return "";
   Bounds box;
   for (BlockId b : stage->driven)
-    for (const PlacedPoint& p : placed_outline(model, state, b, scale)) box.add(p);
+    for (const Vec3& p : outline_now(model, state, b, scale)) box.add(p);
   const double dx = stage->drive_x;
   const double dy = -stage->drive_y;  // pixels run down
   const Pixel tip = canvas({dx > 0.5    ? box.x0
@@ -309,7 +275,7 @@ std::string draw_scale_bar(const Canvas& canvas) {
 double fitting_scale(const Model& model, const State& state) {
   double largest = 0;
   for (BlockId b = 0; b < model.n_block; ++b)
-    largest = std::fmax(largest, std::hypot(state.ux[b], state.uy[b]));
+    largest = std::fmax(largest, length(read_block(model, state, b).moved));
   const double wanted = 0.05 * std::hypot(model.anatomy.length, model.anatomy.height);
   double scale = 1;
   for (double decade : {1.0, 10.0, 100.0})
@@ -320,13 +286,16 @@ double fitting_scale(const Model& model, const State& state) {
 
 WallPicture draw_wall(const Model& model, const State& state, double scale) {
   WallPicture picture;
-  const std::vector<PointStress> points = point_stresses(model, state);
+  const WallReading wall = read_wall(model, state);
   const Canvas canvas = canvas_of(bounds_of(model, state, scale));
   picture.svg = svg_begin(canvas.width, canvas.height, "wall", "The wall, displacements magnified");
   picture.svg += draw_rest(model, canvas) + draw_supports(model, canvas) +
                  draw_blocks(model, state, scale, canvas) + draw_zones(model, state, scale, canvas);
-  picture.svg += draw_joints(model, state, scale, canvas, points, picture);
-  picture.svg += draw_crushed(model, state, scale, canvas, points, picture);
+  const auto ends = [&](const JointReading& joint) {
+    return ends_now(model, state, joint.shape.id, scale);
+  };
+  picture.svg += draw_joints(wall, ends, canvas, picture);
+  picture.svg += draw_crushed(wall, ends, canvas, picture);
   picture.svg += draw_arrow(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
   return picture;
 }

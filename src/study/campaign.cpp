@@ -61,7 +61,7 @@ StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   const Model model = compile(base);
   if (options.device == Device::kGpu) {
     static_cast<void>(dynamics::gpu_walls(model, 2));
-    if (model.n_face_point != 2)
+    if (model.n_point() != 2 * model.n_joint)
       refuse({.file = "--device",
               .path = "",
               .value = "gpu",

@@ -117,55 +117,52 @@ class Turning {
   // The lesser of that share and of twice the share of the pier's mass that has moved so.
   [[nodiscard]] double share() const {
     const auto under = [&](const BlockMotion& b) {
-      return is_in_line(b) && b.y < pier_.base && b.y > pier_.base - 2 * course_;
+      return is_in_line(b) && b.at.y < pier_.base && b.at.y > pier_.base - 2 * course_;
     };
     const auto above = [&](const BlockMotion& b) {
       const bool is_cap = b.role == BlockRole::kBeam || b.role == BlockRole::kPlate;
-      return b.y > pier_.box.y1 && (is_topmost_ ? is_cap : is_in_line(b)) &&
-             (is_topmost_ || b.y < pier_.box.y1 + 2 * course_);
+      return b.at.y > pier_.box.y1 && (is_topmost_ ? is_cap : is_in_line(b)) &&
+             (is_topmost_ || b.at.y < pier_.box.y1 + 2 * course_);
     };
     const RigidMotion base = fitted(blocks_, under), head = fitted(blocks_, above);
     double most = 0;
     for (const double x : {pier_.box.x0, pier_.box.x1})
       for (const double y : {pier_.base, pier_.box.y0})
-        most = std::max(most, about(x, y, base, head));
+        most = std::max(most, about({x, y}, base, head));
     return most;
   }
 
  private:
   [[nodiscard]] bool is_in_line(const BlockMotion& b) const {
-    return b.x > pier_.box.x0 && b.x < pier_.box.x1;
+    return b.at.x > pier_.box.x0 && b.at.x < pier_.box.x1;
   }
   // Motion of a block against a frame that moves rigidly.
   static RigidMotion against(const RigidMotion& frame, const RigidMotion& b) {
-    return {b.x, b.y, b.ux - frame.ux + frame.turn * (b.y - frame.y),
-            b.uy - frame.uy - frame.turn * (b.x - frame.x), b.turn - frame.turn};
+    return {b.at, b.moved - frame.moved - cross(frame.turn, b.at - frame.at), b.turn - frame.turn};
   }
-  // The share of a motion that is a turn about (x, y): its way by turning, and what is left there.
-  static double turned(const RigidMotion& m, double x, double y) {
-    const double rx = m.x - x, ry = m.y - y;
-    const double by_turn = std::fabs(m.turn) * std::hypot(rx, ry);
-    const double left = std::hypot(m.ux + m.turn * ry, m.uy - m.turn * rx);
+  // The share of a motion that is a turn about a toe: its way by turning, and what is left there.
+  static double turned(const RigidMotion& m, Vec3 toe) {
+    const Vec3 arm = m.at - toe;
+    const double by_turn = length(m.turn) * length(arm);
+    const double left = length(m.moved - cross(m.turn, arm));
     return by_turn > 0 ? by_turn / (by_turn + left) : 0.0;
   }
 
-  [[nodiscard]] double about(double x, double y, const RigidMotion& base,
-                             const RigidMotion& head) const {
+  [[nodiscard]] double about(Vec3 toe, const RigidMotion& base, const RigidMotion& head) const {
     constexpr double kHalf = 0.5;
     // a head that does not turn with the pier holds its top level: what hangs on it does not count
     const RigidMotion at_head = against(base, head);
-    const bool is_held =
-        std::hypot(at_head.ux, at_head.uy) >= crack_ && turned(at_head, x, y) < kHalf;
+    const bool is_held = length(at_head.moved) >= crack_ && turned(at_head, toe) < kHalf;
     double turns = 0, way = 0, moved = 0, all = 0;
     for (const BlockMotion& b : blocks_) {
-      if (b.role != BlockRole::kMasonry || !pier_.box.holds(b.x, b.y)) continue;
+      if (b.role != BlockRole::kMasonry || !pier_.box.holds(b.at.x, b.at.y)) continue;
       all += b.mass;
       const RigidMotion m = against(base, b), hangs = against(head, b);
-      const double far = std::hypot(m.ux, m.uy);
-      if (far < crack_ || (is_held && std::hypot(hangs.ux, hangs.uy) < crack_)) continue;
+      const double far = length(m.moved);
+      if (far < crack_ || (is_held && length(hangs.moved) < crack_)) continue;
       moved += b.mass;
       way += b.mass * far;
-      turns += b.mass * far * turned(m, x, y);
+      turns += b.mass * far * turned(m, toe);
     }
     return way > 0 ? std::min(turns / way, 2 * moved / all) : 0.0;
   }

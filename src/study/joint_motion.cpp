@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wythe/result.h"
+#include "wythe/reading.h"
 
 namespace wythe::study {
 namespace {
@@ -12,78 +12,73 @@ bool is_masonry(JointKind kind) {
   return kind != JointKind::kLintelChain && kind != JointKind::kLintelBond;
 }
 
-void read_points(const Model& m, const State& state, const std::vector<PointStress>& points,
-                 JointMotion& j) {
-  const auto per = static_cast<std::size_t>(m.n_face_point);
-  for (std::size_t k = 0; k < per; ++k) {
-    const std::size_t p = static_cast<std::size_t>(j.id) * per + k;
-    const double most = std::max({0.0, points[p].opening, state.kappa[p]});
-    j.opening += m.point_weight[k] * std::max(0.0, points[p].opening);
-    j.opened += m.point_weight[k] * most;
+JointMotion motion_of(const Model& m, const WallReading& wall, const JointReading& joint) {
+  const JointShape& shape = joint.shape;
+  JointMotion j;
+  j.kind = shape.kind;
+  j.a = shape.a;
+  j.b = shape.b;
+  j.is_bed = std::fabs(shape.normal.y) >= std::fabs(shape.normal.x);
+  j.on_ground = shape.a == kGroundBlock;
+  j.x = shape.centre.x;
+  j.y = shape.centre.y;
+  j.reach_x = std::fabs(shape.half.x);
+  j.reach_y = std::fabs(shape.half.y);
+  for (const PointReading& point : wall.points_of(joint)) {
+    const double most = std::max({0.0, point.opening, point.opened});
+    j.opening += point.share * std::max(0.0, point.opening);
+    j.opened += point.share * most;
     j.widest = std::max(j.widest, most);
-    j.slip += m.point_weight[k] * points[p].slip;
-    j.slid += m.point_weight[k] * state.plastic_slip[p];
-    j.force -= m.point_weight[k] * points[p].normal_stress * m.area[static_cast<std::size_t>(j.id)];
-    j.crushed += m.point_weight[k] * state.crush[p];
-    j.crushing = std::max(j.crushing, points[p].crushing);
+    j.slip += point.share * point.slip;
+    j.slid += point.share * point.slid;
+    j.crushed += point.share * point.crushed;
   }
+  j.crushing = joint.crushing;
+  j.force = joint.compression;
+  const JointMaterial& law = m.materials[shape.material];
+  j.bond = shape.area * std::max(law.tensile_strength, law.cohesion);
+  j.has_slid_off = has_slid_off(m, wall.points, shape.id);
+  return j;
 }
 
 }  // namespace
 
 WallMotion read_motion(const Model& m, const State& state) {
-  const std::vector<PointStress> points = point_stresses(m, state);
+  const WallReading now = read_wall(m, state);
   WallMotion wall;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(m.n_joint); ++j) {
-    JointMotion joint;
-    joint.kind = m.anatomy.joint_kind[j];
-    const auto b = static_cast<std::size_t>(m.joint_b[j]);
-    joint.id = static_cast<JointId>(j);
-    joint.is_bed = std::fabs(m.tangent_x[j]) >= std::fabs(m.tangent_y[j]);
-    joint.on_ground = m.joint_a[j] == kGroundBlock;
-    joint.x = m.centroid_x[b] + m.arm_b_x[j];
-    joint.y = m.centroid_y[b] + m.arm_b_y[j];
-    joint.reach_x = std::fabs(m.half_x[j]);
-    joint.reach_y = std::fabs(m.half_y[j]);
-    const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
-    joint.bond = m.area[j] * std::max(law.tensile_strength, law.cohesion);
-    joint.has_slid_off = has_slid_off(m, points, joint.id);
-    read_points(m, state, points, joint);
+  for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
+    const JointMotion joint = motion_of(m, now, now.joints[j]);
     const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
     (is_top ? wall.top : wall.joints).push_back(joint);
   }
-  for (std::size_t b = 0; b < static_cast<std::size_t>(m.n_block); ++b) {
-    BlockMotion block;
-    static_cast<RigidMotion&>(block) = {m.centroid_x[b], m.centroid_y[b], state.ux[b], state.uy[b],
-                                        state.theta[b]};
-    block.role = m.anatomy.block_role[b];
-    block.mass = m.mass[b];
-    block.inertia = m.inertia[b];
-    wall.blocks.push_back(block);
+  for (BlockId b = 0; b < m.n_block; ++b) {
+    const BlockReading& block = now.blocks[b];
+    wall.blocks.push_back(
+        {{block.start, block.moved, block.turned.by}, block.role, m.mass[b], m.inertia[b]});
   }
   return wall;
 }
 
 RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen) {
   RigidMotion fit;
-  double mass = 0, turn = 0, inertia = 0;
+  Vec3 turn;
+  double mass = 0, inertia = 0;
   for (const BlockMotion& b : blocks) {
     if (!chosen(b)) continue;
     mass += b.mass;
-    fit.x += b.mass * b.x;
-    fit.y += b.mass * b.y;
-    fit.ux += b.mass * b.ux;
-    fit.uy += b.mass * b.uy;
+    fit.at = fit.at + b.mass * b.at;
+    fit.moved = fit.moved + b.mass * b.moved;
   }
   if (!(mass > 0)) return fit;
-  for (double* mean : {&fit.x, &fit.y, &fit.ux, &fit.uy}) *mean /= mass;
+  fit.at = fit.at / mass;
+  fit.moved = fit.moved / mass;
   for (const BlockMotion& b : blocks) {
     if (!chosen(b)) continue;
-    const double x = b.x - fit.x, y = b.y - fit.y;
-    turn += b.mass * (x * (b.uy - fit.uy) - y * (b.ux - fit.ux)) + b.inertia * b.turn;
-    inertia += b.mass * (x * x + y * y) + b.inertia;
+    const Vec3 arm = b.at - fit.at;
+    turn = turn + (b.mass * cross(arm, b.moved - fit.moved) + b.inertia * b.turn);
+    inertia += b.mass * dot(arm, arm) + b.inertia;
   }
-  fit.turn = inertia > 0 ? turn / inertia : 0;
+  if (inertia > 0) fit.turn = turn / inertia;
   return fit;
 }
 

@@ -7,12 +7,13 @@
 
 #include "study/wall_parts.h"
 #include "wythe/model.h"
+#include "wythe/vector.h"
 
 namespace wythe::study {
 
 struct JointMotion {
-  JointId id = 0;
   JointKind kind = JointKind::kOther;
+  BlockId a = kGroundBlock, b = 0;
   bool is_bed = false;              // nearer level than upright
   bool on_ground = false;           // the foundation: on the ground or a fixed block
   double x = 0, y = 0;              // centre at the start [m]
@@ -31,11 +32,11 @@ struct JointMotion {
   [[nodiscard]] double length() const { return 2 * (is_bed ? reach_x : reach_y); }
 };
 
-// A rigid motion: of the point (x, y), and anticlockwise about it.
+// A rigid motion, small: of the point that stood at `at`, and a turn about it.
 struct RigidMotion {
-  double x = 0, y = 0;    // [m]
-  double ux = 0, uy = 0;  // [m]
-  double turn = 0;        // [rad]
+  Vec3 at;     // [m]
+  Vec3 moved;  // [m]
+  Vec3 turn;   // axis times angle [rad]
 };
 struct BlockMotion : RigidMotion {  // of a block's centroid
   BlockRole role = BlockRole::kMasonry;

@@ -33,9 +33,7 @@ double node_slip(const Model& model, const std::vector<JointMotion>& joints) {
   };
   double slip = 0;
   for (const JointMotion& j : joints) {
-    const auto id = static_cast<std::size_t>(j.id);
-    if (is_driven(model.joint_a[id]) != is_driven(model.joint_b[id]))
-      slip = std::max(slip, std::fabs(j.slip));
+    if (is_driven(j.a) != is_driven(j.b)) slip = std::max(slip, std::fabs(j.slip));
   }
   return slip;
 }

@@ -55,7 +55,7 @@ class Namer {
         rules_(rules),
         elements_(element_states(parts, motion, rules)),
         truths_(truths_of(parts, motion, rules)) {
-    for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.ux));
+    for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.moved.x));
   }
 
   FailureMode name() {

@@ -24,12 +24,12 @@
 #include "study/wall_parts.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
+#include "wythe/reading.h"
 
 namespace wythe {
 namespace {
 
 using geometry::Polygon;
-using geometry::Vec2;
 
 constexpr double kStressBlock = 0.85;  // of fc, in the crushed part of a joint
 
@@ -140,7 +140,7 @@ bool has_beam(const Model& model) {
 }
 
 void check_load_point(const Portal& p, FaultList& faults) {
-  const Point at = p.load_point;
+  const Vec2 at = p.load_point;
   const bool inside = at.x >= p.left && at.x <= p.right && at.y >= p.foot && at.y <= p.top;
   const bool in_hole = at.x > p.jamb_left && at.x < p.jamb_right && at.y < p.head;
   if (inside && !in_hole) return;
@@ -152,24 +152,16 @@ void check_load_point(const Portal& p, FaultList& faults) {
 
 // --- bodies ----------------------------------------------------------------------------------------
 
-Polygon polygon_of(const std::vector<Point>& outline) {
-  Polygon polygon;
-  for (const Point& p : outline) polygon.push_back({p.x, p.y});
-  return polygon;
-}
-
-Polygon outline_of(const Anatomy& a, std::size_t block) {
+Polygon polygon_of(const Model& model, BlockId block) {
   Polygon outline;
-  for (int i = a.outline_begin[block]; i < a.outline_begin[block + 1]; ++i)
-    outline.push_back(
-        {a.outline_x[static_cast<std::size_t>(i)], a.outline_y[static_cast<std::size_t>(i)]});
+  for (const Vec3& corner : outline_of(model, block)) outline.push_back({corner.x, corner.y});
   return outline;
 }
 
 bool holds(const Polygon& convex, Vec2 p) {
   for (std::size_t i = 0; i < convex.size(); ++i) {
     const Vec2 a = convex[i], b = convex[(i + 1) % convex.size()];
-    if (geometry::cross(b - a, p - a) < 0) return false;
+    if (cross(b - a, p - a) < 0) return false;
   }
   return true;
 }
@@ -179,7 +171,7 @@ BodyLoad weight_inside(const Model& model, const Polygon& outline) {
   BodyLoad weight;
   weight.is_weight = true;
   for (std::size_t b = 0; b < model.heavy_mass.size(); ++b) {
-    const Polygon block = outline_of(model.anatomy, b);
+    const Polygon block = polygon_of(model, static_cast<BlockId>(b));
     const Polygon part = geometry::part_inside(block, outline);
     if (part.empty()) continue;
     const auto m = geometry::moments(part);
@@ -194,7 +186,7 @@ BodyLoad weight_inside(const Model& model, const Polygon& outline) {
 }
 
 // The part of what acts at a point that a body takes: one half each where two bodies meet upright.
-double share_of(const Portal& p, const Polygon& outline, Point at) {
+double share_of(const Portal& p, const Polygon& outline, Vec2 at) {
   constexpr double kNear = 1e-6;  // [m], above the round-off of coordinates, below any unit
   const double x = std::clamp(at.x, p.left + 2 * kNear, p.right - 2 * kNear);
   const double y = std::min(at.y, p.top - kNear);  // above the wall: on what is below
@@ -208,7 +200,7 @@ void add_dead_loads(const Model& model, const Portal& portal, const Polygon& out
     if (&stage == grows) break;
     for (const PointLoad& p : stage.loads) {
       const auto b = static_cast<std::size_t>(p.block);
-      const Point at{model.centroid_x[b] + p.arm_x, model.centroid_y[b] + p.arm_y};
+      const Vec2 at{model.centroid_x[b] + p.arm_x, model.centroid_y[b] + p.arm_y};
       const double share = share_of(portal, outline, at);
       if (share > 0) loads.push_back({at, share * p.fx, share * p.fy});
     }
@@ -240,7 +232,7 @@ class Cutter {
   };
   [[nodiscard]] Axial axial() const {
     const double middle = 0.5 * (near_ + far_);
-    const auto weight = [&](const std::vector<Point>& outline) {
+    const auto weight = [&](const std::vector<Vec2>& outline) {
       return sum_of_weights(loads_on(outline));
     };
     return {weight(near_pier()) + weight(box(near_, middle, p_.head, p_.top)),
@@ -261,7 +253,7 @@ class Cutter {
     chain.loaded_body = -1;
     double most = 0;  // on a jamb the pier, which comes first
     for (std::size_t i = 0; i < chain.bodies.size(); ++i) {
-      const double share = share_of(p_, polygon_of(chain.bodies[i].outline), p_.load_point);
+      const double share = share_of(p_, chain.bodies[i].outline, p_.load_point);
       if (share > most) chain.loaded_body = static_cast<int>(i);
       most = std::max(most, share);
     }
@@ -271,35 +263,34 @@ class Cutter {
   [[nodiscard]] double far_width() const { return length_ - far_; }
 
  private:
-  [[nodiscard]] Point at(double s, double y) const {
+  [[nodiscard]] Vec2 at(double s, double y) const {
     return {p_.direction > 0 ? p_.left + s : p_.right - s, y};
   }
   // Anticlockwise in the wall's axes.
-  [[nodiscard]] std::vector<Point> turned_right(std::vector<Point> outline) const {
+  [[nodiscard]] std::vector<Vec2> turned_right(std::vector<Vec2> outline) const {
     if (p_.direction < 0) std::reverse(outline.begin(), outline.end());
     return outline;
   }
-  [[nodiscard]] std::vector<Point> box(double s0, double s1, double y0, double y1) const {
+  [[nodiscard]] std::vector<Vec2> box(double s0, double s1, double y0, double y1) const {
     return turned_right({at(s0, y0), at(s1, y0), at(s1, y1), at(s0, y1)});
   }
-  [[nodiscard]] std::vector<Point> near_pier() const { return box(0, near_, p_.foot, p_.top); }
+  [[nodiscard]] std::vector<Vec2> near_pier() const { return box(0, near_, p_.foot, p_.top); }
   // Whole, or above the diagonal that ends at `toe`.
-  [[nodiscard]] std::vector<Point> far_pier(double toe) const {
+  [[nodiscard]] std::vector<Vec2> far_pier(double toe) const {
     if (!cracked_) return box(far_, length_, p_.foot, p_.top);
-    std::vector<Point> outline{at(far_, p_.head), at(toe, p_.foot)};
+    std::vector<Vec2> outline{at(far_, p_.head), at(toe, p_.foot)};
     if (toe < length_) outline.push_back(at(length_, p_.foot));
     outline.push_back(at(length_, p_.top));
     outline.push_back(at(far_, p_.top));
     return turned_right(outline);
   }
 
-  [[nodiscard]] std::vector<BodyLoad> loads_on(const std::vector<Point>& outline) const {
-    const Polygon polygon = polygon_of(outline);
-    std::vector<BodyLoad> loads{weight_inside(model_, polygon)};
-    add_dead_loads(model_, p_, polygon, loads);
+  [[nodiscard]] std::vector<BodyLoad> loads_on(const std::vector<Vec2>& outline) const {
+    std::vector<BodyLoad> loads{weight_inside(model_, outline)};
+    add_dead_loads(model_, p_, outline, loads);
     return loads;
   }
-  void add(Chain& chain, const std::string& name, const std::vector<Point>& outline) const {
+  void add(Chain& chain, const std::string& name, const std::vector<Vec2>& outline) const {
     chain.bodies.push_back({name, outline, loads_on(outline)});
   }
 
@@ -359,7 +350,7 @@ std::vector<NamedNumber> numbers_of(const Portal& p, const Cutter::Axial& axial,
 // Hinges must open the way they are drawn: both piers with the push, the spandrel against it. So
 // C1 C12 must be steeper than C12 C23 prolonged is: the far pier's lever, (6.8) of the theory page.
 void check_lever(const Portal& p, const Mechanism& m) {
-  const std::vector<Point>& c = m.chain.hinges;
+  const std::vector<Vec2>& c = m.chain.hinges;
   const double width = std::fabs(c[2].x - c[1].x), far = std::fabs(c[3].x - c[2].x);
   if ((c[2].y - c[3].y) * width > far * (c[1].y - c[2].y)) return;
   refuse("wall.opening", fmt::format("{:.3f} m of spandrel above it", p.top - p.head),
@@ -388,7 +379,7 @@ std::string cure_of_pull(const Portal& p) {
 // the other side of the chain.
 void check_hinges(const Portal& p, const Mechanism& m) {
   const double force = m.curve.states.front().force;
-  const std::vector<Point> h = hinge_forces(m.chain, force);
+  const std::vector<Vec2> h = hinge_forces(m.chain, force);
   // compression: the ground lifts, the spandrel holds the near pier back and pushes the far one
   const double pressure[] = {h[0].y, -p.direction * h[1].x, p.direction * h[2].x, h[3].y};
   const char* const names[] = {"C1", "C12", "C23", "C3"};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "wythe/reading.h"
+
 namespace wythe::study {
 namespace {
 
@@ -14,39 +16,22 @@ constexpr double kReach = 2.5;  // columns on either side of a jamb: the connect
 
 bool is_wall(BlockRole role) { return role == BlockRole::kMasonry || role == BlockRole::kLintel; }
 
-// Corners of a block, rigid or of zones.
-struct Outline {
-  std::vector<double> x, y;
-};
+// Corners of a block.
+using Outline = std::vector<Vec3>;
 
-Outline outline_of(const Anatomy& a, std::size_t block) {
-  const auto from = a.outline_begin[block], to = a.outline_begin[block + 1];
-  return {{a.outline_x.begin() + from, a.outline_x.begin() + to},
-          {a.outline_y.begin() + from, a.outline_y.begin() + to}};
+Box hull_of(const Outline& outline) {
+  Box box{outline.front().x, outline.front().x, outline.front().y, outline.front().y};
+  for (const Vec3& p : outline)
+    box = {std::min(box.x0, p.x), std::max(box.x1, p.x), std::min(box.y0, p.y),
+           std::max(box.y1, p.y)};
+  return box;
 }
-
-Outline outline_of(const Solids& s, const SolidBody& body) {
-  Outline outline;
-  for (const std::int32_t node : body.rim) {
-    outline.x.push_back(s.node_x[static_cast<std::size_t>(node)]);
-    outline.y.push_back(s.node_y[static_cast<std::size_t>(node)]);
-  }
-  return outline;
-}
-
-Box hull_of(const Outline& o) {
-  const auto [x0, x1] = std::minmax_element(o.x.begin(), o.x.end());
-  const auto [y0, y1] = std::minmax_element(o.y.begin(), o.y.end());
-  return {*x0, *x1, *y0, *y1};
-}
-
-Box hull_of(const Anatomy& a, std::size_t block) { return hull_of(outline_of(a, block)); }
 
 bool is_inside(const Outline& o, double x, double y) {
   bool inside = false;
-  for (std::size_t p = 0, q = o.x.size() - 1; p < o.x.size(); q = p++) {
-    if ((o.y[p] > y) == (o.y[q] > y)) continue;
-    const double cross = o.x[p] + (y - o.y[p]) / (o.y[q] - o.y[p]) * (o.x[q] - o.x[p]);
+  for (std::size_t p = 0, q = o.size() - 1; p < o.size(); q = p++) {
+    if ((o[p].y > y) == (o[q].y > y)) continue;
+    const double cross = o[p].x + (y - o[p].y) / (o[q].y - o[p].y) * (o[q].x - o[p].x);
     if (x < cross) inside = !inside;
   }
   return inside;
@@ -77,9 +62,9 @@ Frame frame_of(const Model& m) {
   const Anatomy& a = m.anatomy;
   Frame f;
   std::vector<double> widths, heights;
-  for (std::size_t b = 0; b < a.block_role.size(); ++b) {
+  for (BlockId b = 0; b < m.n_block; ++b) {
     if (!is_wall(a.block_role[b])) continue;
-    const Box box = hull_of(a, b);
+    const Box box = hull_of(outline_of(m, b));
     f.take(box);
     widths.push_back(box.width());
     heights.push_back(box.height());
@@ -110,9 +95,8 @@ class Raster {
     dx_ = wall_.width() / nx_;
     dy_ = wall_.height() / ny_;
     cell_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), kEmpty);
-    for (std::size_t b = 0; b < m.anatomy.block_role.size(); ++b)
-      if (is_wall(m.anatomy.block_role[b])) paint(outline_of(m.anatomy, b));
-    for (const SolidBody& body : m.solids.bodies) paint(outline_of(m.solids, body));
+    for (BlockId b = 0; b < block_count(m); ++b)
+      if (b >= m.n_block || is_wall(m.anatomy.block_role[b])) paint(outline_of(m, b));
   }
 
   // Bounding boxes of the holes that touch neither side nor the top.
@@ -303,10 +287,10 @@ class Finder {
   [[nodiscard]] double lintel_depth(const Box& spandrel) const {
     double depth = 0;
     const Anatomy& a = model_.anatomy;
-    for (std::size_t b = 0; b < a.block_role.size(); ++b) {
+    for (BlockId b = 0; b < model_.n_block; ++b) {
       if (a.block_role[b] != BlockRole::kLintel) continue;
       if (spandrel.holds(model_.centroid_x[b], model_.centroid_y[b]))
-        depth = std::max(depth, hull_of(a, b).y1 - spandrel.y0);
+        depth = std::max(depth, hull_of(outline_of(model_, b)).y1 - spandrel.y0);
     }
     for (const SolidBody& body : model_.solids.bodies)
       if (spandrel.holds(0.5 * (body.x0 + body.x1), 0.5 * (body.y0 + body.y1)))

@@ -85,9 +85,9 @@ Answer push(const ModelSpec& spec, const Setting& setting = {}) {
 }
 
 double tension_damage(const Answer& a) {
-  const std::vector<PointStress> points = point_stresses(a.model, a.state);
+  const std::vector<PointReading> points = read_points(a.model, a.state);
   double most = 0;
-  for (const PointStress& p : points) most = std::max(most, p.damage_tension);
+  for (const PointReading& p : points) most = std::max(most, p.damage_tension);
   return most;
 }
 

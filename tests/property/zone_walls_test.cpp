@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/zone_state.h"
+#include "reading/zones.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
@@ -60,7 +60,7 @@ TEST(ZoneWalls, the_ground_carries_the_weight_of_a_deformable_block) {
   EXPECT_NEAR(dynamics::shear_of(rig.view(), 0, 1) / rig.model.weight, -1, 1e-8);
   EXPECT_NEAR(rig.model.weight, 3 * 0.5 * 0.2 * kThick * 1000 * 9.81, 1e-9);
   double lowest = 0;  // stress in the lowest row is the weight above its middle
-  for (const ZoneStress& zone : zone_stresses(rig.model, rig.state))
+  for (const ZoneReading& zone : read_zones(rig.model, rig.state))
     lowest = std::min(lowest, zone.sigma_y);
   EXPECT_NEAR(lowest, -1000 * 9.81 * (0.6 - 0.05), 1e-4 * 1000 * 9.81);
 }
@@ -87,7 +87,7 @@ TEST(ZoneWalls, even_pressure_passes_faces_whose_corners_do_not_match) {
   Rig rig(std::move(model));
   for (const std::size_t load : loads) rig.state.load_scale[load] = 1;
   rig.settle(1e-11);
-  for (const ZoneStress& zone : zone_stresses(rig.model, rig.state)) {
+  for (const ZoneReading& zone : read_zones(rig.model, rig.state)) {
     EXPECT_NEAR(zone.sigma_y / -kPressure, 1, 1e-6);
     EXPECT_NEAR(zone.sigma_x / kPressure, 0, 1e-6);
     EXPECT_NEAR(zone.tau / kPressure, 0, 1e-6);
@@ -163,7 +163,7 @@ End run(const ModelSpec& spec) {
 
 TEST(ZoneWalls, the_energy_ledger_closes) {
   const End end = run(portal(2));
-  EXPECT_GT(dynamics::strain_energy(end.model, end.state), 1e-3 * end.result.energy.elastic);
+  EXPECT_GT(reading::strain_energy(end.model, end.state), 1e-3 * end.result.energy.elastic);
   EXPECT_GT(end.result.energy.fracture, 0);
   EXPECT_LT(end.result.energy.gap_ratio, 1e-3);  // works at half steps, stresses at whole ones
 }
@@ -249,7 +249,7 @@ TEST(ZoneWalls, the_measures_of_a_lintel_are_those_of_its_motion) {
     state.node_ux[i] = kStretch * x - kCurvature * x * y + 0.02;
     state.node_uy[i] = 0.5 * kCurvature * x * x - 0.2 * kStretch * y - 0.01;
   }
-  const dynamics::LintelMeasures now = dynamics::lintel_measures(model, state);
+  const reading::LintelMeasures now = reading::lintel_measures(model, state);
   ASSERT_EQ(body.columns % 2, 1);  // no node stands at mid-span: half a zone off on either side
   const double half = 0.5 * length / body.columns;
   EXPECT_NEAR(now.deflection, 0.5 * kCurvature * (0.25 * length * length - half * half), 1e-15);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/model.h"
+#include "wythe/reading.h"
 #include "wythe/result.h"
 
 namespace wythe::scenes {
@@ -43,7 +44,7 @@ using Mechanism = std::function<Motion(double x, double y)>;
     state.uy[b] = m.move_y + s * arm_x + c * arm_y - arm_y;
     state.theta[b] = m.turn;
   }
-  const std::vector<PointStress> points = point_stresses(model, state);
+  const std::vector<PointReading> points = read_points(model, state);
   for (std::size_t p = 0; p < points.size(); ++p) {
     state.kappa[p] = std::max(0.0, points[p].opening);
     state.plastic_slip[p] = points[p].slip;

@@ -19,6 +19,7 @@
 #include "dynamics/executors/processor.h"
 #include "dynamics/residual.h"
 #include "wythe/model.h"
+#include "wythe/reading.h"
 #include "wythe/result.h"
 
 namespace wythe::scenes {
@@ -67,8 +68,8 @@ class Rig {
     driven_ = model.stages[stage].driven;
     dynamics::choose_driven(view(), driven_);
   }
-  [[nodiscard]] PointStress point(JointId joint, int k) const {
-    return point_stresses(model, state)[static_cast<std::size_t>(joint * model.n_face_point + k)];
+  [[nodiscard]] PointReading point(JointId joint, int k) const {
+    return read_points(model, state)[static_cast<std::size_t>(points_of(model, joint).begin + k)];
   }
   [[nodiscard]] EnergyLedger energy() const {
     return dynamics::energy_ledger(model, state, controls.mass_scaling);

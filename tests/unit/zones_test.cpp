@@ -7,7 +7,7 @@
 #include <string>
 
 #include "dynamics/residual.h"
-#include "dynamics/zone_state.h"
+#include "reading/zones.h"
 #include "scenes/rig.h"
 #include "scenes/zones.h"
 #include "solids/zone.h"
@@ -85,7 +85,7 @@ void expect_patch(const Solids& s, const std::vector<int>& inside) {
   State state = initial_state(model);
   state.node_ux = u.x;
   state.node_uy = u.y;
-  for (const ZoneStress& zone : zone_stresses(model, state)) {
+  for (const ZoneReading& zone : read_zones(model, state)) {
     EXPECT_NEAR(zone.sigma_x, plane * (kExx + kNu * kEyy), 1e-6 * kE * kExx);
     EXPECT_NEAR(zone.sigma_y, plane * (kEyy + kNu * kExx), 1e-6 * kE * kExx);
     EXPECT_NEAR(zone.tau, kE / (1 + kNu) * kHalfGamma, 1e-6 * kE * kExx);

@@ -80,17 +80,13 @@ TEST(MacroBlock, CF17_finite_rotation_of_a_block) {
 
 using Angles = std::array<double, 2>;
 
-Point turned(Point a, double q) {
-  return {std::cos(q) * a.x - std::sin(q) * a.y, std::sin(q) * a.x + std::cos(q) * a.y};
-}
-
 // Newton on the closed loop C1 + R1 a + R2 b = C3 + R3 c for the turns of bodies 2 and 3.
-Angles close_loop(const std::vector<Point>& h, double q1) {
-  const Point a0{h[1].x - h[0].x, h[1].y - h[0].y}, b0{h[2].x - h[1].x, h[2].y - h[1].y},
+Angles close_loop(const std::vector<Vec2>& h, double q1) {
+  const Vec2 a0{h[1].x - h[0].x, h[1].y - h[0].y}, b0{h[2].x - h[1].x, h[2].y - h[1].y},
       c0{h[2].x - h[3].x, h[2].y - h[3].y};
   Angles q{0, 0};
   for (int i = 0; i < 30; ++i) {
-    const Point a = turned(a0, q1), b = turned(b0, q[0]), c = turned(c0, q[1]);
+    const Vec2 a = turned(a0, q1), b = turned(b0, q[0]), c = turned(c0, q[1]);
     const double ex = h[0].x + a.x + b.x - h[3].x - c.x, ey = h[0].y + a.y + b.y - h[3].y - c.y;
     // d/dq2 of b is (-b.y, b.x), d/dq3 of -c is (c.y, -c.x)
     const double det = -b.y * -c.x - c.y * b.x;
@@ -199,7 +195,7 @@ TEST(MacroBlock, mirrored_push_gives_the_mirrored_chain) {
       const Mechanism back = mechanism_of(portal_wall(-1), mode, hypothesis);
       Chain mirrored = back.chain;
       mirrored.direction = 1;
-      for (Point& h : mirrored.hinges) h.x = 1.24 - h.x;
+      for (Vec2& h : mirrored.hinges) h.x = 1.24 - h.x;
       for (MacroBlock& body : mirrored.bodies)
         for (BodyLoad& load : body.loads) load.at.x = 1.24 - load.at.x;
       mirrored.load_point = there.chain.load_point;
@@ -218,8 +214,8 @@ TEST(MacroBlock, scales) {
   const Mechanism m = mechanism_of(portal_wall(), "FM-1", Hypothesis::kMacroBlock2);
   Chain large = m.chain;
   constexpr double kS = 3;
-  const auto grow = [](Point& p) { p = {kS * p.x, kS * p.y}; };
-  for (Point& h : large.hinges) grow(h);
+  const auto grow = [](Vec2& p) { p = {kS * p.x, kS * p.y}; };
+  for (Vec2& h : large.hinges) grow(h);
   grow(large.load_point);
   for (MacroBlock& body : large.bodies)
     for (BodyLoad& load : body.loads) grow(load.at), load.fy *= kS * kS * kS;
@@ -281,14 +277,14 @@ TEST(MacroBlock, hinge_forces_balance_every_body) {
   for (const char* mode : {"FM-1", "FM-4"}) {
     const Mechanism m = mechanism_of(portal_wall(), mode, Hypothesis::kMacroBlock2);
     const double force = m.curve.states[0].force;
-    const std::vector<Point> h = hinge_forces(m.chain, force);
-    const std::vector<Point>& at = m.chain.hinges;
+    const std::vector<Vec2> h = hinge_forces(m.chain, force);
+    const std::vector<Vec2>& at = m.chain.hinges;
     const struct {
       std::size_t body, hinge;
       double sign;
     } ends[] = {{0, 0, 1}, {0, 1, 1}, {1, 1, -1}, {1, 2, -1}, {2, 2, 1}, {2, 3, 1}};
     double x[3] = {}, y[3] = {}, moment[3] = {};
-    const auto act = [&](std::size_t body, Point p, double fx, double fy) {
+    const auto act = [&](std::size_t body, Vec2 p, double fx, double fy) {
       x[body] += fx, y[body] += fy, moment[body] += p.x * fy - p.y * fx;
     };
     for (std::size_t b = 0; b < 3; ++b)

@@ -71,16 +71,16 @@ Crushed crush_toe() {
   State state = initial_state(model);
   const Result result = solve(model, state);
   EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
-  const std::vector<PointStress> points = point_stresses(model, state);
+  const WallReading wall = read_wall(model, state);
   double force = 0, moment = 0;
-  for (JointId j = model.n_pair; j < model.n_joint; ++j)
-    for (int k = 0; k < 16; ++k) {
-      const auto p = static_cast<std::size_t>(16 * j + k);
-      const double f = -points[p].normal_stress * model.area[static_cast<std::size_t>(j)] *
-                       model.point_weight[static_cast<std::size_t>(k)];
+  for (JointId j = model.n_pair; j < model.n_joint; ++j) {
+    const JointReading& joint = wall.joints[static_cast<std::size_t>(j)];
+    for (const PointReading& point : wall.points_of(joint)) {
+      const double f = -point.normal_stress * joint.shape.area * point.share;
       force += f;
-      moment += f * (kLength - points[p].x);
+      moment += f * (kLength - point.where.x);
     }
+  }
   return {result.responses.peak_reaction / 1e3, moment / force};
 }
 

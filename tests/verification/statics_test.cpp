@@ -74,12 +74,9 @@ TEST(ClosedForm, CF05_stack_normal_forces) {
   const Model model = stack_of_ten();
   State state = initial_state(model);
   ASSERT_EQ(solve(model, state).status, SolveStatus::kCompleted);
-  const std::vector<PointStress> points = point_stresses(model, state);
-  for (JointId j = 0; j < model.n_joint; ++j) {
-    const auto p = static_cast<std::size_t>(2 * j);
-    const double force = -0.5 * model.area[static_cast<std::size_t>(j)] *
-                         (points[p].normal_stress + points[p + 1].normal_stress);
-    const BlockId above = model.joint_b[static_cast<std::size_t>(j)];
+  for (const JointReading& joint : read_wall(model, state).joints) {
+    const double force = joint.compression;
+    const BlockId above = joint.shape.b;
     EXPECT_NEAR(force, (10 - above) * 20 * kGravity, 1e-6 * 1962) << "joint under block " << above;
     if (above == 0)
       verify({"CF05", "stack of 10 blocks: normal force under the lowest", "N", 1962, 1e-6,

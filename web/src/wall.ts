@@ -1,5 +1,5 @@
 // A wall and its states: shapes at the start, where blocks and joints are in a frame. The same
-// kinematics as src/model/deformed.h: a block turns about its centroid and moves. The last `bodies`
+// kinematics as src/reading/places.cpp: a block turns about its centroid and moves. The last `bodies`
 // of the blocks are deformable: their corners are nodes of zones, and the last `contacts` of the
 // joints are their edges.
 import type { Bundle, Numbers } from "./bundle";

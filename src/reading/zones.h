@@ -1,26 +1,21 @@
-// What the state says about deformable blocks: energies, stresses, and the sag of a lintel.
+// What a state says of deformable blocks beyond their zones: energy, limits passed, the sag of a lintel.
+// Called by dynamics/residual.cpp and recorder.cpp.
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "wythe/result.h"
+#include "wythe/reading.h"
 
-namespace wythe::dynamics {
+namespace wythe::reading {
 
 // Strain energy of all zones [J].
 [[nodiscard]] double strain_energy(const Model& model, const State& state);
-// The points of the zone contacts, two each, as point_stresses gives those of the joints.
-[[nodiscard]] std::vector<PointStress> contact_stresses(const Model& model, const State& state);
-
-// The greater and the smaller principal stress in the plane, tension positive [Pa].
-[[nodiscard]] std::pair<double, double> principal_stresses(const ZoneStress& zone);
 // Places where a zone's mean principal stress goes beyond its body's limits.
 struct BeyondLimit {
   const SolidBody* body;
   bool tension;
   double stress, limit;  // magnitudes [Pa]
-  double x, y;           // [m]
+  Vec3 where;            // [m]
 };
 [[nodiscard]] std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state);
 
@@ -33,4 +28,4 @@ struct LintelMeasures {
 [[nodiscard]] const SolidBody* first_lintel(const Model& model);
 [[nodiscard]] LintelMeasures lintel_measures(const Model& model, const State& state);
 
-}  // namespace wythe::dynamics
+}  // namespace wythe::reading

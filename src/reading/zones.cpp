@@ -1,14 +1,12 @@
-#include "dynamics/zone_state.h"
+#include "reading/zones.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/parameters.h"
-#include "core/real.h"
 #include "solids/zone.h"
 
 namespace wythe {
-namespace dynamics {
+namespace reading {
 namespace {
 
 using solids::ZoneVectors;
@@ -25,37 +23,6 @@ ZoneVectors<double> displacements(const Solids& m, const State& s, std::size_t z
 
 const ZoneShape& shape_of(const Solids& m, std::size_t zone) {
   return m.shapes[static_cast<std::size_t>(m.zone_shape[zone])];
-}
-
-// Kinematics of point k of contact c, as in dynamics/passes/solids.h but in plain steps.
-struct EdgeMotion {
-  double w, s, x, y;
-};
-EdgeMotion edge_motion(const Model& model, const State& s, std::size_t c, int k) {
-  const Solids& m = model.solids;
-  const auto p = static_cast<std::size_t>(m.contact_p[c]),
-             q = static_cast<std::size_t>(m.contact_q[c]);
-  const double share = k == 0 ? m.share_0[c] : m.share_1[c];
-  const double arm_x = k == 0 ? m.arm_0_x[c] : m.arm_1_x[c];
-  const double arm_y = k == 0 ? m.arm_0_y[c] : m.arm_1_y[c];
-  const double ex = (1 - share) * s.node_ux[p] + share * s.node_ux[q];
-  const double ey = (1 - share) * s.node_uy[p] + share * s.node_uy[q];
-  double ux = 0, uy = 0, theta = 0;
-  if (m.contact_block[c] != model.n_block) {
-    const auto a = static_cast<std::size_t>(m.contact_block[c]);
-    ux = s.ux[a];
-    uy = s.uy[a];
-    theta = s.theta[a];
-  }
-  const SinCos<double> half = sin_cos(0.5 * theta);
-  const double drop = -2 * half.sin * half.sin, sine = 2 * half.sin * half.cos;
-  const double jx = ex - (ux + drop * arm_x - sine * arm_y);
-  const double jy = ey - (uy + sine * arm_x + drop * arm_y);
-  const double tx0 = m.contact_tangent_x[c], ty0 = m.contact_tangent_y[c];
-  const double tx = tx0 + drop * tx0 - sine * ty0, ty = ty0 + sine * tx0 + drop * ty0;
-  return {jy * tx - jx * ty, jx * tx + jy * ty,
-          (1 - share) * m.node_x[p] + share * m.node_x[q] + ex,
-          (1 - share) * m.node_y[p] + share * m.node_y[q] + ey};
 }
 
 double mean_of(const SolidBody& body, const std::vector<double>& values, int column) {
@@ -95,32 +62,6 @@ double strain_energy(const Model& model, const State& s) {
   return energy;
 }
 
-std::vector<PointStress> contact_stresses(const Model& m, const State& s) {
-  std::vector<PointStress> points;
-  const auto first = static_cast<std::size_t>(m.n_point());
-  for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(m.solids.n_contact); ++i) {
-    const std::size_t c = i / 2, p = first + i;
-    const EdgeMotion at = edge_motion(m, s, c, static_cast<int>(i % 2));
-    contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
-                               s.slip[p],  s.shear_damage[p], s.tension_set[p]};
-    const JointMaterial& material =
-        m.materials[static_cast<std::size_t>(m.solids.contact_material[c])];
-    const contact::LawConstants<double> law = contact::constants_of(material);
-    const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
-      return contact::update<decltype(variant)>(law, at.w, at.s, h);
-    });
-    points.push_back({at.w, at.s, now.sigma, now.tau, now.tension_damage, h.shear_damage,
-                      now.damage, std::min(1.0, h.crush * law.inv_p_full), at.x, at.y});
-  }
-  return points;
-}
-
-std::pair<double, double> principal_stresses(const ZoneStress& zone) {
-  const double middle = 0.5 * (zone.sigma_x + zone.sigma_y);
-  const double radius = std::hypot(0.5 * (zone.sigma_x - zone.sigma_y), zone.tau);
-  return {middle + radius, middle - radius};
-}
-
 std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state) {
   std::vector<BeyondLimit> found;
   const auto has_limit = [](const SolidBody& body) {
@@ -128,17 +69,17 @@ std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state) {
   };
   const auto& bodies = model.solids.bodies;
   if (std::none_of(bodies.begin(), bodies.end(), has_limit)) return found;
-  const std::vector<ZoneStress> zones = zone_stresses(model, state);
+  const std::vector<ZoneReading> zones = read_zones(model, state);
   for (const SolidBody& body : bodies)
     for (int z = body.first_zone; z < body.first_zone + body.n_zone; ++z) {
-      const ZoneStress& zone = zones[static_cast<std::size_t>(z)];
+      const ZoneReading& zone = zones[static_cast<std::size_t>(z)];
       const auto [greatest, least] = principal_stresses(zone);
-      const double x = 0.25 * (zone.x[0] + zone.x[1] + zone.x[2] + zone.x[3]);
-      const double y = 0.25 * (zone.y[0] + zone.y[1] + zone.y[2] + zone.y[3]);
+      const auto& at = zone.corner;
+      const Vec3 middle = 0.25 * (at[0] + at[1] + at[2] + at[3]);
       if (greatest > body.tension_limit)
-        found.push_back({&body, true, greatest, body.tension_limit, x, y});
+        found.push_back({&body, true, greatest, body.tension_limit, middle});
       if (-least > body.compression_limit)
-        found.push_back({&body, false, -least, body.compression_limit, x, y});
+        found.push_back({&body, false, -least, body.compression_limit, middle});
     }
   return found;
 }
@@ -164,28 +105,34 @@ LintelMeasures lintel_measures(const Model& model, const State& s) {
   return now;
 }
 
-}  // namespace dynamics
+}  // namespace reading
 
-std::vector<ZoneStress> zone_stresses(const Model& model, const State& s) {
+std::vector<ZoneReading> read_zones(const Model& model, const State& s) {
   const Solids& m = model.solids;
-  std::vector<ZoneStress> zones;
+  std::vector<ZoneReading> zones;
   for (std::size_t z = 0; z < m.zone_shape.size(); ++z) {
-    const ZoneShape& shape = dynamics::shape_of(m, z);
-    const auto motion = solids::zone_motion(shape, dynamics::displacements(m, s, z));
+    const ZoneShape& shape = reading::shape_of(m, z);
+    const auto motion = solids::zone_motion(shape, reading::displacements(m, s, z));
     const auto stress = solids::zone_stress(shape, motion.d);
     const double c = motion.cos, n = motion.sin;
-    ZoneStress now;
+    ZoneReading now;
     now.sigma_x = c * c * stress.x + n * n * stress.y - 2 * c * n * stress.xy;
     now.sigma_y = n * n * stress.x + c * c * stress.y + 2 * c * n * stress.xy;
     now.tau = c * n * (stress.x - stress.y) + (c * c - n * n) * stress.xy;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto node = static_cast<std::size_t>(m.corner[k][z]);
-      now.x[k] = m.node_x[node] + s.node_ux[node];
-      now.y[k] = m.node_y[node] + s.node_uy[node];
+    now.corners = m.corner[2][z] == m.corner[3][z] ? 3 : 4;
+    for (int k = 0; k < 4; ++k) {
+      now.corner[k] = node_now(model, s, m.corner[k][z]);
+      if (k < now.corners) now.moved = now.moved + node_moved(s, m.corner[k][z]) / now.corners;
     }
     zones.push_back(now);
   }
   return zones;
+}
+
+std::pair<double, double> principal_stresses(const ZoneReading& zone) {
+  const double middle = 0.5 * (zone.sigma_x + zone.sigma_y);
+  const double radius = std::hypot(0.5 * (zone.sigma_x - zone.sigma_y), zone.tau);
+  return {middle + radius, middle - radius};
 }
 
 }  // namespace wythe

@@ -1,0 +1,59 @@
+// Vectors and rotations: one vocabulary for figures in a plane and for walls, flat or in space.
+//
+//   Vec2      a figure in its own plane: outlines while a wall is built, chains of macro-blocks
+//   Vec3      a place, a displacement or a direction in the wall's axes: x along it, y up, z out of its
+//             plane; z is 0 in a plane wall
+//   Rotation  a turn about an axis
+#pragma once
+
+#include <cmath>
+
+namespace wythe {
+
+struct Vec2 {
+  double x = 0, y = 0;
+};
+[[nodiscard]] inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+[[nodiscard]] inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+[[nodiscard]] inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+[[nodiscard]] inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+[[nodiscard]] inline Vec2 turned(Vec2 a, double angle) {  // anticlockwise [rad]
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * a.x - s * a.y, s * a.x + c * a.y};
+}
+
+struct Vec3 {
+  double x = 0, y = 0, z = 0;
+};
+[[nodiscard]] inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+[[nodiscard]] inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+[[nodiscard]] inline Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
+[[nodiscard]] inline Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+[[nodiscard]] inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+[[nodiscard]] inline Vec3 cross(Vec3 a, Vec3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+[[nodiscard]] inline double length(Vec3 a) { return std::hypot(std::hypot(a.x, a.y), a.z); }
+
+// A turn about the axis `by`, by its length [rad], anticlockwise seen from the axis' tip. In a plane
+// wall by.z is the angle and the rest is 0.
+struct Rotation {
+  Vec3 by;
+};
+// Where an arm v that starts at `about` ends once it is turned: about + R v, with the matrix of Rodrigues'
+// formula R v = v cos + (k x v) sin + k (k . v) (1 - cos) about the unit axis k.
+[[nodiscard]] inline Vec3 turned(Vec3 v, const Rotation& rotation, Vec3 about = {}) {
+  const double angle = length(rotation.by);
+  if (angle == 0) return about + v;
+  const Vec3 k = rotation.by / angle;
+  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+  return {about.x + (c + d * k.x * k.x) * v.x + (d * k.x * k.y - s * k.z) * v.y +
+              (d * k.x * k.z + s * k.y) * v.z,
+          about.y + (d * k.x * k.y + s * k.z) * v.x + (c + d * k.y * k.y) * v.y +
+              (d * k.y * k.z - s * k.x) * v.z,
+          about.z + (d * k.x * k.z - s * k.y) * v.x + (d * k.y * k.z + s * k.x) * v.y +
+              (c + d * k.z * k.z) * v.z};
+}
+
+}  // namespace wythe

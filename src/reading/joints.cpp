@@ -1,0 +1,227 @@
+// read_points(): the law asked on the present state, with the step's arithmetic, nothing kept; and what
+// the points of each joint come to.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/parameters.h"
+#include "core/real.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+using contact::LawConstants;
+
+// Kinematics of one point in the plane (2.2, 2.3, 8.5), as in the step but one operation after the other.
+struct PointMotion {
+  double w, s, x, y;
+};
+
+struct Turned {
+  double x, y;
+};
+Turned turn(const SinCos<double>& r, double x, double y) {
+  return {r.cos * x - r.sin * y, r.sin * x + r.cos * y};
+}
+
+// Of the two faces of joint j; `phi`: mean rotation of its sides.
+struct FaceMotion {
+  const Model& m;
+  const State& s;
+  const std::vector<SinCos<double>>& block;  // rotation of each
+  JointId j;
+  SinCos<double> phi;
+
+  [[nodiscard]] PointMotion at(double xi) const {
+    const BlockId a = m.joint_a[j], b = m.joint_b[j];
+    const bool on_ground = a == kGroundBlock;
+    const double bx0 = m.arm_b_x[j] + xi * m.half_x[j], by0 = m.arm_b_y[j] + xi * m.half_y[j];
+    const Turned rb = turn(block[b], bx0, by0);
+    const double pbx = s.ux[b] + rb.x - bx0, pby = s.uy[b] + rb.y - by0;
+    double pax = 0, pay = 0;
+    if (!on_ground) {
+      const double ax0 = m.arm_a_x[j] + xi * m.half_x[j], ay0 = m.arm_a_y[j] + xi * m.half_y[j];
+      const Turned ra = turn(block[a], ax0, ay0);
+      pax = s.ux[a] + ra.x - ax0;
+      pay = s.uy[a] + ra.y - ay0;
+    }
+    const Turned t = turn(phi, m.tangent_x[j], m.tangent_y[j]);
+    const double jx = pbx - pax, jy = pby - pay;
+    const double x0 = m.centroid_x[b] + bx0, y0 = m.centroid_y[b] + by0;
+    const double share = on_ground ? 1.0 : 0.5;
+    return {jy * t.x - jx * t.y, jx * t.x + jy * t.y, x0 + pbx - (1 - share) * jx,
+            y0 + pby - (1 - share) * jy};
+  }
+};
+
+// Of point k of contact c, on the edge of a zone.
+PointMotion contact_motion(const Model& model, const State& s, int c, int k) {
+  const Solids& m = model.solids;
+  const int p = m.contact_p[c], q = m.contact_q[c];
+  const double share = k == 0 ? m.share_0[c] : m.share_1[c];
+  const double arm_x = k == 0 ? m.arm_0_x[c] : m.arm_1_x[c];
+  const double arm_y = k == 0 ? m.arm_0_y[c] : m.arm_1_y[c];
+  const double ex = (1 - share) * s.node_ux[p] + share * s.node_ux[q];
+  const double ey = (1 - share) * s.node_uy[p] + share * s.node_uy[q];
+  double ux = 0, uy = 0, theta = 0;
+  if (const BlockId a = m.contact_block[c]; a != model.n_block) {
+    ux = s.ux[a];
+    uy = s.uy[a];
+    theta = s.theta[a];
+  }
+  const SinCos<double> half = sin_cos(0.5 * theta);
+  const double drop = -2 * half.sin * half.sin, sine = 2 * half.sin * half.cos;
+  const double jx = ex - (ux + drop * arm_x - sine * arm_y);
+  const double jy = ey - (uy + sine * arm_x + drop * arm_y);
+  const double tx0 = m.contact_tangent_x[c], ty0 = m.contact_tangent_y[c];
+  const double tx = tx0 + drop * tx0 - sine * ty0, ty = ty0 + sine * tx0 + drop * ty0;
+  return {jy * tx - jx * ty, jx * tx + jy * ty,
+          (1 - share) * m.node_x[p] + share * m.node_x[q] + ex,
+          (1 - share) * m.node_y[p] + share * m.node_y[q] + ey};
+}
+
+PointReading read_point(const State& s, PointId p, const LawConstants<double>& law,
+                        const PointMotion& at) {
+  contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
+                             s.slip[p],  s.shear_damage[p], s.tension_set[p]};
+  const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
+    return contact::update<decltype(variant)>(law, at.w, at.s, h);
+  });
+  PointReading point;
+  point.where = {at.x, at.y};
+  point.opening = at.w;
+  point.slip = at.s;
+  point.opened = s.kappa[p];
+  point.slid = s.plastic_slip[p];
+  point.crushed = s.crush[p];
+  point.normal_stress = now.sigma;
+  point.shear_stress = now.tau;
+  point.damage_tension = now.tension_damage;
+  point.damage_shear = h.shear_damage;
+  point.damage = now.damage;
+  point.crushing = std::min(1.0, h.crush * law.inv_p_full);
+  return point;
+}
+
+std::vector<SinCos<double>> rotations_of(const State& state) {
+  std::vector<SinCos<double>> rotations;
+  rotations.reserve(state.theta.size());
+  for (const double theta : state.theta) rotations.push_back(sin_cos(theta));
+  return rotations;
+}
+
+}  // namespace
+
+std::vector<PointReading> read_points(const Model& m, const State& s) {
+  std::vector<LawConstants<double>> law;
+  for (const JointMaterial& material : m.materials) law.push_back(contact::constants_of(material));
+  const std::vector<SinCos<double>> block = rotations_of(s);
+  std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const BlockId a = m.joint_a[j], b = m.joint_b[j];
+    const double phi = a == kGroundBlock ? 0.0 : 0.5 * (s.theta[a] + s.theta[b]);
+    const FaceMotion face{m, s, block, j, sin_cos(phi)};
+    const PointRange range = points_of(m, j);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const int k = p - range.begin;
+      points[p] = read_point(s, p, law[m.joint_material[j]], face.at(m.point_xi[k]));
+      points[p].share = m.point_weight[k];
+      points[p].place = m.point_xi[k];
+    }
+  }
+  for (int c = 0; c < m.solids.n_contact; ++c) {
+    const PointRange range = points_of(m, m.n_joint + c);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const int k = p - range.begin;
+      points[p] = read_point(s, p, law[m.solids.contact_material[c]], contact_motion(m, s, c, k));
+      points[p].share = 0.5;
+      points[p].place = 2 * k - 1;
+    }
+  }
+  return points;
+}
+
+namespace {
+
+JointReading sum_up(const JointShape& shape, PointRange range,
+                    const std::vector<PointReading>& points) {
+  JointReading joint;
+  joint.shape = shape;
+  joint.points = range;
+  joint.opening = -HUGE_VAL;
+  double moment = 0;  // [N] per half face
+  for (PointId p = range.begin; p < range.end; ++p) {
+    const PointReading& point = points[p];
+    const double area = shape.area * point.share;
+    joint.where = joint.where + point.share * point.where;
+    joint.opening = std::fmax(joint.opening, point.opening);
+    if (std::fabs(point.slip) > std::fabs(joint.slip)) joint.slip = point.slip;
+    joint.damage_tension = std::fmax(joint.damage_tension, point.damage_tension);
+    joint.damage_shear = std::fmax(joint.damage_shear, point.damage_shear);
+    joint.damage = std::fmax(joint.damage, point.damage);
+    joint.crushing = std::fmax(joint.crushing, point.crushing);
+    joint.normal_stress += point.share * point.normal_stress;
+    joint.shear_stress += point.share * point.shear_stress;
+    joint.compression -= area * point.normal_stress;
+    joint.shear += area * point.shear_stress;
+    moment -= area * point.normal_stress * point.place;
+  }
+  joint.moment = moment * length(shape.half);
+  if (joint.compression > 0) joint.eccentricity = std::clamp(moment / joint.compression, -1.0, 1.0);
+  return joint;
+}
+
+}  // namespace
+
+WallReading read_wall(const Model& model, const State& state) {
+  WallReading wall;
+  wall.points = read_points(model, state);
+  wall.blocks.reserve(block_count(model));
+  for (BlockId b = 0; b < block_count(model); ++b)
+    wall.blocks.push_back(read_block(model, state, b));
+  wall.joints.reserve(joint_count(model));
+  for (JointId j = 0; j < joint_count(model); ++j)
+    wall.joints.push_back(sum_up(joint_shape(model, j), points_of(model, j), wall.points));
+  return wall;
+}
+
+namespace {
+
+// Whether a place on the ground or on a fixed block still has a face under it. The ground of a wall
+// without fixed blocks goes on; a fixed block ends.
+bool is_on_support(const Anatomy& a, Vec3 place) {
+  if (a.support_begin.size() < 2) return true;
+  bool inside = false;
+  for (std::size_t s = 0; s + 1 < a.support_begin.size(); ++s) {
+    const int from = a.support_begin[s], to = a.support_begin[s + 1];
+    for (int p = from, q = to - 1; p < to; q = p++) {
+      const double yp = a.support_y[p], yq = a.support_y[q];
+      if ((yp > place.y) == (yq > place.y)) continue;
+      const double xp = a.support_x[p], xq = a.support_x[q];
+      if (place.x < xp + (place.y - yp) / (yq - yp) * (xq - xp)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+}  // namespace
+
+bool has_slid_off(const Model& model, const std::vector<PointReading>& points, JointId joint) {
+  const JointShape shape = joint_shape(model, joint);
+  if (shape.kind == JointKind::kLintelChain) return false;  // one piece of timber
+  double slip = 0;
+  bool pressed = false;
+  const PointRange range = points_of(model, joint);
+  for (PointId p = range.begin; p < range.end; ++p) {
+    slip += points[p].share * points[p].slip;
+    pressed = pressed || points[p].opening < 0;
+  }
+  const double reach = length(shape.half);  // half the face
+  if (!pressed || std::fabs(slip) <= reach) return false;
+  if (shape.a != kGroundBlock) return true;
+  // into the ground by a hundredth of the face, where the middle of the face is now
+  const double deep = 0.02 * reach;
+  return !is_on_support(model.anatomy, shape.centre + slip * shape.along - deep * shape.normal);
+}
+
+}  // namespace wythe

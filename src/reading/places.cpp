@@ -1,0 +1,174 @@
+// What of blocks and joints never changes, and where they and the nodes of zones are now. The step keeps
+// places of its own; these can be magnified, for pictures.
+#include <algorithm>
+
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+const SolidBody& body_of(const Model& model, BlockId block) {
+  return model.solids.bodies[block - model.n_block];
+}
+
+// Magnified rotations stay rotations up to a quarter turn; beyond, blocks would spin.
+Rotation magnified(const Rotation& rotation, double scale) {
+  constexpr double kQuarter = 1.5707963267948966;
+  const double angle = length(rotation.by);
+  if (angle == 0 || angle > kQuarter) return rotation;
+  return {std::min(angle * scale, kQuarter) * (rotation.by / angle)};
+}
+
+// Where the point of a rigid block is that started at `arm` from its centroid.
+Vec3 place(const BlockReading& block, Vec3 arm, double scale) {
+  return turned(arm, magnified(block.turned, scale), block.start + scale * block.moved);
+}
+
+Vec3 node_at_start(const Model& model, int node) {
+  return {model.solids.node_x[node], model.solids.node_y[node]};
+}
+
+// What the ends p and q of a zone's edge give to a point on it (8.5).
+Vec3 shared(double share, Vec3 p, Vec3 q) { return (1 - share) * p + share * q; }
+
+// Where point k of a contact starts.
+Vec3 contact_at_start(const Model& model, int contact, int k) {
+  const Solids& s = model.solids;
+  return shared(k == 0 ? s.share_0[contact] : s.share_1[contact],
+                node_at_start(model, s.contact_p[contact]),
+                node_at_start(model, s.contact_q[contact]));
+}
+
+Vec3 contact_now(const Model& model, const State& state, int contact, int k, double scale) {
+  const Solids& s = model.solids;
+  const Vec3 moved =
+      shared(k == 0 ? s.share_0[contact] : s.share_1[contact],
+             node_moved(state, s.contact_p[contact]), node_moved(state, s.contact_q[contact]));
+  return contact_at_start(model, contact, k) + scale * moved;
+}
+
+JointShape contact_shape(const Model& model, JointId joint) {
+  const Solids& s = model.solids;
+  const int c = joint - model.n_joint;
+  JointShape shape;
+  shape.id = joint;
+  shape.kind = JointKind::kLintelBond;
+  shape.a = s.contact_block[c] < model.n_block ? s.contact_block[c] : kGroundBlock;
+  const auto body = std::find_if(s.bodies.begin(), s.bodies.end(), [&](const SolidBody& one) {
+    return s.contact_p[c] < one.first_node + one.n_node;
+  });
+  shape.b = model.n_block + static_cast<BlockId>(body - s.bodies.begin());
+  shape.material = s.contact_material[c];
+  shape.area = s.contact_area[c];
+  const Vec3 from = contact_at_start(model, c, 0), to = contact_at_start(model, c, 1);
+  shape.centre = 0.5 * (from + to);
+  shape.half = 0.5 * (to - from);
+  shape.along = {s.contact_tangent_x[c], s.contact_tangent_y[c]};
+  if (shape.a != kGroundBlock)
+    shape.arm_a = {0.5 * (s.arm_0_x[c] + s.arm_1_x[c]), 0.5 * (s.arm_0_y[c] + s.arm_1_y[c])};
+  return shape;
+}
+
+JointShape face_shape(const Model& m, JointId j) {
+  JointShape shape;
+  shape.id = j;
+  shape.kind = m.anatomy.joint_kind[j];
+  shape.a = m.joint_a[j];
+  shape.b = m.joint_b[j];
+  shape.material = m.joint_material[j];
+  shape.area = m.area[j];
+  shape.arm_a = {m.arm_a_x[j], m.arm_a_y[j]};
+  shape.arm_b = {m.arm_b_x[j], m.arm_b_y[j]};
+  shape.centre = Vec3{m.centroid_x[shape.b], m.centroid_y[shape.b]} + shape.arm_b;
+  shape.half = {m.half_x[j], m.half_y[j]};
+  shape.along = {m.tangent_x[j], m.tangent_y[j]};
+  return shape;
+}
+
+}  // namespace
+
+PointRange points_of(const Model& model, JointId joint) {
+  const int per = model.n_face_point, contact = joint - model.n_joint;
+  if (contact < 0) return {joint * per, (joint + 1) * per};
+  return {model.n_point() + 2 * contact, model.n_point() + 2 * (contact + 1)};
+}
+
+int joint_count(const Model& model) { return model.n_joint + model.solids.n_contact; }
+
+JointShape joint_shape(const Model& model, JointId joint) {
+  JointShape shape = joint < model.n_joint ? face_shape(model, joint) : contact_shape(model, joint);
+  shape.normal = {-shape.along.y, shape.along.x};
+  return shape;
+}
+
+int block_count(const Model& model) {
+  return model.n_block + static_cast<int>(model.solids.bodies.size());
+}
+
+std::vector<Vec3> outline_of(const Model& model, BlockId block) {
+  std::vector<Vec3> outline;
+  if (block >= model.n_block) {
+    for (const int node : body_of(model, block).rim) outline.push_back(node_at_start(model, node));
+    return outline;
+  }
+  const Anatomy& a = model.anatomy;
+  for (int i = a.outline_begin[block]; i < a.outline_begin[block + 1]; ++i)
+    outline.push_back({a.outline_x[i], a.outline_y[i]});
+  return outline;
+}
+
+BlockReading read_block(const Model& model, const State& state, BlockId block) {
+  if (block >= model.n_block) {
+    const SolidBody& body = body_of(model, block);
+    return {block,
+            body.role,
+            {0.5 * (body.x0 + body.x1), 0.5 * (body.y0 + body.y1)},
+            node_moved(state, body.first_node),
+            {}};
+  }
+  const BlockId i = block;
+  return {block,
+          model.anatomy.block_role[i],
+          {model.centroid_x[i], model.centroid_y[i]},
+          {state.ux[i], state.uy[i]},
+          {{0, 0, state.theta[i]}}};
+}
+
+std::vector<Vec3> outline_now(const Model& model, const State& state, BlockId block, double scale) {
+  std::vector<Vec3> outline;
+  if (block >= model.n_block) {
+    for (const int node : body_of(model, block).rim)
+      outline.push_back(node_now(model, state, node, scale));
+    return outline;
+  }
+  const BlockReading now = read_block(model, state, block);
+  outline = outline_of(model, block);
+  for (Vec3& corner : outline) corner = place(now, corner - now.start, scale);
+  return outline;
+}
+
+Vec3 node_moved(const State& state, int node) { return {state.node_ux[node], state.node_uy[node]}; }
+
+Vec3 node_now(const Model& model, const State& state, int node, double scale) {
+  return node_at_start(model, node) + scale * node_moved(state, node);
+}
+
+std::array<Vec3, 2> ends_now(const Model& model, const State& state, JointId joint, double scale) {
+  if (const int contact = joint - model.n_joint; contact >= 0)
+    return {contact_now(model, state, contact, 0, scale),
+            contact_now(model, state, contact, 1, scale)};
+  const JointShape shape = joint_shape(model, joint);
+  const BlockReading b = read_block(model, state, shape.b);
+  std::array<Vec3, 2> ends;
+  for (const int side : {0, 1}) {
+    const Vec3 half = (side == 0 ? -1.0 : 1.0) * shape.half, arm_b = shape.arm_b + half;
+    const Vec3 on_b = place(b, arm_b, scale);
+    const Vec3 on_a = shape.a == kGroundBlock
+                          ? b.start + arm_b
+                          : place(read_block(model, state, shape.a), shape.arm_a + half, scale);
+    ends[side] = 0.5 * (on_a + on_b);
+  }
+  return ends;
+}
+
+}  // namespace wythe

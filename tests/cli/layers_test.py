@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""tools/check_layers finds each kind of fault, and nothing in a tree without faults."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
+
+GOOD = {
+    "include/wythe/model.h": "#include <vector>\n",
+    "src/model/model.cpp": '#include "wythe/model.h"\ndouble turn(const State& s) { return s.theta[0]; }\n',
+    "src/study/modes.cpp": '#include "model/parts.h"\n// s.theta and n_face_point are the plane\'s\n',
+    "src/report/arrays.cpp": 'const char* kColumn = "frame.theta, wall.half_x";\n',
+    "apps/main.cpp": '#include "wythe/model.h"\n',
+}
+BAD = [  # file, a line put at its end, what must be said
+    ("src/model/model.cpp", '#include "study/modes.h"', "src/model/model.cpp:3: model (L2) includes"),
+    ("src/report/arrays.cpp", '#include "io/vtu.h"', "report includes its sibling io/vtu.h"),
+    ("src/study/modes.cpp", "#include <sqlite4.h>\n#include <zlib.h>", "<zlib.h> belongs to report"),
+    ("apps/main.cpp", '#include "model/parts.h"', "only wythe/*.h may be seen from apps"),
+    ("src/study/modes.cpp", "double t = state.theta[b];",
+     "src/study/modes.cpp:3: theta is the plane's: ask wythe/reading.h"),
+    ("src/report/arrays.cpp", "double e = model->half_y[j];", "half_y is the plane's"),
+    ("src/io/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
+    ("apps/main.cpp", "int p = joint * model.n_face_point;", "n_face_point is the plane's"),
+]
+
+
+def check(tree):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in tree.items():
+            path = pathlib.Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        run = subprocess.run([str(SOURCE / "tools/check_layers"), folder], text=True, check=False,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return run.returncode, run.stdout
+
+
+class Layers(unittest.TestCase):
+    def test_a_tree_without_faults_passes(self):
+        self.assertEqual(check(GOOD), (0, "layers: includes point downwards\n"))
+
+    def test_each_kind_of_fault_is_found(self):
+        for name, line, said in BAD:
+            with self.subTest(line):
+                status, output = check({**GOOD, name: GOOD.get(name, "") + line + "\n"})
+                self.assertEqual(status, 1, output)
+                self.assertEqual(len(output.splitlines()), 1, output)
+                self.assertIn(said, output)
+
+
+if __name__ == "__main__":
+    unittest.main()
