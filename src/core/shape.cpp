@@ -38,7 +38,8 @@ class Scan {
     if (brackets_ + dots_ > kMostDepth)
       refuse(fmt::format("nests deeper than {} levels", kMostDepth),
              "write fewer tables or lists in each other");
-    if (toml_ && (c == '=' || c == '[')) ++keys_;
+    const bool heads = c == '[' && (at_ == 0 || text_[at_ - 1] != '[');  // [a] and [[a]] are one
+    if (toml_ && (c == '=' || heads)) ++keys_;
     if (keys_ > kMostKeys)
       refuse(fmt::format("has more than {} keys", kMostKeys),
              "leave some out; values of a list may stand in a CSV file");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/limits.h"
 #include "geometry/lintel.h"
 #include "geometry/text.h"
 
@@ -145,7 +146,7 @@ void refuse_lintel_in_opening(const PlacedOpening& a, const PlacedOpening& b, Fa
 }
 
 void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) {
-  for (std::size_t i = 0; i < openings.size(); ++i) {
+  for (std::size_t i = 0; i < openings.size() && !enough(faults); ++i) {
     for (std::size_t j = 0; j < openings.size(); ++j) {
       if (i < j) refuse_overlap(openings[i], openings[j], faults);
       refuse_lintel_in_opening(openings[i], openings[j], faults);

@@ -22,6 +22,7 @@
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
+#include "wythe/model.h"
 
 namespace wythe {
 namespace {
@@ -373,6 +374,20 @@ TEST(ManyFaults, a_hundred_are_told_and_that_there_are_more) {
   } catch (const InputError& error) {
     EXPECT_LT(error.faults().size(), 2 * kMostFaults);
     expect_words(error.what(), {"and more like these; mend these first"});
+  }
+}
+
+// 1000 doors in one place: half a million pairs of them overlap.
+TEST(ManyFaults, openings_that_lie_on_each_other_are_not_told_in_pairs) {
+  ModelSpec spec = parse_model(kModel, "m.toml");
+  const OpeningSpec door = spec.wall.opening.at(0);
+  spec.wall.opening.assign(1000, door);
+  try {
+    (void)compile(spec);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_LT(error.faults().size(), 10'000U);
+    expect_words(error.what(), {"mend these first"});
   }
 }
 
