@@ -186,7 +186,8 @@ struct Model {
   [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }
 };
 
-// Exactly what a restart needs: a run that is saved and restored gives the same bits.
+// Exactly what a restart needs: a run that is saved and restored gives the same bits. What its curve needs
+// beside it is a RunRecord (recording.h).
 struct State {
   // written by integrate (n_block)
   std::vector<double> ux, uy, theta;  // [m], [m], [rad]
@@ -219,6 +220,9 @@ struct State {
   double turn_time = 0;                 // stage time of the last start or turn of a push [s]
   double pace = 0;                      // of a push: 0 is `velocity`, 1 is `fast_velocity`
   int target = 0;                       // next of a cyclic stage
+  std::int64_t stage_first_step = 0;    // step before the stage's first
+  double last_growth = 0;               // stage time when a load factor last grew [s]
+  double moved_then = 0;                // how far the furthest block had moved by then [m]
 
   // energy ledger, since the start [J]
   double work_loads = 0, work_drive = 0, work_damping = 0;

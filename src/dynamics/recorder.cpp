@@ -50,26 +50,32 @@ bool has_event(const Result& result, const char* name) {
 }  // namespace
 
 Recorder::Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
-                   Result& result)
+                   RunRecord& record)
     : model_(model),
       stage_(stage),
-      result_(result),
+      result_(record.result),
+      recording_(record.recording),
+      n_(recording_.numbers),
       path_(path),
       window_(default_window(model, path)),
-      leg_window_(window_),
       frames_(frames),
-      start_time_(-1),
-      work_at_start_(0),
-      next_close_(window_),
-      next_reading_(kReadEvery),
-      read_at_(read_at),
-      state_at_(model.output.states),
-      slid_off_(static_cast<std::size_t>(model.n_joint), false) {
+      state_at_(model.output.states) {
   std::sort(state_at_.begin(), state_at_.end());
   state_at_.push_back(std::numeric_limits<double>::infinity());
-  due_ = std::min({state_at_.front(), next_reading_, read_at_});
-  // The curve is that of the last stage that has one.
-  result_.curve_of = stage.spec.kind;
+  if (n_.under_way == 0) begin(read_at);
+}
+
+// The curve is that of the last stage that has one.
+void Recorder::begin(double read_at) {
+  recording_ = {};
+  n_.under_way = 1;
+  n_.next_close = n_.leg_window = window_;
+  n_.next_reading = kReadEvery;
+  n_.read_at = read_at;
+  n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
+  const auto joints = static_cast<std::size_t>(model_.n_joint);
+  recording_.slid_off.assign(joints, 0);
+  result_.curve_of = stage_.spec.kind;
   result_.curve.clear();
   result_.rise.clear();
   result_.events.clear();
@@ -77,10 +83,7 @@ Recorder::Recorder(const Model& model, const Stage& stage, double path, int fram
   result_.readings.clear();
   result_.frames.clear();
   result_.validity = {};
-  result_.joint_crack_displacement.clear();
-  if (result_.joint_crack_displacement.empty())
-    result_.joint_crack_displacement.assign(static_cast<std::size_t>(model.n_joint),
-                                            std::numeric_limits<double>::quiet_NaN());
+  result_.joint_crack_displacement.assign(joints, std::numeric_limits<double>::quiet_NaN());
 }
 
 void Recorder::take_snapshot(const std::string& label, const State& state) {
@@ -90,30 +93,30 @@ void Recorder::take_snapshot(const std::string& label, const State& state) {
 
 void Recorder::take(const Place& place, State& state, const Controls& controls, double reaction,
                     double displacement, double load_factor, double travelled) {
-  if (start_time_ < 0) {
-    start_time_ = state.time - state.stage_time;
+  if (n_.start_time < 0) {
+    n_.start_time = state.time - state.stage_time;
     if (!stage_.spec.targets.empty() && stage_.spec.kind == StageKind::kPush) {
       const auto leg = static_cast<std::size_t>(state.target);
       const double from = leg == 0 ? 0.0 : stage_.spec.targets[leg - 1];
       begin_leg(leg, from, travelled - std::fabs(displacement - from));
     }
-    while (next_close_ < travelled) plan_close();
-    work_at_start_ = state.work_drive;
-    dead_ = dead_along_push(state);
+    while (n_.next_close < travelled) plan_close();
+    n_.work_at_start = state.work_drive;
+    n_.dead = dead_along_push(state);
     if (result_.curve.empty()) result_.curve.push_back({});
     place.bring_up(state);
-    damping_at_start_ = state.work_damping;
+    n_.damping_at_start = state.work_damping;
     take_snapshot("start", state);
   }
   displacement_ = displacement;
   load_factor_ = load_factor;
   weight_ = controls.push != nullptr ? std::fabs(controls.drive_velocity) : 1.0;
-  weight_sum_ += weight_;
-  reaction_sum_ += weight_ * reaction;
-  rise_weight_ += weight_;
-  rise_sum_ += weight_ * reaction;
-  ++steps_;
-  const bool closes = travelled >= next_close_ || has_turned();
+  n_.weight_sum += weight_;
+  n_.reaction_sum += weight_ * reaction;
+  n_.rise_weight += weight_;
+  n_.rise_sum += weight_ * reaction;
+  ++n_.steps;
+  const bool closes = travelled >= n_.next_close || has_turned();
   sample(place, state, controls, closes);
   take_rise(displacement, travelled);
   row_closed_ = closes;
@@ -129,20 +132,20 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
 // At the step, not at the row, so that neither rows nor the states asked for move a reading.
 void Recorder::take_states(const Place& place, State& state) {
   const double far = std::fabs(displacement_);
-  const bool turns = grows_ && far < farthest_ && !stage_.spec.targets.empty();
-  grows_ = far > farthest_;
-  farthest_ = std::max(farthest_, far);
-  if (!turns && far < due_) return;
+  const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.spec.targets.empty();
+  n_.grows = far > n_.farthest ? 1 : 0;
+  n_.farthest = std::max(n_.farthest, far);
+  if (!turns && far < n_.due) return;
   place.bring_up(state);
-  while (far >= state_at_[next_state_]) {
-    take_snapshot(fmt::format("{:g} mm", 1e3 * state_at_[next_state_]), state);
-    ++next_state_;
+  while (far >= next_state_at()) {
+    take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
+    ++n_.next_state;
   }
-  if (turns || far >= std::min(next_reading_, read_at_))
+  if (turns || far >= std::min(n_.next_reading, n_.read_at))
     result_.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
-  if (far >= next_reading_) next_reading_ = kReadEvery * (1 + std::floor(far / kReadEvery));
-  if (far >= read_at_) read_at_ = std::numeric_limits<double>::infinity();
-  due_ = std::min({state_at_[next_state_], next_reading_, read_at_});
+  if (far >= n_.next_reading) n_.next_reading = kReadEvery * (1 + std::floor(far / kReadEvery));
+  if (far >= n_.read_at) n_.read_at = std::numeric_limits<double>::infinity();
+  n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
 }
 
 // Windows of at least one sample of base shear; the push's beginning is felt at the driven blocks first
@@ -151,15 +154,16 @@ void Recorder::take_rise(double displacement, double travelled) {
   constexpr double kFirst = 1e-6, kWider = 1.02;  // first window [m], each to the one before
   const double out = std::fabs(displacement);
   if (is_load_controlled(result_) || travelled > out * (1 + 1e-9) + 1e-12) return;
-  if (out < std::max(kFirst, kWider * rise_from_) || rise_shear_weight_ == 0) return;
-  const double force = 0.5 * (rise_sum_ / rise_weight_ + rise_shear_sum_ / rise_shear_weight_);
-  result_.rise.push_back({0.5 * (rise_from_ + out), displacement < 0 ? -force : force});
-  rise_from_ = out;
-  rise_weight_ = rise_sum_ = rise_shear_weight_ = rise_shear_sum_ = 0;
+  if (out < std::max(kFirst, kWider * n_.rise_from) || n_.rise_shear_weight == 0) return;
+  const double force =
+      0.5 * (n_.rise_sum / n_.rise_weight + n_.rise_shear_sum / n_.rise_shear_weight);
+  result_.rise.push_back({0.5 * (n_.rise_from + out), displacement < 0 ? -force : force});
+  n_.rise_from = out;
+  n_.rise_weight = n_.rise_sum = n_.rise_shear_weight = n_.rise_shear_sum = 0;
 }
 
 bool Recorder::has_turned() const {
-  return leg_way_ != 0 && leg_way_ * (displacement_ - leg_target_) >= 0;
+  return n_.leg_way != 0 && n_.leg_way * (displacement_ - n_.leg_target) >= 0;
 }
 
 // A leg of a cyclic push has whole windows of its own, so that a row ends where the push turns: forces
@@ -167,33 +171,33 @@ bool Recorder::has_turned() const {
 void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
   constexpr double kFewest =
       20;  // rows of a leg, where output.window does not say how long they are
-  leg_way_ = 0;
+  n_.leg_way = 0;
   if (leg >= stage_.spec.targets.size()) return;
-  leg_target_ = stage_.spec.targets[leg];
-  leg_way_ = leg_target_ >= from ? 1 : -1;
-  const double length = std::fabs(leg_target_ - from);
+  n_.leg_target = stage_.spec.targets[leg];
+  n_.leg_way = n_.leg_target >= from ? 1 : -1;
+  const double length = std::fabs(n_.leg_target - from);
   const double fewest = std::isfinite(model_.output.window) ? 1.0 : kFewest;
-  leg_window_ = length / std::max(fewest, std::round(length / window_));
-  leg_end_ = travelled + length;
-  next_close_ = travelled;
+  n_.leg_window = length / std::max(fewest, std::round(length / window_));
+  n_.leg_end = travelled + length;
+  n_.next_close = travelled;
   plan_close();
 }
 
 // The last window of a leg closes where the push turns.
 void Recorder::plan_close() {
-  next_close_ += leg_window_;
-  if (leg_way_ != 0 && next_close_ > leg_end_ - 0.5 * leg_window_)
-    next_close_ = std::numeric_limits<double>::infinity();
+  n_.next_close += n_.leg_window;
+  if (n_.leg_way != 0 && n_.next_close > n_.leg_end - 0.5 * n_.leg_window)
+    n_.next_close = std::numeric_limits<double>::infinity();
 }
 
 void Recorder::take_frame(const State& state, double travelled) {
   // frame k at (k/n)^1.5 of the path: most cracks open in its first tenth
   constexpr double kCloserAtFirst = 1.5;
   const auto due = [&] {
-    return path_ * std::pow(static_cast<double>(next_frame_) / frames_, kCloserAtFirst);
+    return path_ * std::pow(static_cast<double>(n_.next_frame) / frames_, kCloserAtFirst);
   };
-  if (next_frame_ > frames_ || travelled < due()) return;
-  while (next_frame_ <= frames_ && travelled >= due()) ++next_frame_;
+  if (n_.next_frame > frames_ || travelled < due()) return;
+  while (n_.next_frame <= frames_ && travelled >= due()) ++n_.next_frame;
   result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
 }
 
@@ -206,7 +210,7 @@ double Recorder::resisted_by_ground(const Place& place, const State& state) cons
     const double down = -state.gravity_y / model_.solve.gravity;
     return down > 0 ? shear / down : shear;
   }
-  return stage_.spec.kind == StageKind::kPush ? shear - dead_ : shear;
+  return stage_.spec.kind == StageKind::kPush ? shear - n_.dead : shear;
 }
 
 // Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
@@ -227,46 +231,49 @@ double Recorder::dead_along_push(const State& state) const {
 void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
   if (state.step % kShearEvery == 0 || all) {
     const double shear = resisted_by_ground(place, state);
-    shear_weight_ += weight_;
-    shear_sum_ += weight_ * shear;
-    rise_shear_weight_ += weight_;
-    rise_shear_sum_ += weight_ * shear;
-    const double work = std::fabs(state.work_drive - work_at_start_);
-    if (work > 0) kinetic_sum_ += place.kinetic_energy(controls.mass_scaling) / work;
-    ++shear_samples_;
+    n_.shear_weight += weight_;
+    n_.shear_sum += weight_ * shear;
+    n_.rise_shear_weight += weight_;
+    n_.rise_shear_sum += weight_ * shear;
+    const double work = std::fabs(state.work_drive - n_.work_at_start);
+    if (work > 0) n_.kinetic_sum += place.kinetic_energy(controls.mass_scaling) / work;
+    ++n_.shear_samples;
   }
   if (state.step % kUnbalanceEvery == 0 || all) {
-    unbalance_sum_ += place.unbalance_ratio();
-    ++unbalance_samples_;
+    n_.unbalance_sum += place.unbalance_ratio();
+    ++n_.unbalance_samples;
   }
 }
 
 void Recorder::close_row(const State& state) {
   CurveRow row;
-  row.time = state.time - start_time_;
+  row.time = state.time - n_.start_time;
   row.displacement = is_load_controlled(result_) ? top_displacement(model_, state) : displacement_;
   row.drift = stage_.load_height > 0 ? displacement_ / stage_.load_height : 0.0;
-  row.reaction = weight_sum_ > 0 ? reaction_sum_ / weight_sum_ : 0;
-  row.base_shear = shear_weight_ > 0 ? shear_sum_ / shear_weight_ : 0;
-  row.unbalance_ratio = unbalance_sum_ / static_cast<double>(std::max(1L, unbalance_samples_));
-  row.kinetic_ratio = kinetic_sum_ / static_cast<double>(std::max(1L, shear_samples_));
+  row.reaction = n_.weight_sum > 0 ? n_.reaction_sum / n_.weight_sum : 0;
+  row.base_shear = n_.shear_weight > 0 ? n_.shear_sum / n_.shear_weight : 0;
+  const auto at_least_one = [](std::int64_t samples) {
+    return static_cast<double>(std::max<std::int64_t>(1, samples));
+  };
+  row.unbalance_ratio = n_.unbalance_sum / at_least_one(n_.unbalance_samples);
+  row.kinetic_ratio = n_.kinetic_sum / at_least_one(n_.shear_samples);
   row.load_factor = load_factor_;
-  row.work_drive = state.work_drive - work_at_start_;
-  row.work_damping = damping_at_start_ - state.work_damping;
+  row.work_drive = state.work_drive - n_.work_at_start;
+  row.work_damping = n_.damping_at_start - state.work_damping;
   const reading::LintelMeasures lintel = reading::lintel_measures(model_, state);
   row.lintel_deflection = lintel.deflection;
   row.lintel_end_rotation = lintel.end_rotation;
   row.lintel_axial = lintel.axial;
   result_.curve.push_back(row);
-  Side& side = side_[displacement_ < 0 ? 1 : 0];
+  RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
   const double force = displacement_ < 0 ? -row.reaction : row.reaction;
   const bool low = force < stage_.spec.stop_below * side.peak;
-  low_rows_ = low && std::fabs(displacement_) >= side.furthest ? low_rows_ + 1 : 0;
+  n_.low_rows = low && std::fabs(displacement_) >= side.furthest ? n_.low_rows + 1 : 0;
   side.furthest = std::max(side.furthest, std::fabs(displacement_));
-  full_window_ = steps_;
-  weight_sum_ = shear_weight_ = 0;
-  reaction_sum_ = shear_sum_ = unbalance_sum_ = kinetic_sum_ = 0;
-  steps_ = shear_samples_ = unbalance_samples_ = 0;
+  n_.full_window = n_.steps;
+  n_.weight_sum = n_.shear_weight = 0;
+  n_.reaction_sum = n_.shear_sum = n_.unbalance_sum = n_.kinetic_sum = 0;
+  n_.steps = n_.shear_samples = n_.unbalance_samples = 0;
   plan_close();
 
   note_joints(state, row.displacement, row.reaction);
@@ -285,7 +292,7 @@ void Recorder::note_peak(const State& state) {
   };
   const bool balanced = agree(row) && agree(curve[curve.size() - 2]);
   const double force = row.displacement < 0 ? -row.reaction : row.reaction;
-  Side& side = side_[row.displacement < 0 ? 1 : 0];
+  RecordedSide& side = recording_.side[row.displacement < 0 ? 1 : 0];
   if (balanced < side.balanced || (balanced == side.balanced && !(force > side.peak))) return;
   side.balanced = balanced;
   side.peak = force;
@@ -328,8 +335,8 @@ void Recorder::note_slid_off(const std::vector<PointReading>& points, double dis
                              double reaction) {
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
-    if (slid_off_[j] || !has_slid_off(model_, points, joint)) continue;
-    slid_off_[j] = true;
+    if (recording_.slid_off[j] != 0 || !has_slid_off(model_, points, joint)) continue;
+    recording_.slid_off[j] = 1;
     if (result_.validity.joints++ > 0) continue;
     const auto first = static_cast<std::size_t>(points_of(model_, joint).begin);
     result_.validity.overlap_lost = displacement;
@@ -356,21 +363,24 @@ void Recorder::note_limits(const State& state, double displacement, double react
 
 bool Recorder::fell_below() const {
   constexpr int kRows = 3;
-  return low_rows_ >= kRows;
+  return n_.low_rows >= kRows;
 }
 
 void Recorder::finish(const Place& place, State& state, const Controls& controls, bool ran_away) {
-  if (start_time_ < 0) return;
+  if (n_.start_time < 0) {  // it took no step
+    recording_ = {};
+    return;
+  }
   place.bring_up(state);
   // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
   // that stands still has no more rows.
-  if (2 * steps_ >= full_window_ && steps_ > 0 && !ran_away) {
+  if (2 * n_.steps >= n_.full_window && n_.steps > 0 && !ran_away) {
     sample(place, state, controls, true);
     close_row(state);
   }
-  const auto rank = [](const Side& side) { return std::pair(side.balanced, side.peak); };
-  const bool against = rank(side_[1]) > rank(side_[0]);
-  Side& larger = side_[against ? 1 : 0];
+  const auto rank = [](const RecordedSide& side) { return std::pair(side.balanced, side.peak); };
+  const bool against = rank(recording_.side[1]) > rank(recording_.side[0]);
+  RecordedSide& larger = recording_.side[against ? 1 : 0];
   if (larger.peak > 0)
     result_.snapshots.push_back({"peak", larger.peak_displacement,
                                  against ? -larger.peak : larger.peak,
@@ -380,6 +390,7 @@ void Recorder::finish(const Place& place, State& state, const Controls& controls
   std::stable_sort(
       result_.snapshots.begin(), result_.snapshots.end(),
       [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
+  recording_ = {};
 }
 
 }  // namespace wythe::dynamics

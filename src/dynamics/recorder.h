@@ -1,12 +1,13 @@
 // Turns steps into rows: averages of reaction, base shear and the meters over equal windows of the
-// driven path, the states on the way, and when each joint first cracked through or slid off.
+// driven path, the states on the way, and when each joint first cracked through or slid off. What it must
+// remember from step to step lies in a Recording, so that a run can be cut and continued anywhere.
 #pragma once
 
 #include <vector>
 
 #include "dynamics/executors/executor.h"
 #include "wythe/reading.h"
-#include "wythe/result.h"
+#include "wythe/recording.h"
 
 namespace wythe::dynamics {
 
@@ -14,9 +15,10 @@ class Recorder {
  public:
   // `path` is the whole driven path of the stage [m] (or the whole ramp of a load factor).
   // Of the path, `frames` states are kept for moving pictures, closer where cracks begin; at
-  // `read_at` [m] one for the failure mode.
+  // `read_at` [m] one for the failure mode. Goes on with `record` where it holds a stage under way, and
+  // begins it anew otherwise.
   Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
-           Result& result);
+           RunRecord& record);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
   void take(const Place& place, State& state, const Controls& controls, double reaction,
@@ -30,6 +32,7 @@ class Recorder {
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:
+  void begin(double read_at);
   void sample(const Place& place, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_joints(const State& state, double displacement, double reaction);
@@ -38,6 +41,9 @@ class Recorder {
   void begin_leg(std::size_t leg, double from, double travelled);
   void plan_close();
   [[nodiscard]] bool has_turned() const;
+  [[nodiscard]] double next_state_at() const {
+    return state_at_[static_cast<std::size_t>(n_.next_state)];
+  }
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const Place& place, State& state);
@@ -50,43 +56,14 @@ class Recorder {
   const Model& model_;
   const Stage& stage_;
   Result& result_;
+  Recording& recording_;
+  RecordingNumbers& n_;  // of recording_
   double path_, window_;
-  double leg_target_ = 0, leg_end_ = 0,
-         leg_window_;  // of a cyclic push: [m] along the push, of the path
-  int leg_way_ = 0;    // 0: not a cyclic push
-  int frames_, next_frame_ = 1;
-  double start_time_;
-  double work_at_start_, damping_at_start_ = 0;
-  double next_close_;
-  double displacement_ = 0, load_factor_ = 0;
-  // Forces are means over the path: a step counts by its velocity, at the smooth start less than later.
-  double weight_ = 1, weight_sum_ = 0, shear_weight_ = 0;
-  double reaction_sum_ = 0, shear_sum_ = 0, unbalance_sum_ = 0, kinetic_sum_ = 0;
-  long steps_ = 0, shear_samples_ = 0, unbalance_samples_ = 0;
-  // On the two sides of the start, along the push and against it; forces and distances as of a push there.
-  struct Side {
-    double peak = 0;
-    bool balanced = false;  // the peak
-    State peak_state;
-    double peak_displacement = 0;
-    double furthest = 0;  // of a row so far [m]
-  };
-  Side side_[2];
-  std::size_t next_state_ = 0;
-  double next_reading_;  // [m]
-  double read_at_;       // [m]; infinite once a state is kept there
-  double due_;           // the next of states and readings [m]
+  int frames_;
   std::vector<double> state_at_;
-  double farthest_ = 0;         // of any step, this way or that [m]
-  bool grows_ = false;          // the last step went farther than any before
-  std::vector<bool> slid_off_;  // joints (n_joint)
+  // Of the step just taken.
+  double displacement_ = 0, load_factor_ = 0, weight_ = 1;
   bool row_closed_ = false;
-  // The open window of `rise`: where it began, and its sums so far.
-  double rise_from_ = 0, rise_weight_ = 0, rise_sum_ = 0;
-  double rise_shear_weight_ = 0, rise_shear_sum_ = 0;
-  double dead_ = 0;       // along the push, on blocks that are not driven [N]
-  long full_window_ = 0;  // steps of the last window that was closed whole
-  int low_rows_ = 0;      // rows below stop_below in a row
 };
 
 }  // namespace wythe::dynamics

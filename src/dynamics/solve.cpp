@@ -1,6 +1,8 @@
 // solve() and WallRun: the stages in order, then what the curve says.
 #include "wythe/solve.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -61,12 +63,14 @@ std::function<void(const Progress&)> throttled(const Model& model, const State& 
 namespace dynamics {
 
 WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
-                 std::unique_ptr<Place> place)
+                 std::unique_ptr<Place> place, RunRecord so_far)
     : model_(model),
       state_(state),
       options_(options),
-      wall_{model, state, options_, result_, std::move(place), {}},
-      start_(Clock::now()) {
+      record_(std::move(so_far)),
+      wall_{model, state, options_, record_, std::move(place), {}},
+      start_(Clock::now()),
+      seconds_before_(record_.result.wall_seconds) {
   options_.progress = throttled(model, state, options);
   start_stages();
 }
@@ -75,7 +79,7 @@ WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
 void WallRun::start_stages() {
   while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
     const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
-    result_.time_step = stage_time_step(model_, stage);
+    record_.result.time_step = stage_time_step(model_, stage);
     stage_ = StageRun::start(wall_, stage);
     if (!stage_->ended()) return;
     close_stage();  // nothing to do in it
@@ -85,8 +89,8 @@ void WallRun::start_stages() {
 void WallRun::close_stage() {
   const StageEnd end = stage_->close();
   stage_.reset();
-  result_.status = end.status;
-  result_.reason = end.reason;
+  record_.result.status = end.status;
+  record_.result.reason = end.reason;
   if (!end.finished) return;
   ++state_.stage;
   state_.stage_time = 0;
@@ -97,8 +101,31 @@ const Controls& WallRun::next() {
   return wall_.controls;
 }
 
+double WallRun::seconds() const { return seconds_before_ + seconds_since(start_); }
+
+// After all that the step itself has to say, so that a run cut here and continued says the same: the
+// caller's checkpoint, an interrupt, the budget.
+void WallRun::heed_caller() {
+  const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;
+  if (options_.checkpoint && (asked || spent || state_.step % kWatchEvery == 0)) {
+    wall_.place->bring_up(state_);
+    record_.result.wall_seconds = seconds();
+    options_.checkpoint(state_, record_, asked || spent);
+  }
+  if (asked)
+    stage_->end(
+        {SolveStatus::kInterrupted,
+         fmt::format("stopped by the user in stage \"{}\" at {:.3f} s",
+                     model_.stages[static_cast<std::size_t>(state_.stage)].spec.name, state_.time),
+         false});
+  else if (spent)
+    stage_->end({SolveStatus::kBudgetSpent, fmt::format("{} steps spent", state_.step), false});
+}
+
 void WallRun::look(double reaction) {
   stage_->look(reaction);
+  if (!stage_->ended()) heed_caller();
   if (!stage_->ended()) return;
   const int stage = state_.stage;
   close_stage();
@@ -111,22 +138,23 @@ void WallRun::move_to(std::unique_ptr<Place> place) {
 }
 
 Result WallRun::finish() {
-  result_.responses = read_responses(result_.curve, reading_of(model_, result_));
-  result_.quasi_static = judge_quasi_static(result_);
-  result_.top_displacement = top_displacement(model_, state_);
-  result_.steps = state_.step;
-  result_.state_hash = state_hash(state_);
-  add_curve_events(result_);
-  result_.wall_seconds = seconds_since(start_);
-  return std::move(result_);
+  Result& result = record_.result;
+  result.responses = read_responses(result.curve, reading_of(model_, result));
+  result.quasi_static = judge_quasi_static(result);
+  result.top_displacement = top_displacement(model_, state_);
+  result.steps = state_.step;
+  result.state_hash = state_hash(state_);
+  add_curve_events(result);
+  result.wall_seconds = seconds();
+  return std::move(result);
 }
 
 }  // namespace dynamics
 
-Result solve(const Model& model, State& state, const SolveOptions& options) {
+Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
   dynamics::Processor processor(model, 1, std::max(1, options.threads));
   processor.put(0, model, state);
-  dynamics::WallRun run(model, state, options, processor.place(0));
+  dynamics::WallRun run(model, state, options, processor.place(0), std::move(so_far));
   while (!run.ended()) {
     processor.set(0, run.next());
     processor.step();

@@ -13,7 +13,6 @@ namespace wythe::dynamics {
 namespace {
 
 constexpr int kSettleEvery = 50;  // steps between looks at the unbalance
-constexpr int kWatchEvery = 500;  // steps between looks at collapse, interrupt, budget
 
 }  // namespace
 
@@ -49,8 +48,8 @@ StageRun::StageRun(WallUnderWay& wall, const Stage& stage)
       stage_(stage),
       state_(wall.state),
       controls_(wall.controls),
-      driven_(&stage.driven),
-      first_step_(wall.state.step) {
+      driven_(&stage.driven) {
+  if (state_.stage_time == 0) state_.stage_first_step = state_.step;
   controls_ = {};
   controls_.dt = stage_time_step(model_, stage);
   controls_.mass_scaling = stage_mass_scaling(model_, stage);
@@ -64,7 +63,6 @@ void StageRun::drive(const Stage& push) {
   wall_.place->choose_driven(push.driven);
 }
 
-// The first end stands: what is noticed later in the same step does not undo it.
 void StageRun::end(StageEnd how) {
   if (ended_) return;
   end_ = std::move(how);
@@ -76,10 +74,10 @@ StageEnd StageRun::close() {
   if (wall_.place->runaway_block() >= 0) end_ = runs_away();
   finish(end_);
   wall_.place->bring_up(state_);
-  wall_.result.stages.push_back({stage_.spec.name, state_.stage_time, state_.step - first_step_,
-                                 wall_.place->unbalance_ratio(),
-                                 end_.status == SolveStatus::kCompleted});
-  wall_.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
+  wall_.record.result.stages.push_back(
+      {stage_.spec.name, state_.stage_time, state_.step - state_.stage_first_step,
+       wall_.place->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
+  wall_.record.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
   return end_;
 }
 
@@ -142,14 +140,14 @@ StageEnd StageRun::runs_away() const {
       false};
 }
 
-// Budget, instability, and collapse: a block farther off than the push can have brought it.
+// Instability, and collapse: a block farther off than the push can have brought it.
 void StageRun::watch(double share) {
   const SolveOptions& options = wall_.options;
-  const bool asked = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-  if ((state_.step % kWatchEvery != 0 && !asked) || ended_) return;
+  if (state_.step % kWatchEvery != 0 || ended_) return;
   if (options.progress)
-    options.progress({stage_.spec.name.c_str(), share, state_.drive_displacement,
-                      wall_.result.curve.empty() ? 0.0 : wall_.result.curve.back().reaction});
+    options.progress(
+        {stage_.spec.name.c_str(), share, state_.drive_displacement,
+         wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
   if (wall_.place->runaway_block() >= 0) return end(runs_away());
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.place->furthest_block();
@@ -163,13 +161,6 @@ void StageRun::watch(double share) {
                             1e3 * furthest.distance, stage_.spec.name),
                 false});
   }
-  if (asked)
-    return end({SolveStatus::kInterrupted,
-                fmt::format("stopped by the user in stage \"{}\" at {:.3f} s", stage_.spec.name,
-                            state_.time),
-                false});
-  if (options.step_budget > 0 && state_.step >= options.step_budget)
-    end({SolveStatus::kBudgetSpent, fmt::format("{} steps spent", state_.step), false});
 }
 
 namespace {
@@ -216,7 +207,7 @@ class Push : public StageRun {
                                             : stage.spec.targets),
         path_(driven_path(stage)),
         recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
-                  wall.result) {
+                  wall.record) {
     controls_.push = &stage;
     if (state_.stage_time == 0)
       state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
@@ -277,7 +268,7 @@ class Push : public StageRun {
   std::vector<double> targets_;
   double path_;
   Recorder recorder_;
-  double sense_ = 1;
+  double sense_ = 1;  // in this step
 };
 
 // Body force and tilt: a load factor that grows while the wall is in balance.
@@ -289,10 +280,9 @@ class Factor : public StageRun {
         rate_(tilting_ ? stage.spec.tilt_rate : stage.spec.rate),
         last_(tilting_ ? stage.spec.tilt_until : stage.spec.factor),
         recorder_(model_, stage, last_, wall.options.frames, wall.options.read_modes_at,
-                  wall.result),
-        factor_(state_.body_factor),
-        last_growth_(state_.stage_time),
-        moved_then_(moved()) {
+                  wall.record),
+        factor_(state_.body_factor) {
+    if (state_.stage_time == 0) note_growth(moved());
     if (!(factor_ < last_)) end({});
   }
 
@@ -312,11 +302,10 @@ class Factor : public StageRun {
       state_.balance = wall_.place->unbalance_ratio();
       if (share_ > 0) {
         state_.load_factor = carried;
-        last_growth_ = state_.stage_time;
-        moved_then_ = now;
+        note_growth(now);
       }
     }
-    if (state_.stage_time - last_growth_ > model_.solve.settle_limit)
+    if (state_.stage_time - state_.last_growth > model_.solve.settle_limit)
       end(standstill(carried, now));
     else
       watch(factor_ / last_);
@@ -325,6 +314,11 @@ class Factor : public StageRun {
 
  private:
   [[nodiscard]] double moved() const { return wall_.place->furthest_block().distance; }
+
+  void note_growth(double moved) {
+    state_.last_growth = state_.stage_time;
+    state_.moved_then = moved;
+  }
 
   void set_factor(double factor) {
     const double g = model_.solve.gravity;
@@ -341,7 +335,7 @@ class Factor : public StageRun {
 
   // The factor has not grown for the settling limit: a mechanism creeps on, or the wall trembles.
   [[nodiscard]] StageEnd standstill(double carried, double now) const {
-    if (now > 1.05 * moved_then_)
+    if (now > 1.05 * state_.moved_then)
       return {SolveStatus::kCollapsed,
               fmt::format("the wall keeps moving at the load factor {:.4f} in stage \"{}\"",
                           carried, stage_.spec.name),
@@ -353,17 +347,17 @@ class Factor : public StageRun {
 
   void finish(StageEnd& how) override {
     recorder_.finish(*wall_.place, state_, controls_, !how.finished);
-    wall_.result.load_factor = state_.load_factor;
+    wall_.record.result.load_factor = state_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
       how.reason = fmt::format("{}; the largest load factor carried is {:.4f}", how.reason,
-                               wall_.result.load_factor);
+                               wall_.record.result.load_factor);
   }
 
   bool tilting_;
   double rate_, last_;
   Recorder recorder_;
-  double factor_, last_growth_, moved_then_;
-  double share_ = 0;
+  double factor_;     // between steps: body_factor
+  double share_ = 0;  // of the rate, in this step
 };
 
 // Nothing new: loads stay, and what an earlier push drives stays where it is.

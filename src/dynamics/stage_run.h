@@ -8,13 +8,16 @@
 //   body force      lambda grows only while the unbalance is below settle_ratio: the largest carried
 //   tilt            the same with the direction of gravity
 //   hold            nothing new for a duration
+//
+// A stage keeps nothing from step to step but what is in State and Recording: made anew from them in the
+// middle, it goes on with the same bits.
 #pragma once
 
 #include <memory>
 #include <string>
 
 #include "dynamics/executors/executor.h"
-#include "wythe/result.h"
+#include "wythe/recording.h"
 #include "wythe/solve.h"
 
 namespace wythe::dynamics {
@@ -26,12 +29,15 @@ struct StageEnd {
   bool finished = true;  // false: the run ends here
 };
 
+inline constexpr int kWatchEvery =
+    500;  // steps between looks at collapse and at the caller's wishes
+
 // What all stages of a run work on.
 struct WallUnderWay {
   const Model& model;
   State& state;
   const SolveOptions& options;
-  Result& result;
+  RunRecord& record;
   std::unique_ptr<Place> place;
   Controls controls;
 };
@@ -46,6 +52,8 @@ class StageRun {
   virtual void prepare() = 0;
   virtual void look(double reaction) = 0;
   [[nodiscard]] bool ended() const { return ended_; }
+  // The first end stands: what is noticed later in the same step does not undo it.
+  void end(StageEnd how);
   // Closes rows, writes the stage's report; call once, after the last look.
   StageEnd close();
   // Blocks that the step moves by the drive; marked anew when the wall changes its place.
@@ -54,9 +62,8 @@ class StageRun {
  protected:
   StageRun(WallUnderWay& wall, const Stage& stage);
   virtual void finish(StageEnd&) {}
-  void end(StageEnd how);
   void drive(const Stage& push);
-  // Every step: interrupt. Every few hundred: budget, instability, collapse.
+  // Every few hundred steps: progress, instability, collapse.
   void watch(double share);
 
   WallUnderWay& wall_;
@@ -72,7 +79,6 @@ class StageRun {
   [[nodiscard]] std::string crushed() const;
 
   const std::vector<BlockId>* driven_;
-  std::int64_t first_step_;
   bool ended_ = false;
   StageEnd end_;
 };

@@ -13,9 +13,10 @@ namespace wythe::dynamics {
 
 class WallRun {
  public:
-  // `options` have to live as long as the run; the place is ready to be stepped.
+  // `options` have to live as long as the run; the place is ready to be stepped. `so_far`: of the steps
+  // that brought the state where it is; without it the run tells of the rest alone.
   WallRun(const Model& model, State& state, const SolveOptions& options,
-          std::unique_ptr<Place> place);
+          std::unique_ptr<Place> place, RunRecord so_far = {});
   WallRun(const WallRun&) = delete;
   WallRun& operator=(const WallRun&) = delete;
 
@@ -32,14 +33,17 @@ class WallRun {
  private:
   void start_stages();
   void close_stage();
+  void heed_caller();
+  [[nodiscard]] double seconds() const;
 
   const Model& model_;
   State& state_;
   SolveOptions options_;
-  Result result_;
+  RunRecord record_;
   WallUnderWay wall_;
   std::unique_ptr<StageRun> stage_;
   std::chrono::steady_clock::time_point start_;
+  double seconds_before_;  // of the steps before
 };
 
 }  // namespace wythe::dynamics
