@@ -6,6 +6,7 @@
 #include <string>
 
 #include "campaign_commands.h"
+#include "checkpoints.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "report_files.h"
@@ -131,19 +132,21 @@ void print_result(const Result& r, const std::string& out) {
 }  // namespace
 
 int run(const RunArguments& arguments) {
-  ModelSpec spec;
-  Model model = read_and_compile(arguments.model, arguments.overrides, &spec);
+  RunStart start = start_of(arguments);
   hold_for_test("model read");
-  model.spec_hash = spec_hash(spec);
-  check_language(arguments.language);
-  const std::unique_ptr<Replacement> results = replace_run(arguments.out);
+  const Model& model = start.from.model;
+  const std::unique_ptr<Replacement> results = replace_run(start.out, start.is_resumed);
   if (!arguments.quiet) print_model(model);
-  State state = initial_state(model);
+  State state = start.from.state;
+  if (start.is_resumed && !arguments.quiet)
+    fmt::print("goes on after {} steps, in stage \"{}\"\n", state.step,
+               model.stages[static_cast<std::size_t>(state.stage)].spec.name);
   const StopSignal stop;  // until the results are written
   SolveOptions options;
   options.threads = arguments.threads;
   options.stop = &stop.asked();
   options.frames = kFrames;
+  if (start.has_checkpoints()) options.checkpoint = CheckpointWriter(start, *results);
   Result result;
   {
     ProgressPrinter progress(arguments.quiet);
@@ -151,14 +154,16 @@ int run(const RunArguments& arguments) {
       progress(p);
       hold_for_test(fmt::format("stage {}", p.stage));
     };
-    result = solve(model, state, options);
+    result = solve(model, state, options, std::move(start.from.record));
   }
   result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
-  write_run(results->path(), spec, model, result);
-  write_run_report(results->path(), spec, model, result, arguments.language);
+  write_run(results->path(), start.from.spec, model, result);
+  write_run_report(results->path(), start.from.spec, model, result, start.from.order.language);
   results->commit(hold_for_test);
-  print_result(result, arguments.out);
+  print_result(result, start.out);
+  if (result.status == SolveStatus::kInterrupted && start.has_checkpoints())
+    fmt::print("go on with: wythe run --resume {}\n", start.out);
   return exit_code(result.status);
 }
 

@@ -8,10 +8,12 @@ namespace wythe::app {
 
 struct RunArguments {
   std::string model, out;
+  std::string checkpoint;  // time between checkpoints, with its unit; "": none
+  std::string resume;      // folder of a run to go on with
   std::vector<std::string> overrides;
   int threads = 1;
   bool quiet = false;
-  std::string language = "en";  // of the report
+  std::string language;  // of the report; "": English, or that of the run resumed
 };
 int run(const RunArguments& arguments);
 

@@ -43,11 +43,15 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
   command->footer(
       "example: wythe run examples/tuff_wall/model.toml --out out/tuff --set "
       "stage.push.velocity=\"1 mm/s\"");
-  command->add_option("model", a.model, "the wall, MODEL.toml")->required();
-  command->add_option("--out", a.out, "folder for the results, made if absent")->required();
+  command->add_option("model", a.model, "the wall, MODEL.toml");
+  command->add_option("--out", a.out, "folder for the results, made if absent");
   add_overrides(command, a.overrides);
   command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));
+  command->add_option("--checkpoint", a.checkpoint,
+                      "write a checkpoint into the folder this often, e.g. \"60 s\"");
+  command->add_option("--resume", a.resume,
+                      "go on from the checkpoint in this folder, in the place of model and --out");
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = run(a); });

@@ -77,6 +77,9 @@ class Replacement {
   [[nodiscard]] const std::string& path() const { return path_; }
   // `at` is called at each point on the way, for tests: "results written", "results ready", ...
   void commit(const std::function<void(const char* point)>& at = {});
+  // Puts one file into the folder at once: if the program is killed, the old one or the new one is there.
+  void put(const std::string& name, const std::string& bytes,
+           const std::function<void(const char* point)>& at = {});
 
  private:
   std::string folder_, path_;
@@ -88,7 +91,8 @@ void finish_replacement(const std::string& folder);
 
 // The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent). Throws
 // InputError where the folder holds anything else, IoError where it can't be written.
-[[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder);
+[[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder,
+                                                       bool resumes = false);
 // Writes the files of a run into `folder` (made if absent), all but report.html; removes nothing.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
                const Result& result);

@@ -15,6 +15,7 @@ constexpr std::size_t kMostJson = 32'000'000;  // 170 000 blocks; in memory up t
 constexpr std::size_t kMostCsv = 256'000'000;  // a curve of a million rows has 200 MB
 constexpr std::size_t kMostPacked =
     512'000'000;  // data of a report, unpacked: no browser takes more; a cell of a store
+constexpr std::size_t kMostCheckpoint = 4'000'000'000;  // 60 states of 200 000 blocks
 
 // --- shape of a text
 constexpr int kMostDepth = 32;         // of tables and lists in each other: a model has 5

@@ -132,6 +132,17 @@ void Replacement::commit(const std::function<void(const char*)>& point) {
   bring(folder_, at);
 }
 
+void Replacement::put(const std::string& name, const std::string& bytes,
+                      const std::function<void(const char*)>& at) {
+  const fs::path whole = fs::path(path_) / name;
+  write_file(whole.string(), bytes);
+  if (at) at("ready");
+  std::error_code error;
+  fs::rename(whole, fs::path(folder_) / name, error), check(folder_, error);
+  ::fsync(lock_);
+  if (at) at("written");
+}
+
 void finish_replacement(const std::string& folder) {
   if (!is_there(fs::path(folder) / kReady)) return;
   const int lock = locked(folder);

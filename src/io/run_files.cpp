@@ -3,6 +3,7 @@
 //   force_displacement.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
 //   run.pvd                  summary.json, written last
+//   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "io/blocks_json.h"
 #include "io/curve_csv.h"
 #include "io/vtu.h"
+#include "wythe/checkpoint.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 
@@ -38,17 +40,34 @@ bool is_state(const std::string& name) {
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
   for (const char* file : {"force_displacement.csv", "summary.json", "run.pvd", "report.html",
-                           "report.data", "model.used.toml", "blocks.json"})
+                           "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
     if (name == file) return true;
   return is_state(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
 
-// A folder is a run's where it has a run's curve and nothing but a run's files; hidden ones are nobody's.
+// Hours of computing that a new run or campaign would throw away.
+void refuse_checkpoint(const std::string& folder) {
+  const std::string file = inside(folder, kCheckpointFile);
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(file, error))) return;
+  throw InputError(
+      {{.file = file,
+        .path = "",
+        .value = "",
+        .problem = "is the checkpoint of a run that has not come to its end",
+        .cure = fmt::format("go on with: wythe run --resume {}; or remove the file, or "
+                            "name another folder",
+                            folder)}});
+}
+
+// A folder is a run's where it has a run's curve or checkpoint, and nothing but a run's files; hidden ones
+// are nobody's.
 void refuse_others(const std::string& folder) {
   std::error_code error;
   const bool of_replay = fs::exists(inside(folder, "settings.txt"), error);
   const bool of_run = fs::exists(inside(folder, "summary.json"), error) ||
-                      fs::exists(inside(folder, "force_displacement.csv"), error);
+                      fs::exists(inside(folder, "force_displacement.csv"), error) ||
+                      fs::exists(inside(folder, kCheckpointFile), error);
   std::vector<std::string> others;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -124,6 +143,7 @@ std::uint64_t spec_hash(const ModelSpec& spec) {
 
 void check_folder(const std::string& folder, FolderFor use) {
   const bool run = use == FolderFor::kRun;
+  if (!run) refuse_checkpoint(folder);
   std::error_code error;
   for (const char* name : {"campaign.lock", "samples.csv", "statistics.json", "report.html"})
     if (!run) check_output(inside(folder, name));  // the store sees to its own
@@ -150,9 +170,10 @@ void prepare_folder(const std::string& folder) {
   fs::remove(probe, error);
 }
 
-std::unique_ptr<Replacement> replace_run(const std::string& folder) {
+std::unique_ptr<Replacement> replace_run(const std::string& folder, bool resumes) {
   check_folder(folder, FolderFor::kRun);
   finish_replacement(folder);
+  if (!resumes) refuse_checkpoint(folder);
   refuse_others(folder);
   prepare_folder(folder);
   const bool of_replay = fs::exists(inside(folder, "settings.txt"));

@@ -8,8 +8,11 @@
 
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
+#include "scenes/small_study.h"
 #include "scenes/whole_result.h"
 #include "scenes/zones.h"
+#include "wythe/checkpoint.h"
+#include "wythe/io.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -39,8 +42,8 @@ TEST(Restart, a_copied_state_goes_on_in_a_new_stepper_with_the_same_bits) {
   EXPECT_GT(whole.state.dissipated_fracture, 0);
 }
 
-// Runs to the end; with `every` > 0 in pieces of so many steps, each in a fresh solve() of copies. `cut_in`:
-// what the pieces were cut in.
+// Runs to the end; with `every` > 0 in pieces of so many steps, each in a solve() of its own, from copies or from
+// files of checkpoints. `cut_in`: what the pieces were cut in.
 struct End {
   std::string hash, whole;
   Result result;
@@ -67,37 +70,44 @@ std::set<std::string> middle_of(const Model& model, const State& state, const Ru
   return found;
 }
 
-End run(const Model& model, std::int64_t every) {
+enum class Through { kCopies, kFiles };
+
+End run(const ModelSpec& spec, std::int64_t every, Through way = Through::kCopies) {
+  const scenes::TemporaryFolder folder;
   End end;
-  State state = initial_state(model), kept;
-  RunRecord so_far;
+  Checkpoint now{.order = order_of(spec, "model.toml"), .spec = spec, .model = compile(spec)};
+  now.model.spec_hash = spec_hash(spec);
+  now.state = initial_state(now.model);
+  Checkpoint kept = now;
   SolveOptions options;
   options.frames = 7;
   options.read_modes_at = 0.7e-3;
-  options.checkpoint = [&](const State& now, const RunRecord& record, bool ends) {
+  options.checkpoint = [&](const State& state, const RunRecord& record, bool ends) {
     if (!ends) return;
-    kept = now;
-    so_far = record;
-    end.cut_in.merge(middle_of(model, now, record));
+    end.cut_in.merge(middle_of(now.model, state, record));
+    if (way == Through::kFiles)
+      write_text(folder / kCheckpointFile, checkpoint_bytes(now.order, now.model, state, record));
+    else
+      kept.state = state, kept.record = record;
   };
   for (std::int64_t stop = every;; stop += every) {
     options.step_budget = stop;
-    end.result = solve(model, state, options, so_far);
+    end.result = solve(now.model, now.state, options, now.record);
     if (end.result.status != SolveStatus::kBudgetSpent) break;
-    state = kept;
+    now = way == Through::kFiles ? read_checkpoint(folder / "") : kept;
   }
-  end.hash = state_hash(state);
-  end.whole = scenes::whole(state) + "\n" + scenes::whole(end.result);
+  end.hash = state_hash(now.state);
+  end.whole = scenes::whole(now.state) + "\n" + scenes::whole(end.result);
   return end;
 }
 
 void expect_invisible(const ModelSpec& spec, std::int64_t every,
                       const std::vector<std::string>& cut_in) {
-  const Model model = compile(spec);
-  const End whole = run(model, 0), pieced = run(model, every);
+  const End whole = run(spec, 0), pieced = run(spec, every);
   EXPECT_NE(whole.result.status, SolveStatus::kUnstable) << whole.result.reason;
   EXPECT_EQ(pieced.hash, whole.hash) << pieced.result.reason;
   EXPECT_EQ(pieced.whole, whole.whole);
+  EXPECT_EQ(run(spec, 5 * every, Through::kFiles).whole, whole.whole);
   for (const std::string& phase : cut_in)
     EXPECT_TRUE(pieced.cut_in.contains(phase)) << "no cut in: " << phase;
 }

@@ -1,0 +1,38 @@
+// What `wythe run` begins with, a model or the checkpoint of a run, and the checkpoints it writes.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "commands.h"
+#include "wythe/checkpoint.h"
+#include "wythe/io.h"
+
+namespace wythe::app {
+
+struct RunStart {
+  Checkpoint from = {};  // at rest where the run is not resumed
+  std::string out = {};  // folder of the results
+  bool is_resumed = false;
+  [[nodiscard]] bool has_checkpoints() const { return from.order.every > 0; }
+};
+// Throws InputError where options don't go together, or the model or the checkpoint can't be used.
+[[nodiscard]] RunStart start_of(const RunArguments& arguments);
+
+// Writes the checkpoint of a run whenever it is due.
+class CheckpointWriter {
+ public:
+  CheckpointWriter(const RunStart& start, Replacement& results);
+  // As SolveOptions::checkpoint.
+  void operator()(const State& state, const RunRecord& record, bool ends);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const RunStart& start_;
+  Replacement& results_;
+  Clock::time_point last_ = Clock::now();
+  int written_ = 0;
+};
+
+}  // namespace wythe::app
