@@ -5,6 +5,7 @@
 
 #include "contact/parameters.h"
 #include "core/real.h"
+#include "model/fields.h"
 #include "wythe/reading.h"
 
 namespace wythe {
@@ -80,10 +81,18 @@ PointMotion contact_motion(const Model& model, const State& s, int c, int k) {
           (1 - share) * m.node_y[p] + share * m.node_y[q] + ey};
 }
 
+// What the law remembers of a point, by the table of fields.
+contact::History<double> history_of(const State& s, PointId p) {
+  contact::History<double> h{};
+  std::size_t k = 0;
+  for (const StateField& field : kStateFields)
+    if (field.entity == Entity::kPoint) h.*contact::kHistory<double>[k++] = (s.*field.array)[p];
+  return h;
+}
+
 PointReading read_point(const State& s, PointId p, const LawConstants<double>& law,
                         const PointMotion& at) {
-  contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
-                             s.slip[p],  s.shear_damage[p], s.tension_set[p]};
+  contact::History<double> h = history_of(s, p);
   const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
     return contact::update<decltype(variant)>(law, at.w, at.s, h);
   });

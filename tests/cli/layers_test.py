@@ -11,12 +11,14 @@ SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 GOOD = {
     "include/wythe/model.h": "#include <vector>\n",
     "src/model/model.cpp": '#include "wythe/model.h"\ndouble turn(const State& s) { return s.theta[0]; }\n',
+    "src/reading/joints.cpp": '#include "model/fields.h"\n',
     "src/study/modes.cpp": '#include "model/parts.h"\n// s.theta and n_face_point are the plane\'s\n',
     "src/report/arrays.cpp": 'const char* kColumn = "frame.theta, wall.half_x";\n',
     "apps/main.cpp": '#include "wythe/model.h"\n',
 }
 BAD = [  # file, a line put at its end, what must be said
     ("src/model/model.cpp", '#include "study/modes.h"', "src/model/model.cpp:3: model (L2) includes"),
+    ("src/model/model.cpp", '#include "reading/zones.h"', "model includes its sibling reading/zones.h"),
     ("src/report/arrays.cpp", '#include "io/vtu.h"', "report includes its sibling io/vtu.h"),
     ("src/study/modes.cpp", "#include <sqlite4.h>\n#include <zlib.h>", "<zlib.h> belongs to report"),
     ("apps/main.cpp", '#include "model/parts.h"', "only wythe/*.h may be seen from apps"),
