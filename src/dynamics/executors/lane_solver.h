@@ -6,7 +6,7 @@
 //     LaneSolver::Ended ended = solver.next();     // steps all until one ends
 //   }
 //
-// When lanes stay empty the walls move into half as many lanes, and the last one into a step of its
+// When half of the lanes stay empty each wall goes on in a step of its
 // own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
 // stepped alone beside them. No wall's bits depend on any of this (docs/architecture.md).
 #pragma once

@@ -1,0 +1,134 @@
+// The table of fields carries every array to all who copy, save, hash or compare it: a line that is added
+// is covered here without a line of its own.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "contact/law.h"
+#include "dynamics/executors/processor.h"
+#include "model/fields.h"
+#include "scenes/scenes.h"
+#include "scenes/zones.h"
+#include "study/record_rows.h"
+
+namespace wythe {
+namespace {
+
+Model wall_with_zones() { return compile(scenes::lintel_wall(LintelModel::kZones)); }
+
+// Every number of every array its own.
+State all_different(const Model& model) {
+  State state = initial_state(model);
+  double next = 1e-9;
+  for (const StateField& field : kStateFields)
+    for (double& number : state.*field.array) number = next += 1e-9;
+  return state;
+}
+
+TEST(Fields, each_array_of_a_state_is_named_once_and_as_long_as_its_entity) {
+  const Model model = wall_with_zones();
+  const State state = initial_state(model);
+  for (const StateField& field : kStateFields) {
+    EXPECT_EQ((state.*field.array).size(), count_of(model, field.entity)) << field.name;
+    EXPECT_GT(count_of(model, field.entity), 0U) << field.name;
+    int same = 0;
+    for (const StateField& other : kStateFields)
+      same += other.array == field.array || other.name == field.name;
+    EXPECT_EQ(same, 1) << field.name;
+  }
+}
+
+TEST(Fields, the_history_of_the_law_has_its_arrays_in_the_same_order) {
+  // History{1, 2, ...} member by member against the rows of the arrays
+  contact::History<double> h{};
+  for (std::size_t k = 0; k < contact::kHistory<double>.size(); ++k)
+    h.*contact::kHistory<double>[k] = static_cast<double>(k);
+  EXPECT_EQ(h.kappa, row_of(&State::kappa));
+  EXPECT_EQ(h.crush, row_of(&State::crush));
+  EXPECT_EQ(h.plastic_slip, row_of(&State::plastic_slip));
+  EXPECT_EQ(h.slip, row_of(&State::slip));
+  EXPECT_EQ(h.shear_damage, row_of(&State::shear_damage));
+  EXPECT_EQ(h.tension_set, row_of(&State::tension_set));
+  EXPECT_EQ(sizeof h, contact::kHistory<double>.size() * sizeof(double));  // none forgotten
+}
+
+TEST(Fields, the_hash_sees_every_array) {
+  const Model model = wall_with_zones();
+  const State state = all_different(model);
+  for (const StateField& field : kStateFields) {
+    State other = state;
+    (other.*field.array).back() += 1e-12;
+    EXPECT_NE(state_hash(other), state_hash(state)) << field.name;
+  }
+}
+
+TEST(Fields, a_wall_that_takes_a_lane_and_leaves_it_keeps_every_number) {
+  ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
+  for (auto& [name, material] : spec.material) material.unloading = Unloading::kElastic;
+  const Model model = compile(spec);
+  const State state = all_different(model);
+  for (const int lanes : {1, 2, 4, 8})
+    for (int lane = 0; lane < lanes; ++lane) {
+      dynamics::Processor processor(model, lanes);
+      State kept = state, back = initial_state(model);
+      processor.put(lane, model, kept);
+      processor.place(lane)->bring_up(back);
+      for (const StateField& field : kStateFields)
+        EXPECT_EQ(back.*field.array, state.*field.array)
+            << field.name << ", lane " << lane << " of " << lanes;
+      processor.drop(lane);
+    }
+}
+
+TEST(Fields, the_store_keeps_what_the_table_says) {
+  const Model model = wall_with_zones();
+  const State state = all_different(model);
+  const State back =
+      study::state_at_rest(study::state_arrays(state), count_of(model, Entity::kBlock),
+                           count_of(model, Entity::kPoint));
+  for (const StateField& field : kStateFields) {
+    if (field.in_store)
+      EXPECT_EQ(back.*field.array, state.*field.array) << field.name;
+    else
+      EXPECT_EQ(back.*field.array, std::vector<double>((state.*field.array).size(), 0.0))
+          << field.name;
+  }
+}
+
+// Changes the last number of an array; false where it is empty.
+bool change(std::vector<double>& array) {
+  if (!array.empty()) array.back() += 0.5;
+  return !array.empty();
+}
+bool change(std::vector<std::int32_t>& array) {
+  if (!array.empty()) array.back() += 1;
+  return !array.empty();
+}
+bool change(std::vector<ZoneShape>& array) {
+  if (!array.empty()) array.back().stiffness[7][7] += 1;
+  return !array.empty();
+}
+
+TEST(Fields, a_topology_is_named_by_what_walls_share_and_by_nothing_else) {
+  const Model model = wall_with_zones();
+  ASSERT_EQ(model.topology, topology_of(model));
+  Model other = model;
+  int changed = 0;
+  each_model_field(other, [&](auto& array, Entity, Shared shared, auto name, auto) {
+    const auto before = array;
+    if (change(array)) {
+      ++changed;
+      EXPECT_EQ(topology_of(other) != model.topology, shared == Shared::kTopology) << name;
+    }
+    array = before;
+  });
+  EXPECT_GT(changed, 40);
+  other.materials.front().softening = Softening::kExponential;
+  EXPECT_NE(topology_of(other), model.topology);
+  other = model;
+  other.materials.front().tensile_strength *= 2;
+  EXPECT_EQ(topology_of(other), model.topology);
+}
+
+}  // namespace
+}  // namespace wythe
