@@ -18,7 +18,7 @@ class Workers {
   // work(chunk) for chunk = 0 .. chunks-1; returns when all are done.
   template <class Work>
   void for_each_chunk(int chunks, const Work& work) {
-    if (!arena_) {
+    if (!team_) {
       for (int chunk = 0; chunk < chunks; ++chunk) work(chunk);
       return;
     }
@@ -31,8 +31,8 @@ class Workers {
   using Call = void (*)(const void* context, int chunk);
   void run(int chunks, Call call, const void* context);
 
-  struct Arena;
-  std::unique_ptr<Arena> arena_;  // empty for one thread
+  struct Team;
+  std::unique_ptr<Team> team_;  // empty for one thread
 };
 
 }  // namespace wythe

@@ -83,9 +83,8 @@ TEST(Fields, a_wall_that_takes_a_lane_and_leaves_it_keeps_every_number) {
 TEST(Fields, the_store_keeps_what_the_table_says) {
   const Model model = wall_with_zones();
   const State state = all_different(model);
-  const State back =
-      study::state_at_rest(study::state_arrays(state), count_of(model, Entity::kBlock),
-                           count_of(model, Entity::kPoint));
+  const State back = study::state_at_rest(
+      study::state_arrays(state), count_of(model, Entity::kBlock), count_of(model, Entity::kPoint));
   for (const StateField& field : kStateFields) {
     if (field.in_store)
       EXPECT_EQ(back.*field.array, state.*field.array) << field.name;
