@@ -38,7 +38,7 @@ bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>
 
 docs: configure  ## write docs/reference from the specs' descriptions
 	@cmake --build --preset $(PRESET) --target wythe_reference
-	$(BUILD)/wythe_reference docs/reference/model.md
+	$(BUILD)/wythe_reference docs/reference
 
 web: setup       ## build the report viewer: src/report/assets/viewer.html
 	@cd web && npm ci --no-audit --no-fund && npm run build

@@ -1,4 +1,4 @@
-// Writes the reference page of model files from the specs' own descriptions (make docs).
+// Writes what docs/reference takes from the program's own descriptions (make docs).
 #include <exception>
 #include <iostream>
 
@@ -6,11 +6,11 @@
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::cerr << "usage: wythe_reference PAGE.md\n";
+    std::cerr << "usage: wythe_reference docs/reference\n";
     return 2;
   }
   try {
-    wythe::write_text(argv[1], wythe::reference_page());
+    wythe::write_reference(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 4;

@@ -129,8 +129,7 @@ Statistics write_files(const std::string& folder, const Campaign& campaign,
 }
 
 Device device_of(const std::string& word) {
-  if (word == "cpu") return Device::kCpu;
-  if (word == "gpu") return Device::kGpu;
+  if (const auto device = value_of(kDeviceWords, word)) return *device;
   throw InputError({{.file = "--device",
                      .path = "",
                      .value = word,

@@ -36,9 +36,8 @@ void attempt(SecondOpinion& opinion, const std::string& what, Answer answer) {
 
 void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
   std::vector<Hypothesis> hypotheses;
-  for (const Hypothesis h :
-       {Hypothesis::kInfinite, Hypothesis::kMacroBlock1, Hypothesis::kMacroBlock2})
-    if (asked(a, to_string(h))) hypotheses.push_back(h);
+  for (const auto& [word, hypothesis] : kHypothesisWords)
+    if (asked(a, word)) hypotheses.push_back(hypothesis);
   if (hypotheses.empty()) {
     if (a.assessment)
       opinion.notes.emplace_back("--assessment needs a mechanism: leave --only lp out");
@@ -48,7 +47,7 @@ void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& 
     const Portal portal = find_portal(model);
     for (const char* mode : {"FM-1", "FM-4"})
       for (const Hypothesis h : hypotheses)
-        attempt(opinion, fmt::format("{} {}", mode, to_string(h)),
+        attempt(opinion, fmt::format("{} {}", mode, word_of(kHypothesisWords, h)),
                 [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
   });
   if (!a.assessment) return;
@@ -109,8 +108,8 @@ void throw_if_nothing(const SecondOpinion& opinion) {
 void print_opinion(const SecondOpinion& opinion) {
   for (const Mechanism& m : opinion.mechanisms)
     fmt::print("{} {:<14} {:8.2f} kN at rest   {:7.1f} mm where {}\n", m.mode,
-               to_string(m.hypothesis), 1e-3 * m.curve.states.front().force,
-               1e3 * m.curve.states.back().displacement, to_string(m.curve.end));
+               word_of(kHypothesisWords, m.hypothesis), 1e-3 * m.curve.states.front().force,
+               1e3 * m.curve.states.back().displacement, word_of(kChainEndWords, m.curve.end));
   for (const NamedLimit& limit : opinion.limits) {
     const LimitAnswer& a = limit.answer;
     const double unit = a.is_force ? 1e-3 : 1;

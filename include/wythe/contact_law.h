@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "wythe/words.h"
+
 namespace wythe {
 
 inline constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
@@ -15,11 +17,23 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 // Shape of the softening branch in tension and shear; each holds the same area GI or GII.
 enum class Softening { kBilinear, kExponential, kPolynomial, kPetersson };
+inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kBilinear},
+                                                      {"exponential", Softening::kExponential},
+                                                      {"polynomial", Softening::kPolynomial},
+                                                      {"petersson", Softening::kPetersson}};
+static_assert(names_all(kSofteningWords));
 // How tension damage d_t and shear damage d_s combine: d = d_t + d_s - d_t d_s, max(d_t, d_s), or
 // max(1 - secant/kn, d_s) acting on shear (stiffness damage, weakens shear earlier).
 enum class Coupling { kUnion, kMaximum, kStiffness };
+inline constexpr Word<Coupling> kCouplingWords[] = {{"union", Coupling::kUnion},
+                                                    {"maximum", Coupling::kMaximum},
+                                                    {"stiffness", Coupling::kStiffness}};
+static_assert(names_all(kCouplingWords));
 // Unloading from an open joint: to the origin, or elastic to a tension set.
 enum class Unloading { kSecant, kElastic };
+inline constexpr Word<Unloading> kUnloadingWords[] = {{"secant", Unloading::kSecant},
+                                                      {"elastic", Unloading::kElastic}};
+static_assert(names_all(kUnloadingWords));
 
 struct JointMaterial {
   double normal_stiffness = kUnset;         // kn [Pa/m], stress per opening

@@ -41,6 +41,10 @@ namespace wythe {
 [[nodiscard]] std::uint64_t spec_hash(const ModelSpec& spec);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
+// Markdown table of the curve's columns (curve.h), for docs/reference/results.md.
+[[nodiscard]] std::string curve_table();
+// Both into docs/reference; the table between the comments that mark it.
+void write_reference(const std::string& folder);
 
 // Study files (docs/reference/study.md). `overrides` that begin with study., variable., dependent. or
 // correlation. change the study, all others its base model. The base model and files of measured

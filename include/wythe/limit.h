@@ -28,10 +28,21 @@ namespace wythe {
 
 // Whether joints have strength besides compression and friction.
 enum class JointStrength { kDry, kBonded };  // bonded: tension cut-off ft and cohesion c
+inline constexpr Word<JointStrength> kJointStrengthWords[] = {{"dry", JointStrength::kDry},
+                                                              {"bonded", JointStrength::kBonded}};
+static_assert(names_all(kJointStrengthWords));
 enum class FrictionChoice { kPeak, kResidual };
+inline constexpr Word<FrictionChoice> kFrictionChoiceWords[] = {
+    {"peak", FrictionChoice::kPeak}, {"residual", FrictionChoice::kResidual}};
+static_assert(names_all(kFrictionChoiceWords));
 // How crushing limits the forces of a joint: not at all; each contact point by its share of fc A, as
 // in the D-RBA; or by a stress block at fc, M <= N l/2 (1 - N/(fc A)).
 enum class CrushingChoice { kNone, kPoints, kStressBlock };
+inline constexpr Word<CrushingChoice> kCrushingChoiceWords[] = {
+    {"none", CrushingChoice::kNone},
+    {"contact points", CrushingChoice::kPoints},
+    {"stress block", CrushingChoice::kStressBlock}};
+static_assert(names_all(kCrushingChoiceWords));
 
 struct LimitOptions {
   JointStrength strength = JointStrength::kDry;
@@ -118,7 +129,11 @@ struct ChainState {
   std::vector<Vec2> hinges;      // where they are now
 };
 enum class ChainEnd { kNoForce, kLocked, kTurnsBack };
-[[nodiscard]] const char* to_string(ChainEnd end);
+inline constexpr Word<ChainEnd> kChainEndWords[] = {
+    {"the force is zero", ChainEnd::kNoForce},
+    {"the chain locks", ChainEnd::kLocked},
+    {"the load point turns back", ChainEnd::kTurnsBack}};
+static_assert(names_all(kChainEndWords));
 struct CapacityCurve {
   std::vector<ChainState> states;  // from rest on
   ChainEnd end = ChainEnd::kNoForce;
@@ -153,7 +168,11 @@ struct LimitStateShares {
 // --- macro-blocks of a wall with one opening --------------------------------------------------------
 
 enum class Hypothesis { kInfinite, kMacroBlock1, kMacroBlock2 };
-[[nodiscard]] const char* to_string(Hypothesis hypothesis);  // "infinite", "macro_block_1", ...
+inline constexpr Word<Hypothesis> kHypothesisWords[] = {
+    {"infinite", Hypothesis::kInfinite},
+    {"macro_block_1", Hypothesis::kMacroBlock1},
+    {"macro_block_2", Hypothesis::kMacroBlock2}};
+static_assert(names_all(kHypothesisWords));
 
 // Geometry of a wall with one opening, found from its blocks. Heights are above the wall's base.
 struct Portal {

@@ -20,6 +20,7 @@
 
 #include "wythe/contact_law.h"
 #include "wythe/wall_spec.h"
+#include "wythe/words.h"
 
 namespace wythe {
 
@@ -28,18 +29,42 @@ using JointId = std::int32_t;
 using PointId = std::int32_t;  // joint * n_face_point + k
 inline constexpr BlockId kGroundBlock = -1;
 
-enum class BlockRole : std::uint8_t { kMasonry, kLintel, kPlate, kBeam };
+// The numbers of roles and kinds stand in VTU files (docs/reference/results.md): they never change.
+enum class BlockRole : std::uint8_t { kMasonry = 0, kLintel = 1, kPlate = 2, kBeam = 3 };
+inline constexpr Word<BlockRole> kBlockRoleWords[] = {{"masonry", BlockRole::kMasonry},
+                                                      {"lintel", BlockRole::kLintel},
+                                                      {"plate", BlockRole::kPlate},
+                                                      {"beam", BlockRole::kBeam}};
+static_assert(names_all(kBlockRoleWords));
 enum class JointKind : std::uint8_t {
-  kBed,
-  kHead,
-  kSplit,
-  kFoundation,
-  kLintelChain,
-  kLintelBond,
-  kPlate,
-  kBeam,
-  kOther
+  kBed = 0,
+  kHead = 1,
+  kSplit = 2,
+  kFoundation = 3,
+  kLintelChain = 4,
+  kLintelBond = 5,
+  kPlate = 6,
+  kBeam = 7,
+  kOther = 8
 };
+inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
+                                                      {"head", JointKind::kHead},
+                                                      {"split", JointKind::kSplit},
+                                                      {"foundation", JointKind::kFoundation},
+                                                      {"lintel_chain", JointKind::kLintelChain},
+                                                      {"lintel_bond", JointKind::kLintelBond},
+                                                      {"plate", JointKind::kPlate},
+                                                      {"beam", JointKind::kBeam},
+                                                      {"other", JointKind::kOther}};
+static_assert(names_all(kJointKindWords));
+// As events and pictures call them.
+inline constexpr Word<JointKind> kJointKindTitles[] = {
+    {"bed joint", JointKind::kBed},      {"head joint", JointKind::kHead},
+    {"unit", JointKind::kSplit},         {"foundation joint", JointKind::kFoundation},
+    {"lintel", JointKind::kLintelChain}, {"lintel bearing", JointKind::kLintelBond},
+    {"plate joint", JointKind::kPlate},  {"beam joint", JointKind::kBeam},
+    {"joint", JointKind::kOther}};
+static_assert(names_all(kJointKindTitles));
 
 // A dead load that keeps its direction and follows a point of a block.
 struct PointLoad {

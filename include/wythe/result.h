@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "wythe/curve.h"
 #include "wythe/model.h"
 
 namespace wythe {
@@ -20,24 +21,14 @@ enum class SolveStatus {
   kUnstable,
   kBudgetSpent
 };
-[[nodiscard]] const char* to_string(SolveStatus status);
-
-// One row of force_displacement.csv, averaged over its window. SI.
-struct CurveRow {
-  double time = 0;                 // [s], since the start of its stage
-  double displacement = 0;         // mean of the driven blocks along the push, starts at 0 [m]
-  double drift = 0;                // displacement / load height [-]
-  double reaction = 0;             // [N], + resists the push
-  double base_shear = 0;           // [N], + resists the push
-  double unbalance_ratio = 0;      // mean |unbalanced| / mean |contact force| [-]
-  double kinetic_ratio = 0;        // kinetic energy / work of the drive so far [-]
-  double load_factor = 0;          // lambda (body force) or tan of the tilt [-]
-  double lintel_deflection = 0;    // sag of the first lintel of zones, against its ends [m]
-  double lintel_end_rotation = 0;  // right end against left end, anticlockwise + [rad]
-  double lintel_axial = 0;         // at mid-span, tension + [N]
-  double work_drive = 0;           // of the drive, since the stage began [J]
-  double work_damping = 0;         // taken by local damping, since the stage began [J]
-};
+inline constexpr Word<SolveStatus> kSolveStatusWords[] = {
+    {"completed", SolveStatus::kCompleted},     {"collapsed", SolveStatus::kCollapsed},
+    {"interrupted", SolveStatus::kInterrupted}, {"not_settled", SolveStatus::kNotSettled},
+    {"unstable", SolveStatus::kUnstable},       {"budget_spent", SolveStatus::kBudgetSpent}};
+static_assert(names_all(kSolveStatusWords));
+[[nodiscard]] inline const char* to_string(SolveStatus status) {
+  return word_of(kSolveStatusWords, status);
+}
 
 // The curve of a push up to its first turn, from which stiffnesses are read. Each window is 2 % wider
 // than the one before, so that the beginning is equally fine for any number of rows.
@@ -312,5 +303,8 @@ struct Result {
 [[nodiscard]] std::string warning_of(const Result& result);
 // Options with which the responses of this run are read.
 [[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
+
+// Whether a lintel is made of zones: then the curve has its columns.
+[[nodiscard]] bool has_lintel_of_zones(const Model& model);
 
 }  // namespace wythe

@@ -14,10 +14,17 @@
 
 #include "wythe/error.h"
 #include "wythe/wall_spec.h"
+#include "wythe/words.h"
 
 namespace wythe {
 
-enum class Design { kLatinHypercube, kMonteCarlo, kSobol };
+// How samples are drawn. The numbers enter the seeds of every column: they never change.
+enum class Design { kLatinHypercube = 0, kMonteCarlo = 1, kSobol = 2 };
+inline constexpr Word<Design> kDesignWords[] = {{"latin_hypercube", Design::kLatinHypercube},
+                                                {"monte_carlo", Design::kMonteCarlo},
+                                                {"sobol", Design::kSobol}};
+static_assert(names_all(kDesignWords));
+// What a kind takes and how it is made: kKinds in src/study/sampling.cpp.
 enum class DistributionKind {
   kNormal,
   kLognormal,
@@ -27,6 +34,12 @@ enum class DistributionKind {
   kWeibull,
   kEmpirical
 };
+inline constexpr Word<DistributionKind> kDistributionWords[] = {
+    {"normal", DistributionKind::kNormal},      {"lognormal", DistributionKind::kLognormal},
+    {"uniform", DistributionKind::kUniform},    {"triangular", DistributionKind::kTriangular},
+    {"beta", DistributionKind::kBeta},          {"weibull", DistributionKind::kWeibull},
+    {"empirical", DistributionKind::kEmpirical}};
+static_assert(names_all(kDistributionWords));
 
 // A quantity of the model, or a number of the study's own, with the unit it is shown in.
 struct InputSpec {

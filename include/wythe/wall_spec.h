@@ -11,21 +11,44 @@
 #include <vector>
 
 #include "wythe/contact_law.h"
+#include "wythe/words.h"
 
 namespace wythe {
 
 enum class Bond { kRunning, kStack, kFlemish, kEnglish, kHeader };
+inline constexpr Word<Bond> kBondWords[] = {{"running", Bond::kRunning},
+                                            {"stack", Bond::kStack},
+                                            {"flemish", Bond::kFlemish},
+                                            {"english", Bond::kEnglish},
+                                            {"header", Bond::kHeader}};
+static_assert(names_all(kBondWords));
 enum class Split { kMiddle, kNone };
+inline constexpr Word<Split> kSplitWords[] = {{"middle", Split::kMiddle}, {"none", Split::kNone}};
+static_assert(names_all(kSplitWords));
 // What to do where units or courses do not fit evenly into the wall or an opening.
 enum class Fit { kWhole, kCut };
+inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
+static_assert(names_all(kFitWords));
 enum class Freedom { kFree, kBlocked };
+inline constexpr Word<Freedom> kFreedomWords[] = {{"free", Freedom::kFree},
+                                                  {"blocked", Freedom::kBlocked}};
+static_assert(names_all(kFreedomWords));
 
 // A lintel of rigid segments joined by springs, or one deformable block of zones.
 enum class LintelModel { kSegments, kZones };
+inline constexpr Word<LintelModel> kLintelModelWords[] = {{"segments", LintelModel::kSegments},
+                                                          {"zones", LintelModel::kZones}};
+static_assert(names_all(kLintelModelWords));
 // Zones: both pairs of constant-strain triangles of a quadrilateral laid over each other, with half
 // the weight each; mixed gives them one common volumetric strain.
 enum class ZoneKind { kMixed, kCst };
+inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
+                                                    {"cst", ZoneKind::kCst}};
+static_assert(names_all(kZoneKindWords));
 enum class Plane { kStress, kStrain };
+inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
+                                              {"strain", Plane::kStrain}};
+static_assert(names_all(kPlaneWords));
 
 // How a deformable block is divided into zones, and its plane condition.
 struct ZoneSpec {
@@ -95,9 +118,23 @@ struct ContactRule {
 };
 
 enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold };
+inline constexpr Word<StageKind> kStageKindWords[] = {
+    {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
+    {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold}};
+static_assert(names_all(kStageKindWords));
 enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
+inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
+                                                      {"-x", Direction::kMinusX},
+                                                      {"+y", Direction::kPlusY},
+                                                      {"-y", Direction::kMinusY}};
+static_assert(names_all(kDirectionWords));
 // How a stage acts on the wall. Load: kPressure or kPlate. Push: kSpreader or kEach.
 enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
+inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
+                                                {"plate", Manner::kPlate},
+                                                {"spreader", Manner::kSpreader},
+                                                {"each", Manner::kEach}};
+static_assert(names_all(kMannerWords, 1));  // kDefault is not written
 
 // Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
 // or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.

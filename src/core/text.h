@@ -25,25 +25,6 @@ namespace wythe {
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view between);
 
-// One word of an enumeration, tied to its value: tables may stand in any order.
-template <class E>
-struct Word {
-  const char* word;
-  E value;
-};
-
-// Whether a table names each value from 0 to `last` once, for a static_assert beside it.
-template <class E, std::size_t N>
-[[nodiscard]] consteval bool names_all(const Word<E> (&words)[N], E last) {
-  if (N != static_cast<std::size_t>(last) + 1) return false;
-  for (std::size_t value = 0; value < N; ++value) {
-    std::size_t found = 0;
-    for (const Word<E>& word : words) found += static_cast<std::size_t>(word.value) == value;
-    if (found != 1) return false;
-  }
-  return true;
-}
-
 // RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
 

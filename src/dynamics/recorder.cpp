@@ -19,21 +19,6 @@ constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
 constexpr double kReadEvery = 1e-3;  // between readings [m]
 constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
 
-const char* kind_name(JointKind kind) {
-  switch (kind) {
-    case JointKind::kBed: return "bed joint";
-    case JointKind::kHead: return "head joint";
-    case JointKind::kSplit: return "unit";
-    case JointKind::kFoundation: return "foundation joint";
-    case JointKind::kLintelChain: return "lintel";
-    case JointKind::kLintelBond: return "lintel bearing";
-    case JointKind::kPlate: return "plate joint";
-    case JointKind::kBeam: return "beam joint";
-    case JointKind::kOther: break;
-  }
-  return "joint";
-}
-
 // Centimetres, without a minus before zero.
 double clean(double metres) { return std::round(1e2 * metres) * 1e-2 + 0.0; }
 
@@ -326,9 +311,10 @@ void Recorder::note_joints(const State& state, double displacement, double react
 }
 
 std::string Recorder::place_of(JointId joint, const PointReading& point) const {
-  return fmt::format("{} at ({:.2f}, {:.2f}) m",
-                     kind_name(model_.anatomy.joint_kind[static_cast<std::size_t>(joint)]),
-                     clean(point.where.x), clean(point.where.y));
+  return fmt::format(
+      "{} at ({:.2f}, {:.2f}) m",
+      word_of(kJointKindTitles, model_.anatomy.joint_kind[static_cast<std::size_t>(joint)]),
+      clean(point.where.x), clean(point.where.y));
 }
 
 void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,

@@ -156,22 +156,6 @@ void read_drifts(const Curve& curve, Responses& r) {
   for (FallTo& fall : r.falls) fall.drift = fall.displacement / r.load_height;
 }
 
-}  // namespace
-
-const char* to_string(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::kCompleted: return "completed";
-    case SolveStatus::kCollapsed: return "collapsed";
-    case SolveStatus::kInterrupted: return "interrupted";
-    case SolveStatus::kNotSettled: return "not_settled";
-    case SolveStatus::kUnstable: return "unstable";
-    case SolveStatus::kBudgetSpent: break;
-  }
-  return "budget_spent";
-}
-
-namespace {
-
 Bilinear no_bilinear() { return {kUnset, kUnset, kUnset, kUnset, kUnset, true}; }
 
 // What only a peak gives is not known without one.
@@ -284,20 +268,6 @@ void add_curve_events(Result& result) {
   if (r.cyclic.sense != 0) return;  // displacements to and fro are no order
   std::stable_sort(result.events.begin(), result.events.end(),
                    [](const Event& a, const Event& b) { return a.displacement < b.displacement; });
-}
-
-double expected_seconds(const Stage& stage) {
-  constexpr double kSettle = 0.1;  // what a wall usually needs after the ramp [s]
-  const StageSpec& s = stage.spec;
-  switch (s.kind) {
-    case StageKind::kGravity:
-    case StageKind::kLoad: return s.ramp + kSettle;
-    case StageKind::kPush: return driven_path(stage) / s.velocity + 0.5 * s.ramp;
-    case StageKind::kBodyForce: return s.factor / s.rate;
-    case StageKind::kTilt: return s.tilt_until / s.tilt_rate;
-    case StageKind::kHold: return s.duration;
-  }
-  return 0;
 }
 
 }  // namespace dynamics

@@ -13,8 +13,6 @@ namespace dynamics {
 
 // Adds "peak" and "80 % of the peak" to the events.
 void add_curve_events(Result& result);
-// Model time a stage is expected to take [s], settling included.
-[[nodiscard]] double expected_seconds(const Stage& stage);
 
 }  // namespace dynamics
 }  // namespace wythe

@@ -12,6 +12,7 @@
 #include "dynamics/residual.h"
 #include "dynamics/responses.h"
 #include "dynamics/wall_run.h"
+#include "model/size.h"
 
 namespace wythe {
 namespace {
@@ -27,8 +28,7 @@ class ProgressScale {
  public:
   explicit ProgressScale(const Model& model) {
     for (const Stage& stage : model.stages) {
-      const double steps =
-          dynamics::expected_seconds(stage) / dynamics::stage_time_step(model, stage);
+      const double steps = pace_of(stage.spec).seconds / dynamics::stage_time_step(model, stage);
       total_ += steps;
       until_.push_back(total_);
     }
@@ -169,7 +169,7 @@ RunEstimate estimate(const Model& model) {
   double steps = 0;
   for (const Stage& stage : model.stages) {
     e.time_step = dynamics::stage_time_step(model, stage);
-    steps += dynamics::expected_seconds(stage) / e.time_step;
+    steps += pace_of(stage.spec).seconds / e.time_step;
   }
   constexpr double kMostSteps = 9e18;  // what a count of steps holds
   e.steps = static_cast<std::int64_t>(steps < kMostSteps ? steps : kMostSteps);

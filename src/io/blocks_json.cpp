@@ -31,13 +31,6 @@ std::string short_dump(const Json& json) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
-template <class Enum, std::size_t n>
-std::string word_of(const Word<Enum> (&words)[n], Enum value) {
-  for (const Word<Enum>& word : words)
-    if (word.value == value) return word.word;
-  return "";
-}
-
 class BlocksReader {
  public:
   BlocksReader(ReadContext& context, std::string file, ModelSpec& spec)

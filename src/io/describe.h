@@ -16,42 +16,6 @@
 
 namespace wythe::io {
 
-inline constexpr Word<Bond> kBondWords[] = {{"running", Bond::kRunning},
-                                            {"stack", Bond::kStack},
-                                            {"flemish", Bond::kFlemish},
-                                            {"english", Bond::kEnglish},
-                                            {"header", Bond::kHeader}};
-inline constexpr Word<Split> kSplitWords[] = {{"middle", Split::kMiddle}, {"none", Split::kNone}};
-inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
-inline constexpr Word<Freedom> kFreedomWords[] = {{"free", Freedom::kFree},
-                                                  {"blocked", Freedom::kBlocked}};
-inline constexpr Word<LintelModel> kLintelModelWords[] = {{"segments", LintelModel::kSegments},
-                                                          {"zones", LintelModel::kZones}};
-inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
-                                                    {"cst", ZoneKind::kCst}};
-inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
-                                              {"strain", Plane::kStrain}};
-inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kBilinear},
-                                                      {"exponential", Softening::kExponential},
-                                                      {"polynomial", Softening::kPolynomial},
-                                                      {"petersson", Softening::kPetersson}};
-inline constexpr Word<Coupling> kCouplingWords[] = {{"union", Coupling::kUnion},
-                                                    {"maximum", Coupling::kMaximum},
-                                                    {"stiffness", Coupling::kStiffness}};
-inline constexpr Word<Unloading> kUnloadingWords[] = {{"secant", Unloading::kSecant},
-                                                      {"elastic", Unloading::kElastic}};
-inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
-                                                {"plate", Manner::kPlate},
-                                                {"spreader", Manner::kSpreader},
-                                                {"each", Manner::kEach}};
-inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
-                                                      {"-x", Direction::kMinusX},
-                                                      {"+y", Direction::kPlusY},
-                                                      {"-y", Direction::kMinusY}};
-inline constexpr Word<StageKind> kStageKindWords[] = {
-    {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
-    {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold}};
-
 inline constexpr Kinds kLoadStage = kind_bit(StageKind::kLoad);
 inline constexpr Kinds kPushStage = kind_bit(StageKind::kPush);
 inline constexpr Kinds kBodyForceStage = kind_bit(StageKind::kBodyForce);
@@ -103,14 +67,14 @@ template <class Visitor>
 void describe(Visitor& v, OpeningSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "door",
          .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
-  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "required",
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
              .example = "1.70 m", .doc = "Left jamb, from the wall's left end."});
-  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "required",
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
              .example = "0.90 m", .doc = "Sill above the wall's base; 0 m for a door."});
   v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "required", .example = "1.70 m", .doc = "Clear width."});
+             .fallback = kRequired, .example = "1.70 m", .doc = "Clear width."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "required", .example = "2.64 m", .doc = "Clear height, sill to soffit."});
+             .fallback = kRequired, .example = "2.64 m", .doc = "Clear height, sill to soffit."});
   v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
           .doc = "The lintel over the opening."});
 }
@@ -118,10 +82,10 @@ void describe(Visitor& v, OpeningSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, UnitSpec& s) {
   v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "required", .example = "310 mm",
+             .fallback = kRequired, .example = "310 mm",
              .doc = "Nominal length of a unit, head joint included; fitted to whole half units."});
   v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "required", .example = "110 mm",
+             .fallback = kRequired, .example = "110 mm",
              .doc = "Nominal course height, bed joint included; fitted to whole courses."});
   v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "half the length", .example = "155 mm",
@@ -129,7 +93,7 @@ void describe(Visitor& v, UnitSpec& s) {
   v.choice("split", s.split, kSplitWords, {.example = "middle",
            .doc = "Potential crack plane inside each unit: down its middle, or none."});
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
-             .fallback = "required", .example = "1250 kg/m^3",
+             .fallback = kRequired, .example = "1250 kg/m^3",
              .doc = "Density of the masonry, units and mortar together."});
 }
 
@@ -149,11 +113,11 @@ void describe(Visitor& v, BeamSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, WallSpec& s) {
   v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "required", .example = "5.10 m", .doc = "Length of the wall."});
+             .fallback = kRequired, .example = "5.10 m", .doc = "Length of the wall."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "required", .example = "3.62 m", .doc = "Height of the masonry."});
+             .fallback = kRequired, .example = "3.62 m", .doc = "Height of the masonry."});
   v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "required", .example = "0.31 m",
+             .fallback = kRequired, .example = "0.31 m",
              .doc = "Thickness out of the plane; may stand in the blocks file instead."});
   v.choice("bond", s.bond, kBondWords, {.example = "running", .doc = "How the units are laid."});
   v.choice("fit", s.fit, kFitWords, {.example = "cut",
@@ -172,32 +136,32 @@ void describe(Visitor& v, WallSpec& s) {
 template <class Visitor>
 void describe_elasticity(Visitor& v, JointMaterial& m) {
   v.quantity("normal_stiffness", m.normal_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
-             .range = kPositive, .fallback = "required", .example = "20 GPa/m",
+             .range = kPositive, .fallback = kRequired, .example = "20 GPa/m",
              .doc = "kn, normal stress per opening or closing."});
   v.quantity("shear_stiffness", m.shear_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
-             .range = kPositive, .fallback = "required", .example = "8 GPa/m",
+             .range = kPositive, .fallback = kRequired, .example = "8 GPa/m",
              .doc = "ks, shear stress per slip."});
 }
 
 template <class Visitor>
 void describe_strength(Visitor& v, JointMaterial& m) {
   v.quantity("tensile_strength", m.tensile_strength, {.unit = "Pa", .shown = "MPa",
-             .range = kNotNegative, .fallback = "required", .example = "0.15 MPa",
+             .range = kNotNegative, .fallback = kRequired, .example = "0.15 MPa",
              .doc = "ft, normal to the joint; 0 MPa for a dry joint."});
   v.quantity("cohesion", m.cohesion, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
-             .fallback = "required", .example = "0.15 MPa",
+             .fallback = kRequired, .example = "0.15 MPa",
              .doc = "c, shear strength at zero normal stress; 0 MPa for a dry joint."});
   v.quantity("friction_angle", m.friction_angle, {.unit = "rad", .shown = "deg",
-             .range = kFrictionAngle, .fallback = "required", .example = "16.2 deg",
+             .range = kFrictionAngle, .fallback = kRequired, .example = "16.2 deg",
              .doc = "Friction angle of the intact joint."});
   v.quantity("residual_friction_angle", m.residual_friction_angle, {.unit = "rad", .shown = "deg",
-             .range = kFrictionAngle, .fallback = "required", .example = "14.6 deg",
+             .range = kFrictionAngle, .fallback = kRequired, .example = "14.6 deg",
              .doc = "Friction angle once the joint has broken."});
   v.quantity("residual_cohesion", m.residual_cohesion, {.unit = "Pa", .shown = "MPa",
-             .range = kNotNegative, .fallback = "required", .example = "0 MPa",
+             .range = kNotNegative, .fallback = kRequired, .example = "0 MPa",
              .doc = "Cohesion left once the joint has broken."});
   v.quantity("compressive_strength", m.compressive_strength, {.unit = "Pa", .shown = "MPa",
-             .range = kPositive, .may_be_unlimited = true, .fallback = "required",
+             .range = kPositive, .may_be_unlimited = true, .fallback = kRequired,
              .example = "3.96 MPa",
              .doc = "fc of the masonry, modelled in the joint; \"unlimited\": no crushing."});
 }
@@ -255,10 +219,10 @@ void describe(Visitor& v, JointMaterial& m) {
 
 template <class Visitor>
 void describe(Visitor& v, ContactRule& s) {
-  v.texts("between", s.between, {.count = 2, .fallback = "required",
+  v.texts("between", s.between, {.count = 2, .fallback = kRequired,
           .example = "[\"stone\", \"ground\"]",
           .doc = "Two block materials of a blocks file; `ground` is the support."});
-  v.text("material", s.material, {.fallback = "required", .example = "joint",
+  v.text("material", s.material, {.fallback = kRequired, .example = "joint",
          .doc = "Name of the joint material between them."});
 }
 
@@ -306,12 +270,12 @@ void describe_load(Visitor& v, StageSpec& s) {
 template <class Visitor>
 void describe_push(Visitor& v, StageSpec& s) {
   v.table("at", s.at, {.kinds = kPushStage, .in_braces = true, .optional = true,
-          .fallback = "required", .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
+          .fallback = kRequired, .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
           .doc = "The blocks that are pushed: a point, a box, one block or the beam."});
   v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,
-             .kinds = kPushStage, .fallback = "required", .example = "10 mm/s",
+             .kinds = kPushStage, .fallback = kRequired, .example = "10 mm/s",
              .doc = "Velocity of the push; slow enough if half of it gives the same curve."});
   v.quantity("fast_velocity", s.fast_velocity, {.unit = "m/s", .shown = "mm/s",
              .range = kSpeed, .kinds = kPushStage, .fallback = "velocity throughout",
@@ -340,24 +304,24 @@ void describe_push(Visitor& v, StageSpec& s) {
 template <class Visitor>
 void describe_other_drives(Visitor& v, StageSpec& s) {
   v.quantity("rate", s.rate, {.unit = "1/s", .shown = "1/s", .range = kPositive,
-             .kinds = kBodyForceStage, .fallback = "required", .example = "0.05 1/s",
+             .kinds = kBodyForceStage, .fallback = kRequired, .example = "0.05 1/s",
              .doc = "Growth of the factor lambda; every block carries lambda times its weight."});
   v.number("factor", s.factor, {.range = kPositive, .kinds = kBodyForceStage,
-           .fallback = "required", .example = "0.5", .doc = "Largest lambda."});
+           .fallback = kRequired, .example = "0.5", .doc = "Largest lambda."});
   v.quantity("tilt_rate", s.tilt_rate, {.unit = "rad/s", .shown = "deg/s", .range = kPositive,
-             .kinds = kTiltStage, .fallback = "required", .example = "1 deg/s",
+             .kinds = kTiltStage, .fallback = kRequired, .example = "1 deg/s",
              .doc = "Speed at which the ground tilts."});
   v.quantity("tilt_until", s.tilt_until, {.unit = "rad", .shown = "deg", .range = kTiltAngle,
-             .kinds = kTiltStage, .fallback = "required", .example = "30 deg",
+             .kinds = kTiltStage, .fallback = kRequired, .example = "30 deg",
              .doc = "Tilt at which the stage ends."});
   v.quantity("duration", s.duration, {.unit = "s", .shown = "s", .range = kPositive,
-             .kinds = kHoldStage, .fallback = "required", .example = "1 s",
+             .kinds = kHoldStage, .fallback = kRequired, .example = "1 s",
              .doc = "How long loads and pushed blocks are held."});
 }
 
 template <class Visitor>
 void describe(Visitor& v, StageSpec& s) {
-  v.text("name", s.name, {.fallback = "required", .example = "push",
+  v.text("name", s.name, {.fallback = kRequired, .example = "push",
          .doc = "Its name, different from the other stages'; `--set stage.push.velocity=...` "
                 "finds it by this."});
   v.choice("kind", s.kind, kStageKindWords, {.fallback = "follows from the other keys",

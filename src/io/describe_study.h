@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "io/key.h"
-#include "study/study_rows.h"
+#include "study/distribution.h"
 #include "wythe/study.h"
 
 namespace wythe::io {
@@ -77,7 +77,7 @@ void describe(Visitor& v, StudyHead& h) {
          .doc = "What its blocks file holds, as JSON; then that file is not read."});
   v.texts("set", s.settings, {.fallback = "none", .example = "[\"stage.push.velocity=5 mm/s\"]",
           .doc = "Settings of the base model, as for --set."});
-  v.choice("design", s.design, study::kDesignWords, {.example = "latin_hypercube",
+  v.choice("design", s.design, kDesignWords, {.example = "latin_hypercube",
            .doc = "How samples are drawn."});
   v.quantities("states", s.states, {.unit = "m", .shown = "mm", .fallback = "none",
                .example = "[\"10 mm\", \"40 mm\"]",
@@ -101,23 +101,19 @@ void describe(Visitor& v, VariableTable& t) {
   VariableSpec& s = t.spec;
   const VariableKeys& k = t.keys;
   describe_input(v, s);
-  v.choice("distribution", s.distribution, study::kDistributionWords, {.example = "lognormal"});
-  amount(v, "mean", s.mean, s, k.typical, k.example);
-  v.number("cov", s.cov, {.range = kPositive, .fallback = "none", .example = "0.3"});
-  amount(v, "standard_deviation", s.standard_deviation, s, kPositive, k.example);
-  amount(v, "median", s.median, s, k.typical, k.example);
-  v.number("log_standard_deviation", s.log_standard_deviation,
-           {.range = kPositive, .fallback = "none", .example = "0.3"});
-  amount(v, "low", s.low, s, k.bounds, k.example);
-  amount(v, "mode", s.mode, s, k.bounds, k.example);
-  amount(v, "high", s.high, s, k.bounds, k.example);
-  v.number("alpha", s.alpha, {.range = kPositive, .fallback = "none", .example = "2"});
-  v.number("beta", s.beta, {.range = kPositive, .fallback = "none", .example = "3"});
-  v.number("shape", s.shape, {.range = kPositive, .fallback = "none", .example = "4"});
-  amount(v, "scale", s.scale, s, kPositive, k.example);
-  amount(v, "location", s.location, s, k.bounds, k.example);
-  amount(v, "lower", s.lower, s, k.bounds, k.example);
-  amount(v, "upper", s.upper, s, k.bounds, k.example);
+  v.choice("distribution", s.distribution, kDistributionWords, {.example = "lognormal"});
+  for (const study::VariableParameter& p : study::kVariableParameters) {
+    double& value = s.*p.value;
+    switch (p.is) {
+      case study::ParameterIs::kNumber:
+        v.number(p.name, value, {.range = kPositive, .fallback = "none", .example = p.example});
+        break;
+      case study::ParameterIs::kSpread: amount(v, p.name, value, s, kPositive, k.example); break;
+      case study::ParameterIs::kMiddle: amount(v, p.name, value, s, k.typical, k.example); break;
+      case study::ParameterIs::kBound:
+      case study::ParameterIs::kCut: amount(v, p.name, value, s, k.bounds, k.example); break;
+    }
+  }
   v.text("file", s.file, {.fallback = "none", .example = "tests.csv"});
   v.text("column", s.column, {.fallback = "none", .example = "ft_MPa"});
 }

@@ -4,12 +4,9 @@
 #include <limits>
 #include <string>
 
-#include "core/text.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe::io {
-
-using wythe::Word;
 
 // Admissible values, in SI; the open ends are not admissible themselves.
 struct Range {
@@ -45,6 +42,9 @@ inline constexpr Range kTiltAngle{
 // Stage kinds a key belongs to, as a bit set; 0 stands for every kind (and for all other tables).
 using Kinds = unsigned;
 constexpr Kinds kind_bit(StageKind kind) { return 1U << static_cast<unsigned>(kind); }
+
+// As `fallback`: a key that must be there, where its stage kind is.
+inline constexpr const char* kRequired = "required";
 
 struct Key {
   const char* unit = "";   // SI unit of a quantity

@@ -57,7 +57,7 @@ Json curve_json(const CapacityCurve& curve) {
     rate.push_back(s.rate);
     hinges.push_back(points_json(s.hinges));
   }
-  return {{"ends_where", to_string(curve.end)},
+  return {{"ends_where", word_of(kChainEndWords, curve.end)},
           {"displacement_mm", displacement},
           {"force_kN", force},
           {"rotation_rad", rotation},
@@ -90,7 +90,7 @@ Json mechanism_json(const Mechanism& m) {
   const auto& start = m.curve.states.front();
   return {{"name", m.file_name()},
           {"mode", m.mode},
-          {"hypothesis", to_string(m.hypothesis)},
+          {"hypothesis", word_of(kHypothesisWords, m.hypothesis)},
           {"force_at_rest_kN", start.force * kPerKilo},
           {"displacement_without_force_mm", m.curve.states.back().displacement * kMilli},
           {"rotation_ratios", start.rate},
@@ -105,21 +105,14 @@ Json mechanism_json(const Mechanism& m) {
           {"curve", curve_json(m.curve)}};
 }
 
-const char* word(JointStrength s) { return s == JointStrength::kDry ? "dry" : "bonded"; }
-const char* word(FrictionChoice f) { return f == FrictionChoice::kPeak ? "peak" : "residual"; }
-const char* word(CrushingChoice c) {
-  if (c == CrushingChoice::kNone) return "none";
-  return c == CrushingChoice::kPoints ? "contact points" : "stress block";
-}
-
 Json limit_json(const NamedLimit& limit) {
   const LimitAnswer& a = limit.answer;
   const double unit = a.is_force ? kPerKilo : 1.0;
   const std::string tail = a.is_force ? "_kN" : "";
   Json json{{"name", limit.name},
-            {"joints", word(a.options.strength)},
-            {"friction", word(a.options.friction)},
-            {"crushing", word(a.options.crushing)}};
+            {"joints", word_of(kJointStrengthWords, a.options.strength)},
+            {"friction", word_of(kFrictionChoiceWords, a.options.friction)},
+            {"crushing", word_of(kCrushingChoiceWords, a.options.crushing)}};
   json["static" + tail] = a.load * unit;
   json["kinematic" + tail] = a.kinematic * unit;
   json["gap"] = a.load != 0 ? std::fabs(a.kinematic / a.load - 1) : 0.0;

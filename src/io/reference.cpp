@@ -1,11 +1,15 @@
-// reference_page(): every key as Markdown, from the same description that reads it.
+// reference_page(), curve_table(): what docs/reference says of every key and of the curve's columns, from
+// the same descriptions that read and write them.
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/files.h"
 #include "core/text.h"
 #include "io/describe.h"
 #include "io/range_text.h"
+#include "wythe/curve.h"
+#include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
 
@@ -134,11 +138,37 @@ class Reference {
 }  // namespace
 }  // namespace io
 
+std::string curve_table() {
+  std::string table =
+      "| column | unit | definition | over | in the store |\n|---|---|---|---|---|\n";
+  for (const CurveColumn& c : kCurveColumns)
+    table += fmt::format("| `{}` | {} | {}{} | {} | `{}` |\n", c.name, c.unit,
+                         c.of == ColumnOf::kLintelOfZones ? "only with a lintel of zones: " : "",
+                         io::cell(c.meaning), c.over, c.stored);
+  return table;
+}
+
 std::string reference_page() {
   ModelSpec spec;
   io::Reference reference("");
   io::describe(reference, spec);
   return io::kHeader + reference.whole();
+}
+
+void write_reference(const std::string& folder) {
+  constexpr std::string_view kBegin = "<!-- columns of the curve: make docs -->\n";
+  constexpr std::size_t kMost = 1 << 20;  // bytes of a page
+  const std::string results = folder + "/results.md";
+  std::string page = read_text(results, kMost);
+  const std::size_t from = page.find(kBegin), to = page.find("<!-- end -->", from);
+  if (from == std::string::npos || to == std::string::npos)
+    throw IoError(
+        fmt::format("{}: the table of columns belongs between {} and <!-- end -->, which "
+                    "are not there",
+                    results, trimmed(kBegin)));
+  page.replace(from + kBegin.size(), to - from - kBegin.size(), curve_table());
+  write_text(results, page);
+  write_text(folder + "/model.md", reference_page());
 }
 
 }  // namespace wythe

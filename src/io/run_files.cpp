@@ -112,12 +112,6 @@ void write_states(const std::string& folder, const Model& model,
   write_file(inside(folder, "run.pvd"), io::series_pvd(series));
 }
 
-bool has_lintel_of_zones(const Model& model) {
-  const auto& bodies = model.solids.bodies;
-  return std::any_of(bodies.begin(), bodies.end(),
-                     [](const SolidBody& body) { return body.role == BlockRole::kLintel; });
-}
-
 // The spec as it was understood: stages and settings with their resolved defaults; a blocks file
 // goes along as blocks.json, so that the folder can be run again wherever it is.
 std::string used_model(const std::string& folder, const ModelSpec& spec, const Model& model) {

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 
+#include "study/answer_keys.h"
 #include "wythe/io.h"
 
 namespace wythe {
@@ -65,42 +68,50 @@ std::vector<std::string> cyclic_cells(const CyclicReadings& c) {
   return cells;
 }
 
+// One column of an answer: its title, and its cell in a row.
+struct Cell {
+  std::string title, text;
+};
+
+// The columns that each response has (answer_keys.h); the failure mode and the other fractions of the peak
+// stand among them.
+std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
+  const Responses& r = record.responses;
+  std::vector<Cell> cells;
+  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if (key.listed != study::Listed::kCsv) return;
+    if constexpr (std::is_same_v<Value, double>)
+      cells.push_back({key.column, number(key.to_unit * value)});
+    else if constexpr (std::is_same_v<Value, bool>)
+      cells.push_back({key.column, value ? "1" : "0"});
+    else
+      cells.push_back({key.column, quoted(value)});
+    if (std::string_view(key.stored) == "displacement_max_m")
+      cells.push_back({"failure_mode", quoted(record.failure_mode.name)});
+    if (std::string_view(key.stored) != "censored_max") return;
+    for (const double fraction : more_fractions(campaign.study)) {
+      const FallTo* fall = fall_to(r, fraction);
+      cells.push_back({fmt::format("displacement_at_{:g}_percent_mm", 100 * fraction),
+                       fall ? number(1e3 * fall->displacement) : ""});
+      cells.push_back({fmt::format("censored_{:g}", 100 * fraction), !fall            ? ""
+                                                                     : fall->censored ? "1"
+                                                                                      : "0"});
+    }
+  };
+  study::each_response(add, r);
+  if (!record.answered())
+    for (Cell& cell : cells) cell.text.clear();
+  return cells;
+}
+
 std::string title_row(const Campaign& campaign, bool cyclic) {
   std::string row = "sample";
   for (const InputColumn& column : campaign.samples.column)
     row += "," + quoted(column_title(column));
-  row +=
-      ",status,peak_reaction_kN,displacement_at_peak_mm,displacement_at_80_percent_mm,censored_80,"
-      "displacement_max_mm,failure_mode,censored_max";
-  for (const double fraction : more_fractions(campaign.study))
-    row += fmt::format(",displacement_at_{0:g}_percent_mm,censored_{0:g}", 100 * fraction);
-  return row +
-         ",initial_stiffness_kN_per_mm,drift_max_percent,collapse_displacement_mm,"
-         "censored_collapse,collapse_criterion,retried,state_hash" +
-         (cyclic ? kCyclicTitles : "") + "\n";
-}
-
-// The cells after the status; as many empty ones where there is no answer.
-std::vector<std::string> answer_cells(const Campaign& campaign, const SampleRecord& record) {
-  const Responses& r = record.responses;
-  std::vector<std::string> cells = {
-      number(1e-3 * r.peak_reaction),     number(1e3 * r.displacement_at_peak),
-      number(1e3 * r.displacement_at_80), r.censored_80 ? "1" : "0",
-      number(1e3 * r.displacement_max),   quoted(record.failure_mode.name),
-      r.censored_max ? "1" : "0"};
-  for (const double fraction : more_fractions(campaign.study)) {
-    const FallTo* fall = fall_to(r, fraction);
-    cells.push_back(fall ? number(1e3 * fall->displacement) : "");
-    cells.emplace_back(!fall ? "" : fall->censored ? "1" : "0");
-  }
-  cells.push_back(number(1e-6 * r.initial_stiffness));
-  cells.push_back(number(1e2 * r.drift_max));
-  cells.push_back(number(1e3 * r.collapse.displacement));
-  cells.emplace_back(r.collapse.censored ? "1" : "0");
-  cells.push_back(quoted(r.collapse.criterion));
-  if (!record.answered())
-    for (std::string& cell : cells) cell.clear();
-  return cells;
+  row += ",status";
+  for (const Cell& cell : answer_cells(campaign, {})) row += "," + cell.title;
+  return row + ",retried,state_hash" + (cyclic ? kCyclicTitles : "") + "\n";
 }
 
 }  // namespace
@@ -116,7 +127,7 @@ std::string samples_csv(const Campaign& campaign) {
       text += "," + number(record.inputs[i] * column.to_unit + column.offset);
     }
     text += "," + quoted(record.status);
-    for (const std::string& cell : answer_cells(campaign, record)) text += "," + cell;
+    for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;
     text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
     if (!cyclic.empty())
       for (const std::string& cell : cyclic_cells(cyclic[k])) text += "," + cell;

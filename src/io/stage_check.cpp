@@ -2,6 +2,7 @@
 // only its own.
 #include <algorithm>
 #include <initializer_list>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -10,12 +11,6 @@
 
 namespace wythe::io {
 namespace {
-
-std::string word_of(StageKind kind) {
-  for (const auto& word : kStageKindWords)
-    if (word.value == kind) return word.word;
-  return "";
-}
 
 std::string words_of(Kinds kinds) {
   std::vector<std::string> words;
@@ -67,15 +62,19 @@ void refuse_foreign_keys(Reader& reader, StageKind kind) {
   for (const Reader::Entry& entry : reader.entries()) {
     const bool foreign = entry.key.kinds != 0 && !(entry.key.kinds & kind_bit(kind));
     if (entry.node && foreign)
-      reader.refuse(entry.name, fmt::format("a {} stage has no such key", word_of(kind)),
+      reader.refuse(entry.name,
+                    fmt::format("a {} stage has no such key", word_of(kStageKindWords, kind)),
                     fmt::format("it belongs to stages of kind {}", words_of(entry.key.kinds)));
   }
 }
 
-void need(Reader& reader, StageKind kind, std::initializer_list<const char*> names) {
-  for (const char* name : names)
-    if (!reader.has(name))
-      reader.miss(name, fmt::format("is missing, a {} stage needs it", word_of(kind)));
+// Of the keys that belong to its kind, those that describe.h calls required.
+void need_keys(Reader& reader, StageKind kind) {
+  for (const Reader::Entry& entry : reader.entries())
+    if (!entry.node && (entry.key.kinds & kind_bit(kind)) &&
+        std::string_view(entry.key.fallback) == kRequired)
+      reader.miss(entry.name,
+                  fmt::format("is missing, a {} stage needs it", word_of(kStageKindWords, kind)));
 }
 
 void check_load(Reader& reader) {
@@ -113,7 +112,6 @@ bool place_has_faults(Reader& reader) {
 }
 
 void check_push(Reader& reader, const StageSpec& stage) {
-  need(reader, StageKind::kPush, {"velocity", "at"});
   if (stage.fast_velocity < stage.velocity)
     reader.refuse("fast_velocity", "is slower than velocity",
                   "write a faster one, or leave it out for one velocity throughout");
@@ -150,19 +148,16 @@ void check_direction(Reader& reader, const StageSpec& stage) {
       stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
   const bool tilts = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
   if (tilts && !sideways)
-    reader.refuse("direction", fmt::format("a {} stage acts sideways", word_of(stage.kind)),
+    reader.refuse("direction",
+                  fmt::format("a {} stage acts sideways", word_of(kStageKindWords, stage.kind)),
                   "write direction = \"+x\" or \"-x\"");
 }
 
+// What a kind asks beyond its required keys.
 void check_needs(Reader& reader, const StageSpec& stage) {
-  switch (stage.kind) {
-    case StageKind::kGravity: return;
-    case StageKind::kLoad: return check_load(reader);
-    case StageKind::kPush: return check_push(reader, stage);
-    case StageKind::kBodyForce: return need(reader, stage.kind, {"rate", "factor"});
-    case StageKind::kTilt: return need(reader, stage.kind, {"tilt_rate", "tilt_until"});
-    case StageKind::kHold: return need(reader, stage.kind, {"duration"});
-  }
+  need_keys(reader, stage.kind);
+  if (stage.kind == StageKind::kLoad) check_load(reader);
+  if (stage.kind == StageKind::kPush) check_push(reader, stage);
 }
 
 }  // namespace

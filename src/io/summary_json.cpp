@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/answer_keys.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
 
@@ -13,25 +14,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json energy_json(const EnergyLedger& energy) {
-  return {{"loads", energy.loads},       {"drive", energy.drive},
-          {"kinetic", energy.kinetic},   {"elastic", energy.elastic},
-          {"friction", energy.friction}, {"fracture", energy.fracture},
-          {"crushing", energy.crushing}, {"damping", energy.damping},
-          {"gap", energy.gap},           {"gap_ratio", energy.gap_ratio}};
+  Json json = Json::object();
+  for (const study::EnergyTerm& term : study::kEnergyTerms) json[term.name] = energy.*term.value;
+  return json;
 }
 
-Json quasi_static_json(const QuasiStatic& meter) {
-  return {{"verdict", meter.verdict},
-          {"judgement", meter.judgement},
-          {"lift_percent", meter.lift * 1e2},
-          {"force_beyond_percent", meter.beyond * 1e2},
-          {"unbalance_ratio_mean", meter.unbalance_ratio_mean},
-          {"unbalance_ratio_max", meter.unbalance_ratio_max},
-          {"kinetic_ratio_mean", meter.kinetic_ratio_mean},
-          {"kinetic_ratio_max", meter.kinetic_ratio_max},
-          {"shear_gap", meter.shear_gap},
-          {"damping_share", meter.damping_share}};
-}
+// Puts each answer under its key, in the units of the key's name.
+struct Answers {
+  Json& json;
+  void operator()(const study::AnswerKey& key, const double& value) const {
+    at(key) = value * key.to_unit;
+  }
+  void operator()(const study::AnswerKey& key, const auto& value) const { at(key) = value; }
+
+ private:
+  // "bilinear.force_kN" lies in an object.
+  [[nodiscard]] Json& at(const study::AnswerKey& key) const {
+    const std::string path = key.summary;
+    const std::size_t dot = path.find('.');
+    return dot == std::string::npos ? json[path] : json[path.substr(0, dot)][path.substr(dot + 1)];
+  }
+};
 
 Json evidence_json(const std::vector<Evidence>& evidence) {
   Json list = Json::array();
@@ -151,31 +154,9 @@ Json bilinear_json(const Bilinear& b) {
 }
 
 void add_responses(Json& json, const Responses& r) {
-  json["peak_reaction_kN"] = r.peak_reaction * 1e-3;
-  json["displacement_at_peak_mm"] = r.displacement_at_peak * 1e3;
-  json["peak_reason"] = r.peak_reason;
-  json["censored_peak"] = r.censored_peak;
-  json["peak_raw_kN"] = r.peak_raw * 1e-3;
-  json["displacement_at_peak_raw_mm"] = r.displacement_at_peak_raw * 1e3;
-  json["displacement_at_80_percent_mm"] = r.displacement_at_80 * 1e3;
+  study::each_response(Answers{json}, r);
   json["censored"] = r.censored_80;
-  json["censored_80"] = r.censored_80;
-  json["displacement_max_mm"] = r.displacement_max * 1e3;
-  json["censored_max"] = r.censored_max;
-  json["initial_stiffness_kN_per_mm"] = r.initial_stiffness * 1e-6;
-  json["load_height_m"] = r.load_height;
-  json["drift_percent_at_peak"] = r.drift_at_peak * 1e2;
-  json["drift_percent_at_80"] = r.drift_at_80 * 1e2;
-  json["drift_percent_max"] = r.drift_max * 1e2;
-  json["work_to_peak_J"] = r.work_to_peak;
-  json["work_to_80_percent_J"] = r.work_to_80;
-  json["work_total_J"] = r.work_total;
   json["falls"] = falls_json(r.falls);
-  json["bilinear"] = bilinear_json(r.bilinear);
-  json["collapse"] = {{"displacement_mm", r.collapse.displacement * 1e3},
-                      {"drift_percent", r.collapse.drift * 1e2},
-                      {"censored", r.collapse.censored},
-                      {"criterion", r.collapse.criterion}};
 }
 
 Json direction_json(const DirectionReadings& d) {
@@ -240,7 +221,7 @@ std::string summary_json(const Model& model, const Result& result) {
   json["failure_mode"] = failure_mode_json(result.failure_mode);
   json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);
-  json["quasi_static"] = quasi_static_json(result.quasi_static);
+  study::each_quasi_static(Answers{json}, result.quasi_static);
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
                       {"joints", result.validity.joints},
                       {"where", result.validity.where}};

@@ -31,8 +31,7 @@ class Writer {
   template <class E, std::size_t N>
   void choice(const char* name, const E& value, const Word<E> (&words)[N], const Key& key) {
     if constexpr (std::is_same_v<E, StageKind>) kind_ = kind_bit(value);
-    for (const Word<E>& word : words)
-      if (word.value == value) put(name, quoted(word.word), key);
+    if (const std::string word = word_of(words, value); !word.empty()) put(name, quoted(word), key);
   }
 
   template <class T>

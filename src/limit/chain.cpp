@@ -150,15 +150,6 @@ End find_end(const Follower& follower, double sense) {
 
 }  // namespace
 
-const char* to_string(ChainEnd end) {
-  switch (end) {
-    case ChainEnd::kNoForce: return "the force is zero";
-    case ChainEnd::kLocked: return "the chain locks";
-    case ChainEnd::kTurnsBack: return "the load point turns back";
-  }
-  return "";
-}
-
 Vec2 placed(const Chain& chain, const ChainState& state, std::size_t body, Vec2 at) {
   return Follower(chain).place({state.rotation, state.rate, state.hinges}, body, at);
 }

@@ -229,10 +229,10 @@ std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opini
     for (const Mechanism& n : opinion.mechanisms) {
       const double infinite = n.curve.states.front().force, own = m.curve.states.front().force;
       if (n.mode != m.mode || n.hypothesis != Hypothesis::kInfinite || own <= infinite) continue;
-      notes.push_back(
-          fmt::format("{} {}: {:.2f} kN at rest, more than the {:.2f} kN of infinite strength: its "
-                      "moved hinges are another lever, take the lower one",
-                      m.mode, to_string(m.hypothesis), 1e-3 * own, 1e-3 * infinite));
+      notes.push_back(fmt::format(
+          "{} {}: {:.2f} kN at rest, more than the {:.2f} kN of infinite strength: its "
+          "moved hinges are another lever, take the lower one",
+          m.mode, word_of(kHypothesisWords, m.hypothesis), 1e-3 * own, 1e-3 * infinite));
     }
   }
   const std::string here = in_words(model);

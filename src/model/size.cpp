@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "wythe/curve.h"
+
 namespace wythe {
 namespace {
 
@@ -22,8 +24,7 @@ constexpr double kSecondsPerStep = 1e-7;  // a block on one core
 constexpr double kMostNumbers = 2.5e8;    // of blocks: joints and points are numbered in 32 bits
 constexpr double kMostRows = 1e6;         // as output.rows
 constexpr double kMostSeconds = 3.2e8;    // ten years
-constexpr double kCurveColumns = 11;      // of a stored curve
-constexpr double kRampSeconds = 0.6;      // a quasi-static stage: ramp and settling
+constexpr double kSeconds = 0.1;          // of a ramp, and what a wall usually needs after it
 
 std::string bytes_text(double bytes) {
   if (bytes < 1e9) return fmt::format("{:.0f} MB", bytes * 1e-6);
@@ -60,11 +61,7 @@ double blocks_of(const ModelSpec& spec) {
   return std::ceil(pieces * wall.length / length) * std::ceil(wall.height / wall.unit.height);
 }
 
-// Of one stage [m] or, for a load factor, its whole ramp: what its rows divide.
-double path_of(const StageSpec& stage) {
-  if (stage.kind == StageKind::kBodyForce) return or_else(stage.factor, 0);
-  if (stage.kind == StageKind::kTilt) return or_else(stage.tilt_until, 0);
-  if (stage.kind != StageKind::kPush) return 0;
+double push_path(const StageSpec& stage) {
   if (stage.targets.empty()) return or_else(stage.until, 0);
   double path = 0, at = 0;
   for (const double target : stage.targets) {
@@ -72,19 +69,6 @@ double path_of(const StageSpec& stage) {
     at = target;
   }
   return path;
-}
-
-double seconds_of(const StageSpec& stage) {
-  const double path = path_of(stage);
-  switch (stage.kind) {
-    case StageKind::kGravity:
-    case StageKind::kLoad: return or_else(stage.ramp, 0) + kRampSeconds;
-    case StageKind::kPush: return or_else(path / stage.velocity, 0) + or_else(stage.ramp, 0);
-    case StageKind::kBodyForce: return or_else(path / stage.rate, 0) + or_else(stage.ramp, 0);
-    case StageKind::kTilt: return or_else(path / stage.tilt_rate, 0) + or_else(stage.ramp, 0);
-    case StageKind::kHold: return or_else(stage.duration, 0);
-  }
-  return 0;
 }
 
 // Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
@@ -139,7 +123,7 @@ void check_rows(const ModelSpec& spec, FaultList& faults) {
   const double window = spec.output.window;
   if (!is_length(window)) return;
   double rows = 0, path = 0;
-  for (const StageSpec& stage : spec.stage) path = std::max(path, path_of(stage));
+  for (const StageSpec& stage : spec.stage) path = std::max(path, pace_of(stage).path);
   rows = path / window;
   if (rows <= kMostRows * (1 + 1e-9)) return;
   faults.add({"", "output.window", fmt::format("{:g} mm", 1e3 * window),
@@ -148,31 +132,40 @@ void check_rows(const ModelSpec& spec, FaultList& faults) {
               fmt::format("write window = \"{:.6g} mm\" or more", 1e3 * path / kMostRows), 0});
 }
 
-const char* slow_key(StageKind kind) {
-  switch (kind) {
-    case StageKind::kPush: return "velocity";
-    case StageKind::kBodyForce: return "rate";
-    case StageKind::kTilt: return "tilt_rate";
-    case StageKind::kHold: return "duration";
-    case StageKind::kGravity:
-    case StageKind::kLoad: break;
-  }
-  return "ramp";
-}
-
 void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {
   if (size.seconds <= kMostSeconds || size.blocks == 0) return;
   std::size_t longest = 0;
   for (std::size_t i = 0; i < spec.stage.size(); ++i)
-    if (seconds_of(spec.stage[i]) > seconds_of(spec.stage[longest])) longest = i;
+    if (pace_of(spec.stage[i]).seconds > pace_of(spec.stage[longest]).seconds) longest = i;
   if (spec.stage.empty()) return;
-  faults.add({"", fmt::format("stage.{}.{}", longest, slow_key(spec.stage[longest].kind)), "",
+  faults.add({"", fmt::format("stage.{}.{}", longest, pace_of(spec.stage[longest]).key), "",
               fmt::format("the run would take about {:.3g} steps, {} of computing", size.steps,
                           time_text(size.seconds)),
               "write a faster one or a shorter way, so that it ends within ten years", 0});
 }
 
 }  // namespace
+
+Pace pace_of(const StageSpec& stage) {
+  const double ramp = or_else(stage.ramp, kSeconds);
+  const auto at_rate = [](double path, double rate, const char* key) -> Pace {
+    return {path, or_else(path / rate, 0), key};
+  };
+  switch (stage.kind) {
+    case StageKind::kGravity:
+    case StageKind::kLoad: break;
+    case StageKind::kPush: {
+      Pace pace = at_rate(push_path(stage), stage.velocity, "velocity");
+      pace.seconds += 0.5 * ramp;
+      return pace;
+    }
+    case StageKind::kBodyForce: return at_rate(or_else(stage.factor, 0), stage.rate, "rate");
+    case StageKind::kTilt:
+      return at_rate(or_else(stage.tilt_until, 0), stage.tilt_rate, "tilt_rate");
+    case StageKind::kHold: return {0, or_else(stage.duration, 0), "duration"};
+  }
+  return {0, ramp + kSeconds, "ramp"};
+}
 
 Size size_of(const ModelSpec& spec) {
   Size size;
@@ -182,10 +175,10 @@ Size size_of(const ModelSpec& spec) {
   double kept = kFramesKept + static_cast<double>(spec.output.states.size());
   double seconds = 0;
   for (const StageSpec& stage : spec.stage) {
-    seconds += seconds_of(stage);
+    seconds += pace_of(stage).seconds;
     // a wall pushed by its own height has fallen
     if (stage.kind == StageKind::kPush)
-      kept += std::min(path_of(stage), or_else(spec.wall.height, 1)) / kReadEvery;
+      kept += std::min(pace_of(stage).path, or_else(spec.wall.height, 1)) / kReadEvery;
   }
   size.bytes = size.blocks * (kBuildBytes + kCopies * kept * state);
   size.steps = seconds / step_of(spec);
@@ -201,7 +194,7 @@ void check_size(const ModelSpec& spec, FaultList& faults) {
 }
 
 SizeProblem check_samples(const ModelSpec& spec, double samples) {
-  const double a_sample = spec.output.rows * kCurveColumns * sizeof(double);
+  const double a_sample = spec.output.rows * static_cast<double>(sizeof(CurveRow));
   const double bytes = samples * a_sample;
   if (bytes <= memory_limit()) return {};
   return {fmt::format("{} samples with their curves need {} and {} of computing on one core",

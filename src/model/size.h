@@ -11,6 +11,14 @@
 
 namespace wythe {
 
+// How a stage goes: its path [m] or load factor, which its rows divide; the time it will probably take [s];
+// and the key by which it takes longer.
+struct Pace {
+  double path = 0, seconds = 0;
+  const char* key = "";
+};
+[[nodiscard]] Pace pace_of(const StageSpec& stage);
+
 struct Size {
   double blocks = 0;
   double bytes = 0;    // of a run: model, state, and the states kept on the way

@@ -107,6 +107,8 @@ LintelMeasures lintel_measures(const Model& model, const State& s) {
 
 }  // namespace reading
 
+bool has_lintel_of_zones(const Model& model) { return reading::first_lintel(model) != nullptr; }
+
 std::vector<ZoneReading> read_zones(const Model& model, const State& s) {
   const Solids& m = model.solids;
   std::vector<ZoneReading> zones;

@@ -29,19 +29,6 @@ constexpr double kMostWallNumbers = 4e6;  // about 5 MB of the page
 
 double shown(const InputColumn& column, double si) { return si * column.to_unit + column.offset; }
 
-const char* kind_word(DistributionKind kind) {
-  switch (kind) {
-    case DistributionKind::kNormal: return "normal";
-    case DistributionKind::kLognormal: return "lognormal";
-    case DistributionKind::kUniform: return "uniform";
-    case DistributionKind::kTriangular: return "triangular";
-    case DistributionKind::kBeta: return "beta";
-    case DistributionKind::kWeibull: return "weibull";
-    case DistributionKind::kEmpirical: return "empirical";
-  }
-  return "";
-}
-
 // Density over the range of the samples, in the unit shown.
 Json density_of(const Campaign& campaign, std::size_t k) {
   const InputColumn& column = campaign.samples.column[k];
@@ -74,7 +61,7 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
                   {"path", column.path},
                   {"random", column.is_random}};
     if (k < variables.size())
-      input["distribution"] = kind_word(variables[k].distribution);
+      input["distribution"] = word_of(kDistributionWords, variables[k].distribution);
     else if (k - variables.size() < dependents.size())
       input["formula"] = dependents[k - variables.size()].formula;
     input["density"] = density_of(campaign, k);

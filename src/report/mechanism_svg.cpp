@@ -28,14 +28,10 @@ svg.mechanism{max-width:520px;background:var(--paper)}
 )css";
 }
 
-const char* title_of(Hypothesis h) {
-  switch (h) {
-    case Hypothesis::kInfinite: return "infinite strength";
-    case Hypothesis::kMacroBlock1: return "Macro-Block 1";
-    case Hypothesis::kMacroBlock2: return "Macro-Block 2";
-  }
-  return "";
-}
+constexpr Word<Hypothesis> kTitles[] = {{"infinite strength", Hypothesis::kInfinite},
+                                        {"Macro-Block 1", Hypothesis::kMacroBlock1},
+                                        {"Macro-Block 2", Hypothesis::kMacroBlock2}};
+static_assert(names_all(kTitles));
 
 // --- pictures of mechanisms
 
@@ -111,7 +107,7 @@ std::string arrow(const Mechanism& m, const ChainState& now, const Canvas& canva
       "arrow");
 }
 
-std::string title_of(const Mechanism& m) { return m.mode + ", " + title_of(m.hypothesis); }
+std::string title_of(const Mechanism& m) { return m.mode + ", " + word_of(kTitles, m.hypothesis); }
 
 }  // namespace
 

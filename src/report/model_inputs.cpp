@@ -38,41 +38,6 @@ constexpr MaterialRow kMaterialRows[] = {
     {"tension_limit", "MPa", 1e-6, &JointMaterial::tension_limit},
     {"compression_limit", "MPa", 1e-6, &JointMaterial::compression_limit}};
 
-const char* word_of(Softening softening) {
-  switch (softening) {
-    case Softening::kBilinear: return "bilinear";
-    case Softening::kExponential: return "exponential";
-    case Softening::kPolynomial: return "polynomial";
-    case Softening::kPetersson: return "petersson";
-  }
-  return "";
-}
-const char* word_of(Coupling coupling) {
-  switch (coupling) {
-    case Coupling::kUnion: return "union";
-    case Coupling::kMaximum: return "maximum";
-    case Coupling::kStiffness: return "stiffness";
-  }
-  return "";
-}
-const char* word_of(Unloading unloading) {
-  switch (unloading) {
-    case Unloading::kSecant: return "secant";
-    case Unloading::kElastic: return "elastic";
-  }
-  return "";
-}
-const char* word_of(Bond bond) {
-  switch (bond) {
-    case Bond::kRunning: return "running";
-    case Bond::kStack: return "stack";
-    case Bond::kFlemish: return "flemish";
-    case Bond::kEnglish: return "english";
-    case Bond::kHeader: return "header";
-  }
-  return "";
-}
-
 // JSON has no infinity: "unlimited" stands for it, null for what is not stated.
 Json number(double value) {
   if (std::isinf(value)) return "unlimited";
@@ -105,9 +70,11 @@ Json materials_of(const std::map<std::string, JointMaterial>& materials) {
     }
     if (stated) rows.push_back({key, "", cells});
   };
-  add_words("softening", [](const JointMaterial& m) { return word_of(m.softening); });
-  add_words("coupling", [](const JointMaterial& m) { return word_of(m.coupling); });
-  add_words("unloading", [](const JointMaterial& m) { return word_of(m.unloading); });
+  add_words("softening",
+            [](const JointMaterial& m) { return word_of(kSofteningWords, m.softening); });
+  add_words("coupling", [](const JointMaterial& m) { return word_of(kCouplingWords, m.coupling); });
+  add_words("unloading",
+            [](const JointMaterial& m) { return word_of(kUnloadingWords, m.unloading); });
   return {{"names", names}, {"rows", rows}};
 }
 
@@ -117,7 +84,7 @@ Json wall_rows(const ModelSpec& spec, const Model& model) {
                row("thickness", a.thickness, "m")};
   if (!spec.wall.blocks.empty()) rows.push_back({"blocks_file", spec.wall.blocks, ""});
   if (a.courses > 0) {
-    rows.push_back({"bond", word_of(spec.wall.bond), ""});
+    rows.push_back({"bond", word_of(kBondWords, spec.wall.bond), ""});
     rows.push_back(row("courses", a.courses, ""));
     rows.push_back(row("course_height", a.course_height * 1e3, "mm"));
     rows.push_back(row("half_unit", a.half_unit * 1e3, "mm"));
@@ -146,26 +113,10 @@ Json openings_of(const WallSpec& wall) {
   return list;
 }
 
-const char* kind_word(StageKind kind) {
-  switch (kind) {
-    case StageKind::kGravity: return "gravity";
-    case StageKind::kLoad: return "load";
-    case StageKind::kPush: return "push";
-    case StageKind::kBodyForce: return "body_force";
-    case StageKind::kTilt: return "tilt";
-    case StageKind::kHold: return "hold";
-  }
-  return "";
-}
-
-const char* direction_word(Direction direction) {
-  switch (direction) {
-    case Direction::kPlusX: return "+x";
-    case Direction::kMinusX: return "−x";
-    case Direction::kPlusY: return "+y";
-    case Direction::kMinusY: return "−y";
-  }
-  return "";
+// "−x": with a minus sign, not a hyphen.
+std::string direction_word(Direction direction) {
+  const std::string word = word_of(kDirectionWords, direction);
+  return word.starts_with('-') ? "−" + word.substr(1) : word;
 }
 
 Json stage_of(const Stage& stage) {
@@ -193,10 +144,12 @@ Json stage_of(const Stage& stage) {
   if (!stage.driven.empty()) {
     rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
     rows.push_back(row("load_height", stage.load_height, "m"));
-    if (s.rotation == Freedom::kBlocked) rows.push_back({"rotation", "blocked", ""});
-    if (s.across == Freedom::kBlocked) rows.push_back({"across", "blocked", ""});
+    if (s.rotation == Freedom::kBlocked)
+      rows.push_back({"rotation", word_of(kFreedomWords, s.rotation), ""});
+    if (s.across == Freedom::kBlocked)
+      rows.push_back({"across", word_of(kFreedomWords, s.across), ""});
   }
-  return {{"name", s.name}, {"kind", kind_word(s.kind)}, {"rows", rows}};
+  return {{"name", s.name}, {"kind", word_of(kStageKindWords, s.kind)}, {"rows", rows}};
 }
 
 }  // namespace

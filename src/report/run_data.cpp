@@ -7,6 +7,7 @@
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/wall_arrays.h"
+#include "study/answer_keys.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 
@@ -48,14 +49,9 @@ Json energy_of(const Model& model, const std::vector<Frame>& frames) {
   Json rows = Json::array();
   for (const Frame& f : frames) {
     const EnergyLedger e = dynamics::energy_ledger(model, f.snapshot->state, 1);
-    rows.push_back({{"loads", e.loads},
-                    {"drive", e.drive},
-                    {"kinetic", e.kinetic},
-                    {"elastic", e.elastic},
-                    {"friction", e.friction},
-                    {"fracture", e.fracture},
-                    {"crushing", e.crushing},
-                    {"damping", e.damping}});
+    Json row = Json::object();
+    for (const study::EnergyTerm& term : study::kEnergyTerms) row[term.name] = e.*term.value;
+    rows.push_back(std::move(row));
   }
   return rows;
 }
@@ -75,20 +71,14 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
   arrays.write(bundle);
 }
 
-void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve) {
-  const auto column = [&](const char* name, double CurveRow::*value, double factor) {
+void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, bool has_lintel) {
+  for (const CurveColumn& column : columns_shown(has_lintel)) {
     std::vector<float> values;
     values.reserve(curve.size());
-    for (const CurveRow& row : curve) values.push_back(static_cast<float>(row.*value * factor));
-    bundle.add(fmt::format("curve.{}", name), std::span<const float>(values));
-  };
-  column("displacement_mm", &CurveRow::displacement, 1e3);
-  column("drift_percent", &CurveRow::drift, 1e2);
-  column("reaction_kN", &CurveRow::reaction, 1e-3);
-  column("base_shear_kN", &CurveRow::base_shear, 1e-3);
-  column("unbalance_ratio", &CurveRow::unbalance_ratio, 1);
-  column("kinetic_ratio", &CurveRow::kinetic_ratio, 1);
-  column("load_factor", &CurveRow::load_factor, 1);
+    for (const CurveRow& row : curve)
+      values.push_back(static_cast<float>(row.*column.value * column.to_unit));
+    bundle.add(fmt::format("curve.{}", column.name), std::span<const float>(values));
+  }
 }
 
 }  // namespace
@@ -103,7 +93,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   add_wall(bundle, model);
-  add_curve(bundle, result.curve);
+  add_curve(bundle, result.curve, has_lintel_of_zones(model));
   add_frames(bundle, model, result);
   return bundle.packed();
 }

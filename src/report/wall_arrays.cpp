@@ -20,6 +20,15 @@ void add_floats(Bundle& bundle, const std::string& name, const std::vector<doubl
   bundle.add(name, std::span<const float>(as<float>(values)));
 }
 
+// Words by the numbers that stand for them in an array.
+template <class E, std::size_t N>
+Json words_by_number(const Word<E> (&words)[N]) {
+  Json list = Json::array();
+  for (std::size_t number = 0; number < N; ++number)
+    list.push_back(word_of(words, static_cast<E>(number)));
+  return list;
+}
+
 // The stage that pushes, or nullptr.
 const Stage* push_of(const Model& model) {
   for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage)
@@ -116,7 +125,9 @@ void add_wall(Bundle& bundle, const Model& model) {
                {"courses", a.courses},
                {"blocks", model.n_block + bodies},
                {"joints", model.n_joint + s.n_contact},
-               {"pairs", model.n_pair}};
+               {"pairs", model.n_pair},
+               {"roles", words_by_number(kBlockRoleWords)},
+               {"kinds", words_by_number(kJointKindWords)}};
   if (bodies > 0) {
     wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["zones"] = s.n_zone;
     wall["contacts"] = s.n_contact;

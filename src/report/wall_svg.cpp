@@ -145,21 +145,6 @@ std::string draw_rest(const Model& model, const Canvas& canvas) {
               "rest");
 }
 
-const char* kind_word(JointKind kind) {
-  switch (kind) {
-    case JointKind::kBed: return "bed joint";
-    case JointKind::kHead: return "head joint";
-    case JointKind::kSplit: return "unit";
-    case JointKind::kFoundation: return "foundation";
-    case JointKind::kLintelChain: return "lintel";
-    case JointKind::kLintelBond: return "lintel bearing";
-    case JointKind::kPlate: return "plate";
-    case JointKind::kBeam: return "beam";
-    case JointKind::kOther: return "joint";
-  }
-  return "joint";
-}
-
 // Picks how a cracked joint shows and counts it; width grows with the root of the movement.
 const char* crack_class(const JointReading& joint, WallPicture& picture) {
   const double slip = std::fabs(joint.slip);
@@ -187,7 +172,7 @@ std::string draw_crack(const JointReading& joint, Pixel from, Pixel to, WallPict
       "x2=\"{:.1f}\" "
       "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
       css, width, is_softening ? 0.25 + 0.65 * joint.damage : 1.0, from.x, from.y, to.x, to.y,
-      kind_word(joint.shape.kind), rounded(std::max(0.0, joint.opening) * 1e3, 2),
+      word_of(kJointKindTitles, joint.shape.kind), rounded(std::max(0.0, joint.opening) * 1e3, 2),
       rounded(slip * 1e3, 2), rounded(joint.damage, 2));
 }
 

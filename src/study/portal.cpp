@@ -395,17 +395,9 @@ void check_hinges(const Portal& p, const Mechanism& m) {
 
 }  // namespace
 
-const char* to_string(Hypothesis hypothesis) {
-  switch (hypothesis) {
-    case Hypothesis::kInfinite: return "infinite";
-    case Hypothesis::kMacroBlock1: return "macro_block_1";
-    case Hypothesis::kMacroBlock2: return "macro_block_2";
-  }
-  return "";
-}
-
 std::string Mechanism::file_name() const {
-  return fmt::format("mechanism_{}_{}", mode == "FM-1" ? "fm1" : "fm4", to_string(hypothesis));
+  return fmt::format("mechanism_{}_{}", mode == "FM-1" ? "fm1" : "fm4",
+                     word_of(kHypothesisWords, hypothesis));
 }
 
 Portal find_portal(const Model& model) {

@@ -1,17 +1,10 @@
 #include "study/record_rows.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace wythe::study {
-namespace {
-
-constexpr double CurveRow::*kCurve[kCurveColumns] = {
-    &CurveRow::time,          &CurveRow::displacement, &CurveRow::drift,
-    &CurveRow::reaction,      &CurveRow::base_shear,   &CurveRow::unbalance_ratio,
-    &CurveRow::kinetic_ratio, &CurveRow::load_factor};
-
-}  // namespace
 
 RecordLists lists_of(const SampleRecord& record) {
   const FailureMode& mode = record.failure_mode;
@@ -42,19 +35,30 @@ void put_lists(RecordLists lists, SampleRecord& record) {
   record.events = std::move(lists.events);
 }
 
+std::string curve_column_names() {
+  std::string names;
+  for (const CurveColumn& column : kCurveColumns)
+    names += (names.empty() ? "" : ",") + std::string(column.stored);
+  return names;
+}
+
 std::vector<double> curve_columns(const std::vector<CurveRow>& curve) {
   std::vector<double> columns;
-  columns.reserve(curve.size() * kCurveColumns);
-  for (const auto member : kCurve)
-    for (const CurveRow& row : curve) columns.push_back(row.*member);
+  columns.reserve(curve.size() * std::size(kCurveColumns));
+  for (const CurveColumn& column : kCurveColumns)
+    for (const CurveRow& row : curve) columns.push_back(row.*column.value);
   return columns;
 }
 
-std::vector<CurveRow> curve_rows(const std::vector<double>& columns) {
-  std::vector<CurveRow> curve(columns.size() / kCurveColumns);
-  auto next = columns.begin();
-  for (const auto member : kCurve)
-    for (CurveRow& row : curve) row.*member = *next++;
+std::vector<CurveRow> curve_rows(const std::vector<double>& columns,
+                                 const std::vector<std::string>& names) {
+  std::vector<CurveRow> curve(columns.size() / names.size());
+  for (const CurveColumn& column : kCurveColumns) {
+    const auto found = std::find(names.begin(), names.end(), column.stored);
+    const auto first = static_cast<std::size_t>(found - names.begin()) * curve.size();
+    for (std::size_t i = 0; i < curve.size(); ++i)
+      curve[i].*column.value = found == names.end() ? kUnset : columns[first + i];
+  }
   return curve;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "model/fields.h"
+#include "study/answer_keys.h"
 #include "wythe/campaign.h"
 
 namespace wythe::study {
@@ -27,38 +28,6 @@ void each_column(Visitor& v, Record& r) {
   v("provenance", r.provenance);
 }
 
-template <class Visitor, class R>
-void each_response(Visitor& v, R& r) {
-  v("peak_reaction_N", r.peak_reaction);
-  v("displacement_at_peak_m", r.displacement_at_peak);
-  v("displacement_at_80_percent_m", r.displacement_at_80);
-  v("censored_80", r.censored_80);
-  v("displacement_max_m", r.displacement_max);
-  v("censored_max", r.censored_max);
-  v("initial_stiffness_N_per_m", r.initial_stiffness);
-  v("load_height_m", r.load_height);
-  v("drift_at_peak", r.drift_at_peak);
-  v("drift_at_80_percent", r.drift_at_80);
-  v("drift_max", r.drift_max);
-  v("work_to_peak_J", r.work_to_peak);
-  v("work_to_80_percent_J", r.work_to_80);
-  v("work_total_J", r.work_total);
-  v("bilinear_stiffness_N_per_m", r.bilinear.stiffness);
-  v("bilinear_force_N", r.bilinear.force);
-  v("bilinear_yield_displacement_m", r.bilinear.yield_displacement);
-  v("bilinear_ultimate_displacement_m", r.bilinear.ultimate_displacement);
-  v("bilinear_ductility", r.bilinear.ductility);
-  v("bilinear_censored", r.bilinear.censored);
-  v("collapse_displacement_m", r.collapse.displacement);
-  v("collapse_drift", r.collapse.drift);
-  v("collapse_censored", r.collapse.censored);
-  v("collapse_criterion", r.collapse.criterion);
-  v("peak_reason", r.peak_reason);
-  v("censored_peak", r.censored_peak);
-  v("peak_raw_N", r.peak_raw);
-  v("displacement_at_peak_raw_m", r.displacement_at_peak_raw);
-}
-
 template <class Visitor, class Mode>
 void each_mode_column(Visitor& v, Mode& m) {
   v("failure_mode", m.name);
@@ -66,40 +35,13 @@ void each_mode_column(Visitor& v, Mode& m) {
   v("failure_read_at_m", m.read_at);
 }
 
-template <class Visitor, class Energy>
-void each_energy(Visitor& v, Energy& e) {
-  v("energy_loads_J", e.loads);
-  v("energy_drive_J", e.drive);
-  v("energy_kinetic_J", e.kinetic);
-  v("energy_elastic_J", e.elastic);
-  v("energy_friction_J", e.friction);
-  v("energy_fracture_J", e.fracture);
-  v("energy_crushing_J", e.crushing);
-  v("energy_damping_J", e.damping);
-  v("energy_gap_J", e.gap);
-  v("energy_gap_ratio", e.gap_ratio);
-}
-
-template <class Visitor, class Quasi>
-void each_quasi_static(Visitor& v, Quasi& q) {
-  v("unbalance_ratio_mean", q.unbalance_ratio_mean);
-  v("unbalance_ratio_max", q.unbalance_ratio_max);
-  v("kinetic_ratio_mean", q.kinetic_ratio_mean);
-  v("kinetic_ratio_max", q.kinetic_ratio_max);
-  v("shear_gap", q.shear_gap);
-  v("damping_share", q.damping_share);
-  v("rate_verdict", q.verdict);
-  v("force_beyond_peak", q.beyond);
-  v("rate_lift", q.lift);
-  v("rate_judgement", q.judgement);
-}
-
 template <class Visitor, class Record>
 void each_answer(Visitor& v, Record& r) {
-  each_response(v, r.responses);
+  const auto stored = [&](const AnswerKey& key, auto& member) { v(key.stored, member); };
+  each_response(stored, r.responses);
   each_mode_column(v, r.failure_mode);
-  each_energy(v, r.energy);
-  each_quasi_static(v, r.quasi_static);
+  for (const EnergyTerm& term : kEnergyTerms) v(term.stored, r.energy.*term.value);
+  each_quasi_static(stored, r.quasi_static);
 }
 
 template <class Visitor, class Evidence>
@@ -187,10 +129,14 @@ void each_list(Visitor& v) {
   });
 }
 
-// Columns of a packed curve, in this order, each over all rows.
-inline constexpr int kCurveColumns = 8;
+// A packed curve: one column after the other, each over all rows, by the names beside it. A column whose
+// name is not there reads as kUnset, a name that is no column here is passed over.
+inline constexpr const char* kCurveColumnsBefore4 =
+    "time_s,displacement_m,drift,reaction_N,base_shear_N,unbalance_ratio,kinetic_ratio,load_factor";
+[[nodiscard]] std::string curve_column_names();
 [[nodiscard]] std::vector<double> curve_columns(const std::vector<CurveRow>& curve);
-[[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns);
+[[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns,
+                                               const std::vector<std::string>& names);
 
 // Arrays of a packed state: 3 over blocks, 6 over contact points, 2 over nodes of zones; of these the
 // number follows from the size.

@@ -24,7 +24,9 @@
 #include <mutex>
 #include <numeric>
 
+#include "core/check.h"
 #include "core/hash.h"
+#include "study/distribution.h"
 
 namespace wythe {
 namespace {
@@ -94,21 +96,47 @@ OT::Distribution make_weibull(const VariableSpec& s) {
   return OT::WeibullMin(p[0], p[1], p[2]);
 }
 
-OT::Distribution make_distribution(const VariableSpec& s) {
-  switch (s.distribution) {
-    case DistributionKind::kLognormal: return make_lognormal(s);
-    case DistributionKind::kUniform: return make_uniform(s);
-    case DistributionKind::kTriangular: return make_triangular(s);
-    case DistributionKind::kBeta: return make_beta(s);
-    case DistributionKind::kWeibull: return make_weibull(s);
-    case DistributionKind::kNormal:
-    case DistributionKind::kEmpirical: break;
-  }
+OT::Distribution make_normal(const VariableSpec& s) {
   const auto [mean, deviation] = moments_of(s);
   return OT::Normal(mean, deviation);
 }
 
+// Each kind: what it takes, and how it is made; measured values are no distribution of OpenTURNS.
+struct Kind {
+  DistributionKind kind;
+  study::DistributionForms takes;
+  OT::Distribution (*make)(const VariableSpec&);
+};
+
+const Kind& kind_of(DistributionKind kind) {
+  using D = DistributionKind;
+  static const std::vector<Kind> kKinds = {
+      {D::kNormal, {"a normal", {{"mean", "spread"}}}, make_normal},
+      {D::kLognormal,
+       {"a lognormal", {{"mean", "spread"}, {"median", "log_standard_deviation"}}},
+       make_lognormal},
+      {D::kUniform, {"a uniform", {{"low", "high"}, {"mean", "spread"}}}, make_uniform},
+      {D::kTriangular,
+       {"a triangular", {{"low", "mode", "high"}, {"mean", "spread"}}},
+       make_triangular},
+      {D::kBeta,
+       {"a beta", {{"alpha", "beta", "low", "high"}, {"mean", "spread", "low", "high"}}},
+       make_beta},
+      {D::kWeibull,
+       {"a Weibull", {{"shape", "scale"}, {"mean", "spread"}}, {"location"}},
+       make_weibull},
+      {D::kEmpirical, {"an empirical", {{}}}, nullptr}};
+  const auto found =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.kind == kind; });
+  WYTHE_ASSERT(found != kKinds.end(), "a kind of distribution without its line");
+  return *found;
+}
+
 }  // namespace
+
+const study::DistributionForms& study::forms_of(DistributionKind kind) {
+  return kind_of(kind).takes;
+}
 
 struct Margin::Whole {
   OT::Distribution distribution;
@@ -132,7 +160,7 @@ Margin::Margin(const VariableSpec& spec)
     std::sort(whole_->values.begin(), whole_->values.end());
     return;
   }
-  whole_->distribution = make_distribution(spec);
+  whole_->distribution = kind_of(spec.distribution).make(spec);
   if (lower_ > -kInfinity) below_ = whole_->distribution.computeCDF(lower_);
   if (upper_ < kInfinity) above_ = whole_->distribution.computeComplementaryCDF(upper_);
 }

@@ -23,14 +23,10 @@ std::string unit_in_key(const std::string& unit) {
   return out;
 }
 
-const char* name_of(Design design) {
-  switch (design) {
-    case Design::kMonteCarlo: return "Monte Carlo";
-    case Design::kSobol: return "scrambled Sobol";
-    case Design::kLatinHypercube: break;
-  }
-  return "Latin hypercube";
-}
+constexpr Word<Design> kDesignTitles[] = {{"Latin hypercube", Design::kLatinHypercube},
+                                          {"Monte Carlo", Design::kMonteCarlo},
+                                          {"scrambled Sobol", Design::kSobol}};
+static_assert(names_all(kDesignTitles));
 
 void count_outcomes(const Campaign& campaign, Statistics& out) {
   for (const SampleRecord& record : campaign.records) {
@@ -53,7 +49,7 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
 
 void describe_study(const Campaign& campaign, Statistics& out) {
   out.study = campaign.study.name;
-  out.design = name_of(campaign.study.design);
+  out.design = word_of(kDesignTitles, campaign.study.design);
   out.seed = campaign.study.seed;
   out.asked = std::max(campaign.samples.n_sample(), static_cast<int>(campaign.records.size()));
   out.load_height = campaign.load_height;

@@ -26,11 +26,7 @@ constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application
 
 // How a sample that is stored has ended.
 bool is_outcome(const std::string& status) {
-  for (const SolveStatus s :
-       {SolveStatus::kCompleted, SolveStatus::kCollapsed, SolveStatus::kInterrupted,
-        SolveStatus::kNotSettled, SolveStatus::kUnstable, SolveStatus::kBudgetSpent})
-    if (status == to_string(s)) return true;
-  return status == "refused";
+  return value_of(kSolveStatusWords, status).has_value() || status == "refused";
 }
 
 // Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
@@ -152,16 +148,33 @@ std::vector<std::vector<double>> read_inputs(Database& database, std::size_t col
   return inputs;
 }
 
-std::map<int, std::vector<CurveRow>> read_curves(Database& database, int samples) {
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts(1);
+  for (const char c : list)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples) {
+  Database& database = store.database();
   std::map<int, std::vector<CurveRow>> curves;
-  Statement select(database, "SELECT sample, rows, data FROM curve");
+  ColumnNames named;
+  named("columns", std::string());
+  Statement select(database, fmt::format("SELECT sample, rows{}, data FROM curve",
+                                         known_columns(store, "curve", named)));
   while (select.step()) {
     const auto sample = static_cast<int>(select.integer(1, samples));
     const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
-    database.take(static_cast<double>(rows * (kCurveColumns * sizeof(double) + sizeof(CurveRow))));
+    const std::string list = select.text();
+    const std::vector<std::string> names = parts_of(list.empty() ? kCurveColumnsBefore4 : list);
+    database.take(static_cast<double>(rows * (names.size() * sizeof(double) + sizeof(CurveRow))));
     curves[sample] = curve_rows(
-        unpack_doubles(select.bytes(), rows * kCurveColumns,
-                       fmt::format("{}: the curve of sample {}", database.name(), sample)));
+        unpack_doubles(select.bytes(), rows * names.size(),
+                       fmt::format("{}: the curve of sample {}", database.name(), sample)),
+        names);
   }
   return curves;
 }
@@ -400,11 +413,9 @@ std::set<int> Store::done() {
 void Store::write(const PackedSample& sample) {
   const SampleRecord& r = sample.record;
   Transaction transaction(database_);
-  // one column for the number, the others from the list
-  ColumnNames names;
-  each_column(names, r);
-  each_answer(names, r);
-  Statement insert(database_, insert_sql("sample", 1 + static_cast<int>(names.columns.size())));
+  std::string columns = "sample", places = "?";
+  for (const auto& [name, type] : record_columns().columns) columns += ", " + name, places += ",?";
+  Statement insert(database_, fmt::format("INSERT INTO sample ({}) VALUES ({})", columns, places));
   insert.bind(r.sample);
   Binder binder{insert};
   each_column(binder, r);
@@ -417,7 +428,8 @@ void Store::write(const PackedSample& sample) {
     each_list(writer);
   }
   if (!sample.curve.empty())
-    Statement(database_, insert_sql("curve", 3)).run(r.sample, r.curve.size(), Bytes{sample.curve});
+    Statement(database_, insert_sql("curve", 4))
+        .run(r.sample, r.curve.size(), Bytes{sample.curve}, curve_column_names());
   Statement insert_state(database_, insert_sql("state", 8));
   for (std::size_t i = 0; i < sample.states.size(); ++i) {
     const PackedState& s = sample.states[i];
@@ -478,7 +490,7 @@ int last_counted(Store& store) {
 
 std::vector<SampleRecord> Store::records(int last) {
   SampleTable table = samples();
-  std::map<int, std::vector<CurveRow>> curves = read_curves(database_, table.n_sample());
+  std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample());
   std::map<int, RecordLists> lists;
   ListReader reader{*this, lists, table.n_sample()};
   each_list(reader);
@@ -497,7 +509,7 @@ std::vector<SampleRecord> Store::records(int last) {
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
     if (!record.answered()) continue;  // nor are there lists of what it did
     each_answer(taker, record);
-    if (!is_current())  // what version 2 had no column for
+    if (version_ < 3)  // it had no column for
       record.responses.censored_peak =
           record.responses.displacement_at_peak >= record.curve.back().displacement;
     check_answer(database_, record, lists[record.sample]);

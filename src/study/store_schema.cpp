@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <type_traits>
+
 #include "study/record_rows.h"
 
 namespace wythe::study {
@@ -52,8 +55,8 @@ std::string schema_sql() {
       " unit TEXT, to_unit REAL, shift REAL, is_random INTEGER, cut_off REAL);\n"
       "CREATE TABLE sample_input (sample INTEGER NOT NULL, position INTEGER NOT NULL, value REAL,"
       " PRIMARY KEY (sample, position)) WITHOUT ROWID;\n"
-      "CREATE TABLE curve (sample INTEGER PRIMARY KEY, rows INTEGER NOT NULL, data BLOB NOT "
-      "NULL);\n"
+      "CREATE TABLE curve (sample INTEGER PRIMARY KEY, rows INTEGER NOT NULL, data BLOB NOT NULL,"
+      " columns TEXT NOT NULL);\n"
       "CREATE TABLE state (sample INTEGER NOT NULL, position INTEGER NOT NULL, label TEXT,"
       " displacement_m REAL, reaction_N REAL, blocks INTEGER, points INTEGER, data BLOB NOT NULL,"
       " PRIMARY KEY (sample, position));\n"
@@ -75,20 +78,22 @@ std::string samples_view_sql(const SampleTable& samples) {
         "i.position = {}) AS {}",
         column.to_unit, column.offset, i, quoted(column_title(column)));
   }
-  sql +=
-      ",\n status, peak_reaction_N / 1e3 AS peak_reaction_kN,"
-      " displacement_at_peak_m * 1e3 AS displacement_at_peak_mm,"
-      " displacement_at_80_percent_m * 1e3 AS displacement_at_80_percent_mm, censored_80,"
-      " displacement_max_m * 1e3 AS displacement_max_mm, failure_mode, censored_max,"
-      " initial_stiffness_N_per_m / 1e6 AS initial_stiffness_kN_per_mm,"
-      " drift_at_peak * 100 AS drift_at_peak_percent,"
-      " drift_at_80_percent * 100 AS drift_at_80_of_peak_percent,"
-      " drift_max * 100 AS drift_max_percent,"
-      " collapse_displacement_m * 1e3 AS collapse_displacement_mm,"
-      " collapse_censored AS censored_collapse, collapse_criterion, reason,"
-      " peak_raw_N / 1e3 AS peak_raw_kN, censored_peak, peak_reason, rate_judgement\n"
-      "FROM sample s WHERE sample <= coalesce((SELECT CAST(value AS INTEGER) FROM study"
-      " WHERE key = 'until_met_at' AND value <> ''), 1000000000);\n";
+  std::string listed = ",\n status";
+  const auto add = [&](const AnswerKey& key, const auto& value) {
+    if (key.listed == Listed::kNowhere) return;
+    if constexpr (std::is_same_v<decltype(value), const double&>)
+      listed += fmt::format(", {} * {:g} AS {}", key.stored, key.to_unit, key.column);
+    else
+      listed += fmt::format(", {} AS {}", key.stored, key.column);
+    if (std::string_view(key.stored) == "displacement_max_m") listed += ", failure_mode";
+  };
+  const SampleRecord any;
+  each_response(add, any.responses);
+  each_quasi_static(add, any.quasi_static);
+  sql += listed +
+         ", reason\n"
+         "FROM sample s WHERE sample <= coalesce((SELECT CAST(value AS INTEGER) FROM study"
+         " WHERE key = 'until_met_at' AND value <> ''), 1000000000);\n";
   return sql;
 }
 

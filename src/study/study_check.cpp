@@ -10,6 +10,7 @@
 
 #include "core/text.h"
 #include "study/dependents.h"
+#include "study/distribution.h"
 #include "study/formula_parser.h"
 #include "study/sampling.h"
 #include "units/quantity_error.h"
@@ -21,57 +22,10 @@ namespace wythe {
 namespace {
 
 using Names = std::vector<std::string>;
-
-struct Parameter {
-  const char* name;
-  double VariableSpec::*value;
-};
-constexpr Parameter kParameters[] = {
-    {"mean", &VariableSpec::mean},
-    {"cov", &VariableSpec::cov},
-    {"standard_deviation", &VariableSpec::standard_deviation},
-    {"median", &VariableSpec::median},
-    {"log_standard_deviation", &VariableSpec::log_standard_deviation},
-    {"low", &VariableSpec::low},
-    {"mode", &VariableSpec::mode},
-    {"high", &VariableSpec::high},
-    {"alpha", &VariableSpec::alpha},
-    {"beta", &VariableSpec::beta},
-    {"shape", &VariableSpec::shape},
-    {"scale", &VariableSpec::scale},
-    {"location", &VariableSpec::location}};
-
-// "spread" stands for cov or standard_deviation.
-struct Kind {
-  DistributionKind kind;
-  const char* words;
-  std::vector<Names> forms;
-  Names optional;
-};
-
-const Kind& kind_of(DistributionKind kind) {
-  static const std::vector<Kind> kKinds = {
-      {DistributionKind::kNormal, "a normal", {{"mean", "spread"}}, {}},
-      {DistributionKind::kLognormal,
-       "a lognormal",
-       {{"mean", "spread"}, {"median", "log_standard_deviation"}},
-       {}},
-      {DistributionKind::kUniform, "a uniform", {{"low", "high"}, {"mean", "spread"}}, {}},
-      {DistributionKind::kTriangular,
-       "a triangular",
-       {{"low", "mode", "high"}, {"mean", "spread"}},
-       {}},
-      {DistributionKind::kBeta,
-       "a beta",
-       {{"alpha", "beta", "low", "high"}, {"mean", "spread", "low", "high"}},
-       {}},
-      {DistributionKind::kWeibull,
-       "a Weibull",
-       {{"shape", "scale"}, {"mean", "spread"}},
-       {"location"}},
-      {DistributionKind::kEmpirical, "an empirical", {{}}, {}}};
-  return *std::find_if(kKinds.begin(), kKinds.end(), [&](const Kind& k) { return k.kind == kind; });
-}
+using study::DistributionForms;
+using study::kVariableParameters;
+using study::ParameterIs;
+using study::VariableParameter;
 
 std::string form_text(Names form) {
   for (std::string& name : form)
@@ -81,8 +35,8 @@ std::string form_text(Names form) {
   return form.empty() ? last : joined(form, ", ") + " and " + last;
 }
 
-std::string forms_text(const Kind& kind) {
-  if (kind.kind == DistributionKind::kEmpirical) return "file (and column), or values";
+std::string forms_text(const DistributionForms& kind) {
+  if (kind.forms.front().empty()) return "file (and column), or values";
   Names texts;
   for (const Names& form : kind.forms) texts.push_back(form_text(form));
   return joined(texts, ", or ");
@@ -95,7 +49,7 @@ bool holds(const Names& names, const std::string& name) {
 class VariableCheck {
  public:
   VariableCheck(const VariableSpec& spec, const std::string& file, FaultList& faults)
-      : spec_(spec), file_(file), faults_(faults), kind_(kind_of(spec.distribution)) {}
+      : spec_(spec), file_(file), faults_(faults), kind_(study::forms_of(spec.distribution)) {}
 
   void run() {
     check_form();
@@ -117,8 +71,8 @@ class VariableCheck {
   // Which parameters stand there: none too many, and all of one form.
   void check_form() {
     Names given;
-    for (const auto& [name, value] : kParameters)
-      if (is_set(spec_.*value)) given.emplace_back(name);
+    for (const VariableParameter& p : kVariableParameters)
+      if (p.is != ParameterIs::kCut && is_set(spec_.*p.value)) given.emplace_back(p.name);
     if (is_set(spec_.cov) && is_set(spec_.standard_deviation))
       refuse("cov", fmt::format("{:g}", spec_.cov), "stands beside standard_deviation",
              "leave one of the two");
@@ -143,31 +97,22 @@ class VariableCheck {
   }
 
   void check_values() {
-    for (const auto& [name, value] : kParameters)
-      if (std::isinf(spec_.*value)) refuse(name, "inf", "is not a finite number", "");
-    need_positive("cov", spec_.cov, "write e.g. cov = 0.2");
-    for (const char* name :
-         {"standard_deviation", "log_standard_deviation", "alpha", "beta", "shape", "scale"})
-      need_positive(name, value_named(name), "write a positive one");
+    for (const VariableParameter& p : kVariableParameters)
+      if (p.is != ParameterIs::kCut && std::isinf(spec_.*p.value))
+        refuse(p.name, "inf", "is not a finite number", "");
+    for (const VariableParameter& p : kVariableParameters)
+      if (p.must_be_positive() && is_set(spec_.*p.value) && spec_.*p.value <= 0)
+        refuse(p.name,
+               p.is == ParameterIs::kNumber ? fmt::format("{:g}", spec_.*p.value)
+                                            : shown_value(spec_, spec_.*p.value),
+               "must be more than 0",
+               *p.example == '\0' ? "write a positive one"
+                                  : fmt::format("write e.g. {} = {}", p.name, p.example));
     check_location();
     check_bounds();
     if (spec_.distribution == DistributionKind::kEmpirical && spec_.values.empty())
       refuse("", "", "an empirical distribution needs file (and column), or values",
              "write e.g. file = \"tests.csv\"");
-  }
-
-  [[nodiscard]] double value_named(std::string_view name) const {
-    for (const auto& [known, value] : kParameters)
-      if (name == known) return spec_.*value;
-    return kUnset;
-  }
-
-  void need_positive(const char* name, double value, const char* cure) {
-    const bool pure =
-        std::string_view(name) != "standard_deviation" && std::string_view(name) != "scale";
-    if (is_set(value) && value <= 0)
-      refuse(name, pure ? fmt::format("{:g}", value) : shown_value(spec_, value),
-             "must be more than 0", cure);
   }
 
   void check_location() {
@@ -238,7 +183,7 @@ class VariableCheck {
   const VariableSpec& spec_;
   const std::string& file_;
   FaultList& faults_;
-  const Kind& kind_;
+  const DistributionForms& kind_;
   bool good_ = true;
 };
 

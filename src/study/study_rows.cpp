@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/text.h"
+#include "study/distribution.h"
 #include "wythe/error.h"
 
 namespace wythe::study {
@@ -55,8 +56,7 @@ class RowWriter {
   }
   template <class E, std::size_t N>
   void word(const char* key, E value, const Word<E> (&words)[N]) {
-    for (const Word<E>& word : words)
-      if (word.value == value) text(key, word.word);
+    text(key, word_of(words, value));
   }
   void texts(const char* key, const std::vector<std::string>& values) {
     text(key, joined(values, "\n"));
@@ -84,12 +84,9 @@ class RowReader {
   template <class E, std::size_t N>
   void word(const char* key, E& value, const Word<E> (&words)[N]) {
     const std::string text = found(key);
-    for (const Word<E>& word : words)
-      if (text == word.word) {
-        value = word.value;
-        return;
-      }
-    refuse(above_ + key, text, "a word that it can be");
+    const std::optional<E> known = wythe::value_of(words, text);
+    if (!known) refuse(above_ + key, text, "a word that it can be");
+    value = *known;
   }
   void texts(const char* key, std::vector<std::string>& values) { values = lines_of(found(key)); }
   template <class Number>
@@ -119,21 +116,8 @@ template <class V, class Variable>
 void each_variable(V& v, Variable& x) {
   each_input(v, x);
   v.word("distribution", x.distribution, kDistributionWords);
-  v.number("mean", x.mean, x.si_unit);
-  v.number("cov", x.cov);
-  v.number("standard_deviation", x.standard_deviation, x.si_unit);
-  v.number("low", x.low, x.si_unit);
-  v.number("high", x.high, x.si_unit);
-  v.number("mode", x.mode, x.si_unit);
-  v.number("median", x.median, x.si_unit);
-  v.number("log_standard_deviation", x.log_standard_deviation);
-  v.number("shape", x.shape);
-  v.number("scale", x.scale, x.si_unit);
-  v.number("location", x.location, x.si_unit);
-  v.number("alpha", x.alpha);
-  v.number("beta", x.beta);
-  v.number("lower", x.lower, x.si_unit);
-  v.number("upper", x.upper, x.si_unit);
+  for (const VariableParameter& p : kVariableParameters)
+    v.number(p.name, x.*p.value, p.is == ParameterIs::kNumber ? "1" : x.si_unit);
   v.text("column", x.column);
   v.numbers("values", x.values);
 }

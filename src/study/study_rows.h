@@ -6,23 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/text.h"
 #include "wythe/error.h"
 #include "wythe/study.h"
 
 namespace wythe::study {
-
-// The words of a study file and of the store, which outlives the order of the enumerations.
-inline constexpr Word<Design> kDesignWords[] = {{"latin_hypercube", Design::kLatinHypercube},
-                                                {"monte_carlo", Design::kMonteCarlo},
-                                                {"sobol", Design::kSobol}};
-static_assert(names_all(kDesignWords, Design::kSobol));
-inline constexpr Word<DistributionKind> kDistributionWords[] = {
-    {"normal", DistributionKind::kNormal},      {"lognormal", DistributionKind::kLognormal},
-    {"uniform", DistributionKind::kUniform},    {"triangular", DistributionKind::kTriangular},
-    {"beta", DistributionKind::kBeta},          {"weibull", DistributionKind::kWeibull},
-    {"empirical", DistributionKind::kEmpirical}};
-static_assert(names_all(kDistributionWords, DistributionKind::kEmpirical));
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 

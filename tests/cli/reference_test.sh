@@ -1,7 +1,8 @@
 #!/bin/sh
-# The committed reference page of all keys is what the program's own descriptions say (make docs).
+# What docs/reference takes from the program's own descriptions is what they say (make docs).
 set -e
-page=$(mktemp)
-trap 'rm -f "$page"' EXIT
-"$BUILD/wythe_reference" "$page"
-diff -u "$SOURCE/docs/reference/model.md" "$page"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$SOURCE"/docs/reference/*.md "$folder"
+"$BUILD/wythe_reference" "$folder"
+diff -ru "$SOURCE/docs/reference" "$folder"

@@ -265,7 +265,7 @@ struct MaterialKeys {
   }
   void number(const char* name, double& value, const io::Key& key) { quantity(name, value, key); }
   template <class E, std::size_t N>
-  void choice(const char* name, E&, const io::Word<E> (&)[N], const io::Key&) {
+  void choice(const char* name, E&, const Word<E> (&)[N], const io::Key&) {
     names.emplace_back(name);
   }
 };

@@ -68,8 +68,8 @@ TEST(CurveCsv, columns_carry_their_units_and_values) {
   const std::string csv = io::curve_csv(scenes::sample_result().curve);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "time_s,displacement_mm,drift_percent,reaction_kN,base_shear_kN,unbalance_ratio,"
-            "kinetic_ratio,work_drive_J,work_damping_J");
-  EXPECT_TRUE(has(csv, "\n0.2,2,1.333333333,10,9.9,0.0001,0.001,0,0\n")) << csv;
+            "kinetic_ratio,work_drive_J,work_damping_J,load_factor");
+  EXPECT_TRUE(has(csv, "\n0.2,2,1.333333333,10,9.9,0.0001,0.001,0,0,0\n")) << csv;
 }
 
 TEST(SummaryJson, numbers_are_in_the_units_of_their_names) {

@@ -222,7 +222,7 @@ struct KeyNames {
     names.emplace_back(name);
   }
   template <class E, std::size_t N>
-  void choice(const char* name, const E&, const io::Word<E> (&words)[N], const io::Key&) {
+  void choice(const char* name, const E&, const Word<E> (&words)[N], const io::Key&) {
     names.emplace_back(name);
     for (const auto& word : words) names.emplace_back(word.word);
   }

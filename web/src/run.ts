@@ -2,6 +2,7 @@
 import type { Bundle } from "./bundle";
 import { append, h, onScreen, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
+import type { Sheet } from "./export";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
@@ -126,28 +127,18 @@ class RunPage {
         this.bilinearWords(),
         this.validityWords(),
       ],
-      sheet: () => ({
-        head: [
-          "displacement_mm",
-          "drift_percent",
-          "reaction_kN",
-          "base_shear_kN",
-          "unbalance_ratio",
-          "kinetic_ratio",
-          "load_factor",
-        ],
-        rows: this.curve.displacement.map((d, i) => [
-          d,
-          this.curve.drift[i],
-          this.curve.reaction[i],
-          this.curve.base[i],
-          this.curve.unbalance[i],
-          this.curve.kinetic[i],
-          this.curve.factor[i],
-        ]),
-      }),
+      sheet: () => this.curveSheet(),
     });
     return figure;
+  }
+
+  // Every column of the curve, whatever they are.
+  private curveSheet(): Sheet {
+    const head = Object.keys(this.header.arrays)
+      .filter((name) => name.startsWith("curve."))
+      .map((name) => name.slice("curve.".length));
+    const columns = head.map((name) => this.bundle.array(`curve.${name}`));
+    return { head, rows: this.curve.displacement.map((_, i) => columns.map((column) => column[i])) };
   }
 
   private drawCurve(width: number, onPaper: boolean): SVGSVGElement {

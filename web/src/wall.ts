@@ -4,21 +4,6 @@
 // joints are their edges.
 import type { Bundle, Numbers } from "./bundle";
 
-export const kKinds = [
-  "bed",
-  "head",
-  "split",
-  "foundation",
-  "lintel_chain",
-  "lintel_bond",
-  "plate",
-  "beam",
-  "other",
-];
-export const kLintel = 1,
-  kPlate = 2,
-  kBeam = 3;
-
 // What deformable blocks are made of.
 export interface Mesh {
   rigid: number; // blocks before the deformable ones
@@ -49,10 +34,10 @@ export interface Wall {
   centroidX: Numbers;
   centroidY: Numbers;
   blockThickness: Numbers;
-  role: Numbers;
+  role: string[]; // "masonry", "lintel", "plate", "beam"
   jointA: Numbers;
   jointB: Numbers;
-  kind: Numbers;
+  kind: string[]; // "bed", "head", ...
   armAX: Numbers;
   armAY: Numbers;
   armBX: Numbers;
@@ -85,10 +70,15 @@ function readMesh(bundle: Bundle): Mesh | null {
   };
 }
 
+// Data written before the words went along with the numbers.
+const kRolesBefore = ["masonry", "lintel", "plate", "beam"],
+  kKindsBefore = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
+
 export function readWall(bundle: Bundle): Wall | null {
   const head = bundle.header.wall;
   if (!head) return null;
   const get = (name: string): Numbers => bundle.array(`wall.${name}`);
+  const words = (name: string, list: string[]): string[] => Array.from(get(name), (number) => list[number]);
   const wall = {
     ...head,
     push: head.push ?? null,
@@ -99,10 +89,10 @@ export function readWall(bundle: Bundle): Wall | null {
     centroidX: get("centroid_x"),
     centroidY: get("centroid_y"),
     blockThickness: get("thickness"),
-    role: get("role"),
+    role: words("role", head.roles ?? kRolesBefore),
     jointA: get("joint_a"),
     jointB: get("joint_b"),
-    kind: get("kind"),
+    kind: words("kind", head.kinds ?? kKindsBefore),
     armAX: get("arm_a_x"),
     armAY: get("arm_a_y"),
     armBX: get("arm_b_x"),

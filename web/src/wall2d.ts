@@ -7,9 +7,6 @@ import {
   crackOf,
   forcesOf,
   jointStress,
-  kBeam,
-  kLintel,
-  kPlate,
   kSteps,
   Pose,
   stepOf,
@@ -90,7 +87,7 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
     for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) points.push(pose.corner(b, i));
     const role = wall.role[b];
     paths.polygon(
-      role === kLintel ? "timber" : role === kPlate || role === kBeam ? "plate" : `stone stone${tintOf(b)}`,
+      role === "lintel" ? "timber" : role === "plate" || role === "beam" ? "plate" : `stone stone${tintOf(b)}`,
       points,
     );
   }
@@ -136,11 +133,11 @@ function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: P
   const frame = frames.at(look.frame);
   for (let j = 0; j < wall.joints; ++j) {
     const ends: [[number, number], [number, number]] = [pose.joint(j, -1), pose.joint(j, 1)];
-    const quiet = wall.kind[j] === 2 ? "split" : "mortar";
+    const quiet = wall.kind[j] === "split" ? "split" : "mortar";
     if (look.measure === "cracks") {
       const crack = crackOf(frame, j);
       if (crack === "sound") {
-        if (wall.kind[j] !== 4) paths.segment(quiet, ...ends);
+        if (wall.kind[j] !== "lintel_chain") paths.segment(quiet, ...ends);
       } else {
         const moved = Math.max(frame.opening[j], Math.abs(frame.slip[j])) * 1e3;
         const wide = crack === "softening" || crack === "closed" ? 0 : stepOf(moved, [0.2, 1, 3, 10]);
@@ -152,11 +149,11 @@ function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: P
       const stress = jointStress(wall, frame, j);
       const css = stressCss(stress, look.stressSteps);
       if (!css.endsWith("r0")) paths.segment(`joint stress ${css}`, ...ends);
-      else if (wall.kind[j] !== 4) paths.segment(quiet, ...ends);
+      else if (wall.kind[j] !== "lintel_chain") paths.segment(quiet, ...ends);
       continue;
     }
     const step = stepOf(valueOf(frame, j, look.measure), kSteps[look.measure]);
-    if (step === 0 && wall.kind[j] === 4) continue;
+    if (step === 0 && wall.kind[j] === "lintel_chain") continue;
     paths.segment(step === 0 ? quiet : `joint ${look.measure} r${step}`, ...ends);
   }
 }

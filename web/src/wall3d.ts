@@ -25,9 +25,6 @@ import {
   crackOf,
   forcesOf,
   jointStress,
-  kBeam,
-  kLintel,
-  kPlate,
   kSteps,
   Pose,
   stepOf,
@@ -206,9 +203,9 @@ class WallScene implements Scene {
         role = this.wall.role[b];
       position.setXYZ(v, x, y, (side[v] * this.wall.blockThickness[b]) / 2);
       const c =
-        role === kLintel
+        role === "lintel"
           ? timber
-          : role === kPlate || role === kBeam
+          : role === "plate" || role === "beam"
             ? plate
             : tints[((Math.imul(b, 2654435761) >>> 13) + b) % 4];
       colour.setXYZ(v, c.r, c.g, c.b);

@@ -9,7 +9,6 @@ import {
   crackOf,
   fittingScale,
   jointStress,
-  kKinds,
   kSteps,
   measuresOf,
   stressSteps,
@@ -193,7 +192,7 @@ export class WallView {
       const b = wall.jointB[j];
       rows.push([
         j,
-        kKinds[wall.kind[j]],
+        wall.kind[j],
         wall.centroidX[b] + wall.armBX[j],
         wall.centroidY[b] + wall.armBY[j],
         frame.opening[j] * 1e3,
@@ -353,7 +352,7 @@ export class WallView {
     if (j < 0) return hideTip();
     const frame = frames.at(this.look.frame);
     const lines: (string | [string, string])[] = [
-      `${say(`joint.${kKinds[wall.kind[j]]}`)}, ${say(`crack.${crackOf(frame, j)}.short`)}`,
+      `${say(`joint.${wall.kind[j]}`)}, ${say(`crack.${crackOf(frame, j)}.short`)}`,
       [say("measure.opening"), qty(frame.opening[j] * 1e3, "mm", 2)],
       [say("measure.slip"), qty(frame.slip[j] * 1e3, "mm", 2)],
       [say("measure.damage"), num(frame.damage[j] / 255, 2)],

@@ -1,0 +1,94 @@
+// What every file calls the numbers that a run answers, one line each: the store (record_rows.h), its view
+// `samples`, samples.csv, summary.json.
+//
+//   each_response(v, responses)       v(key, member) for each response
+//   each_quasi_static(v, meters)      the same for the meters at the peak
+//   kEnergyTerms                      of the ledger
+//
+// A visitor is called with double, bool or std::string members. The order is that of samples.csv.
+#pragma once
+
+#include <iterator>
+
+#include "wythe/result.h"
+
+namespace wythe::study {
+
+// Where a response has a column for each sample: kView is the view alone, kCsv both.
+enum class Listed { kNowhere, kView, kCsv };
+
+struct AnswerKey {
+  const char* stored;   // column of the store's table `sample`, SI
+  const char* summary;  // key of summary.json; "bilinear.force_kN" lies in an object
+  Listed listed = Listed::kNowhere;
+  const char* column = "";  // there
+  double to_unit = 1;       // shown = SI * to_unit; in the store as it is
+};
+
+// clang-format off
+template <class Visitor, class R>
+void each_response(const Visitor& v, R& r) {
+  v(AnswerKey{"peak_reaction_N", "peak_reaction_kN", Listed::kCsv, "peak_reaction_kN", 1e-3}, r.peak_reaction);
+  v(AnswerKey{"displacement_at_peak_m", "displacement_at_peak_mm", Listed::kCsv, "displacement_at_peak_mm", 1e3}, r.displacement_at_peak);
+  v(AnswerKey{"displacement_at_80_percent_m", "displacement_at_80_percent_mm", Listed::kCsv, "displacement_at_80_percent_mm", 1e3}, r.displacement_at_80);
+  v(AnswerKey{"censored_80", "censored_80", Listed::kCsv, "censored_80"}, r.censored_80);
+  v(AnswerKey{"displacement_max_m", "displacement_max_mm", Listed::kCsv, "displacement_max_mm", 1e3}, r.displacement_max);
+  v(AnswerKey{"censored_max", "censored_max", Listed::kCsv, "censored_max"}, r.censored_max);
+  v(AnswerKey{"initial_stiffness_N_per_m", "initial_stiffness_kN_per_mm", Listed::kCsv, "initial_stiffness_kN_per_mm", 1e-6}, r.initial_stiffness);
+  v(AnswerKey{"drift_max", "drift_percent_max", Listed::kCsv, "drift_max_percent", 1e2}, r.drift_max);
+  v(AnswerKey{"collapse_displacement_m", "collapse.displacement_mm", Listed::kCsv, "collapse_displacement_mm", 1e3}, r.collapse.displacement);
+  v(AnswerKey{"collapse_censored", "collapse.censored", Listed::kCsv, "censored_collapse"}, r.collapse.censored);
+  v(AnswerKey{"collapse_criterion", "collapse.criterion", Listed::kCsv, "collapse_criterion"}, r.collapse.criterion);
+  v(AnswerKey{"collapse_drift", "collapse.drift_percent", Listed::kNowhere, "", 1e2}, r.collapse.drift);
+  v(AnswerKey{"peak_reason", "peak_reason", Listed::kView, "peak_reason"}, r.peak_reason);
+  v(AnswerKey{"censored_peak", "censored_peak", Listed::kView, "censored_peak"}, r.censored_peak);
+  v(AnswerKey{"peak_raw_N", "peak_raw_kN", Listed::kView, "peak_raw_kN", 1e-3}, r.peak_raw);
+  v(AnswerKey{"displacement_at_peak_raw_m", "displacement_at_peak_raw_mm", Listed::kNowhere, "", 1e3}, r.displacement_at_peak_raw);
+  v(AnswerKey{"load_height_m", "load_height_m"}, r.load_height);
+  v(AnswerKey{"drift_at_peak", "drift_percent_at_peak", Listed::kView, "drift_at_peak_percent", 1e2}, r.drift_at_peak);
+  v(AnswerKey{"drift_at_80_percent", "drift_percent_at_80", Listed::kView, "drift_at_80_of_peak_percent", 1e2}, r.drift_at_80);
+  v(AnswerKey{"work_to_peak_J", "work_to_peak_J"}, r.work_to_peak);
+  v(AnswerKey{"work_to_80_percent_J", "work_to_80_percent_J"}, r.work_to_80);
+  v(AnswerKey{"work_total_J", "work_total_J"}, r.work_total);
+  v(AnswerKey{"bilinear_stiffness_N_per_m", "bilinear.stiffness_kN_per_mm", Listed::kNowhere, "", 1e-6}, r.bilinear.stiffness);
+  v(AnswerKey{"bilinear_force_N", "bilinear.force_kN", Listed::kNowhere, "", 1e-3}, r.bilinear.force);
+  v(AnswerKey{"bilinear_yield_displacement_m", "bilinear.yield_displacement_mm", Listed::kNowhere, "", 1e3}, r.bilinear.yield_displacement);
+  v(AnswerKey{"bilinear_ultimate_displacement_m", "bilinear.ultimate_displacement_mm", Listed::kNowhere, "", 1e3}, r.bilinear.ultimate_displacement);
+  v(AnswerKey{"bilinear_ductility", "bilinear.ductility"}, r.bilinear.ductility);
+  v(AnswerKey{"bilinear_censored", "bilinear.censored"}, r.bilinear.censored);
+}
+
+template <class Visitor, class Meters>
+void each_quasi_static(const Visitor& v, Meters& q) {
+  v(AnswerKey{"rate_verdict", "quasi_static.verdict"}, q.verdict);
+  v(AnswerKey{"rate_judgement", "quasi_static.judgement", Listed::kView, "rate_judgement"}, q.judgement);
+  v(AnswerKey{"rate_lift", "quasi_static.lift_percent", Listed::kNowhere, "", 1e2}, q.lift);
+  v(AnswerKey{"force_beyond_peak", "quasi_static.force_beyond_percent", Listed::kNowhere, "", 1e2}, q.beyond);
+  v(AnswerKey{"unbalance_ratio_mean", "quasi_static.unbalance_ratio_mean"}, q.unbalance_ratio_mean);
+  v(AnswerKey{"unbalance_ratio_max", "quasi_static.unbalance_ratio_max"}, q.unbalance_ratio_max);
+  v(AnswerKey{"kinetic_ratio_mean", "quasi_static.kinetic_ratio_mean"}, q.kinetic_ratio_mean);
+  v(AnswerKey{"kinetic_ratio_max", "quasi_static.kinetic_ratio_max"}, q.kinetic_ratio_max);
+  v(AnswerKey{"shear_gap", "quasi_static.shear_gap"}, q.shear_gap);
+  v(AnswerKey{"damping_share", "quasi_static.damping_share"}, q.damping_share);
+}
+// clang-format on
+
+struct EnergyTerm {
+  const char* name;  // in `energy_J` of summary.json and on the page
+  const char* stored;
+  double EnergyLedger::*value;
+};
+inline constexpr EnergyTerm kEnergyTerms[] = {
+    {"loads", "energy_loads_J", &EnergyLedger::loads},
+    {"drive", "energy_drive_J", &EnergyLedger::drive},
+    {"kinetic", "energy_kinetic_J", &EnergyLedger::kinetic},
+    {"elastic", "energy_elastic_J", &EnergyLedger::elastic},
+    {"friction", "energy_friction_J", &EnergyLedger::friction},
+    {"fracture", "energy_fracture_J", &EnergyLedger::fracture},
+    {"crushing", "energy_crushing_J", &EnergyLedger::crushing},
+    {"damping", "energy_damping_J", &EnergyLedger::damping},
+    {"gap", "energy_gap_J", &EnergyLedger::gap},
+    {"gap_ratio", "energy_gap_ratio", &EnergyLedger::gap_ratio}};
+static_assert(sizeof(EnergyLedger) == std::size(kEnergyTerms) * sizeof(double));
+
+}  // namespace wythe::study

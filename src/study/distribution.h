@@ -1,0 +1,52 @@
+// What a random variable is stated by: one line a parameter, from which the study file, the store and the
+// checks follow. What a kind of distribution makes of them: kinds in sampling.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/study.h"
+
+namespace wythe::study {
+
+// kMiddle, kBound and kCut are values of the variable, kSpread a difference of two, kNumber has no unit; both
+// of these must be positive. kCut truncates any kind.
+enum class ParameterIs { kMiddle, kBound, kSpread, kNumber, kCut };
+
+struct VariableParameter {
+  const char* name;  // in study file and store
+  double VariableSpec::*value;
+  ParameterIs is;
+  const char* example = "";  // of a kNumber
+  [[nodiscard]] bool must_be_positive() const {
+    return is == ParameterIs::kSpread || is == ParameterIs::kNumber;
+  }
+};
+
+inline constexpr VariableParameter kVariableParameters[] = {
+    {"mean", &VariableSpec::mean, ParameterIs::kMiddle},
+    {"cov", &VariableSpec::cov, ParameterIs::kNumber, "0.3"},
+    {"standard_deviation", &VariableSpec::standard_deviation, ParameterIs::kSpread},
+    {"median", &VariableSpec::median, ParameterIs::kMiddle},
+    {"log_standard_deviation", &VariableSpec::log_standard_deviation, ParameterIs::kNumber, "0.3"},
+    {"low", &VariableSpec::low, ParameterIs::kBound},
+    {"mode", &VariableSpec::mode, ParameterIs::kBound},
+    {"high", &VariableSpec::high, ParameterIs::kBound},
+    {"alpha", &VariableSpec::alpha, ParameterIs::kNumber, "2"},
+    {"beta", &VariableSpec::beta, ParameterIs::kNumber, "3"},
+    {"shape", &VariableSpec::shape, ParameterIs::kNumber, "4"},
+    {"scale", &VariableSpec::scale, ParameterIs::kSpread},
+    {"location", &VariableSpec::location, ParameterIs::kBound},
+    {"lower", &VariableSpec::lower, ParameterIs::kCut},
+    {"upper", &VariableSpec::upper, ParameterIs::kCut}};
+
+// The sets of parameters a kind is stated by, one of which must be given; "spread" stands for cov or
+// standard_deviation.
+struct DistributionForms {
+  const char* words;  // "a normal"
+  std::vector<std::vector<std::string>> forms;
+  std::vector<std::string> optional = {};
+};
+[[nodiscard]] const DistributionForms& forms_of(DistributionKind kind);
+
+}  // namespace wythe::study
