@@ -56,11 +56,8 @@ class Comparison {
  private:
   void compare(Store& store, const StudySpec& spec, const std::string& folder) {
     const std::string& name = store.database().name();
-    for (Fault fault : changes(spec_, spec, name)) {
+    for (Fault fault : changes(spec_, spec, name, "in " + first_)) {
       fault.cure.clear();
-      const std::string from = "when the campaign began";
-      if (const auto at = fault.problem.find(from); at != std::string::npos)
-        fault.problem.replace(at, from.size(), "in " + first_);
       faults_.push_back(std::move(fault));
     }
     if (spec.batch != spec_.batch)

@@ -182,18 +182,18 @@ std::vector<std::string> meaningful_lines(const std::string& text) {
 }
 
 void add_model_changes(const std::string& was, const std::string& is, const std::string& store,
-                       std::vector<Fault>& faults) {
+                       const std::string& then, std::vector<Fault>& faults) {
   const std::vector<std::string> before = meaningful_lines(was), now = meaningful_lines(is);
   if (before == now) return;
   std::vector<Fault> found;
-  const auto compare = [&](const auto& these, const auto& others, const char* problem) {
+  const auto compare = [&](const auto& these, const auto& others, const std::string& problem) {
     for (const std::string& line : these)
       if (std::find(others.begin(), others.end(), line) == others.end())
         found.push_back(
             {.file = store, .path = "model", .value = line, .problem = problem, .cure = ""});
   };
-  compare(before, now, "stood in the model when the campaign began and does not now");
-  compare(now, before, "did not stand in the model when the campaign began");
+  compare(before, now, fmt::format("stood in the model {} and does not now", then));
+  compare(now, before, fmt::format("did not stand in the model {}", then));
   if (found.empty())
     found.push_back({.file = store,
                      .path = "model",
@@ -269,7 +269,8 @@ StudySpec study_of(const Rows& rows) {
   return spec;
 }
 
-std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std::string& store) {
+std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std::string& store,
+                           const std::string& then) {
   const Rows before = rows_of(was), now = rows_of(is);
   std::vector<Fault> faults;
   const auto add = [&](const std::string& key, const std::string& old, const std::string& value) {
@@ -279,7 +280,7 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
       faults.push_back({.file = store,
                         .path = "wall.blocks",
                         .value = "",
-                        .problem = "holds other blocks than when the campaign began",
+                        .problem = "holds other blocks than " + then,
                         .cure = ""});
       return;
     }
@@ -287,17 +288,17 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
       return text.empty() ? std::string("not given")
                           : fmt::format("{}", fmt::join(lines_of(text), ", "));
     };
-    faults.push_back({.file = store,
-                      .path = key,
-                      .value = "",
-                      .problem = fmt::format("was {} when the campaign began, is {} now",
-                                             shown(old), shown(value)),
-                      .cure = ""});
+    faults.push_back(
+        {.file = store,
+         .path = key,
+         .value = "",
+         .problem = fmt::format("was {} {}, is {} now", shown(old), then, shown(value)),
+         .cure = ""});
   };
   for (const auto& [key, value] : before) add(key, value, value_of(now, key));
   for (const auto& [key, value] : now)
     if (value_of(before, key).empty()) add(key, "", value);
-  add_model_changes(was.model_text, is.model_text, store, faults);
+  add_model_changes(was.model_text, is.model_text, store, then, faults);
   if (!faults.empty())
     faults.back().cure =
         "put it back as it was, or begin another campaign in another folder (nothing stored was "

@@ -19,8 +19,9 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] std::string value_of(const Rows& rows, const std::string& key);
 
 // One fault for everything that makes other samples or other answers: key, was, is. Name, note,
-// file names, the stop rule and the number of samples may change.
+// file names, the stop rule and the number of samples may change. `then` says when or where it was so.
 [[nodiscard]] std::vector<Fault> changes(const StudySpec& was, const StudySpec& is,
-                                         const std::string& store);
+                                         const std::string& store,
+                                         const std::string& then = "when the campaign began");
 
 }  // namespace wythe::study
