@@ -25,21 +25,19 @@ ZoneSpec zones_of(const LintelSpec& lintel) {
   return {lintel.zones, lintel.zone_length, lintel.zone_kind, lintel.plane};
 }
 
-void add_segments(const ModelSpec& spec, const PlacedOpening& opening, std::vector<Block>& blocks) {
+void add_segments(const Shape& shape, const PlacedOpening& opening, std::vector<Block>& blocks) {
   const std::size_t index = static_cast<std::size_t>(opening.index);
   if (opening.segment.empty()) return;
-  const std::string& material = spec.wall.opening[index].lintel.material;
-  const auto found = spec.material.find(material);
+  const std::string& material = shape.wall.opening[index].lintel.material;
   for (std::size_t k = 0; k < opening.segment.size(); ++k) {
     Block block;
     block.id = "lintel" + std::to_string(opening.index) + "_" + std::to_string(k);
     block.outline = outline_of(opening.segment[k]);
     block.material = material;
-    block.density = found == spec.material.end() ? kUnset : found->second.density;
-    block.thickness = spec.wall.thickness;
+    block.thickness = shape.wall.thickness;
     block.role = Role::kLintel;
     block.opening = opening.index;
-    block.zone = zones_of(spec.wall.opening[index].lintel);
+    block.zone = zones_of(shape.wall.opening[index].lintel);
     blocks.push_back(block);
   }
 }
@@ -54,19 +52,19 @@ void sort_blocks(std::vector<Block>& blocks, double course) {
                    [&](const Block& a, const Block& b) { return key(a) < key(b); });
 }
 
-void lay_blocks(const ModelSpec& spec, const Lattice& lattice,
+void lay_blocks(const Shape& shape, const Lattice& lattice,
                 const std::vector<PlacedOpening>& openings, Assembly& assembly) {
   std::vector<Rect> holes;
   for (const PlacedOpening& opening : openings) holes.push_back(opening.hole);
-  Masonry masonry = lay_masonry(spec.wall, lattice, holes);
+  Masonry masonry = lay_masonry(shape.wall, lattice, holes);
   assembly.report.masonry_blocks_before_lintels = static_cast<int>(masonry.blocks.size());
   for (const PlacedOpening& opening : openings) {
     if (opening.segment.empty()) continue;
     holes.push_back(join(opening.segment.front(), opening.segment.back()));
   }
-  if (holes.size() > openings.size()) masonry = lay_masonry(spec.wall, lattice, holes);
+  if (holes.size() > openings.size()) masonry = lay_masonry(shape.wall, lattice, holes);
   assembly.blocks = std::move(masonry.blocks);
-  for (const PlacedOpening& opening : openings) add_segments(spec, opening, assembly.blocks);
+  for (const PlacedOpening& opening : openings) add_segments(shape, opening, assembly.blocks);
   sort_blocks(assembly.blocks, lattice.courses.step);
   if (masonry.joined_pieces == 0) return;
   assembly.report.notes.push_back(
@@ -98,35 +96,35 @@ std::vector<std::string> shape_keys(const WallSpec& wall) {
   return keys;
 }
 
-void note_unused(const ModelSpec& spec, std::vector<std::string>& notes) {
-  const bool from_file = uses_blocks_file(spec);
+void note_unused(const Shape& shape, std::vector<std::string>& notes) {
+  const bool from_file = uses_blocks_file(shape);
   const std::vector<std::string> idle =
-      from_file ? shape_keys(spec.wall) : std::vector<std::string>();
+      from_file ? shape_keys(shape.wall) : std::vector<std::string>();
   if (!idle.empty()) {
     notes.push_back(joined(idle, ", ") + (idle.size() > 1 ? " are" : " is") +
                     " not used: the blocks file shapes the wall");
   }
-  if (!from_file && !spec.contact.empty()) {
+  if (!from_file && !shape.contact.empty()) {
     notes.push_back("contact rules are not used: they belong to blocks files");
   }
 }
 
 // Fills everything but faces; false after a fault that keeps the wall from standing.
-bool raise_generated(const ModelSpec& spec, Assembly& assembly, FaultList& faults) {
+bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
-  check_body(spec.wall, faults);
-  const Lattice lattice = fit_lattice(spec.wall, assembly.report.notes, faults);
-  const auto openings = place_openings(spec, lattice, assembly.report.notes, faults);
+  check_body(shape.wall, faults);
+  const Lattice lattice = fit_lattice(shape.wall, assembly.report.notes, faults);
+  const auto openings = place_openings(shape, lattice, assembly.report.notes, faults);
   if (faults.all().size() > before) return false;
-  assembly.length = spec.wall.length;
-  assembly.height = spec.wall.height;
+  assembly.length = shape.wall.length;
+  assembly.height = shape.wall.height;
   assembly.report.half_unit = lattice.columns.step;
   assembly.report.course = lattice.courses.step;
   assembly.report.courses = lattice.courses.count;
   assembly.piers = find_piers(openings, assembly.length, assembly.height);
-  lay_blocks(spec, lattice, openings, assembly);
+  lay_blocks(shape, lattice, openings, assembly);
   check_slivers(assembly.blocks, lattice, faults);
-  add_caps(spec, {0, 0, assembly.length, assembly.height}, assembly, faults);
+  add_caps(shape, {0, 0, assembly.length, assembly.height}, assembly, faults);
   return faults.all().size() == before;
 }
 
@@ -141,10 +139,10 @@ Rect masonry_bounds(const std::vector<Block>& blocks) {
   return whole;
 }
 
-bool raise_from_file(const ModelSpec& spec, Assembly& assembly, FaultList& faults) {
+bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
-  (void)is_positive({"wall.thickness", spec.wall.thickness, "m", "0.31 m"}, faults);
-  assembly.blocks = blocks_from_file(spec, faults);
+  (void)is_positive({"wall.thickness", shape.wall.thickness, "m", "0.31 m"}, faults);
+  assembly.blocks = blocks_from_file(shape, faults);
   const Rect extent = masonry_bounds(assembly.blocks);
   assembly.length = extent.x1 - extent.x0;
   assembly.height = extent.y1 - extent.y0;
@@ -154,7 +152,7 @@ bool raise_from_file(const ModelSpec& spec, Assembly& assembly, FaultList& fault
     assembly.report.courses = std::max(assembly.report.courses, block.course + 1);
   }
   check_overlaps(assembly.blocks, faults);
-  if (faults.all().size() == before) add_caps(spec, extent, assembly, faults);
+  if (faults.all().size() == before) add_caps(shape, extent, assembly, faults);
   return faults.all().size() == before;
 }
 
@@ -164,17 +162,17 @@ double lowest_point(const std::vector<Block>& blocks) {
   return lowest;
 }
 
-// The ground line stands in for supports where the spec has none.
-void add_ground(const ModelSpec& spec, Assembly& assembly, std::vector<Contact>& contacts) {
+// The ground line stands in for supports where the shape has none.
+void add_ground(const Shape& shape, Assembly& assembly, std::vector<Contact>& contacts) {
   const auto& blocks = assembly.blocks;
   const bool has_supports = std::any_of(blocks.begin(), blocks.end(),
                                         [](const Block& b) { return b.role == Role::kSupport; });
   if (has_supports) return;
-  const double ground = uses_blocks_file(spec) ? lowest_point(blocks) : 0;
+  const double ground = uses_blocks_file(shape) ? lowest_point(blocks) : 0;
   const std::vector<Contact> found = find_ground_contacts(blocks, ground);
   contacts.insert(contacts.end(), found.begin(), found.end());
   sort_contacts(contacts, contact_tolerance(blocks));
-  if (uses_blocks_file(spec)) {
+  if (uses_blocks_file(shape)) {
     assembly.report.notes.push_back("no block is fixed: the ground is the line y = " +
                                     metres(ground));
   }
@@ -196,12 +194,12 @@ void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
   }
 }
 
-void note_foundation(const ModelSpec& spec, Assembly& assembly) {
+void note_foundation(const Shape& shape, Assembly& assembly) {
   const auto falls_back = [](const Face& face) {
     return face.kind == FaceKind::kFoundation && face.material == "joint";
   };
   const auto& faces = assembly.faces;
-  if (spec.material.contains("foundation") ||
+  if (shape.material.contains("foundation") ||
       std::none_of(faces.begin(), faces.end(), falls_back)) {
     return;
   }
@@ -211,22 +209,31 @@ void note_foundation(const ModelSpec& spec, Assembly& assembly) {
 
 }  // namespace
 
-Assembly build_assembly(const ModelSpec& spec, FaultList& faults) {
+double density_of(const Shape& shape, const Block& block) {
+  constexpr double kSteel = 7850;  // [kg/m^3], EN 1991-1-1 table A.4
+  if (block.role == Role::kPlate) return kSteel;
+  if (block.role == Role::kBeam && !std::isnan(shape.wall.beam.height))
+    return shape.wall.beam.density;
+  if (uses_blocks_file(shape)) return density_in_file(shape, block.material);
+  return block.role == Role::kLintel ? shape.material.at(block.material) : shape.wall.unit.density;
+}
+
+Assembly build_assembly(const Shape& shape, FaultList& faults) {
   Assembly assembly;
-  assembly.thickness = spec.wall.thickness;
-  note_unused(spec, assembly.report.notes);
-  const bool stands = uses_blocks_file(spec) ? raise_from_file(spec, assembly, faults)
-                                             : raise_generated(spec, assembly, faults);
+  assembly.thickness = shape.wall.thickness;
+  note_unused(shape, assembly.report.notes);
+  const bool stands = uses_blocks_file(shape) ? raise_from_file(shape, assembly, faults)
+                                              : raise_generated(shape, assembly, faults);
   if (!stands) {
-    check_stated_materials(spec, faults);
+    check_stated_materials(shape, faults);
     return assembly;
   }
   ContactSearch search = find_contacts(assembly.blocks);
-  add_ground(spec, assembly, search.contacts);
-  assembly.faces = name_faces(spec, assembly.blocks, search.contacts);
+  add_ground(shape, assembly, search.contacts);
+  assembly.faces = name_faces(shape, assembly.blocks, search.contacts);
   note_lost(search.lost, assembly);
-  note_foundation(spec, assembly);
-  check_materials(spec, assembly.faces, faults);
+  note_foundation(shape, assembly);
+  check_materials(shape, assembly.faces, faults);
   check_support(assembly, faults);
   return assembly;
 }

@@ -1,7 +1,7 @@
 // The wall as geometry: blocks as polygons and the faces they share. No mechanics.
 //
-// build_assembly() makes it from a WallSpec (bond patterns, openings, lintels, plates, beam) or from
-// spec.block (a blocks file already read); model/compile.cpp turns it into the arrays of a Model.
+// build_assembly() makes it from a Shape: from its wall (bond patterns, openings, lintels, plates, beam)
+// or from its blocks (a blocks file already read); model/compile.cpp turns it into the arrays of a Model.
 //
 //      +-----+-----+        each face pair is one Face: the overlap segment p0-p1, the two
 //      |  b  |     |        blocks, and the unit normal pointing from a to b
@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/shape.h"
 #include "wythe/error.h"
 #include "wythe/vector.h"
-#include "wythe/wall_spec.h"
 
 namespace wythe::geometry {
 
@@ -24,7 +24,6 @@ struct Block {
   std::string id;              // "c03u07a" (course, unit, half) or the id in a blocks file
   std::vector<Vec2> outline;   // anticlockwise, no repeated end point [m]
   std::string material;        // block material name ("masonry", the lintel's material, ...)
-  double density = kUnset;     // [kg/m^3]
   double thickness = kUnset;   // [m]
   Role role = Role::kMasonry;  // kSupport blocks never move
   int course = -1;             // 0 at the bottom, -1 where it has no meaning
@@ -79,9 +78,12 @@ struct Assembly {
   BuildReport report;
 };
 
-// Builds the wall (from spec.block when the spec names a blocks file), or adds to `faults`, with
+// Builds the wall (from shape.block when the spec names a blocks file), or adds to `faults`, with
 // spec paths, why it can't.
-[[nodiscard]] Assembly build_assembly(const ModelSpec& spec, FaultList& faults);
+[[nodiscard]] Assembly build_assembly(const Shape& shape, FaultList& faults);
+
+// Density of a block [kg/m^3]; not a member of Block, so that walls that differ in it share an assembly.
+[[nodiscard]] double density_of(const Shape& shape, const Block& block);
 
 // Area, centroid and second polar moment about the centroid of a simple anticlockwise polygon.
 struct PolygonMoments {

@@ -58,12 +58,6 @@ bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {
   return true;
 }
 
-double density_of(const ModelSpec& spec, const BlockSpec& block) {
-  const auto found = spec.material.find(block.material);
-  const bool has_own = found != spec.material.end() && std::isfinite(found->second.density);
-  return has_own ? found->second.density : spec.wall.unit.density;
-}
-
 Role role_of(const BlockSpec& block) {
   if (block.fixed) return Role::kSupport;
   return block.beam ? Role::kBeam : Role::kMasonry;
@@ -77,20 +71,20 @@ void refuse_zones(const BlockSpec& block, FaultList& faults) {
             "leave zones out of this block");
 }
 
-void refuse_repeated_ids(const ModelSpec& spec, FaultList& faults) {
+void refuse_repeated_ids(const Shape& shape, FaultList& faults) {
   std::set<std::string> seen;
-  for (const BlockSpec& block : spec.block) {
+  for (const BlockSpec& block : shape.block) {
     if (seen.insert(block.id).second) continue;
     add_fault(faults, path_of(block), "\"" + block.id + "\"", "two blocks have this id",
               "give every block its own id");
   }
 }
 
-void check_densities(const ModelSpec& spec, FaultList& faults) {
-  for (const BlockSpec& block : spec.block) {
-    const double density = density_of(spec, block);
+void check_densities(const Shape& shape, FaultList& faults) {
+  for (const BlockSpec& block : shape.block) {
+    const double density = density_in_file(shape, block.material);
     if (block.fixed || (std::isfinite(density) && density > 0)) continue;
-    if (std::isnan(density) || density == spec.wall.unit.density) {
+    if (std::isnan(density) || density == shape.wall.unit.density) {
       (void)is_positive({"wall.unit.density", density, "kg/m^3", "1250 kg/m^3"}, faults);
       return;
     }
@@ -135,11 +129,11 @@ bool names_pair(const ContactRule& rule, const std::string& a, const std::string
          (rule.between[0] == b && rule.between[1] == a);
 }
 
-void check_rules(const ModelSpec& spec, FaultList& faults) {
-  for (std::size_t i = 0; i < spec.contact.size(); ++i) {
-    if (spec.contact[i].between.size() == 2) continue;
+void check_rules(const Shape& shape, FaultList& faults) {
+  for (std::size_t i = 0; i < shape.contact.size(); ++i) {
+    if (shape.contact[i].between.size() == 2) continue;
     add_fault(faults, "contact." + std::to_string(i) + ".between",
-              std::to_string(spec.contact[i].between.size()) + " names",
+              std::to_string(shape.contact[i].between.size()) + " names",
               "a contact rule names two block materials",
               "write e.g. between = [\"masonry\", \"ground\"]");
   }
@@ -147,21 +141,20 @@ void check_rules(const ModelSpec& spec, FaultList& faults) {
 
 }  // namespace
 
-std::vector<Block> blocks_from_file(const ModelSpec& spec, FaultList& faults) {
-  if (spec.block.empty()) {
-    add_fault(faults, "wall.blocks", spec.wall.blocks, "the blocks file holds no block",
+std::vector<Block> blocks_from_file(const Shape& shape, FaultList& faults) {
+  if (shape.block.empty()) {
+    add_fault(faults, "wall.blocks", shape.wall.blocks, "the blocks file holds no block",
               "list at least one polygon");
   }
-  refuse_repeated_ids(spec, faults);
-  check_densities(spec, faults);
-  check_rules(spec, faults);
+  refuse_repeated_ids(shape, faults);
+  check_densities(shape, faults);
+  check_rules(shape, faults);
   std::vector<Block> blocks;
-  for (const BlockSpec& stated : spec.block) {
+  for (const BlockSpec& stated : shape.block) {
     Block block;
     block.id = stated.id;
     block.material = stated.material;
-    block.density = density_of(spec, stated);
-    block.thickness = spec.wall.thickness;
+    block.thickness = shape.wall.thickness;
     block.role = role_of(stated);
     block.zone = stated.zone;
     refuse_zones(stated, faults);
@@ -171,9 +164,15 @@ std::vector<Block> blocks_from_file(const ModelSpec& spec, FaultList& faults) {
   return blocks;
 }
 
-std::string ruled_material(const ModelSpec& spec, const std::string& a, const std::string& b,
+double density_in_file(const Shape& shape, const std::string& material) {
+  const auto found = shape.material.find(material);
+  const bool has_own = found != shape.material.end() && std::isfinite(found->second);
+  return has_own ? found->second : shape.wall.unit.density;
+}
+
+std::string ruled_material(const Shape& shape, const std::string& a, const std::string& b,
                            const std::string& otherwise) {
-  for (const ContactRule& rule : spec.contact) {
+  for (const ContactRule& rule : shape.contact) {
     if (names_pair(rule, a, b)) return rule.material;
   }
   return otherwise;

@@ -8,17 +8,6 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kSteelDensity = 7850;  // [kg/m^3], EN 1991-1-1 table A.4
-
-bool asks_for_plates(const StageSpec& stage) {
-  return stage.as == Manner::kPlate && std::isfinite(stage.pier_load);
-}
-
-const StageSpec* plate_stage(const ModelSpec& spec) {
-  const auto found = std::find_if(spec.stage.begin(), spec.stage.end(), asks_for_plates);
-  return found == spec.stage.end() ? nullptr : &*found;
-}
-
 // Plates lie half a course high; a blocks file has no course, there a twentieth of the height.
 double plate_height(const Assembly& assembly) {
   return assembly.report.course > 0 ? assembly.report.course / 2 : assembly.height / 20;
@@ -40,7 +29,6 @@ void add_plates(const Rect& extent, Assembly& assembly) {
     const Pier& pier = assembly.piers[i];
     Block plate = cap("plate" + std::to_string(i), {pier.x0, extent.y1, pier.x1, top}, Role::kPlate,
                       assembly.thickness);
-    plate.density = kSteelDensity;
     assembly.blocks.push_back(plate);
   }
 }
@@ -51,54 +39,51 @@ void add_beam(const BeamSpec& beam, const Rect& extent, Assembly& assembly, Faul
   if (!given) return;
   Block block = cap("beam", {extent.x0, extent.y1, extent.x1, extent.y1 + beam.height}, Role::kBeam,
                     assembly.thickness);
-  block.density = beam.density;
   assembly.blocks.push_back(block);
 }
 
-void refuse_two_joints(const ModelSpec& spec, FaultList& faults) {
-  const std::string first = plate_joint(spec);
-  for (const StageSpec& stage : spec.stage) {
-    if (!asks_for_plates(stage) || stage.plate_joint == first) continue;
-    add_fault(faults, "stage." + stage.name + ".plate_joint", "\"" + stage.plate_joint + "\"",
+void refuse_two_joints(const Shape& shape, FaultList& faults) {
+  const std::string first = plate_joint(shape);
+  for (const PlateStage& stage : shape.plates) {
+    if (stage.joint == first) continue;
+    add_fault(faults, "stage." + stage.name + ".plate_joint", "\"" + stage.joint + "\"",
               "the plates lie on one joint, and an earlier stage names \"" + first + "\"",
               "name the same joint material in every stage");
   }
 }
 
-void refuse_clashes(const ModelSpec& spec, const Assembly& assembly, FaultList& faults) {
+void refuse_clashes(const Shape& shape, const Assembly& assembly, FaultList& faults) {
   const bool has_file_beam = std::any_of(assembly.blocks.begin(), assembly.blocks.end(),
                                          [](const Block& b) { return b.role == Role::kBeam; });
-  const bool has_beam = std::isfinite(spec.wall.beam.height);
-  const StageSpec* plates = plate_stage(spec);
-  if (plates != nullptr && (has_beam || has_file_beam)) {
-    add_fault(faults, "stage." + plates->name + ".as", "\"plate\"",
+  const bool has_beam = std::isfinite(shape.wall.beam.height);
+  if (!shape.plates.empty() && (has_beam || has_file_beam)) {
+    add_fault(faults, "stage." + shape.plates.front().name + ".as", "\"plate\"",
               "plates and a beam can't both lie on the wall's top",
               "leave out [wall.beam], or write as = \"pressure\"");
   }
-  if (plates != nullptr && assembly.piers.empty()) {
-    add_fault(faults, "stage." + plates->name + ".pier_load", "",
+  if (!shape.plates.empty() && assembly.piers.empty()) {
+    add_fault(faults, "stage." + shape.plates.front().name + ".pier_load", "",
               "the openings leave no pier to load", "load the wall's top: pressure = ...");
   }
   if (has_beam && has_file_beam) {
-    add_fault(faults, "wall.beam.height", metres(spec.wall.beam.height),
+    add_fault(faults, "wall.beam.height", metres(shape.wall.beam.height),
               "the blocks file already has a beam", "leave out [wall.beam]");
   }
 }
 
 }  // namespace
 
-std::string plate_joint(const ModelSpec& spec) {
-  const StageSpec* stage = plate_stage(spec);
-  return stage == nullptr ? "" : stage->plate_joint;
+std::string plate_joint(const Shape& shape) {
+  return shape.plates.empty() ? "" : shape.plates.front().joint;
 }
 
-void add_caps(const ModelSpec& spec, const Rect& extent, Assembly& assembly, FaultList& faults) {
+void add_caps(const Shape& shape, const Rect& extent, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
-  refuse_clashes(spec, assembly, faults);
-  refuse_two_joints(spec, faults);
+  refuse_clashes(shape, assembly, faults);
+  refuse_two_joints(shape, faults);
   if (faults.all().size() > before) return;
-  if (plate_stage(spec) != nullptr) add_plates(extent, assembly);
-  if (!std::isnan(spec.wall.beam.height)) add_beam(spec.wall.beam, extent, assembly, faults);
+  if (!shape.plates.empty()) add_plates(extent, assembly);
+  if (!std::isnan(shape.wall.beam.height)) add_beam(shape.wall.beam, extent, assembly, faults);
 }
 
 }  // namespace wythe::geometry

@@ -15,9 +15,9 @@ namespace wythe::geometry {
 
 // Plates for stages with as = "plate" and a pier_load; a beam where wall.beam.height is stated.
 // `extent` is the masonry's bounding box.
-void add_caps(const ModelSpec& spec, const Rect& extent, Assembly& assembly, FaultList& faults);
+void add_caps(const Shape& shape, const Rect& extent, Assembly& assembly, FaultList& faults);
 
 // Joint material under the plates; "" when no stage asks for plates.
-[[nodiscard]] std::string plate_joint(const ModelSpec& spec);
+[[nodiscard]] std::string plate_joint(const Shape& shape);
 
 }  // namespace wythe::geometry

@@ -79,7 +79,6 @@ Block block_of(const Site& site, const Piece& piece, const Rect& run, std::set<s
   block.id = name_of(site.course, piece, used);
   block.outline = outline_of({piece.x0, run.y0, piece.x1, run.y1});
   block.material = "masonry";
-  block.density = site.wall.unit.density;
   block.thickness = site.wall.thickness;
   block.course = site.course;
   block.unit = site.wall.unit.split == Split::kMiddle ? site.first_unit + piece.unit : -1;

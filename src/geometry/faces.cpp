@@ -31,14 +31,14 @@ FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
   return masonry_kind(a, b, contact);
 }
 
-const LintelSpec& lintel_between(const ModelSpec& spec, const Block& a, const Block& b) {
+const LintelSpec& lintel_between(const Shape& shape, const Block& a, const Block& b) {
   const int opening = a.role == Role::kLintel ? a.opening : b.opening;
-  return spec.wall.opening[static_cast<std::size_t>(opening)].lintel;
+  return shape.wall.opening[static_cast<std::size_t>(opening)].lintel;
 }
 
 // "foundation", where the spec has no such material "joint".
-std::string foundation_or_joint(const ModelSpec& spec, const std::string& name) {
-  return name == "foundation" && !spec.material.contains(name) ? "joint" : name;
+std::string foundation_or_joint(const Shape& shape, const std::string& name) {
+  return name == "foundation" && !shape.material.contains(name) ? "joint" : name;
 }
 
 // A lintel's ends, its bearing and what lies on it may have materials of their own.
@@ -50,32 +50,32 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
   return level && !own.empty() ? own : lintel.bond;
 }
 
-std::string pair_material(const ModelSpec& spec, const Block& a, const Block& b, FaceKind kind,
+std::string pair_material(const Shape& shape, const Block& a, const Block& b, FaceKind kind,
                           const Contact& contact) {
-  if (kind == FaceKind::kLintelChain) return lintel_between(spec, a, b).material;
-  if (kind == FaceKind::kLintelBond) return bond_material(lintel_between(spec, a, b), a, contact);
-  if (kind == FaceKind::kPlate) return foundation_or_joint(spec, plate_joint(spec));
+  if (kind == FaceKind::kLintelChain) return lintel_between(shape, a, b).material;
+  if (kind == FaceKind::kLintelBond) return bond_material(lintel_between(shape, a, b), a, contact);
+  if (kind == FaceKind::kPlate) return foundation_or_joint(shape, plate_joint(shape));
   if (kind == FaceKind::kSplit) return "unit";
-  const std::string plain = kind == FaceKind::kBeam ? spec.wall.beam.joint : "joint";
-  return uses_blocks_file(spec) ? ruled_material(spec, a.material, b.material, plain) : plain;
+  const std::string plain = kind == FaceKind::kBeam ? shape.wall.beam.joint : "joint";
+  return uses_blocks_file(shape) ? ruled_material(shape, a.material, b.material, plain) : plain;
 }
 
-std::string ground_material(const ModelSpec& spec, const Block& block, const Block* support) {
-  std::string material = foundation_or_joint(spec, "foundation");
-  if (!uses_blocks_file(spec)) return material;
+std::string ground_material(const Shape& shape, const Block& block, const Block* support) {
+  std::string material = foundation_or_joint(shape, "foundation");
+  if (!uses_blocks_file(shape)) return material;
   if (support != nullptr)
-    material = ruled_material(spec, support->material, block.material, material);
-  return ruled_material(spec, "ground", block.material, material);
+    material = ruled_material(shape, support->material, block.material, material);
+  return ruled_material(shape, "ground", block.material, material);
 }
 
-Face pair_face(const ModelSpec& spec, const Block& a, const Block& b, const Contact& contact) {
+Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact& contact) {
   const FaceKind kind = kind_of(a, b, contact);
   return {contact.a,  contact.b, contact.p0,
-          contact.p1, kind,      pair_material(spec, a, b, kind, contact)};
+          contact.p1, kind,      pair_material(shape, a, b, kind, contact)};
 }
 
 // The ground is always side a: a contact whose b is the support is turned round.
-Face ground_face(const ModelSpec& spec, const std::vector<Block>& blocks, Contact contact,
+Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact contact,
                  int support) {
   if (support != contact.a) {
     std::swap(contact.a, contact.b);
@@ -88,7 +88,7 @@ Face ground_face(const ModelSpec& spec, const std::vector<Block>& blocks, Contac
           contact.p0,
           contact.p1,
           FaceKind::kFoundation,
-          ground_material(spec, block, below)};
+          ground_material(shape, block, below)};
 }
 
 struct Need {
@@ -117,16 +117,16 @@ Need need_of(FaceKind kind, const std::string& material) {
 // Each missing material once, with the first use that needs it.
 using Uses = std::map<std::string, FaceKind>;
 
-void refuse_missing(const ModelSpec& spec, const Uses& uses, FaultList& faults) {
+void refuse_missing(const Shape& shape, const Uses& uses, FaultList& faults) {
   for (const auto& [material, kind] : uses) {
-    if (material.empty() || spec.material.contains(material)) continue;
+    if (material.empty() || shape.material.contains(material)) continue;
     const Need need = need_of(kind, material);
     add_fault(faults, "material." + material, "", need.problem, need.cure);
   }
 }
 
-void add_lintel_uses(const ModelSpec& spec, Uses& uses) {
-  for (const OpeningSpec& opening : spec.wall.opening) {
+void add_lintel_uses(const Shape& shape, Uses& uses) {
+  for (const OpeningSpec& opening : shape.wall.opening) {
     if (opening.lintel.kind.empty()) continue;
     uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
     for (const auto* bond :
@@ -137,11 +137,11 @@ void add_lintel_uses(const ModelSpec& spec, Uses& uses) {
 
 }  // namespace
 
-bool uses_blocks_file(const ModelSpec& spec) {
-  return !spec.wall.blocks.empty() || !spec.block.empty();
+bool uses_blocks_file(const Shape& shape) {
+  return !shape.wall.blocks.empty() || !shape.block.empty();
 }
 
-std::vector<Face> name_faces(const ModelSpec& spec, const std::vector<Block>& blocks,
+std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& blocks,
                              const std::vector<Contact>& contacts) {
   const auto is_support = [&](int i) {
     return i == kGround || blocks[static_cast<std::size_t>(i)].role == Role::kSupport;
@@ -152,35 +152,38 @@ std::vector<Face> name_faces(const ModelSpec& spec, const std::vector<Block>& bl
     const bool a_rests = is_support(contact.a), b_rests = is_support(contact.b);
     if (a_rests && b_rests) continue;
     if (a_rests || b_rests) {
-      faces.push_back(ground_face(spec, blocks, contact, a_rests ? contact.a : contact.b));
+      faces.push_back(ground_face(shape, blocks, contact, a_rests ? contact.a : contact.b));
     } else {
-      faces.push_back(pair_face(spec, blocks[static_cast<std::size_t>(contact.a)],
+      faces.push_back(pair_face(shape, blocks[static_cast<std::size_t>(contact.a)],
                                 blocks[static_cast<std::size_t>(contact.b)], contact));
     }
   }
   return faces;
 }
 
-void check_materials(const ModelSpec& spec, const std::vector<Face>& faces, FaultList& faults) {
+void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultList& faults) {
   Uses uses;
   for (const Face& face : faces) uses.emplace(face.material, face.kind);
-  if (!uses_blocks_file(spec)) add_lintel_uses(spec, uses);
-  refuse_missing(spec, uses, faults);
+  if (const auto unnamed = uses.find(""); unnamed != uses.end())
+    add_fault(faults, "material", "\"\"", need_of(unnamed->second, "").problem,
+              "name a [material.*] table there");
+  if (!uses_blocks_file(shape)) add_lintel_uses(shape, uses);
+  refuse_missing(shape, uses, faults);
 }
 
-void check_stated_materials(const ModelSpec& spec, FaultList& faults) {
+void check_stated_materials(const Shape& shape, FaultList& faults) {
   Uses uses{{"joint", FaceKind::kBed}};
-  for (const ContactRule& rule : spec.contact) uses.emplace(rule.material, FaceKind::kBed);
-  if (!uses_blocks_file(spec)) {
-    add_lintel_uses(spec, uses);
-    const bool has_stretchers = spec.wall.bond != Bond::kHeader;
-    if (has_stretchers && spec.wall.unit.split == Split::kMiddle) {
+  for (const ContactRule& rule : shape.contact) uses.emplace(rule.material, FaceKind::kBed);
+  if (!uses_blocks_file(shape)) {
+    add_lintel_uses(shape, uses);
+    const bool has_stretchers = shape.wall.bond != Bond::kHeader;
+    if (has_stretchers && shape.wall.unit.split == Split::kMiddle) {
       uses.emplace("unit", FaceKind::kSplit);
     }
   }
-  if (std::isfinite(spec.wall.beam.height)) uses.emplace(spec.wall.beam.joint, FaceKind::kBeam);
-  uses.emplace(foundation_or_joint(spec, plate_joint(spec)), FaceKind::kPlate);
-  refuse_missing(spec, uses, faults);
+  if (std::isfinite(shape.wall.beam.height)) uses.emplace(shape.wall.beam.joint, FaceKind::kBeam);
+  uses.emplace(foundation_or_joint(shape, plate_joint(shape)), FaceKind::kPlate);
+  refuse_missing(shape, uses, faults);
 }
 
 }  // namespace wythe::geometry

@@ -18,16 +18,16 @@
 
 namespace wythe::geometry {
 
-[[nodiscard]] bool uses_blocks_file(const ModelSpec& spec);
+[[nodiscard]] bool uses_blocks_file(const Shape& shape);
 
 // Faces in the contacts' order; contacts between two supports are dropped.
-[[nodiscard]] std::vector<Face> name_faces(const ModelSpec& spec, const std::vector<Block>& blocks,
+[[nodiscard]] std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& blocks,
                                            const std::vector<Contact>& contacts);
 
 // Adds a fault for each material that the built faces take and the spec lacks.
-void check_materials(const ModelSpec& spec, const std::vector<Face>& faces, FaultList& faults);
+void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultList& faults);
 
 // The same from the spec alone, for a wall that other faults keep from being built.
-void check_stated_materials(const ModelSpec& spec, FaultList& faults);
+void check_stated_materials(const Shape& shape, FaultList& faults);
 
 }  // namespace wythe::geometry

@@ -8,18 +8,17 @@
 namespace wythe::geometry {
 namespace {
 
-void check_body(const ModelSpec& spec, int index, FaultList& faults) {
-  const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
+void check_body(const Shape& shape, int index, FaultList& faults) {
+  const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
   if (lintel.material.empty()) {
     add_fault(faults, opening_path(index, "lintel.material"), "", "missing",
               "name the [material.*] table that holds the lintel's density and moduli");
     return;
   }
-  const auto found = spec.material.find(lintel.material);
-  if (found == spec.material.end()) return;  // reported with the other missing materials
+  const auto found = shape.material.find(lintel.material);
+  if (found == shape.material.end()) return;  // reported with the other missing materials
   (void)is_positive(
-      {"material." + lintel.material + ".density", found->second.density, "kg/m^3", "500 kg/m^3"},
-      faults);
+      {"material." + lintel.material + ".density", found->second, "kg/m^3", "500 kg/m^3"}, faults);
 }
 
 void note_size(const PlacedOpening& opening, const std::string& what, double stated, double laid,
@@ -128,10 +127,10 @@ int whole_steps(double size, double step) {
   return std::max(1, static_cast<int>(std::lround(size / step)));
 }
 
-bool check_lintel(const ModelSpec& spec, int index, FaultList& faults) {
-  const LintelSpec& lintel = spec.wall.opening[static_cast<std::size_t>(index)].lintel;
+bool check_lintel(const Shape& shape, int index, FaultList& faults) {
+  const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
   if (lintel.kind.empty()) return false;
-  check_body(spec, index, faults);
+  check_body(shape, index, faults);
   bool given =
       is_positive({opening_path(index, "lintel.depth"), lintel.depth, "m", "110 mm"}, faults);
   // A lintel without bearing is no longer than the opening: nothing would carry it.

@@ -18,7 +18,7 @@ inline constexpr double kBearingFactor = 2;
 [[nodiscard]] int whole_steps(double size, double step);
 
 // False when opening `index` has no lintel or its lintel lacks numbers (then with faults).
-[[nodiscard]] bool check_lintel(const ModelSpec& spec, int index, FaultList& faults);
+[[nodiscard]] bool check_lintel(const Shape& shape, int index, FaultList& faults);
 
 // Fills opening.segment; with fit = "cut" first moves the opening's head to a course line.
 void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,

@@ -186,19 +186,19 @@ double lower_adjacent_top(const std::vector<PlacedOpening>& openings, double x0,
 
 }  // namespace
 
-std::vector<PlacedOpening> place_openings(const ModelSpec& spec, const Lattice& lattice,
+std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
                                           std::vector<std::string>& notes, FaultList& faults) {
   std::vector<PlacedOpening> placed;
-  for (std::size_t k = 0; k < spec.wall.opening.size(); ++k) {
-    const OpeningSpec& opening = spec.wall.opening[k];
+  for (std::size_t k = 0; k < shape.wall.opening.size(); ++k) {
+    const OpeningSpec& opening = shape.wall.opening[k];
     const int i = static_cast<int>(k);
-    const bool lintel_is_given = check_lintel(spec, i, faults);
+    const bool lintel_is_given = check_lintel(shape, i, faults);
     PlacedOpening result{
         .index = i, .called = opening_name(i, opening.name), .hole = {}, .segment = {}};
-    if (!place_hole(opening, result, lattice, spec.wall.fit, lintel_is_given, notes, faults))
+    if (!place_hole(opening, result, lattice, shape.wall.fit, lintel_is_given, notes, faults))
       continue;
     if (lintel_is_given) place_lintel(opening.lintel, lattice, result, notes, faults);
-    if (opening.lintel.kind.empty()) note_bare_head(result, spec.wall.height, notes);
+    if (opening.lintel.kind.empty()) note_bare_head(result, shape.wall.height, notes);
     placed.push_back(result);
   }
   check_pairs(placed, faults);

@@ -25,8 +25,7 @@ struct PlacedOpening {
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
 };
 
-[[nodiscard]] std::vector<PlacedOpening> place_openings(const ModelSpec& spec,
-                                                        const Lattice& lattice,
+[[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
                                                         std::vector<std::string>& notes,
                                                         FaultList& faults);
 

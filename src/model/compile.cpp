@@ -1,8 +1,10 @@
 // compile(): spec -> assembly -> flat arrays. Called once per run; throws InputError with all faults.
+// A Compiler keeps the assembly and repeats the second step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "model/compiler.h"
 #include "model/fields.h"
 #include "model/parts.h"
 #include "model/size.h"
@@ -26,9 +28,9 @@ BlockRole role_of(Role role) {
 }
 
 // A massless beam still needs inertia to move: that of masonry.
-double inertial_density(const geometry::Block& block) {
+double inertial_density(double density) {
   constexpr double kStandIn = 2000.0;  // [kg/m^3]
-  return block.density > 0 ? block.density : kStandIn;
+  return density > 0 ? density : kStandIn;
 }
 
 double height_of(const geometry::Block& block) {
@@ -54,7 +56,11 @@ void copy_report(const Assembly& assembly, Anatomy& anatomy) {
   anatomy.notes = assembly.report.notes;
 }
 
-void check_settings(const SolveSpec& solve, FaultList& faults) {
+// What is looked at before any geometry; the size first, and alone.
+void check_settings(const ModelSpec& spec, FaultList& faults) {
+  check_size(spec, faults);
+  faults.throw_if_any();
+  const SolveSpec& solve = spec.solve;
   const auto fault = [&](const char* path, double value, const char* problem, const char* cure) {
     faults.add({"", path, std::to_string(value), problem, cure, 0});
   };
@@ -71,6 +77,7 @@ void check_settings(const SolveSpec& solve, FaultList& faults) {
 }  // namespace
 
 BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& model) {
+  const geometry::Shape shape(spec);
   BlockMap map;
   Anatomy& anatomy = model.anatomy;
   anatomy.support_begin.push_back(0);
@@ -93,8 +100,9 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
     }
     map.push_back(model.n_block++);
     const geometry::PolygonMoments moments = geometry::moments(block.outline);
-    const double mass = inertial_density(block) * moments.area * block.thickness;
-    const bool weighs = block.role != Role::kPlate && block.density > 0;
+    const double density = geometry::density_of(shape, block);
+    const double mass = inertial_density(density) * moments.area * block.thickness;
+    const bool weighs = block.role != Role::kPlate && density > 0;
     model.mass.push_back(mass);
     model.heavy_mass.push_back(weighs ? mass : 0.0);
     model.inertia.push_back(mass * moments.polar / moments.area);
@@ -117,13 +125,19 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
   return map;
 }
 
-Model compile(const ModelSpec& spec) {
+namespace {
+
+Assembly build(const ModelSpec& spec) {
   FaultList faults;
-  check_size(spec, faults);
+  check_settings(spec, faults);
+  Assembly assembly = geometry::build_assembly(spec, faults);
   faults.throw_if_any();
-  check_settings(spec.solve, faults);
-  const Assembly assembly = geometry::build_assembly(spec, faults);
-  faults.throw_if_any();
+  return assembly;
+}
+
+// The model of a spec whose settings are sound and whose assembly stands.
+Model fill(const ModelSpec& spec, const Assembly& assembly) {
+  FaultList faults;
   Model model;
   model.solve = spec.solve;
   model.output = spec.output;
@@ -144,6 +158,21 @@ Model compile(const ModelSpec& spec) {
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;
   model.topology = topology_of(model);
   return model;
+}
+
+}  // namespace
+
+Model compile(const ModelSpec& spec) { return fill(spec, build(spec)); }
+
+Compiler::Compiler(const ModelSpec& spec)
+    : shape_(geometry::shape_key(spec)), assembly_(build(spec)) {}
+
+Model Compiler::compile(const ModelSpec& spec) const {
+  if (geometry::shape_key(spec) != shape_) return wythe::compile(spec);
+  FaultList faults;
+  check_settings(spec, faults);
+  faults.throw_if_any();
+  return fill(spec, assembly_);
 }
 
 }  // namespace wythe

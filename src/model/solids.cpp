@@ -29,7 +29,7 @@ std::string path_of(const Block& block) {
 class BodyBuilder {
  public:
   BodyBuilder(const ModelSpec& spec, Model& model, FaultList& faults)
-      : spec_(spec), model_(model), faults_(faults) {}
+      : spec_(spec), shape_(spec), model_(model), faults_(faults) {}
 
   void add(const Block& block) {
     path_ = path_of(block);
@@ -43,7 +43,7 @@ class BodyBuilder {
     const double height = box_of(block).y1 - box_of(block).y0;
     size_ = std::isnan(block.zone.length) ? height / block.zone.zones : block.zone.length;
     body_ = {solids::elasticity_of(found->second, block.zone.plane), block.thickness,
-             block.density};
+             geometry::density_of(shape_, block)};
     if (is_upright(block))
       add_rectangle(block);
     else
@@ -139,6 +139,7 @@ class BodyBuilder {
   }
 
   const ModelSpec& spec_;
+  const geometry::Shape shape_;
   Model& model_;
   FaultList& faults_;
   std::map<std::string, bool> checked_;

@@ -210,7 +210,8 @@ class StageCompiler {
   // The block nearest to the point, and in the courses around it the blocks nearest in x.
   std::vector<std::size_t> blocks_at_point(const PlaceSpec& at) {
     const std::size_t nearest = nearest_block(at.x, at.y, -1);
-    if (distance(nearest, at.x, at.y) > 0.05 * assembly_.height) return {};
+    const bool found_any = nearest < assembly_.blocks.size();  // none where x or y is not finite
+    if (!found_any || distance(nearest, at.x, at.y) > 0.05 * assembly_.height) return {};
     const int course = assembly_.blocks[nearest].course;
     if (at.courses <= 1 || course < 0) {
       if (at.courses > 1)

@@ -148,6 +148,7 @@ class Runner {
          const std::function<void(const CampaignProgress&)>& progress)
       : plan_(std::move(plan)),
         build_(build),
+        compiler_(build({})),
         options_(options),
         progress_(progress),
         store_(store) {
@@ -168,7 +169,7 @@ class Runner {
       const bool on_gpu = options_.device == Device::kGpu;
       const int jobs = std::min(on_gpu ? 1 : wanted, left);
       if (on_gpu && left > 0)
-        lanes_ = dynamics::gpu_walls(compile(build_({})), left);
+        lanes_ = dynamics::gpu_walls(compiler_.compile(build_({})), left);
       else if (jobs > 0)
         lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
       for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
@@ -244,7 +245,7 @@ class Runner {
 
   // As many samples at once as fit side by side; the next one takes the place of each that ends.
   void solve_side_by_side() {
-    const SampleTask task{plan_.spec, plan_.samples, build_};
+    const SampleTask task{plan_.spec, plan_.samples, build_, &compiler_};
     SolveOptions how;
     how.read_modes_at = read_modes_at(plan_.spec);
     how.threads = 1;
@@ -329,6 +330,7 @@ class Runner {
 
   const Plan plan_;
   const ModelBuilder& build_;
+  const Compiler compiler_;  // of the base model: samples share its assembly
   const CampaignOptions& options_;
   const std::function<void(const CampaignProgress&)>& progress_;
   const Clock::time_point start_ = Clock::now();

@@ -60,7 +60,8 @@ SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(
 }
 
 void SampleJob::build_model() {
-  run_.model = compile(run_.spec);
+  const Compiler* compiler = task_.compiler;
+  run_.model = compiler == nullptr ? compile(run_.spec) : compiler->compile(run_.spec);
   state_ = initial_state(run_.model);
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "model/compiler.h"
 #include "wythe/campaign.h"
 #include "wythe/solve.h"
 
@@ -15,6 +16,7 @@ struct SampleTask {
   const StudySpec& spec;
   const SampleTable& samples;
   const ModelBuilder& build;
+  const Compiler* compiler = nullptr;  // of the base model, for many samples; nullptr: compile()
 };
 
 // A sample under way, so that several can be solved side by side:

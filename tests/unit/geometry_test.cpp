@@ -447,7 +447,7 @@ TEST(geometry_caps, beam_covers_the_whole_top) {
   const Assembly wall = build(spec);
   EXPECT_EQ(count(wall, Role::kBeam), 1);
   EXPECT_EQ(count(wall, FaceKind::kBeam), 10);
-  EXPECT_EQ(wall.blocks.back().density, 0);
+  EXPECT_EQ(density_of(spec, wall.blocks.back()), 0);
 }
 
 TEST(geometry_caps, plate_and_beam_together_are_refused) {
@@ -542,8 +542,8 @@ TEST(geometry_blocks_file, materials_with_a_density_bring_their_own) {
   spec.block[1].material = "stone";
   spec.material["stone"].density = 2700;
   const Assembly wall = build(spec);
-  EXPECT_EQ(wall.blocks[0].density, 2000);
-  EXPECT_EQ(wall.blocks[1].density, 2700);
+  EXPECT_EQ(density_of(spec, wall.blocks[0]), 2000);
+  EXPECT_EQ(density_of(spec, wall.blocks[1]), 2700);
 }
 
 TEST(geometry_blocks_file, overlaps_name_both_blocks_and_the_area) {

@@ -1,0 +1,113 @@
+#include "geometry/shape.h"
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "core/hash.h"
+
+namespace wythe::geometry {
+namespace {
+
+// Each struct is taken apart into all its members: a new one does not compile until it is added here.
+class Key {
+ public:
+  template <class... T>
+  void add_all(const T&... members) {
+    (add(members), ...);
+  }
+
+  void add(const WallSpec& wall) {
+    const auto& [length, height, thickness, bond, fit, blocks, unit, opening, beam] = wall;
+    add_all(length, height, thickness, bond, fit, blocks, unit, opening, beam);
+  }
+  void add(const BlockSpec& block) {
+    const auto& [id, polygon, material, fixed, is_beam, zone] = block;
+    add_all(id, polygon, material, fixed, is_beam, zone);
+  }
+  void add(const ContactRule& rule) {
+    const auto& [between, material] = rule;
+    add_all(between, material);
+  }
+  void add(const PlateStage& stage) {
+    const auto& [name, joint] = stage;
+    add_all(name, joint);
+  }
+  void add(const std::map<std::string, double>& materials) {
+    add(materials.size());
+    for (const auto& [name, density] : materials) {
+      add(name);
+      add_density(density);
+    }
+  }
+
+  template <class T>
+  void add(const std::vector<T>& list) {
+    add(list.size());
+    for (const T& member : list) add(member);
+  }
+
+  [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  void add(double number) { hash_.add(&number, sizeof number); }
+  void add(const std::array<double, 2>& corner) { add_all(corner[0], corner[1]); }
+  void add(const std::string& text) {
+    add(text.size());
+    hash_.add(text);
+  }
+  template <class Word>
+  requires std::is_enum_v<Word> || std::is_integral_v<Word>
+  void add(Word word) {
+    const auto number = static_cast<std::int64_t>(word);
+    hash_.add(&number, sizeof number);
+  }
+
+  // All that the checks of a density ask (is_positive, is_not_negative, has a material its own).
+  void add_density(double density) { add_all(std::isfinite(density), density > 0, density == 0); }
+
+  void add(const UnitSpec& unit) {
+    const auto& [length, height, width, split, density] = unit;
+    add_all(length, height, width, split);
+    add_density(density);
+  }
+  void add(const BeamSpec& beam) {
+    const auto& [height, density, rotation, joint] = beam;
+    add_all(height, rotation, joint);
+    add_density(density);
+  }
+  void add(const OpeningSpec& opening) {
+    const auto& [name, x, y, width, height, lintel] = opening;
+    add_all(name, x, y, width, height, lintel);
+  }
+  void add(const LintelSpec& lintel) {
+    const auto& [kind, depth, bearing, material, bond, bearing_bond, top_bond, model, zones,
+                 zone_length, zone_kind, plane] = lintel;
+    add_all(kind, depth, bearing, material, bond, bearing_bond, top_bond, model, zones, zone_length,
+            zone_kind, plane);
+  }
+  void add(const ZoneSpec& zone) {
+    const auto& [zones, length, kind, plane] = zone;
+    add_all(zones, length, kind, plane);
+  }
+
+  Hash hash_;
+};
+
+}  // namespace
+
+Shape::Shape(const ModelSpec& spec) : wall(spec.wall), block(spec.block), contact(spec.contact) {
+  for (const auto& [name, given] : spec.material) material.emplace(name, given.density);
+  for (const StageSpec& stage : spec.stage)
+    if (stage.as == Manner::kPlate && std::isfinite(stage.pier_load))
+      plates.push_back({stage.name, stage.plate_joint});
+}
+
+std::uint64_t shape_key(const Shape& shape) {
+  Key key;
+  const auto& [wall, block, contact, material, plates] = shape;
+  key.add_all(wall, block, contact, material, plates);
+  return key.value();
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,34 @@
+// What of a model shapes its wall: build_assembly() sees this and nothing else.
+//
+// Walls with one shape_key have the same blocks, faces and notes. Samples of a study differ in materials,
+// loads and stages, so they share one assembly (model/compiler.h).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wythe/wall_spec.h"
+
+namespace wythe::geometry {
+
+// A stage that loads the piers through plates.
+struct PlateStage {
+  std::string name, joint;
+};
+
+struct Shape {
+  Shape(const ModelSpec& spec);  // every spec has one; it lives no longer than the spec
+  const WallSpec& wall;
+  const std::vector<BlockSpec>& block;
+  const std::vector<ContactRule>& contact;
+  std::map<std::string, double>
+      material;  // names and densities [kg/m^3]; no other number of theirs
+  std::vector<PlateStage> plates;
+};
+
+// A hash over the shape, every bit. Of a density only whether it is a good one: blocks hold none.
+[[nodiscard]] std::uint64_t shape_key(const Shape& shape);
+
+}  // namespace wythe::geometry
