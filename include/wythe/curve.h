@@ -1,6 +1,6 @@
 // The curve of a push: one row a window, and what every file, store and page calls its columns.
 //
-// A column is a member of CurveRow, which the Recorder (src/dynamics/recorder.cpp) fills, and its line in
+// A column is a member of CurveRow, which the Recorder (src/dynamics/stages/recorder.cpp) fills, and its line in
 // kCurveColumns. From there it reaches force_displacement.csv, the store, the page of a run and the
 // table of docs/reference/results.md (make docs).
 #pragma once

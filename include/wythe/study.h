@@ -24,7 +24,7 @@ inline constexpr Word<Design> kDesignWords[] = {{"latin_hypercube", Design::kLat
                                                 {"monte_carlo", Design::kMonteCarlo},
                                                 {"sobol", Design::kSobol}};
 static_assert(names_all(kDesignWords));
-// What a kind takes and how it is made: kKinds in src/study/sampling.cpp.
+// What a kind takes and how it is made: kKinds in src/study/draws/sampling.cpp.
 enum class DistributionKind {
   kNormal,
   kLognormal,

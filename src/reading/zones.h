@@ -1,5 +1,5 @@
 // What a state says of deformable blocks beyond their zones: energy, limits passed, the sag of a lintel.
-// Called by dynamics/residual.cpp and recorder.cpp.
+// Called by dynamics/meters/residual.cpp and recorder.cpp.
 #pragma once
 
 #include <vector>

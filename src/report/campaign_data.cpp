@@ -11,7 +11,7 @@
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/wall_arrays.h"
-#include "study/sampling.h"
+#include "study/draws/sampling.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dynamics/residual.h"
+#include "dynamics/meters/residual.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/wall_arrays.h"

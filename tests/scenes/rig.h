@@ -17,7 +17,7 @@
 #include <array>
 
 #include "dynamics/executors/processor.h"
-#include "dynamics/residual.h"
+#include "dynamics/meters/residual.h"
 #include "wythe/model.h"
 #include "wythe/reading.h"
 #include "wythe/result.h"

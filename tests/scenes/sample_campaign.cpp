@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "study/bootstrap.h"
-#include "study/intervals.h"
+#include "study/statistics/bootstrap.h"
+#include "study/statistics/intervals.h"
 
 namespace wythe::scenes {
 namespace {

@@ -1,11 +1,11 @@
 // The verdict on the rate of a push, on hand-made curves: each meter has a veto.
-#include "dynamics/balance.h"
+#include "dynamics/meters/balance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "dynamics/responses.h"
+#include "dynamics/meters/responses.h"
 
 namespace wythe {
 namespace {

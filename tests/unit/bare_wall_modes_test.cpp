@@ -10,7 +10,7 @@
 
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
-#include "study/element_states.h"
+#include "study/modes/element_states.h"
 #include "wythe/failure_mode.h"
 
 namespace wythe {

@@ -9,9 +9,9 @@
 #include <filesystem>
 
 #include "scenes/small_study.h"
-#include "study/folder_lock.h"
-#include "study/sample_run.h"
-#include "study/store.h"
+#include "study/store/folder_lock.h"
+#include "study/campaign/sample_run.h"
+#include "study/store/store.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"

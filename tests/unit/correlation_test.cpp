@@ -1,12 +1,12 @@
 // How inputs and responses go together: ranks, lower bounds among them, partial correlations, bins.
-#include "study/correlation.h"
+#include "study/statistics/correlation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "study/bootstrap.h"
+#include "study/statistics/bootstrap.h"
 
 namespace wythe::study {
 namespace {

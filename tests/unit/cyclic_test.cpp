@@ -1,6 +1,6 @@
 // Readings of pushes that turn back, on loops of closed form: rows are made as the recorder makes
 // them, means of the force over windows that end where the push turns.
-#include "dynamics/cyclic.h"
+#include "dynamics/meters/cyclic.h"
 
 #include <gtest/gtest.h>
 

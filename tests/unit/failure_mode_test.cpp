@@ -19,7 +19,7 @@
 
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
-#include "study/element_states.h"
+#include "study/modes/element_states.h"
 
 namespace wythe {
 namespace {

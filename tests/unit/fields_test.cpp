@@ -9,7 +9,7 @@
 #include "model/fields.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
-#include "study/record_rows.h"
+#include "study/store/record_rows.h"
 
 namespace wythe {
 namespace {

@@ -1,5 +1,5 @@
 // Formulas of dependent quantities: values by hand, units, and what is said about the wrong ones.
-#include "study/formula.h"
+#include "study/draws/formula.h"
 
 #include <gtest/gtest.h>
 

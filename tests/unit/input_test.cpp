@@ -17,7 +17,7 @@
 #include "io/csv.h"
 #include "io/json.h"
 #include "scenes/small_study.h"
-#include "study/folder_lock.h"
+#include "study/store/folder_lock.h"
 #include "unit/io_helpers.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"

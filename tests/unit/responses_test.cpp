@@ -1,5 +1,5 @@
 // What is read off a curve, on hand-made curves, and the verdict on the speed of a push.
-#include "dynamics/responses.h"
+#include "dynamics/meters/responses.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/stage_run.h"
+#include "dynamics/stages/stage_run.h"
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "scenes/sample_campaign.h"
-#include "study/bootstrap.h"
-#include "study/intervals.h"
-#include "study/survival.h"
+#include "study/statistics/bootstrap.h"
+#include "study/statistics/intervals.h"
+#include "study/statistics/survival.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/report.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scenes/small_study.h"
-#include "study/store.h"
+#include "study/store/store.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/report.h"

@@ -1,5 +1,5 @@
 // The store: exact rows, packed arrays, and every way a file can be wrong.
-#include "study/store.h"
+#include "study/store/store.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <random>
 
 #include "scenes/small_study.h"
-#include "study/folder_lock.h"
-#include "study/packing.h"
-#include "study/record_rows.h"
+#include "study/store/folder_lock.h"
+#include "study/store/packing.h"
+#include "study/store/record_rows.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 

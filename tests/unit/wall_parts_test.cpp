@@ -1,5 +1,5 @@
 // The parts a wall is read by, and the names of walls that are not of two piers and one opening.
-#include "study/wall_parts.h"
+#include "study/modes/wall_parts.h"
 
 #include <gtest/gtest.h>
 

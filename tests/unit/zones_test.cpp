@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "dynamics/residual.h"
+#include "dynamics/meters/residual.h"
 #include "reading/zones.h"
 #include "scenes/rig.h"
 #include "scenes/zones.h"

@@ -11,10 +11,10 @@
 #include <numbers>
 #include <vector>
 
-#include "study/bootstrap.h"
-#include "study/correlation.h"
-#include "study/intervals.h"
-#include "study/survival.h"
+#include "study/statistics/bootstrap.h"
+#include "study/statistics/correlation.h"
+#include "study/statistics/intervals.h"
+#include "study/statistics/survival.h"
 #include "verification/record.h"
 
 namespace wythe::verification {

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "study/copula.h"
-#include "study/sampling.h"
+#include "study/draws/copula.h"
+#include "study/draws/sampling.h"
 #include "verification/record.h"
 #include "wythe/statistics.h"
 #include "wythe/study.h"

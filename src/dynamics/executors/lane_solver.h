@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "dynamics/executors/processor.h"
-#include "dynamics/wall_run.h"
+#include "dynamics/stages/wall_run.h"
 
 namespace wythe::dynamics {
 

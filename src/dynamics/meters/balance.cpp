@@ -1,0 +1,236 @@
+#include "dynamics/meters/balance.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wythe {
+namespace dynamics {
+namespace {
+
+using Curve = std::vector<CurveRow>;
+
+constexpr std::size_t kFewestRows = 3;  // the first is zero, and a row needs one beside it
+constexpr const char* kTooFewRows =
+    "the curve has too few rows to tell a strength from a jolt; shorten output.window";
+
+}  // namespace
+
+Stretch stretch_around(const Curve& curve, std::size_t row) {
+  const double at = curve[row].displacement, half = 0.5 * kBalanceOver * std::fabs(at);
+  const auto near = [&](std::size_t i) { return std::fabs(curve[i].displacement - at) <= half; };
+  Stretch s{row, row};
+  while (s.first > 1 && near(s.first - 1)) --s.first;
+  while (s.last + 1 < curve.size() && near(s.last + 1)) ++s.last;
+  if (s.first == row && row > 1) --s.first;
+  if (s.last == row && row + 1 < curve.size()) ++s.last;
+  return s;
+}
+
+double passed_on(const CurveRow& row) { return std::min(row.reaction, row.base_shear); }
+
+std::optional<std::size_t> largest_in_balance(const Curve& curve, double sense) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const double force = sense * curve[i].reaction;
+    if (force > 0 && (!best || force > sense * curve[*best].reaction) && is_in_balance(curve, i))
+      best = i;
+  }
+  return best;
+}
+
+double force_beyond(const Curve& curve, double peak) {
+  double most = peak;
+  for (const CurveRow& row : curve) most = std::max(most, passed_on(row));
+  return most / peak - 1;
+}
+
+std::string why_out_of_balance(const Curve& curve) {
+  double reaction = 0, passed = 0;
+  for (const CurveRow& row : curve) {
+    reaction = std::max(reaction, row.reaction);
+    passed = std::max(passed, passed_on(row));
+  }
+  if (!(reaction > 0)) return "nothing resisted the push";
+  if (curve.size() < kFewestRows) return kTooFewRows;
+  const auto balanced = largest_in_balance(curve);
+  return fmt::format(
+      "reaction and base shear differ by more than {:g} % {}: the largest reaction is {:.4g} kN, "
+      "the "
+      "largest force that also reached the ground {:.4g} kN",
+      100 * kBalance,
+      balanced ? fmt::format("but for rows up to {:.4g} kN", 1e-3 * curve[*balanced].reaction)
+               : "wherever the wall resisted",
+      1e-3 * reaction, 1e-3 * passed);
+}
+
+namespace {
+
+// Limits of the verdict; docs/theory/integration.md says where each comes from.
+constexpr double kScatter = 0.02;     // two runs that differ by rounding alone differ by up to this
+constexpr double kLift = 2.0;         // of the drag at the peak: what it adds to the force, at most
+constexpr double kSlow = 0.04;        // lift up to which a push is slow enough: a drag of 1 %
+constexpr double kUsable = 0.08;      // up to which it is usable: a drag of 3 %
+constexpr double kKinetic = 0.05;     // kinetic energy / work of the drive, at the peak
+constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces, at the peak
+constexpr double kLedger = 0.01;      // energy that the ledger misses
+constexpr double kApproach = 0.8;     // of the displacement at the peak: where the way to it begins
+
+// Share of the drive's work that damping takes, median over the rows of the last fifth of the way to
+// the peak: a crack that snaps there releases energy at any rate, and stands in a row or two only.
+double damping_on_the_way(const Curve& curve, std::size_t peak) {
+  std::vector<double> share;
+  for (std::size_t i = peak; i >= 1; --i) {
+    const bool near = curve[i].displacement >= kApproach * curve[peak].displacement;
+    if (!near && share.size() >= 3) break;
+    const double drive = curve[i].work_drive - curve[i - 1].work_drive;
+    if (drive > 0) share.push_back((curve[i].work_damping - curve[i - 1].work_damping) / drive);
+  }
+  if (share.empty()) return kUnset;
+  const auto middle = share.begin() + static_cast<std::ptrdiff_t>(share.size() / 2);
+  std::nth_element(share.begin(), middle, share.end());
+  return *middle;
+}
+
+void read_meters(const Curve& curve, std::size_t peak, QuasiStatic& q) {
+  const Stretch s = stretch_around(curve, peak);
+  double gap = 0;
+  for (std::size_t i = s.first; i <= s.last; ++i) {
+    gap += curve[i].reaction - curve[i].base_shear;
+    q.unbalance_ratio_mean += curve[i].unbalance_ratio;
+    q.kinetic_ratio_mean += curve[i].kinetic_ratio;
+    q.unbalance_ratio_max = std::max(q.unbalance_ratio_max, curve[i].unbalance_ratio);
+    q.kinetic_ratio_max = std::max(q.kinetic_ratio_max, curve[i].kinetic_ratio);
+  }
+  const double count = static_cast<double>(s.last - s.first + 1);
+  q.unbalance_ratio_mean /= count;
+  q.kinetic_ratio_mean /= count;
+  q.shear_gap = std::fabs(gap) / count / curve[peak].reaction;
+  q.damping_share = damping_on_the_way(curve, peak);
+}
+
+std::string veto_of(const QuasiStatic& q) {
+  if (q.kinetic_ratio_mean > kKinetic)
+    return fmt::format("at the peak the wall's motion holds {:.1f} % of the work done",
+                       100 * q.kinetic_ratio_mean);
+  if (q.unbalance_ratio_mean > kUnbalance)
+    return fmt::format("at the peak {:.2f} % of the forces on the blocks are out of balance",
+                       100 * q.unbalance_ratio_mean);
+  return "";
+}
+
+std::string reason_of(const QuasiStatic& q) {
+  const double drag = std::max(q.shear_gap, q.damping_share);
+  if (q.beyond > kLift * drag)
+    return fmt::format("rows out of balance reached {:.1f} % more", 100 * q.beyond);
+  if (q.shear_gap >= q.damping_share)
+    return fmt::format("there {:.1f} % of the force is lost between push and ground",
+                       100 * q.shear_gap);
+  return fmt::format("on the way there damping takes {:.1f} % of the work", 100 * q.damping_share);
+}
+
+// Judgement and sentence from the meters.
+void judge(QuasiStatic& q) {
+  const double drag = std::max(q.shear_gap, q.damping_share);
+  q.lift = kScatter + std::max(kLift * drag, q.beyond);
+  const std::string veto = veto_of(q);
+  if (std::isnan(q.lift) || q.lift > kKnown) {
+    q.judgement = "too fast";
+    q.verdict = fmt::format(
+        "too fast: by how much the peak is wrong is unknown: {}; push ten times "
+        "slower",
+        reason_of(q));
+    q.lift = kUnset;
+  } else if (!veto.empty() || q.lift > kUsable) {
+    q.judgement = "too fast";
+    q.verdict = fmt::format(
+        "too fast: a slow push may move the peak by {:.0f} % and more: {}; halve the velocity",
+        100 * q.lift, veto.empty() ? reason_of(q) : veto);
+  } else if (q.lift > kSlow) {
+    q.judgement = "usable";
+    q.verdict = fmt::format(
+        "usable: a slow push may move the peak by up to {:.0f} %: {}; halve the velocity or lower "
+        "stage.damping to be sure",
+        100 * q.lift, reason_of(q));
+  } else {
+    q.judgement = "slow enough";
+    q.verdict = fmt::format(
+        "slow enough: a slow push moves the peak by no more than about {:.1f} %", 100 * q.lift);
+  }
+}
+
+std::string ledger_words(double gap_ratio) {
+  return fmt::format(
+      "unknown: the energy ledger misses {:.1f} % of the work, so forces and displacements may be "
+      "wrong; end the push earlier or lower solve.step_fraction",
+      100 * gap_ratio);
+}
+
+QuasiStatic of_a_load(const Result& result) {
+  QuasiStatic q;
+  if (std::isnan(result.responses.peak_reaction)) return q;
+  q.judgement = "slow enough";
+  q.verdict = "slow enough: the load grew only while the wall was in balance";
+  return q;
+}
+
+}  // namespace
+
+QuasiStatic judge_quasi_static(const Result& result) {
+  const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
+  QuasiStatic q;
+  q.verdict = "no push";
+  if (is_load_controlled(result)) {
+    q = of_a_load(result);
+  } else if (curve.size() > 1 && curve.size() < kFewestRows) {
+    q.judgement = "unknown";
+    q.verdict = std::string("unknown: ") + kTooFewRows;
+    q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
+  } else if (curve.size() >= kFewestRows) {
+    const auto peak = largest_in_balance(curve);
+    if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
+      read_meters(curve, *peak, q);
+      q.beyond = force_beyond(curve, curve[*peak].reaction);
+      judge(q);
+    } else {
+      q.unbalance_ratio_mean = q.unbalance_ratio_max = q.kinetic_ratio_mean = q.kinetic_ratio_max =
+          kUnset;
+      q.shear_gap = q.damping_share = q.beyond = q.lift = kUnset;
+      q.judgement = "too fast";
+      q.verdict = "too fast: no force in balance was found: " + why_out_of_balance(curve) +
+                  "; lower stage.damping or push ten times slower";
+    }
+  }
+  if (result.energy.gap_ratio > kLedger && q.judgement != "no push") {
+    q.judgement = "unknown";
+    q.verdict = ledger_words(result.energy.gap_ratio);
+  }
+  return q;
+}
+
+}  // namespace dynamics
+
+std::string warning_of(const Result& result) {
+  const QuasiStatic& q = result.quasi_static;
+  if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
+  if (result.energy.gap_ratio > dynamics::kLedger)
+    return dynamics::ledger_words(result.energy.gap_ratio);
+  if (result.validity.overlap_lost <= result.responses.displacement_at_peak)
+    return fmt::format(
+        "doubtful: blocks slid off each other at {:.4g} mm, before the peak; from there on contact "
+        "points no longer lie where the faces touch",
+        1e3 * result.validity.overlap_lost);
+  return "";
+}
+
+bool is_in_balance(const std::vector<CurveRow>& curve, std::size_t row) {
+  if (row < 1 || row >= curve.size() || curve.size() < dynamics::kFewestRows) return false;
+  const double allowed = dynamics::kBalance * std::fabs(curve[row].reaction);
+  const dynamics::Stretch s = dynamics::stretch_around(curve, row);
+  for (std::size_t i = s.first; i <= s.last; ++i)
+    if (!(std::fabs(curve[i].reaction - curve[i].base_shear) <= allowed)) return false;
+  return true;
+}
+
+}  // namespace wythe

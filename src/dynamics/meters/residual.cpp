@@ -1,0 +1,76 @@
+#include "dynamics/meters/residual.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/passes/sums.h"
+#include "reading/zones.h"
+
+namespace wythe::dynamics {
+
+namespace {
+
+// Recoverable energy of a point per area [J/m^2].
+double recoverable(const JointMaterial& m, const PointReading& point) {
+  const double sigma = point.normal_stress, tau = point.shear_stress;
+  // secant: recoverable along the line to the origin; elastic unloading: along kn
+  const bool secant = sigma > 0 && m.unloading == Unloading::kSecant;
+  const double normal = secant ? 0.5 * sigma * (point.opening + point.crushed)
+                               : 0.5 * sigma * sigma / m.normal_stiffness;
+  return normal + 0.5 * tau * tau / m.shear_stiffness;
+}
+
+// At the half step, without mass scaling [J].
+double kinetic_energy(const Model& m, const State& s) {
+  double energy = 0;
+  for (std::size_t i = 0; i < s.vx.size(); ++i)
+    energy += kinetic_of(m.mass[i], m.inertia[i], s.vx[i], s.vy[i], s.omega[i]);
+  for (std::size_t i = 0; i < s.node_vx.size(); ++i)
+    energy += kinetic_of(m.solids.node_mass[i], 0, s.node_vx[i], s.node_vy[i], 0);
+  return energy;
+}
+
+}  // namespace
+
+double elastic_energy(const Model& model, const State& state) {
+  const std::vector<PointReading> points = read_points(model, state);
+  double energy = 0;
+  for (JointId joint = 0; joint < joint_count(model); ++joint) {
+    const JointShape shape = joint_shape(model, joint);
+    const JointMaterial& law = model.materials[static_cast<std::size_t>(shape.material)];
+    const PointRange range = points_of(model, joint);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const PointReading& point = points[static_cast<std::size_t>(p)];
+      energy += shape.area * point.share * recoverable(law, point);
+    }
+  }
+  return energy + reading::strain_energy(model, state);
+}
+
+EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
+  EnergyLedger e;
+  e.loads = s.work_loads;
+  e.drive = s.work_drive;
+  e.kinetic = kinetic_energy(model, s) * mass_scaling;
+  e.elastic = elastic_energy(model, s);
+  e.friction = s.dissipated_friction;
+  e.fracture = s.dissipated_fracture;
+  e.crushing = s.dissipated_crushing;
+  e.damping = -s.work_damping;
+  e.gap =
+      e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing - e.damping;
+  const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
+  e.gap_ratio = scale == 0 ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
+  return e;
+}
+
+double top_displacement(const Model& model, const State& state) {
+  double moved = 0;
+  const double top = *std::max_element(model.centroid_y.begin(), model.centroid_y.end());
+  for (std::size_t i = 0; i < state.ux.size(); ++i)
+    if (model.centroid_y[i] > top - 0.01 * model.anatomy.height)
+      moved = std::max(moved, std::fabs(state.ux[i]));
+  return moved;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,382 @@
+#include "dynamics/stages/recorder.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "dynamics/meters/balance.h"
+#include "dynamics/meters/residual.h"
+#include "reading/zones.h"
+
+namespace wythe::dynamics {
+namespace {
+
+constexpr int kShearEvery = 8;       // steps between samples of base shear and kinetic energy
+constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
+constexpr double kReadEvery = 1e-3;  // between readings [m]
+constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
+
+// Centimetres, without a minus before zero.
+double clean(double metres) { return std::round(1e2 * metres) * 1e-2 + 0.0; }
+
+double default_window(const Model& model, double path) {
+  if (std::isfinite(model.output.window)) return model.output.window;
+  return path / std::max(1, model.output.rows);
+}
+
+bool has_event(const Result& result, const char* name) {
+  return std::any_of(result.events.begin(), result.events.end(),
+                     [&](const Event& e) { return e.name == name; });
+}
+
+}  // namespace
+
+Recorder::Recorder(const Model& model, const Stage& stage, double path, int frames, double read_at,
+                   RunRecord& record)
+    : model_(model),
+      stage_(stage),
+      result_(record.result),
+      recording_(record.recording),
+      n_(recording_.numbers),
+      path_(path),
+      window_(default_window(model, path)),
+      frames_(frames),
+      state_at_(model.output.states) {
+  std::sort(state_at_.begin(), state_at_.end());
+  state_at_.push_back(std::numeric_limits<double>::infinity());
+  if (n_.under_way == 0) begin(read_at);
+}
+
+// The curve is that of the last stage that has one.
+void Recorder::begin(double read_at) {
+  recording_ = {};
+  n_.under_way = 1;
+  n_.next_close = n_.leg_window = window_;
+  n_.next_reading = kReadEvery;
+  n_.read_at = read_at;
+  n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
+  const auto joints = static_cast<std::size_t>(model_.n_joint);
+  recording_.slid_off.assign(joints, 0);
+  result_.curve_of = stage_.spec.kind;
+  result_.curve.clear();
+  result_.rise.clear();
+  result_.events.clear();
+  result_.snapshots.clear();
+  result_.readings.clear();
+  result_.frames.clear();
+  result_.validity = {};
+  result_.joint_crack_displacement.assign(joints, std::numeric_limits<double>::quiet_NaN());
+}
+
+void Recorder::take_snapshot(const std::string& label, const State& state) {
+  const double reaction = result_.curve.empty() ? 0.0 : result_.curve.back().reaction;
+  result_.snapshots.push_back({label, displacement_, reaction, state});
+}
+
+void Recorder::take(const Place& place, State& state, const Controls& controls, double reaction,
+                    double displacement, double load_factor, double travelled) {
+  if (n_.start_time < 0) {
+    n_.start_time = state.time - state.stage_time;
+    if (!stage_.spec.targets.empty() && stage_.spec.kind == StageKind::kPush) {
+      const auto leg = static_cast<std::size_t>(state.target);
+      const double from = leg == 0 ? 0.0 : stage_.spec.targets[leg - 1];
+      begin_leg(leg, from, travelled - std::fabs(displacement - from));
+    }
+    while (n_.next_close < travelled) plan_close();
+    n_.work_at_start = state.work_drive;
+    n_.dead = dead_along_push(state);
+    if (result_.curve.empty()) result_.curve.push_back({});
+    place.bring_up(state);
+    n_.damping_at_start = state.work_damping;
+    take_snapshot("start", state);
+  }
+  displacement_ = displacement;
+  load_factor_ = load_factor;
+  weight_ = controls.push != nullptr ? std::fabs(controls.drive_velocity) : 1.0;
+  n_.weight_sum += weight_;
+  n_.reaction_sum += weight_ * reaction;
+  n_.rise_weight += weight_;
+  n_.rise_sum += weight_ * reaction;
+  ++n_.steps;
+  const bool closes = travelled >= n_.next_close || has_turned();
+  sample(place, state, controls, closes);
+  take_rise(displacement, travelled);
+  row_closed_ = closes;
+  if (closes) {
+    place.bring_up(state);
+    close_row(state);
+    take_frame(state, travelled);
+  }
+  take_states(place, state);
+  if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
+}
+
+// At the step, not at the row, so that neither rows nor the states asked for move a reading.
+void Recorder::take_states(const Place& place, State& state) {
+  const double far = std::fabs(displacement_);
+  const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.spec.targets.empty();
+  n_.grows = far > n_.farthest ? 1 : 0;
+  n_.farthest = std::max(n_.farthest, far);
+  if (!turns && far < n_.due) return;
+  place.bring_up(state);
+  while (far >= next_state_at()) {
+    take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
+    ++n_.next_state;
+  }
+  if (turns || far >= std::min(n_.next_reading, n_.read_at))
+    result_.readings.push_back({turns ? "turn" : "", displacement_, 0, state});
+  if (far >= n_.next_reading) n_.next_reading = kReadEvery * (1 + std::floor(far / kReadEvery));
+  if (far >= n_.read_at) n_.read_at = std::numeric_limits<double>::infinity();
+  n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
+}
+
+// Windows of at least one sample of base shear; the push's beginning is felt at the driven blocks first
+// and at the ground last, so the wall's own force lies between the two.
+void Recorder::take_rise(double displacement, double travelled) {
+  constexpr double kFirst = 1e-6, kWider = 1.02;  // first window [m], each to the one before
+  const double out = std::fabs(displacement);
+  if (is_load_controlled(result_) || travelled > out * (1 + 1e-9) + 1e-12) return;
+  if (out < std::max(kFirst, kWider * n_.rise_from) || n_.rise_shear_weight == 0) return;
+  const double force =
+      0.5 * (n_.rise_sum / n_.rise_weight + n_.rise_shear_sum / n_.rise_shear_weight);
+  result_.rise.push_back({0.5 * (n_.rise_from + out), displacement < 0 ? -force : force});
+  n_.rise_from = out;
+  n_.rise_weight = n_.rise_sum = n_.rise_shear_weight = n_.rise_shear_sum = 0;
+}
+
+bool Recorder::has_turned() const {
+  return n_.leg_way != 0 && n_.leg_way * (displacement_ - n_.leg_target) >= 0;
+}
+
+// A leg of a cyclic push has whole windows of its own, so that a row ends where the push turns: forces
+// and works of a window on both sides of a turn would mix.
+void Recorder::begin_leg(std::size_t leg, double from, double travelled) {
+  constexpr double kFewest =
+      20;  // rows of a leg, where output.window does not say how long they are
+  n_.leg_way = 0;
+  if (leg >= stage_.spec.targets.size()) return;
+  n_.leg_target = stage_.spec.targets[leg];
+  n_.leg_way = n_.leg_target >= from ? 1 : -1;
+  const double length = std::fabs(n_.leg_target - from);
+  const double fewest = std::isfinite(model_.output.window) ? 1.0 : kFewest;
+  n_.leg_window = length / std::max(fewest, std::round(length / window_));
+  n_.leg_end = travelled + length;
+  n_.next_close = travelled;
+  plan_close();
+}
+
+// The last window of a leg closes where the push turns.
+void Recorder::plan_close() {
+  n_.next_close += n_.leg_window;
+  if (n_.leg_way != 0 && n_.next_close > n_.leg_end - 0.5 * n_.leg_window)
+    n_.next_close = std::numeric_limits<double>::infinity();
+}
+
+void Recorder::take_frame(const State& state, double travelled) {
+  // frame k at (k/n)^1.5 of the path: most cracks open in its first tenth
+  constexpr double kCloserAtFirst = 1.5;
+  const auto due = [&] {
+    return path_ * std::pow(static_cast<double>(n_.next_frame) / frames_, kCloserAtFirst);
+  };
+  if (n_.next_frame > frames_ || travelled < due()) return;
+  while (n_.next_frame <= frames_ && travelled >= due()) ++n_.next_frame;
+  result_.frames.push_back({"", displacement_, result_.curve.back().reaction, state});
+}
+
+// The ground's force along the push, less what weights and dead loads bring there: in balance it is the
+// reaction. Weights and loads of driven blocks stay in both. Of a tilted wall it is scaled to full
+// weight, as the reaction is: W tan against W sin / cos.
+double Recorder::resisted_by_ground(const Place& place, const State& state) const {
+  const double shear = place.base_shear(stage_.drive_x, stage_.drive_y);
+  if (stage_.spec.kind == StageKind::kTilt) {
+    const double down = -state.gravity_y / model_.solve.gravity;
+    return down > 0 ? shear / down : shear;
+  }
+  return stage_.spec.kind == StageKind::kPush ? shear - n_.dead : shear;
+}
+
+// Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
+double Recorder::dead_along_push(const State& state) const {
+  std::vector<bool> driven(static_cast<std::size_t>(model_.n_block), false);
+  for (const BlockId block : stage_.driven) driven[static_cast<std::size_t>(block)] = true;
+  double mass = 0, force = 0;
+  for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.heavy_mass[i];
+  for (const double node : model_.solids.node_heavy_mass) mass += node;
+  force = mass * (state.gravity_x * stage_.drive_x + state.gravity_y * stage_.drive_y);
+  for (std::size_t k = 0; k < model_.stages.size(); ++k)
+    for (const PointLoad& load : model_.stages[k].loads)
+      if (!driven[static_cast<std::size_t>(load.block)])
+        force += state.load_scale[k] * (load.fx * stage_.drive_x + load.fy * stage_.drive_y);
+  return force;
+}
+
+void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
+  if (state.step % kShearEvery == 0 || all) {
+    const double shear = resisted_by_ground(place, state);
+    n_.shear_weight += weight_;
+    n_.shear_sum += weight_ * shear;
+    n_.rise_shear_weight += weight_;
+    n_.rise_shear_sum += weight_ * shear;
+    const double work = std::fabs(state.work_drive - n_.work_at_start);
+    if (work > 0) n_.kinetic_sum += place.kinetic_energy(controls.mass_scaling) / work;
+    ++n_.shear_samples;
+  }
+  if (state.step % kUnbalanceEvery == 0 || all) {
+    n_.unbalance_sum += place.unbalance_ratio();
+    ++n_.unbalance_samples;
+  }
+}
+
+void Recorder::close_row(const State& state) {
+  CurveRow row;
+  row.time = state.time - n_.start_time;
+  row.displacement = is_load_controlled(result_) ? top_displacement(model_, state) : displacement_;
+  row.drift = stage_.load_height > 0 ? displacement_ / stage_.load_height : 0.0;
+  row.reaction = n_.weight_sum > 0 ? n_.reaction_sum / n_.weight_sum : 0;
+  row.base_shear = n_.shear_weight > 0 ? n_.shear_sum / n_.shear_weight : 0;
+  const auto at_least_one = [](std::int64_t samples) {
+    return static_cast<double>(std::max<std::int64_t>(1, samples));
+  };
+  row.unbalance_ratio = n_.unbalance_sum / at_least_one(n_.unbalance_samples);
+  row.kinetic_ratio = n_.kinetic_sum / at_least_one(n_.shear_samples);
+  row.load_factor = load_factor_;
+  row.work_drive = state.work_drive - n_.work_at_start;
+  row.work_damping = n_.damping_at_start - state.work_damping;
+  const reading::LintelMeasures lintel = reading::lintel_measures(model_, state);
+  row.lintel_deflection = lintel.deflection;
+  row.lintel_end_rotation = lintel.end_rotation;
+  row.lintel_axial = lintel.axial;
+  result_.curve.push_back(row);
+  RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
+  const double force = displacement_ < 0 ? -row.reaction : row.reaction;
+  const bool low = force < stage_.spec.stop_below * side.peak;
+  n_.low_rows = low && std::fabs(displacement_) >= side.furthest ? n_.low_rows + 1 : 0;
+  side.furthest = std::max(side.furthest, std::fabs(displacement_));
+  n_.full_window = n_.steps;
+  n_.weight_sum = n_.shear_weight = 0;
+  n_.reaction_sum = n_.shear_sum = n_.unbalance_sum = n_.kinetic_sum = 0;
+  n_.steps = n_.shear_samples = n_.unbalance_samples = 0;
+  plan_close();
+
+  note_joints(state, row.displacement, row.reaction);
+  note_limits(state, row.displacement, row.reaction);
+  note_peak(state);
+}
+
+// The state at the peak: of the largest row in balance with the one before; while there is none, of the
+// largest row of all. Rows to come decide on the balance of the last (is_in_balance), so the state
+// may be a row or two beside the peak that is read.
+void Recorder::note_peak(const State& state) {
+  const std::vector<CurveRow>& curve = result_.curve;
+  const CurveRow& row = curve.back();
+  const auto agree = [&](const CurveRow& other) {
+    return std::fabs(other.reaction - other.base_shear) <= kBalance * std::fabs(row.reaction);
+  };
+  const bool balanced = agree(row) && agree(curve[curve.size() - 2]);
+  const double force = row.displacement < 0 ? -row.reaction : row.reaction;
+  RecordedSide& side = recording_.side[row.displacement < 0 ? 1 : 0];
+  if (balanced < side.balanced || (balanced == side.balanced && !(force > side.peak))) return;
+  side.balanced = balanced;
+  side.peak = force;
+  side.peak_state = state;
+  side.peak_displacement = row.displacement;
+}
+
+void Recorder::note_joints(const State& state, double displacement, double reaction) {
+  const std::vector<PointReading> points = read_points(model_, state);
+  note_slid_off(points, displacement, reaction);
+  for (JointId joint = 0; joint < model_.n_joint; ++joint) {
+    const auto mark = [&](const char* name, const PointReading& point) {
+      if (!has_event(result_, name))
+        result_.events.push_back({name, displacement, reaction, place_of(joint, point)});
+    };
+    const auto j = static_cast<std::size_t>(joint);
+    const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
+    const bool dry = m.tensile_strength == 0;
+    const PointRange range = points_of(model_, joint);
+    for (PointId p = range.begin; p < range.end; ++p) {
+      const PointReading& point = points[static_cast<std::size_t>(p)];
+      if (point.crushing > 0) mark("first crushing", point);
+      if (dry) continue;
+      if (point.damage > 0) mark("first crack", point);
+      if (point.damage < kThrough) continue;
+      mark("first full crack", point);
+      double& when = result_.joint_crack_displacement[j];
+      if (std::isnan(when)) when = displacement;
+    }
+  }
+}
+
+std::string Recorder::place_of(JointId joint, const PointReading& point) const {
+  return fmt::format(
+      "{} at ({:.2f}, {:.2f}) m",
+      word_of(kJointKindTitles, model_.anatomy.joint_kind[static_cast<std::size_t>(joint)]),
+      clean(point.where.x), clean(point.where.y));
+}
+
+void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,
+                             double reaction) {
+  for (JointId joint = 0; joint < model_.n_joint; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    if (recording_.slid_off[j] != 0 || !has_slid_off(model_, points, joint)) continue;
+    recording_.slid_off[j] = 1;
+    if (result_.validity.joints++ > 0) continue;
+    const auto first = static_cast<std::size_t>(points_of(model_, joint).begin);
+    result_.validity.overlap_lost = displacement;
+    result_.validity.where = place_of(joint, points[first]);
+    result_.events.push_back(
+        {"blocks slid off each other", displacement, reaction, result_.validity.where});
+  }
+}
+
+// Once a body and sense: zones stay elastic, so the user must know.
+void Recorder::note_limits(const State& state, double displacement, double reaction) {
+  for (const reading::BeyondLimit& beyond : reading::beyond_limits(model_, state)) {
+    const std::string name = fmt::format("{} beyond its {} limit", beyond.body->id,
+                                         beyond.tension ? "tension" : "compression");
+    if (has_event(result_, name.c_str())) continue;
+    result_.events.push_back(
+        {name, displacement, reaction,
+         fmt::format("{:.3g} MPa at ({:.2f}, {:.2f}) m, limit {:.3g} MPa; it stays elastic",
+                     1e-6 * beyond.stress, clean(beyond.where.x), clean(beyond.where.y),
+                     1e-6 * beyond.limit),
+         true});
+  }
+}
+
+bool Recorder::fell_below() const {
+  constexpr int kRows = 3;
+  return n_.low_rows >= kRows;
+}
+
+void Recorder::finish(const Place& place, State& state, const Controls& controls, bool ran_away) {
+  if (n_.start_time < 0) {  // it took no step
+    recording_ = {};
+    return;
+  }
+  place.bring_up(state);
+  // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
+  // that stands still has no more rows.
+  if (2 * n_.steps >= n_.full_window && n_.steps > 0 && !ran_away) {
+    sample(place, state, controls, true);
+    close_row(state);
+  }
+  const auto rank = [](const RecordedSide& side) { return std::pair(side.balanced, side.peak); };
+  const bool against = rank(recording_.side[1]) > rank(recording_.side[0]);
+  RecordedSide& larger = recording_.side[against ? 1 : 0];
+  if (larger.peak > 0)
+    result_.snapshots.push_back({"peak", larger.peak_displacement,
+                                 against ? -larger.peak : larger.peak,
+                                 std::move(larger.peak_state)});
+  take_snapshot("end", state);
+  result_.readings.push_back(result_.snapshots.back());
+  std::stable_sort(
+      result_.snapshots.begin(), result_.snapshots.end(),
+      [](const Snapshot& a, const Snapshot& b) { return a.state.time < b.state.time; });
+  recording_ = {};
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,195 @@
+// solve() and WallRun: the stages in order, then what the curve says.
+#include "wythe/solve.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "dynamics/meters/balance.h"
+#include "dynamics/executors/processor.h"
+#include "dynamics/meters/residual.h"
+#include "dynamics/meters/responses.h"
+#include "dynamics/stages/wall_run.h"
+#include "model/size.h"
+
+namespace wythe {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Scales a stage's own share of progress to the whole run, by expected steps.
+class ProgressScale {
+ public:
+  explicit ProgressScale(const Model& model) {
+    for (const Stage& stage : model.stages) {
+      const double steps = pace_of(stage.spec).seconds / dynamics::stage_time_step(model, stage);
+      total_ += steps;
+      until_.push_back(total_);
+    }
+  }
+  [[nodiscard]] double overall(std::size_t stage, double share) const {
+    const double before = stage == 0 ? 0.0 : until_[stage - 1];
+    return total_ > 0 ? (before + share * (until_[stage] - before)) / total_ : 0.0;
+  }
+
+ private:
+  double total_ = 0;
+  std::vector<double> until_;
+};
+
+// Passes on the first progress of each stage, then a few times a second only.
+std::function<void(const Progress&)> throttled(const Model& model, const State& state,
+                                               const SolveOptions& options) {
+  if (!options.progress) return {};
+  const ProgressScale scale(model);
+  return [scale, &state, &options, last = Clock::now(), stage = -1](const Progress& p) mutable {
+    if (state.stage == stage && seconds_since(last) < 0.2) return;
+    stage = static_cast<int>(state.stage);
+    last = Clock::now();
+    Progress shown = p;
+    shown.share = scale.overall(static_cast<std::size_t>(state.stage), p.share);
+    options.progress(shown);
+  };
+}
+
+}  // namespace
+
+namespace dynamics {
+
+WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
+                 std::unique_ptr<Place> place, RunRecord so_far)
+    : model_(model),
+      state_(state),
+      options_(options),
+      record_(std::move(so_far)),
+      wall_{model, state, options_, record_, std::move(place), {}},
+      start_(Clock::now()),
+      seconds_before_(record_.result.wall_seconds) {
+  options_.progress = throttled(model, state, options);
+  start_stages();
+}
+
+// The next stage that takes a step, if any.
+void WallRun::start_stages() {
+  while (!stage_ && static_cast<std::size_t>(state_.stage) < model_.stages.size()) {
+    const Stage& stage = model_.stages[static_cast<std::size_t>(state_.stage)];
+    record_.result.time_step = stage_time_step(model_, stage);
+    stage_ = StageRun::start(wall_, stage);
+    if (!stage_->ended()) return;
+    close_stage();  // nothing to do in it
+  }
+}
+
+void WallRun::close_stage() {
+  const StageEnd end = stage_->close();
+  stage_.reset();
+  record_.result.status = end.status;
+  record_.result.reason = end.reason;
+  if (!end.finished) return;
+  ++state_.stage;
+  state_.stage_time = 0;
+}
+
+const Controls& WallRun::next() {
+  stage_->prepare();
+  return wall_.controls;
+}
+
+double WallRun::seconds() const { return seconds_before_ + seconds_since(start_); }
+
+// After all that the step itself has to say, so that a run cut here and continued says the same: the
+// caller's checkpoint, an interrupt, the budget.
+void WallRun::heed_caller() {
+  const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;
+  if (options_.checkpoint && (asked || spent || state_.step % kWatchEvery == 0)) {
+    wall_.place->bring_up(state_);
+    record_.result.wall_seconds = seconds();
+    options_.checkpoint(state_, record_, asked || spent);
+  }
+  if (asked)
+    stage_->end(
+        {SolveStatus::kInterrupted,
+         fmt::format("stopped by the user in stage \"{}\" at {:.3f} s",
+                     model_.stages[static_cast<std::size_t>(state_.stage)].spec.name, state_.time),
+         false});
+  else if (spent)
+    stage_->end({SolveStatus::kBudgetSpent, fmt::format("{} steps spent", state_.step), false});
+}
+
+void WallRun::look(double reaction) {
+  stage_->look(reaction);
+  if (!stage_->ended()) heed_caller();
+  if (!stage_->ended()) return;
+  const int stage = state_.stage;
+  close_stage();
+  if (state_.stage > stage) start_stages();
+}
+
+void WallRun::move_to(std::unique_ptr<Place> place) {
+  wall_.place = std::move(place);
+  if (stage_) wall_.place->choose_driven(stage_->driven());
+}
+
+Result WallRun::finish() {
+  Result& result = record_.result;
+  result.responses = read_responses(result.curve, reading_of(model_, result));
+  result.quasi_static = judge_quasi_static(result);
+  result.top_displacement = top_displacement(model_, state_);
+  result.steps = state_.step;
+  result.state_hash = state_hash(state_);
+  add_curve_events(result);
+  result.wall_seconds = seconds();
+  return std::move(result);
+}
+
+}  // namespace dynamics
+
+Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
+  dynamics::Processor processor(model, 1, std::max(1, options.threads));
+  processor.put(0, model, state);
+  dynamics::WallRun run(model, state, options, processor.place(0), std::move(so_far));
+  while (!run.ended()) {
+    processor.set(0, run.next());
+    processor.step();
+    run.look(processor.reaction(0));
+  }
+  processor.drop(0);
+  return run.finish();
+}
+
+RunEstimate estimate(const Model& model) {
+  RunEstimate e;
+  double steps = 0;
+  for (const Stage& stage : model.stages) {
+    e.time_step = dynamics::stage_time_step(model, stage);
+    steps += pace_of(stage.spec).seconds / e.time_step;
+  }
+  constexpr double kMostSteps = 9e18;  // what a count of steps holds
+  e.steps = static_cast<std::int64_t>(steps < kMostSteps ? steps : kMostSteps);
+  // a short trial at rest: the step costs the same whatever the joints do
+  constexpr int kTrial = 200;
+  constexpr double kTrialSeconds = 0.5;  // of a large wall
+  State state = initial_state(model);
+  dynamics::Processor processor(model, 1);
+  processor.put(0, model, state);
+  dynamics::Controls controls;
+  controls.dt = e.time_step;
+  processor.set(0, controls);
+  const auto start = Clock::now();
+  int tried = 0;
+  while (tried < kTrial && seconds_since(start) < kTrialSeconds) {
+    processor.step();
+    ++tried;
+  }
+  e.seconds = seconds_since(start) / tried * steps;
+  return e;
+}
+
+}  // namespace wythe

@@ -1,0 +1,406 @@
+#include "dynamics/stages/stage_run.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/real.h"
+#include "dynamics/stages/recorder.h"
+#include "dynamics/meters/residual.h"
+
+namespace wythe::dynamics {
+namespace {
+
+constexpr int kSettleEvery = 50;  // steps between looks at the unbalance
+
+}  // namespace
+
+double smooth_step(double x) {
+  const double c = clip(x, 0.0, 1.0);
+  return c * c * (3.0 - 2.0 * c);
+}
+
+double stage_mass_scaling(const Model& model, const Stage& stage) {
+  const bool quasi_static =
+      stage.spec.kind == StageKind::kGravity || stage.spec.kind == StageKind::kLoad;
+  return quasi_static ? model.solve.mass_scaling : 1.0;
+}
+
+double stage_time_step(const Model& model, const Stage& stage) {
+  return model.solve.step_fraction * 2.0 / model.omega_max *
+         std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
+}
+
+double driven_path(const Stage& stage) {
+  if (stage.spec.targets.empty()) return stage.spec.until;
+  double path = 0, at = 0;
+  for (const double target : stage.spec.targets) {
+    path += std::fabs(target - at);
+    at = target;
+  }
+  return path;
+}
+
+StageRun::StageRun(WallUnderWay& wall, const Stage& stage)
+    : wall_(wall),
+      model_(wall.model),
+      stage_(stage),
+      state_(wall.state),
+      controls_(wall.controls),
+      driven_(&stage.driven) {
+  if (state_.stage_time == 0) state_.stage_first_step = state_.step;
+  controls_ = {};
+  controls_.dt = stage_time_step(model_, stage);
+  controls_.mass_scaling = stage_mass_scaling(model_, stage);
+  controls_.damping = stage.spec.damping;
+  wall.place->choose_driven(stage.driven);
+}
+
+void StageRun::drive(const Stage& push) {
+  driven_ = &push.driven;
+  controls_.push = &push;
+  wall_.place->choose_driven(push.driven);
+}
+
+void StageRun::end(StageEnd how) {
+  if (ended_) return;
+  end_ = std::move(how);
+  ended_ = true;
+}
+
+StageEnd StageRun::close() {
+  // A wall that ran away has not completed, settled or collapsed, whatever its rows seem to say.
+  if (wall_.place->runaway_block() >= 0) end_ = runs_away();
+  finish(end_);
+  wall_.place->bring_up(state_);
+  wall_.record.result.stages.push_back(
+      {stage_.spec.name, state_.stage_time, state_.step - state_.stage_first_step,
+       wall_.place->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
+  wall_.record.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
+  return end_;
+}
+
+std::string StageRun::name_of(BlockId block) const {
+  if (block < model_.n_block) return model_.anatomy.block_id[static_cast<std::size_t>(block)];
+  const int node = block - model_.n_block;
+  std::string name = "of zones";
+  for (const SolidBody& body : model_.solids.bodies)
+    if (node >= body.first_node) name = body.id;
+  return name;
+}
+
+// Whether weights and dead loads in force exceed what all joints on the ground can bear.
+bool StageRun::is_overloaded() const {
+  double load = -state_.gravity_y * model_.weight / model_.solve.gravity, bears = 0;
+  for (std::size_t k = 0; k < model_.stages.size(); ++k)
+    for (const PointLoad& dead : model_.stages[k].loads) load -= state_.load_scale[k] * dead.fy;
+  for (int i = model_.n_pair; i < model_.n_joint; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    bears +=
+        model_.area[j] *
+        model_.materials[static_cast<std::size_t>(model_.joint_material[j])].compressive_strength;
+  }
+  return load > bears;
+}
+
+// How many joints are crushed through, as words; "" where none is.
+std::string StageRun::crushed() const {
+  wall_.place->bring_up(state_);
+  const std::vector<PointReading> points = read_points(model_, state_);
+  int joints = 0;
+  for (JointId j = 0; j < model_.n_joint; ++j) {
+    const PointRange range = points_of(model_, j);
+    joints += std::any_of(points.begin() + range.begin, points.begin() + range.end,
+                          [](const PointReading& point) { return point.crushing >= 1; });
+  }
+  if (joints == 0) return "";
+  return fmt::format("{}{} of {} joints are crushed through",
+                     is_overloaded() ? "the wall can't carry its load: " : "", joints,
+                     model_.n_joint);
+}
+
+// A motion that is no number, or faster than any fall, is an error of the computation, unless the load is
+// beyond what the joints on the ground bear: then the wall goes to pieces at any step.
+StageEnd StageRun::runs_away() const {
+  const std::string name = name_of(wall_.place->runaway_block()), why = crushed();
+  const std::string at = fmt::format("{:.4g} s in stage \"{}\"", state_.time, stage_.spec.name);
+  if (!why.empty() && is_overloaded())
+    return {SolveStatus::kCollapsed,
+            fmt::format("{}, block {} falls at {}; lower the load, or state a stronger or thicker "
+                        "wall",
+                        why, name, at),
+            false};
+  return {
+      SolveStatus::kUnstable,
+      fmt::format("block {} runs away at {}: {}", name, at,
+                  why.empty() ? "a load or a push far beyond what the wall carries, or too long a "
+                                "step; check loads and their units, or lower solve.step_fraction"
+                              : why + "; check loads, strengths and their units"),
+      false};
+}
+
+// Instability, and collapse: a block farther off than the push can have brought it.
+void StageRun::watch(double share) {
+  const SolveOptions& options = wall_.options;
+  if (state_.step % kWatchEvery != 0 || ended_) return;
+  if (options.progress)
+    options.progress(
+        {stage_.spec.name.c_str(), share, state_.drive_displacement,
+         wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
+  if (wall_.place->runaway_block() >= 0) return end(runs_away());
+  const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
+  const Furthest furthest = wall_.place->furthest_block();
+  if (furthest.distance > allowed) {
+    const bool loads =
+        stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
+    const std::string why = loads ? crushed() : "";
+    return end({SolveStatus::kCollapsed,
+                fmt::format("{}{}block {} has moved {:.0f} mm in stage \"{}\"", why,
+                            why.empty() ? "" : ", ", name_of(furthest.block),
+                            1e3 * furthest.distance, stage_.spec.name),
+                false});
+  }
+}
+
+namespace {
+
+class QuasiStatic : public StageRun {
+ public:
+  QuasiStatic(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {}
+
+  void prepare() override {
+    const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
+    if (stage_.spec.kind == StageKind::kGravity) {
+      state_.gravity_x = 0;
+      state_.gravity_y = -model_.solve.gravity * share;
+    } else {
+      state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
+    }
+  }
+
+  void look(double) override {
+    const double ramp = stage_.spec.ramp;
+    if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
+      const double ratio = wall_.place->unbalance_ratio();
+      if (ratio < model_.solve.settle_ratio) return end({});
+      if (state_.stage_time > ramp + model_.solve.settle_limit) return end(unsettled(ratio));
+    }
+    watch(0);
+  }
+
+ private:
+  [[nodiscard]] StageEnd unsettled(double ratio) const {
+    return {SolveStatus::kNotSettled,
+            fmt::format(
+                "stage \"{}\" did not settle: unbalance ratio {:.2g} after {:.3g} s, wanted {:.2g}",
+                stage_.spec.name, ratio, state_.stage_time, model_.solve.settle_ratio),
+            false};
+  }
+};
+
+class Push : public StageRun {
+ public:
+  Push(WallUnderWay& wall, const Stage& stage)
+      : StageRun(wall, stage),
+        targets_(stage.spec.targets.empty() ? std::vector<double>{stage.spec.until}
+                                            : stage.spec.targets),
+        path_(driven_path(stage)),
+        recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
+                  wall.record) {
+    controls_.push = &stage;
+    if (state_.stage_time == 0)
+      state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
+    if (!target_left()) end({});
+  }
+
+  void prepare() override {
+    const double start =
+        smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage_.spec.ramp);
+    controls_.drive_velocity = sense() * velocity() * start;
+  }
+
+  void look(double reaction) override {
+    state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
+    recorder_.take(*wall_.place, state_, controls_, reaction, state_.drive_displacement, 0,
+                   state_.travelled);
+    set_pace();
+    if (sense_ * (state_.drive_displacement - target()) >= 0) {
+      ++state_.target;
+      state_.turn_time = state_.stage_time;
+    }
+    watch(state_.travelled / path_);
+    if (recorder_.row_closed() && stage_.spec.stop_below > 0 && recorder_.fell_below())
+      end({SolveStatus::kCollapsed,
+           fmt::format("the reaction fell below {:g} of its peak at {:.2f} mm",
+                       stage_.spec.stop_below, 1e3 * state_.drive_displacement),
+           false});
+    if (!ended() && !target_left()) end({});
+  }
+
+ private:
+  [[nodiscard]] bool target_left() const {
+    return static_cast<std::size_t>(state_.target) < targets_.size();
+  }
+  [[nodiscard]] double target() const { return targets_[static_cast<std::size_t>(state_.target)]; }
+  [[nodiscard]] bool has_servo() const { return std::isfinite(stage_.spec.fast_velocity); }
+  [[nodiscard]] double velocity() const {
+    if (!has_servo()) return stage_.spec.velocity;
+    return stage_.spec.velocity + state_.pace * (stage_.spec.fast_velocity - stage_.spec.velocity);
+  }
+  // Faster where the wall is near balance; all the way takes the time of the smooth start.
+  void set_pace() {
+    if (!has_servo() || state_.step % kSettleEvery != 0) return;
+    const double ratio = wall_.place->unbalance_ratio();
+    const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
+    const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
+    state_.pace += clip(wanted - state_.pace, -most, most);
+  }
+  // Where the push goes in this step: kept, for the step may pass the target.
+  double sense() { return sense_ = target() >= state_.drive_displacement ? 1.0 : -1.0; }
+
+  void finish(StageEnd& how) override {
+    if (how.finished) state_.target = 0;
+    controls_.push = nullptr;
+    recorder_.finish(*wall_.place, state_, controls_);
+  }
+
+  std::vector<double> targets_;
+  double path_;
+  Recorder recorder_;
+  double sense_ = 1;  // in this step
+};
+
+// Body force and tilt: a load factor that grows while the wall is in balance.
+class Factor : public StageRun {
+ public:
+  Factor(WallUnderWay& wall, const Stage& stage)
+      : StageRun(wall, stage),
+        tilting_(stage.spec.kind == StageKind::kTilt),
+        rate_(tilting_ ? stage.spec.tilt_rate : stage.spec.rate),
+        last_(tilting_ ? stage.spec.tilt_until : stage.spec.factor),
+        recorder_(model_, stage, last_, wall.options.frames, wall.options.read_modes_at,
+                  wall.record),
+        factor_(state_.body_factor) {
+    if (state_.stage_time == 0) note_growth(moved());
+    if (!(factor_ < last_)) end({});
+  }
+
+  void prepare() override {
+    // The factor grows only while the wall is in balance; at collapse it stands still.
+    share_ = smooth_step(2.0 - state_.balance / model_.solve.settle_ratio);
+    factor_ += rate_ * share_ * smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp) *
+               controls_.dt;
+    set_factor(std::min(factor_, last_));
+  }
+
+  void look(double) override {
+    const double now = moved();
+    const double carried = tilting_ ? std::tan(factor_) : factor_;
+    recorder_.take(*wall_.place, state_, controls_, carried * model_.weight, now, carried, factor_);
+    if (state_.step % kSettleEvery == 0) {
+      state_.balance = wall_.place->unbalance_ratio();
+      if (share_ > 0) {
+        state_.load_factor = carried;
+        note_growth(now);
+      }
+    }
+    if (state_.stage_time - state_.last_growth > model_.solve.settle_limit)
+      end(standstill(carried, now));
+    else
+      watch(factor_ / last_);
+    if (!ended() && !(factor_ < last_)) end({});
+  }
+
+ private:
+  [[nodiscard]] double moved() const { return wall_.place->furthest_block().distance; }
+
+  void note_growth(double moved) {
+    state_.last_growth = state_.stage_time;
+    state_.moved_then = moved;
+  }
+
+  void set_factor(double factor) {
+    const double g = model_.solve.gravity;
+    if (tilting_) {
+      const SinCos<double> tilt = sin_cos(factor);
+      state_.gravity_x = g * tilt.sin * stage_.drive_x;
+      state_.gravity_y = -g * tilt.cos;
+    } else {
+      state_.gravity_x = g * factor * stage_.drive_x;
+      state_.gravity_y = -g;
+    }
+    state_.body_factor = factor;
+  }
+
+  // The factor has not grown for the settling limit: a mechanism creeps on, or the wall trembles.
+  [[nodiscard]] StageEnd standstill(double carried, double now) const {
+    if (now > 1.05 * state_.moved_then)
+      return {SolveStatus::kCollapsed,
+              fmt::format("the wall keeps moving at the load factor {:.4f} in stage \"{}\"",
+                          carried, stage_.spec.name),
+              false};
+    return {SolveStatus::kNotSettled,
+            fmt::format("the wall neither settles nor collapses at load factor {:.4f}", carried),
+            false};
+  }
+
+  void finish(StageEnd& how) override {
+    recorder_.finish(*wall_.place, state_, controls_, !how.finished);
+    wall_.record.result.load_factor = state_.load_factor;
+    if (how.status == SolveStatus::kCollapsed)
+      how.reason = fmt::format("{}; the largest load factor carried is {:.4f}", how.reason,
+                               wall_.record.result.load_factor);
+  }
+
+  bool tilting_;
+  double rate_, last_;
+  Recorder recorder_;
+  double factor_;     // between steps: body_factor
+  double share_ = 0;  // of the rate, in this step
+};
+
+// Nothing new: loads stay, and what an earlier push drives stays where it is.
+class Hold : public StageRun {
+ public:
+  Hold(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {
+    if (const Stage* push = push_before()) drive(*push);
+    end_when_over();
+  }
+
+  void prepare() override {}
+  void look(double) override {
+    watch(state_.stage_time / stage_.spec.duration);
+    end_when_over();
+  }
+
+ private:
+  void end_when_over() {
+    if (!ended() && !(state_.stage_time < stage_.spec.duration)) end({});
+  }
+  // The last push before this stage, or null.
+  [[nodiscard]] const Stage* push_before() const {
+    const Stage* last = nullptr;
+    for (const Stage& other : model_.stages) {
+      if (&other == &stage_) break;
+      if (other.spec.kind == StageKind::kPush) last = &other;
+    }
+    return last;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<StageRun> StageRun::start(WallUnderWay& wall, const Stage& stage) {
+  switch (stage.spec.kind) {
+    case StageKind::kGravity:
+    case StageKind::kLoad: return std::make_unique<QuasiStatic>(wall, stage);
+    case StageKind::kPush: return std::make_unique<Push>(wall, stage);
+    case StageKind::kBodyForce:
+    case StageKind::kTilt: return std::make_unique<Factor>(wall, stage);
+    case StageKind::kHold: return std::make_unique<Hold>(wall, stage);
+  }
+  return nullptr;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,379 @@
+// run_campaign: checks, then opens or continues the store, then workers that take the next sample.
+//
+//   study ─ base compiles ─ samples drawn ─► store ─► jobs × { take ► lanes ► write } ─► outcome
+//
+// Nothing is written before every check has passed. Samples are handed out in order; the stop rule
+// looks at the samples 1 .. k that are all done, so it stops at the same k for any number of jobs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "dynamics/executors/gpu.h"
+#include "dynamics/executors/lane_solver.h"
+#include "study/store/folder_lock.h"
+#include "study/campaign/sample_run.h"
+#include "study/store/store.h"
+#include "wythe/error.h"
+#include "wythe/statistics.h"
+
+namespace wythe {
+namespace study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+[[noreturn]] void refuse(Fault fault) { throw InputError({std::move(fault)}); }
+
+int total(const std::vector<int>& batch) { return std::accumulate(batch.begin(), batch.end(), 0); }
+
+void check_options(const StudySpec& asked, const CampaignOptions& options) {
+  if (options.shards < 1 || options.shard < 1 || options.shard > options.shards)
+    refuse({.file = "--shard",
+            .path = "",
+            .value = fmt::format("{}/{}", options.shard, options.shards),
+            .problem = "is not a shard",
+            .cure = "write I/N with I from 1 to N, e.g. --shard 1/4"});
+  if (options.jobs < 0)
+    refuse({.file = "--jobs",
+            .path = "",
+            .value = std::to_string(options.jobs),
+            .problem = "must not be negative",
+            .cure = "leave it out for one sample per core"});
+  check_rule(asked.until);
+  if (!asked.until.empty() && options.shards > 1)
+    refuse({.file = "--until",
+            .path = "",
+            .value = asked.until,
+            .problem = "can't be judged by a shard, which sees only its own samples",
+            .cure = "run without --shard, or drop --until"});
+}
+
+// The base model has to stand by itself, and the device to be there; its drifts are those of every sample.
+StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
+  const ModelSpec base = build({});
+  const Model model = compile(base);
+  if (options.device == Device::kGpu) {
+    static_cast<void>(dynamics::gpu_walls(model, 2));
+    if (model.n_point() != 2 * model.n_joint)
+      refuse({.file = "--device",
+              .path = "",
+              .value = "gpu",
+              .problem = "steps joints of two points a face only",
+              .cure = "leave it out"});
+  }
+  StoreHead head;
+  head.shard = fmt::format("{}/{}", options.shard, options.shards);
+  head.provenance = options.provenance;
+  head.load_height = model.stages.back().load_height;
+  for (const Stage& stage : model.stages)
+    if (stage.spec.kind == StageKind::kPush) head.load_height = stage.load_height;
+  return head;
+}
+
+// The design of a store only grows: what is asked beyond it becomes a batch of its own.
+std::vector<int> grown(const std::vector<int>& was, const std::vector<int>& asked,
+                       const std::string& store) {
+  if (total(asked) == total(was)) return was;
+  if (total(asked) < total(was))
+    refuse({.file = store,
+            .path = "samples",
+            .value = std::to_string(total(asked)),
+            .problem = fmt::format("the store holds a design of {} already, which can only grow",
+                                   total(was)),
+            .cure = fmt::format("write --samples {} or more", total(was))});
+  if (asked.size() > was.size() && std::equal(was.begin(), was.end(), asked.begin())) return asked;
+  std::vector<int> batch = was;
+  batch.push_back(total(asked) - total(was));
+  return batch;
+}
+
+void refuse_changes(Store& store, const StudySpec& was, const StudySpec& asked,
+                    const StoreHead& head) {
+  const std::string& name = store.database().name();
+  const StoreHead stored = store.head();
+  std::vector<Fault> faults = changes(was, asked, name);
+  if (stored.shard != head.shard)
+    faults.push_back({.file = name,
+                      .path = "shard",
+                      .value = "",
+                      .problem = fmt::format("was {} when the campaign began, is {} now",
+                                             stored.shard, head.shard),
+                      .cure = "give each shard a folder of its own"});
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+// A campaign as it is run: its study with the batches it has now, and all samples.
+struct Plan {
+  StudySpec spec;
+  SampleTable samples;
+  std::vector<std::string> notes;
+};
+
+// Samples that are stored stay as they are, also where this version would draw others.
+Plan continue_store(Store& store, const StudySpec& asked, const StoreHead& head) {
+  store.check_whole();
+  const StudySpec was = store.study();
+  refuse_changes(store, was, asked, head);
+  Plan plan{asked, store.samples(), {}};
+  plan.spec.batch = grown(was.batch, asked.batch, store.database().name());
+  const SampleTable drawn = draw_samples(plan.spec);
+  const int stored = plan.samples.n_sample();
+  const auto first = drawn.value.begin(), next = first + stored;
+  if (!std::equal(first, next, plan.samples.value.begin()))
+    plan.notes.emplace_back(
+        "this program draws other samples than the one that began the campaign; the stored ones "
+        "are "
+        "used");
+  if (head.provenance != store.head().provenance)
+    plan.notes.push_back(fmt::format("the campaign was begun by {}; this is {}",
+                                     store.head().provenance, head.provenance));
+  if (drawn.n_sample() > stored) {
+    plan.samples.value.insert(plan.samples.value.end(), next, drawn.value.end());
+    store.add_samples(plan.samples, stored + 1, plan.spec);
+  }
+  return plan;
+}
+
+// What all workers share; members after `mutex_` are touched under it only.
+class Runner {
+ public:
+  Runner(Plan plan, Store& store, const ModelBuilder& build, const CampaignOptions& options,
+         const std::function<void(const CampaignProgress&)>& progress)
+      : plan_(std::move(plan)),
+        build_(build),
+        compiler_(build({})),
+        options_(options),
+        progress_(progress),
+        store_(store) {
+    campaign_.study = plan_.spec;
+    campaign_.samples = plan_.samples;
+    store_.database().execute("PRAGMA busy_timeout = 60000");  // hours of work outwait a query
+    queue_samples();
+    take_up_rule();
+  }
+
+  CampaignOutcome run() {
+    report(nullptr);
+    {
+      std::vector<std::jthread> workers;
+      const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+      const int wanted = options_.jobs > 0 ? options_.jobs : cores;
+      const int left = static_cast<int>(pending_.size());
+      const bool on_gpu = options_.device == Device::kGpu;
+      const int jobs = std::min(on_gpu ? 1 : wanted, left);
+      if (on_gpu && left > 0)
+        lanes_ = dynamics::gpu_walls(compiler_.compile(build_({})), left);
+      else if (jobs > 0)
+        lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
+      for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    CampaignOutcome outcome;
+    outcome.done = done_;
+    outcome.total = total_;
+    outcome.precise_at = met_ ? static_cast<int>(campaign_.records.size()) : 0;
+    outcome.interrupted = !met_ && done_ < total_;
+    outcome.until_state = until_state_;
+    outcome.notes = plan_.notes;
+    return outcome;
+  }
+
+ private:
+  void queue_samples() {
+    const std::set<int> done = store_.done();
+    for (int s = options_.shard; s <= plan_.samples.n_sample(); s += options_.shards) {
+      ++total_;
+      if (done.contains(s))
+        ++done_;
+      else
+        pending_.push_back(s);
+    }
+  }
+
+  // The rule counts from the samples that were there when it was first asked; then on.
+  void take_up_rule() {
+    const std::string& rule = plan_.spec.until;
+    const bool same = store_.value("until") == rule && !store_.value("until_from").empty();
+    if (rule.empty() || !same) store_.set_value("until_met_at", "");
+    store_.set_value("until", rule);
+    if (rule.empty()) {
+      store_.set_value("until_from", "");
+      return;
+    }
+    for (SampleRecord& record : store_.records(plan_.samples.n_sample()))
+      waiting_[record.sample] = std::move(record);
+    if (!same) {
+      int prefix = 0;
+      while (waiting_.contains(prefix + 1)) ++prefix;
+      store_.set_value("until_from", std::to_string(prefix));
+    }
+    until_from_ = store_.number_of_sample("until_from");
+    judge();
+  }
+
+  // Adds the samples that close the row 1 .. k, one by one, until the rule holds.
+  void judge() {
+    for (auto next = waiting_.begin(); !met_ && next != waiting_.end(); next = waiting_.begin()) {
+      const int k = static_cast<int>(campaign_.records.size()) + 1;
+      if (next->first != k) return;
+      campaign_.records.push_back(std::move(next->second));
+      waiting_.erase(next);
+      if (k < until_from_) continue;
+      met_ = precise_enough(plan_.spec.until, campaign_, &until_state_);
+      if (!met_) continue;
+      store_.set_value("until_met_at", std::to_string(k));
+      halt_ = true;
+    }
+  }
+
+  void work() {
+    try {
+      solve_side_by_side();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      halt_ = true;
+    }
+  }
+
+  // As many samples at once as fit side by side; the next one takes the place of each that ends.
+  void solve_side_by_side() {
+    const SampleTask task{plan_.spec, plan_.samples, build_, &compiler_};
+    SolveOptions how;
+    how.read_modes_at = read_modes_at(plan_.spec);
+    how.threads = 1;
+    how.stop = &halt_;
+    // a run reports a few times a second: the user's stop reaches every worker through halt_
+    how.progress = [this](const Progress&) { heed_user(); };
+    std::map<int, std::unique_ptr<SampleJob>> under_way;
+    const bool on_gpu = options_.device == Device::kGpu;
+    dynamics::LaneSolver lanes(
+        lanes_, on_gpu ? dynamics::LaneSolver::Make(dynamics::gpu_stepper) : nullptr);
+    const auto start = [&](SampleJob& job) {
+      lanes.put(job.sample(), job.model(), job.state(), how);
+    };
+    while (true) {
+      while (lanes.has_room()) {
+        const int sample = take();
+        if (sample == 0) break;
+        auto job = std::make_unique<SampleJob>(task, sample);
+        if (job->refused())
+          keep(*job);
+        else
+          start(*(under_way[sample] = std::move(job)));
+      }
+      if (lanes.running() == 0) return;
+      dynamics::LaneSolver::Ended ended = lanes.next();
+      const auto job = under_way.find(ended.ticket);
+      if (ended.result.status == SolveStatus::kInterrupted) return;
+      job->second->take(std::move(ended.result));
+      if (job->second->wants_another()) {
+        start(*job->second);
+      } else {
+        keep(*job->second);
+        under_way.erase(job);
+      }
+    }
+  }
+
+  void keep(SampleJob& job) {
+    const SampleRun done = job.finish();
+    SampleRecord record = record_of(done, plan_.samples, job.sample());
+    record.provenance = options_.provenance;
+    write(packed(std::move(record), asked_states(plan_.spec, done.result)));
+  }
+
+  void heed_user() {
+    if (options_.stop != nullptr && options_.stop->load()) halt_ = true;
+  }
+
+  int take() {
+    heed_user();
+    const std::lock_guard lock(mutex_);
+    if (halt_ || next_ == pending_.size()) return 0;
+    ++running_;
+    return pending_[next_++];
+  }
+
+  void write(PackedSample sample) {
+    const std::lock_guard lock(mutex_);
+    --running_;
+    if (met_ || failure_) return;
+    store_.write(sample);
+    ++done_;
+    ++done_now_;
+    report(&sample.record);
+    if (plan_.spec.until.empty()) return;
+    waiting_[sample.record.sample] = std::move(sample.record);
+    judge();
+  }
+
+  void report(const SampleRecord* last) const {
+    if (!progress_) return;
+    CampaignProgress p;
+    p.done = done_;
+    p.total = total_;
+    p.running = running_;
+    p.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    p.rate = p.seconds > 0 ? done_now_ / p.seconds : 0;
+    if (p.rate > 0) p.seconds_left = (total_ - done_) / p.rate;
+    p.last = last;
+    progress_(p);
+  }
+
+  const Plan plan_;
+  const ModelBuilder& build_;
+  const Compiler compiler_;  // of the base model: samples share its assembly
+  const CampaignOptions& options_;
+  const std::function<void(const CampaignProgress&)>& progress_;
+  const Clock::time_point start_ = Clock::now();
+  std::vector<int> pending_;
+  int total_ = 0, until_from_ = 0;
+  std::atomic<bool> halt_{false};
+  int lanes_ = 1;  // samples a worker solves side by side
+
+  std::mutex mutex_;
+  Store& store_;
+  std::size_t next_ = 0;
+  int done_ = 0, done_now_ = 0, running_ = 0;
+  std::exception_ptr failure_;
+  bool met_ = false;
+  std::string until_state_;
+  Campaign campaign_;                    // samples 1 .. k, for the rule
+  std::map<int, SampleRecord> waiting_;  // done beyond them
+};
+
+}  // namespace
+}  // namespace study
+
+CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
+                             const std::string& folder, const CampaignOptions& options,
+                             const std::function<void(const CampaignProgress&)>& progress) {
+  study::check_options(asked, options);
+  const bool there = study::holds_store(folder);
+  if (there && !options.resume)
+    study::refuse({.file = folder,
+                   .path = "",
+                   .value = "",
+                   .problem = "holds a campaign already",
+                   .cure = "--resume goes on with it; or name another folder"});
+  const study::StoreHead head = study::head_of(build, options);
+  study::Plan plan{asked, draw_samples(asked), {}};
+  const study::FolderLock lock(folder);
+  if (!there) study::create_store(folder, asked, plan.samples, head);
+  study::Store store(folder, study::Store::Access::kWrite);
+  if (there) plan = study::continue_store(store, asked, head);
+  for (std::string& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
+  return study::Runner(std::move(plan), store, build, options, progress).run();
+}
+
+bool holds_campaign(const std::string& folder) { return study::holds_store(folder); }
+
+}  // namespace wythe

@@ -1,0 +1,56 @@
+// What is read out of a store: the campaign, its states, and the titles of its columns.
+#include <utility>
+
+#include "study/store/store.h"
+#include "wythe/error.h"
+
+namespace wythe {
+namespace {
+
+study::Store opened(const std::string& folder) {
+  if (!study::holds_store(folder))
+    throw InputError({{.file = folder,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds no campaign (no campaign.db)",
+                       .cure = "name the folder that wythe campaign --out wrote"}});
+  return {folder, study::Store::Access::kRead};
+}
+
+}  // namespace
+
+std::vector<int> stored_batches(const std::string& folder) { return opened(folder).study().batch; }
+
+Campaign read_campaign(const std::string& folder) {
+  study::Store store = opened(folder);
+  Campaign campaign;
+  campaign.study = store.study();
+  campaign.samples = store.samples();
+  campaign.records = store.records(study::last_counted(store));
+  const study::StoreHead head = store.head();
+  campaign.load_height = head.load_height;
+  campaign.provenance = head.provenance;
+  return campaign;
+}
+
+std::vector<Snapshot> read_states(const std::string& folder, int sample, const Model& model) {
+  return opened(folder).states(sample, model);
+}
+
+std::string column_title(const InputColumn& column) {
+  if (column.unit.empty() || column.unit == "1") return column.name;
+  std::string unit;
+  for (const char c : column.unit) {
+    if (c == '/')
+      unit += "_per_";
+    else if (c == '%')
+      unit += "percent";
+    else if (c == ' ' || c == '*' || c == '.')
+      unit += '_';
+    else if (c != '^')
+      unit += c;
+  }
+  return column.name + "_" + unit;
+}
+
+}  // namespace wythe

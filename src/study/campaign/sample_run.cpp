@@ -1,0 +1,144 @@
+#include "study/campaign/sample_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "wythe/error.h"
+#include "wythe/failure_mode.h"
+
+namespace wythe {
+namespace study {
+namespace {
+
+constexpr double kSame = 1e-9;      // displacements that are one [m]
+constexpr double kRetryStep = 0.5;  // of the step that was unstable
+
+// The states wanted, the one the modes are read at among them, in order and each once.
+std::vector<double> state_displacements(const StudySpec& spec) {
+  std::vector<double> all = spec.states;
+  if (!std::isnan(spec.read_modes_at)) all.push_back(spec.read_modes_at);
+  std::sort(all.begin(), all.end());
+  const auto same = [](double a, double b) { return std::fabs(a - b) < kSame; };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+}  // namespace
+
+double read_modes_at(const StudySpec& spec) {
+  return std::isnan(spec.read_modes_at) ? kReadModesAt : spec.read_modes_at;
+}
+
+namespace {
+
+void read_answer(const StudySpec& spec, SampleRun& run) {
+  Result& r = run.result;
+  if (!spec.fractions.empty()) {
+    ResponseOptions read = reading_of(run.model, r);
+    read.fractions = spec.fractions;
+    r.responses = read_responses(r.curve, read);
+  }
+  r.failure_mode = name_failure_mode(run.model, r, read_modes_at(spec));
+  r.features = read_features(run.model, r);
+}
+
+}  // namespace
+
+SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(sample) {
+  run_.settings = settings_of(task.samples, sample - 1);
+  try {
+    run_.spec = task.build(run_.settings);
+    const std::vector<double> states = state_displacements(task.spec);
+    if (!states.empty()) run_.spec.output.states = states;
+    build_model();
+  } catch (const InputError& error) {
+    const std::string why = refusal_of(task.samples, sample - 1, task.build);
+    run_.refused = why.empty() ? error.what() : why;
+  }
+}
+
+void SampleJob::build_model() {
+  const Compiler* compiler = task_.compiler;
+  run_.model = compiler == nullptr ? compile(run_.spec) : compiler->compile(run_.spec);
+  state_ = initial_state(run_.model);
+}
+
+bool SampleJob::wants_another() {
+  if (run_.result.status != SolveStatus::kUnstable || run_.retried) return false;
+  run_.spec.solve.step_fraction *= kRetryStep;
+  run_.retried = true;
+  build_model();
+  return true;
+}
+
+SampleRun SampleJob::finish() {
+  if (!refused()) read_answer(task_.spec, run_);
+  return std::move(run_);
+}
+
+SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
+                   const SolveOptions& options) {
+  SampleJob job(task, sample);
+  SolveOptions how = options;
+  how.read_modes_at = read_modes_at(task.spec);
+  for (bool go_on = !job.refused(); go_on; go_on = job.wants_another())
+    job.take(solver(job.model(), job.state(), how));
+  return job.finish();
+}
+
+SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sample) {
+  const Result& r = run.result;
+  SampleRecord record;
+  record.sample = sample;
+  record.inputs = samples.value[static_cast<std::size_t>(sample - 1)];
+  record.status = run.refused.empty() ? to_string(r.status) : "refused";
+  record.reason = run.refused.empty() ? r.reason : run.refused;
+  record.retried = run.retried;
+  record.steps = r.steps;
+  record.time_step = r.time_step;
+  record.wall_seconds = r.wall_seconds;
+  record.curve = r.curve;
+  if (!run.refused.empty()) return record;
+  if (r.status != SolveStatus::kUnstable) record.state_hash = r.state_hash;
+  if (!record.answered()) return record;
+  record.responses = r.responses;
+  record.failure_mode = r.failure_mode;
+  record.features = r.features;
+  record.events = r.events;
+  record.energy = r.energy;
+  record.quasi_static = r.quasi_static;
+  return record;
+}
+
+std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) {
+  const std::vector<double> wanted = state_displacements(spec);
+  std::vector<Snapshot> states;
+  bool missing = false;
+  for (const double displacement : wanted) {
+    const std::string label =
+        fmt::format("{:g} mm", 1e3 * displacement);  // as the recorder names it
+    const auto found = std::find_if(result.snapshots.begin(), result.snapshots.end(),
+                                    [&](const Snapshot& s) { return s.label == label; });
+    if (found == result.snapshots.end())
+      missing = true;
+    else
+      states.push_back(*found);
+  }
+  if (missing && !result.snapshots.empty() && result.snapshots.back().label == "end")
+    states.push_back(result.snapshots.back());
+  return states;
+}
+
+}  // namespace study
+
+SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
+                     const ModelBuilder& build, const SolveOptions& options) {
+  const auto solver = [](const Model& model, State& state, const SolveOptions& how) {
+    return solve(model, state, how);
+  };
+  return study::run_task({study, samples, build}, sample, solver, options);
+}
+
+}  // namespace wythe

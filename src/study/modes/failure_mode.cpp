@@ -1,0 +1,220 @@
+// Reads the stored states of a push: the name at one of them, when each sign first showed, and what
+// the name would be elsewhere. The parts are in wall_parts, the signs in element_states, the rules
+// in mode_names, the flags in mode_flags.
+#include "wythe/failure_mode.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/modes/mode_flags.h"
+#include "study/modes/mode_names.h"
+
+namespace wythe {
+namespace {
+
+using study::WallMotion;
+using study::WallParts;
+
+constexpr double kNearly = 0.01;  // displacements that count as one
+
+double far(const Snapshot& s) { return std::fabs(s.displacement); }
+
+const Stage* stage_of(const Model& model, const Snapshot& s) {
+  const auto stage = static_cast<std::size_t>(s.state.stage);
+  return stage < model.stages.size() ? &model.stages[stage] : nullptr;
+}
+
+bool is_cyclic(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && !stage->spec.targets.empty();
+}
+
+// The first state that has gone as far as `read_at`, else the last. Of a cyclic push the last there
+// before it goes farther, so that both ways have had their turn, else the last of the farthest.
+const Snapshot* state_to_read(const Model& model, const std::vector<Snapshot>& states,
+                              double read_at) {
+  if (states.empty()) return nullptr;
+  const auto is_there = [&](const Snapshot& s) { return far(s) >= (1 - 1e-6) * read_at; };
+  const auto there = std::find_if(states.begin(), states.end(), is_there);
+  if (!is_cyclic(model, states.front())) return there != states.end() ? &*there : &states.back();
+  const auto beyond = std::find_if(states.begin(), states.end(), [&](const Snapshot& s) {
+    return far(s) > (1 + kNearly) * read_at;
+  });
+  if (beyond == there && there != states.end()) return &*there;
+  double most = 0;
+  for (auto s = states.begin(); s != beyond; ++s) most = std::max(most, far(*s));
+  const Snapshot* last = nullptr;
+  for (auto s = states.begin(); s != beyond; ++s)
+    if (far(*s) >= (1 - kNearly) * std::min(most, read_at)) last = &*s;
+  return last;
+}
+
+std::string millimetres(double displacement) {
+  const double mm = 1e3 * displacement;
+  return fmt::format("{:.{}f} mm", mm, std::fabs(mm) < 9.995 ? 2 : 1);
+}
+
+// Body force and tilt, in a state the wall was leaving for good.
+bool is_falling(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
+         (stage->spec.kind == StageKind::kBodyForce || stage->spec.kind == StageKind::kTilt);
+}
+
+// A wall that falls moves as a mechanism, whose size is where the run was ended: widths shrink with it.
+ModeRules rules_at(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  ModeRules rules = rules_for(model);
+  const bool fell = result.status == SolveStatus::kCollapsed && is_falling(model, s);
+  if (fell && is_read_early(s.displacement, read_at)) {
+    rules.crack *= far(s) / read_at;
+    rules.sliding *= far(s) / read_at;
+  }
+  return rules;
+}
+
+// "read at 40.0 mm", and what has to be known beside.
+std::string words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  std::string words = "read at " + millimetres(s.displacement);
+  if (is_falling(model, s)) {
+    words += ", out of balance";
+  } else if (s.label == "turn") {
+    words += ", where the push last turned";
+  }
+  if (!is_read_early(s.displacement, read_at)) return words;
+  const bool collapsed = result.status == SolveStatus::kCollapsed;
+  const bool complete = result.status == SolveStatus::kCompleted;
+  const char* end = collapsed  ? "the wall collapsed"
+                    : complete ? "the loading ended"
+                               : "the run stopped";
+  if (s.label == "turn") return words + fmt::format(", short of {}", millimetres(read_at));
+  return words + fmt::format(", where {} short of {}", end, millimetres(read_at));
+}
+
+// Length of the joints in a state that are pressed where they have no face.
+double length_slid_off(const WallMotion& motion) {
+  double length = 0;
+  for (const auto* list : {&motion.joints, &motion.top})
+    for (const study::JointMotion& j : *list) length += j.has_slid_off ? j.length() : 0;
+  return length;
+}
+
+// Half a section of the narrowest pier stands on faces that are not there: no name is vouched for.
+void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Validity& validity,
+                    FailureMode& mode) {
+  double narrowest = parts.wall.width();
+  for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
+  if (length_slid_off(motion) < 0.5 * narrowest) return;
+  const std::string from = std::isnan(validity.overlap_lost)
+                               ? ""
+                               : " from " + millimetres(validity.overlap_lost) + " on";
+  mode.sentence =
+      fmt::format("blocks have slid off each other{}, beyond what the model holds for; it shows {}",
+                  from, mode.name == "unclear" ? mode.sentence : mode.name);
+  mode.name = "unclear";
+}
+
+void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::size_t k = 0; k < elements[e].signs.size(); ++k) {
+      ElementSign& sign = elements[e].signs[k];
+      double& first = elements[e].displacement_first;
+      if (!seen[e].signs[k].holds() || !std::isnan(sign.displacement_first)) continue;
+      sign.displacement_first = displacement;
+      if (sign.holds() && std::isnan(first)) first = displacement;
+    }
+  }
+}
+
+struct Change {
+  const char* word;
+  double ModeRules::*threshold;
+};
+constexpr Change kChanges[] = {{"crack width", &ModeRules::crack},
+                               {"sliding", &ModeRules::sliding},
+                               {"crossing of a pier", &ModeRules::pier_crossed},
+                               {"crossing of a spandrel", &ModeRules::spandrel_crossed},
+                               {"open share of a rocking foot", &ModeRules::rocking},
+                               {"crushing", &ModeRules::crushing}};
+
+std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
+                                        const Result& result, const Snapshot& read,
+                                        const WallMotion& motion, const ModeRules& rules) {
+  std::vector<NameReading> names;
+  const Snapshot* before = &read;
+  const auto same_place = [](const Snapshot& a, const Snapshot& b) {
+    return a.state.step == b.state.step && a.displacement == b.displacement;
+  };
+  for (const Snapshot& s : result.snapshots) {
+    if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
+    before = &s;
+    const WallMotion there = study::read_motion(model, s.state);
+    names.push_back({study::name_parts(parts, there, rules).name, s.label, s.displacement});
+  }
+  for (const Change& change : kChanges) {
+    for (const double factor : {0.75, 1.25}) {
+      ModeRules changed = rules;
+      changed.*change.threshold *= factor;
+      names.push_back({study::name_parts(parts, motion, changed).name, "", read.displacement,
+                       change.word, factor});
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string NameReading::what() const {
+  if (!threshold.empty()) return fmt::format("{} x {:g}", threshold, factor);
+  const bool is_place = state == "peak" || state == "end";
+  return fmt::format("at {}{}", is_place ? "the " : "", state);
+}
+
+ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
+  return study::element_states(study::find_parts(model), study::read_motion(model, state), rules);
+}
+
+ElementStates read_elements(const Model& model, const State& state) {
+  return read_elements(model, state, rules_for(model));
+}
+
+FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
+  const WallParts parts = study::find_parts(model);
+  const WallMotion motion = study::read_motion(model, state);
+  FailureMode mode = study::name_parts(parts, motion, rules);
+  doubt_slid_off(parts, motion, {}, mode);
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
+  return mode;
+}
+
+FailureMode name_from_state(const Model& model, const State& state) {
+  return name_from_state(model, state, rules_for(model));
+}
+
+FailureMode name_failure_mode(const Model& model, const Result& result, double read_at) {
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  if (read == nullptr) {
+    FailureMode none;
+    none.sentence = "no state of a push to read";
+    return none;
+  }
+  const WallParts parts = study::find_parts(model);
+  const WallMotion motion = study::read_motion(model, read->state);
+  const ModeRules rules = rules_at(model, result, *read, read_at);
+  FailureMode mode = study::name_parts(parts, motion, rules);
+  doubt_slid_off(parts, motion, result.validity, mode);
+  mode.read_at = read->displacement;
+  mode.reading = words_for(model, result, *read, read_at);
+  for (const Snapshot& s : result.readings) {
+    const WallMotion then = study::read_motion(model, s.state);
+    note_first(study::element_states(parts, then, rules), s.displacement, mode.elements);
+    if (&s == read) break;
+  }
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
+  mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
+  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules);
+  return mode;
+}
+
+}  // namespace wythe

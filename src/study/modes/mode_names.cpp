@@ -1,0 +1,252 @@
+// Two piers and one opening: with s the truth of "the spandrel is sheared", p and q of "the left,
+// right pier is sheared", r of "both piers rock", c of "a connection has cracked", f of "a pier's
+// foot has cracked" (each 0 to 1, see truths_of), the scores are
+//
+//   FM-1  (1 - s) c (p + q - 2 p q)       one pier            FM-3  s (p + q - p q)
+//   FM-2  (1 - s) c p q                   both piers          FM-4  s f (1 - p) (1 - q)
+//   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
+//
+// each times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding": S is the
+// truth of joints all along the wall having slid by more than half of the way the wall has gone. The
+// highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
+#include "study/modes/mode_names.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace wythe::study {
+namespace {
+
+constexpr double kClear = 0.3;  // lead below which the name is "unclear"
+
+struct Words {
+  const char *name, *sentence;
+};
+constexpr Words kModes[] = {
+    {"FM-1", "one pier cracks diagonally after flexural cracks at the connections"},
+    {"FM-2", "both piers crack diagonally after flexural cracks at the connections"},
+    {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
+    {"FM-4", "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
+    {"FM-5", "the piers rock, with flexural cracks at the connections"},
+    {"base sliding", "the wall slides on its foundation"},
+    {"bed sliding", "the wall slides along its beds, all across"},
+    {"pier sliding", "the piers slide along their beds, all across"},
+    {"top sliding", "what loads the wall slides on its top"}};
+
+std::string words_of(const std::string& name) {
+  for (const Words& w : kModes)
+    if (name == w.name) return w.sentence;
+  return "no mechanism";
+}
+
+bool is_two_pier_wall(const WallParts& parts) {
+  const auto spandrels = std::count_if(parts.spandrels.begin(), parts.spandrels.end(),
+                                       [](const Spandrel& s) { return !s.is_sill; });
+  return parts.piers.size() == 2 && parts.openings == 1 && spandrels == 1;
+}
+
+class Namer {
+ public:
+  Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
+      : parts_(parts),
+        rules_(rules),
+        elements_(element_states(parts, motion, rules)),
+        truths_(truths_of(parts, motion, rules)) {
+    for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.moved.x));
+  }
+
+  FailureMode name() {
+    if (is_two_pier_wall(parts_)) {
+      name_two_piers();
+    } else {
+      name_plainly();
+    }
+    give_evidence();
+    mode_.elements = std::move(elements_);
+    return std::move(mode_);
+  }
+
+ private:
+  [[nodiscard]] double sure(const std::string& element, const char* state) const {
+    return truth(elements_, truths_, element, state);
+  }
+  [[nodiscard]] double sheared(const std::string& element) const {
+    return std::max(sure(element, kDiagonal), sure(element, kSliding));
+  }
+  // The surest element of a kind that shows a sign.
+  [[nodiscard]] double surest(const char* kind, const char* state) const {
+    double most = 0;
+    for (const ElementState& e : elements_)
+      if (e.kind == kind) most = std::max(most, sure(e.element, state));
+    return most;
+  }
+
+  // The slip all along a joint through the whole wall, as far as it counts as sliding [m].
+  [[nodiscard]] double slip(const char* element, const char* state) const {
+    constexpr double kPerMillimetre = 1e-3;
+    for (const ElementState& e : elements_)
+      for (const ElementSign& s : e.signs)
+        if (e.element == element && s.state == state)
+          return sure(element, state) * kPerMillimetre * s.value;
+    return 0;
+  }
+  // Whether that is most of the way the wall has gone.
+  [[nodiscard]] double is_most(double slip) const {
+    return way_ > 0 ? ramp(slip / way_, 0.5, rules_) : 0.0;
+  }
+
+  void name_two_piers() {
+    const auto spandrel = std::find_if(parts_.spandrels.begin(), parts_.spandrels.end(),
+                                       [](const Spandrel& s) { return !s.is_sill; });
+    const std::string &left = parts_.piers[0].name, &right = parts_.piers[1].name;
+    const double s = sheared(spandrel->name), p = sheared(left), q = sheared(right);
+    const double r = std::min(sure(left, kRocking), sure(right, kRocking));
+    const double c = surest("connection", kFlexural), f = surest("pier", kFlexural);
+    const double neither = (1 - p) * (1 - q);
+    mode_.scores = {{"FM-1", (1 - s) * c * (p + q - 2 * p * q)},
+                    {"FM-2", (1 - s) * c * p * q},
+                    {"FM-3", s * (1 - neither)},
+                    {"FM-4", s * f * neither},
+                    {"FM-5", (1 - s) * c * r * neither}};
+    const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
+    const std::pair<const char*, double> slips[] = {
+        {"base sliding", slip(kWholeWall, kBaseSliding)},
+        {by_piers ? "pier sliding" : "bed sliding", slip(kWholeWall, kSliding)},
+        {"top sliding", slip(kTopJoint, kSliding)}};
+    const double all = slips[0].second + slips[1].second + slips[2].second;
+    const double slides = is_most(all);
+    for (auto& [name, score] : mode_.scores) score *= 1 - slides;
+    for (const auto& [name, slip] : slips)
+      if (slides * slip > 0) mode_.scores[name] = slides * slip / all;
+    name_highest_score();
+  }
+
+  void name_highest_score() {
+    std::vector<std::pair<double, std::string>> ranked;
+    for (const auto& [name, score] : mode_.scores) ranked.emplace_back(-score, name);
+    std::sort(ranked.begin(), ranked.end());
+    const auto& [first, first_name] = ranked[0];
+    const auto& [second, second_name] = ranked[1];
+    if (-first < kClear) {
+      rank_plainly();
+      const std::string shown = composed(0.5 + 0.5 * kClear);
+      if (!shown.empty()) {
+        mode_.sentence =
+            fmt::format("no mechanism of the whole wall shows at this displacement, only {}: {}",
+                        shown, element_sentence());
+        return;
+      }
+      mode_.sentence = "no mechanism shows at this displacement";
+      if (-first > 0)
+        mode_.sentence += fmt::format("; nearest are {} ({}) and {} ({})", first_name,
+                                      words_of(first_name), second_name, words_of(second_name));
+    } else if (second - first < kClear) {
+      mode_.sentence = fmt::format("between {} ({}) and {} ({})", first_name, words_of(first_name),
+                                   second_name, words_of(second_name));
+    } else {
+      mode_.name = first_name;
+      mode_.sentence = words_of(first_name);
+    }
+  }
+
+  // Ranks the kinds of damage of any other wall, the most severe first.
+  void rank_plainly() {
+    const bool bare = parts_.openings == 0;
+    const auto add = [&](const char* of_pier, const char* alone, double sure) {
+      ranked_.emplace_back(bare ? alone : of_pier, sure);
+    };
+    const std::string through = bare ? parts_.piers.front().name : kWholeWall;
+    const double bed = slip(through.c_str(), kSliding);
+    // what slides all across on most of its way has not failed by the cracks on that way
+    const double stays =
+        1 - is_most(slip(through.c_str(), kBaseSliding) + bed + slip(kTopJoint, kSliding));
+    add("pier shear", "shear", stays * surest("pier", kDiagonal));
+    if (!bare)
+      add("spandrel shear", "",
+          stays * std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
+    add("pier sliding", "sliding", surest("pier", kSliding));
+    if (!bare && is_most(bed) > 0)
+      add("bed sliding", "", std::min(is_most(bed), 1 - surest("pier", kSliding)));
+    add("base sliding", "sliding at the base", surest("pier", kBaseSliding));
+    if (has_top_joint()) add("top sliding", "sliding at the top", surest("top joint", kSliding));
+    add("pier rocking", "rocking", surest("pier", kRocking));
+    add("toe crushing", "toe crushing", surest("toe", kCrushing));
+    add("flexural cracks", "flexural cracks",
+        std::max({surest("pier", kFlexural), surest("connection", kFlexural),
+                  surest("top joint", kFlexural)}));
+  }
+
+  // Any other wall: the two gravest kinds of damage, "pier shear + pier rocking".
+  void name_plainly() {
+    rank_plainly();
+    for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
+    constexpr double kHalf = 0.5;
+    const std::string strict = composed(kHalf + 0.5 * kClear);
+    const std::string lenient = composed(kHalf - 0.5 * kClear);
+    if (strict == lenient && !strict.empty()) {
+      mode_.name = strict;
+      mode_.sentence = element_sentence();
+      return;
+    }
+    const auto or_none = [](const std::string& name) { return name.empty() ? "no damage" : name; };
+    mode_.sentence = strict == lenient
+                         ? "no element shows a mechanism at this displacement"
+                         : fmt::format("between {} and {}", or_none(strict), or_none(lenient));
+  }
+
+  [[nodiscard]] bool has_top_joint() const {
+    return std::any_of(elements_.begin(), elements_.end(),
+                       [](const ElementState& e) { return e.element == kTopJoint; });
+  }
+
+  // The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
+  [[nodiscard]] std::string composed(double least) const {
+    std::string name;
+    int found = 0;
+    for (const auto& [kind, sure] : ranked_) {
+      const bool is_lesser = kind == "toe crushing" || kind == "flexural cracks";
+      if (sure < least || found == 2 || (is_lesser && found > 0)) continue;
+      name += (found++ == 0 ? "" : " + ") + kind;
+    }
+    return name;
+  }
+
+  [[nodiscard]] std::string element_sentence() const {
+    std::string words;
+    for (const ElementState& e : elements_)
+      if (e.state != "intact")
+        words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", e.element, e.state);
+    return words;
+  }
+
+  void give_evidence() {
+    for (const ElementState& e : elements_)
+      for (const ElementSign& s : e.signs)
+        mode_.evidence.push_back(
+            {e.element, s.state + ": " + s.measure, s.value, s.threshold, s.unit});
+  }
+
+  const WallParts& parts_;
+  const ModeRules& rules_;
+  ElementStates elements_;
+  Truths truths_;
+  std::vector<std::pair<std::string, double>> ranked_;  // kinds of damage, gravest first
+  double way_ = 0;  // the farthest any block has gone sideways [m]
+  FailureMode mode_;
+};
+
+}  // namespace
+
+FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
+  if (parts.piers.empty() || !(rules.crack > 0)) {
+    FailureMode none;
+    none.sentence = "the wall has no piers to read";
+    return none;
+  }
+  return Namer(parts, motion, rules).name();
+}
+
+}  // namespace wythe::study

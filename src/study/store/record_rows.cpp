@@ -1,0 +1,91 @@
+#include "study/store/record_rows.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace wythe::study {
+
+RecordLists lists_of(const SampleRecord& record) {
+  const FailureMode& mode = record.failure_mode;
+  RecordLists lists{record.responses.falls, {}, mode.evidence,    mode.flags,
+                    mode.elements,          {}, mode.sensitivity, record.features,
+                    record.events};
+  for (const auto& [name, score] : mode.scores) lists.scores.push_back({name, score});
+  for (std::size_t i = 0; i < mode.elements.size(); ++i)
+    for (const ElementSign& sign : mode.elements[i].signs)
+      lists.signs.push_back({static_cast<std::int64_t>(i), sign});
+  return lists;
+}
+
+void put_lists(RecordLists lists, SampleRecord& record) {
+  FailureMode& mode = record.failure_mode;
+  for (const ScoreRow& row : lists.scores) mode.scores[row.name] = row.score;
+  for (SignRow& row : lists.signs) {
+    const auto element = static_cast<std::size_t>(row.of_element);
+    if (element < lists.elements.size())
+      lists.elements[element].signs.push_back(std::move(row.sign));
+  }
+  record.responses.falls = std::move(lists.falls);
+  mode.evidence = std::move(lists.evidence);
+  mode.flags = std::move(lists.flags);
+  mode.elements = std::move(lists.elements);
+  mode.sensitivity = std::move(lists.readings);
+  record.features = std::move(lists.features);
+  record.events = std::move(lists.events);
+}
+
+std::string curve_column_names() {
+  std::string names;
+  for (const CurveColumn& column : kCurveColumns)
+    names += (names.empty() ? "" : ",") + std::string(column.stored);
+  return names;
+}
+
+std::vector<double> curve_columns(const std::vector<CurveRow>& curve) {
+  std::vector<double> columns;
+  columns.reserve(curve.size() * std::size(kCurveColumns));
+  for (const CurveColumn& column : kCurveColumns)
+    for (const CurveRow& row : curve) columns.push_back(row.*column.value);
+  return columns;
+}
+
+std::vector<CurveRow> curve_rows(const std::vector<double>& columns,
+                                 const std::vector<std::string>& names) {
+  std::vector<CurveRow> curve(columns.size() / names.size());
+  for (const CurveColumn& column : kCurveColumns) {
+    const auto found = std::find(names.begin(), names.end(), column.stored);
+    const auto first = static_cast<std::size_t>(found - names.begin()) * curve.size();
+    for (std::size_t i = 0; i < curve.size(); ++i)
+      curve[i].*column.value = found == names.end() ? kUnset : columns[first + i];
+  }
+  return curve;
+}
+
+std::vector<double> state_arrays(const State& state) {
+  std::vector<double> arrays;
+  for (const StateField& field : kStateFields)
+    if (field.in_store)
+      arrays.insert(arrays.end(), (state.*field.array).begin(), (state.*field.array).end());
+  return arrays;
+}
+
+State state_at_rest(const std::vector<double>& arrays, std::size_t blocks, std::size_t points) {
+  const std::size_t left = arrays.size() - kBlockArrays * blocks - kPointArrays * points;
+  const auto count = [&](Entity entity) {
+    if (entity == Entity::kBlock) return blocks;
+    return entity == Entity::kPoint ? points : left / kNodeArrays;
+  };
+  State state;
+  auto next = arrays.begin();
+  for (const StateField& field : kStateFields) {
+    const std::size_t n = count(field.entity);
+    (state.*field.array).assign(n, 0.0);
+    if (!field.in_store) continue;
+    std::copy_n(next, n, (state.*field.array).begin());
+    next += static_cast<std::ptrdiff_t>(n);
+  }
+  return state;
+}
+
+}  // namespace wythe::study

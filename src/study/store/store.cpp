@@ -1,0 +1,521 @@
+#include "study/store/store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "core/limits.h"
+#include "model/size.h"
+#include "study/store/packing.h"
+#include "study/store/record_rows.h"
+#include "study/store/store_schema.h"
+#include "wythe/error.h"
+
+namespace wythe::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
+
+// How a sample that is stored has ended.
+bool is_outcome(const std::string& status) {
+  return value_of(kSolveStatusWords, status).has_value() || status == "refused";
+}
+
+// Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
+// one at that displacement, the peak, or the end. A feature's value had no unit in its name.
+constexpr const char* kListsOfVersion1 = R"(
+CREATE TEMP VIEW feature AS SELECT sample, position, name, displacement_m, value AS value_m FROM main.feature;
+CREATE TEMP VIEW reading AS
+SELECT sample, position, what, failure_mode,
+       CASE WHEN mm IS NULL THEN '' ELSE coalesce(
+         (SELECT label FROM state WHERE state.sample = r.sample AND abs(1e3 * displacement_m - mm) < 0.006),
+         CASE WHEN abs(1e3 * peak_m - mm) < 0.006 THEN 'peak' ELSE 'end' END) END AS state,
+       coalesce(mm / 1e3, read_m) AS displacement_m,
+       CASE WHEN mm IS NULL THEN substr(what, 1, instr(what, ' x ') - 1) ELSE '' END AS threshold,
+       CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
+FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
+             CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
+      FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
+
+// Binds the members of a record in order.
+struct Binder {
+  Statement& statement;
+  bool nothing = false;  // NULL for each
+  template <class Member>
+  void operator()(const char*, const Member& member) {
+    if (nothing)
+      statement.bind_null();
+    else
+      statement.bind(member);
+  }
+};
+
+// Takes the columns of a row in order.
+struct Taker {
+  Statement& statement;
+  void operator()(const char*, double& member) { member = statement.number(); }
+  void operator()(const char*, bool& member) { member = statement.integer() != 0; }
+  void operator()(const char*, std::int64_t& member) { member = statement.integer(); }
+  void operator()(const char*, std::string& member) { member = statement.text(); }
+};
+
+struct ListWriter {
+  Database& database;
+  int sample;
+  const RecordLists& lists;
+  template <class Member, class Columns>
+  void list(const char* table, std::vector<Member> RecordLists::*which, const Columns& columns) {
+    const std::vector<Member>& members = lists.*which;
+    if (members.empty()) return;
+    ColumnNames names;
+    columns(names, members.front());
+    Statement insert(database, insert_sql(table, 2 + static_cast<int>(names.columns.size())));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      insert.bind(sample);
+      insert.bind(i);
+      Binder binder{insert};
+      columns(binder, members[i]);
+      insert.run();
+    }
+  }
+};
+
+// Those columns of a table, NULL for one that an older schema has not.
+std::string known_columns(Store& store, const std::string& table, const ColumnNames& names) {
+  Database& database = store.database();
+  std::set<std::string> there;
+  Statement info(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
+  while (info.step()) there.insert(info.text());
+  std::string list;
+  for (const auto& [name, type] : names.columns) {
+    if (store.is_current() && !there.contains(name))
+      database.damaged(fmt::format("table {} has no column {}", table, name));
+    list += ", " + (there.contains(name) ? name : "NULL AS " + name);
+  }
+  return list;
+}
+
+// Reads one list of all samples.
+struct ListReader {
+  Store& store;
+  std::map<int, RecordLists>& lists;
+  int samples;
+  template <class Member, class Columns>
+  void list(const char* table, std::vector<Member> RecordLists::*members, const Columns& columns) {
+    ColumnNames names;
+    Member any{};
+    columns(names, any);
+    Statement select(store.database(),
+                     fmt::format("SELECT sample, position{} FROM {} ORDER BY 1, 2",
+                                 known_columns(store, table, names), table));
+    while (select.step()) {
+      const auto sample = static_cast<int>(select.integer(1, samples));
+      static_cast<void>(select.integer());
+      Taker taker{select};
+      columns(taker, (lists[sample].*members).emplace_back());
+    }
+  }
+};
+
+// Every sample has a value for each of the columns; NULL is one that came out as no number.
+std::vector<std::vector<double>> read_inputs(Database& database, std::size_t columns) {
+  std::vector<std::vector<double>> inputs;
+  Statement select(database,
+                   "SELECT sample, position, value FROM sample_input ORDER BY sample, position");
+  while (select.step()) {
+    const std::size_t sample =
+        inputs.empty() ? 1 : inputs.size() + (inputs.back().size() == columns);
+    const std::size_t at = inputs.size() == sample ? inputs.back().size() : 0;
+    const auto is = [&](std::int64_t found, std::size_t due) {
+      return found == static_cast<std::int64_t>(due);
+    };
+    if (!is(select.integer(), sample) || !is(select.integer(), at))
+      select.damaged(fmt::format("input {} of sample {} is missing", at, sample));
+    if (at == 0) inputs.emplace_back();
+    inputs.back().push_back(select.number());
+  }
+  if (!inputs.empty() && inputs.back().size() != columns)
+    database.damaged(fmt::format("table sample_input: sample {} has {} of {} inputs", inputs.size(),
+                                 inputs.back().size(), columns));
+  return inputs;
+}
+
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts(1);
+  for (const char c : list)
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples) {
+  Database& database = store.database();
+  std::map<int, std::vector<CurveRow>> curves;
+  ColumnNames named;
+  named("columns", std::string());
+  Statement select(database, fmt::format("SELECT sample, rows{}, data FROM curve",
+                                         known_columns(store, "curve", named)));
+  while (select.step()) {
+    const auto sample = static_cast<int>(select.integer(1, samples));
+    const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
+    const std::string list = select.text();
+    const std::vector<std::string> names = parts_of(list.empty() ? kCurveColumnsBefore4 : list);
+    database.take(static_cast<double>(rows * (names.size() * sizeof(double) + sizeof(CurveRow))));
+    curves[sample] = curve_rows(
+        unpack_doubles(select.bytes(), rows * names.size(),
+                       fmt::format("{}: the curve of sample {}", database.name(), sample)),
+        names);
+  }
+  return curves;
+}
+
+// What an answered sample says must be numbers and places that there are.
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
+  const auto refuse = [&](const std::string& what) {
+    database.damaged(fmt::format("sample {}: {}", record.sample, what));
+  };
+  for (const double input : record.inputs)
+    if (!std::isfinite(input)) refuse("it has run with an input that is no number");
+  for (const CurveRow& row : record.curve)
+    if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
+      refuse("its curve holds what is not a number");
+  for (const SignRow& row : lists.signs)
+    if (row.of_element < 0 || row.of_element >= static_cast<std::int64_t>(lists.elements.size()))
+      refuse(
+          fmt::format("a sign belongs to element {} of {}", row.of_element, lists.elements.size()));
+}
+
+void write_study_rows(Database& database, const Rows& rows) {
+  Statement insert(database,
+                   "INSERT INTO study (key, value) VALUES (?, ?) ON CONFLICT (key) DO UPDATE SET "
+                   "value = excluded.value");
+  for (const auto& [key, value] : rows) insert.run(key, value);
+}
+
+void write_inputs(Database& database, const SampleTable& samples, int first) {
+  Statement insert(database, insert_sql("sample_input", 3));
+  for (int s = first; s <= samples.n_sample(); ++s) {
+    const std::vector<double>& values = samples.value[static_cast<std::size_t>(s - 1)];
+    for (std::size_t i = 0; i < values.size(); ++i) insert.run(s, i, values[i]);
+  }
+}
+
+void write_columns(Database& database, const SampleTable& samples) {
+  Statement insert(database, insert_sql("input", 9));
+  std::size_t variable = 0;
+  for (std::size_t i = 0; i < samples.column.size(); ++i) {
+    const InputColumn& c = samples.column[i];
+    const double cut_off = c.is_random && variable < samples.cut_off.size()
+                               ? samples.cut_off[variable++]
+                               : std::numeric_limits<double>::quiet_NaN();
+    insert.run(i, c.name, c.path, c.si_unit, c.unit, c.to_unit, c.offset, c.is_random, cut_off);
+  }
+}
+
+// File names alone: a store is passed on, its study needs no other file.
+StudySpec without_folders(StudySpec spec) {
+  for (std::string* file : {&spec.file, &spec.model_file})
+    *file = fs::path(*file).filename().string();
+  return spec;
+}
+
+}  // namespace
+
+fs::path store_path(const std::string& folder) { return fs::path(folder) / kStoreName; }
+
+bool holds_store(const std::string& folder) {
+  const fs::path path = store_path(folder);
+  std::error_code error;
+  if (!fs::exists(path, error) || fs::file_size(path, error) == 0) return false;
+  Database database(path, Database::Access::kRead);
+  return database.integer("SELECT count(*) FROM sqlite_schema") > 0;
+}
+
+PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {
+  PackedSample out;
+  for (const Snapshot& s : states)
+    out.states.push_back({s.label, pack_floats(state_arrays(s.state)), s.displacement, s.reaction,
+                          s.state.ux.size(), s.state.kappa.size()});
+  if (record.has_curve()) out.curve = pack_doubles(curve_columns(record.curve));
+  out.record = std::move(record);
+  return out;
+}
+
+Store::Store(const std::string& folder, Access access) : database_(store_path(folder), access) {
+  check_version(access);
+  if (access == Access::kWrite) database_.execute("PRAGMA synchronous = NORMAL");
+}
+
+void Store::check_version(Access access) {
+  const std::string& name = database_.name();
+  const std::int64_t application = database_.integer("PRAGMA application_id");
+  version_ = database_.integer("PRAGMA user_version");
+  if (application != kApplication)
+    throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
+  if (version_ > kSchemaVersion)
+    throw IoError(
+        fmt::format("{}: was written by a newer wythe (store version {}, this one reads up "
+                    "to {}); use that version or a later one",
+                    name, version_, kSchemaVersion));
+  if (version_ < 1)
+    throw IoError(fmt::format(
+        "{}: has store version {}, which no wythe wrote; restore it from a copy", name, version_));
+  check_tables();
+  if (is_current()) return;
+  if (access == Access::kWrite)
+    throw IoError(
+        fmt::format("{}: was written by an older wythe (store version {}, now {}); it can be read, "
+                    "reported and replayed; to add samples begin a campaign in another folder",
+                    name, version_, kSchemaVersion));
+  show_as_present();
+}
+
+// Tables that only hold rows: a view or a computed column would answer without end, a trigger write.
+void Store::check_tables() {
+  std::vector<std::string> names = result_tables();
+  names.insert(names.end(), {"study", "input", "sample_input"});
+  Statement select(
+      database_,
+      fmt::format("SELECT s.type, s.name FROM main.sqlite_schema s WHERE s.tbl_name IN "
+                  "('{}') AND (s.type IN ('view', 'trigger') OR EXISTS (SELECT 1 FROM "
+                  "pragma_table_xinfo(s.name) WHERE hidden > 0 OR dflt_value IS NOT NULL))",
+                  fmt::join(names, "', '")));
+  if (!select.step()) return;
+  const std::string type = select.text();
+  database_.damaged(fmt::format("its {} {} is none that wythe made", type, select.text()));
+}
+
+// Views of this connection's own; the file stays as it is. Columns that an older version has not read
+// as NULL (known_columns).
+void Store::show_as_present() {
+  if (version_ > 1) return;
+  database_.execute("PRAGMA query_only = 0");
+  database_.execute(kListsOfVersion1);
+  database_.execute("PRAGMA query_only = 1");
+}
+
+void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
+                  const StoreHead& head) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
+  Database database(store_path(folder), Database::Access::kWrite);
+  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  Transaction transaction(database);
+  database.execute(schema_sql());
+  database.execute(samples_view_sql(samples));
+  Rows rows = rows_of(without_folders(spec));
+  rows.insert(rows.begin(), {{"schema_version", std::to_string(kSchemaVersion)},
+                             {"provenance", head.provenance},
+                             {"shard", head.shard},
+                             {"load_height_m", fmt::format("{}", head.load_height)},
+                             {"until_met_at", ""}});
+  write_study_rows(database, rows);
+  write_columns(database, samples);
+  write_inputs(database, samples, 1);
+  database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication,
+                               kSchemaVersion));
+  transaction.commit();
+}
+
+std::string Store::value(const std::string& key) {
+  Statement select(database_, "SELECT value FROM study WHERE key = ?");
+  select.bind(key);
+  return select.step() ? select.text() : "";
+}
+
+void Store::set_value(const std::string& key, const std::string& value) {
+  write_study_rows(database_, {{key, value}});
+}
+
+StudySpec Store::study() {
+  Rows rows;
+  Statement select(database_, "SELECT key, value FROM study ORDER BY position");
+  while (select.step()) {
+    std::string key = select.text();
+    rows.emplace_back(std::move(key), select.text());
+  }
+  try {
+    StudySpec spec = study_of(rows);
+    if (const std::vector<Fault> faults = check_study(spec); !faults.empty())
+      throw IoError(InputError(faults).what());
+    return spec;
+  } catch (const IoError& error) {
+    database_.damaged(std::string("table study, ") + error.what());
+  }
+}
+
+StoreHead Store::head() {
+  const std::string height = value("load_height_m");
+  double metres = 0;
+  const auto [end, error] = std::from_chars(height.data(), height.data() + height.size(), metres);
+  if (error != std::errc() || end != height.data() + height.size() || !(metres >= 0) ||
+      std::isinf(metres))
+    database_.damaged(fmt::format("table study, load_height_m: \"{}\" is not a height", height));
+  return {value("shard"), value("provenance"), metres};
+}
+
+int Store::number_of_sample(const std::string& key) {
+  const std::string text = value(key);
+  if (text.empty()) return 0;
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number < 0)
+    database_.damaged(fmt::format("table study, {}: \"{}\" is not a number of samples", key, text));
+  return number;
+}
+
+SampleTable Store::samples() {
+  SampleTable table;
+  Statement select(
+      database_,
+      "SELECT position, name, path, si_unit, unit, to_unit, shift, is_random, cut_off FROM input "
+      "ORDER BY position");
+  while (select.step()) {
+    const auto position = static_cast<std::int64_t>(table.column.size());
+    static_cast<void>(select.integer(position, position));
+    InputColumn& c = table.column.emplace_back();
+    c.name = select.text();
+    c.path = select.text();
+    c.si_unit = select.text();
+    c.unit = select.text();
+    c.to_unit = select.finite();
+    c.offset = select.finite();
+    c.is_random = select.integer(0, 1) != 0;
+    if (c.is_random) table.cut_off.push_back(select.number());
+  }
+  table.value = read_inputs(database_, table.column.size());
+  const std::vector<int> batch = study().batch;
+  if (const auto asked = std::accumulate(batch.begin(), batch.end(), std::int64_t{0});
+      asked != table.n_sample())
+    database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
+                                  table.n_sample(), asked));
+  return table;
+}
+
+std::set<int> Store::done() {
+  std::set<int> numbers;
+  Statement select(database_, "SELECT sample FROM sample");
+  while (select.step()) numbers.insert(static_cast<int>(select.integer()));
+  return numbers;
+}
+
+void Store::write(const PackedSample& sample) {
+  const SampleRecord& r = sample.record;
+  Transaction transaction(database_);
+  std::string columns = "sample", places = "?";
+  for (const auto& [name, type] : record_columns().columns) columns += ", " + name, places += ",?";
+  Statement insert(database_, fmt::format("INSERT INTO sample ({}) VALUES ({})", columns, places));
+  insert.bind(r.sample);
+  Binder binder{insert};
+  each_column(binder, r);
+  binder.nothing = !r.answered();
+  each_answer(binder, r);
+  insert.run();
+  if (r.answered()) {
+    const RecordLists lists = lists_of(r);
+    ListWriter writer{database_, r.sample, lists};
+    each_list(writer);
+  }
+  if (!sample.curve.empty())
+    Statement(database_, insert_sql("curve", 4))
+        .run(r.sample, r.curve.size(), Bytes{sample.curve}, curve_column_names());
+  Statement insert_state(database_, insert_sql("state", 8));
+  for (std::size_t i = 0; i < sample.states.size(); ++i) {
+    const PackedState& s = sample.states[i];
+    insert_state.run(r.sample, i, s.label, s.displacement, s.reaction, s.blocks, s.points,
+                     Bytes{s.bytes});
+  }
+  transaction.commit();
+}
+
+void Store::add_samples(const SampleTable& samples, int first, const StudySpec& spec) {
+  Transaction transaction(database_);
+  write_inputs(database_, samples, first);
+  write_study_rows(database_, {{"samples", value_of(rows_of(spec), "samples")}});
+  transaction.commit();
+}
+
+void Store::check_whole() {
+  Statement check(database_, "PRAGMA quick_check(1)");
+  const std::string verdict = check.step() ? check.text() : "";
+  if (verdict != "ok") database_.damaged(verdict);
+  static_cast<void>(records(std::numeric_limits<int>::max()));
+}
+
+std::vector<Snapshot> Store::states(int sample, const Model& model) {
+  std::vector<Snapshot> states;
+  const State rest = initial_state(model);
+  const std::size_t numbers = state_arrays(rest).size();
+  const auto blocks = static_cast<std::int64_t>(rest.ux.size());
+  const auto points = static_cast<std::int64_t>(rest.kappa.size());
+  Statement select(
+      database_,
+      "SELECT sample, label, displacement_m, reaction_N, blocks, points, data FROM state WHERE "
+      "sample = ? ORDER BY position");
+  select.bind(sample);
+  while (select.step()) {
+    Snapshot& s = states.emplace_back();
+    static_cast<void>(select.integer());
+    s.label = select.text();
+    s.displacement = select.finite();
+    s.reaction = select.finite();
+    static_cast<void>(select.integer(blocks, blocks));  // those of its wall
+    static_cast<void>(select.integer(points, points));
+    database_.take(static_cast<double>(2 * numbers * sizeof(double)));
+    const std::vector<double> arrays =
+        unpack_floats(select.bytes(), numbers,
+                      fmt::format("{}: state {} of sample {}", database_.name(), s.label, sample));
+    if (!std::all_of(arrays.begin(), arrays.end(), [](double x) { return std::isfinite(x); }))
+      select.damaged(fmt::format("state {} holds what is not a number", s.label));
+    s.state = state_at_rest(arrays, rest.ux.size(), rest.kappa.size());
+  }
+  return states;
+}
+
+int last_counted(Store& store) {
+  const int met = store.number_of_sample("until_met_at");
+  return met == 0 ? std::numeric_limits<int>::max() : met;
+}
+
+std::vector<SampleRecord> Store::records(int last) {
+  SampleTable table = samples();
+  std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample());
+  std::map<int, RecordLists> lists;
+  ListReader reader{*this, lists, table.n_sample()};
+  each_list(reader);
+  std::vector<SampleRecord> records;
+  Statement select(database_,
+                   fmt::format("SELECT sample{} FROM sample WHERE sample <= {} ORDER BY sample",
+                               known_columns(*this, "sample", record_columns()), last));
+  while (select.step()) {
+    SampleRecord& record = records.emplace_back();
+    record.sample = static_cast<int>(select.integer(1, table.n_sample()));
+    record.curve = std::move(curves[record.sample]);
+    record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
+    Taker taker{select};
+    each_column(taker, record);
+    if (!is_outcome(record.status))
+      select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
+    if (!record.answered()) continue;  // nor are there lists of what it did
+    each_answer(taker, record);
+    if (version_ < 3)  // it had no column for
+      record.responses.censored_peak =
+          record.responses.displacement_at_peak >= record.curve.back().displacement;
+    check_answer(database_, record, lists[record.sample]);
+    put_lists(std::move(lists[record.sample]), record);
+  }
+  return records;
+}
+
+}  // namespace wythe::study

@@ -1,0 +1,88 @@
+// The store of a campaign: DIR/campaign.db, one SQLite file (docs/reference/store.md).
+//
+//   create_store()  study and samples in one transaction: a file is a whole campaign or none
+//   Store::write()  one sample in one transaction
+//
+// Journal in WAL mode with synchronous = NORMAL: killing the program loses nothing committed; after
+// a power cut the file is consistent and may miss the last samples, which are run again. Not for
+// use by two threads at once: the runner holds its own mutex.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "study/store/database.h"
+#include "study/store/study_rows.h"
+#include "wythe/campaign.h"
+
+namespace wythe::study {
+
+inline constexpr int kSchemaVersion = 4;  // older ones can be read, not written
+inline constexpr const char* kStoreName = "campaign.db";
+
+[[nodiscard]] std::filesystem::path store_path(const std::string& folder);
+// A store with its study is there; false also for what an early kill left.
+[[nodiscard]] bool holds_store(const std::string& folder);
+
+// What is said once about a campaign beside its study and samples.
+struct StoreHead {
+  std::string shard = "1/1";
+  std::string provenance;
+  double load_height = 0;  // [m]
+};
+
+// A sample ready to be written; packing it needs no lock.
+struct PackedState {
+  std::string label, bytes;
+  double displacement = 0, reaction = 0;
+  std::size_t blocks = 0, points = 0;
+};
+struct PackedSample {
+  SampleRecord record;
+  std::string curve;
+  std::vector<PackedState> states;
+};
+[[nodiscard]] PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states);
+
+class Store {
+ public:
+  using Access = Database::Access;
+  Store(const std::string& folder, Access access);
+
+  [[nodiscard]] StudySpec study();
+  [[nodiscard]] SampleTable samples();
+  [[nodiscard]] StoreHead head();
+  [[nodiscard]] std::set<int> done();
+  [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
+  // Of one sample, whose wall this is; IoError where they are not states of it.
+  [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
+  [[nodiscard]] std::string value(const std::string& key);
+  // A value that counts samples; 0 where it is empty.
+  [[nodiscard]] int number_of_sample(const std::string& key);
+
+  void set_value(const std::string& key, const std::string& value);
+  void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
+  void write(const PackedSample& sample);
+  // False for an older schema, which is only shown as the present one.
+  [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
+  // Reads every page and every row but the states; IoError when one is damaged.
+  void check_whole();
+  [[nodiscard]] Database& database() { return database_; }
+
+ private:
+  void check_version(Access access);
+  void check_tables();
+  void show_as_present();
+  Database database_;
+  std::int64_t version_ = kSchemaVersion;
+};
+
+// Makes the file and what a campaign begins with.
+void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
+                  const StoreHead& head);
+// The last sample that counts: where an until rule was met, or all.
+[[nodiscard]] int last_counted(Store& store);
+
+}  // namespace wythe::study
