@@ -63,7 +63,8 @@ until = "3 mm"
 """
 
 CURVE = ["time_s", "displacement_mm", "drift_percent", "reaction_kN", "base_shear_kN", "unbalance_ratio",
-         "kinetic_ratio", "work_drive_J", "work_damping_J"]
+         "kinetic_ratio", "work_drive_J", "work_damping_J",
+         "load_factor"]
 CONTACT = ["opening_mm", "slip_mm", "normal_stress_MPa", "shear_stress_MPa", "damage_tension",
            "damage_shear", "damage", "crushing", "dissipated_N_per_m"]
 

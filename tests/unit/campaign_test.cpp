@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "scenes/small_study.h"
-#include "study/store/folder_lock.h"
 #include "study/campaign/sample_run.h"
+#include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
 #include "wythe/io.h"

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "dynamics/meters/balance.h"
 #include "dynamics/executors/processor.h"
+#include "dynamics/meters/balance.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/meters/responses.h"
 #include "dynamics/stages/wall_run.h"

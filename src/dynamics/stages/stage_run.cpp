@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/real.h"
-#include "dynamics/stages/recorder.h"
 #include "dynamics/meters/residual.h"
+#include "dynamics/stages/recorder.h"
 
 namespace wythe::dynamics {
 namespace {

@@ -17,8 +17,8 @@
 
 #include "dynamics/executors/gpu.h"
 #include "dynamics/executors/lane_solver.h"
-#include "study/store/folder_lock.h"
 #include "study/campaign/sample_run.h"
+#include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
 #include "wythe/statistics.h"

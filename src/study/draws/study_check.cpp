@@ -9,8 +9,8 @@
 #include <set>
 
 #include "core/text.h"
-#include "study/draws/dependents.h"
 #include "study/distribution.h"
+#include "study/draws/dependents.h"
 #include "study/draws/formula_parser.h"
 #include "study/draws/sampling.h"
 #include "units/quantity_error.h"
