@@ -183,6 +183,25 @@ TEST(Device, walls_have_the_bits_of_those_alone) {
     EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
 }
 
+// Walls with three and with five points a face, in lanes and on a device.
+TEST(Lanes, any_number_of_points_a_face) {
+  for (const int points : {3, 5})
+    for (const bool device : {false, true}) {
+      std::vector<std::unique_ptr<Wall>> walls;
+      for (const double strength : {1.0, 1.1, 0.9}) {
+        ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
+        spec.solve.points_per_face = points;
+        spec.material.begin()->second.tensile_strength *= strength;
+        walls.push_back(std::make_unique<Wall>(spec, 1));
+      }
+      ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+      if (device)
+        solve_together(walls, 4, host_device);
+      else
+        solve_together(walls, 4);
+    }
+}
+
 TEST(Device, the_order_of_threads_does_not_matter) {
   std::vector<std::unique_ptr<Wall>> walls;
   for (const double strength : {1.0, 0.8, 1.2}) walls.push_back(wall_of(strength));

@@ -62,7 +62,7 @@ struct WallStage {
   int n_load;
   Drive drive;  // n 0: nothing is driven
   double velocity;
-  bool turns;  // poses are to be found anew, rates too
+  bool new_rates;  // time step or masses have changed
   double mass_scaling;
 };
 
@@ -89,7 +89,7 @@ struct SetRates {
   WallView view;
   const WallStage* stage;
   WYTHE_INLINE void on(std::size_t, int wall) const {
-    if (!stage[wall].turns) return;
+    if (!stage[wall].new_rates) return;
     WallView mine = view;
     mine.lane = wall;
     set_rates(mine, mine.of_wall(kDt), stage[wall].mass_scaling);

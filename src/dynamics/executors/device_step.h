@@ -318,7 +318,7 @@ void DeviceExecutor<Device>::set(int lane, const Controls& c) {
   device::WallStage& stage = stage_.here[at(lane)];
   const bool same = wall.controls.dt == c.dt && wall.controls.mass_scaling == c.mass_scaling;
   stage = {};
-  stage.turns = !same || c.dt == 0;
+  stage.new_rates = !same || c.dt == 0;
   stage.velocity = c.drive_velocity;
   stage.mass_scaling = c.mass_scaling;
   wall.controls = c;

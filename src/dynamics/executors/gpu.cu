@@ -69,7 +69,9 @@ std::size_t bytes_of(const Model& m) {
   const auto blocks = static_cast<std::size_t>(m.n_block + m.solids.n_node);
   const auto joints = static_cast<std::size_t>(m.n_joint + m.solids.n_contact);
   const auto zones = static_cast<std::size_t>(m.solids.n_zone);
-  return sizeof(double) * (40 * blocks + 40 * joints + 8 * zones + 32 * m.materials.size() + 64);
+  const auto points = static_cast<std::size_t>(m.n_history());
+  return sizeof(double) *
+         (40 * blocks + 16 * joints + 6 * points + 8 * zones + 32 * m.materials.size() + 64);
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ int LaneSolver::lanes_for(int fitting) const {
   if (make_) return fitting > 0 ? width_ : 1;
   int lanes = 1;
   while (lanes < fitting) lanes *= 2;
-  // few walls in wide lanes cost more than each alone, its joints in packs: 4 of 8 lanes take 1.0 of it,
-  // 3 of 4 with narrower packs 0.9, 2 of 4 1.4 (benchmarks)
+  // few walls in wide lanes cost more than each alone, its joints in packs of the same width: 4 walls in 8
+  // lanes 1.2 times that, 5 of 8 0.97; 2 walls in 4 lanes 1.2 times, 3 of 4 0.8 (measured with wythe_bench)
   return lanes < std::min(width_, kernels_in_use().width) ? 1 : lanes;
 }
 

@@ -153,6 +153,10 @@ class Filler {
   // Joints of each block in the model's order: those of which it is side a, then b. Zone contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
+    std::vector<std::vector<std::int32_t>> edges_of(at(m_.n_block));
+    for (int c = 0; c < m_.solids.n_contact; ++c)
+      if (const BlockId block = m_.solids.contact_block[at(c)]; block != m_.n_block)
+        edges_of[at(block)].push_back(l_.edge_place[at(c)]);
     const auto add = [&](std::int32_t entry) {
       t_.block_entry[next++] = l_.joint_place[at(entry >> 1)];
     };
@@ -167,9 +171,7 @@ class Filler {
         add(m_.block_entry[at(e)]);
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
-      for (int c = 0; c < m_.solids.n_contact; ++c)
-        if (m_.solids.contact_block[at(c)] == i)
-          t_.block_edge_entry[next_edge++] = l_.edge_place[at(c)];
+      for (const std::int32_t edge : edges_of[at(i)]) t_.block_edge_entry[next_edge++] = edge;
     }
     t_.block_begin[l_.blocks] = next;
     t_.block_edge_begin[l_.blocks] = next_edge;
