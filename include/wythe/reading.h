@@ -96,7 +96,7 @@ struct JointReading {
   JointShape shape;
   PointRange points;
   Vec3 where;          // its centre now [m]
-  double opening = 0;  // largest of its points; negative where all are closed [m]
+  double opening = 0;  // at its wider end; negative where it is closed [m]
   double slip = 0;     // of its points that of largest magnitude [m]
   double damage_tension = 0, damage_shear = 0;  // largest of its points [-]
   double damage = 0, crushing = 0;              // largest of its points [-]

@@ -178,8 +178,17 @@ struct StageSpec {
   double duration = kUnset;  // [s]
 };
 
+// Where the contact points of a face stand and what area each takes (model/point_rule.h).
+enum class PointRule { kDefault, kCorners, kTrapezoid, kLobatto, kGauss };
+inline constexpr Word<PointRule> kPointRuleWords[] = {{"corners", PointRule::kCorners},
+                                                      {"trapezoid", PointRule::kTrapezoid},
+                                                      {"lobatto", PointRule::kLobatto},
+                                                      {"gauss", PointRule::kGauss}};
+static_assert(names_all(kPointRuleWords, 1));  // kDefault is not written
+
 struct SolveSpec {
-  int points_per_face = 2;          // 2: ends, A/2 each; 3: A/4, A/2, A/4; n: trapezoidal rule
+  PointRule point_rule = PointRule::kDefault;
+  int points_per_face = 0;          // 0: as the rule has it
   double step_fraction = 0.95;      // of the longest stable step, damping included
   double damping = 0.8;             // local damping
   double gravity = 9.81;            // [m/s^2]

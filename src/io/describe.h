@@ -340,10 +340,18 @@ void describe(Visitor& v, StageSpec& s) {
 
 template <class Visitor>
 void describe(Visitor& v, SolveSpec& s) {
+  v.choice("point_rule", s.point_rule, kPointRuleWords,
+           {.fallback = "corners with 2 points, trapezoid with more", .example = "lobatto",
+            .doc = "Where the contact points of a joint stand and what area each takes. `corners`: "
+                   "its two ends, half the area each, as in block codes; a joint is then three "
+                   "times stiffer in rotation than a continuous one. `trapezoid`: at equal "
+                   "distances. `lobatto` and `gauss` integrate the stresses over the joint "
+                   "exactly while it is elastic; `lobatto` has points at both ends, `gauss` has "
+                   "none there."});
   v.integer("points_per_face", s.points_per_face, {.range = {.low = 2, .high = 16},
-            .example = "3",
-            .doc = "Contact points along a joint. 2 at the ends, as in block codes, make a joint "
-                   "three times stiffer in rotation than a continuous one."});
+            .fallback = "2 (corners) or 3", .example = "3",
+            .doc = "Contact points along a joint. Without `point_rule`, 2 stand at the corners "
+                   "and more follow the trapezoidal rule."});
   v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.95",
            .doc = "Time step as a share of the longest stable one, 2 / (omega_max sqrt(1 + "
                   "damping)) with each stage's own damping and a bound on omega_max that is on "

@@ -72,6 +72,7 @@ void Writer::number(const char* name, const double& value, const Key& key) {
 }
 
 void Writer::integer(const char* name, const int& value, const Key& key) {
+  if (value == 0 && *key.fallback != '\0') return;  // not stated
   put(name, std::to_string(value), key);
 }
 

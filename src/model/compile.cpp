@@ -7,6 +7,7 @@
 #include "model/compiler.h"
 #include "model/fields.h"
 #include "model/parts.h"
+#include "model/point_rule.h"
 #include "model/size.h"
 #include "model/step_bound.h"
 
@@ -64,9 +65,7 @@ void check_settings(const ModelSpec& spec, FaultList& faults) {
   const auto fault = [&](const char* path, double value, const char* problem, const char* cure) {
     faults.add({"", path, std::to_string(value), problem, cure, 0});
   };
-  if (solve.points_per_face < 2 || solve.points_per_face > 16)
-    fault("solve.points_per_face", solve.points_per_face, "must be between 2 and 16",
-          "write points_per_face = 2");
+  check_points(solve, faults);
   if (!(solve.step_fraction > 0 && solve.step_fraction <= 1))
     fault("solve.step_fraction", solve.step_fraction, "must be above 0 and at most 1",
           "write step_fraction = 0.95");

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "model/parts.h"
+#include "model/point_rule.h"
 
 namespace wythe {
 namespace {
@@ -30,14 +31,13 @@ JointKind kind_of(FaceKind kind) {
   return JointKind::kOther;
 }
 
-// Two ends with A/2 each, three points with A/4, A/2, A/4, and so on: the trapezoidal rule.
 void set_points(Model& model) {
-  const int n = model.solve.points_per_face;
-  model.n_face_point = n;
-  for (int k = 0; k < n; ++k) {
-    model.point_xi.push_back(-1.0 + 2.0 * k / (n - 1));
-    model.point_weight.push_back((k == 0 || k == n - 1 ? 0.5 : 1.0) / (n - 1));
-  }
+  const auto [kind, points] = point_choice(model.solve);
+  model.solve.point_rule = kind;
+  model.solve.points_per_face = model.n_face_point = points;
+  FacePointRule rule = face_points(kind, points);
+  model.point_xi = std::move(rule.xi);
+  model.point_weight = std::move(rule.weight);
 }
 
 double length_of(const Face& face) {

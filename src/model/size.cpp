@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "model/point_rule.h"
 #include "wythe/curve.h"
 
 namespace wythe {
@@ -170,7 +171,7 @@ Pace pace_of(const StageSpec& stage) {
 Size size_of(const ModelSpec& spec) {
   Size size;
   size.blocks = blocks_of(spec);
-  const double points = kJointsPerBlock * spec.solve.points_per_face;
+  const double points = kJointsPerBlock * point_choice(spec.solve).points;
   const double state = kStateDoubles * (1 + points) * sizeof(double);
   double kept = kFramesKept + static_cast<double>(spec.output.states.size());
   double seconds = 0;

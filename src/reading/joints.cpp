@@ -152,12 +152,20 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
 
 namespace {
 
+// A face is straight, so its largest opening is at an end, where not every rule has a point.
+double opening_at_ends(const std::vector<PointReading>& points, PointRange range) {
+  const PointReading &first = points[range.begin], &last = points[range.end - 1];
+  const double inside = std::fmax(first.opening, last.opening);
+  const double beyond = (2 - (last.place - first.place)) / (last.place - first.place);
+  return inside + 0.5 * beyond * std::fabs(last.opening - first.opening);
+}
+
 JointReading sum_up(const JointShape& shape, PointRange range,
                     const std::vector<PointReading>& points) {
   JointReading joint;
   joint.shape = shape;
   joint.points = range;
-  joint.opening = -HUGE_VAL;
+  joint.opening = opening_at_ends(points, range);
   double moment = 0;  // [N] per half face
   for (PointId p = range.begin; p < range.end; ++p) {
     const PointReading& point = points[p];

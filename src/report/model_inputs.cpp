@@ -157,14 +157,17 @@ Json stage_of(const Stage& stage) {
 Json model_inputs(const ModelSpec& spec, const Model& model) {
   Json stages = Json::array();
   for (const Stage& stage : model.stages) stages.push_back(stage_of(stage));
-  const SolveSpec& s = spec.solve;
+  const SolveSpec& s = model.solve;
   return {{"wall", wall_rows(spec, model)},
           {"openings", openings_of(spec.wall)},
           {"materials", materials_of(spec.material)},
           {"stages", stages},
           {"settings",
-           {row("points_per_face", s.points_per_face, ""), row("damping", s.damping, ""),
-            row("step_fraction", s.step_fraction, ""), row("gravity", s.gravity, "m/s²"),
+           {row("points_per_face", s.points_per_face, ""),
+            {"point_rule", word_of(kPointRuleWords, s.point_rule), ""},
+            row("damping", s.damping, ""),
+            row("step_fraction", s.step_fraction, ""),
+            row("gravity", s.gravity, "m/s²"),
             row("mass_scaling", s.mass_scaling, "")}},
           {"notes", model.anatomy.notes}};
 }

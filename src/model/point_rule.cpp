@@ -1,0 +1,131 @@
+#include "model/point_rule.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace wythe {
+namespace {
+
+constexpr int kMost = 16;
+
+// Legendre polynomials of degree n and n - 1 at x.
+struct Legendre {
+  double now, before;
+};
+Legendre legendre(int n, double x) {
+  Legendre p{1, 0};
+  for (int k = 1; k <= n; ++k) p = {((2 * k - 1) * x * p.now - (k - 1) * p.before) / k, p.now};
+  return p;
+}
+
+// A root of `value` between two places where its sign differs, to the last bit that bisection finds: no
+// starting guess and no library function, so it is the same number on every machine.
+template <class Value>
+double root_between(double low, double high, const Value& value) {
+  const bool rising = value(high) > 0;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    ((value(middle) > 0) == rising ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// The roots of `value` in (0, 1), which lie further apart than the steps it is looked at in.
+template <class Value>
+std::vector<double> positive_roots(const Value& value) {
+  constexpr int kSteps = 512;
+  std::vector<double> roots;
+  for (int k = 0; k < kSteps; ++k) {
+    const double low = (k + 0.5) / (kSteps + 1), high = (k + 1.5) / (kSteps + 1);
+    if ((value(low) > 0) != (value(high) > 0)) roots.push_back(root_between(low, high, value));
+  }
+  return roots;
+}
+
+// Both halves of a face alike, bit for bit: a wall and its mirror image behave the same.
+template <class Weight>
+FacePointRule symmetric(int n, const std::vector<double>& positive, const Weight& weight) {
+  FacePointRule rule;
+  const auto add = [&](double xi) {
+    rule.xi.push_back(xi);
+    rule.weight.push_back(weight(std::fabs(xi)));
+  };
+  for (auto x = positive.rbegin(); x != positive.rend(); ++x) add(-*x);
+  if (n % 2 == 1) add(0);
+  for (const double x : positive) add(x);
+  return rule;
+}
+
+FacePointRule trapezoid(int n) {
+  FacePointRule rule;
+  for (int k = 0; k < n; ++k) {
+    rule.xi.push_back(-1.0 + 2.0 * k / (n - 1));
+    rule.weight.push_back((k == 0 || k == n - 1 ? 0.5 : 1.0) / (n - 1));
+  }
+  return rule;
+}
+
+// Ends and the roots of P'_(n-1);  weight 1/(n (n-1) P_(n-1)^2)  (Abramowitz & Stegun 25.4.32, halved).
+FacePointRule lobatto(int n) {
+  const auto slope = [&](double x) {  // (x^2 - 1)/(n - 1) P'_(n-1)
+    const Legendre p = legendre(n - 1, x);
+    return x * p.now - p.before;
+  };
+  std::vector<double> positive = positive_roots(slope);
+  positive.push_back(1);
+  return symmetric(n, positive, [&](double x) {
+    const double p = legendre(n - 1, x).now;
+    return 1.0 / (n * (n - 1) * p * p);
+  });
+}
+
+// Roots of P_n;  weight (1 - x^2)/(n P_(n-1))^2  (Abramowitz & Stegun 25.4.29, halved).
+FacePointRule gauss(int n) {
+  const std::vector<double> positive = positive_roots([&](double x) { return legendre(n, x).now; });
+  return symmetric(n, positive, [&](double x) {
+    const double p = n * legendre(n, x).before;
+    return (1 - x * x) / (p * p);
+  });
+}
+
+}  // namespace
+
+PointChoice point_choice(const SolveSpec& solve) {
+  const int n = solve.points_per_face;
+  switch (solve.point_rule) {
+    case PointRule::kDefault:
+      if (n == 0) return {PointRule::kCorners, 2};
+      return {n == 2 ? PointRule::kCorners : PointRule::kTrapezoid, n};
+    case PointRule::kCorners: return {PointRule::kCorners, n == 0 ? 2 : n};
+    case PointRule::kTrapezoid:
+    case PointRule::kLobatto:
+    case PointRule::kGauss: break;
+  }
+  return {solve.point_rule, n == 0 ? 3 : n};
+}
+
+void check_points(const SolveSpec& solve, FaultList& faults) {
+  const auto [rule, points] = point_choice(solve);
+  if (points < 2 || points > kMost)
+    faults.add({"", "solve.points_per_face", std::to_string(points),
+                fmt::format("must be between 2 and {}", kMost), "write points_per_face = 3", 0});
+  else if (rule == PointRule::kCorners && points != 2)
+    faults.add({"", "solve.points_per_face", std::to_string(points),
+                "does not go with point_rule = \"corners\": a face has two ends",
+                "write points_per_face = 2 or point_rule = \"lobatto\"", 0});
+}
+
+FacePointRule face_points(PointRule rule, int points) {
+  switch (rule) {
+    case PointRule::kLobatto: return lobatto(points);
+    case PointRule::kGauss: return gauss(points);
+    case PointRule::kDefault:
+    case PointRule::kCorners:
+    case PointRule::kTrapezoid: break;
+  }
+  return trapezoid(points);
+}
+
+}  // namespace wythe
