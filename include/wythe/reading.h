@@ -95,9 +95,9 @@ struct PointReading {
 struct JointReading {
   JointShape shape;
   PointRange points;
-  Vec3 where;          // its centre now [m]
-  double opening = 0;  // at its wider end; negative where it is closed [m]
-  double slip = 0;     // of its points that of largest magnitude [m]
+  Vec3 where;                                   // its centre now [m]
+  double opening = 0;                           // at its wider end; negative where it is closed [m]
+  double slip = 0;                              // of its points that of largest magnitude [m]
   double damage_tension = 0, damage_shear = 0;  // largest of its points [-]
   double damage = 0, crushing = 0;              // largest of its points [-]
   double normal_stress = 0, shear_stress = 0;   // means over the area, tension + [Pa]
