@@ -60,7 +60,9 @@ TEST(PointRule, halves_of_a_face_are_alike_bit_for_bit) {
         EXPECT_EQ(rule.xi[k] + 0.0, -rule.xi[other] + 0.0) << word.word << n;
         EXPECT_EQ(rule.weight[k], rule.weight[other]) << word.word << n;
         EXPECT_GT(rule.weight[k], 0) << word.word << n;
-        if (k > 0) EXPECT_GT(rule.xi[k], rule.xi[k - 1]) << word.word << n;
+        if (k > 0) {
+          EXPECT_GT(rule.xi[k], rule.xi[k - 1]) << word.word << n;
+        }
       }
     }
 }
