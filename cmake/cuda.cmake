@@ -9,7 +9,7 @@ if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
 endif()
 list(FILTER WYTHE_SOURCES EXCLUDE REGEX "gpu_none")
 set_property(TARGET wythe PROPERTY SOURCES ${WYTHE_SOURCES} src/dynamics/executors/gpu.cu
-  ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
+  ${CMAKE_BINARY_DIR}/generated/assets.cpp)
 # -fmad=false: no fused multiply-add, the bits of the other processors
 set_target_properties(wythe PROPERTIES CUDA_STANDARD 20)
 target_compile_options(wythe PRIVATE

@@ -178,14 +178,16 @@ int campaign(const CampaignArguments& a) {
       if (p.last != nullptr) hold_for_test(fmt::format("sample {}", p.done));
     });
   }
-  for (const std::string& note : outcome.notes) fmt::print(stderr, "note: {}\n", readable(note));
+  for (const Message& note : outcome.notes)
+    fmt::print(stderr, "note: {}\n", readable(text_of(note)));
   if (outcome.interrupted) return say_interrupted(a, outcome);
   const int code = write_results(a.out, a.language);
   if (outcome.precise_at > 0)
-    fmt::print("precise enough after {} samples: {}\n", outcome.precise_at, outcome.until_state);
+    fmt::print("precise enough after {} samples: {}\n", outcome.precise_at,
+               text_of(outcome.until_state));
   else if (!outcome.until_state.empty())
     fmt::print("not yet precise enough: {}; add samples with --resume --samples N\n",
-               outcome.until_state);
+               text_of(outcome.until_state));
   return code;
 }
 
@@ -228,7 +230,7 @@ void write_replay(const ReplayArguments& a, Replacement& results, const Campaign
 }
 
 void print_sample(const Result& result) {
-  const std::string warning = warning_of(result);
+  const std::string warning = text_of(warning_of(result));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   const double peak = result.responses.peak_reaction;
   fmt::print("peak {}   mode {}   state {}\n",
@@ -337,8 +339,8 @@ int check_study_file(const CheckArguments& a) {
   fmt::print("base model: blocks {}   joints {}   contact points {}\n", base.n_block, base.n_joint,
              base.n_point());
   print_inputs(samples);
-  for (const std::string& note : notes_of(study, build({})))
-    fmt::print("note: {}\n", readable(note));
+  for (const Message& note : notes_of(study, build({})))
+    fmt::print("note: {}\n", readable(text_of(note)));
   print_refusals(samples, build);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   fmt::print("{} samples, about {} on {:.0f} cores\n", samples.n_sample(),

@@ -26,7 +26,7 @@ int exit_code(SolveStatus status) {
 void print_model(const Model& m) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
-  for (const std::string& note : m.anatomy.notes) fmt::print("note: {}\n", readable(note));
+  for (const Message& note : m.anatomy.notes) fmt::print("note: {}\n", readable(text_of(note)));
 }
 
 // A number, or a dash where there is none.
@@ -69,7 +69,7 @@ void print_cycles(const CyclicReadings& c) {
 void print_load(const Result& r) {
   const Responses& q = r.responses;
   if (std::isnan(q.peak_reaction)) {
-    fmt::print("capacity not known: {}\n", q.peak_reason);
+    fmt::print("capacity not known: {}\n", text_of(q.peak_reason));
     return;
   }
   const bool tilt = r.curve_of == StageKind::kTilt;
@@ -84,7 +84,7 @@ void print_load(const Result& r) {
 void print_push(const Result& r) {
   const Responses& q = r.responses;
   if (std::isnan(q.peak_reaction)) {
-    fmt::print("peak not known: {}\n", q.peak_reason);
+    fmt::print("peak not known: {}\n", text_of(q.peak_reason));
     return;
   }
   fmt::print("peak {}{:.2f} kN at {:.2f} mm   80 % at {}{:.2f} mm   stiffness {}\n",
@@ -100,10 +100,10 @@ void print_push(const Result& r) {
 }
 
 void print_result(const Result& r, const std::string& out) {
-  const std::string warning = warning_of(r);
+  const std::string warning = text_of(warning_of(r));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
-             r.reason.empty() ? "" : ": " + readable(r.reason));
+             r.reason.empty() ? "" : ": " + readable(text_of(r.reason)));
   if (!r.curve.empty()) {
     if (is_load_controlled(r))
       print_load(r);
@@ -111,18 +111,19 @@ void print_result(const Result& r, const std::string& out) {
       print_push(r);
     if (r.responses.cyclic.sense != 0) print_cycles(r.responses.cyclic);
     fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
-               r.failure_mode.reading.empty() ? "" : ", ", r.failure_mode.reading,
-               r.failure_mode.sentence);
+               r.failure_mode.reading.empty() ? "" : ", ", text_of(r.failure_mode.reading),
+               text_of(r.failure_mode.sentence));
     if (!r.validity.holds())
       fmt::print(
           "warning: from {:.2f} mm on {} compressed joint{} lost more than half of the contact "
           "face; results that depend on them are not reliable. The first: {}\n",
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
-          r.validity.where);
-    fmt::print("rate: {}\n", r.quasi_static.verdict);
+          text_of(r.validity.where));
+    fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
     for (const Event& e : r.events)
       if (e.is_beyond_limit)
-        fmt::print("warning: {} from {:.2f} mm on: {}\n", e.name, 1e3 * e.displacement, e.where);
+        fmt::print("warning: {} from {:.2f} mm on: {}\n", text_of(e.name), 1e3 * e.displacement,
+                   text_of(e.where));
   }
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);

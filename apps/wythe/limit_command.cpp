@@ -24,7 +24,7 @@ bool asked(const LimitArguments& a, const char* what) {
 
 // What can't be answered is kept with its reason; the rest goes on.
 template <class Answer>
-void attempt(SecondOpinion& opinion, const std::string& what, Answer answer) {
+void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
   try {
     answer();
   } catch (const InputError& error) {
@@ -39,15 +39,14 @@ void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& 
   for (const auto& [word, hypothesis] : kHypothesisWords)
     if (asked(a, word)) hypotheses.push_back(hypothesis);
   if (hypotheses.empty()) {
-    if (a.assessment)
-      opinion.notes.emplace_back("--assessment needs a mechanism: leave --only lp out");
+    if (a.assessment) opinion.notes.push_back({"limit.no_mechanism_asked"});
     return;
   }
-  attempt(opinion, "macro-blocks", [&] {
+  attempt(opinion, {"limit.macro_blocks"}, [&] {
     const Portal portal = find_portal(model);
     for (const char* mode : {"FM-1", "FM-4"})
       for (const Hypothesis h : hypotheses)
-        attempt(opinion, fmt::format("{} {}", mode, word_of(kHypothesisWords, h)),
+        attempt(opinion, in_words(mode, h),
                 [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
   });
   if (!a.assessment) return;
@@ -56,17 +55,19 @@ void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& 
 }
 
 struct LimitCase {
-  const char* name;
+  const char *name, *code;
   LimitOptions options;
 };
 
 // From what is left when all bond is gone to what all of it could carry at once.
 std::vector<LimitCase> limit_cases(const Model& model) {
   std::vector<LimitCase> cases = {
-      {"dry", {}},
+      {"dry", "strength.dry", {}},
       {"dry, residual friction, crushing",
+       "strength.dry_crushing",
        {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints}}};
-  if (has_bond(model)) cases.push_back({"bonded", {.strength = JointStrength::kBonded}});
+  if (has_bond(model))
+    cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
   return cases;
 }
 
@@ -81,10 +82,10 @@ void add_limits(const LimitArguments& a, const Model& model, const std::atomic<b
                expected);
   LimitPrinter printer(a.quiet);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const std::string what = fmt::format("limit load, {}", cases[i].name);
+    const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
     LimitWatch watch{.stop = &stop};
     watch.progress = [&](double share) {
-      printer(what, (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
+      printer(text_of(what), (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
     };
     attempt(opinion, what, [&] {
       if (stop) throw LimitStopped();
@@ -100,7 +101,8 @@ void throw_if_nothing(const SecondOpinion& opinion) {
   for (const Refusal& r : opinion.refused) {
     const auto same = [&](const Fault& f) { return f.problem == r.why; };
     if (std::none_of(faults.begin(), faults.end(), same))
-      faults.push_back({.file = "", .path = r.what, .value = "", .problem = r.why, .cure = ""});
+      faults.push_back(
+          {.file = "", .path = text_of(r.what), .value = "", .problem = r.why, .cure = ""});
   }
   throw InputError(std::move(faults));
 }
@@ -117,8 +119,9 @@ void print_opinion(const SecondOpinion& opinion) {
                a.load * unit, a.is_force ? " kN" : "", a.load != 0 ? a.kinematic / a.load - 1 : 0,
                a.seconds);
   }
-  for (const Refusal& r : opinion.refused) fmt::print(stderr, "{} left out: {}\n", r.what, r.why);
-  for (const std::string& note : opinion.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const Refusal& r : opinion.refused)
+    fmt::print(stderr, "{} left out: {}\n", text_of(r.what), r.why);
+  for (const Message& note : opinion.notes) fmt::print(stderr, "note: {}\n", text_of(note));
 }
 
 void print_bracket(const BracketVerdict& b) {
@@ -146,7 +149,7 @@ int print_bounds(const Comparison& c) {
     } else if (!b.no_evidence.empty()) {
       ++silent;
       fmt::print(stderr, "{}: no evidence: its peak is below its limit load, but {}\n", b.run,
-                 b.no_evidence);
+                 text_of(b.no_evidence));
     } else {
       nearest = std::max(nearest, b.peak / b.bound);
     }
@@ -216,7 +219,7 @@ int limit(const LimitArguments& a) {
   throw_if_nothing(opinion);
   opinion.comparison = compare(a.with, std::move(runs), opinion.mechanisms);
   opinion.comparison.bracket = bracket_of(opinion);
-  for (std::string& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
+  for (Message& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
   write_opinion(a, spec, model, opinion);
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);

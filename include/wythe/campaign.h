@@ -25,7 +25,8 @@ struct SolveOptions;
 struct SampleRecord {
   int sample = 0;              // 1-based, as users count
   std::vector<double> inputs;  // (n_column) [SI]
-  std::string status, reason;
+  std::string status;
+  Message reason;
   bool retried = false;  // with half the step, after `unstable`
   Responses responses;
   FailureMode failure_mode;
@@ -71,9 +72,9 @@ struct CampaignProgress {
 struct CampaignOutcome {
   int done = 0, total = 0;  // of this shard
   bool interrupted = false;
-  int precise_at = 0;       // number of samples at which the study's `until` was met; 0: not met
-  std::string until_state;  // the rule's measures, in words
-  std::vector<std::string> notes;  // for the user, e.g. an unfinished design
+  int precise_at = 0;          // number of samples at which the study's `until` was met; 0: not met
+  Message until_state;         // the rule's measures
+  std::vector<Message> notes;  // for the user, e.g. an unfinished design
 };
 
 // Runs the samples that the store in `folder` does not hold yet. With `resume`, a study of more

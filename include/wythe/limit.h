@@ -81,8 +81,8 @@ struct LimitStopped : std::runtime_error {
 // cannot stand), and when the load has no limit; LimitStopped when `watch` asks to stop.
 [[nodiscard]] LimitAnswer limit_load(const Model& model, const LimitOptions& options,
                                      const LimitWatch& watch = {});
-// What limit analysis treats otherwise than the run (stages, deformable blocks), in words.
-[[nodiscard]] std::vector<std::string> left_aside(const Model& model);
+// What limit analysis treats otherwise than the run (stages, deformable blocks).
+[[nodiscard]] std::vector<Message> left_aside(const Model& model);
 // Seconds a limit load of the model takes on a usual machine.
 [[nodiscard]] double expected_seconds(const Model& model);
 
@@ -173,6 +173,7 @@ inline constexpr Word<Hypothesis> kHypothesisWords[] = {
     {"macro_block_1", Hypothesis::kMacroBlock1},
     {"macro_block_2", Hypothesis::kMacroBlock2}};
 static_assert(names_all(kHypothesisWords));
+[[nodiscard]] Message in_words(const std::string& mode, Hypothesis hypothesis);  // "FM-1 infinite"
 
 // Geometry of a wall with one opening, found from its blocks. Heights are above the wall's base.
 struct Portal {
@@ -219,13 +220,14 @@ struct ComparedRun {
   double load_factor = 0;  // of a body force or tilt
   // Its capacity [N]. NaN: the run says that it has none. Unset: it says nothing, take its highest force.
   std::optional<double> capacity = {};
-  std::string rate_verdict = {};  // the run's own verdict on its push rate
-  double bound = -1;              // limit load of its own model, where it has one [N] or [-]
-  std::string no_bound = {};      // why `bound` is missing
-  double weight_on_push = 0;      // dead loads of its driven blocks along the push [N]
+  std::string judgement = {};  // of the run on its own push rate: QuasiStatic::judgement
+  Message rate_verdict = {};   // with its reason and cure
+  double bound = -1;           // limit load of its own model, where it has one [N] or [-]
+  std::string no_bound = {};   // why `bound` is missing
+  double weight_on_push = 0;   // dead loads of its driven blocks along the push [N]
   // Of a cyclic run, in the direction against the push: highest force, and its limit load [N].
   double peak_back = 0, bound_back = -1;
-  std::string wall = {};  // in_words() of its model, or of its campaign's base model
+  Message wall = {};  // described() of its model, or of its campaign's base model
 };
 struct CurveVerdict {
   std::string run, mode, mechanism;
@@ -242,7 +244,7 @@ struct BoundVerdict {
   double peak = 0, bound = 0;  // [N] or [-]
   double allowance = kBoundTolerance;
   bool is_force = true;
-  std::string no_evidence = {};  // why a peak below the bound confirms nothing; empty: it does
+  Message no_evidence = {};  // why a peak below the bound confirms nothing; empty: it does
   [[nodiscard]] bool holds() const { return peak <= bound * (1 + allowance); }
 };
 struct EnvelopePoint {
@@ -276,8 +278,8 @@ struct Comparison {
 // Each run is compared with the mechanisms of its mode, or with all where its mode has none.
 [[nodiscard]] Comparison compare(std::string with, std::vector<ComparedRun> runs,
                                  const std::vector<Mechanism>& mechanisms);
-// Blocks, weights, loads and push of a model as a text; runs with equal texts can be compared.
-[[nodiscard]] std::string in_words(const Model& model);
+// Blocks, weights, loads and push of a model; runs with equal ones can be compared.
+[[nodiscard]] Message described(const Model& model);
 // Lowest, mean and highest force of the runs at equal displacements, with their percentiles 5 and 95
 // (interpolated between order statistics), up to the displacement that half of them reach.
 [[nodiscard]] std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs,
@@ -290,7 +292,8 @@ struct NamedLimit {
 };
 // An analysis that was asked for and can't be done.
 struct Refusal {
-  std::string what, why;  // "FM-1 macro_block_2", the fault with its cure
+  Message what;     // "FM-1 Macro-Block 2"
+  std::string why;  // the fault with its cure
 };
 struct SecondOpinion {
   std::vector<NamedLimit> limits;
@@ -298,12 +301,12 @@ struct SecondOpinion {
   std::vector<Assessment> assessments;  // of each mechanism, or none
   LimitStateShares shares;
   std::vector<Refusal> refused = {};
-  std::vector<std::string> notes = {};  // for the user
+  std::vector<Message> notes = {};  // for the user
   Comparison comparison;
 };
 // Peaks of the compared runs and the limit loads of `opinion`.
 [[nodiscard]] BracketVerdict bracket_of(const SecondOpinion& opinion);
 // Warnings for the reader: a mechanism that crushing makes stronger, runs of another model.
-[[nodiscard]] std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opinion);
+[[nodiscard]] std::vector<Message> notes_on(const Model& model, const SecondOpinion& opinion);
 
 }  // namespace wythe

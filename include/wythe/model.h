@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "wythe/contact_law.h"
+#include "wythe/message.h"
 #include "wythe/wall_spec.h"
 #include "wythe/words.h"
 
@@ -57,14 +58,17 @@ inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"beam", JointKind::kBeam},
                                                       {"other", JointKind::kOther}};
 static_assert(names_all(kJointKindWords));
-// As events and pictures call them.
-inline constexpr Word<JointKind> kJointKindTitles[] = {
-    {"bed joint", JointKind::kBed},      {"head joint", JointKind::kHead},
-    {"unit", JointKind::kSplit},         {"foundation joint", JointKind::kFoundation},
-    {"lintel", JointKind::kLintelChain}, {"lintel bearing", JointKind::kLintelBond},
-    {"plate joint", JointKind::kPlate},  {"beam joint", JointKind::kBeam},
-    {"joint", JointKind::kOther}};
-static_assert(names_all(kJointKindTitles));
+// Codes of the messages that name them to a reader.
+inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::kBed},
+                                                      {"joint.head", JointKind::kHead},
+                                                      {"joint.unit", JointKind::kSplit},
+                                                      {"joint.foundation", JointKind::kFoundation},
+                                                      {"joint.lintel", JointKind::kLintelChain},
+                                                      {"joint.bearing", JointKind::kLintelBond},
+                                                      {"joint.plate", JointKind::kPlate},
+                                                      {"joint.beam", JointKind::kBeam},
+                                                      {"joint.other", JointKind::kOther}};
+static_assert(names_all(kJointKindCodes));
 
 // A dead load that keeps its direction and follows a point of a block.
 struct PointLoad {
@@ -99,7 +103,7 @@ struct Anatomy {
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
   int lost_joints = 0;
-  std::vector<std::string> notes;  // what the builder fitted or left out
+  std::vector<Message> notes;  // what the builder fitted or left out
 };
 
 // Data that zones of one shape and material have in common (src/solids). A triangle is a zone whose

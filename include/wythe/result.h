@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "wythe/curve.h"
+#include "wythe/message.h"
 #include "wythe/model.h"
 
 namespace wythe {
@@ -61,7 +62,7 @@ struct Collapse {
   double displacement = 0;  // [m]
   double drift = 0;         // displacement / load height [-]
   bool censored = true;     // the run ended before the wall collapsed
-  std::string criterion;    // "the reaction stays below 0.2 of the peak", "a block fell", ...
+  Message criterion;        // "the reaction stays below 0.2 of the peak", "a block fell", ...
 };
 
 struct BackbonePoint {
@@ -114,7 +115,7 @@ struct Responses {
   // stage the largest load carried in balance. NaN where there is none: peak_reason says why.
   double peak_reaction = 0;             // [N]
   double displacement_at_peak = 0;      // [m]
-  std::string peak_reason = {};         // why there is no capacity; "" where there is one
+  Message peak_reason = {};             // why there is no capacity; empty where there is one
   bool censored_peak = false;           // still rising, or the load never brought the wall down
   double peak_raw = 0;                  // largest reaction of any row, in balance or not [N]
   double displacement_at_peak_raw = 0;  // [m]
@@ -135,7 +136,7 @@ struct Responses {
 // Further readings that are asked for, and facts that the curve alone does not hold.
 struct ResponseOptions {
   std::vector<double> fractions = {0.8, 0.5};  // of the peak, after it, each in (0, 1)
-  std::string collapse = {};                   // why the run ended by collapse, "": it did not
+  Message collapse = {};                       // why the run ended by collapse, empty: it did not
   std::vector<RisePoint> rise = {};            // for stiffnesses; empty: read off the rows
   double carried = kUnset;  // load-controlled: the largest load carried in balance [N]
 };
@@ -168,15 +169,15 @@ struct QuasiStatic {
   double beyond = 0;         // largest min(reaction, base shear) of any row / peak - 1
   double lift = 0;           // a slow push moves the peak by no more than about this share of it
   std::string judgement = "no push";  // "slow enough", "usable", "too fast", "unknown", "no push"
-  std::string verdict;                // the judgement with its reason and cure
+  Message verdict;                    // the judgement with its reason and cure
 };
 
 // Something that happened during the run and is marked on the curve.
 struct Event {
-  std::string name;              // "first crack", "first full crack", "peak", ...
+  Message name;                  // "first crack", "first full crack", "peak", ...
   double displacement = 0;       // [m]
   double reaction = 0;           // [N]
-  std::string where;             // joint kind and place
+  Message where = {};            // joint kind and place
   bool is_beyond_limit = false;  // a zone's stress passed the limit of its material
 };
 
@@ -219,17 +220,18 @@ struct NameReading {
   std::string threshold = {};  // the changed threshold, "crack width"; "": none
   double factor = 1;           // by which it was changed
   // "at 20 mm", "at the peak", "crack width x 1.25": the same words for every wall.
-  [[nodiscard]] std::string what() const;
+  [[nodiscard]] Message what() const;
 };
 
 struct FailureMode {
   std::string name = "unclear";
+  Message words = {};  // the name, for a reader; not in the store
   std::map<std::string, double> scores;
   std::vector<Evidence> evidence;
-  std::string sentence;  // in plain words
-  double read_at = 0;    // displacement at which it was read [m]
+  Message sentence;    // in plain words
+  double read_at = 0;  // displacement at which it was read [m]
   // In words: "read at 40.0 mm", "read at 18.3 mm, where the push ended". Not in the store.
-  std::string reading = {};
+  Message reading = {};
   std::vector<ElementState> elements = {};
   std::vector<Evidence> flags = {};  // severity; raised where value >= threshold
   std::vector<NameReading> sensitivity = {};
@@ -240,8 +242,8 @@ struct FailureMode {
 struct Validity {
   double overlap_lost = std::numeric_limits<double>::quiet_NaN();  // of the first row that shows
                                                                    // such a joint [m], NaN: none
-  int joints = 0;     // number of such joints, over all rows
-  std::string where;  // kind and place of the first one
+  int joints = 0;  // number of such joints, over all rows
+  Message where;   // kind and place of the first one
   [[nodiscard]] bool holds() const { return joints == 0; }
 };
 
@@ -257,6 +259,7 @@ struct Snapshot {
   double displacement = 0;  // [m]
   double reaction = 0;      // [N]
   State state;
+  double asked = kUnset;  // by output.states, at this displacement [m]
 };
 
 struct StageReport {
@@ -269,7 +272,7 @@ struct StageReport {
 
 struct Result {
   SolveStatus status = SolveStatus::kCompleted;
-  std::string reason;  // which residual, where, when; why it stopped
+  Message reason;  // which residual, where, when; why it stopped
   std::vector<CurveRow> curve;
   std::vector<RisePoint> rise;            // of a push
   StageKind curve_of = StageKind::kPush;  // what drove the curve
@@ -300,7 +303,7 @@ struct Result {
   return result.curve_of == StageKind::kBodyForce || result.curve_of == StageKind::kTilt;
 }
 // A warning to print before all numbers: why the peak is no strength, or how wrong it may be. "": none.
-[[nodiscard]] std::string warning_of(const Result& result);
+[[nodiscard]] Message warning_of(const Result& result);
 // Options with which the responses of this run are read.
 [[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
 

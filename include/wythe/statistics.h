@@ -35,9 +35,9 @@ struct Reading {
 
 // A response that statistics are made for; shown = SI * to_unit.
 struct Quantity {
-  const char* name;   // "peak_reaction", as in until rules
-  const char* words;  // "peak force"
-  const char* unit;   // "kN", "mm", "kN/mm"
+  const char* name;  // "peak_reaction", as in until rules
+  const char* code;  // of its message: "peak force"
+  const char* unit;  // "kN", "mm", "kN/mm"
   double to_unit;
   bool can_be_censored;
   Reading (*read)(const Responses&);
@@ -188,7 +188,8 @@ inline constexpr double kEntangled = 0.1;
 // A sample without results, and why.
 struct Unanswered {
   int sample = 0;
-  std::string status, reason;
+  std::string status;
+  Message reason;
 };
 
 struct Statistics {
@@ -238,6 +239,6 @@ void check_rule(const std::string& rule);
 // True when every clause of the rule holds and kFewestSamples have answered; `measures` (optional)
 // says where each clause stands. "" is never met. Cheap: called after every sample.
 [[nodiscard]] bool precise_enough(const std::string& rule, const Campaign& campaign,
-                                  std::string* measures = nullptr);
+                                  Message* measures = nullptr);
 
 }  // namespace wythe

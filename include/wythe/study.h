@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/message.h"
 #include "wythe/wall_spec.h"
 #include "wythe/words.h"
 
@@ -114,7 +115,7 @@ struct SampleTable {
 
 // Displacements that the study asks for and the push of its base model does not reach; states and
 // failure modes are then read where the push ends. In words.
-[[nodiscard]] std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base);
+[[nodiscard]] std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base);
 
 // Draws every sample of the study. Sample i of a batch depends only on (seed, i, n, design, batch) and
 // on the variables, never on threads or later batches. Without correlation the set of values of a

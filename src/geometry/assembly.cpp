@@ -68,8 +68,8 @@ void lay_blocks(const Shape& shape, const Lattice& lattice,
   sort_blocks(assembly.blocks, lattice.courses.step);
   if (masonry.joined_pieces == 0) return;
   assembly.report.notes.push_back(
-      std::to_string(masonry.joined_pieces) + " cut pieces shorter than " +
-      millimetres(kSliver * lattice.columns.step) + " were joined to their neighbours");
+      {"fit.joined_pieces",
+       {{"pieces", masonry.joined_pieces}, {"shorter_mm", 1e3 * kSliver * lattice.columns.step}}});
 }
 
 void check_body(const WallSpec& wall, FaultList& faults) {
@@ -96,16 +96,16 @@ std::vector<std::string> shape_keys(const WallSpec& wall) {
   return keys;
 }
 
-void note_unused(const Shape& shape, std::vector<std::string>& notes) {
+void note_unused(const Shape& shape, std::vector<Message>& notes) {
   const bool from_file = uses_blocks_file(shape);
   const std::vector<std::string> idle =
       from_file ? shape_keys(shape.wall) : std::vector<std::string>();
   if (!idle.empty()) {
-    notes.push_back(joined(idle, ", ") + (idle.size() > 1 ? " are" : " is") +
-                    " not used: the blocks file shapes the wall");
+    notes.push_back(
+        {idle.size() > 1 ? "keys.idle_many" : "keys.idle_one", {{"keys", joined(idle, ", ")}}});
   }
   if (!from_file && !shape.contact.empty()) {
-    notes.push_back("contact rules are not used: they belong to blocks files");
+    notes.push_back({"keys.idle_contact"});
   }
 }
 
@@ -173,8 +173,7 @@ void add_ground(const Shape& shape, Assembly& assembly, std::vector<Contact>& co
   contacts.insert(contacts.end(), found.begin(), found.end());
   sort_contacts(contacts, contact_tolerance(blocks));
   if (uses_blocks_file(shape)) {
-    assembly.report.notes.push_back("no block is fixed: the ground is the line y = " +
-                                    metres(ground));
+    assembly.report.notes.push_back({"ground.line", {{"y_m", ground}}});
   }
 }
 
@@ -182,15 +181,15 @@ void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
   assembly.report.lost_joints = static_cast<int>(lost.size());
   for (std::size_t k = 0; k < std::min<std::size_t>(lost.size(), 5); ++k) {
     const LostContact& l = lost[k];
+    const bool apart = l.gap > 0;
     assembly.report.notes.push_back(
-        "no joint between " + assembly.blocks[static_cast<std::size_t>(l.a)].id + " and " +
-        assembly.blocks[static_cast<std::size_t>(l.b)].id + ": " +
-        (l.gap > 0 ? "their faces stand apart by up to " + millimetres(l.gap)
-                   : "their faces share only " + millimetres(l.overlap)));
+        {apart ? "joint.lost_apart" : "joint.lost_short",
+         {{"a", assembly.blocks[static_cast<std::size_t>(l.a)].id},
+          {"b", assembly.blocks[static_cast<std::size_t>(l.b)].id},
+          {apart ? "gap_mm" : "overlap_mm", 1e3 * (apart ? l.gap : l.overlap)}}});
   }
   if (lost.size() > 5) {
-    assembly.report.notes.push_back(std::to_string(lost.size() - 5) +
-                                    " more facing pairs have no joint");
+    assembly.report.notes.push_back({"joint.lost_more", {{"pairs", lost.size() - 5}}});
   }
 }
 
@@ -203,8 +202,7 @@ void note_foundation(const Shape& shape, Assembly& assembly) {
       std::none_of(faces.begin(), faces.end(), falls_back)) {
     return;
   }
-  assembly.report.notes.push_back(
-      "no [material.foundation]: the joints on the ground take [material.joint]");
+  assembly.report.notes.push_back({"material.no_foundation"});
 }
 
 }  // namespace

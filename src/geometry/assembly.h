@@ -14,6 +14,7 @@
 
 #include "geometry/shape.h"
 #include "wythe/error.h"
+#include "wythe/message.h"
 #include "wythe/vector.h"
 
 namespace wythe::geometry {
@@ -56,9 +57,9 @@ struct Face {
 
 // What was changed or lost between the user's words and the geometry; shown by `wythe check`.
 struct BuildReport {
-  std::vector<std::string> notes;  // e.g. "half unit 155 mm -> 154.5 mm (-0.3 %)"
-  double half_unit = 0;            // fitted [m], 0 for a blocks file
-  double course = 0;               // fitted course height [m]
+  std::vector<Message> notes;  // e.g. "half unit 155 mm -> 154.5 mm (-0.3 %)"
+  double half_unit = 0;        // fitted [m], 0 for a blocks file
+  double course = 0;           // fitted course height [m]
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
   int lost_joints = 0;  // facing pairs left out (below the smallest contact length)

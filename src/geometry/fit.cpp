@@ -16,6 +16,8 @@ struct AxisAsk {
   std::string size_path;    // "wall.unit.length"
   double size_per_step;     // unit length is two half units, a course is one unit height
   std::string step_name;    // "half unit"
+  const char* step_code;    // its message
+  const char* last_code;    // that of the last one of a row or column
   Fit fit;
 };
 
@@ -26,11 +28,14 @@ int best_count(const AxisAsk& ask) {
   return std::abs(change_of(ask, below)) <= std::abs(change_of(ask, below + 1)) ? below : below + 1;
 }
 
-void note_change(const std::string& what, double from, double to, std::vector<std::string>& notes) {
+void note_change(const char* what, double from, double to, std::vector<Message>& notes) {
   const double change = to / from - 1;
   if (std::abs(change) < 1e-9) return;
-  notes.push_back(what + " " + millimetres(from) + " -> " + millimetres(to) + " (" +
-                  percent(change) + ")");
+  notes.push_back({"fit.changed",
+                   {{"what", Message{what}},
+                    {"from_mm", 1e3 * from},
+                    {"to_mm", 1e3 * to},
+                    {"change_percent", 100 * change}}});
 }
 
 void refuse_fit(const AxisAsk& ask, FaultList& faults) {
@@ -52,25 +57,25 @@ void refuse_fit(const AxisAsk& ask, FaultList& faults) {
 }
 
 // After a fault it is the axis of the first cure, so that the openings' cures hold with it.
-Axis fit_whole(const AxisAsk& ask, std::vector<std::string>& notes, FaultList& faults) {
+Axis fit_whole(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
   const int count = best_count(ask);
   if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9)
     refuse_fit(ask, faults);
   else
-    note_change(ask.step_name, ask.step, ask.extent / count, notes);
+    note_change(ask.step_code, ask.step, ask.extent / count, notes);
   return {.extent = ask.extent, .step = ask.extent / count, .count = count};
 }
 
-Axis lay_and_cut(const AxisAsk& ask, std::vector<std::string>& notes) {
+Axis lay_and_cut(const AxisAsk& ask, std::vector<Message>& notes) {
   int count = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step + 1e-9)));
   const double rest = ask.extent - count * ask.step;
   if (rest >= kSliver * ask.step) ++count;
   const double last = ask.extent - (count - 1) * ask.step;
-  note_change("last " + ask.step_name + " along the " + ask.extent_name, ask.step, last, notes);
+  note_change(ask.last_code, ask.step, last, notes);
   return {.extent = ask.extent, .step = ask.step, .count = count};
 }
 
-Axis fit_axis(const AxisAsk& ask, std::vector<std::string>& notes, FaultList& faults) {
+Axis fit_axis(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
   if (ask.fit == Fit::kCut) return lay_and_cut(ask, notes);
   return fit_whole(ask, notes, faults);
 }
@@ -96,12 +101,12 @@ double stated_header(const WallSpec& wall) {
 
 // In english bond a header is half a stretcher: any other would let joints meet now and then.
 // In flemish bond it only has to be shorter than the stretcher.
-double fit_header(const WallSpec& wall, double half_unit, std::vector<std::string>& notes,
+double fit_header(const WallSpec& wall, double half_unit, std::vector<Message>& notes,
                   FaultList& faults) {
   const double scale = half_unit / (wall.unit.length / 2);
   const double header = scale * stated_header(wall);
   if (std::abs(header / half_unit - 1) <= kHeaderTolerance) {
-    note_change("header", stated_header(wall), half_unit, notes);
+    note_change("fit.header", stated_header(wall), half_unit, notes);
     return half_unit;
   }
   const double limit = wall.bond == Bond::kFlemish ? 2 * half_unit - half_unit / 2 : half_unit;
@@ -134,18 +139,20 @@ int Axis::nearest(double x) const {
 
 bool Axis::is_on_line(double x) const { return std::abs(line(nearest(x)) - x) < 1e-9 * extent; }
 
-Lattice fit_lattice(const WallSpec& wall, std::vector<std::string>& notes, FaultList& faults) {
+Lattice fit_lattice(const WallSpec& wall, std::vector<Message>& notes, FaultList& faults) {
   if (!sizes_are_given(wall, faults)) return {};
   const bool is_header_bond = wall.bond == Bond::kHeader;
   const double column = (is_header_bond ? stated_header(wall) : wall.unit.length) / 2;
   Lattice lattice;
   lattice.columns = fit_axis(
       {wall.length, column, "length", is_header_bond ? "wall.unit.width" : "wall.unit.length", 2,
-       is_header_bond ? "half header" : "half unit", wall.fit},
+       is_header_bond ? "half header" : "half unit",
+       is_header_bond ? "fit.half_header" : "fit.half_unit",
+       is_header_bond ? "fit.last_half_header" : "fit.last_half_unit", wall.fit},
       notes, faults);
-  lattice.courses =
-      fit_axis({wall.height, wall.unit.height, "height", "wall.unit.height", 1, "course", wall.fit},
-               notes, faults);
+  lattice.courses = fit_axis({wall.height, wall.unit.height, "height", "wall.unit.height", 1,
+                              "course", "fit.course", "fit.last_course", wall.fit},
+                             notes, faults);
   lattice.stretcher = lattice.header = 2 * lattice.columns.step;
   if (needs_header(wall.bond) && !is_header_bond && lattice.columns.count > 0) {
     lattice.header = fit_header(wall, lattice.columns.step, notes, faults);

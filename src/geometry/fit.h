@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/message.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe::geometry {
@@ -38,7 +39,7 @@ struct Lattice {
 
 // Everything is checked before anything is fitted; where a size is missing the lattice is empty (count
 // 0), where one does not fit it is that of the cure.
-[[nodiscard]] Lattice fit_lattice(const WallSpec& wall, std::vector<std::string>& notes,
+[[nodiscard]] Lattice fit_lattice(const WallSpec& wall, std::vector<Message>& notes,
                                   FaultList& faults);
 
 }  // namespace wythe::geometry

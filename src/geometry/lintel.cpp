@@ -21,23 +21,24 @@ void check_body(const Shape& shape, int index, FaultList& faults) {
       {"material." + lintel.material + ".density", found->second, "kg/m^3", "500 kg/m^3"}, faults);
 }
 
-void note_size(const PlacedOpening& opening, const std::string& what, double stated, double laid,
-               std::vector<std::string>& notes) {
+void note_size(const PlacedOpening& opening, const char* code, double stated, double laid,
+               std::vector<Message>& notes) {
   if (std::abs(laid / stated - 1) <= kFitTolerance) return;
-  notes.push_back("lintel of " + opening.called + ": " + what + " " + millimetres(stated) + " -> " +
-                  millimetres(laid) + " (" + percent(laid / stated - 1) + ")");
+  notes.push_back({code,
+                   {{"opening", opening.words},
+                    {"from_mm", 1e3 * stated},
+                    {"to_mm", 1e3 * laid},
+                    {"change_percent", 100 * (laid / stated - 1)}}});
 }
 
 // Keys of zones beside a chain of rigid segments say nothing; a user may be comparing the two.
 void note_idle_keys(const LintelSpec& lintel, const PlacedOpening& opening,
-                    std::vector<std::string>& notes) {
+                    std::vector<Message>& notes) {
   const LintelSpec unset;
   const bool stated = lintel.zones != unset.zones || !std::isnan(lintel.zone_length) ||
                       lintel.zone_kind != unset.zone_kind || lintel.plane != unset.plane;
   if (lintel.model == LintelModel::kSegments && stated)
-    notes.push_back("lintel of opening " + std::to_string(opening.index) +
-                    ": zones, zone_length, zone_kind and plane are not used by rigid segments; "
-                    "model = \"zones\" takes them");
+    notes.push_back({"lintel.idle_keys", {{"opening", opening.words}}});
 }
 
 // The jamb moved outwards by `columns` whole columns: on the lattice where the jamb is.
@@ -89,25 +90,24 @@ std::vector<Rect> cut_chain(const Rect& body, const Axis& columns) {
   return segments;
 }
 
-void move_head_to_course(const Axis& courses, PlacedOpening& opening,
-                         std::vector<std::string>& notes) {
+void move_head_to_course(const Axis& courses, PlacedOpening& opening, std::vector<Message>& notes) {
   const int lowest = courses.nearest(opening.hole.y0) + 1;
   const double line = courses.line(std::max(lowest, courses.nearest(opening.hole.y1)));
   if (std::abs(line - opening.hole.y1) > 1e-9) {
-    notes.push_back(opening.called + " head " + metres(opening.hole.y1) + " -> " + metres(line) +
-                    " (its lintel lies on a bed joint)");
+    notes.push_back({"opening.head_moved",
+                     {{"opening", opening.words}, {"from_m", opening.hole.y1}, {"to_m", line}}});
   }
   opening.hole.y1 = line;
 }
 
 // The kind is only a label. An unknown label gets a note, since the user may expect an effect.
 void note_unknown_kind(const LintelSpec& lintel, const PlacedOpening& opening,
-                       std::vector<std::string>& notes) {
+                       std::vector<Message>& notes) {
   static const std::vector<std::string> kKnown = {"timber", "stone", "concrete", "steel", "brick"};
   if (std::find(kKnown.begin(), kKnown.end(), lintel.kind) != kKnown.end()) return;
-  notes.push_back("lintel of " + opening.called + ": kind = \"" + lintel.kind +
-                  "\" has no effect: the lintel is there, made of [material." + lintel.material +
-                  "]");
+  notes.push_back(
+      {"lintel.idle_kind",
+       {{"opening", opening.words}, {"kind", lintel.kind}, {"material", lintel.material}}});
 }
 
 bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& opening,
@@ -140,7 +140,7 @@ bool check_lintel(const Shape& shape, int index, FaultList& faults) {
 }
 
 void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,
-                  std::vector<std::string>& notes, FaultList& faults) {
+                  std::vector<Message>& notes, FaultList& faults) {
   const Axis &columns = lattice.columns, &courses = lattice.courses;
   move_head_to_course(courses, opening, notes);
   const int bottom = courses.nearest(opening.hole.y1);
@@ -154,8 +154,8 @@ void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpenin
   if (!fits) return;
   note_unknown_kind(lintel, opening, notes);
   note_idle_keys(lintel, opening, notes);
-  note_size(opening, "depth", lintel.depth, body.y1 - body.y0, notes);
-  note_size(opening, "bearing", lintel.bearing, body.x1 - opening.hole.x1, notes);
+  note_size(opening, "lintel.depth_changed", lintel.depth, body.y1 - body.y0, notes);
+  note_size(opening, "lintel.bearing_changed", lintel.bearing, body.x1 - opening.hole.x1, notes);
   opening.segment =
       lintel.model == LintelModel::kZones ? std::vector<Rect>{body} : cut_chain(body, columns);
 }

@@ -22,6 +22,6 @@ inline constexpr double kBearingFactor = 2;
 
 // Fills opening.segment; with fit = "cut" first moves the opening's head to a course line.
 void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,
-                  std::vector<std::string>& notes, FaultList& faults);
+                  std::vector<Message>& notes, FaultList& faults);
 
 }  // namespace wythe::geometry

@@ -12,10 +12,10 @@ namespace {
 
 // One direction of one opening.
 struct Span {
-  int opening;
-  std::string called;
+  const PlacedOpening& placed;
   std::string start_key, size_key;  // "x", "width"
-  double start, size;               // as stated [m]
+  const char *start_moved_code, *size_changed_code;
+  double start, size;  // as stated [m]
 };
 
 bool is_given(const OpeningSpec& opening, int i, FaultList& faults) {
@@ -61,10 +61,10 @@ SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
   return {};
 }
 
-void note_move(const Span& span, const std::string& key, double from, double to,
-               std::vector<std::string>& notes) {
+void note_move(const Span& span, const char* code, double from, double to,
+               std::vector<Message>& notes) {
   if (std::abs(to - from) < 1e-9) return;
-  notes.push_back(span.called + " " + key + " " + metres(from) + " -> " + metres(to));
+  notes.push_back({code, {{"opening", span.placed.words}, {"from_m", from}, {"to_m", to}}});
 }
 
 // The nearest span on joint lines within `room`: what the cure says, and what the rest is checked with.
@@ -82,16 +82,16 @@ void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room 
   };
   write(span.start_key, span.start, start);
   write(span.size_key, span.size, end - start);
-  add_fault(faults, opening_path(span.opening, fault.key),
+  add_fault(faults, opening_path(span.placed.index, fault.key),
             metres(fault.key == span.start_key ? span.start : span.size),
-            span.called + " " + fault.problem,
+            span.placed.called + " " + fault.problem,
             "write " + keys + ", on the joint lines every " + millimetres(axis.step) +
                 "; or wall.fit = \"cut\"");
 }
 
 // Both edges of one direction; false after a fault, with the span of its cure.
 bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& start, double& end,
-               std::vector<std::string>& notes, FaultList& faults) {
+               std::vector<Message>& notes, FaultList& faults) {
   const SpanFault fault = fault_of(span, axis, fit);
   if (!fault.problem.empty()) {
     cure_span(span, fault, axis, room, start, end, faults);
@@ -103,21 +103,24 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
   };
   start = snapped(span.start);
   end = std::min(snapped(span.start + span.size), axis.extent);
-  note_move(span, span.start_key, span.start, start, notes);
-  note_move(span, span.size_key, span.size, end - start, notes);
+  note_move(span, span.start_moved_code, span.start, start, notes);
+  note_move(span, span.size_changed_code, span.size, end - start, notes);
   return true;
 }
 
 // False where numbers are missing; after other faults the hole is that of their cures.
 bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Lattice& lattice, Fit fit,
-                bool has_lintel, std::vector<std::string>& notes, FaultList& faults) {
+                bool has_lintel, std::vector<Message>& notes, FaultList& faults) {
   const Axis &columns = lattice.columns, &courses = lattice.courses;
   const int i = placed.index;
   if (!is_given(opening, i, faults) || columns.count == 0 || courses.count == 0) return false;
   const int bearing = has_lintel ? whole_steps(opening.lintel.bearing, columns.step) : 0;
   const int depth = has_lintel ? whole_steps(opening.lintel.depth, courses.step) : 0;
-  const Span level{i, placed.called, "x", "width", opening.x, opening.width};
-  const Span upright{i, placed.called, "y", "height", opening.y, opening.height};
+  const Span level{placed,    "x",          "width", "opening.x_moved", "opening.width_changed",
+                   opening.x, opening.width};
+  const Span upright{
+      placed,    "y",           "height", "opening.y_moved", "opening.height_changed",
+      opening.y, opening.height};
   Rect& hole = placed.hole;
   (void)snap_span(level, columns, fit, {bearing, columns.count - bearing}, hole.x0, hole.x1, notes,
                   faults);
@@ -154,9 +157,9 @@ void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) 
   }
 }
 
-void note_bare_head(const PlacedOpening& opening, double height, std::vector<std::string>& notes) {
+void note_bare_head(const PlacedOpening& opening, double height, std::vector<Message>& notes) {
   if (!opening.segment.empty() || opening.hole.y1 > height - 1e-9) return;
-  notes.push_back(opening.called + " has no lintel: the masonry above it hangs on its joints");
+  notes.push_back({"opening.bare_head", {{"opening", opening.words}}});
 }
 
 struct Interval {
@@ -187,14 +190,17 @@ double lower_adjacent_top(const std::vector<PlacedOpening>& openings, double x0,
 }  // namespace
 
 std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
-                                          std::vector<std::string>& notes, FaultList& faults) {
+                                          std::vector<Message>& notes, FaultList& faults) {
   std::vector<PlacedOpening> placed;
   for (std::size_t k = 0; k < shape.wall.opening.size(); ++k) {
     const OpeningSpec& opening = shape.wall.opening[k];
     const int i = static_cast<int>(k);
     const bool lintel_is_given = check_lintel(shape, i, faults);
-    PlacedOpening result{
-        .index = i, .called = opening_name(i, opening.name), .hole = {}, .segment = {}};
+    PlacedOpening result{.index = i,
+                         .called = opening_name(i, opening.name),
+                         .words = opening_words(i, opening.name),
+                         .hole = {},
+                         .segment = {}};
     if (!place_hole(opening, result, lattice, shape.wall.fit, lintel_is_given, notes, faults))
       continue;
     if (lintel_is_given) place_lintel(opening.lintel, lattice, result, notes, faults);

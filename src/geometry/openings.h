@@ -20,13 +20,14 @@ namespace wythe::geometry {
 
 struct PlacedOpening {
   int index = 0;              // in wall.opening
-  std::string called;         // "opening 0 (door)"
+  std::string called;         // "opening 0 (door)", in faults
+  Message words;              // the same, in notes
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
 };
 
 [[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
-                                                        std::vector<std::string>& notes,
+                                                        std::vector<Message>& notes,
                                                         FaultList& faults);
 
 // Intervals of the wall's length outside every opening, with the lower adjacent opening's top.

@@ -46,6 +46,11 @@ std::string opening_name(int index, const std::string& name) {
   return "opening " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
 }
 
+Message opening_words(int index, const std::string& name) {
+  if (name.empty()) return {"opening.numbered", {{"index", index}}};
+  return {"opening.named", {{"index", index}, {"name", name}}};
+}
+
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure) {
   Fault fault;

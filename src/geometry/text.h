@@ -6,6 +6,7 @@
 #include <string>
 
 #include "wythe/error.h"
+#include "wythe/message.h"
 
 namespace wythe::geometry {
 
@@ -18,6 +19,7 @@ namespace wythe::geometry {
                                        const std::string& key);  // "wall.opening.0.width"
 
 [[nodiscard]] std::string opening_name(int index, const std::string& name);  // "opening 0 (door)"
+[[nodiscard]] Message opening_words(int index, const std::string& name);
 
 void add_fault(FaultList& faults, std::string path, std::string value, std::string problem,
                std::string cure);

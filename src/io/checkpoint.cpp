@@ -22,6 +22,7 @@
 #include "core/files.h"
 #include "core/hash.h"
 #include "core/limits.h"
+#include "core/messages.h"
 #include "io/archive.h"
 #include "io/blocks_json.h"
 #include "model/fields.h"
@@ -110,14 +111,22 @@ void walk_state(A& archive, const Model& model, S& state) {
                   "it pushes to no target");
 }
 
+template <class A, class M>
+void walk_message(A& archive, M& message) {
+  std::string data = message_json(message);
+  archive(data);
+  if constexpr (A::kReads) message = message_of(data, data);
+}
+
 template <class A, class S>
 void walk_states(A& archive, const Model& model, S& snapshots) {
   archive.list(snapshots, [&](auto& snapshot) {
-    auto& [label, displacement, reaction, state] = snapshot;
+    auto& [label, displacement, reaction, state, asked] = snapshot;
     archive(label);
     archive(displacement);
     archive(reaction);
     walk_state(archive, model, state);
+    archive(asked);
   });
 }
 
@@ -159,13 +168,13 @@ void walk_result(A& archive, const Model& model, R& result) {
   auto& [overlap_lost, joints_off, where_off] = result.validity;
   archive(overlap_lost);
   archive(joints_off);
-  archive(where_off);
+  walk_message(archive, where_off);
   archive.list(result.events, [&](auto& event) {
     auto& [name, displacement, reaction, where, is_beyond_limit] = event;
-    archive(name);
+    walk_message(archive, name);
     archive(displacement);
     archive(reaction);
-    archive(where);
+    walk_message(archive, where);
     archive(is_beyond_limit);
   });
   archive.list(result.stages, [&](auto& stage) {

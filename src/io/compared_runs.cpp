@@ -9,6 +9,8 @@
 
 #include "core/files.h"
 #include "core/limits.h"
+#include "core/messages.h"
+#include "dynamics/meters/balance.h"
 #include "io/csv.h"
 #include "io/json.h"
 #include "wythe/error.h"
@@ -119,14 +121,20 @@ ComparedRun read_run(const fs::path& folder) {
   try {
     run.mode = summary.at("failure_mode").at("name").get<std::string>();
     run.load_factor = std::fmax(0.0, number_of(summary.at("load_factor")));
-    run.rate_verdict = summary.at("quasi_static").at("verdict").get<std::string>();
+    const Json& meter = summary.at("quasi_static");
+    const std::string verdict = meter.at("verdict").get<std::string>();
+    const std::string data =
+        meter.contains("verdict_message") ? meter["verdict_message"].dump() : "";
+    run.rate_verdict = message_of(data, verdict);
+    run.judgement = meter.contains("judgement") ? meter["judgement"].get<std::string>()
+                                                : dynamics::judgement_of_older(verdict);
     if (summary.contains("peak_raw_kN"))
       run.capacity = 1e3 * number_of(summary.at("peak_reaction_kN"));
   } catch (const Json::exception& error) {
     throw IoError(file + ": " + error.what());
   }
   const Model model = compile(read_model((folder / "model.used.toml").string()));
-  run.wall = in_words(model);
+  run.wall = described(model);
   take_curve(model, std::move(rows), run);
   set_bound(model, run);
   return run;
@@ -137,6 +145,7 @@ ComparedRun read_sample(const Model& model, const SampleRecord& record) {
                   .mode = record.failure_mode.name};
   take_curve(model, record.curve, run);
   run.rate_verdict = record.quasi_static.verdict;
+  run.judgement = record.quasi_static.judgement;
   if (!std::isfinite(record.responses.peak_reaction))
     run.capacity = std::numeric_limits<double>::quiet_NaN();
   else if (record.responses.peak_reaction > 0)
@@ -150,7 +159,7 @@ std::vector<ComparedRun> read_samples(const std::string& folder) {
   const Campaign campaign = read_campaign(folder);
   const ModelBuilder build = model_builder(campaign.study);
   const Model base = compile(build({}));
-  const std::string wall = in_words(base);
+  const Message wall = described(base);
   std::vector<ComparedRun> runs;
   for (const SampleRecord& record : campaign.records) {
     if (!record.answered()) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/message_json.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
 
@@ -188,12 +189,12 @@ Json bounds_json(const Comparison& c) {
   for (const BoundVerdict& b : c.bounds) {
     const double unit = b.is_force ? kPerKilo : 1.0;
     const std::string tail = b.is_force ? "_kN" : "";
-    list.push_back({{"run", b.run},
-                    {"peak" + tail, b.peak * unit},
-                    {"bound" + tail, b.bound * unit},
-                    {"allowance", b.allowance},
-                    {"holds", b.holds()},
-                    {"no_evidence", b.no_evidence}});
+    Json& json = list.emplace_back(Json{{"run", b.run},
+                                        {"peak" + tail, b.peak * unit},
+                                        {"bound" + tail, b.bound * unit},
+                                        {"allowance", b.allowance},
+                                        {"holds", b.holds()}});
+    io::put(json, "no_evidence", b.no_evidence);
   }
   return list;
 }
@@ -251,9 +252,11 @@ std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
   json["limit_loads"] = Json::array();
   for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
   json["refused"] = Json::array();
-  for (const Refusal& r : opinion.refused)
-    json["refused"].push_back({{"what", r.what}, {"why", r.why}});
-  json["notes"] = opinion.notes;
+  for (const Refusal& r : opinion.refused) {
+    io::put(json["refused"].emplace_back(), "what", r.what);
+    json["refused"].back()["why"] = r.why;
+  }
+  io::put(json, "notes", opinion.notes);
   json["block_id"] = model.anatomy.block_id;
   json["comparison"] = comparison_json(opinion);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -85,6 +85,8 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
       cells.push_back({key.column, number(key.to_unit * value)});
     else if constexpr (std::is_same_v<Value, bool>)
       cells.push_back({key.column, value ? "1" : "0"});
+    else if constexpr (std::is_same_v<Value, Message>)
+      cells.push_back({key.column, quoted(text_of(value))});
     else
       cells.push_back({key.column, quoted(value)});
     if (std::string_view(key.stored) == "displacement_max_m")

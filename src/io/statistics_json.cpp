@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "io/message_json.h"
 #include "wythe/io.h"
 
 namespace wythe {
@@ -70,8 +71,10 @@ Json samples_json(const Statistics& s) {
   Json judgements = Json::object();
   for (const auto& [name, count] : s.judgement) judgements[name] = count;
   Json unanswered = Json::array();
-  for (const Unanswered& u : s.unanswered)
-    unanswered.push_back({{"sample", u.sample}, {"status", u.status}, {"reason", u.reason}});
+  for (const Unanswered& u : s.unanswered) {
+    Json& json = unanswered.emplace_back(Json{{"sample", u.sample}, {"status", u.status}});
+    io::put(json, "reason", u.reason);
+  }
   return {{"asked", s.asked},
           {"run", s.run},
           {"answered", s.answered},
@@ -117,7 +120,9 @@ Json sensitivity_json(const Statistics& s) {
   Json list = Json::array();
   for (const NameSensitivity& n : s.name_sensitivity) {
     const NameReading& r = n.reading;
-    Json row = {{"reading", r.what()}, {"state", r.state.empty() ? Json(nullptr) : Json(r.state)}};
+    Json row;
+    io::put(row, "reading", r.what());
+    row["state"] = r.state.empty() ? Json(nullptr) : Json(r.state);
     row["threshold"] = r.threshold.empty() ? Json(nullptr) : Json(r.threshold);
     row["factor"] = number(r.factor);
     row["n"] = n.n, row["differs"] = n.differs;

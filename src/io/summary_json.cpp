@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/message_json.h"
 #include "study/answer_keys.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
@@ -22,17 +23,25 @@ Json energy_json(const EnergyLedger& energy) {
 // Puts each answer under its key, in the units of the key's name.
 struct Answers {
   Json& json;
-  void operator()(const study::AnswerKey& key, const double& value) const {
-    at(key) = value * key.to_unit;
+  void operator()(const study::AnswerKey& key, const auto& value) const {
+    const std::string path = key.summary;  // "bilinear.force_kN" lies in an object
+    const std::size_t dot = path.find('.');
+    if (dot == std::string::npos)
+      put(json, path, key, value);
+    else
+      put(json[path.substr(0, dot)], path.substr(dot + 1), key, value);
   }
-  void operator()(const study::AnswerKey& key, const auto& value) const { at(key) = value; }
 
  private:
-  // "bilinear.force_kN" lies in an object.
-  [[nodiscard]] Json& at(const study::AnswerKey& key) const {
-    const std::string path = key.summary;
-    const std::size_t dot = path.find('.');
-    return dot == std::string::npos ? json[path] : json[path.substr(0, dot)][path.substr(dot + 1)];
+  static void put(Json& in, const std::string& name, const study::AnswerKey& key,
+                  const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double>)
+      in[name] = value * key.to_unit;
+    else if constexpr (std::is_same_v<Value, Message>)
+      io::put(in, name, value);
+    else
+      in[name] = value;
   }
 };
 
@@ -81,17 +90,20 @@ Json failure_mode_json(const FailureMode& mode) {
   Json scores = Json::object();
   for (const auto& [name, score] : mode.scores) scores[name] = score;
   Json sensitivity = Json::array();
-  for (const NameReading& other : mode.sensitivity)
-    sensitivity.push_back({{"what", other.what()}, {"name", other.name}});
-  return {{"name", mode.name},
-          {"sentence", mode.sentence},
-          {"read_at_mm", mode.read_at * 1e3},
-          {"reading", mode.reading},
-          {"scores", scores},
-          {"evidence", evidence_json(mode.evidence)},
-          {"elements", elements_json(mode.elements)},
-          {"flags", flags_json(mode.flags)},
-          {"sensitivity", sensitivity}};
+  for (const NameReading& other : mode.sensitivity) {
+    io::put(sensitivity.emplace_back(), "what", other.what());
+    sensitivity.back()["name"] = other.name;
+  }
+  Json json = {{"name", mode.name}};
+  io::put(json, "sentence", mode.sentence);
+  json["read_at_mm"] = mode.read_at * 1e3;
+  io::put(json, "reading", mode.reading);
+  json.update({{"scores", scores},
+               {"evidence", evidence_json(mode.evidence)},
+               {"elements", elements_json(mode.elements)},
+               {"flags", flags_json(mode.flags)},
+               {"sensitivity", sensitivity}});
+  return json;
 }
 
 Json features_json(const std::vector<Feature>& features) {
@@ -106,10 +118,11 @@ Json features_json(const std::vector<Feature>& features) {
 Json events_json(const std::vector<Event>& events) {
   Json list = Json::array();
   for (const Event& event : events) {
-    list.push_back({{"name", event.name},
-                    {"displacement_mm", event.displacement * 1e3},
-                    {"reaction_kN", event.reaction * 1e-3},
-                    {"where", event.where}});
+    Json& json = list.emplace_back();
+    io::put(json, "name", event.name);
+    json["displacement_mm"] = event.displacement * 1e3;
+    json["reaction_kN"] = event.reaction * 1e-3;
+    io::put(json, "where", event.where);
   }
   return list;
 }
@@ -210,8 +223,8 @@ Json cyclic_json(const CyclicReadings& c) {
 std::string summary_json(const Model& model, const Result& result) {
   Json json;
   json["status"] = to_string(result.status);
-  json["reason"] = result.reason;
-  json["warning"] = warning_of(result);
+  io::put(json, "reason", result.reason);
+  io::put(json, "warning", warning_of(result));
   add_responses(json, result.responses);
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
   json["load_factor"] = result.load_factor;
@@ -223,8 +236,8 @@ std::string summary_json(const Model& model, const Result& result) {
   json["energy_J"] = energy_json(result.energy);
   study::each_quasi_static(Answers{json}, result.quasi_static);
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
-                      {"joints", result.validity.joints},
-                      {"where", result.validity.where}};
+                      {"joints", result.validity.joints}};
+  io::put(json["validity"], "where", result.validity.where);
   json["events"] = events_json(result.events);
   json["stages"] = stages_json(result.stages);
   json["blocks"] = model.n_block;

@@ -1,11 +1,8 @@
 // Beside the curves of runs: peaks, post-peak branches, bounds.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "limit/limit_loads.h"
 #include "wythe/limit.h"
@@ -45,19 +42,18 @@ double peak_of(const ComparedRun& run) {
 }
 
 // Why a peak below its bound says nothing for the run: by its own words it is no peak of a slow push.
-std::string why_no_evidence(const ComparedRun& run) {
-  if (run.capacity && !std::isfinite(*run.capacity))
-    return "no force of it is in balance: its highest stands for its capacity";
-  const std::string& v = run.rate_verdict;
-  if (v.empty() || v == "no push" || v.starts_with("slow enough")) return "";
-  return "by its own verdict it is " + v;
+Message why_no_evidence(const ComparedRun& run) {
+  if (run.capacity && !std::isfinite(*run.capacity)) return {"evidence.no_balance"};
+  if (run.judgement.empty() || run.judgement == "no push" || run.judgement == "slow enough")
+    return {};
+  return {"evidence.own_verdict", {{"verdict", run.rate_verdict}}};
 }
 
 void add_bounds(const ComparedRun& run, std::vector<BoundVerdict>& bounds) {
   const bool is_force = run.load_factor <= 0;
   // the reaction also carries what rests on the driven blocks, where the push is not level
   const double peak = peak_of(run) - (is_force ? run.weight_on_push : 0);
-  const std::string why = why_no_evidence(run);
+  const Message why = why_no_evidence(run);
   if (peak > 0 && run.bound >= 0)
     bounds.push_back({.run = run.name,
                       .peak = peak,
@@ -105,6 +101,21 @@ std::vector<GroupVerdict> groups_of(const Comparison& c) {
   }
   return out;
 }
+
+// Walls are told apart by these numbers, so they are no finer than they are shown.
+double to_millimetre(double length) { return std::round(1e3 * length) * 1e-3 + 0.0; }
+
+double to_digits(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::fabs(value))));
+  return std::round(value * scale) / scale;
+}
+
+constexpr Word<Hypothesis> kHypothesisCodes[] = {
+    {"hypothesis.infinite", Hypothesis::kInfinite},
+    {"hypothesis.macro_block_1", Hypothesis::kMacroBlock1},
+    {"hypothesis.macro_block_2", Hypothesis::kMacroBlock2}};
+static_assert(names_all(kHypothesisCodes));
 
 }  // namespace
 
@@ -170,7 +181,7 @@ std::vector<EnvelopePoint> envelope(const std::vector<ComparedRun>& runs, const 
   return points;
 }
 
-std::string in_words(const Model& given) {
+Message described(const Model& given) {
   const Model model = with_rigid_bodies(given);
   double weight = 0, x = 0, y = 0, down = 0, at = 0;
   for (std::size_t b = 0; b < model.heavy_mass.size(); ++b) {
@@ -183,14 +194,19 @@ std::string in_words(const Model& given) {
       at -= p.fy * (model.centroid_x[static_cast<std::size_t>(p.block)] + p.arm_x);
     }
   }
-  std::string words =
-      fmt::format("{} blocks of {:.4g} kN around ({:.3f}, {:.3f}) m", model.n_block, 1e-3 * weight,
-                  weight > 0 ? x / weight : 0, weight > 0 ? y / weight : 0);
+  std::vector<Message> parts = {{"wall.blocks",
+                                 {{"blocks", model.n_block},
+                                  {"weight_kN", to_digits(1e-3 * weight, 4)},
+                                  {"x_m", to_millimetre(weight > 0 ? x / weight : 0)},
+                                  {"y_m", to_millimetre(weight > 0 ? y / weight : 0)}}}};
   if (down > 0)
-    words += fmt::format(", {:.4g} kN on it around x = {:.3f} m", 1e-3 * down, at / down);
+    parts.push_back(
+        {"wall.load", {{"load_kN", to_digits(1e-3 * down, 4)}, {"x_m", to_millimetre(at / down)}}});
   const Stage* grows = limit::growing_stage(model);
-  if (grows == nullptr) return words + ", no push";
-  words += fmt::format(", loaded along ({:.3g}, {:.3g})", grows->drive_x, grows->drive_y);
+  if (grows == nullptr) {
+    parts.push_back({"wall.no_push"});
+    return {"wall.described", {{"parts", std::move(parts)}}};
+  }
   Vec2 push;
   for (const BlockId b : grows->driven) {
     push.x +=
@@ -198,8 +214,20 @@ std::string in_words(const Model& given) {
     push.y +=
         model.centroid_y[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());
   }
-  if (!grows->driven.empty()) words += fmt::format(" at ({:.3f}, {:.3f}) m", push.x, push.y);
-  return words;
+  Message pushed{
+      grows->driven.empty() ? "wall.loaded" : "wall.pushed",
+      {{"drive_x", to_digits(grows->drive_x, 3)}, {"drive_y", to_digits(grows->drive_y, 3)}}};
+  if (!grows->driven.empty()) {
+    pushed.arguments.emplace_back("x_m", to_millimetre(push.x));
+    pushed.arguments.emplace_back("y_m", to_millimetre(push.y));
+  }
+  parts.push_back(std::move(pushed));
+  return {"wall.described", {{"parts", std::move(parts)}}};
+}
+
+Message in_words(const std::string& mode, Hypothesis hypothesis) {
+  return {"limit.mechanism",
+          {{"mode", mode}, {"hypothesis", Message{word_of(kHypothesisCodes, hypothesis)}}}};
 }
 
 BracketVerdict bracket_of(const SecondOpinion& opinion) {
@@ -223,27 +251,27 @@ BracketVerdict bracket_of(const SecondOpinion& opinion) {
   return v;
 }
 
-std::vector<std::string> notes_on(const Model& model, const SecondOpinion& opinion) {
-  std::vector<std::string> notes;
+std::vector<Message> notes_on(const Model& model, const SecondOpinion& opinion) {
+  std::vector<Message> notes;
   for (const Mechanism& m : opinion.mechanisms) {
     for (const Mechanism& n : opinion.mechanisms) {
       const double infinite = n.curve.states.front().force, own = m.curve.states.front().force;
       if (n.mode != m.mode || n.hypothesis != Hypothesis::kInfinite || own <= infinite) continue;
-      notes.push_back(fmt::format(
-          "{} {}: {:.2f} kN at rest, more than the {:.2f} kN of infinite strength: its "
-          "moved hinges are another lever, take the lower one",
-          m.mode, word_of(kHypothesisWords, m.hypothesis), 1e-3 * own, 1e-3 * infinite));
+      notes.push_back({"limit.above_infinite",
+                       {{"mechanism", in_words(m.mode, m.hypothesis)},
+                        {"force_kN", 1e-3 * own},
+                        {"infinite_kN", 1e-3 * infinite}}});
     }
   }
-  const std::string here = in_words(model);
-  std::set<std::string> others;
+  const Message here = described(model);
+  std::vector<Message> others;
   for (const ComparedRun& run : opinion.comparison.runs)
-    if (!run.wall.empty() && run.wall != here) others.insert(run.wall);
-  for (const std::string& other : others)
-    notes.push_back(
-        fmt::format("{} is of another wall, the comparison says little: it has {}; the "
-                    "model has {}; give the model of that run",
-                    opinion.comparison.with, other, here));
+    if (!run.wall.empty() && run.wall != here &&
+        std::find(others.begin(), others.end(), run.wall) == others.end())
+      others.push_back(run.wall);
+  for (const Message& other : others)
+    notes.push_back({"limit.another_wall",
+                     {{"with", opinion.comparison.with}, {"other", other}, {"model", here}}});
   return notes;
 }
 

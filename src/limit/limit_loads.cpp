@@ -201,7 +201,7 @@ Model with_rigid_bodies(Model model) {
 
 namespace {
 
-void note_stages(const Model& model, std::vector<std::string>& notes) {
+void note_stages(const Model& model, std::vector<Message>& notes) {
   const Stage* grows = limit::growing_stage(model);
   if (grows == nullptr) return;
   const std::string name = "\"" + grows->spec.name + "\"";
@@ -217,38 +217,33 @@ void note_stages(const Model& model, std::vector<std::string>& notes) {
     }
   }
   if (!before.empty())
-    notes.push_back(
-        fmt::format("the limit load is that of the last stage that grows, {}: what {} left behind, "
-                    "cracks and displacements, is not in it",
-                    name, before));
-  if (!after.empty())
-    notes.push_back(fmt::format("the loads of {} come after {} and are not counted", after, name));
+    notes.push_back({"limit.after_pushes", {{"stage", name}, {"before", before}}});
+  if (!after.empty()) notes.push_back({"limit.later_loads", {{"stage", name}, {"after", after}}});
   const std::vector<double>& targets = grows->spec.targets;
   const bool forth = std::any_of(targets.begin(), targets.end(), [](double t) { return t > 0; });
   const bool back = std::any_of(targets.begin(), targets.end(), [](double t) { return t < 0; });
-  const char axis = grows->drive_x != 0 ? 'x' : 'y';
-  const char sign = grows->drive_x + grows->drive_y > 0 ? '+' : '-';
+  const std::string axis = grows->drive_x != 0 ? "x" : "y";
+  const bool is_positive = grows->drive_x + grows->drive_y > 0;
+  const std::string along = (is_positive ? "+" : "-") + axis;
+  const std::string against = (is_positive ? "-" : "+") + axis;
   if (forth && back)
-    notes.push_back(
-        fmt::format("{} goes both ways: the limit load is for {}{}; for the other way "
-                    "--set stage.{}.direction=\"{}{}\"",
-                    name, sign, axis, grows->spec.name, sign == '+' ? '-' : '+', axis));
+    notes.push_back({"limit.both_ways",
+                     {{"stage", name},
+                      {"direction", along},
+                      {"key", "stage." + grows->spec.name + ".direction"},
+                      {"other", against}}});
   if (limit::goes_back(*grows))
-    notes.push_back(fmt::format("all targets of {} lie behind it: the limit load is for {}{}", name,
-                                sign == '+' ? '-' : '+', axis));
+    notes.push_back({"limit.backwards", {{"stage", name}, {"direction", against}}});
 }
 
 }  // namespace
 
-std::vector<std::string> left_aside(const Model& model) {
-  std::vector<std::string> notes;
+std::vector<Message> left_aside(const Model& model) {
+  std::vector<Message> notes;
   note_stages(model, notes);
   const auto& kinds = model.anatomy.joint_kind;
   const bool chain = std::find(kinds.begin(), kinds.end(), JointKind::kLintelChain) != kinds.end();
-  if (chain || !model.solids.bodies.empty())
-    notes.emplace_back(
-        "lintels and blocks of zones count as rigid and unbreakable: limit analysis knows no "
-        "bending");
+  if (chain || !model.solids.bodies.empty()) notes.push_back({"limit.rigid_lintels"});
   return notes;
 }
 

@@ -57,10 +57,7 @@ class MaterialTable {
     for (const MaterialFault& fault : check_joint_material(material))
       faults_.add({"", "material." + name + "." + fault.key, "", fault.problem, fault.cure, 0});
     if (material.tensile_strength == 0 && material.cohesion > 0)
-      model_.anatomy.notes.push_back(
-          fmt::format("material.{}: without tensile strength its cohesion is lost from the start "
-                      "(damage 1), the residual friction governs",
-                      name));
+      model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
     return index_[name] = append(name, material);
   }
 

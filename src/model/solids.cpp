@@ -91,8 +91,12 @@ class BodyBuilder {
     check_slenderness(std::max(w, h), std::min(w, h), w < h);
     if (!sound_) return;
     solids::add_grid(grid, block.zone.kind, body_, model_.solids);
-    note(block, fmt::format("{} x {} zones of {:.1f} x {:.1f} mm", grid.columns, grid.rows, 1e3 * w,
-                            1e3 * h));
+    model_.anatomy.notes.push_back({"zones.grid",
+                                    {{"block", block.id},
+                                     {"columns", grid.columns},
+                                     {"rows", grid.rows},
+                                     {"width_mm", 1e3 * w},
+                                     {"height_mm", 1e3 * h}}});
   }
 
   void add_polygon(const Block& block) {
@@ -112,8 +116,10 @@ class BodyBuilder {
     check_slenderness(mesh.longest, mesh.shortest_height, false);
     if (!sound_) return;
     solids::add_triangles(mesh, body_, model_.solids);
-    note(block, fmt::format("{} triangles with sides up to {:.1f} mm", mesh.corner.size(),
-                            1e3 * mesh.longest));
+    model_.anatomy.notes.push_back({"zones.triangles",
+                                    {{"block", block.id},
+                                     {"triangles", mesh.corner.size()},
+                                     {"side_mm", 1e3 * mesh.longest}}});
   }
 
   void check_count(double zones) {
@@ -132,10 +138,6 @@ class BodyBuilder {
           is_short ? "write a greater zone_length"
                    : "write fewer zones through the depth or a smaller zone_length; cut a pointed "
                      "polygon into better shaped blocks");
-  }
-
-  void note(const Block& block, const std::string& text) {
-    model_.anatomy.notes.push_back(block.id + ": " + text);
   }
 
   const ModelSpec& spec_;

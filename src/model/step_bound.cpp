@@ -1,7 +1,5 @@
 #include "model/step_bound.h"
 
-#include <fmt/core.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -117,11 +115,6 @@ const SolidBody& body_of(const Solids& s, std::size_t node) {
   return s.bodies[k];
 }
 
-std::string place_of(const Solids& s, std::size_t node) {
-  return fmt::format("{} at ({:.3f}, {:.3f}) m", body_of(s, node).id, s.node_x[node],
-                     s.node_y[node]);
-}
-
 // Of the wall's mass: from here on added inertia drags on a push by more than a percent or two
 // (docs/decisions/0009).
 constexpr double kMuch = 0.03;
@@ -145,13 +138,13 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
     }
     if (added <= 0) continue;
     const double of_wall = added / std::accumulate(m.mass.begin(), m.mass.end(), before);
-    m.anatomy.notes.push_back(fmt::format(
-        "{}: inertia (not weight) of its nodes raised to the masonry's stable step: +{:.0f} % of "
-        "the block's mass, {:.1f} % of the wall's, up to {:.1f} times at ({:.3f}, {:.3f}) m{}",
-        body.id, 100 * added / before, 100 * of_wall, worst, s.node_x[at], s.node_y[at],
-        of_wall > kMuch ? "; so much that it drags on the wall: write fewer or longer zones "
-                          "(zone_length), or solve.raise_light_inertia = false"
-                        : ""));
+    m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.nodes_drag" : "inertia.nodes_raised",
+                               {{"block", body.id},
+                                {"of_block_percent", 100 * added / before},
+                                {"of_wall_percent", 100 * of_wall},
+                                {"times", worst},
+                                {"x_m", s.node_x[at]},
+                                {"y_m", s.node_y[at]}}});
   }
 }
 
@@ -163,13 +156,13 @@ void bound_nodes(Model& m, double blocks) {
   const auto greatest = std::max_element(bound.begin(), bound.end());
   if (!(*greatest > blocks)) return;
   m.omega_max = std::sqrt(*greatest);
-  if (blocks > 0)
-    m.anatomy.notes.push_back(
-        fmt::format("the node of {} rules the time step: {:.1f} times shorter than the rigid "
-                    "blocks need; write "
-                    "fewer or longer zones (zone_length), or solve.raise_light_inertia = true",
-                    place_of(m.solids, static_cast<std::size_t>(greatest - bound.begin())),
-                    std::sqrt(*greatest / blocks)));
+  if (!(blocks > 0)) return;
+  const auto node = static_cast<std::size_t>(greatest - bound.begin());
+  m.anatomy.notes.push_back({"step.ruled_by_node",
+                             {{"block", body_of(m.solids, node).id},
+                              {"x_m", m.solids.node_x[node]},
+                              {"y_m", m.solids.node_y[node]},
+                              {"times", std::sqrt(*greatest / blocks)}}});
 }
 
 }  // namespace
@@ -184,10 +177,9 @@ void bound_step(Model& m) {
     const double added = raise_light_inertia(m, bound, raised);
     const double all = std::accumulate(m.mass.begin(), m.mass.end(), 0.0);
     if (raised > 0)
-      m.anatomy.notes.push_back(fmt::format(
-          "inertia (not weight) of {} light block{} raised to the masonry's stable step: +{:.1f} % "
-          "of the wall's mass",
-          raised, raised == 1 ? "" : "s", 100 * added / (all - added)));
+      m.anatomy.notes.push_back(
+          {raised == 1 ? "inertia.block_raised" : "inertia.blocks_raised",
+           {{"blocks", raised}, {"of_wall_percent", 100 * added / (all - added)}}});
   }
   double blocks = 0;
   if (!bound.empty()) {

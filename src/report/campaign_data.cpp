@@ -10,6 +10,7 @@
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
+#include "report/said.h"
 #include "report/wall_arrays.h"
 #include "study/draws/sampling.h"
 #include "wythe/error.h"
@@ -79,12 +80,12 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
 Json sample_of(const SampleRecord& r, double read_modes_at) {
   Json json = {{"sample", r.sample},
                {"status", r.status},
-               {"reason", r.reason},
+               {"reason", said(r.reason)},
                {"answered", is_answered(r)},
                {"rows", backbone_of(r.curve).size()}};
   if (!is_answered(r)) return json;
   json["mode"] = r.failure_mode.name;
-  json["sentence"] = r.failure_mode.sentence;
+  json["sentence"] = said(shortened(r.failure_mode.sentence));
   json["read_at_mm"] = r.failure_mode.read_at * 1e3;
   json["read_early"] = is_read_early(r.failure_mode.read_at, read_modes_at);
   json["still_rising"] = is_still_rising(r);
@@ -93,7 +94,8 @@ Json sample_of(const SampleRecord& r, double read_modes_at) {
     json["response"].push_back(reading.value * q.to_unit);
     json["censored"].push_back(reading.censored);
   }
-  json["verdict"] = r.quasi_static.verdict;
+  json["verdict"] = said(r.quasi_static.verdict);
+  json["judgement"] = r.quasi_static.judgement;
   json["state_hash"] = r.state_hash;
   return json;
 }
@@ -158,6 +160,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
       first = model;
       add_wall(bundle, first);
       bundle.header["model"] = model_inputs(walls.build({}), first);
+      bundle.header["names"] = names_of(first);
       most = static_cast<int>(kMostWallNumbers / (3.0 * first.n_block +
                                                   4.0 * (first.n_joint + first.solids.n_contact) +
                                                   2.0 * first.solids.n_node));
@@ -170,6 +173,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
       arrays.add(model, s.state);
       frames.push_back({{"sample", r.sample},
                         {"label", s.label},
+                        {"asked_mm", s.asked * 1e3},
                         {"stored", stored},
                         {"displacement_mm", s.displacement * 1e3},
                         {"reaction_kN", s.reaction * 1e-3}});
@@ -188,15 +192,17 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   bundle.header["title"] = campaign.study.name;
   bundle.header["note"] = campaign.study.note;
   bundle.header["statistics"] = Json::parse(statistics_json(statistics));
+  say_messages(bundle.header["statistics"]);
   bundle.header["quantities"] = quantities_json();
   bundle.header["provenance"] = campaign.provenance;
   bundle.header["model_file"] =  // pages are sent about: no folders of this machine
       std::filesystem::path(campaign.study.model_file).filename().string();
   bundle.header["model_text"] = campaign.study.model_text;
   if (!campaign.study.until.empty()) {
-    std::string measures;
+    Message measures;
     const bool met = precise_enough(campaign.study.until, campaign, &measures);
-    bundle.header["until"] = {{"rule", campaign.study.until}, {"met", met}, {"measures", measures}};
+    bundle.header["until"] = {
+        {"rule", campaign.study.until}, {"met", met}, {"measures", said(measures)}};
   }
   add_inputs(bundle, campaign);
   add_samples(bundle, campaign, statistics.read_modes_at);

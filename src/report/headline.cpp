@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "dynamics/meters/balance.h"
 #include "report/html.h"
 #include "wythe/failure_mode.h"
+#include "wythe/limit.h"
 #include "wythe/statistics.h"
 
 namespace wythe::report {
@@ -35,28 +37,10 @@ constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a me
 constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
 constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
 
-// How slow a push was, in one of the meter's words; data without them begin their verdict so.
-std::string judgement_in(const std::string& judgement, const std::string& verdict) {
-  if (!judgement.empty()) return judgement;
-  for (const char* known : {"slow enough", "usable", "too fast", "unknown", "no push"})
-    if (verdict.rfind(known, 0) == 0) return known;
-  return "";
-}
-
-// "a force (b; c) and d (e)" -> "a force and d": what the names mean stands below.
-std::string without_brackets(const std::string& words) {
-  std::string out;
-  int depth = 0;
-  for (char c : words) {
-    if (c == '(') {
-      if (depth++ == 0 && !out.empty() && out.back() == ' ') out.pop_back();
-    } else if (c == ')') {
-      depth = std::max(0, depth - 1);
-    } else if (depth == 0) {
-      out += c;
-    }
-  }
-  return out;
+// How slow a push was, in one of the meter's words.
+std::string judgement_in(const Json& meter) {
+  const std::string judgement = words_in(meter, "judgement");
+  return judgement.empty() ? dynamics::judgement_of_older(words_in(meter, "verdict")) : judgement;
 }
 
 struct Card {
@@ -92,9 +76,9 @@ class RunHeadline {
   [[nodiscard]] std::string sentence() const { return cautions() + answer(); }
 
   [[nodiscard]] std::string warning() const {
-    const std::string status = words_in(s_, "status"), reason = words_in(s_, "reason");
+    const std::string status = words_in(s_, "status"), reason = said_in(s_, "reason");
     if (status == "completed" || (status.empty() && reason.empty())) return "";
-    return bold(texts_.say("status." + status)) + " " + report::sentence(texts_.phrase(reason));
+    return bold(texts_.say("status." + status)) + " " + report::sentence(reason);
   }
 
   [[nodiscard]] std::string cards() const {
@@ -160,8 +144,7 @@ class RunHeadline {
     if (!status.empty() && status != "completed" && status != "collapsed")
       add(texts_.say("status." + status));
     const Json& meter = member(s_, "quasi_static");
-    const std::string judgement =
-        judgement_in(words_in(meter, "judgement"), words_in(meter, "verdict"));
+    const std::string judgement = judgement_in(meter);
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") add(texts_.say("run.usable"));
     const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
@@ -214,8 +197,7 @@ class RunHeadline {
     return cards;
   }
   [[nodiscard]] std::string why_no_capacity() const {
-    std::string reason = texts_.phrase(words_in(s_, "peak_reason"));
-    while (!reason.empty() && reason.back() == '.') reason.pop_back();
+    const std::string reason = said_in(s_, "peak_reason");
     return reason.empty() ? texts_.say("run.no_capacity.reason") : escaped(reason);
   }
   [[nodiscard]] std::vector<Card> cards_without_capacity() const {
@@ -252,18 +234,24 @@ class RunHeadline {
   }
 
   [[nodiscard]] std::string mode() const {
-    const std::string name = words_in(failure_mode(), "name"),
-                      words = without_brackets(words_in(failure_mode(), "sentence"));
+    const std::string name = words_in(failure_mode(), "name");
+    const Json& of_mode = member(header_, "mode");  // older data lack it
+    const std::string words =
+        of_mode.is_object() ? said_in(of_mode, "brief") : said_in(failure_mode(), "sentence");
     const std::string at = texts_.quantity(number_in(failure_mode(), "read_at_mm"), "mm");
     if (name == "unclear" || name.empty())
       return " " +
              (is("censored_80") && !has_failed() ? texts_.say("run.unclear.so_far", {{"at", at}})
                                                  : texts_.say("run.unclear")) +
-             (words.empty() ? "" : " " + report::sentence(texts_.phrase(words)));
+             (words.empty() ? "" : " " + report::sentence(words));
     return " " +
            texts_.say(has_failed() ? "run.fails" : "run.shows",
-                      {{"mode", bold(escaped(texts_.phrase(name)))}, {"at", at}}) +
+                      {{"mode", bold(escaped(name_words(name)))}, {"at", at}}) +
            meaning(words) + ".";
+  }
+  [[nodiscard]] std::string name_words(const std::string& name) const {
+    const std::string words = said_in(member(header_, "mode"), "words");
+    return words.empty() ? texts_.phrase(name) : words;
   }
   // ": the piers rock"; of a wall of many parts their number, the table below says which.
   [[nodiscard]] std::string meaning(const std::string& words) const {
@@ -271,8 +259,8 @@ class RunHeadline {
     int damaged = 0;
     for (const Json& e : member(failure_mode(), "elements"))
       damaged += words_in(e, "state") != "intact" ? 1 : 0;
-    const bool is_list = words.find(": ") != std::string::npos;
-    if (!is_list || damaged <= kListedParts) return ": " + escaped(texts_.phrase(words));
+    const bool is_list = member(member(header_, "mode"), "lists_parts") == true;
+    if (!is_list || damaged <= kListedParts) return ": " + escaped(words);
     return ": " + parts();
   }
   [[nodiscard]] std::string parts() const {
@@ -293,6 +281,12 @@ class RunHeadline {
                          {{"n", std::to_string(n)}, {"of", std::to_string(of)}});
     }
     return texts_.say("parts.damaged", {{"list", list}});
+  }
+
+  // What the engine says, in the page's language; one text is the same in all.
+  [[nodiscard]] std::string said_in(const Json& json, const char* key) const {
+    const Json& texts = member(json, key);
+    return texts.is_array() ? texts.at(texts_.place()).get<std::string>() : words_in(json, key);
   }
 
   const Json& header_;
@@ -375,8 +369,7 @@ class CampaignHeadline {
       if (!member(sample, "answered").is_boolean() || !sample.at("answered").get<bool>()) continue;
       const Json& response = member(sample, "response");
       without_force_ += response.is_array() && !response.empty() && response[0].is_null() ? 1 : 0;
-      if (!are_counted)
-        ++judgements_[judgement_in(words_in(sample, "judgement"), words_in(sample, "verdict"))];
+      if (!are_counted) ++judgements_[judgement_in(sample)];
     }
   }
   [[nodiscard]] int judged(const char* judgement) const {
@@ -514,7 +507,10 @@ class LimitHeadline {
 
   [[nodiscard]] std::string warning() const {
     const int passed = passing();
-    return passed > 0 ? texts_.say("limit.warning", {{"n", std::to_string(passed)}}) : "";
+    return passed > 0
+               ? texts_.say("limit.warning", {{"n", std::to_string(passed)},
+                                              {"allowance", texts_.number(1e2 * kBoundTolerance)}})
+               : "";
   }
 
   [[nodiscard]] std::string cards() const {

@@ -5,6 +5,7 @@
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
+#include "report/said.h"
 #include "report/wall_arrays.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
@@ -23,12 +24,8 @@ void drop_folders(report::Json& opinion) {
   const std::string name = path.filename().string();
   if (name.empty() || name == with) return;
   comparison["with"] = name;
-  for (report::Json& note : opinion["notes"]) {
-    std::string text = note;
-    for (std::size_t at = text.find(with); at != std::string::npos; at = text.find(with, at + 1))
-      text.replace(at, with.size(), name);
-    note = text;
-  }
+  for (report::Json& note : opinion["notes_message"])
+    if (note.is_object() && note["arguments"].contains("with")) note["arguments"]["with"] = name;
 }
 
 }  // namespace
@@ -42,6 +39,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
   bundle.header["note"] = spec.note;
   bundle.header["opinion"] = Json::parse(mechanisms_json);
   drop_folders(bundle.header["opinion"]);
+  say_messages(bundle.header["opinion"]);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   const Provenance made = provenance();

@@ -1,5 +1,7 @@
 #include "report/model_inputs.h"
 
+#include "report/said.h"
+
 #include <cmath>
 #include <limits>
 
@@ -169,7 +171,7 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
             row("step_fraction", s.step_fraction, ""),
             row("gravity", s.gravity, "m/s²"),
             row("mass_scaling", s.mass_scaling, "")}},
-          {"notes", model.anatomy.notes}};
+          {"notes", said(model.anatomy.notes)}};
 }
 
 }  // namespace wythe::report

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/meters/residual.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
+#include "report/said.h"
 #include "report/wall_arrays.h"
 #include "study/answer_keys.h"
 #include "wythe/io.h"
@@ -18,16 +20,20 @@ using namespace report;
 
 struct Frame {
   const Snapshot* snapshot;
-  std::vector<std::string> labels;  // "peak"; none for those between
+  std::vector<Json> labels;  // "peak", "20 mm"; none for those between
 };
+
+Json label_of(const Snapshot& s) {
+  return std::isnan(s.asked) ? Json(s.label)
+                             : said(Message{"length.asked", {{"mm", 1e3 * s.asked}}});
+}
 
 // Snapshots and frames by time, each state once with all its labels.
 std::vector<Frame> frames_of(const Result& result) {
   std::vector<Frame> all;
   for (const auto* list : {&result.snapshots, &result.frames})
     for (const Snapshot& s : *list)
-      all.push_back(
-          {&s, s.label.empty() ? std::vector<std::string>{} : std::vector<std::string>{s.label}});
+      all.push_back({&s, s.label.empty() ? std::vector<Json>{} : std::vector<Json>{label_of(s)}});
   std::stable_sort(all.begin(), all.end(), [](const Frame& a, const Frame& b) {
     return a.snapshot->state.time < b.snapshot->state.time;
   });
@@ -81,6 +87,24 @@ void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, bool has_lint
   }
 }
 
+// The sentence without what the modes in it mean, which stands further down.
+Message brief(Message sentence) {
+  if (sentence.code == "mode.between_modes") sentence.code = "mode.between_kinds";
+  if (sentence.code == "mode.none_nearest") sentence.code = "mode.none_nearest_brief";
+  for (Argument& argument : sentence.arguments)
+    if (auto* parts = std::get_if<std::vector<Message>>(&argument.value))
+      for (Message& part : *parts) part = brief(std::move(part));
+  return sentence;
+}
+
+Json mode_of(const FailureMode& mode) {
+  const Message& sentence = mode.sentence;
+  return {{"words", said(mode.words)},
+          {"sentence", said(shortened(sentence))},
+          {"brief", said(brief(shortened(sentence)))},
+          {"lists_parts", sentence.code == "mode.parts" || sentence.code == "mode.parts_only"}};
+}
+
 }  // namespace
 
 std::string run_data(const ModelSpec& spec, const Model& model, const Result& result) {
@@ -90,6 +114,9 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["note"] = spec.note;
   bundle.header["weight_kN"] = model.weight * 1e-3;
   bundle.header["summary"] = Json::parse(summary_json(model, result));
+  say_messages(bundle.header["summary"]);
+  bundle.header["mode"] = mode_of(result.failure_mode);
+  bundle.header["names"] = names_of(model);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   add_wall(bundle, model);

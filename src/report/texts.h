@@ -2,7 +2,7 @@
 // headline (C++) and the viewer (web/src/texts.ts) share.
 //
 //   texts    key -> one text a language, with {places} for values
-//   phrases  an English phrase of the engine ("left pier", "FM-1", "at {} mm") -> other languages
+//   phrases  a word or name of the engine ("rocking", "bonded") -> other languages
 #pragma once
 
 #include <initializer_list>
@@ -22,12 +22,14 @@ class Texts {
 
   // The text as markup, values of its places put in as they are: they must be markup already.
   [[nodiscard]] std::string say(const std::string& key, Places places = {}) const;
-  // A phrase of the engine, as text; what is not in the table stays as it is. Lists ("a; b", "a: b",
-  // "a, b", "a + b") are taken apart, a {} of a pattern stands for a phrase or a number.
+  // A word or name of the engine, as text; what is not in the table stays as it is. Sentences come as
+  // messages (report/said.h).
   [[nodiscard]] std::string phrase(const std::string& english) const;
   // rounded() and quantity() of html.h with the language's decimal sign.
   [[nodiscard]] std::string number(double value, int digits = 3) const;
   [[nodiscard]] std::string quantity(double value, std::string_view unit, int digits = 3) const;
+  // Of the language in every row of the table.
+  [[nodiscard]] std::size_t place() const { return language_; }
 
  private:
   [[nodiscard]] std::string localised(std::string number) const;

@@ -172,8 +172,9 @@ std::string draw_crack(const JointReading& joint, Pixel from, Pixel to, WallPict
       "x2=\"{:.1f}\" "
       "y2=\"{:.1f}\"><title>{}: open {} mm, slip {} mm, damage {}</title></line>\n",
       css, width, is_softening ? 0.25 + 0.65 * joint.damage : 1.0, from.x, from.y, to.x, to.y,
-      word_of(kJointKindTitles, joint.shape.kind), rounded(std::max(0.0, joint.opening) * 1e3, 2),
-      rounded(slip * 1e3, 2), rounded(joint.damage, 2));
+      text_of({word_of(kJointKindCodes, joint.shape.kind)}),
+      rounded(std::max(0.0, joint.opening) * 1e3, 2), rounded(slip * 1e3, 2),
+      rounded(joint.damage, 2));
 }
 
 // Both ends of a joint where the picture has them [m].

@@ -5,7 +5,7 @@
 //   each_quasi_static(v, meters)      the same for the meters at the peak
 //   kEnergyTerms                      of the ledger
 //
-// A visitor is called with double, bool or std::string members. The order is that of samples.csv.
+// A visitor is called with double, bool, std::string or Message members. The order is that of samples.csv.
 #pragma once
 
 #include <iterator>

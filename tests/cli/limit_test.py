@@ -248,7 +248,7 @@ cov = 0.02
         self.assertEqual([m["hypothesis"] for m in data["mechanisms"]], ["infinite", "infinite"])
         self.assertEqual(len(data["refused"]), 4)
         self.assertGreater(len(data["limit_loads"]), 0)
-        self.assertIn("FM-4 macro_block_2 left out", done.stderr)
+        self.assertIn("FM-4 Macro-Block 2 left out", done.stderr)
 
     def refused(self, text, words, *arguments):
         model = self.folder / "refused.toml"

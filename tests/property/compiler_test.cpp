@@ -74,6 +74,11 @@ class Bytes {
   void add(const SolveSpec& spec) { add_described(spec); }
   void add(const OutputSpec& spec) { add_described(spec); }
 
+  void add(const Argument& argument) {
+    add(argument.name);
+    std::visit([this](const auto& value) { add(value); }, argument.value);
+  }
+  void add(const Message& message) { add_all(message.code, message.arguments); }
   void add(const PointLoad& load) {
     const auto& [block, arm_x, arm_y, fx, fy] = load;
     add_all(block, arm_x, arm_y, fx, fy);

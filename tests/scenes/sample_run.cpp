@@ -59,7 +59,7 @@ FailureMode sample_mode() {
   FailureMode mode;
   mode.name = "FM-1";
   mode.scores = {{"FM-1", 0.8}, {"FM-2", 0.1}};
-  mode.sentence = "The upper block slides on the bed joint.";
+  mode.sentence = as_text("The upper block slides on the bed joint.");
   mode.evidence = {
       {.element = "bed joint", .measure = "slip", .value = 3, .threshold = 1, .unit = "mm"}};
   mode.read_at = 6e-3;
@@ -159,8 +159,11 @@ Result sample_result() {
   r.energy.fracture = 2.5;
   r.energy.damping = 7;
   r.energy.gap_ratio = kUnset;  // not a number: null in JSON, a dash on the page
-  r.quasi_static.verdict = "slow enough";
-  r.events = {{"first crack", 0.5e-3, 3e3, "bed joint at 0.1 m, 0.1 m"}};
+  r.quasi_static.verdict = as_text("slow enough");
+  r.events = {{{"event.first_crack"},
+               0.5e-3,
+               3e3,
+               {"place.joint", {{"joint", Message{"joint.bed"}}, {"x_m", 0.1}, {"y_m", 0.1}}}}};
   r.failure_mode = sample_mode();
   r.snapshots = {{"start of push", 0, 0, sample_state()}, {"end", 10e-3, 6e3, sample_state()}};
   r.stages = {

@@ -33,8 +33,8 @@ std::string rows(const std::vector<CurveRow>& curve) {
 std::string states(const char* what, const std::vector<Snapshot>& snapshots) {
   std::string text;
   for (const Snapshot& s : snapshots)
-    text += fmt::format("{} \"{}\"{} {}\n", what, s.label, bits({s.displacement, s.reaction}),
-                        whole(s.state));
+    text += fmt::format("{} \"{}\"{} {}\n", what, s.label,
+                        bits({s.displacement, s.reaction, s.asked}), whole(s.state));
   return text;
 }
 
@@ -49,8 +49,8 @@ std::string direction(const DirectionReadings& d) {
 }
 
 std::string readings(const Responses& r) {
-  std::string text = fmt::format("\"{}\" {} {} {} \"{}\"", r.peak_reason, r.censored_peak,
-                                 r.censored_80, r.censored_max, r.collapse.criterion);
+  std::string text = fmt::format("\"{}\" {} {} {} \"{}\"", text_of(r.peak_reason), r.censored_peak,
+                                 r.censored_80, r.censored_max, text_of(r.collapse.criterion));
   text += bits({r.peak_reaction, r.displacement_at_peak, r.peak_raw, r.displacement_at_peak_raw,
                 r.displacement_at_80, r.displacement_max, r.initial_stiffness, r.load_height,
                 r.work_to_peak, r.work_to_80, r.work_total, r.bilinear.force, r.bilinear.ductility,
@@ -77,9 +77,9 @@ std::string whole(const State& s) {
 }
 
 std::string whole(const Result& r) {
-  std::string text =
-      fmt::format("{}: {}\n{} {} steps", to_string(r.status), r.reason, r.state_hash, r.steps) +
-      bits({r.load_factor, r.top_displacement, r.time_step}) + "\n";
+  std::string text = fmt::format("{}: {}\n{} {} steps", to_string(r.status), text_of(r.reason),
+                                 r.state_hash, r.steps) +
+                     bits({r.load_factor, r.top_displacement, r.time_step}) + "\n";
   for (const StageReport& s : r.stages)
     text += fmt::format("stage {} {} {}", s.name, s.steps, s.settled) +
             bits({s.time, s.unbalance_ratio}) + "\n";
@@ -92,13 +92,14 @@ std::string whole(const Result& r) {
           bits({e.loads, e.drive, e.kinetic, e.elastic, e.friction, e.fracture, e.crushing,
                 e.damping, e.gap}) +
           "\n";
-  text += fmt::format("{} {}", r.quasi_static.judgement, r.quasi_static.verdict) +
+  text += fmt::format("{} {}", r.quasi_static.judgement, text_of(r.quasi_static.verdict)) +
           bits({r.quasi_static.shear_gap, r.quasi_static.damping_share, r.quasi_static.lift}) +
           "\n";
-  text += fmt::format("validity {} {}", r.validity.joints, r.validity.where) +
+  text += fmt::format("validity {} {}", r.validity.joints, text_of(r.validity.where)) +
           bits({r.validity.overlap_lost}) + "\n";
   for (const Event& event : r.events)
-    text += fmt::format("event {} {} {}", event.name, event.where, event.is_beyond_limit) +
+    text += fmt::format("event {} {} {}", text_of(event.name), text_of(event.where),
+                        event.is_beyond_limit) +
             bits({event.displacement, event.reaction}) + "\n";
   text += "cracked" + bits(r.joint_crack_displacement) + "\n";
   return text + states("snapshot", r.snapshots) + states("reading", r.readings) +

@@ -138,7 +138,8 @@ TEST(CampaignReport, one_sample_says_so) {
 
 TEST(CampaignReport, all_failed_says_so_and_carries_the_causes) {
   Campaign campaign = sample_campaign(3);
-  for (SampleRecord& r : campaign.records) r.status = "unstable", r.reason = "block 7 flew off";
+  for (SampleRecord& r : campaign.records)
+    r.status = "unstable", r.reason = as_text("block 7 flew off");
   EXPECT_EQ(count(head_of(campaign), "None of the 3 samples"), 1);
   const Json header = header_of(data_of(campaign));
   EXPECT_EQ(header["statistics"]["samples"]["unanswered"].size(), 3u);

@@ -476,8 +476,8 @@ TEST(Cyclic, a_direction_that_begins_under_force_has_no_stiffness) {
 
 TEST(Cyclic, only_the_side_on_which_the_wall_fell_has_come_to_its_end) {
   const auto lopsided = [](double d) { return d < 0 ? -80.0 : 100.0; };
-  const Responses r =
-      read_responses(driven(lopsided, {4, -3}), {.collapse = "block c03 has moved 200 mm"});
+  const Responses r = read_responses(driven(lopsided, {4, -3}),
+                                     {.collapse = as_text("block c03 has moved 200 mm")});
   EXPECT_EQ(r.cyclic.sense, 1);
   EXPECT_TRUE(r.censored_80);  // along the push it held 4 mm, and nobody knows how much more
   EXPECT_TRUE(r.cyclic.positive.censored_80);
@@ -485,11 +485,12 @@ TEST(Cyclic, only_the_side_on_which_the_wall_fell_has_come_to_its_end) {
   EXPECT_NEAR(r.cyclic.negative.displacement_at_80, 3, 1e-9);
   EXPECT_FALSE(r.collapse.censored);
   EXPECT_NEAR(r.collapse.displacement, 3, 1e-9);
-  EXPECT_EQ(r.collapse.criterion, "block c03 has moved 200 mm");
+  EXPECT_EQ(text_of(r.collapse.criterion), "block c03 has moved 200 mm");
 }
 
 TEST(Cyclic, a_wall_that_falls_on_its_way_back_reached_what_it_reached) {
-  const Responses r = read_responses(driven(slider(50), {8, 3}), {.collapse = "a block fell"});
+  const Responses r =
+      read_responses(driven(slider(50), {8, 3}), {.collapse = as_text("a block fell")});
   EXPECT_NEAR(r.displacement_at_80, 8, 1e-9);
   EXPECT_FALSE(r.censored_80);
   EXPECT_NEAR(r.collapse.displacement, 8, 1e-9);

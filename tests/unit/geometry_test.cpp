@@ -84,7 +84,8 @@ bool mentions(const std::string& text, const std::string& word) {
 
 bool notes_mention(const Assembly& assembly, const std::string& word) {
   const auto& notes = assembly.report.notes;
-  return std::any_of(notes.begin(), notes.end(), [&](const auto& n) { return mentions(n, word); });
+  return std::any_of(notes.begin(), notes.end(),
+                     [&](const Message& n) { return mentions(text_of(n), word); });
 }
 
 int count(const Assembly& assembly, Role role) {

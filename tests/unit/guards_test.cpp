@@ -164,8 +164,9 @@ TEST(Overload, a_wall_that_cannot_carry_its_load_is_told_so_and_not_to_lower_its
     State state = initial_state(model);
     const Result result = solve(model, state);
     EXPECT_EQ(result.status, SolveStatus::kCollapsed) << load << ": " << result.reason;
-    EXPECT_TRUE(says(result.reason, "can't carry its load")) << load << ": " << result.reason;
-    EXPECT_FALSE(says(result.reason, "step_fraction")) << result.reason;
+    EXPECT_TRUE(says(text_of(result.reason), "can't carry its load"))
+        << load << ": " << result.reason;
+    EXPECT_FALSE(says(text_of(result.reason), "step_fraction")) << result.reason;
   }
 }
 
@@ -194,7 +195,7 @@ TEST(Places, keys_beside_a_blocks_file_are_named_as_not_used) {
   text = with(text, "y = \"3.12 m\"", "y = \"0.75 m\"");
   const Model model = compile(parse_model(text, "model.toml", {}, blocks));
   std::string notes;
-  for (const std::string& note : model.anatomy.notes) notes += note + "\n";
+  for (const Message& note : model.anatomy.notes) notes += text_of(note) + "\n";
   EXPECT_TRUE(says(notes,
                    "wall.length, wall.height, wall.bond, wall.unit.length, wall.unit.height, "
                    "wall.opening are not used"))
@@ -320,7 +321,7 @@ TEST(Lintel, a_kind_that_is_no_known_word_is_said_to_have_no_effect) {
   const auto notes = [&](const char* kind) {
     lintel.kind = kind;
     std::string all;
-    for (const std::string& note : compile(spec).anatomy.notes) all += note + "\n";
+    for (const Message& note : compile(spec).anatomy.notes) all += text_of(note) + "\n";
     return all;
   };
   EXPECT_TRUE(says(notes("none"), "kind = \"none\" has no effect: the lintel is there"));

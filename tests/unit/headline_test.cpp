@@ -1,5 +1,6 @@
 // The headline of runs and campaigns from data written by hand: what makes the numbers doubtful stands
 // before any of them, what is not known is never a number, and a wall of many parts takes one sentence.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,9 @@
 #include "report/bundle.h"
 #include "report/headline.h"
 #include "report/texts.h"
+#include "scenes/sample_run.h"
+#include "wythe/limit.h"
+#include "wythe/report.h"
 
 namespace wythe {
 namespace {
@@ -22,9 +26,13 @@ int count(const std::string& text, const std::string& part) {
 }
 
 // The headline of data written by hand: keys as summary.json and statistics.json have them.
-std::string run_head(const std::string& summary, const std::string& language = "en") {
-  const Json header = {
-      {"kind", "run"}, {"title", "w"}, {"weight_kN", 4.5}, {"summary", Json::parse(summary)}};
+std::string run_head(const std::string& summary, const std::string& language = "en",
+                     const Json& mode = nullptr) {
+  const Json header = {{"kind", "run"},
+                       {"title", "w"},
+                       {"weight_kN", 4.5},
+                       {"summary", Json::parse(summary)},
+                       {"mode", mode}};
   return headline_of(header, Texts(language));
 }
 // The answer alone, as a reader sees it.
@@ -143,29 +151,38 @@ TEST(Headline, a_wall_that_came_down_is_not_to_be_pushed_farther) {
 // A facade of eight piers: one short sentence, the rest is in the table below.
 TEST(Headline, many_damaged_parts_are_counted_not_listed) {
   Json elements = Json::array();
-  std::string sentence;
   for (int i = 1; i <= 8; ++i) {
     const std::string name = "pier " + std::to_string(i);
     elements.push_back(
         {{"element", name}, {"kind", "pier"}, {"state", i < 7 ? "rocking" : "intact"}});
-    if (i < 7) sentence += (i > 1 ? "; " : "") + name + ": rocking, flexural crack";
   }
   for (int i = 1; i <= 7; ++i)
     elements.push_back(
         {{"element", "spandrel " + std::to_string(i)}, {"kind", "spandrel"}, {"state", "intact"}});
   const Json mode = {
-      {"name", "pier rocking"}, {"sentence", sentence}, {"read_at_mm", 40}, {"elements", elements}};
-  const std::string said = answer_of(run_head(pushed(", \"failure_mode\": " + mode.dump())));
+      {"name", "pier rocking"}, {"sentence", "?"}, {"read_at_mm", 40}, {"elements", elements}};
+  const std::string said =
+      answer_of(run_head(pushed(", \"failure_mode\": " + mode.dump()), "en",
+                         {{"words", "pier rocking"}, {"brief", "?"}, {"lists_parts", true}}));
   EXPECT_NE(said.find("It fails by pier rocking: damage shows in 6 of 8 piers."), std::string::npos)
       << said;
   EXPECT_LT(said.size(), 220u) << said;
 }
 
 TEST(Headline, candidates_of_an_unclear_mode_are_named_without_their_definitions) {
-  const std::string said = answer_of(run_head(pushed(R"j(, "failure_mode": {"name": "unclear",
-    "sentence": "between FM-4 (the spandrel fails; the piers rock) and FM-5 (the piers rock)",
-    "read_at_mm": 40})j")));
-  EXPECT_NE(said.find("Between FM-4 and FM-5."), std::string::npos) << said;
+  Result result = scenes::sample_result();
+  result.failure_mode.name = "unclear";
+  result.failure_mode.sentence = {"mode.between_modes",
+                                  {{"first", as_text("FM-4")},
+                                   {"first_means", Message{"mode.fm_4"}},
+                                   {"second", as_text("FM-5")},
+                                   {"second_means", Message{"mode.fm_5"}}}};
+  const Json header = header_of(run_data(scenes::sample_spec(), scenes::sample_model(), result));
+  for (const auto& [language, words] :
+       {std::pair{"en", "Between FM-4 and FM-5."}, std::pair{"it", "Tra FM-4 e FM-5."}}) {
+    const std::string said = answer_of(headline_of(header, Texts(language)));
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  }
 }
 
 std::string campaign_head(const std::string& samples, const std::string& statistics,
@@ -215,6 +232,14 @@ TEST(Headline, a_campaign_counts_the_samples_without_a_force_in_balance) {
   EXPECT_NE(answer_of(none).find("No strength was found."), std::string::npos) << answer_of(none);
   EXPECT_EQ(count(none, "wall resists") + count(none, ">0\u202fkN") + count(none, "null"), 0)
       << none;
+}
+
+TEST(Headline, runs_above_their_limit_load_are_told_the_allowance_the_program_uses) {
+  const Json header = Json::parse(R"({"kind": "limit", "title": "w", "opinion": {
+    "mechanisms": [], "limit_loads": [], "comparison": {"bounds": [{"holds": false}]}}})");
+  const std::string allowance = fmt::format("{:g}\u202f%", 1e2 * kBoundTolerance);
+  for (const char* language : {"en", "it"})
+    EXPECT_EQ(count(headline_of(header, Texts(language)), allowance), 1) << language;
 }
 
 }  // namespace

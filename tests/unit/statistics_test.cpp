@@ -239,15 +239,15 @@ TEST(CampaignStatistics, plain_names_stand_as_they_are) {
 
 TEST(CampaignStatistics, only_ended_pushes_count_and_the_rest_is_listed) {
   SampleRecord unstable = sample_record(2, 300e3, "FM-1"), refused;
-  unstable.status = "unstable", unstable.reason = "it flew";
-  refused.sample = 3, refused.status = "refused", refused.reason = "snap-back";
+  unstable.status = "unstable", unstable.reason = as_text("it flew");
+  refused.sample = 3, refused.status = "refused", refused.reason = as_text("snap-back");
   const Statistics s =
       statistics_of(of_records({sample_record(1, 100e3, "FM-1"), unstable, refused}));
   EXPECT_EQ(s.run, 3);
   EXPECT_EQ(s.answered, 1);
   EXPECT_DOUBLE_EQ(s.group[0].quantity[0].max, 100e3);
   ASSERT_EQ(s.unanswered.size(), 2u);
-  EXPECT_EQ(s.unanswered[1].reason, "snap-back");
+  EXPECT_EQ(text_of(s.unanswered[1].reason), "snap-back");
   EXPECT_EQ(s.status.at("refused"), 1);
 }
 
@@ -354,7 +354,8 @@ TEST(CampaignStatistics, a_collapse_is_an_event_and_not_a_lower_bound) {
     if (collapsed) records.back().status = "collapsed";
     auto& curve = records.back().curve;
     if (collapsed) curve.resize(curve.size() - static_cast<std::size_t>(i));
-    records.back().responses = read_responses(curve, {.collapse = collapsed ? "a block fell" : ""});
+    records.back().responses =
+        read_responses(curve, {.collapse = as_text(collapsed ? "a block fell" : "")});
   }
   const Statistics s = statistics_of(of_records(records));
   const auto q = static_cast<std::size_t>(std::find_if(quantities().begin(), quantities().end(),
@@ -422,11 +423,11 @@ TEST(CampaignStatistics, changes_of_the_name_and_flags_are_counted_over_samples)
   }
   const Statistics s = statistics_of(of_records(records));
   ASSERT_EQ(s.name_sensitivity.size(), 3u);
-  EXPECT_EQ(s.name_sensitivity[0].reading.what(), "at the peak");
+  EXPECT_EQ(text_of(s.name_sensitivity[0].reading.what()), "at the peak");
   EXPECT_EQ(s.name_sensitivity[0].differs, 10);
-  EXPECT_EQ(s.name_sensitivity[1].reading.what(), "at 20 mm");
+  EXPECT_EQ(text_of(s.name_sensitivity[1].reading.what()), "at 20 mm");
   EXPECT_EQ(s.name_sensitivity[1].differs, 7);
-  EXPECT_EQ(s.name_sensitivity[2].reading.what(), "crack width x 0.75");
+  EXPECT_EQ(text_of(s.name_sensitivity[2].reading.what()), "crack width x 0.75");
   EXPECT_EQ(s.name_sensitivity[2].differs, 1);
   ASSERT_EQ(s.flag.size(), 1u);
   EXPECT_EQ(s.flag[0].raised, 4);
@@ -516,12 +517,12 @@ TEST(UntilRule, never_stops_below_twenty_samples) {
   std::vector<SampleRecord> records;
   for (int i = 1; i <= 19; ++i) records.push_back(sample_record(i, 100e3 + i, "FM-1"));
   const std::string rule = "relative_interval(peak_reaction) < 5 %";
-  std::string said;
+  Message said;
   EXPECT_FALSE(precise_enough(rule, of_records(records), &said));
-  EXPECT_NE(said.find("at least 20"), std::string::npos);
+  EXPECT_NE(text_of(said).find("at least 20"), std::string::npos);
   records.push_back(sample_record(20, 100e3, "FM-1"));
   EXPECT_TRUE(precise_enough(rule, of_records(records), &said));
-  EXPECT_NE(said.find("20 samples"), std::string::npos);
+  EXPECT_NE(text_of(said).find("20 samples"), std::string::npos);
   EXPECT_FALSE(precise_enough("", of_records(records), &said));
 }
 

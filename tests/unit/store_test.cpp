@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 
+#include "core/messages.h"
 #include "scenes/small_study.h"
 #include "study/store/folder_lock.h"
 #include "study/store/packing.h"
@@ -75,18 +76,18 @@ SampleRecord full_record(int sample) {
   r.sample = sample;
   r.inputs = two_samples().value[static_cast<std::size_t>(sample - 1)];
   r.status = "completed";
-  r.reason = "because, \"quoted\"";
+  r.reason = as_text("because, \"quoted\"");
   r.retried = true;
   r.responses.peak_reaction = 0.1 + 0.2;
   r.responses.censored_80 = false;
   r.responses.falls = {{0.5, 1.0 / 3, 0.01, false}, {0.8, 0.2, 0.02, true}};
   r.responses.bilinear.ductility = 3.7;
-  r.responses.collapse = {0.04, 0.013, false, "a block fell"};
+  r.responses.collapse = {0.04, 0.013, false, as_text("a block fell")};
   r.failure_mode.name = "FM-3";
   r.failure_mode.scores = {{"FM-1", 0.25}, {"FM-3", 0.75}};
   r.failure_mode.evidence = {evidence("left pier"), evidence("spandrel")};
   r.failure_mode.flags = {evidence("right pier")};
-  r.failure_mode.sentence = "words";
+  r.failure_mode.sentence = as_text("words");
   r.failure_mode.read_at = 0.04;
   ElementState element{"left pier", "pier", "rocking", {}, 0.01};
   element.signs = {{"rocking", "rise of the heel", 2, 1, "mm", 0.01},
@@ -94,9 +95,9 @@ SampleRecord full_record(int sample) {
   r.failure_mode.elements = {element, {"spandrel", "spandrel", "intact", {}, kNan}};
   r.failure_mode.sensitivity = {{"unclear", "20 mm", 0.02, "crack width", 0.75}};
   r.features = {{"left_pier_slip", 0.01, 0.123}};
-  r.events = {{"first crack", 0.001, 2e4, "bed joint at (0, 0) m"}};
+  r.events = {{{"event.first_crack"}, 0.001, 2e4, as_text("bed joint at (0, 0) m")}};
   r.energy.fracture = 12.5;
-  r.quasi_static.verdict = "slow enough";
+  r.quasi_static.verdict = {"rate.slow_enough", {{"lift_percent", 1.5}}};
   r.curve = curve(7);
   r.steps = 123456789012;
   r.time_step = 1e-5;
@@ -115,6 +116,9 @@ struct Told {
   }
   void operator()(const char* name, bool v) { all.push_back(name + std::string(v ? " 1" : " 0")); }
   void operator()(const char* name, const std::string& v) { all.push_back(name + (" " + v)); }
+  void operator()(const char* name, const Message& v) {
+    all.push_back(name + (" " + text_of(v) + message_json(v)));
+  }
   static std::string hex(double v) {
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), " %a", v);
@@ -330,11 +334,11 @@ TEST_F(StoreFile, of_version_1_is_read_and_not_written) {
   const SampleRecord record = read_campaign(out_).records.at(0);
   const std::vector<NameReading>& r = record.failure_mode.sensitivity;
   ASSERT_EQ(r.size(), 4U);
-  EXPECT_EQ(r[0].what(), "at the peak");
-  EXPECT_EQ(r[1].what(), "at 20 mm");
+  EXPECT_EQ(text_of(r[0].what()), "at the peak");
+  EXPECT_EQ(text_of(r[1].what()), "at 20 mm");
   EXPECT_NEAR(r[1].displacement, 20.03e-3, 1e-12);
-  EXPECT_EQ(r[2].what(), "at the end");
-  EXPECT_EQ(r[3].what(), "crack width x 0.75");
+  EXPECT_EQ(text_of(r[2].what()), "at the end");
+  EXPECT_EQ(text_of(r[3].what()), "crack width x 0.75");
   EXPECT_EQ(r[3].name, "unclear");
   EXPECT_EQ(record.failure_mode.scores, full_record(1).failure_mode.scores);
   ASSERT_EQ(record.features.size(), 1U);

@@ -293,10 +293,10 @@ TEST(StudyNotes, what_the_push_does_not_reach) {
   study.states = {end, 1.5 * end};
   study.read_modes_at = 2 * end;
   const ModelSpec base = model_builder(parsed(kStudy))({});
-  const Texts notes = notes_of(study, base);
+  const std::vector<Message> notes = notes_of(study, base);
   ASSERT_EQ(notes.size(), 2U);
-  EXPECT_TRUE(notes[0].starts_with("study.states asks for a state at "));
-  EXPECT_TRUE(notes[1].starts_with("failure modes are named at "));
+  EXPECT_TRUE(text_of(notes[0]).starts_with("study.states asks for a state at "));
+  EXPECT_TRUE(text_of(notes[1]).starts_with("failure modes are named at "));
   study.states.clear(), study.read_modes_at = end;
   EXPECT_TRUE(notes_of(study, base).empty());
 }

@@ -37,7 +37,7 @@ std::string refusal(const ModelSpec& spec) {
 
 std::string notes(const Model& model) {
   std::string all;
-  for (const std::string& note : model.anatomy.notes) all += note + "\n";
+  for (const Message& note : model.anatomy.notes) all += text_of(note) + "\n";
   return all;
 }
 
@@ -266,8 +266,8 @@ TEST(ZoneResults, a_limit_that_is_passed_is_said_once_with_its_place) {
   const auto beyond = [](const Result& result) {
     std::vector<std::string> found;
     for (const Event& event : result.events)
-      if (has(event.name, "beyond its tension limit"))
-        found.push_back(event.name + ": " + event.where);
+      if (event.name.code == "event.beyond_tension")
+        found.push_back(text_of(event.name) + ": " + text_of(event.where));
     return found;
   };
   const auto said = beyond(pushed(1e3).result);

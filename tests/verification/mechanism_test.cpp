@@ -459,7 +459,7 @@ TEST(MacroBlock, comparison_of_a_curve_with_itself_and_with_its_half) {
     half.curve.push_back({.displacement = s.displacement, .reaction = s.force / 2});
   }
   half.bound = m.curve.states[0].force / 2 / 1.05;
-  half.rate_verdict = "too fast";
+  half.judgement = "too fast";
   const Comparison c = compare("folder", {same, half}, {m});
   ASSERT_EQ(c.curves.size(), 2u);
   EXPECT_NEAR(c.curves[0].peak_ratio, 1, 1e-12);
@@ -504,12 +504,12 @@ TEST(MacroBlock, notes_name_a_broken_order_and_runs_of_another_wall) {
   const double infinite = opinion.mechanisms[0].curve.states[0].force;
   opinion.mechanisms[2].curve.states[0].force = 1.01 * infinite;
   ASSERT_EQ(notes_on(model, opinion).size(), 1u);
-  EXPECT_NE(notes_on(model, opinion)[0].find("macro_block_2"), std::string::npos);
+  EXPECT_EQ(notes_on(model, opinion)[0].code, "limit.above_infinite");
   ComparedRun run{.name = "run", .mode = "FM-4"};
-  run.wall = in_words(model);
+  run.wall = described(model);
   opinion.comparison.runs = {run};
   EXPECT_EQ(notes_on(model, opinion).size(), 1u);
-  opinion.comparison.runs[0].wall = in_words(portal_wall(-1));
+  opinion.comparison.runs[0].wall = described(portal_wall(-1));
   EXPECT_EQ(notes_on(model, opinion).size(), 2u);
 }
 

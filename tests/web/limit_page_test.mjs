@@ -181,8 +181,13 @@ function opinion(blocks, name = "run") {
   });
   return {
     wythe: "0.1.0",
-    refused: [{ what: "FM-1 macro_block_2", why: "the spandrel is <b>one course</b> high" }],
-    notes: ["FM-4 macro_block_2: 12.00 kN at rest, more than the 11.00 kN of infinite strength: its moved hinges are another lever, take the lower one"],
+    refused: [{ what: ["FM-1 Macro-Block 2", "FM-1 Macro-Blocco 2"], why: "the spandrel is <b>one course</b> high" }],
+    notes: [
+      [
+        "FM-4 Macro-Block 2: 12.00 kN at rest, more than the 11.00 kN of infinite strength: its moved hinges are another lever, take the lower one",
+        "FM-4 Macro-Blocco 2: 12,00 kN all’inizio, più dei 11,00 kN con resistenza infinita: le cerniere spostate danno un’altra leva, prendere il valore minore",
+      ],
+    ],
     mechanisms,
     limit_loads: [limit("dry", 9.5), limit("bonded", 21.5)],
     comparison: {

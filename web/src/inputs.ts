@@ -1,7 +1,7 @@
 // What went in: wall, openings, materials, stages and settings, and what every run takes for granted.
 import { h, type Child } from "./dom";
 import { table } from "./tables";
-import { num, phrase, qty, say } from "./texts";
+import { num, phrase, qty, say, type Said } from "./texts";
 
 const shown = (value: unknown, unit: string): string =>
   value === "unlimited"
@@ -93,7 +93,7 @@ export function inputTables(inputs: any, note: string): Child {
           h(
             "ul",
             { class: "notes" },
-            inputs.notes.map((n: string) => h("li", {}, phrase(n))),
+            inputs.notes.map((n: Said) => h("li", {}, phrase(n))),
           ),
         ]
       : null,

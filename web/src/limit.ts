@@ -7,7 +7,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
-import { capital, knows, num, pageUnit, phrase, qty, say } from "./texts";
+import { capital, knows, num, pageUnit, phrase, qty, say, type Said } from "./texts";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
 
@@ -246,14 +246,12 @@ function withoutBound(list: { run: string; why: string }[]): Child {
 
 // What could not be answered, and what the program itself warns of.
 function doubts(opinion: any): Child {
-  const named = (text: string): string =>
-    phrase(text).replace(/\bmacro_block_[12]\b/g, (name) => say(`hypothesis.${name}`));
   const words: Child[] = [
     ...(opinion.refused ?? []).map((r: any) => [
-      h("b", {}, say("doubts.refused", { what: named(r.what) })),
-      `: ${named(r.why)}`,
+      h("b", {}, say("doubts.refused", { what: phrase(r.what) })),
+      `: ${r.why}`,
     ]),
-    ...(opinion.notes ?? []).map((n: string) => capital(named(n))),
+    ...(opinion.notes ?? []).map((n: Said) => capital(phrase(n))),
   ];
   if (words.length === 0) return null;
   return h(

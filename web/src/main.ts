@@ -4,7 +4,7 @@ import "./style.css";
 import { fromBase64, unpack } from "./bundle";
 import { later } from "./dom";
 import { build, fail, type Section } from "./page";
-import { say, speak } from "./texts";
+import { learn, say, speak } from "./texts";
 import { runSections } from "./run";
 import { campaignSections } from "./campaign/page";
 import { limitSections } from "./limit";
@@ -18,6 +18,7 @@ async function start(): Promise<void> {
   try {
     if (typeof DecompressionStream === "undefined") throw new Error(say("old_browser"));
     const bundle = await unpack(fromBase64(text));
+    learn(bundle.header.names);
     switch (bundle.header.kind) {
       case "run":
         sections = runSections(bundle);

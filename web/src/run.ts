@@ -9,7 +9,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { table } from "./tables";
-import { capital, num, phrase, qty, say, shortened } from "./texts";
+import { capital, num, phrase, qty, say, type Said } from "./texts";
 import { Frames, readWall } from "./wall";
 import { WallView, type FrameInfo } from "./wallview";
 
@@ -31,7 +31,22 @@ const kManyParts = 12, // of a wall, from which on only those are listed that sh
   kNear = 0.25; // short of a threshold, as a share of it, and still near
 
 // Words for a frame's labels: "peak", "20 mm", "end".
-const labelOf = (labels: string[]): string => labels.map((l) => phrase(l)).join(", ");
+const labelOf = (labels: Said[]): string => labels.map((l) => phrase(l)).join(", ");
+
+// What a part shows: its signs that hold, gravest first.
+const stateOf = (element: any): string =>
+  element.signs.filter((s: any) => s.holds).map((s: any) => phrase(s.state)).join(", ") || phrase(element.state);
+
+// Every sign of every part, and its measure.
+const evidenceOf = (mode: any): any[] =>
+  mode.elements.flatMap((e: any) =>
+    e.signs.map((s: any) => ({
+      ...s,
+      element: e.element,
+      measure: `${phrase(s.state)}: ${phrase(s.measure)}`,
+      margin: s.threshold > 0 ? s.value / s.threshold - 1 : 0,
+    })),
+  );
 
 // Position of the smallest.
 function nearest(distances: number[]): number {
@@ -74,6 +89,14 @@ class RunPage {
       info,
       onFrame: () => this.moveCursor(),
     });
+  }
+
+  // Data of older versions have the sentence in the summary alone.
+  private get modeName(): string {
+    return phrase(this.header.mode?.words || this.s.failure_mode.name);
+  }
+  private get modeWords(): string {
+    return phrase(this.header.mode?.sentence ?? this.s.failure_mode.sentence);
   }
 
   sections(): Section[] {
@@ -251,7 +274,7 @@ class RunPage {
       append(plot.over, [
         svg(
           "g",
-          { class: "event", "data-event": e.name },
+          { class: "event", "data-event": Array.isArray(e.name) ? e.name[0] : e.name },
           svg("title", {}, `${phrase(e.name)}: ${qty(e.displacement_mm, "mm")}, ${qty(e.reaction_kN, "kN")}`),
           svg("circle", { class: "mark", cx: at[0], cy: at[1], r: 8 }),
           svg("text", { class: "markno", x: at[0], y: at[1] + 3.6, "text-anchor": "middle" }, i + 1),
@@ -364,8 +387,8 @@ class RunPage {
       h(
         "p",
         { class: "lead" },
-        h("b", {}, phrase(mode.name)),
-        mode.sentence ? `: ${shortened(mode.sentence)}. ` : ". ",
+        h("b", {}, this.modeName),
+        this.modeWords ? `: ${this.modeWords}. ` : ". ",
         h("span", { class: "soft" }, say("failure.read_at", { at: qty(mode.read_at_mm, "mm") })),
       ),
       this.s.censored_80 && this.s.status !== "collapsed"
@@ -379,7 +402,7 @@ class RunPage {
       this.scores(mode),
       h("div", { class: "pair" }, this.elements(mode), this.flags(mode)),
       this.sensitivity(mode),
-      h("details", {}, h("summary", {}, say("failure.measures")), this.measures(mode.evidence)),
+      h("details", {}, h("summary", {}, say("failure.measures")), this.measures(evidenceOf(mode))),
     ];
   }
 
@@ -419,7 +442,7 @@ class RunPage {
               { head: say("failure.state"), left: true },
               { head: say("failure.first") },
             ],
-            shown.map((e: any) => [phrase(e.element), phrase(e.state), qty(e.displacement_first_mm, "mm")]),
+            shown.map((e: any) => [phrase(e.element), stateOf(e), qty(e.displacement_first_mm, "mm")]),
             say("failure.elements"),
           )
         : null,
@@ -453,7 +476,7 @@ class RunPage {
   }
   // An appendix: paper has no room for measures far below their thresholds.
   private paperMeasures(): Child {
-    const all = this.s.failure_mode.evidence as any[];
+    const all = evidenceOf(this.s.failure_mode);
     const near = all
       .filter((e) => e.margin >= -kNear)
       .sort((a, b) => b.margin - a.margin)

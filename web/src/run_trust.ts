@@ -117,7 +117,7 @@ export function trustSection(summary: any, curve: Curve): Child {
       [named(say("trust.damping"), say("trust.damping.means")), num(q.damping_share), ""],
     ],
   );
-  const fine = /^(slow enough|no push|$)/.test(q.judgement ?? q.verdict);
+  const fine = ["slow enough", "no push", undefined].includes(q.judgement);
   const verdict = h("p", { class: fine ? "lead" : "warning" }, sentence(q.verdict));
   const stages =
     summary.stages.length === 0

@@ -1,5 +1,5 @@
 // Words and numbers in the page's language. The table is src/report/assets/texts.json, which the
-// engine reads too (src/report/texts.h); phrases are what the engine says in English.
+// engine reads too (src/report/texts.h); what the engine says comes in all languages with the data.
 import table from "../../src/report/assets/texts.json";
 
 type Row = string[];
@@ -69,19 +69,6 @@ const kUnits: Record<string, [string, number]> = {
 };
 export const pageUnit = (unit: string): [string, number] => kUnits[unit] ?? [unit, 1];
 
-function escapedForPattern(text: string): string {
-  return text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-}
-// The most telling first: "{} mm" fits whatever ends in millimetres.
-const letters = (pattern: string): number => pattern.replace(/\{\}/g, "").length;
-const patterns = Object.keys(phrases)
-  .filter((p) => p.includes("{}"))
-  .sort((a, b) => letters(b) - letters(a))
-  .map((p) => ({
-    english: p,
-    matcher: new RegExp("^" + p.split("{}").map(escapedForPattern).join("(.*?)") + "$", "s"),
-  }));
-
 // Signs as print has them: 3 × 4, −0.3, 10 → 12, 5 % with a narrow space.
 const typeset = (text: string): string =>
   text
@@ -90,40 +77,34 @@ const typeset = (text: string): string =>
     .replace(/(^|[ (])-(?=\d)/g, "$1−")
     .replace(/(\d) %/g, "$1\u202f%");
 
-// A phrase of the engine in the page's language; lists are taken apart, unknown words stay.
-export function phrase(english: string): string {
-  return typeset(language === 0 || english === "" ? english : translated(english));
+// What the engine says: a list of texts, one a language (src/report/said.h); or one word or name, which
+// `phrases` translates.
+export type Said = string | string[];
+
+// Names of the parts of this page's wall.
+let names: Record<string, Said> = {};
+export function learn(known: Record<string, Said> = {}): void {
+  names = known;
+}
+
+export function phrase(said: Said): string {
+  return typeset(Array.isArray(said) ? (said[language] ?? said[0]) : translated(said));
 }
 function translated(english: string): string {
+  if (language === 0 || english === "") return english;
   if (/^[-+±]?[\d.]+(e[-+]?\d+)?$/.test(english)) return localised(english);
-  const known = phrases[english];
-  if (known) return known[language - 1];
-  for (const { english: pattern, matcher } of patterns) {
-    const found = matcher.exec(english);
-    if (!found) continue;
-    let at = 0;
-    return phrases[pattern][language - 1].replace(/\{\}/g, () => translated(found[++at]));
-  }
-  for (const between of ["; ", ": ", ", ", " + "]) {
-    const parts = english.split(between);
-    if (parts.length > 1) return parts.map(translated).join(between);
-  }
-  return english;
+  const known = names[english];
+  if (known !== undefined) return Array.isArray(known) ? known[language] : known;
+  // a mode may have two names: "pier shear + pier rocking"
+  return english
+    .split(" + ")
+    .map((word) => phrases[word]?.[language - 1] ?? word)
+    .join(" + ");
 }
 
 export const capital = (text: string): string => text.charAt(0).toLocaleUpperCase() + text.slice(1);
-export const sentence = (english: string): string => asSentence(phrase(english));
+export const sentence = (said: Said): string => asSentence(phrase(said));
 export function asSentence(words: string): string {
   const text = capital(words);
   return text === "" || /[.!?]$/.test(text) ? text : text + ".";
-}
-
-const kListed = 3;
-// What happened to the parts of a wall ("pier 1: rocking; pier 2: rocking; ..."), the first of them and
-// how many more.
-export function shortened(english: string): string {
-  const parts = english.split("; ").filter((p) => p.includes(": "));
-  if (parts.length <= kListed || parts.length < english.split("; ").length) return phrase(english);
-  const more = say("parts.more", { n: parts.length - kListed });
-  return `${phrase(parts.slice(0, kListed).join("; "))}; ${more}`;
 }

@@ -1,7 +1,5 @@
 #include "dynamics/meters/balance.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +10,7 @@ namespace {
 using Curve = std::vector<CurveRow>;
 
 constexpr std::size_t kFewestRows = 3;  // the first is zero, and a row needs one beside it
-constexpr const char* kTooFewRows =
-    "the curve has too few rows to tell a strength from a jolt; shorten output.window";
+constexpr const char* kTooFewRows = "balance.too_few_rows";
 
 }  // namespace
 
@@ -46,23 +43,21 @@ double force_beyond(const Curve& curve, double peak) {
   return most / peak - 1;
 }
 
-std::string why_out_of_balance(const Curve& curve) {
+Message why_out_of_balance(const Curve& curve) {
   double reaction = 0, passed = 0;
   for (const CurveRow& row : curve) {
     reaction = std::max(reaction, row.reaction);
     passed = std::max(passed, passed_on(row));
   }
-  if (!(reaction > 0)) return "nothing resisted the push";
-  if (curve.size() < kFewestRows) return kTooFewRows;
+  if (!(reaction > 0)) return {"balance.nothing_resisted"};
+  if (curve.size() < kFewestRows) return {kTooFewRows};
   const auto balanced = largest_in_balance(curve);
-  return fmt::format(
-      "reaction and base shear differ by more than {:g} % {}: the largest reaction is {:.4g} kN, "
-      "the "
-      "largest force that also reached the ground {:.4g} kN",
-      100 * kBalance,
-      balanced ? fmt::format("but for rows up to {:.4g} kN", 1e-3 * curve[*balanced].reaction)
-               : "wherever the wall resisted",
-      1e-3 * reaction, 1e-3 * passed);
+  Message why{balanced ? "balance.at_first_only" : "balance.never",
+              {{"limit_percent", 100 * kBalance},
+               {"reaction_kN", 1e-3 * reaction},
+               {"passed_kN", 1e-3 * passed}}};
+  if (balanced) why.arguments.emplace_back("balanced_kN", 1e-3 * curve[*balanced].reaction);
+  return why;
 }
 
 namespace {
@@ -110,68 +105,53 @@ void read_meters(const Curve& curve, std::size_t peak, QuasiStatic& q) {
   q.damping_share = damping_on_the_way(curve, peak);
 }
 
-std::string veto_of(const QuasiStatic& q) {
-  if (q.kinetic_ratio_mean > kKinetic)
-    return fmt::format("at the peak the wall's motion holds {:.1f} % of the work done",
-                       100 * q.kinetic_ratio_mean);
-  if (q.unbalance_ratio_mean > kUnbalance)
-    return fmt::format("at the peak {:.2f} % of the forces on the blocks are out of balance",
-                       100 * q.unbalance_ratio_mean);
-  return "";
+Message share(const char* code, double share) { return {code, {{"share_percent", 100 * share}}}; }
+
+Message veto_of(const QuasiStatic& q) {
+  if (q.kinetic_ratio_mean > kKinetic) return share("meter.motion", q.kinetic_ratio_mean);
+  if (q.unbalance_ratio_mean > kUnbalance) return share("meter.unbalance", q.unbalance_ratio_mean);
+  return {};
 }
 
-std::string reason_of(const QuasiStatic& q) {
+Message reason_of(const QuasiStatic& q) {
   const double drag = std::max(q.shear_gap, q.damping_share);
-  if (q.beyond > kLift * drag)
-    return fmt::format("rows out of balance reached {:.1f} % more", 100 * q.beyond);
-  if (q.shear_gap >= q.damping_share)
-    return fmt::format("there {:.1f} % of the force is lost between push and ground",
-                       100 * q.shear_gap);
-  return fmt::format("on the way there damping takes {:.1f} % of the work", 100 * q.damping_share);
+  if (q.beyond > kLift * drag) return share("meter.beyond", q.beyond);
+  if (q.shear_gap >= q.damping_share) return share("meter.shear_gap", q.shear_gap);
+  return share("meter.damping", q.damping_share);
 }
 
 // Judgement and sentence from the meters.
 void judge(QuasiStatic& q) {
   const double drag = std::max(q.shear_gap, q.damping_share);
   q.lift = kScatter + std::max(kLift * drag, q.beyond);
-  const std::string veto = veto_of(q);
+  const Message veto = veto_of(q);
+  const double lift = 100 * q.lift;
   if (std::isnan(q.lift) || q.lift > kKnown) {
     q.judgement = "too fast";
-    q.verdict = fmt::format(
-        "too fast: by how much the peak is wrong is unknown: {}; push ten times "
-        "slower",
-        reason_of(q));
+    q.verdict = {"rate.far_too_fast", {{"why", reason_of(q)}}};
     q.lift = kUnset;
   } else if (!veto.empty() || q.lift > kUsable) {
     q.judgement = "too fast";
-    q.verdict = fmt::format(
-        "too fast: a slow push may move the peak by {:.0f} % and more: {}; halve the velocity",
-        100 * q.lift, veto.empty() ? reason_of(q) : veto);
+    q.verdict = {"rate.too_fast",
+                 {{"lift_percent", lift}, {"why", veto.empty() ? reason_of(q) : veto}}};
   } else if (q.lift > kSlow) {
     q.judgement = "usable";
-    q.verdict = fmt::format(
-        "usable: a slow push may move the peak by up to {:.0f} %: {}; halve the velocity or lower "
-        "stage.damping to be sure",
-        100 * q.lift, reason_of(q));
+    q.verdict = {"rate.usable", {{"lift_percent", lift}, {"why", reason_of(q)}}};
   } else {
     q.judgement = "slow enough";
-    q.verdict = fmt::format(
-        "slow enough: a slow push moves the peak by no more than about {:.1f} %", 100 * q.lift);
+    q.verdict = {"rate.slow_enough", {{"lift_percent", lift}}};
   }
 }
 
-std::string ledger_words(double gap_ratio) {
-  return fmt::format(
-      "unknown: the energy ledger misses {:.1f} % of the work, so forces and displacements may be "
-      "wrong; end the push earlier or lower solve.step_fraction",
-      100 * gap_ratio);
+Message energy_missing(double gap_ratio) {
+  return {"rate.energy_missing", {{"gap_percent", 100 * gap_ratio}}};
 }
 
 QuasiStatic of_a_load(const Result& result) {
   QuasiStatic q;
   if (std::isnan(result.responses.peak_reaction)) return q;
   q.judgement = "slow enough";
-  q.verdict = "slow enough: the load grew only while the wall was in balance";
+  q.verdict = {"rate.load"};
   return q;
 }
 
@@ -180,12 +160,12 @@ QuasiStatic of_a_load(const Result& result) {
 QuasiStatic judge_quasi_static(const Result& result) {
   const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
   QuasiStatic q;
-  q.verdict = "no push";
+  q.verdict = {"rate.no_push"};
   if (is_load_controlled(result)) {
     q = of_a_load(result);
   } else if (curve.size() > 1 && curve.size() < kFewestRows) {
     q.judgement = "unknown";
-    q.verdict = std::string("unknown: ") + kTooFewRows;
+    q.verdict = {"rate.unknown", {{"why", Message{kTooFewRows}}}};
     q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
   } else if (curve.size() >= kFewestRows) {
     const auto peak = largest_in_balance(curve);
@@ -198,30 +178,32 @@ QuasiStatic judge_quasi_static(const Result& result) {
           kUnset;
       q.shear_gap = q.damping_share = q.beyond = q.lift = kUnset;
       q.judgement = "too fast";
-      q.verdict = "too fast: no force in balance was found: " + why_out_of_balance(curve) +
-                  "; lower stage.damping or push ten times slower";
+      q.verdict = {"rate.no_balance", {{"why", why_out_of_balance(curve)}}};
     }
   }
   if (result.energy.gap_ratio > kLedger && q.judgement != "no push") {
     q.judgement = "unknown";
-    q.verdict = ledger_words(result.energy.gap_ratio);
+    q.verdict = energy_missing(result.energy.gap_ratio);
   }
   return q;
 }
 
+std::string judgement_of_older(const std::string& verdict) {
+  for (const char* known : {"slow enough", "usable", "too fast", "unknown", "no push"})
+    if (verdict.starts_with(known)) return known;
+  return "";
+}
+
 }  // namespace dynamics
 
-std::string warning_of(const Result& result) {
+Message warning_of(const Result& result) {
   const QuasiStatic& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
   if (result.energy.gap_ratio > dynamics::kLedger)
-    return dynamics::ledger_words(result.energy.gap_ratio);
+    return dynamics::energy_missing(result.energy.gap_ratio);
   if (result.validity.overlap_lost <= result.responses.displacement_at_peak)
-    return fmt::format(
-        "doubtful: blocks slid off each other at {:.4g} mm, before the peak; from there on contact "
-        "points no longer lie where the faces touch",
-        1e3 * result.validity.overlap_lost);
-  return "";
+    return {"doubt.slid_off", {{"displacement_mm", 1e3 * result.validity.overlap_lost}}};
+  return {};
 }
 
 bool is_in_balance(const std::vector<CurveRow>& curve, std::size_t row) {

@@ -34,10 +34,13 @@ inline constexpr double kKnown = 0.25;
 // The force of a row that was applied and reached the ground: the smaller of both.
 [[nodiscard]] double passed_on(const CurveRow& row);
 
-// Why a curve has no force in balance, in words.
-[[nodiscard]] std::string why_out_of_balance(const std::vector<CurveRow>& curve);
+// Why a curve has no force in balance.
+[[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
 
 // The verdict on the rate, from curve, responses and energy of a run.
 [[nodiscard]] QuasiStatic judge_quasi_static(const Result& result);
+
+// Files of older versions hold the verdict in words only, which begin with the judgement.
+[[nodiscard]] std::string judgement_of_older(const std::string& verdict);
 
 }  // namespace wythe::dynamics

@@ -285,7 +285,7 @@ BothWays read_both(const Curve& curve, const ResponseOptions& options) {
   b.collapsed_along = curve.back().displacement >= 0;
   const bool first_along = curve[turns_of(curve)[1]].displacement >= 0;
   ResponseOptions standing = options;
-  standing.collapse.clear();
+  standing.collapse = {};
   b.forth = read_side(b.along, b.collapsed_along ? options : standing, first_along);
   b.back = read_side(b.against, b.collapsed_along ? standing : options, !first_along);
   // A direction whose strength is not known counts with its largest row: if that is the larger, the

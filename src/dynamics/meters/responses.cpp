@@ -130,18 +130,18 @@ Bilinear bilinear_of(const Curve& curve, const std::vector<RisePoint>& rise, dou
   return b;
 }
 
-Collapse collapse_of(const Curve& curve, const Responses& r, const std::string& reason) {
+Collapse collapse_of(const Curve& curve, const Responses& r, const Message& reason) {
   Collapse c;
   c.displacement = curve.back().displacement;
   c.censored = false;
   if (!r.censored_max) {
     c.displacement = r.displacement_max;
-    c.criterion = "the reaction stays below 0.2 of its peak";
+    c.criterion = {"collapse.below_a_fifth"};
   } else if (!reason.empty()) {
     c.criterion = reason;
   } else {
     c.censored = true;
-    c.criterion = "the run ended before the wall collapsed";
+    c.criterion = {"collapse.not_reached"};
   }
   return c;
 }
@@ -220,7 +220,7 @@ void read_load(const Curve& curve, const ResponseOptions& options, Responses& r)
   r.peak_reaction = carried_any ? options.carried : kUnset;
   r.displacement_at_peak = carried_any ? curve.back().displacement : kUnset;
   r.censored_peak = carried_any && options.collapse.empty();
-  if (!carried_any) r.peak_reason = "no load was carried in balance";
+  if (!carried_any) r.peak_reason = {"balance.nothing_carried"};
 }
 
 }  // namespace
@@ -261,10 +261,10 @@ void add_curve_events(Result& result) {
   const Responses& r = result.responses;
   if (!(r.peak_reaction > 0) || is_load_controlled(result)) return;
   const double way = r.cyclic.sense < 0 ? -1 : 1;
-  result.events.push_back({"peak", way * r.displacement_at_peak, way * r.peak_reaction, ""});
+  result.events.push_back({{"event.peak"}, way * r.displacement_at_peak, way * r.peak_reaction});
   if (!r.censored_80)
     result.events.push_back(
-        {"80 % of the peak", way * r.displacement_at_80, way * 0.8 * r.peak_reaction, ""});
+        {{"event.fall_to_80"}, way * r.displacement_at_80, way * 0.8 * r.peak_reaction});
   if (r.cyclic.sense != 0) return;  // displacements to and fro are no order
   std::stable_sort(result.events.begin(), result.events.end(),
                    [](const Event& a, const Event& b) { return a.displacement < b.displacement; });

@@ -27,7 +27,7 @@ double default_window(const Model& model, double path) {
   return path / std::max(1, model.output.rows);
 }
 
-bool has_event(const Result& result, const char* name) {
+bool has_event(const Result& result, const Message& name) {
   return std::any_of(result.events.begin(), result.events.end(),
                      [&](const Event& e) { return e.name == name; });
 }
@@ -124,6 +124,7 @@ void Recorder::take_states(const Place& place, State& state) {
   place.bring_up(state);
   while (far >= next_state_at()) {
     take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
+    result_.snapshots.back().asked = next_state_at();
     ++n_.next_state;
   }
   if (turns || far >= std::min(n_.next_reading, n_.read_at))
@@ -289,9 +290,9 @@ void Recorder::note_joints(const State& state, double displacement, double react
   const std::vector<PointReading> points = read_points(model_, state);
   note_slid_off(points, displacement, reaction);
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
-    const auto mark = [&](const char* name, const PointReading& point) {
-      if (!has_event(result_, name))
-        result_.events.push_back({name, displacement, reaction, place_of(joint, point)});
+    const auto mark = [&](const char* code, const PointReading& point) {
+      if (!has_event(result_, {code}))
+        result_.events.push_back({{code}, displacement, reaction, place_of(joint, point)});
     };
     const auto j = static_cast<std::size_t>(joint);
     const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
@@ -299,22 +300,23 @@ void Recorder::note_joints(const State& state, double displacement, double react
     const PointRange range = points_of(model_, joint);
     for (PointId p = range.begin; p < range.end; ++p) {
       const PointReading& point = points[static_cast<std::size_t>(p)];
-      if (point.crushing > 0) mark("first crushing", point);
+      if (point.crushing > 0) mark("event.first_crushing", point);
       if (dry) continue;
-      if (point.damage > 0) mark("first crack", point);
+      if (point.damage > 0) mark("event.first_crack", point);
       if (point.damage < kThrough) continue;
-      mark("first full crack", point);
+      mark("event.first_full_crack", point);
       double& when = result_.joint_crack_displacement[j];
       if (std::isnan(when)) when = displacement;
     }
   }
 }
 
-std::string Recorder::place_of(JointId joint, const PointReading& point) const {
-  return fmt::format(
-      "{} at ({:.2f}, {:.2f}) m",
-      word_of(kJointKindTitles, model_.anatomy.joint_kind[static_cast<std::size_t>(joint)]),
-      clean(point.where.x), clean(point.where.y));
+Message Recorder::place_of(JointId joint, const PointReading& point) const {
+  const JointKind kind = model_.anatomy.joint_kind[static_cast<std::size_t>(joint)];
+  return {"place.joint",
+          {{"joint", Message{word_of(kJointKindCodes, kind)}},
+           {"x_m", clean(point.where.x)},
+           {"y_m", clean(point.where.y)}}};
 }
 
 void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,
@@ -327,23 +329,25 @@ void Recorder::note_slid_off(const std::vector<PointReading>& points, double dis
     const auto first = static_cast<std::size_t>(points_of(model_, joint).begin);
     result_.validity.overlap_lost = displacement;
     result_.validity.where = place_of(joint, points[first]);
-    result_.events.push_back(
-        {"blocks slid off each other", displacement, reaction, result_.validity.where});
+    result_.events.push_back({{"event.slid_off"}, displacement, reaction, result_.validity.where});
   }
 }
 
 // Once a body and sense: zones stay elastic, so the user must know.
 void Recorder::note_limits(const State& state, double displacement, double reaction) {
   for (const reading::BeyondLimit& beyond : reading::beyond_limits(model_, state)) {
-    const std::string name = fmt::format("{} beyond its {} limit", beyond.body->id,
-                                         beyond.tension ? "tension" : "compression");
-    if (has_event(result_, name.c_str())) continue;
-    result_.events.push_back(
-        {name, displacement, reaction,
-         fmt::format("{:.3g} MPa at ({:.2f}, {:.2f}) m, limit {:.3g} MPa; it stays elastic",
-                     1e-6 * beyond.stress, clean(beyond.where.x), clean(beyond.where.y),
-                     1e-6 * beyond.limit),
-         true});
+    const Message name{beyond.tension ? "event.beyond_tension" : "event.beyond_compression",
+                       {{"body", beyond.body->id}}};
+    if (has_event(result_, name)) continue;
+    result_.events.push_back({name,
+                              displacement,
+                              reaction,
+                              {"place.stress",
+                               {{"stress_MPa", 1e-6 * beyond.stress},
+                                {"x_m", clean(beyond.where.x)},
+                                {"y_m", clean(beyond.where.y)},
+                                {"limit_MPa", 1e-6 * beyond.limit}}},
+                              true});
   }
 }
 

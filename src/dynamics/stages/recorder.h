@@ -37,7 +37,7 @@ class Recorder {
   void close_row(const State& state);
   void note_joints(const State& state, double displacement, double reaction);
   void note_slid_off(const std::vector<PointReading>& points, double displacement, double reaction);
-  [[nodiscard]] std::string place_of(JointId joint, const PointReading& point) const;
+  [[nodiscard]] Message place_of(JointId joint, const PointReading& point) const;
   void begin_leg(std::size_t leg, double from, double travelled);
   void plan_close();
   [[nodiscard]] bool has_turned() const;

@@ -1,8 +1,6 @@
 // solve() and WallRun: the stages in order, then what the curve says.
 #include "wythe/solve.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -114,13 +112,14 @@ void WallRun::heed_caller() {
     options_.checkpoint(state_, record_, asked || spent);
   }
   if (asked)
-    stage_->end(
-        {SolveStatus::kInterrupted,
-         fmt::format("stopped by the user in stage \"{}\" at {:.3f} s",
-                     model_.stages[static_cast<std::size_t>(state_.stage)].spec.name, state_.time),
-         false});
+    stage_->end({SolveStatus::kInterrupted,
+                 {"stop.by_user",
+                  {{"stage", model_.stages[static_cast<std::size_t>(state_.stage)].spec.name},
+                   {"time_s", state_.time}}},
+                 false});
   else if (spent)
-    stage_->end({SolveStatus::kBudgetSpent, fmt::format("{} steps spent", state_.step), false});
+    stage_->end(
+        {SolveStatus::kBudgetSpent, {"stop.budget_spent", {{"steps", state_.step}}}, false});
 }
 
 void WallRun::look(double reaction) {

@@ -1,7 +1,5 @@
 #include "dynamics/stages/stage_run.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -104,8 +102,8 @@ bool StageRun::is_overloaded() const {
   return load > bears;
 }
 
-// How many joints are crushed through, as words; "" where none is.
-std::string StageRun::crushed() const {
+// How many joints are crushed through; nothing where none is.
+std::optional<Message> StageRun::crushed() const {
   wall_.place->bring_up(state_);
   const std::vector<PointReading> points = read_points(model_, state_);
   int joints = 0;
@@ -114,30 +112,24 @@ std::string StageRun::crushed() const {
     joints += std::any_of(points.begin() + range.begin, points.begin() + range.end,
                           [](const PointReading& point) { return point.crushing >= 1; });
   }
-  if (joints == 0) return "";
-  return fmt::format("{}{} of {} joints are crushed through",
-                     is_overloaded() ? "the wall can't carry its load: " : "", joints,
-                     model_.n_joint);
+  if (joints == 0) return std::nullopt;
+  return Message{is_overloaded() ? "joints.overloaded" : "joints.crushed",
+                 {{"joints", joints}, {"of", model_.n_joint}}};
 }
 
 // A motion that is no number, or faster than any fall, is an error of the computation, unless the load is
 // beyond what the joints on the ground bear: then the wall goes to pieces at any step.
 StageEnd StageRun::runs_away() const {
-  const std::string name = name_of(wall_.place->runaway_block()), why = crushed();
-  const std::string at = fmt::format("{:.4g} s in stage \"{}\"", state_.time, stage_.spec.name);
-  if (!why.empty() && is_overloaded())
-    return {SolveStatus::kCollapsed,
-            fmt::format("{}, block {} falls at {}; lower the load, or state a stronger or thicker "
-                        "wall",
-                        why, name, at),
-            false};
-  return {
-      SolveStatus::kUnstable,
-      fmt::format("block {} runs away at {}: {}", name, at,
-                  why.empty() ? "a load or a push far beyond what the wall carries, or too long a "
-                                "step; check loads and their units, or lower solve.step_fraction"
-                              : why + "; check loads, strengths and their units"),
-      false};
+  const std::optional<Message> why = crushed();
+  const bool falls = why && is_overloaded();
+  Message reason{falls ? "block.falls_overloaded"
+                 : why ? "block.runs_away_crushed"
+                       : "block.runs_away",
+                 {{"block", name_of(wall_.place->runaway_block())},
+                  {"time_s", state_.time},
+                  {"stage", stage_.spec.name}}};
+  if (why) reason.arguments.emplace_back("why", *why);
+  return {falls ? SolveStatus::kCollapsed : SolveStatus::kUnstable, std::move(reason), false};
 }
 
 // Instability, and collapse: a block farther off than the push can have brought it.
@@ -154,12 +146,13 @@ void StageRun::watch(double share) {
   if (furthest.distance > allowed) {
     const bool loads =
         stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
-    const std::string why = loads ? crushed() : "";
-    return end({SolveStatus::kCollapsed,
-                fmt::format("{}{}block {} has moved {:.0f} mm in stage \"{}\"", why,
-                            why.empty() ? "" : ", ", name_of(furthest.block),
-                            1e3 * furthest.distance, stage_.spec.name),
-                false});
+    const std::optional<Message> why = loads ? crushed() : std::nullopt;
+    Message reason{why ? "block.moved_away_crushed" : "block.moved_away",
+                   {{"block", name_of(furthest.block)},
+                    {"moved_mm", 1e3 * furthest.distance},
+                    {"stage", stage_.spec.name}}};
+    if (why) reason.arguments.emplace_back("why", *why);
+    return end({SolveStatus::kCollapsed, std::move(reason), false});
   }
 }
 
@@ -192,9 +185,11 @@ class QuasiStatic : public StageRun {
  private:
   [[nodiscard]] StageEnd unsettled(double ratio) const {
     return {SolveStatus::kNotSettled,
-            fmt::format(
-                "stage \"{}\" did not settle: unbalance ratio {:.2g} after {:.3g} s, wanted {:.2g}",
-                stage_.spec.name, ratio, state_.stage_time, model_.solve.settle_ratio),
+            {"stage.not_settled",
+             {{"stage", stage_.spec.name},
+              {"ratio", ratio},
+              {"time_s", state_.stage_time},
+              {"wanted", model_.solve.settle_ratio}}},
             false};
   }
 };
@@ -232,8 +227,9 @@ class Push : public StageRun {
     watch(state_.travelled / path_);
     if (recorder_.row_closed() && stage_.spec.stop_below > 0 && recorder_.fell_below())
       end({SolveStatus::kCollapsed,
-           fmt::format("the reaction fell below {:g} of its peak at {:.2f} mm",
-                       stage_.spec.stop_below, 1e3 * state_.drive_displacement),
+           {"push.fell_below",
+            {{"share", stage_.spec.stop_below},
+             {"displacement_mm", 1e3 * state_.drive_displacement}}},
            false});
     if (!ended() && !target_left()) end({});
   }
@@ -337,20 +333,17 @@ class Factor : public StageRun {
   [[nodiscard]] StageEnd standstill(double carried, double now) const {
     if (now > 1.05 * state_.moved_then)
       return {SolveStatus::kCollapsed,
-              fmt::format("the wall keeps moving at the load factor {:.4f} in stage \"{}\"",
-                          carried, stage_.spec.name),
+              {"load.keeps_moving", {{"factor", carried}, {"stage", stage_.spec.name}}},
               false};
-    return {SolveStatus::kNotSettled,
-            fmt::format("the wall neither settles nor collapses at load factor {:.4f}", carried),
-            false};
+    return {SolveStatus::kNotSettled, {"load.standstill", {{"factor", carried}}}, false};
   }
 
   void finish(StageEnd& how) override {
     recorder_.finish(*wall_.place, state_, controls_, !how.finished);
     wall_.record.result.load_factor = state_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
-      how.reason = fmt::format("{}; the largest load factor carried is {:.4f}", how.reason,
-                               wall_.record.result.load_factor);
+      how.reason = {"load.largest_carried",
+                    {{"why", std::move(how.reason)}, {"factor", wall_.record.result.load_factor}}};
   }
 
   bool tilting_;

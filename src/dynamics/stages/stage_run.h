@@ -14,6 +14,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "dynamics/executors/executor.h"
@@ -25,7 +26,7 @@ namespace wythe::dynamics {
 // How a stage ended.
 struct StageEnd {
   SolveStatus status = SolveStatus::kCompleted;
-  std::string reason;
+  Message reason;
   bool finished = true;  // false: the run ends here
 };
 
@@ -76,7 +77,7 @@ class StageRun {
   [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] StageEnd runs_away() const;
   [[nodiscard]] bool is_overloaded() const;
-  [[nodiscard]] std::string crushed() const;
+  [[nodiscard]] std::optional<Message> crushed() const;
 
   const std::vector<BlockId>* driven_;
   bool ended_ = false;

@@ -105,7 +105,7 @@ void refuse_changes(Store& store, const StudySpec& was, const StudySpec& asked,
 struct Plan {
   StudySpec spec;
   SampleTable samples;
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
 };
 
 // Samples that are stored stay as they are, also where this version would draw others.
@@ -119,13 +119,10 @@ Plan continue_store(Store& store, const StudySpec& asked, const StoreHead& head)
   const int stored = plan.samples.n_sample();
   const auto first = drawn.value.begin(), next = first + stored;
   if (!std::equal(first, next, plan.samples.value.begin()))
-    plan.notes.emplace_back(
-        "this program draws other samples than the one that began the campaign; the stored ones "
-        "are "
-        "used");
+    plan.notes.push_back({"store.other_draws"});
   if (head.provenance != store.head().provenance)
-    plan.notes.push_back(fmt::format("the campaign was begun by {}; this is {}",
-                                     store.head().provenance, head.provenance));
+    plan.notes.push_back(
+        {"store.other_program", {{"began", store.head().provenance}, {"now", head.provenance}}});
   if (drawn.n_sample() > stored) {
     plan.samples.value.insert(plan.samples.value.end(), next, drawn.value.end());
     store.add_samples(plan.samples, stored + 1, plan.spec);
@@ -337,7 +334,7 @@ class Runner {
   int done_ = 0, done_now_ = 0, running_ = 0;
   std::exception_ptr failure_;
   bool met_ = false;
-  std::string until_state_;
+  Message until_state_;
   Campaign campaign_;                    // samples 1 .. k, for the rule
   std::map<int, SampleRecord> waiting_;  // done beyond them
 };
@@ -362,7 +359,7 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
   if (!there) study::create_store(folder, asked, plan.samples, head);
   study::Store store(folder, study::Store::Access::kWrite);
   if (there) plan = study::continue_store(store, asked, head);
-  for (std::string& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
+  for (Message& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
   return study::Runner(std::move(plan), store, build, options, progress).run();
 }
 

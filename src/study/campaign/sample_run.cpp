@@ -1,7 +1,5 @@
 #include "study/campaign/sample_run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -94,7 +92,7 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.sample = sample;
   record.inputs = samples.value[static_cast<std::size_t>(sample - 1)];
   record.status = run.refused.empty() ? to_string(r.status) : "refused";
-  record.reason = run.refused.empty() ? r.reason : run.refused;
+  record.reason = run.refused.empty() ? r.reason : as_text(run.refused);
   record.retried = run.retried;
   record.steps = r.steps;
   record.time_step = r.time_step;
@@ -117,10 +115,8 @@ std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) 
   std::vector<Snapshot> states;
   bool missing = false;
   for (const double displacement : wanted) {
-    const std::string label =
-        fmt::format("{:g} mm", 1e3 * displacement);  // as the recorder names it
     const auto found = std::find_if(result.snapshots.begin(), result.snapshots.end(),
-                                    [&](const Snapshot& s) { return s.label == label; });
+                                    [&](const Snapshot& s) { return s.asked == displacement; });
     if (found == result.snapshots.end())
       missing = true;
     else

@@ -144,14 +144,17 @@ double widest_share(const Campaign& campaign) {
   return widest;
 }
 
-// "peak_reaction ±1.24 % of 1 %"
-std::string words(const Clause& clause, double measure) {
-  const std::string asked = fmt::format("{:.3g}", clause.limit * 100);
+// "peak_reaction ±1.24 % (asked 1 %)"
+Message words(const Clause& clause, double measure) {
   if (clause.function == "interval")
-    return fmt::format("widest interval of a share {:.3g} (asked {:.3g})", measure, clause.limit);
-  if (std::isnan(measure))
-    return fmt::format("{} not known yet (asked {} %)", clause.argument, asked);
-  return fmt::format("{} ±{:.3g} % (asked {} %)", clause.argument, measure * 100, asked);
+    return {"until.share", {{"width", measure}, {"asked", clause.limit}}};
+  Message quantity = as_text(clause.argument);
+  for (const Quantity& q : quantities())
+    if (clause.argument == q.name || clause.argument == key_of(q)) quantity = {q.code};
+  Message words{std::isnan(measure) ? "until.not_known" : "until.mean",
+                {{"quantity", quantity}, {"asked_percent", clause.limit * 100}}};
+  if (!std::isnan(measure)) words.arguments.emplace_back("half_percent", measure * 100);
+  return words;
 }
 
 }  // namespace
@@ -160,14 +163,14 @@ void check_rule(const std::string& rule) {
   if (!rule.empty()) (void)parsed(rule);
 }
 
-bool precise_enough(const std::string& rule, const Campaign& campaign, std::string* measures) {
-  if (measures) measures->clear();
+bool precise_enough(const std::string& rule, const Campaign& campaign, Message* measures) {
+  if (measures) *measures = {};
   if (rule.empty()) return false;
   int n = 0;
   for (const SampleRecord& record : campaign.records) n += is_answered(record) ? 1 : 0;
-  std::vector<std::string> said = {fmt::format("{} samples", n)};
+  std::vector<Message> said = {{"until.samples", {{"samples", n}}}};
   bool met = n >= kFewestSamples;
-  if (!met) said.push_back(fmt::format("at least {} needed", kFewestSamples));
+  if (!met) said.push_back({"until.needed", {{"samples", kFewestSamples}}});
   for (const Clause& clause : parsed(rule)) {
     const double measure = clause.function == "interval"
                                ? widest_share(campaign)
@@ -175,7 +178,7 @@ bool precise_enough(const std::string& rule, const Campaign& campaign, std::stri
     met = met && measure < clause.limit;
     said.push_back(words(clause, measure));
   }
-  if (measures) *measures = joined(said, ", ");
+  if (measures) *measures = {"until.measures", {{"list", std::move(said)}}};
   return met;
 }
 

@@ -322,7 +322,7 @@ void check_variable(const VariableSpec& spec, const std::string& file, FaultList
 
 std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study).run(); }
 
-std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base) {
+std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
   double end = 0;  // of the farthest push [m]
   for (const StageSpec& stage : base.stage) {
     if (stage.kind != StageKind::kPush) continue;
@@ -331,15 +331,13 @@ std::vector<std::string> notes_of(const StudySpec& study, const ModelSpec& base)
   }
   if (!(end > 0)) return {};
   const double read_at = std::isnan(study.read_modes_at) ? kReadModesAt : study.read_modes_at;
-  std::vector<std::string> notes;
-  const auto note = [&](const char* what, double at) {
+  std::vector<Message> notes;
+  const auto note = [&](const char* code, double at) {
     if (at > end * (1 + 1e-9))
-      notes.push_back(fmt::format("{} at {}, the push ends at {}: what is read, is read there",
-                                  what, format_quantity(at, "m", "mm"),
-                                  format_quantity(end, "m", "mm")));
+      notes.push_back({code, {{"at_mm", 1e3 * at}, {"end_mm", 1e3 * end}}});
   };
-  for (const double state : study.states) note("study.states asks for a state", state);
-  note("failure modes are named", read_at);
+  for (const double state : study.states) note("study.state_beyond_push", state);
+  note("study.modes_beyond_push", read_at);
   return notes;
 }
 

@@ -3,8 +3,6 @@
 // in mode_names, the flags in mode_flags.
 #include "wythe/failure_mode.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -51,9 +49,9 @@ const Snapshot* state_to_read(const Model& model, const std::vector<Snapshot>& s
   return last;
 }
 
-std::string millimetres(double displacement) {
+Message millimetres(double displacement) {
   const double mm = 1e3 * displacement;
-  return fmt::format("{:.{}f} mm", mm, std::fabs(mm) < 9.995 ? 2 : 1);
+  return {std::fabs(mm) < 9.995 ? "length.hundredths" : "length.tenths", {{"mm", mm}}};
 }
 
 // Body force and tilt, in a state the wall was leaving for good.
@@ -75,21 +73,21 @@ ModeRules rules_at(const Model& model, const Result& result, const Snapshot& s, 
 }
 
 // "read at 40.0 mm", and what has to be known beside.
-std::string words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
-  std::string words = "read at " + millimetres(s.displacement);
-  if (is_falling(model, s)) {
-    words += ", out of balance";
-  } else if (s.label == "turn") {
-    words += ", where the push last turned";
+Message words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  std::vector<Message> words = {{"reading.at", {{"displacement", millimetres(s.displacement)}}}};
+  const bool turned = s.label == "turn";
+  if (is_falling(model, s))
+    words.push_back({"reading.out_of_balance"});
+  else if (turned)
+    words.push_back({"reading.turned"});
+  if (is_read_early(s.displacement, read_at)) {
+    const char* end = turned                                     ? "reading.short"
+                      : result.status == SolveStatus::kCollapsed ? "reading.collapsed"
+                      : result.status == SolveStatus::kCompleted ? "reading.ended"
+                                                                 : "reading.stopped";
+    words.push_back({end, {{"asked", millimetres(read_at)}}});
   }
-  if (!is_read_early(s.displacement, read_at)) return words;
-  const bool collapsed = result.status == SolveStatus::kCollapsed;
-  const bool complete = result.status == SolveStatus::kCompleted;
-  const char* end = collapsed  ? "the wall collapsed"
-                    : complete ? "the loading ended"
-                               : "the run stopped";
-  if (s.label == "turn") return words + fmt::format(", short of {}", millimetres(read_at));
-  return words + fmt::format(", where {} short of {}", end, millimetres(read_at));
+  return {"reading", {{"words", std::move(words)}}};
 }
 
 // Length of the joints in a state that are pressed where they have no face.
@@ -106,13 +104,13 @@ void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Vali
   double narrowest = parts.wall.width();
   for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
   if (length_slid_off(motion) < 0.5 * narrowest) return;
-  const std::string from = std::isnan(validity.overlap_lost)
-                               ? ""
-                               : " from " + millimetres(validity.overlap_lost) + " on";
-  mode.sentence =
-      fmt::format("blocks have slid off each other{}, beyond what the model holds for; it shows {}",
-                  from, mode.name == "unclear" ? mode.sentence : mode.name);
+  const bool known = !std::isnan(validity.overlap_lost);
+  Message doubt{known ? "mode.slid_off_from" : "mode.slid_off",
+                {{"shows", mode.name == "unclear" ? mode.sentence : mode.words}}};
+  if (known) doubt.arguments.emplace_back("from", millimetres(validity.overlap_lost));
+  mode.sentence = std::move(doubt);
   mode.name = "unclear";
+  mode.words = {};
 }
 
 void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
@@ -128,15 +126,16 @@ void note_first(const ElementStates& seen, double displacement, ElementStates& e
 }
 
 struct Change {
-  const char* word;
+  const char *word, *code;
   double ModeRules::*threshold;
 };
-constexpr Change kChanges[] = {{"crack width", &ModeRules::crack},
-                               {"sliding", &ModeRules::sliding},
-                               {"crossing of a pier", &ModeRules::pier_crossed},
-                               {"crossing of a spandrel", &ModeRules::spandrel_crossed},
-                               {"open share of a rocking foot", &ModeRules::rocking},
-                               {"crushing", &ModeRules::crushing}};
+constexpr Change kChanges[] = {
+    {"crack width", "threshold.crack", &ModeRules::crack},
+    {"sliding", "threshold.sliding", &ModeRules::sliding},
+    {"crossing of a pier", "threshold.pier_crossed", &ModeRules::pier_crossed},
+    {"crossing of a spandrel", "threshold.spandrel_crossed", &ModeRules::spandrel_crossed},
+    {"open share of a rocking foot", "threshold.rocking", &ModeRules::rocking},
+    {"crushing", "threshold.crushing", &ModeRules::crushing}};
 
 std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
                                         const Result& result, const Snapshot& read,
@@ -165,10 +164,16 @@ std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& par
 
 }  // namespace
 
-std::string NameReading::what() const {
-  if (!threshold.empty()) return fmt::format("{} x {:g}", threshold, factor);
-  const bool is_place = state == "peak" || state == "end";
-  return fmt::format("at {}{}", is_place ? "the " : "", state);
+Message NameReading::what() const {
+  if (threshold.empty()) {
+    if (state == "peak") return {"reading.at_peak"};
+    if (state == "end") return {"reading.at_end"};
+    return {"reading.at_state", {{"state", state}}};
+  }
+  Message words = as_text(threshold);
+  for (const Change& change : kChanges)
+    if (threshold == change.word) words = {change.code};
+  return {"reading.other_threshold", {{"threshold", words}, {"factor", factor}}};
 }
 
 ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
@@ -196,7 +201,7 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) {
     FailureMode none;
-    none.sentence = "no state of a push to read";
+    none.sentence = {"mode.no_state"};
     return none;
   }
   const WallParts parts = study::find_parts(model);

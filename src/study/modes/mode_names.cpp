@@ -11,35 +11,65 @@
 // highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
 #include "study/modes/mode_names.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>
+
+#include "core/text.h"
 
 namespace wythe::study {
 namespace {
 
 constexpr double kClear = 0.3;  // lead below which the name is "unclear"
 
+// Codes of messages: for a name, and for what happens ("" where nothing is said of it).
 struct Words {
-  const char *name, *sentence;
+  const char *name, *code, *sentence;
 };
-constexpr Words kModes[] = {
-    {"FM-1", "one pier cracks diagonally after flexural cracks at the connections"},
-    {"FM-2", "both piers crack diagonally after flexural cracks at the connections"},
-    {"FM-3", "the spandrel fails in flexure and shear and a pier cracks diagonally"},
-    {"FM-4", "the spandrel fails in flexure and shear; the piers rock with damage at their toes"},
-    {"FM-5", "the piers rock, with flexural cracks at the connections"},
-    {"base sliding", "the wall slides on its foundation"},
-    {"bed sliding", "the wall slides along its beds, all across"},
-    {"pier sliding", "the piers slide along their beds, all across"},
-    {"top sliding", "what loads the wall slides on its top"}};
+constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
+                            {"FM-2", "", "mode.fm_2"},
+                            {"FM-3", "", "mode.fm_3"},
+                            {"FM-4", "", "mode.fm_4"},
+                            {"FM-5", "", "mode.fm_5"},
+                            {"base sliding", "damage.base_sliding", "mode.base_sliding"},
+                            {"bed sliding", "damage.bed_sliding", "mode.bed_sliding"},
+                            {"pier sliding", "damage.pier_sliding", "mode.pier_sliding"},
+                            {"top sliding", "damage.top_sliding", "mode.top_sliding"},
+                            {"pier shear", "damage.pier_shear", ""},
+                            {"spandrel shear", "damage.spandrel_shear", ""},
+                            {"pier rocking", "damage.pier_rocking", ""},
+                            {"flexural cracks", "damage.flexural_cracks", ""},
+                            {"shear", "damage.shear", ""},
+                            {"sliding at the top", "damage.sliding_at_top", ""},
+                            {kDiagonal, "sign.diagonal", ""},
+                            {kSliding, "sign.sliding", ""},
+                            {kBaseSliding, "sign.base_sliding", ""},
+                            {kRocking, "sign.rocking", ""},
+                            {kCrushing, "sign.crushing", ""},
+                            {kFlexural, "sign.flexural", ""},
+                            {kWholeWall, "part.whole_wall", ""},
+                            {kTopJoint, "part.top_joint", ""}};
 
-std::string words_of(const std::string& name) {
-  for (const Words& w : kModes)
-    if (name == w.name) return w.sentence;
-  return "no mechanism";
+// A name for a reader: a kind of damage, a sign, or a wall's own joint; else as it is.
+Message words_of(const std::string& name) {
+  for (const Words& w : kWords)
+    if (name == w.name && *w.code != '\0') return {w.code};
+  return as_text(name);
+}
+
+// What happens in a mode.
+Message sentence_of(const std::string& name) {
+  for (const Words& w : kWords)
+    if (name == w.name && *w.sentence != '\0') return {w.sentence};
+  return {"mode.none"};
+}
+
+using Kinds = std::vector<std::string>;
+
+Message words_of(const Kinds& kinds) {
+  std::vector<Message> list;
+  for (const std::string& kind : kinds) list.push_back(words_of(kind));
+  return {"damage.several", {{"kinds", std::move(list)}}};
 }
 
 bool is_two_pier_wall(const WallParts& parts) {
@@ -132,24 +162,32 @@ class Namer {
     const auto& [second, second_name] = ranked[1];
     if (-first < kClear) {
       rank_plainly();
-      const std::string shown = composed(0.5 + 0.5 * kClear);
-      if (!shown.empty()) {
-        mode_.sentence =
-            fmt::format("no mechanism of the whole wall shows at this displacement, only {}: {}",
-                        shown, element_sentence());
-        return;
-      }
-      mode_.sentence = "no mechanism shows at this displacement";
-      if (-first > 0)
-        mode_.sentence += fmt::format("; nearest are {} ({}) and {} ({})", first_name,
-                                      words_of(first_name), second_name, words_of(second_name));
+      const Kinds shown = composed(0.5 + 0.5 * kClear);
+      if (!shown.empty())
+        mode_.sentence = {"mode.parts_only",
+                          {{"kinds", words_of(shown)}, {"parts", parts_that_show()}}};
+      else if (-first > 0)
+        mode_.sentence = about_two("mode.none_nearest", first_name, second_name);
+      else
+        mode_.sentence = {"mode.none_here"};
     } else if (second - first < kClear) {
-      mode_.sentence = fmt::format("between {} ({}) and {} ({})", first_name, words_of(first_name),
-                                   second_name, words_of(second_name));
+      mode_.sentence = about_two("mode.between_modes", first_name, second_name);
     } else {
-      mode_.name = first_name;
-      mode_.sentence = words_of(first_name);
+      give_name(first_name, words_of(first_name));
+      mode_.sentence = sentence_of(first_name);
     }
+  }
+
+  void give_name(const std::string& name, Message words) {
+    mode_.name = name;
+    mode_.words = std::move(words);
+  }
+  static Message about_two(const char* code, const std::string& first, const std::string& second) {
+    return {code,
+            {{"first", words_of(first)},
+             {"first_means", sentence_of(first)},
+             {"second", words_of(second)},
+             {"second_means", sentence_of(second)}}};
   }
 
   // Ranks the kinds of damage of any other wall, the most severe first.
@@ -184,17 +222,20 @@ class Namer {
     rank_plainly();
     for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
     constexpr double kHalf = 0.5;
-    const std::string strict = composed(kHalf + 0.5 * kClear);
-    const std::string lenient = composed(kHalf - 0.5 * kClear);
+    const Kinds strict = composed(kHalf + 0.5 * kClear), lenient = composed(kHalf - 0.5 * kClear);
     if (strict == lenient && !strict.empty()) {
-      mode_.name = strict;
-      mode_.sentence = element_sentence();
+      give_name(joined(strict, " + "), words_of(strict));
+      mode_.sentence = {"mode.parts", {{"parts", parts_that_show()}}};
       return;
     }
-    const auto or_none = [](const std::string& name) { return name.empty() ? "no damage" : name; };
-    mode_.sentence = strict == lenient
-                         ? "no element shows a mechanism at this displacement"
-                         : fmt::format("between {} and {}", or_none(strict), or_none(lenient));
+    const auto or_none = [](const Kinds& kinds) {
+      return kinds.empty() ? Message{"damage.none"} : words_of(kinds);
+    };
+    if (strict == lenient)
+      mode_.sentence = {"mode.no_part"};
+    else
+      mode_.sentence = {"mode.between_kinds",
+                        {{"first", or_none(strict)}, {"second", or_none(lenient)}}};
   }
 
   [[nodiscard]] bool has_top_joint() const {
@@ -203,23 +244,29 @@ class Namer {
   }
 
   // The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
-  [[nodiscard]] std::string composed(double least) const {
-    std::string name;
-    int found = 0;
+  [[nodiscard]] Kinds composed(double least) const {
+    Kinds kinds;
     for (const auto& [kind, sure] : ranked_) {
       const bool is_lesser = kind == "toe crushing" || kind == "flexural cracks";
-      if (sure < least || found == 2 || (is_lesser && found > 0)) continue;
-      name += (found++ == 0 ? "" : " + ") + kind;
+      if (sure >= least && kinds.size() < 2 && !(is_lesser && !kinds.empty()))
+        kinds.push_back(kind);
     }
-    return name;
+    return kinds;
   }
 
-  [[nodiscard]] std::string element_sentence() const {
-    std::string words;
-    for (const ElementState& e : elements_)
-      if (e.state != "intact")
-        words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", e.element, e.state);
-    return words;
+  // Each part with its signs: "left pier: rocking, flexural crack".
+  [[nodiscard]] std::vector<Message> parts_that_show() const {
+    std::vector<Message> parts;
+    for (const ElementState& e : elements_) {
+      std::vector<Message> signs;
+      for (const ElementSign& s : e.signs)
+        if (s.holds()) signs.push_back(words_of(s.state));
+      if (signs.empty()) continue;
+      const auto known = parts_.words.find(e.element);
+      const Message part = known != parts_.words.end() ? known->second : words_of(e.element);
+      parts.push_back({"part.shows", {{"part", part}, {"signs", std::move(signs)}}});
+    }
+    return parts;
   }
 
   void give_evidence() {
@@ -243,7 +290,7 @@ class Namer {
 FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
   if (parts.piers.empty() || !(rules.crack > 0)) {
     FailureMode none;
-    none.sentence = "the wall has no piers to read";
+    none.sentence = {"mode.no_piers"};
     return none;
   }
   return Namer(parts, motion, rules).name();

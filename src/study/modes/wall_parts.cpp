@@ -1,7 +1,5 @@
 #include "study/modes/wall_parts.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -303,26 +301,42 @@ class Finder {
     const std::size_t n = parts_.piers.size();
     for (std::size_t i = 0; i < n; ++i) {
       Pier& pier = parts_.piers[i];
-      pier.name = fmt::format("pier {}", i + 1);
-      if (n == 1) pier.name = openings_.empty() ? "wall" : "pier";
-      if (n == 2) pier.name = i == 0 ? "left pier" : "right pier";
-      parts_.toes[static_cast<std::size_t>(pier.left)].name = "left toe of the " + pier.name;
-      parts_.toes[static_cast<std::size_t>(pier.right)].name = "right toe of the " + pier.name;
+      Message words{"part.pier_number", {{"number", i + 1}}};
+      if (n == 1) words = {openings_.empty() ? "part.wall" : "part.pier"};
+      if (n == 2) words = {i == 0 ? "part.left_pier" : "part.right_pier"};
+      const bool bare = n == 1 && openings_.empty();
+      pier.name = called(words);
+      parts_.toes[static_cast<std::size_t>(pier.left)].name =
+          called({bare ? "part.left_toe_of_wall" : "part.left_toe", {{"pier", words}}});
+      parts_.toes[static_cast<std::size_t>(pier.right)].name =
+          called({bare ? "part.right_toe_of_wall" : "part.right_toe", {{"pier", words}}});
     }
     const auto is_sill = [](const Spandrel& s) { return s.is_sill; };
     const auto sills = std::count_if(parts_.spandrels.begin(), parts_.spandrels.end(), is_sill);
     const auto above = static_cast<std::ptrdiff_t>(parts_.spandrels.size()) - sills;
     int next_sill = 0, next = 0;
     for (Spandrel& s : parts_.spandrels) {
-      const std::string word = s.is_sill ? "sill" : "spandrel";
       const int number = s.is_sill ? ++next_sill : ++next;
-      s.name = (s.is_sill ? sills : above) == 1 ? word : fmt::format("{} {}", word, number);
-      const std::string of = above == 1 ? "" : " of " + s.name;
+      const bool alone = (s.is_sill ? sills : above) == 1;
+      Message words{s.is_sill ? "part.sill" : "part.spandrel"};
+      if (!alone)
+        words = {s.is_sill ? "part.sill_number" : "part.spandrel_number", {{"number", number}}};
+      s.name = called(words);
       if (s.left >= 0)
-        parts_.connections[static_cast<std::size_t>(s.left)].name = "left connection" + of;
+        parts_.connections[static_cast<std::size_t>(s.left)].name =
+            called(above == 1 ? Message{"part.left_connection"}
+                              : Message{"part.left_connection_of", {{"spandrel", words}}});
       if (s.right >= 0)
-        parts_.connections[static_cast<std::size_t>(s.right)].name = "right connection" + of;
+        parts_.connections[static_cast<std::size_t>(s.right)].name =
+            called(above == 1 ? Message{"part.right_connection"}
+                              : Message{"part.right_connection_of", {{"spandrel", words}}});
     }
+  }
+
+  std::string called(const Message& words) {
+    std::string name = text_of(words);
+    parts_.words[name] = words;
+    return name;
   }
 
   const Model& model_;

@@ -11,6 +11,7 @@
 // a model by the readers of element_states.cpp and features.cpp.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,7 +51,8 @@ struct WallParts {
   std::vector<Part> toes;           // left and right of each pier
   Box wall;                         // masonry and lintels
   int openings = 0;
-  double column = 0, course = 0;  // length and height of the usual block [m]
+  double column = 0, course = 0;         // length and height of the usual block [m]
+  std::map<std::string, Message> words;  // of each name, for a reader
 };
 
 [[nodiscard]] WallParts find_parts(const Model& model);

@@ -36,7 +36,7 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
     if (record.has_curve() && !record.quasi_static.judgement.empty())
       ++out.judgement[record.quasi_static.judgement];
     if (!is_answered(record)) {
-      const std::string& why = record.responses.peak_reason;
+      const Message& why = record.responses.peak_reason;
       out.unanswered.push_back({record.sample, record.status, why.empty() ? record.reason : why});
       const bool fell = record.status == to_string(SolveStatus::kCollapsed);
       out.collapsed_before_push += fell && !record.has_curve() ? 1 : 0;
@@ -91,28 +91,28 @@ void summarise_groups(const Answered& samples, Statistics& out) {
 const std::vector<Quantity>& quantities() {
   using R = const Responses&;
   static const std::vector<Quantity> kQuantities = {
-      {"peak_reaction", "peak force", "kN", 1e-3, false,
+      {"peak_reaction", "quantity.peak_reaction", "kN", 1e-3, false,
        [](R r) {
          return Reading{r.peak_reaction, false};
        }},
-      {"displacement_at_peak", "displacement at the peak", "mm", 1e3, false,
+      {"displacement_at_peak", "quantity.displacement_at_peak", "mm", 1e3, false,
        [](R r) {
          return Reading{r.displacement_at_peak, false};
        }},
-      {"displacement_at_80_percent", "displacement at 80 % of the peak", "mm", 1e3, true,
+      {"displacement_at_80_percent", "quantity.displacement_at_80", "mm", 1e3, true,
        [](R r) {
          return Reading{r.displacement_at_80, r.censored_80};
        }},
-      {"displacement_max", "largest displacement", "mm", 1e3, true,
+      {"displacement_max", "quantity.displacement_max", "mm", 1e3, true,
        [](R r) {
          return Reading{r.displacement_max, r.censored_max};
        }},
-      {"initial_stiffness", "initial stiffness", "kN/mm", 1e-6, false,
+      {"initial_stiffness", "quantity.initial_stiffness", "kN/mm", 1e-6, false,
        [](R r) {
          return Reading{r.initial_stiffness, false};
        }},
-      {"displacement_at_50_percent", "displacement at 50 % of the peak", "mm", 1e3, true, at_half},
-      {"collapse_displacement", "displacement at collapse", "mm", 1e3, true, [](R r) {
+      {"displacement_at_50_percent", "quantity.displacement_at_50", "mm", 1e3, true, at_half},
+      {"collapse_displacement", "quantity.collapse_displacement", "mm", 1e3, true, [](R r) {
          return Reading{r.collapse.displacement, r.collapse.censored};
        }}};
   return kQuantities;

@@ -5,7 +5,7 @@
 //   each_answer(v, record)    its columns that are NULL where the sample has no answer
 //   each_list(v)              v.list(table, list of RecordLists, columns of a member)
 //
-// A visitor is called with double, bool, std::int64_t or std::string members. SI, exact.
+// A visitor is called with double, bool, std::int64_t, std::string or Message members. SI, exact.
 #pragma once
 
 #include <string>
@@ -108,7 +108,7 @@ void each_list(Visitor& v) {
     c("displacement_first_m", s.sign.displacement_first);
   });
   v.list("reading", &RecordLists::readings, [](auto& c, auto& r) {
-    std::string what = r.what();  // for queries; it follows from the others
+    std::string what = text_of(r.what());  // for queries; it follows from the others
     c("what", what);
     c("failure_mode", r.name);
     c("state", r.state);

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "core/limits.h"
+#include "core/messages.h"
+#include "dynamics/meters/balance.h"
 #include "model/size.h"
 #include "study/store/packing.h"
 #include "study/store/record_rows.h"
@@ -56,6 +58,10 @@ struct Binder {
     else
       statement.bind(member);
   }
+  void operator()(const char* name, const Message& message) {
+    (*this)(name, text_of(message));
+    (*this)(name, message_json(message));
+  }
 };
 
 // Takes the columns of a row in order.
@@ -65,6 +71,10 @@ struct Taker {
   void operator()(const char*, bool& member) { member = statement.integer() != 0; }
   void operator()(const char*, std::int64_t& member) { member = statement.integer(); }
   void operator()(const char*, std::string& member) { member = statement.text(); }
+  void operator()(const char*, Message& member) {
+    const std::string text = statement.text();
+    member = message_of(statement.text(), text);
+  }
 };
 
 struct ListWriter {
@@ -245,7 +255,7 @@ PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {
   PackedSample out;
   for (const Snapshot& s : states)
     out.states.push_back({s.label, pack_floats(state_arrays(s.state)), s.displacement, s.reaction,
-                          s.state.ux.size(), s.state.kappa.size()});
+                          s.state.ux.size(), s.state.kappa.size(), s.asked});
   if (record.has_curve()) out.curve = pack_doubles(curve_columns(record.curve));
   out.record = std::move(record);
   return out;
@@ -430,11 +440,11 @@ void Store::write(const PackedSample& sample) {
   if (!sample.curve.empty())
     Statement(database_, insert_sql("curve", 4))
         .run(r.sample, r.curve.size(), Bytes{sample.curve}, curve_column_names());
-  Statement insert_state(database_, insert_sql("state", 8));
+  Statement insert_state(database_, insert_sql("state", 9));
   for (std::size_t i = 0; i < sample.states.size(); ++i) {
     const PackedState& s = sample.states[i];
     insert_state.run(r.sample, i, s.label, s.displacement, s.reaction, s.blocks, s.points,
-                     Bytes{s.bytes});
+                     Bytes{s.bytes}, s.asked);
   }
   transaction.commit();
 }
@@ -459,10 +469,10 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
   const std::size_t numbers = state_arrays(rest).size();
   const auto blocks = static_cast<std::int64_t>(rest.ux.size());
   const auto points = static_cast<std::int64_t>(rest.kappa.size());
-  Statement select(
-      database_,
-      "SELECT sample, label, displacement_m, reaction_N, blocks, points, data FROM state WHERE "
-      "sample = ? ORDER BY position");
+  Statement select(database_,
+                   fmt::format("SELECT sample, label, displacement_m, reaction_N, blocks, points, "
+                               "data, {} FROM state WHERE sample = ? ORDER BY position",
+                               version_ < 4 ? "NULL" : "asked_m"));
   select.bind(sample);
   while (select.step()) {
     Snapshot& s = states.emplace_back();
@@ -476,6 +486,7 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
     const std::vector<double> arrays =
         unpack_floats(select.bytes(), numbers,
                       fmt::format("{}: state {} of sample {}", database_.name(), s.label, sample));
+    s.asked = select.number();
     if (!std::all_of(arrays.begin(), arrays.end(), [](double x) { return std::isfinite(x); }))
       select.damaged(fmt::format("state {} holds what is not a number", s.label));
     s.state = state_at_rest(arrays, rest.ux.size(), rest.kappa.size());
@@ -509,9 +520,12 @@ std::vector<SampleRecord> Store::records(int last) {
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
     if (!record.answered()) continue;  // nor are there lists of what it did
     each_answer(taker, record);
-    if (version_ < 3)  // it had no column for
+    if (version_ < 3) {  // what it had no columns for
       record.responses.censored_peak =
           record.responses.displacement_at_peak >= record.curve.back().displacement;
+      record.quasi_static.judgement =
+          dynamics::judgement_of_older(text_of(record.quasi_static.verdict));
+    }
     check_answer(database_, record, lists[record.sample]);
     put_lists(std::move(lists[record.sample]), record);
   }

@@ -38,6 +38,7 @@ struct PackedState {
   std::string label, bytes;
   double displacement = 0, reaction = 0;
   std::size_t blocks = 0, points = 0;
+  double asked = kUnset;
 };
 struct PackedSample {
   SampleRecord record;

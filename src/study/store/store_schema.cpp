@@ -59,6 +59,7 @@ std::string schema_sql() {
       " columns TEXT NOT NULL);\n"
       "CREATE TABLE state (sample INTEGER NOT NULL, position INTEGER NOT NULL, label TEXT,"
       " displacement_m REAL, reaction_N REAL, blocks INTEGER, points INTEGER, data BLOB NOT NULL,"
+      " asked_m REAL,"
       " PRIMARY KEY (sample, position));\n"
       "CREATE TABLE sample (sample INTEGER PRIMARY KEY";
   for (const auto& [name, type] : record_columns().columns)

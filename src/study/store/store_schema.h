@@ -21,6 +21,10 @@ struct ColumnNames {
   void operator()(const char* name, const bool&) { columns.emplace_back(name, "INTEGER"); }
   void operator()(const char* name, const std::int64_t&) { columns.emplace_back(name, "INTEGER"); }
   void operator()(const char* name, const std::string&) { columns.emplace_back(name, "TEXT"); }
+  void operator()(const char* name, const Message&) {  // in English, and as data
+    columns.emplace_back(name, "TEXT");
+    columns.emplace_back(name + std::string("_message"), "TEXT");
+  }
 };
 
 // Those of `sample` after the number, in the order of record_rows.h.

@@ -1,19 +1,18 @@
 // A campaign as its page uses it: samples with curves, inputs, modes; and what the reader has chosen.
 import type { Bundle, Numbers } from "../bundle";
-import { pageUnit, phrase, say } from "../texts";
+import { pageUnit, phrase, say, type Said } from "../texts";
 
 export interface Sample {
   sample: number;
   status: string;
-  reason: string;
+  reason: Said;
   answered: boolean;
   mode: string;
-  sentence: string;
+  sentence: Said;
   readAt: number | null; // displacement at which the mode was read [mm]
   readEarly: boolean; // short of where it was asked, the push having ended
   response: (number | null)[];
   censored: boolean[]; // known only from below
-  verdict: string;
   stateHash: string;
   displacement: Numbers;
   reaction: Numbers; // [mm], [kN]
@@ -132,7 +131,6 @@ export class Campaign {
           (c: boolean, i: number) =>
             c || (s.still_rising === true && kOfPeak.includes(this.quantities[i].name)),
         ),
-        verdict: s.verdict ?? "",
         stateHash: s.state_hash ?? "",
         displacement: displacement.subarray(from, at),
         reaction: reaction.subarray(from, at),

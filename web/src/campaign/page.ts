@@ -5,7 +5,7 @@ import { h, later, type Child } from "../dom";
 import { assumptions, inputTables, provenanceTable } from "../inputs";
 import type { Section } from "../page";
 import { table } from "../tables";
-import { asSentence, phrase, say, sentence, shortened } from "../texts";
+import { asSentence, phrase, say, sentence } from "../texts";
 import { Curves, meanCurves } from "./curves";
 import { Campaign, modeLabel } from "./data";
 import { entangled, histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
@@ -40,7 +40,7 @@ function unanswered(campaign: Campaign): Child {
 function modeWords(campaign: Campaign): Child {
   const rows = campaign.modes.map((mode) => {
     const sample = campaign.answered.find((s) => s.mode === mode && s.sentence !== "")!;
-    const words = mode === "unclear" ? say("modes.unclear") : sample ? asSentence(shortened(sample.sentence)) : "–";
+    const words = mode === "unclear" ? say("modes.unclear") : sample ? asSentence(phrase(sample.sentence)) : "–";
     return h(
       "div",
       { class: "mode-word" },

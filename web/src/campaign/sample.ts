@@ -4,7 +4,7 @@ import { Figure } from "../figure";
 import { aroundPrint } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { table } from "../tables";
-import { num, phrase, qty, say, sentence, shortened } from "../texts";
+import { num, phrase, qty, say, sentence } from "../texts";
 import { Frames, readWall, type Wall } from "../wall";
 import { WallView } from "../wallview";
 import { atLeast, modeLabel, reactionAt, type Campaign, type Sample } from "./data";
@@ -79,7 +79,7 @@ export class SamplePanel {
             "span",
             {},
             h("b", { class: `tag-text ${this.campaign.css(s.mode)}` }, modeLabel(s.mode)),
-            s.sentence ? `, ${shortened(s.sentence)}. ` : ". ",
+            s.sentence ? `, ${phrase(s.sentence)}. ` : ". ",
             h("span", { class: "soft" }, this.readAt(s)),
           )
         : h("span", {}, `${say("sample.unanswered")} ${phrase(s.status)}. ${sentence(s.reason)}`),
@@ -180,7 +180,7 @@ export class SamplePanel {
       tallest: 520,
       info: all.map((f) => ({
         // "20 mm" says no more than the displacement
-        label: [say("sample.n", { n: f.sample }), /^[\d.]+ mm$/.test(f.label ?? "") ? "" : phrase(f.label ?? "")]
+        label: [say("sample.n", { n: f.sample }), f.asked_mm != null ? "" : phrase(f.label ?? "")]
           .filter((w) => w !== "")
           .join(", "),
         displacement: f.displacement_mm,

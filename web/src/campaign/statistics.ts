@@ -409,16 +409,6 @@ export function running(campaign: Campaign): HTMLElement | null {
   return figure.element;
 }
 
-// What the stop rule measured, responses and words in the page's language.
-function measured(campaign: Campaign, measures: string): string {
-  const named = (text: string): string =>
-    campaign.quantities.reduce((t, q) => t.replace(q.name, say(`quantity.${q.name}`)), text);
-  return measures
-    .split(", ")
-    .map((m) => named(phrase(m)))
-    .join(", ");
-}
-
 export function precision(campaign: Campaign): Child {
   const all = campaign.statistics.precision as any[];
   const met = (p: any): Child =>
@@ -483,7 +473,7 @@ export function precision(campaign: Campaign): Child {
           say("precision.rule"),
           " ",
           h("code", {}, until.rule),
-          `: ${say(until.met ? "precision.rule.met" : "precision.rule.unmet")}; ${measured(campaign, until.measures)}.`,
+          `: ${say(until.met ? "precision.rule.met" : "precision.rule.unmet")}; ${phrase(until.measures)}.`,
         )
       : null,
     h("p", { class: "soft small" }, say("precision.lead")),

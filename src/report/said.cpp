@@ -1,0 +1,76 @@
+#include "report/said.h"
+
+#include "core/messages.h"
+#include "study/modes/wall_parts.h"
+
+namespace wythe::report {
+namespace {
+
+constexpr std::string_view kData = "_message";
+
+// `text` stands where the data are null.
+Json said_of(const Json& data, const Json& text) {
+  if (!data.is_array())
+    return data.is_object() && text.is_string() ? said(message_of(data.dump(), text)) : text;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < data.size(); ++i)
+    list.push_back(said_of(data[i], text.is_array() && i < text.size() ? text[i] : Json("")));
+  return list;
+}
+
+}  // namespace
+
+Json said(const Message& message) {
+  Json texts = Json::array();
+  bool same = true;
+  for (const std::string& language : message_languages()) {
+    texts.push_back(text_of(message, language));
+    same = same && texts.back() == texts.front();
+  }
+  return same ? texts.front() : texts;
+}
+
+Json said(const std::vector<Message>& messages) {
+  Json list = Json::array();
+  for (const Message& message : messages) list.push_back(said(message));
+  return list;
+}
+
+Message shortened(Message sentence) {
+  constexpr std::ptrdiff_t kListed = 3;
+  for (Argument& argument : sentence.arguments) {
+    auto* parts = std::get_if<std::vector<Message>>(&argument.value);
+    if (parts == nullptr || argument.name != "parts") continue;
+    const auto more = static_cast<std::ptrdiff_t>(parts->size()) - kListed;
+    if (more <= 0) continue;
+    parts->erase(parts->begin() + kListed, parts->end());
+    parts->push_back({"part.more", {{"number", more}}});
+  }
+  return sentence;
+}
+
+Json names_of(const Model& model) {
+  Json names = Json::object();
+  for (const auto& [name, words] : study::find_parts(model).words) names[name] = said(words);
+  return names;
+}
+
+void say_messages(Json& json) {
+  if (json.is_array())
+    for (Json& part : json) say_messages(part);
+  if (!json.is_object()) return;
+  Json out = Json::object();
+  for (auto& [key, value] : json.items()) {
+    if (key.ends_with(kData) && json.contains(key.substr(0, key.size() - kData.size()))) continue;
+    const std::string data = key + std::string(kData);
+    if (json.contains(data)) {
+      out[key] = said_of(json[data], value);
+    } else {
+      say_messages(value);
+      out[key] = std::move(value);
+    }
+  }
+  json = std::move(out);
+}
+
+}  // namespace wythe::report

@@ -1,0 +1,23 @@
+// Messages on their way to a page: a list of texts, one a language of the table of words, so that the
+// page needs no words of the engine's.
+//
+//   "reason": ["stage \"push\" did not settle: ...", "la fase “push” non ...", ]
+#pragma once
+
+#include "report/bundle.h"
+#include "wythe/message.h"
+#include "wythe/model.h"
+
+namespace wythe::report {
+
+// "" where nothing is said, one text where it is the same in every language.
+[[nodiscard]] Json said(const Message& message);
+[[nodiscard]] Json said(const std::vector<Message>& messages);
+// A list of parts that show damage, cut to its first three and how many more.
+[[nodiscard]] Message shortened(Message sentence);
+// Names of a wall's parts, by which elements and flags are called: {"left pier": [...], ...}.
+[[nodiscard]] Json names_of(const Model& model);
+// In the JSON of a file (io/message_json.h): KEY becomes what KEY_message says, which goes.
+void say_messages(Json& json);
+
+}  // namespace wythe::report
