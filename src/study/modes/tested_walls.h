@@ -1,0 +1,23 @@
+// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of
+// failure (docs/validation.md).
+#pragma once
+
+#include "wythe/result.h"
+
+namespace wythe::study {
+
+struct TestedKind {
+  const char* kind;
+  int walls;
+  double bias, bias_low, bias_high, scatter;  // of predicted over measured peaks
+  double slender_low, slender_high;           // height over length of the walls
+  double axial_low, axial_high;               // pressure at the base over compressive strength
+};
+// clang-format off
+inline constexpr TestedKind kTestedKinds[] = {
+    {"shear", 0, kUnset, kUnset, kUnset, kUnset, 0.989, 2, 0.0312, 0.183},
+    {"sliding", 0, kUnset, kUnset, kUnset, kUnset, 0.989, 0.989, 0.0312, 0.0312},
+    {"rocking", 2, 0.989, 0.741, 1.32, 0.0228, 1.2, 2.26, 0.00307, 0.0508}};
+// clang-format on
+
+}  // namespace wythe::study

@@ -1,0 +1,198 @@
+"""The table of tested walls: runs them once, keeps what they predict, and tells bias and scatter by kind of failure.
+
+validation/walls.csv     the tests: model file, kind of failure, measured peaks and drifts, statics. Fixed before any run.
+validation/predicted.csv what the program says, one row a wall and set of settings; written by `tools/validation walls`
+
+A wall enters the statistic unless the rule of `left_out` says why not. One model counts once: several tests of it are
+averaged (logarithms), so that a pair of equal walls does not count twice.
+"""
+import csv
+import math
+import os
+
+import bias
+
+WALLS, PREDICTED = "validation/walls.csv", "validation/predicted.csv"
+KINDS = ["shear", "sliding", "rocking", "mixed"]
+# Settings laid over every model: the table itself, and what a choice of it moves.
+SETS = {
+    "base": [],
+    "2 corners": ["solve.point_rule=corners", "solve.points_per_face=2"],
+}
+COLUMNS = ["set", "wall", "peak_kN", "peak_raw_kN", "at_peak_mm", "at_80_mm", "is_bound", "mode", "judgement", "lift_percent",
+           "status", "seconds", "build", "state"]
+STATICS_EXCEEDED = 1.10  # a bed joint's tension of 0.1 MPa adds about 6 % to the statics of a wall without tension
+
+
+def read_csv(path):
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def numbers(text):
+    return [float(x) for x in text.split()]
+
+
+def geometric_mean(values):
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+# --- measured -------------------------------------------------------------------------------------------
+
+def measured_peak(test):
+    """Mean of the two directions, or of an interval's ends [kN]."""
+    return geometric_mean(numbers(test["peaks_kN"]))
+
+
+def measured_drift(test):
+    """(drift at 80 % [%], whether it is a lower bound); None where it is not told."""
+    values = numbers(test["drifts_80_percent"])
+    return (geometric_mean(values), test["drift_is_bound"] == "yes") if values else None
+
+
+def static_bound(test):
+    """Largest shear of a rigid wall without tension whose toes are crushed at fm over a rectangle [kN]; None: not statically
+    determined. With a level top both ends carry a moment, with a free one the base alone."""
+    if test["top"] not in ("level", "free"):
+        return None
+    length, area = float(test["length_m"]), float(test["length_m"]) * float(test["thickness_m"])
+    strength = float(test["fm_MPa"]) * 1e3 if test["fm_MPa"] else math.inf
+
+    def moment(force):
+        return force * length / 2 * (1 - force / area / strength)
+    top, base = float(test["top_load_kN"]), float(test["top_load_kN"]) + float(test["weight_kN"])
+    if test["top"] == "level":
+        return (moment(top) + moment(base)) / float(test["height_m"])
+    return moment(base) / float(test["load_height_m"])
+
+
+def left_out(test):
+    """Why a test does not enter the statistic; "" where it does. Decided by what is measured alone."""
+    if test["confidence"]:
+        return test["confidence"]
+    bound = static_bound(test)
+    if bound is not None and measured_peak(test) > STATICS_EXCEEDED * bound:
+        return f"measured peak is {measured_peak(test) / bound:.2f} of what statics allows with the stated axial stress and fm"
+    return ""
+
+
+def test_scatter(tests):
+    """sigma_E of peaks from walls that were tested twice; of drifts from the two directions of each test, as no wall was
+    tested twice to the same failure with both drifts known. [(sigma, degrees of freedom)] of peak and drift."""
+    used = [t for t in tests if not left_out(t)]
+    by_wall = {}
+    for test in used:
+        by_wall.setdefault(test["wall"], []).append(measured_peak(test))
+    peaks = [(values[0], values[1]) for values in by_wall.values() if len(values) == 2]
+    drifts = [tuple(numbers(t["drifts_80_percent"])) for t in used
+              if len(numbers(t["drifts_80_percent"])) == 2 and t["drift_is_bound"] != "yes"]
+    return bias.scatter_of_pairs(peaks), bias.scatter_of_pairs(drifts)
+
+
+# --- predicted -------------------------------------------------------------------------------------------
+
+def predicted_row(name, wall, summary):
+    meter = summary["quasi_static"]
+    made = summary["provenance"]
+
+    def rounded(value, digits=4):
+        return "" if value is None else f"{value:.{digits}g}"
+    return {"set": name, "wall": wall, "peak_kN": rounded(summary["peak_reaction_kN"]),
+            "peak_raw_kN": rounded(summary["peak_raw_kN"]), "at_peak_mm": rounded(summary["displacement_at_peak_mm"], 3),
+            "at_80_mm": rounded(summary["displacement_at_80_percent_mm"], 3),
+            "is_bound": "yes" if summary["censored_80"] else "", "mode": summary["failure_mode"]["name"],
+            "judgement": meter["judgement"], "lift_percent": rounded(meter["lift_percent"], 2), "status": summary["status"],
+            "seconds": rounded(summary["wall_seconds"], 2), "build": made["commit"], "state": summary["state_hash"]}
+
+
+def run_walls(wythe, folder_of, out, names, matches):
+    """Runs each model once for each set in `names`; keeps rows of walls that are not run."""
+    kept = {(row["set"], row["wall"]): row for row in read_csv(PREDICTED)}
+    models = {t["wall"]: t for t in read_csv(WALLS)}
+    for name in names:
+        for wall, test in models.items():
+            if not matches(wall):
+                continue
+            settings = [o for o in test["overrides"].split(";") if o] + SETS[name]
+            summary = wythe(test["model"], settings, folder_of(os.path.join(out, "walls"), f"{wall} {name}"))
+            row = kept[name, wall] = predicted_row(name, wall, summary)
+            print(f"{name}, {wall}: {row['peak_kN']} kN, {row['mode']}, {row['judgement']}", flush=True)
+    order = [(name, wall) for name in SETS for wall in models]
+    with open(PREDICTED, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(kept[key] for key in order if key in kept)
+
+
+def predicted(name="base"):
+    return {row["wall"]: row for row in read_csv(PREDICTED) if row["set"] == name}
+
+
+def kind_of_mode(mode):
+    """The program's name of a failure in the words of the table."""
+    for word, kind in (("shear", "shear"), ("sliding", "sliding"), ("rocking", "rocking"), ("toe crushing", "rocking"),
+                       ("flexural", "rocking")):
+        if word in mode:
+            return kind
+    return "unclear"
+
+
+def peak_ratio(test, answer):
+    """Predicted over measured peak, or None where the program knows no peak."""
+    return float(answer["peak_kN"]) / measured_peak(test) if answer and answer["peak_kN"] else None
+
+
+def drift_bounds(test, answer):
+    """ln(predicted / measured) drift at 80 % as an interval; None where nothing is known."""
+    told = measured_drift(test)
+    if told is None or not answer or not answer["at_80_mm"]:
+        return None
+    drift = float(answer["at_80_mm"]) / 10 / float(test["drift_height_m"])
+    return bias.bounds_of(drift, told[0], answer["is_bound"] == "yes", told[1])
+
+
+# --- the statistic ---------------------------------------------------------------------------------------
+
+def merged(intervals):
+    """One model's tests as one: the mean of the logarithms; of bounds the mean bound where all point one way."""
+    known = [i for i in intervals if i is not None]
+    if not known:
+        return None
+    exact = [i for i in known if i[0] == i[1]]
+    use = exact or known
+    low, high = sum(i[0] for i in use) / len(use), sum(i[1] for i in use) / len(use)
+    return None if math.isinf(low) and math.isinf(high) else (low, high)
+
+
+def sample_of(tests, answers, quantity):
+    """One interval of ln(P/M) for each wall among `tests` that enters the statistic."""
+    by_wall = {}
+    for test in tests:
+        if left_out(test):
+            continue
+        answer = answers.get(test["wall"])
+        if quantity == "peak":
+            ratio = peak_ratio(test, answer)
+            interval = None if ratio is None else (math.log(ratio), math.log(ratio))
+        else:
+            interval = drift_bounds(test, answer)
+        by_wall.setdefault(test["wall"], []).append(interval)
+    return {wall: merged(intervals) for wall, intervals in by_wall.items()}
+
+
+def statistics(name="base"):
+    """{quantity: {kind or "all": bias_and_scatter(...)}} of one set of settings, None where no wall says anything."""
+    tests, answers = read_csv(WALLS), predicted(name)
+    scatter = dict(zip(("peak", "drift"), test_scatter(tests)))
+    found = {}
+    for quantity in ("peak", "drift"):
+        groups = {kind: [t for t in tests if t["kind"] == kind] for kind in KINDS}
+        groups["all"] = tests
+        found[quantity] = {
+            kind: bias.bias_and_scatter(sample_of(group, answers, quantity).values(), scatter[quantity][0])
+            for kind, group in groups.items()}
+    return found
+
+

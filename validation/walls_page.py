@@ -1,0 +1,202 @@
+"""Writes docs/validation.md, its figure of predicted against measured peaks, and the table of tested ranges that the program
+holds (src/study/modes/tested_walls.h), from walls.csv and predicted.csv alone: no run is needed."""
+import math
+import os
+
+import walls
+from figure import COLOURS, INK, LogSquare
+from page import readme_part, table
+
+MEANING = {"shear": "crack diagonally through joints and units", "sliding": "slide along their beds",
+           "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
+COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
+HELD = "src/study/modes/tested_walls.h"
+FEW = 3  # walls of a kind below which its bias is an anecdote
+
+
+def figure_text(value, digits=2):
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def interval_text(pair):
+    return "" if pair is None else f" ({pair[0]:.2f} to {pair[1]:.2f})"
+
+
+def verdict_text(found):
+    """What a reader may do with a prediction of this kind."""
+    if found is None:
+        return "nothing known"
+    if found["n"] < FEW:
+        return f"too few walls ({found['n']}) to rely on"
+    if found["delta"] > 1.15:
+        return f"predictions are too strong: divide by {found['delta']:.2f}"
+    if found["delta"] < 0.9:
+        return f"predictions are too weak: divide by {found['delta']:.2f}"
+    return "usable as it stands" if found["sigma_M"] <= 0.2 else "right on average, but the scatter is large"
+
+
+def statistic_table(found):
+    rows = []
+    for kind in walls.KINDS + ["all"]:
+        b = found[kind]
+        if b is None:
+            rows.append([MEANING[kind], 0, "–", "–", "–", "nothing known"])
+            continue
+        sigma = figure_text(b["sigma_M"]) + interval_text(b["sigma_M_interval"]) + (" *" if b["at_floor"] else "")
+        count = f"{b['n']}" + (f" + {b['censored']} bounds" if b["censored"] else "")
+        rows.append([MEANING[kind], count, figure_text(b["delta"]) + interval_text(b["delta_interval"]), sigma,
+                     figure_text(b["sigma_E"]), verdict_text(b)])
+    return table(["walls that", "walls", "bias δ (95 % interval)", "scatter σ_M (95 % interval)", "tests' scatter σ_E",
+                  "so a prediction is"], rows)
+
+
+def bound_text(value, is_bound, unit=""):
+    return ("> " if is_bound else "") + f"{value:.3g}{unit}"
+
+
+def wall_rows(name):
+    answers = walls.predicted(name)
+    rows = []
+    for test in walls.read_csv(walls.WALLS):
+        answer = answers.get(test["wall"])
+        ratio = walls.peak_ratio(test, answer)
+        told = walls.measured_drift(test)
+        drift = float(answer["at_80_mm"]) / 10 / float(test["drift_height_m"]) if answer and answer["at_80_mm"] else None
+        rows.append([
+            test["test"], test["published_failure"], test["peaks_kN"].replace(" ", ", "),
+            "not run" if answer is None else answer["peak_kN"] or "not known", figure_text(ratio),
+            "–" if answer is None else answer["mode"] or "–", "–" if told is None else bound_text(*told),
+            "–" if drift is None else bound_text(drift, answer["is_bound"] == "yes"),
+            "–" if answer is None else answer["judgement"], "no" if walls.left_out(test) else "yes", test["source"]])
+    return rows
+
+
+def wall_table(name="base"):
+    return table(["test", "failed in the test by", "measured peaks, kN", "predicted, kN", "ratio", "predicted failure",
+                  "measured drift at 80 %, %", "predicted, %", "push", "counts", "source"], wall_rows(name))
+
+
+def left_out_lines(tests):
+    return [f"- **{t['test']}**: {walls.left_out(t)}." for t in tests if walls.left_out(t)] + [""]
+
+
+def kinds_agree(tests, answers):
+    pairs = [(t["kind"], walls.kind_of_mode(answers[t["wall"]]["mode"])) for t in tests if t["wall"] in answers]
+    return sum(a == b or a == "mixed" for a, b in pairs), len(pairs)
+
+
+def settings_table(name):
+    """How the peaks move with another set of settings."""
+    base, other = walls.predicted(), walls.predicted(name)
+    rows = [[wall, base[wall]["peak_kN"] or "–", other[wall]["peak_kN"] or "–",
+             f"{100 * (float(other[wall]['peak_kN']) / float(base[wall]['peak_kN']) - 1):+.1f}"
+             if base[wall]["peak_kN"] and other[wall]["peak_kN"] else "–", other[wall]["mode"]]
+            for wall in base if wall in other]
+    if not rows:
+        return []
+    found = walls.statistics(name)["peak"]
+    told = [f"{kind}: δ {figure_text(found[kind]['delta'])}, σ_M {figure_text(found[kind]['sigma_M'])}"
+            for kind in walls.KINDS + ["all"] if found[kind]]
+    return [f"### {name}", "", "; ".join(told) + ".", ""] + table(["wall", "peak, kN", f"{name}, kN", "change, %", "failure"], rows)
+
+
+def draw(figures, found):
+    """Predicted against measured peaks with the bands of the tests' scatter and of the model's about its bias."""
+    figure = LogSquare("measured peak (kN)", "predicted peak (kN)", 10, 500)
+    everything = found["all"]
+    if everything and everything["sigma_M"] is not None:
+        figure.band(everything["delta"] * math.exp(-2 * everything["sigma_M"]), everything["delta"] * math.exp(2 * everything["sigma_M"]),
+                    "#b5442a", "model: δ and ± 2 σ_M, all kinds")
+        figure.ray(everything["delta"], "#b5442a", "5 4")
+    figure.band(math.exp(-2 * found["sigma_E"]), math.exp(2 * found["sigma_E"]), "#333", "tests: ± 2 σ_E")
+    figure.ray(1, INK)
+    answers = walls.predicted()
+    for test in walls.read_csv(walls.WALLS):
+        answer = answers.get(test["wall"])
+        if walls.peak_ratio(test, answer) is None:
+            continue
+        figure.point(walls.measured_peak(test), float(answer["peak_kN"]), COLOUR[test["kind"]], not walls.left_out(test), test["test"])
+    for kind in walls.KINDS:
+        figure.key(COLOUR[kind], MEANING[kind])
+    figure.key(INK, "hollow: does not count", hollow=True)
+    with open(os.path.join(figures, "validation_peaks.svg"), "w", encoding="utf-8") as file:
+        file.write(figure.svg())
+
+
+def tested_kinds(found):
+    """[(kind, walls, bias, low, high, scatter, slenderness low, high, axial ratio low, high)] of the walls that count."""
+    rows = []
+    for kind in ("shear", "sliding", "rocking"):
+        tests = [t for t in walls.read_csv(walls.WALLS) if t["kind"] == kind and not walls.left_out(t)]
+        b = found["peak"][kind] or {"n": 0, "delta": None, "delta_interval": None, "sigma_M": None}
+        slender = [float(t["height_m"]) / float(t["length_m"]) for t in tests]
+        axial = [(float(t["top_load_kN"]) + float(t["weight_kN"])) / 1e3 / float(t["length_m"]) / float(t["thickness_m"])
+                 / float(t["fm_MPa"]) for t in tests if t["fm_MPa"]]
+        rows.append((kind, b["n"], b["delta"], *(b["delta_interval"] or (None, None)), b["sigma_M"], min(slender), max(slender),
+                     min(axial), max(axial)))
+    return rows
+
+
+def header(found):
+    """The table as the program holds it."""
+    def number(value):
+        return "kUnset" if value is None else f"{value:.3g}"
+    lines = ["// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of",
+             "// failure (docs/validation.md).", "#pragma once", "", '#include "wythe/result.h"', "", "namespace wythe::study {", "",
+             "struct TestedKind {", "  const char* kind;", "  int walls;",
+             "  double bias, bias_low, bias_high, scatter;  // of predicted over measured peaks",
+             "  double slender_low, slender_high;           // height over length of the walls",
+             "  double axial_low, axial_high;               // pressure at the base over compressive strength", "};",
+             "// clang-format off", "inline constexpr TestedKind kTestedKinds[] = {"]
+    lines += [f'    {{"{kind}", {n}, {", ".join(map(number, rest))}}},' for kind, n, *rest in tested_kinds(found)]
+    lines[-1] = lines[-1][:-1] + "};"
+    lines.append("// clang-format on")
+    return "\n".join(lines + ["", "}  // namespace wythe::study", ""])
+
+
+def first_lines(peak, drift):
+    shear, rocking, everything = peak["shear"], peak["rocking"], peak["all"]
+
+    def told(b):
+        return f"predicted over measured peak is {b['delta']:.2f}{interval_text(b['delta_interval'])} with a scatter of {figure_text(b['sigma_M'])}"
+    lines = []
+    if shear:
+        lines.append(f"**Walls that fail in shear** ({shear['n']} walls): {told(shear)}; {verdict_text(shear)}.")
+    if rocking:
+        lines.append(f"**Walls that rock** ({rocking['n']}): {told(rocking)}; {verdict_text(rocking)}.")
+    if everything:
+        lines.append(f"**All** ({everything['n']}): {told(everything)}.")
+    if drift["all"]:
+        lines.append(f"**Drift at 80 % of the peak** ({drift['all']['n']} walls, {drift['all']['censored']} more as bounds): "
+                     f"{told(drift['all']).replace(' peak', '')}; {verdict_text(drift['all'])}.")
+    return [line + "\n" for line in lines]
+
+
+def write(page, held=HELD):
+    figures = os.path.join(os.path.dirname(page), "figures")
+    tests, answers = walls.read_csv(walls.WALLS), walls.predicted()
+    found = walls.statistics()
+    (scatter, pairs), (drift_scatter, drift_pairs) = walls.test_scatter(tests)
+    draw(figures, {"sigma_E": scatter, "all": found["peak"]["all"]})
+    agree, named = kinds_agree(tests, answers)
+    builds = sorted({row["build"] for row in answers.values()})
+    lines = ["# Validation: which walls the program may be believed for", "",
+             "<!-- written by tools/validation page; edit validation/ instead -->", ""]
+    lines += first_lines(found["peak"], found["drift"])
+    lines += [readme_part(".", "Range"), "", "![predicted against measured peaks](figures/validation_peaks.svg)", "",
+              "## Peak force", ""] + statistic_table(found["peak"])
+    lines += ["## Drift where the force has fallen to 80 % of the peak", ""] + statistic_table(found["drift"])
+    lines += ["\\* The scatter is that of the tests: the model cannot be shown to be better than they are.", "",
+              readme_part(".", "Reading"), "",
+              f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice, and of drifts {drift_scatter:.2f}, from the "
+              f"two directions of {drift_pairs} tests.", "", "## Wall by wall", ""]
+    lines += wall_table() + [f"The kind of failure is that of the test in {agree} of {named} tests. Builds: {', '.join(builds)}.", "",
+                             "Not counted:", ""] + left_out_lines(tests)
+    lines += [readme_part(".", "Rules"), "", "## What a setting moves", ""]
+    for name in list(walls.SETS)[1:]:
+        lines += settings_table(name)
+    lines += [readme_part(".", "Misses"), "", readme_part(".", "Further"), ""]
+    with open(page, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines).rstrip() + "\n")
+    with open(held, "w", encoding="utf-8") as file:
+        file.write(header(found))
