@@ -153,7 +153,7 @@ def _mean_interval(sample, n, mean, spread):
 def bias_and_scatter(sample, sigma_e):
     """The statistic of a sample of bounds_of(), with the tests' scatter; None where no value is uncensored.
 
-    A dict: n (uncensored), censored, delta, delta_interval, sigma_M, sigma_M_interval, at_floor. Intervals are None with
+    A dict: n (uncensored), censored, median ratio, delta, delta_interval, sigma_M, sigma_M_interval, at_floor. Intervals are None with
     fewer than two values, as sigma_M is.
     """
     sample = [pair for pair in sample if pair is not None]
@@ -163,6 +163,7 @@ def bias_and_scatter(sample, sigma_e):
     if n == 0:
         return None
     mean, spread = most_likely(sample)
+    found["median"] = math.exp(mean)
     if n == 1:
         found["delta"] = math.exp(mean)
         return found

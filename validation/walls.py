@@ -19,7 +19,7 @@ SETS = {
     "base": [],
     "2 corners": ["solve.point_rule=corners", "solve.points_per_face=2"],
 }
-COLUMNS = ["set", "wall", "peak_kN", "peak_raw_kN", "at_peak_mm", "at_80_mm", "is_bound", "mode", "judgement", "lift_percent",
+COLUMNS = ["set", "wall", "peak_kN", "peak_is_bound", "peak_raw_kN", "at_peak_mm", "at_80_mm", "is_bound", "mode", "judgement", "lift_percent",
            "status", "seconds", "build", "state"]
 STATICS_EXCEEDED = 1.10  # a bed joint's tension of 0.1 MPa adds about 6 % to the statics of a wall without tension
 
@@ -100,7 +100,7 @@ def predicted_row(name, wall, summary):
     def rounded(value, digits=4):
         return "" if value is None else f"{value:.{digits}g}"
     return {"set": name, "wall": wall, "peak_kN": rounded(summary["peak_reaction_kN"]),
-            "peak_raw_kN": rounded(summary["peak_raw_kN"]), "at_peak_mm": rounded(summary["displacement_at_peak_mm"], 3),
+            "peak_is_bound": "yes" if summary["censored_peak"] else "", "peak_raw_kN": rounded(summary["peak_raw_kN"]), "at_peak_mm": rounded(summary["displacement_at_peak_mm"], 3),
             "at_80_mm": rounded(summary["displacement_at_80_percent_mm"], 3),
             "is_bound": "yes" if summary["censored_80"] else "", "mode": summary["failure_mode"]["name"],
             "judgement": meter["judgement"], "lift_percent": rounded(meter["lift_percent"], 2), "status": summary["status"],
@@ -144,6 +144,15 @@ def peak_ratio(test, answer):
     return float(answer["peak_kN"]) / measured_peak(test) if answer and answer["peak_kN"] else None
 
 
+def peak_bounds(test, answer):
+    """ln(predicted / measured) peak as an interval: a force that still rose where the push ended is a bound, unless the test
+    went no farther: then both are the largest force up to there."""
+    if peak_ratio(test, answer) is None:
+        return None
+    went_as_far = bool(test["test_end_mm"]) and float(answer["at_peak_mm"]) >= 0.99 * float(test["test_end_mm"])
+    return bias.bounds_of(float(answer["peak_kN"]), measured_peak(test), answer["peak_is_bound"] == "yes" and not went_as_far)
+
+
 def drift_bounds(test, answer):
     """ln(predicted / measured) drift at 80 % as an interval; None where nothing is known."""
     told = measured_drift(test)
@@ -173,11 +182,7 @@ def sample_of(tests, answers, quantity):
         if left_out(test):
             continue
         answer = answers.get(test["wall"])
-        if quantity == "peak":
-            ratio = peak_ratio(test, answer)
-            interval = None if ratio is None else (math.log(ratio), math.log(ratio))
-        else:
-            interval = drift_bounds(test, answer)
+        interval = peak_bounds(test, answer) if quantity == "peak" else drift_bounds(test, answer)
         by_wall.setdefault(test["wall"], []).append(interval)
     return {wall: merged(intervals) for wall, intervals in by_wall.items()}
 

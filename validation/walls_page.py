@@ -11,6 +11,7 @@ MEANING = {"shear": "crack diagonally through joints and units", "sliding": "sli
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
 HELD = "src/study/modes/tested_walls.h"
+LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote
 
 
@@ -28,11 +29,21 @@ def verdict_text(found):
         return "nothing known"
     if found["n"] < FEW:
         return f"too few walls ({found['n']}) to rely on"
+    if found["sigma_M"] > LARGE:
+        return "not to be relied on"
+    percent = round(100 * abs(found["delta"] - 1))
     if found["delta"] > 1.15:
-        return f"predictions are too strong: divide by {found['delta']:.2f}"
+        return f"on the unsafe side, too large by {percent} % on average"
     if found["delta"] < 0.9:
-        return f"predictions are too weak: divide by {found['delta']:.2f}"
+        return f"on the safe side, too small by {percent} % on average"
     return "usable as it stands" if found["sigma_M"] <= 0.2 else "right on average, but the scatter is large"
+
+
+def bias_text(b):
+    """delta; where the scatter is so large that the formulas for small ones mean nothing, the middle ratio."""
+    if b["sigma_M"] is not None and b["sigma_M"] > LARGE:
+        return f"– (middle ratio {b['median']:.2f})"
+    return figure_text(b["delta"]) + interval_text(b["delta_interval"])
 
 
 def statistic_table(found):
@@ -44,14 +55,14 @@ def statistic_table(found):
             continue
         sigma = figure_text(b["sigma_M"]) + interval_text(b["sigma_M_interval"]) + (" *" if b["at_floor"] else "")
         count = f"{b['n']}" + (f" + {b['censored']} bounds" if b["censored"] else "")
-        rows.append([MEANING[kind], count, figure_text(b["delta"]) + interval_text(b["delta_interval"]), sigma,
-                     figure_text(b["sigma_E"]), verdict_text(b)])
+        rows.append([MEANING[kind], count, bias_text(b), sigma, figure_text(b["sigma_E"]),
+                     "see each kind" if kind == "all" else verdict_text(b)])
     return table(["walls that", "walls", "bias δ (95 % interval)", "scatter σ_M (95 % interval)", "tests' scatter σ_E",
                   "so a prediction is"], rows)
 
 
-def bound_text(value, is_bound, unit=""):
-    return ("> " if is_bound else "") + f"{value:.3g}{unit}"
+def bound_text(value, is_bound, unit="", digits=3):
+    return ("> " if is_bound else "") + f"{value:.{digits}g}{unit}"
 
 
 def wall_rows(name):
@@ -64,7 +75,8 @@ def wall_rows(name):
         drift = float(answer["at_80_mm"]) / 10 / float(test["drift_height_m"]) if answer and answer["at_80_mm"] else None
         rows.append([
             test["test"], test["published_failure"], test["peaks_kN"].replace(" ", ", "),
-            "not run" if answer is None else answer["peak_kN"] or "not known", figure_text(ratio),
+            "not run" if answer is None else bound_text(float(answer["peak_kN"]), answer["peak_is_bound"] == "yes", digits=4)
+            if answer["peak_kN"] else "not known", figure_text(ratio),
             "–" if answer is None else answer["mode"] or "–", "–" if told is None else bound_text(*told),
             "–" if drift is None else bound_text(drift, answer["is_bound"] == "yes"),
             "–" if answer is None else answer["judgement"], "no" if walls.left_out(test) else "yes", test["source"]])
@@ -155,20 +167,17 @@ def header(found):
 
 
 def first_lines(peak, drift):
-    shear, rocking, everything = peak["shear"], peak["rocking"], peak["all"]
-
     def told(b):
-        return f"predicted over measured peak is {b['delta']:.2f}{interval_text(b['delta_interval'])} with a scatter of {figure_text(b['sigma_M'])}"
+        return f"predicted over measured is {bias_text(b)}, the scatter about that {figure_text(b['sigma_M'])}"
     lines = []
-    if shear:
-        lines.append(f"**Walls that fail in shear** ({shear['n']} walls): {told(shear)}; {verdict_text(shear)}.")
-    if rocking:
-        lines.append(f"**Walls that rock** ({rocking['n']}): {told(rocking)}; {verdict_text(rocking)}.")
-    if everything:
-        lines.append(f"**All** ({everything['n']}): {told(everything)}.")
+    for kind, called in (("shear", "Peak force of walls that fail in shear"), ("rocking", "Peak force of walls that rock")):
+        if peak[kind]:
+            lines.append(f"**{called}** ({peak[kind]['n']} walls): {verdict_text(peak[kind])}; {told(peak[kind])}.")
+    if peak["all"]:
+        lines.append(f"**Peak force of all walls** ({peak['all']['n']}): {told(peak['all'])}.")
     if drift["all"]:
         lines.append(f"**Drift at 80 % of the peak** ({drift['all']['n']} walls, {drift['all']['censored']} more as bounds): "
-                     f"{told(drift['all']).replace(' peak', '')}; {verdict_text(drift['all'])}.")
+                     f"{verdict_text(drift['all'])}; {told(drift['all'])}.")
     return [line + "\n" for line in lines]
 
 
@@ -192,7 +201,8 @@ def write(page, held=HELD):
               f"two directions of {drift_pairs} tests.", "", "## Wall by wall", ""]
     lines += wall_table() + [f"The kind of failure is that of the test in {agree} of {named} tests. Builds: {', '.join(builds)}.", "",
                              "Not counted:", ""] + left_out_lines(tests)
-    lines += [readme_part(".", "Rules"), "", "## What a setting moves", ""]
+    lines += [readme_part(".", "Rules"), "", "### What was changed after a result had been seen", "",
+              readme_part(".", "Changes").split("\n", 2)[2], "", "## What a setting moves", ""]
     for name in list(walls.SETS)[1:]:
         lines += settings_table(name)
     lines += [readme_part(".", "Misses"), "", readme_part(".", "Further"), ""]

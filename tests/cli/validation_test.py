@@ -68,18 +68,10 @@ class Statistic(unittest.TestCase):
     def test_drawn_walls_give_back_their_bias_and_scatter(self):
         dice = random.Random(20240229)
         delta, model, test = 1.2, 0.2, 0.1
-        logs = [math.log(delta) - model ** 2 / 2 + test ** 2 / 2 + dice.gauss(0, math.hypot(model, test)) for _ in range(20000)]
+        logs = [math.log(delta) - model ** 2 / 2 + test ** 2 / 2 + dice.gauss(0, math.hypot(model, test)) for _ in range(5000)]
         found = bias.bias_and_scatter([(x, x) for x in logs], test)
-        self.assertAlmostEqual(found["delta"], delta, delta=0.01)      # 4 standard errors of the mean
-        self.assertAlmostEqual(found["sigma_M"], model, delta=0.01)
-
-    def test_the_interval_of_five_walls_holds_the_bias_as_often_as_it_says(self):
-        dice, held, n = random.Random(7), 0, 1000
-        for _ in range(n):
-            x = [dice.gauss(0.1, 0.2) for _ in range(5)]
-            low, high = bias._mean_interval([(v, v) for v in x], 5, *bias.most_likely([(v, v) for v in x]))
-            held += low <= 0.1 <= high
-        self.assertAlmostEqual(held / n, 0.95, delta=0.021)  # 3 standard errors of a share of 0.95
+        self.assertAlmostEqual(found["delta"], delta, delta=0.016)  # 4 standard errors
+        self.assertAlmostEqual(found["sigma_M"], model, delta=0.01)   # 4 standard errors
 
     def test_one_wall_has_no_scatter_and_none_no_bias(self):
         self.assertIsNone(bias.bias_and_scatter(sample(1.1), 0.05)["sigma_M"])
@@ -103,10 +95,10 @@ class Bounds(unittest.TestCase):
 
     def test_a_sample_cut_at_its_middle_gives_back_mean_and_scatter(self):
         dice = random.Random(3)
-        logs = [dice.gauss(0.2, 0.3) for _ in range(4000)]
+        logs = [dice.gauss(0.2, 0.3) for _ in range(1000)]
         mean, spread = bias.most_likely([(x, x) if x < 0.2 else (0.2, math.inf) for x in logs])
-        self.assertAlmostEqual(mean, 0.2, delta=0.03)    # 4 standard errors, enlarged by the cut
-        self.assertAlmostEqual(spread, 0.3, delta=0.03)
+        self.assertAlmostEqual(mean, 0.2, delta=0.06)    # 4 standard errors, enlarged by the cut
+        self.assertAlmostEqual(spread, 0.3, delta=0.06)
 
 
 class Table(unittest.TestCase):
@@ -134,7 +126,7 @@ class Table(unittest.TestCase):
         self.assertIn("statics", walls.left_out({**self.tests["MI1"], "peaks_kN": "600 600"}))
 
     def test_a_model_tested_twice_counts_once(self):
-        answers = {"SW.100": {"peak_kN": "44.73", "at_80_mm": "", "is_bound": ""}}
+        answers = {"SW.100": {"peak_kN": "44.73", "peak_is_bound": "", "at_peak_mm": "5", "at_80_mm": "", "is_bound": ""}}
         pair = [t for t in self.tests.values() if t["wall"] == "SW.100"]
         found = walls.sample_of(pair, answers, "peak")
         self.assertEqual(list(found), ["SW.100"])
@@ -143,6 +135,14 @@ class Table(unittest.TestCase):
     def test_a_peak_that_is_not_known_is_no_ratio(self):
         self.assertIsNone(walls.peak_ratio(self.tests["MI1"], {"peak_kN": ""}))
         self.assertIsNone(walls.peak_ratio(self.tests["MI1"], None))
+
+    def test_a_force_that_still_rose_at_the_end_is_no_peak(self):
+        low, high = walls.peak_bounds(self.tests["MI1"], {"peak_kN": "200", "peak_is_bound": "yes"})
+        self.assertEqual((low, high), (math.log(200 / walls.measured_peak(self.tests["MI1"])), math.inf))
+        r5 = self.tests["R5"]  # its test ended at 21.7 mm, still rising
+        as_far = walls.peak_bounds(r5, {"peak_kN": "80", "peak_is_bound": "yes", "at_peak_mm": "21.7"})
+        self.assertEqual(as_far[0], as_far[1])
+        self.assertEqual(walls.peak_bounds(r5, {"peak_kN": "80", "peak_is_bound": "yes", "at_peak_mm": "10"})[1], math.inf)
 
     def test_a_drift_is_compared_at_the_height_where_it_was_measured(self):
         known = walls.drift_bounds(self.tests["MI1"], {"at_80_mm": "8.302", "is_bound": ""})  # 0.4151 % of 2 m
