@@ -47,6 +47,12 @@ struct JointMaterial {
   double mode_2_energy = kUnset;         // GII [N/m], work above the residual; needed when t0 > tr
   double compressive_strength = kUnset;  // fc [Pa], kUnlimited allowed
   double compressive_energy = kUnset;    // Gc [N/m], whole area; needed when fc is finite
+  // Any of the next three makes crushing follow q, the path of normal and shear displacement together.
+  double compression_cap = kUnset;         // Css [-]: sigma^2 + Css tau^2 <= F(q)^2; unset: no cap
+  double hardening_displacement = kUnset;  // kappa_p [m], F rises from fc/3 to fc; unset: none
+  double dilatancy_angle = kUnset;     // psi [rad], lift over slip under no pressure; unset: none
+  double dilatancy_slip = kUnset;      // slip after which it has faded [m]; unset: it does not
+  double dilatancy_pressure = kUnset;  // pressure under which it is gone [Pa]; unset: none
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;

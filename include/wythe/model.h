@@ -233,6 +233,7 @@ struct State {
   std::vector<double> slip;          // accumulated |plastic slip| s [m]
   std::vector<double> shear_damage;  // ds [-]
   std::vector<double> tension_set;   // w_t [m], elastic unloading only
+  std::vector<double> crush_path;    // q [m]; empty where no law of the wall has a cap
 
   // written by drive
   int stage = 0;                        // index into Model::stages

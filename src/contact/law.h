@@ -12,8 +12,13 @@
 //              1 - secant/kn in place of d_t
 //   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
 //
+// With a cap (LawChoice::cap), crushing is driven by normal and shear stress together:
+//
+//   cap        sigma^2 + Css tau^2 <= F(q)^2 in compression; q grows by what both give, F falls with q
+//   dilatancy  slip under pressure lifts: p falls by tan psi ds
+//
 // The return in shear is implicit in d_s and the crushing return in p: on a straight piece of path at
-// constant normal stress the work done does not depend on how it is cut into steps. Zero dilation.
+// constant normal stress the work done does not depend on how it is cut into steps.
 #pragma once
 
 #include <array>
@@ -30,15 +35,16 @@ struct LawChoice {
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;
+  bool cap = false;  // crushing by an ellipse in normal and shear stress, hardening, dilatancy
   bool operator==(const LawChoice&) const = default;
 };
 
 // How a function of the law learns of the choice: a Variant states it when the program is compiled, so
-// that nothing is asked at run time; AnyVariant reads it from the constants, the same in all lanes. Two
-// are compiled, the paper's and any (with_variant, parameters.h): each costs seconds of compile time.
-template <Softening softening_, Coupling coupling_, Unloading unloading_>
+// that nothing is asked at run time; AnyVariant reads it from the constants, the same in all lanes. Few
+// are compiled (with_variant, parameters.h): each costs seconds of compile time.
+template <Softening softening_, Coupling coupling_, Unloading unloading_, bool cap_ = false>
 struct Variant {
-  static constexpr LawChoice known{softening_, coupling_, unloading_};
+  static constexpr LawChoice known{softening_, coupling_, unloading_, cap_};
 };
 using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant>;
 struct AnyVariant {};
@@ -62,35 +68,65 @@ struct LawConstants {
   Real half_inv_GII;                 // 1/(2 GII) [m/N]
   Real fc, p_full, inv_p_full;       // [Pa], 2 Gc/fc [m], [1/m]
   Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
+  // of a law with a cap alone
+  Real root_css, css_ks;                          // sqrt Css [-], Css ks [Pa/m]
+  Real harden, inv_harden, harden_drop;           // kappa_p [m]; share of fc missing at q = 0 [-]
+  Real crush_rate;                                // 1/(q_full - kappa_p) [1/m]
+  Real tan_lift, inv_lift_slip, inv_lift_stress;  // dilatancy: tan psi, where it has faded
   LawChoice choice;
 };
 // Its numbers, in order: how they are copied, and laid out for walls side by side.
 template <class Real, class C = LawConstants<Real>>
-inline constexpr std::array kConstants{
-    &C::kn,     &C::ks,         &C::inv_ks,        &C::inv_kn,       &C::ft,
-    &C::w0,     &C::ft_over_GI, &C::tension_onset, &C::tension_rate, &C::c_res,
-    &C::c_drop, &C::tan_res,    &C::tan_drop,      &C::half_inv_GII, &C::fc,
-    &C::p_full, &C::inv_p_full, &C::crush_gain};
+inline constexpr std::array kConstants{&C::kn,
+                                       &C::ks,
+                                       &C::inv_ks,
+                                       &C::inv_kn,
+                                       &C::ft,
+                                       &C::w0,
+                                       &C::ft_over_GI,
+                                       &C::tension_onset,
+                                       &C::tension_rate,
+                                       &C::c_res,
+                                       &C::c_drop,
+                                       &C::tan_res,
+                                       &C::tan_drop,
+                                       &C::half_inv_GII,
+                                       &C::fc,
+                                       &C::p_full,
+                                       &C::inv_p_full,
+                                       &C::crush_gain,
+                                       &C::root_css,
+                                       &C::css_ks,
+                                       &C::harden,
+                                       &C::inv_harden,
+                                       &C::harden_drop,
+                                       &C::crush_rate,
+                                       &C::tan_lift,
+                                       &C::inv_lift_slip,
+                                       &C::inv_lift_stress};
 
 // Committed history of a point; the only memory of the law.
 template <class Real>
 struct History {
   Real kappa;         // largest opening w_e reached [m]
-  Real crush;         // crushing shortening p = -w_p [m]
+  Real crush;         // crushing shortening p = -w_p, less the lift of dilatancy [m]
   Real plastic_slip;  // signed [m]
   Real slip;          // accumulated |plastic slip| [m]
   Real shear_damage;  // d_s [-]
   Real tension_set;   // w_t [m] (elastic unloading)
+  Real crush_path;    // q, what crushing has taken of normal and shear displacement [m] (cap)
 };
 // Its numbers, in the order of the table of fields (model/fields.h).
 template <class Real, class H = History<Real>>
-inline constexpr std::array kHistory{&H::kappa, &H::crush,        &H::plastic_slip,
-                                     &H::slip,  &H::shear_damage, &H::tension_set};
+inline constexpr std::array kHistory{&H::kappa,        &H::crush,       &H::plastic_slip, &H::slip,
+                                     &H::shear_damage, &H::tension_set, &H::crush_path};
 // How many of them, from the first, a law of this choice asks for: no others are kept in memory.
 [[nodiscard]] WYTHE_INLINE constexpr int remembered(const LawChoice& choice) {
   constexpr int all = static_cast<int>(kHistory<double>.size());
-  static_assert(kHistory<double>.back() == &History<double>::tension_set);
-  return choice.unloading == Unloading::kElastic ? all : all - 1;
+  static_assert(kHistory<double>[all - 2] == &History<double>::tension_set &&
+                kHistory<double>[all - 1] == &History<double>::crush_path);
+  if (choice.cap) return all;
+  return choice.unloading == Unloading::kElastic ? all - 1 : all - 2;
 }
 
 template <class Real>
@@ -222,6 +258,151 @@ template <class V, class C, class Real>
   return maximum(zero, minimum(increment, trial * m.inv_ks));
 }
 
+// --- the cap -----------------------------------------------------------------------------------------
+
+// Strength F in crushing after the path q, and dF/dq: a parabola up to kappa_p, then a line down to 0.
+template <class Real>
+struct CrushStrength {
+  Real left;   // F [Pa]
+  Real slope;  // [Pa/m]
+};
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE CrushStrength<Real> crush_strength(const LawConstants<C>& m, Real q) {
+  const Real zero(0.0), one(1.0);
+  const Real rest = maximum(zero, one - q * m.inv_harden), beyond = maximum(zero, q - m.harden);
+  const Real share = one - m.harden_drop * rest * rest - beyond * m.crush_rate;
+  const Real falls = select(beyond > zero, Real(m.crush_rate), zero);
+  return {m.fc * select(q < Real(m.p_full), share, zero),
+          m.fc * (Real(2.0) * m.harden_drop * rest * m.inv_harden - falls)};
+}
+
+// Work of crushing along the path, from 0 to q [N/m].
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real crush_work(const LawConstants<C>& m, Real q) {
+  const Real zero(0.0), one(1.0);
+  const Real rest = maximum(zero, one - q * m.inv_harden), beyond = maximum(zero, q - m.harden);
+  const Real missing = m.harden_drop * m.harden * Real(1.0 / 3.0) * (one - rest * rest * rest);
+  return m.fc * (q - missing - Real(0.5) * beyond * beyond * m.crush_rate);
+}
+
+// Share of the strength in crushing that is lost for good [-].
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real crushed_share(const LawConstants<C>& m, const History<Real>& h) {
+  if (!m.choice.cap) return minimum(Real(1.0), h.crush * m.inv_p_full);
+  return clip((h.crush_path - m.harden) * m.crush_rate, Real(0.0), Real(1.0));
+}
+
+// Positive outside the cap: sigma^2 + Css tau^2 - F^2, of a pressed point.
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real beyond_cap(const LawConstants<C>& m, Real pressed, Real tau,
+                                           Real strength) {
+  const Real sheared = m.root_css * tau;
+  return pressed * pressed + sheared * sheared - strength * strength;
+}
+
+// Path d that brings the trial stresses (a, b), b = sqrt(Css) tau, back to the cap:
+//
+//   (a/x)^2 + (b/y)^2 = 1,   x = F(q + d) + kn d,   y = F(q + d) + Css ks d        (joint_law.md, 3.22)
+//
+// 1/sqrt of the left side rises with d and is concave, and a straight line where a or b is 0: Newton from
+// d = 0 is exact there at once, and comes from below elsewhere.
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real cap_path(const LawConstants<C>& m, Real a, Real b, Real q) {
+  const Real zero(0.0), one(1.0);
+  Real d = zero;
+  for (int k = 0; k < 4; ++k) {
+    const CrushStrength<Real> strength = crush_strength(m, q + d);
+    const Real x = strength.left + d * m.kn, y = strength.left + d * m.css_ks;
+    const Real inv_x = one / maximum(x, Real(1e-30)), inv_y = one / maximum(y, Real(1e-30));
+    const Real u = a * inv_x, v = b * inv_y, square = u * u + v * v;
+    const Real fall =
+        u * u * (strength.slope + m.kn) * inv_x + v * v * (strength.slope + m.css_ks) * inv_y;
+    // a point that carries nothing gives no number here: maximum() takes its second argument then
+    d = maximum(d + square * (square_root(square) - one) / fall, zero);
+  }
+  return d;
+}
+
+// What the cap did in a step.
+template <class Real>
+struct Capped {
+  bool_of_t<Real> outside;  // where it acted; elsewhere nothing has changed
+  Real limit;               // shear stress it leaves, as the pressure is now [Pa]
+  Real work;                // [N/m]
+};
+
+// Return to the cap from the trial stresses. Friction takes of the shear stress what is above its own
+// strength, so that sliding does not crush.
+template <class V, class C, class Real>
+WYTHE_OUTLINE void return_to_cap(const LawConstants<C>& m, Real w, Real pressed, Real tau,
+                                 Real before, History<Real>& h, Capped<Real>& capped) {
+  const Real zero(0.0);
+  const Yield<Real> yield = yield_of<V>(m, pressed, tension_left<V>(m, h.kappa), h.kappa);
+  const Real shear = minimum(magnitude(tau), stress_at<V>(m, yield, h.shear_damage));
+  capped.outside = capped.outside & (beyond_cap(m, pressed, shear, before) > zero);
+  const Real left = maximum(zero, m.p_full - h.crush_path);
+  const Real path = cap_path(m, zero - pressed, m.root_css * shear, h.crush_path);
+  const Real d = minimum(left, select(capped.outside, path, zero));
+  const Real q = select(capped.outside & (d >= left), Real(m.p_full), h.crush_path + d);
+  const Real after = crush_strength(m, q).left;
+  const auto spent = after <= zero;
+  const Real sigma = select(spent, zero, pressed * (after / (after + d * m.kn)));
+  const Real lost = select(m.css_ks > zero, shear, zero);
+  const Real held = select(spent, shear - lost, shear * (after / (after + d * m.css_ks)));
+  const Real p = maximum(h.crush, sigma * m.inv_kn - w);
+  h.crush = select(capped.outside & (pressed < zero), p, h.crush);
+  h.plastic_slip = select(capped.outside, h.plastic_slip + sign(tau) * (shear - held) * m.inv_ks,
+                          h.plastic_slip);
+  capped.work = crush_work(m, q) - crush_work(m, h.crush_path);
+  h.crush_path = q;
+  const Real room = square_root(maximum(zero, after * after - sigma * sigma));
+  capped.limit =
+      select(m.css_ks > zero, room / maximum(Real(m.root_css), Real(1e-30)), Real(1e300));
+}
+
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Capped<Real> cap_return(const LawConstants<C>& m, Real w, Real s,
+                                                   History<Real>& h) {
+  const Real zero(0.0);
+  const Real pressed = minimum(m.kn * (w + h.crush), zero), tau = m.ks * (s - h.plastic_slip);
+  const Real before = crush_strength(m, h.crush_path).left;
+  Capped<Real> capped{beyond_cap(m, pressed, tau, before) > zero, zero, zero};
+  if (any(capped.outside)) return_to_cap<V>(m, w, pressed, tau, before, h, capped);
+  return capped;
+}
+
+// Work of what is left of the shear stress above the cap: it slides.
+template <class C, class Real>
+WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& capped,
+                                  History<Real>& h, Real& tau, Real& friction) {
+  const Real zero(0.0);
+  const Real excess = magnitude(tau) - capped.limit;
+  const auto slides = capped.outside & (excess > zero);
+  if (!any(slides)) return;
+  const Real slip = select(slides, excess * m.inv_ks, zero);
+  friction = friction + Real(0.5) * (magnitude(tau) + capped.limit) * slip;
+  h.slip = h.slip + slip;
+  h.plastic_slip = h.plastic_slip + sign(tau) * slip;
+  tau = select(slides, sign(tau) * capped.limit, tau);
+}
+
+// Slip from `before` to h.slip lifts a closed joint; gives the work done against the pressure [N/m].
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real lift(const LawConstants<C>& m, Real sigma, Real before,
+                                     History<Real>& h) {
+  const Real zero(0.0), one(1.0), half(0.5);
+  const Real sn = zero - sigma;
+  const Real fade = half * (maximum(zero, one - before * m.inv_lift_slip) +
+                            maximum(zero, one - h.slip * m.inv_lift_slip));
+  const Real rise =
+      m.tan_lift * fade * maximum(zero, one - sn * m.inv_lift_stress) * (h.slip - before);
+  const Real lifted = select(sn > zero, rise, zero);
+  h.crush = h.crush - lifted;
+  return sn * lifted;
+}
+
+// --- one step ----------------------------------------------------------------------------------------
+
 // Energy set free by the normal stress when kappa or d grew: the area between the old and the new
 // secant, exact for straight branches [N/m].
 template <class C, class Real>
@@ -286,9 +467,15 @@ template <class V, bool closed, class C, class Real>
                                               const History<Real>& h) {
   const Real zero(0.0), one(1.0);
   const Real we = w + h.crush, pressed = m.kn * we;
-  const Real crush_strength = m.fc * maximum(zero, one - h.crush * m.inv_p_full);
   const bool_of_t<Real> is_open = we > zero;
-  bool_of_t<Real> rests = pressed + crush_strength >= zero;
+  const Real tau = m.ks * (s - h.plastic_slip);
+  bool_of_t<Real> rests = zero <= zero;
+  if (choice_of<V>(m).cap) {
+    const Real strength = crush_strength(m, h.crush_path).left;
+    rests = beyond_cap(m, minimum(pressed, zero), tau, strength) <= zero;
+  } else {
+    rests = pressed + m.fc * maximum(zero, one - h.crush * m.inv_p_full) >= zero;
+  }
   const Real left = tension_left<V>(m, h.kappa);
   Real sigma = minimum(pressed, zero);
   if constexpr (closed) {
@@ -304,7 +491,6 @@ template <class V, bool closed, class C, class Real>
   }
   Yield<Real> yield = yield_of<V>(m, sigma, left, h.kappa);
   if constexpr (!closed) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
-  const Real tau = m.ks * (s - h.plastic_slip);
   rests = rests & (damage_of_slip<V>(m, yield, h.slip) <= h.shear_damage);
   rests = rests & (magnitude(tau) <= stress_at<V>(m, yield, h.shear_damage));
   return {sigma, tau, rests, is_open};
@@ -330,13 +516,20 @@ template <class V, class C, class Real>
   Answer<Real> answer;
 
   // Crushing, then the effective opening and what is left of the tensile strength.
-  answer.crushing = crush_return(m, w, h.crush);
+  const bool cap = choice_of<V>(m).cap;
+  Capped<Real> capped{zero > zero, zero, zero};
+  if (cap) {
+    capped = cap_return<V>(m, w, s, h);
+    answer.crushing = capped.work;
+  } else {
+    answer.crushing = crush_return(m, w, h.crush);
+  }
   const Real we = w + h.crush;
   const Real open = maximum(we, zero);
   const Real kappa0 = h.kappa;
   h.kappa = maximum(kappa0, open);
   const Real left = tension_left<V>(m, h.kappa);
-  const Real compression = m.kn * minimum(we, zero);
+  Real compression = m.kn * minimum(we, zero);
   const auto is_open = we > zero;
   const bool opens = any(is_open);
 
@@ -351,7 +544,13 @@ template <class V, class C, class Real>
 
   Yield<Real> yield = yield_of<V>(m, felt, left, h.kappa);
   if (opens) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
+  const Real slip_before = h.slip;
   shear_step<V>(m, yield, s, h, answer);
+  if (cap) {
+    slide_under_cap(m, capped, h, answer.tau, answer.friction);
+    answer.friction = answer.friction - lift(m, compression, slip_before, h);
+    compression = m.kn * minimum(w + h.crush, zero);
+  }
 
   // Normal stress with the damage of this step, and the energy it set free.
   const Real all_left = strength_left<V>(m, left, one - h.shear_damage);

@@ -11,6 +11,10 @@ namespace wythe {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kHardeningDrop =
+    2.0 / 3.0;  // share of fc that comes with hardening: it starts at fc/3
+constexpr double kHardeningArea =
+    1.0 - kHardeningDrop / 3.0;  // mean strength while it hardens, of fc
 constexpr double kHuge = 1e300;  // stands for "unlimited" where a product with it must stay finite
 
 double drop_of(const JointMaterial& m, double sn) {
@@ -38,6 +42,7 @@ class Checker {
     if (!faults_.empty()) return std::move(faults_);
     check_tension();
     check_shear();
+    check_cap();
     check_compression();
     return std::move(faults_);
   }
@@ -79,8 +84,9 @@ class Checker {
 
   // Asks for an energy only where it acts, and for a branch no steeper than the elastic one.
   void check_energy(const char* key, double energy, double strength, double stiffness,
-                    double steepest, const char* what, const char* example) {
-    const double least = steepest * strength * strength / stiffness;
+                    double steepest, const char* what, const char* example,
+                    double already_spent = 0) {
+    const double least = already_spent + steepest * strength * strength / stiffness;
     if (std::isnan(energy)) {
       fault(key, fmt::format("is missing while {} is {:g} MPa", what, strength * 1e-6),
             fmt::format("add {} = {}", key, example));
@@ -118,9 +124,74 @@ class Checker {
   }
 
   void check_compression() {
-    if (std::isfinite(m_.compressive_strength))
-      check_energy("compressive_energy", m_.compressive_energy, m_.compressive_strength,
-                   m_.normal_stiffness, 0.5, "compressive_strength", "\"12800 N/m\"");
+    if (!std::isfinite(m_.compressive_strength)) return;
+    if (hardening_energy() >= m_.compressive_energy) return refuse_hardening();
+    // with a cap, shear unloads as it crushes
+    const double stiffness =
+        m_.compression_cap > 0
+            ? std::fmin(m_.normal_stiffness, m_.compression_cap * m_.shear_stiffness)
+            : m_.normal_stiffness;
+    check_energy("compressive_energy", m_.compressive_energy, m_.compressive_strength, stiffness,
+                 0.5, "compressive_strength", "\"12800 N/m\"", hardening_energy());
+  }
+
+  [[nodiscard]] double hardening_energy() const {
+    if (!(m_.hardening_displacement > 0)) return 0;
+    return kHardeningArea * m_.hardening_displacement * m_.compressive_strength;
+  }
+
+  void refuse_hardening() {
+    fault(
+        "hardening_displacement",
+        fmt::format(
+            "is {:g} mm: hardening alone takes {:g} N/m, and compressive_energy is {:g} N/m",
+            m_.hardening_displacement * 1e3, hardening_energy(), m_.compressive_energy),
+        fmt::format("write less than {:g} mm or raise compressive_energy",
+                    m_.hardening_displacement * 1e3 * m_.compressive_energy / hardening_energy()));
+  }
+
+  void check_cap() {
+    const auto positive = [&](const char* key, double value, const char* cure) {
+      if (!std::isnan(value) && !(value > 0 && std::isfinite(value)))
+        fault(key, fmt::format("is {:g}, must be above 0", value), cure);
+    };
+    positive("compression_cap", m_.compression_cap,
+             "write e.g. compression_cap = 9, or leave it out for no cap");
+    positive("hardening_displacement", m_.hardening_displacement,
+             "write e.g. \"0.09 mm\", or leave it out");
+    positive("dilatancy_slip", m_.dilatancy_slip, "write e.g. \"1 mm\", or leave it out");
+    positive("dilatancy_pressure", m_.dilatancy_pressure, "write e.g. \"1 MPa\", or leave it out");
+    if (!faults_.empty()) return;
+    for (const auto& [key, value] :
+         {std::pair{"compression_cap", m_.compression_cap},
+          std::pair{"hardening_displacement", m_.hardening_displacement}})
+      if (value > 0 && !std::isfinite(m_.compressive_strength))
+        fault(key, "has no meaning where compressive_strength is unlimited",
+              fmt::format("give compressive_strength, or leave {} out", key));
+    const double at_rest = m_.compressive_strength / std::sqrt(m_.compression_cap);
+    if (m_.compression_cap > 0 && m_.cohesion >= at_rest)
+      fault("compression_cap",
+            fmt::format("is {:g}: without pressure the cap allows a shear stress of {:g} MPa, and "
+                        "cohesion is {:g} MPa, so that cap and friction never meet",
+                        m_.compression_cap, at_rest * 1e-6, m_.cohesion * 1e-6),
+            fmt::format("write less than {:g} or a smaller cohesion",
+                        std::pow(m_.compressive_strength / m_.cohesion, 2)));
+    check_dilatancy();
+  }
+
+  void check_dilatancy() {
+    const bool fades = m_.dilatancy_slip > 0 || m_.dilatancy_pressure > 0;
+    if (std::isnan(m_.dilatancy_angle)) {
+      if (fades)
+        fault("dilatancy_angle", "is missing, and dilatancy_slip or dilatancy_pressure is given",
+              "add dilatancy_angle = \"5 deg\", or leave the others out");
+    } else if (m_.dilatancy_angle < 0 || m_.dilatancy_angle > m_.residual_friction_angle) {
+      fault("dilatancy_angle",
+            fmt::format("is {:g} deg, must be from 0 to residual_friction_angle {:g} deg: beyond "
+                        "it sliding would make energy",
+                        m_.dilatancy_angle * 180 / kPi, m_.residual_friction_angle * 180 / kPi),
+            "write a smaller angle");
+    }
   }
 
   const JointMaterial& m_;
@@ -187,7 +258,7 @@ class PathDriver {
 
   [[nodiscard]] ContactAnswer answer() const {
     const contact::Answer<double>& now = point_.now;
-    const double crushed = std::min(1.0, point_.history.crush * m_.inv_p_full);
+    const double crushed = contact::crushed_share(m_, point_.history);
     return {now.sigma,  now.tau, now.tension_damage, point_.history.shear_damage,
             now.damage, crushed, point_.dissipated};
   }
@@ -280,6 +351,19 @@ LawConstants<double> constants_of(const JointMaterial& s) {
   m.p_full = limited ? 2.0 * s.compressive_energy / m.fc : kHuge;
   m.inv_p_full = limited ? 1.0 / m.p_full : 0.0;
   m.crush_gain = 1.0 / (m.kn - (limited ? m.fc / m.p_full : 0.0));
+  m.root_css = s.compression_cap > 0 ? std::sqrt(s.compression_cap) : 0.0;
+  m.css_ks = s.compression_cap > 0 ? s.compression_cap * m.ks : 0.0;
+  if (s.hardening_displacement > 0) {
+    m.harden = s.hardening_displacement;
+    m.inv_harden = 1.0 / m.harden;
+    m.harden_drop = kHardeningDrop;
+    m.p_full += m.harden - 2 * kHardeningArea * m.harden;
+    m.inv_p_full = 1.0 / m.p_full;
+  }
+  m.crush_rate = limited ? 1.0 / (m.p_full - m.harden) : 0.0;
+  m.tan_lift = s.dilatancy_angle > 0 ? std::tan(s.dilatancy_angle) : 0.0;
+  m.inv_lift_slip = s.dilatancy_slip > 0 ? 1.0 / s.dilatancy_slip : 0.0;
+  m.inv_lift_stress = s.dilatancy_pressure > 0 ? 1.0 / s.dilatancy_pressure : 0.0;
   m.choice = choice_of(s);
   return m;
 }

@@ -11,7 +11,8 @@ namespace wythe::contact {
 [[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material);
 
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
-  return {m.softening, m.coupling, m.unloading};
+  const bool cap = m.compression_cap > 0 || m.hardening_displacement > 0 || m.dilatancy_angle > 0;
+  return {m.softening, m.coupling, m.unloading, cap};
 }
 
 // Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, or any.

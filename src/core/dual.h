@@ -78,6 +78,12 @@ Dual<N> maximum(const Dual<N>& a, const Dual<N>& b) {
   return a.value > b.value ? a : b;
 }
 template <int N>
+Dual<N> square_root(const Dual<N>& a) {
+  Dual<N> r(std::sqrt(a.value));
+  for (std::size_t i = 0; i < N; ++i) r.partial[i] = 0.5 / r.value * a.partial[i];
+  return r;
+}
+template <int N>
 Dual<N> magnitude(const Dual<N>& a) {
   return a.value < 0 ? -a : a;
 }

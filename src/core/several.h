@@ -104,6 +104,9 @@ struct Several {
   WYTHE_INLINE friend Several maximum(Several a, Several b) {
     return {maximum(a.first, b.first), maximum(a.rest, b.rest)};
   }
+  WYTHE_INLINE friend Several square_root(Several a) {
+    return {square_root(a.first), square_root(a.rest)};
+  }
   WYTHE_INLINE friend Several magnitude(Several a) {
     return {magnitude(a.first), magnitude(a.rest)};
   }
@@ -126,6 +129,7 @@ struct Several<Real, 0> {
   WYTHE_INLINE friend Several select(Mask, Several, Several) { return {}; }
   WYTHE_INLINE friend Several minimum(Several, Several) { return {}; }
   WYTHE_INLINE friend Several maximum(Several, Several) { return {}; }
+  WYTHE_INLINE friend Several square_root(Several) { return {}; }
   WYTHE_INLINE friend Several magnitude(Several) { return {}; }
   WYTHE_INLINE friend Several sign(Several) { return {}; }
 };

@@ -102,7 +102,7 @@ template <class A, class S>
 void walk_state(A& archive, const Model& model, S& state) {
   std::apply([&](auto... number) { (archive(state.*number), ...); }, kStateNumbers);
   for (const StateField& field : kStateFields)
-    archive.array(state.*field.array, count_of(model, field.entity));
+    archive.array(state.*field.array, count_of(model, field));
   archive.array(state.load_scale, model.stages.size());
   const auto stage = static_cast<std::size_t>(state.stage);
   archive.require(state.stage >= 0 && stage < model.stages.size(), "it is in no stage");

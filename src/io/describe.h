@@ -180,6 +180,24 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
              .range = kNotNegative, .fallback = "needed where fc is limited",
              .example = "12800 N/m",
              .doc = "Gc, energy to crush a unit area: the whole area under the curve."});
+  v.number("compression_cap", m.compression_cap, {.range = kPositive, .fallback = "none",
+           .example = "9",
+           .doc = "Css of a cap in normal and shear stress, sigma^2 + Css tau^2 <= F^2: shear helps "
+                  "to crush. Without it fc limits the normal stress alone."});
+  v.quantity("hardening_displacement", m.hardening_displacement, {.unit = "m", .shown = "mm",
+             .range = kPositive, .fallback = "none", .example = "0.09 mm",
+             .doc = "kappa_p: plastic shortening over which the strength in crushing rises from "
+                    "fc/3 to fc."});
+  v.quantity("dilatancy_angle", m.dilatancy_angle, {.unit = "rad", .shown = "deg",
+             .range = kFrictionAngle, .fallback = "none", .example = "5 deg",
+             .doc = "psi: how much a closed joint opens while it slides, under no pressure; at "
+                    "most the residual friction angle."});
+  v.quantity("dilatancy_slip", m.dilatancy_slip, {.unit = "m", .shown = "mm", .range = kPositive,
+             .fallback = "does not fade with slip", .example = "1 mm",
+             .doc = "Slip over which dilatancy fades, along a straight line."});
+  v.quantity("dilatancy_pressure", m.dilatancy_pressure, {.unit = "Pa", .shown = "MPa",
+             .range = kPositive, .fallback = "does not fade with pressure", .example = "1 MPa",
+             .doc = "Compression under which dilatancy is gone, along a straight line."});
   v.choice("softening", m.softening, kSofteningWords, {.example = "bilinear",
            .doc = "Shape of the falling branch in tension and shear; the energy stays the same."});
   v.choice("coupling", m.coupling, kCouplingWords, {.example = "union",

@@ -24,10 +24,17 @@ void add(Hash& hash, const std::vector<ZoneShape>& shapes) {
 
 }  // namespace
 
+std::size_t count_of(const Model& model, const StateField& field) {
+  if (field.array == &State::crush_path &&
+      std::none_of(model.materials.begin(), model.materials.end(),
+                   [](const JointMaterial& m) { return contact::choice_of(m).cap; }))
+    return 0;
+  return count_of(model, field.entity);
+}
+
 State initial_state(const Model& model) {
   State s;
-  for (const StateField& field : kStateFields)
-    (s.*field.array).assign(count_of(model, field.entity), 0.0);
+  for (const StateField& field : kStateFields) (s.*field.array).assign(count_of(model, field), 0.0);
   s.load_scale.assign(model.stages.size(), 0.0);
   return s;
 }
@@ -46,7 +53,7 @@ std::uint64_t topology_of(const Model& model) {
   for (const JointMaterial& m : model.materials) {
     const contact::LawChoice choice = contact::choice_of(m);
     for (const int word : {static_cast<int>(choice.softening), static_cast<int>(choice.coupling),
-                           static_cast<int>(choice.unloading)})
+                           static_cast<int>(choice.unloading), static_cast<int>(choice.cap)})
       hash.add(static_cast<double>(word));
   }
   each_model_field(model, [&](const auto& array, Entity, Shared shared, auto name, auto) {

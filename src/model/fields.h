@@ -64,6 +64,8 @@ inline constexpr std::array kStateFields{
     StateField{&State::shear_damage, Entity::kPoint, true, "shear_damage", "1", "damage in shear"},
     StateField{&State::tension_set, Entity::kPoint, true, "tension_set", "m",
                "opening that stays (elastic unloading)"},
+    StateField{&State::crush_path, Entity::kPoint, true, "crush_path", "m",
+               "path of crushing (compression cap); of no length in walls without one"},
     StateField{&State::node_ux, Entity::kNode, true, "node_ux", "m",
                "displacement of a node along x"},
     StateField{&State::node_uy, Entity::kNode, true, "node_uy", "m",
@@ -74,15 +76,13 @@ inline constexpr std::array kStateFields{
                "velocity of a node along y"},
 };
 
+// How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
+[[nodiscard]] std::size_t count_of(const Model& model, const StateField& field);
+
 // How many of its fields an entity has, and which of them an array is: its row.
 [[nodiscard]] constexpr int fields_of(Entity entity) {
   return static_cast<int>(std::count_if(kStateFields.begin(), kStateFields.end(),
                                         [&](const StateField& f) { return f.entity == entity; }));
-}
-[[nodiscard]] constexpr int stored_fields_of(Entity entity) {
-  return static_cast<int>(
-      std::count_if(kStateFields.begin(), kStateFields.end(),
-                    [&](const StateField& f) { return f.entity == entity && f.in_store; }));
 }
 [[nodiscard]] constexpr int row_of(std::vector<double> State::*array) {
   int row = 0;

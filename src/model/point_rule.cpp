@@ -61,7 +61,9 @@ FacePointRule symmetric(int n, const std::vector<double>& positive, const Weight
 FacePointRule trapezoid(int n) {
   FacePointRule rule;
   for (int k = 0; k < n; ++k) {
-    rule.xi.push_back(-1.0 + 2.0 * k / (n - 1));
+    const int from_end = k < n - 1 - k ? k : n - 1 - k;
+    const double beyond = 1.0 - 2.0 * from_end / (n - 1);
+    rule.xi.push_back(from_end == k ? -beyond : beyond);
     rule.weight.push_back((k == 0 || k == n - 1 ? 0.5 : 1.0) / (n - 1));
   }
   return rule;

@@ -86,7 +86,8 @@ contact::History<double> history_of(const State& s, PointId p) {
   contact::History<double> h{};
   std::size_t k = 0;
   for (const StateField& field : kStateFields)
-    if (field.entity == Entity::kPoint) h.*contact::kHistory<double>[k++] = (s.*field.array)[p];
+    if (field.entity == Entity::kPoint && !(s.*field.array).empty())
+      h.*contact::kHistory<double>[k++] = (s.*field.array)[p];
   return h;
 }
 
@@ -108,7 +109,7 @@ PointReading read_point(const State& s, PointId p, const LawConstants<double>& l
   point.damage_tension = now.tension_damage;
   point.damage_shear = h.shear_damage;
   point.damage = now.damage;
-  point.crushing = std::min(1.0, h.crush * law.inv_p_full);
+  point.crushing = contact::crushed_share(law, h);
   return point;
 }
 

@@ -46,6 +46,16 @@ JointMaterial paper_joint() {
   return m;
 }
 
+JointMaterial capped_joint() {
+  JointMaterial m = paper_joint();
+  m.compression_cap = 9;
+  m.hardening_displacement = 0.09e-3;
+  m.dilatancy_angle = degrees(4);
+  m.dilatancy_slip = 0.5e-3;
+  m.dilatancy_pressure = 2e6;
+  return m;
+}
+
 JointMaterial paper_unit() {
   JointMaterial m = paper_joint();
   m.normal_stiffness = 10e9;

@@ -28,6 +28,7 @@ inline constexpr double kPi = 3.14159265358979323846;
                                       double friction_angle);
 // Table 1 of the D-RBA paper.
 [[nodiscard]] JointMaterial paper_joint();
+[[nodiscard]] JointMaterial capped_joint();  // with a compression cap, hardening and dilatancy
 [[nodiscard]] JointMaterial paper_unit();
 
 // --- assemblies ----------------------------------------------------------------------------------

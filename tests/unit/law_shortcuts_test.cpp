@@ -49,7 +49,8 @@ bool same_bits(double a, double b) {
 bool same_bits(const History& a, const History& b) {
   return same_bits(a.kappa, b.kappa) && same_bits(a.crush, b.crush) &&
          same_bits(a.plastic_slip, b.plastic_slip) && same_bits(a.slip, b.slip) &&
-         same_bits(a.shear_damage, b.shear_damage) && same_bits(a.tension_set, b.tension_set);
+         same_bits(a.shear_damage, b.shear_damage) && same_bits(a.tension_set, b.tension_set) &&
+         same_bits(a.crush_path, b.crush_path);
 }
 
 // A point on a random path.
@@ -161,7 +162,7 @@ class Walker {
 };
 
 // 30 paths of about 110 histories for each of three materials, each asked six questions.
-Tally walk_variant(Softening softening, Coupling coupling, Unloading unloading) {
+Tally walk_variant(Softening softening, Coupling coupling, Unloading unloading, bool cap) {
   Tally tally;
   Dice dice;
   for (JointMaterial m : {scenes::paper_joint(), scenes::paper_unit(),
@@ -169,6 +170,11 @@ Tally walk_variant(Softening softening, Coupling coupling, Unloading unloading) 
     m.softening = softening;
     m.coupling = coupling;
     m.unloading = unloading;
+    if (cap && std::isfinite(m.compressive_strength)) {
+      m.compression_cap = 9;
+      m.hardening_displacement = 0.09e-3;
+      m.dilatancy_angle = 0.5 * m.residual_friction_angle;
+    }
     for (int path = 0; path < 30; ++path)
       contact::with_variant(contact::choice_of(m), [&](auto variant) {
         Walker<decltype(variant)>(m, dice, tally).walk();
@@ -177,14 +183,15 @@ Tally walk_variant(Softening softening, Coupling coupling, Unloading unloading) 
   return tally;
 }
 
-class EveryVariant : public testing::TestWithParam<std::tuple<Softening, Coupling, Unloading>> {};
+class EveryVariant
+    : public testing::TestWithParam<std::tuple<Softening, Coupling, Unloading, bool>> {};
 
 TEST_P(EveryVariant, at_rest_has_the_bits_of_update_and_misses_no_rest) {
-  const auto [softening, coupling, unloading] = GetParam();
-  const Tally t = walk_variant(softening, coupling, unloading);
-  EXPECT_GT(t.open, 100);                  // open, and no wider than before
-  EXPECT_GT(t.rest, 0.4 * t.closed);       // 49 % measured; the others slide, crush or are damaged
-  EXPECT_GT(t.rest, 0.999 * t.unchanged);  // all measured; rounding may swallow a motion
+  const auto [softening, coupling, unloading, cap] = GetParam();
+  const Tally t = walk_variant(softening, coupling, unloading, cap);
+  EXPECT_GT(t.open, 100);                           // open, and no wider than before
+  EXPECT_GT(t.rest, (cap ? 0.3 : 0.4) * t.closed);  // 36 and 49 % measured; the others move
+  EXPECT_GT(t.rest, 0.999 * t.unchanged);           // all measured; rounding may swallow a motion
   // every kind of history comes to rest, and every kind of motion is met
   for (const int met : {t.crushed, t.slid, t.torn, t.worn}) EXPECT_GT(met, 100);
   for (const int met : {t.opens, t.slides, t.crushes, t.presses}) EXPECT_GT(met, 100);
@@ -194,9 +201,10 @@ std::string name_of(const testing::TestParamInfo<EveryVariant::ParamType>& info)
   constexpr const char* kSoftening[] = {"bilinear", "exponential", "polynomial", "petersson"};
   constexpr const char* kCoupling[] = {"union", "maximum", "stiffness"};
   constexpr const char* kUnloading[] = {"secant", "elastic"};
-  const auto [softening, coupling, unloading] = info.param;
+  const auto [softening, coupling, unloading, cap] = info.param;
   return std::string(kSoftening[static_cast<int>(softening)]) + "_" +
-         kCoupling[static_cast<int>(coupling)] + "_" + kUnloading[static_cast<int>(unloading)];
+         kCoupling[static_cast<int>(coupling)] + "_" + kUnloading[static_cast<int>(unloading)] +
+         (cap ? "_cap" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -204,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(Softening::kBilinear, Softening::kExponential,
                                      Softening::kPolynomial, Softening::kPetersson),
                      testing::Values(Coupling::kUnion, Coupling::kMaximum, Coupling::kStiffness),
-                     testing::Values(Unloading::kSecant, Unloading::kElastic)),
+                     testing::Values(Unloading::kSecant, Unloading::kElastic), testing::Bool()),
     name_of);
 
 // --- faces along the tangent ----------------------------------------------------------------------------

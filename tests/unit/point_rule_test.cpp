@@ -26,8 +26,8 @@ void expect_exact_to(PointRule kind, int n, int degree) {
   ASSERT_EQ(rule.xi.size(), static_cast<std::size_t>(n));
   for (int power = 0; power <= degree; ++power)
     EXPECT_NEAR(integral(rule, power), exact(power), 4e-15) << n << " points, power " << power;
-  const int next = degree + 1 + degree % 2;  // the first even power beyond
-  EXPECT_GT(std::fabs(integral(rule, next) - exact(next)), 1e-13) << n << " points";
+  const int next = degree + 1;  // every degree here is odd
+  EXPECT_GT(std::fabs(integral(rule, next) - exact(next)), 1e-12) << n << " points";
 }
 
 TEST(PointRule, each_is_exact_to_its_degree_and_no_further) {
@@ -48,7 +48,7 @@ TEST(PointRule, published_values) {
   EXPECT_DOUBLE_EQ(four.weight[2], 5.0 / 12);
   const FacePointRule gauss = face_points(PointRule::kGauss, 3);
   EXPECT_DOUBLE_EQ(gauss.xi[2], std::sqrt(0.6));
-  EXPECT_NEAR(gauss.weight[0], 5.0 / 18, 1e-16);
+  EXPECT_NEAR(gauss.weight[0], 5.0 / 18, 1e-15);
 }
 
 TEST(PointRule, halves_of_a_face_are_alike_bit_for_bit) {

@@ -70,20 +70,14 @@ std::vector<double> state_arrays(const State& state) {
   return arrays;
 }
 
-State state_at_rest(const std::vector<double>& arrays, std::size_t blocks, std::size_t points) {
-  const std::size_t left = arrays.size() - kBlockArrays * blocks - kPointArrays * points;
-  const auto count = [&](Entity entity) {
-    if (entity == Entity::kBlock) return blocks;
-    return entity == Entity::kPoint ? points : left / kNodeArrays;
-  };
-  State state;
+State state_at_rest(const std::vector<double>& arrays, const State& rest) {
+  State state = rest;
   auto next = arrays.begin();
   for (const StateField& field : kStateFields) {
-    const std::size_t n = count(field.entity);
-    (state.*field.array).assign(n, 0.0);
     if (!field.in_store) continue;
-    std::copy_n(next, n, (state.*field.array).begin());
-    next += static_cast<std::ptrdiff_t>(n);
+    std::vector<double>& array = state.*field.array;
+    std::copy_n(next, array.size(), array.begin());
+    next += static_cast<std::ptrdiff_t>(array.size());
   }
   return state;
 }

@@ -138,13 +138,9 @@ inline constexpr const char* kCurveColumnsBefore4 =
 [[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns,
                                                const std::vector<std::string>& names);
 
-// Arrays of a packed state: 3 over blocks, 6 over contact points, 2 over nodes of zones; of these the
-// number follows from the size.
-inline constexpr int kBlockArrays = stored_fields_of(Entity::kBlock),
-                     kPointArrays = stored_fields_of(Entity::kPoint),
-                     kNodeArrays = stored_fields_of(Entity::kNode);
+// The stored arrays of a state, one after the other, and back: as long as those of `rest`, the first
+// state of the same model, whose velocities it has.
 [[nodiscard]] std::vector<double> state_arrays(const State& state);
-[[nodiscard]] State state_at_rest(const std::vector<double>& arrays, std::size_t blocks,
-                                  std::size_t points);
+[[nodiscard]] State state_at_rest(const std::vector<double>& arrays, const State& rest);
 
 }  // namespace wythe::study

@@ -489,7 +489,7 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
     s.asked = select.number();
     if (!std::all_of(arrays.begin(), arrays.end(), [](double x) { return std::isfinite(x); }))
       select.damaged(fmt::format("state {} holds what is not a number", s.label));
-    s.state = state_at_rest(arrays, rest.ux.size(), rest.kappa.size());
+    s.state = state_at_rest(arrays, rest);
   }
   return states;
 }
