@@ -41,6 +41,7 @@ inline Counted minimum(Counted a, Counted b) {
 inline Counted maximum(Counted a, Counted b) {
   return other(a.value > b.value ? a.value : b.value);
 }
+inline Counted square_root(Counted a) { return arithmetic(std::sqrt(a.value)); }
 inline Counted magnitude(Counted a) { return other(std::fabs(a.value)); }
 inline Counted sign(Counted a) {
   const Counted zero(0.0), one(1.0);

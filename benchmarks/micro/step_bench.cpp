@@ -51,7 +51,8 @@ void law_alone(benchmark::State& bench) {
     double sum = 0;
     for (std::size_t p = 0; p < static_cast<std::size_t>(wall.model.n_point()); ++p) {
       contact::History<double> h{s.kappa[p], s.crush[p],        s.plastic_slip[p],
-                                 s.slip[p],  s.shear_damage[p], s.tension_set[p]};
+                                 s.slip[p],  s.shear_damage[p], s.tension_set[p],
+                                 0};
       const auto& law = wall.law[static_cast<std::size_t>(wall.model.joint_material[p / per])];
       const auto now =
           contact::update<contact::PaperVariant>(law, at[p].opening + swing, at[p].slip + swing, h);

@@ -47,6 +47,7 @@ struct Variant {
   static constexpr LawChoice known{softening_, coupling_, unloading_, cap_};
 };
 using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant>;
+using CappedVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant, true>;
 struct AnyVariant {};
 
 template <class V, class Constants>

@@ -15,10 +15,12 @@ namespace wythe::contact {
   return {m.softening, m.coupling, m.unloading, cap};
 }
 
-// Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, or any.
+// Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, the same with a cap,
+// or any.
 template <class Visitor>
 decltype(auto) with_variant(const LawChoice& choice, Visitor&& visitor) {
   if (choice == PaperVariant::known) return visitor(PaperVariant{});
+  if (choice == CappedVariant::known) return visitor(CappedVariant{});
   return visitor(AnyVariant{});
 }
 
