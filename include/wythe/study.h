@@ -92,6 +92,8 @@ struct StudySpec {
   std::vector<double> fractions;  // of the peak, after it, at which displacements are read
   double read_modes_at = kUnset;  // displacement at which failure modes are named [m]
   std::string until;              // stop rule, "" none
+  // Points a face of a model that does not say; "" in stores of before it was written: the corners.
+  std::string unstated_point_rule = "lobatto";
 };
 
 // One column of the samples' inputs: the variables in their order, then the dependents.

@@ -188,7 +188,7 @@ static_assert(names_all(kPointRuleWords, 1));  // kDefault is not written
 
 struct SolveSpec {
   PointRule point_rule = PointRule::kDefault;
-  int points_per_face = 0;          // 0: as the rule has it
+  int points_per_face = 0;          // 0: as the rule has it; both unstated: lobatto, 3
   double step_fraction = 0.95;      // of the longest stable step, damping included
   double damping = 0.8;             // local damping
   double gravity = 9.81;            // [m/s^2]

@@ -359,7 +359,8 @@ void describe(Visitor& v, StageSpec& s) {
 template <class Visitor>
 void describe(Visitor& v, SolveSpec& s) {
   v.choice("point_rule", s.point_rule, kPointRuleWords,
-           {.fallback = "corners with 2 points, trapezoid with more", .example = "lobatto",
+           {.fallback = "lobatto; with points_per_face alone, 2 are corners and more a trapezoid",
+            .example = "corners",
             .doc = "Where the contact points of a joint stand and what area each takes. `corners`: "
                    "its two ends, half the area each, as in block codes; a joint is then three "
                    "times stiffer in rotation than a continuous one. `trapezoid`: at equal "
@@ -367,9 +368,9 @@ void describe(Visitor& v, SolveSpec& s) {
                    "exactly while it is elastic; `lobatto` has points at both ends, `gauss` has "
                    "none there."});
   v.integer("points_per_face", s.points_per_face, {.range = {.low = 2, .high = 16},
-            .fallback = "2 (corners) or 3", .example = "3",
+            .fallback = "3 (corners: 2)", .example = "3",
             .doc = "Contact points along a joint. Without `point_rule`, 2 stand at the corners "
-                   "and more follow the trapezoidal rule."});
+                   "and more follow the trapezoidal rule, as in older files."});
   v.number("step_fraction", s.step_fraction, {.range = kPositiveToOne, .example = "0.95",
            .doc = "Time step as a share of the longest stable one, 2 / (omega_max sqrt(1 + "
                   "damping)) with each stage's own damping and a bound on omega_max that is on "

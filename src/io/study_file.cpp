@@ -528,11 +528,15 @@ ModelBuilder model_builder(const StudySpec& study) {
   std::vector<std::string> texts;
   for (const double state : states) texts.push_back(fmt::format("\"{:.17g} m\"", state));
   if (!texts.empty()) settings.push_back("output.states=[" + joined(texts, ", ") + "]");
-  return [=, text = study.model_text, file = study.model_file,
-          blocks = study.blocks_text](const std::vector<std::string>& own) {
+  return [=, text = study.model_text, file = study.model_file, blocks = study.blocks_text,
+          had_corners = study.unstated_point_rule.empty()](const std::vector<std::string>& own) {
     std::vector<std::string> all = settings;
     all.insert(all.end(), own.begin(), own.end());
-    return parse_model(text, file, all, blocks);
+    ModelSpec spec = parse_model(text, file, all, blocks);
+    SolveSpec& solve = spec.solve;
+    if (had_corners && solve.point_rule == PointRule::kDefault && solve.points_per_face == 0)
+      solve.points_per_face = 2;
+    return spec;
   };
 }
 

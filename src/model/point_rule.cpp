@@ -98,7 +98,7 @@ PointChoice point_choice(const SolveSpec& solve) {
   const int n = solve.points_per_face;
   switch (solve.point_rule) {
     case PointRule::kDefault:
-      if (n == 0) return {PointRule::kCorners, 2};
+      if (n == 0) return {PointRule::kLobatto, 3};
       return {n == 2 ? PointRule::kCorners : PointRule::kTrapezoid, n};
     case PointRule::kCorners: return {PointRule::kCorners, n == 0 ? 2 : n};
     case PointRule::kTrapezoid:

@@ -70,6 +70,7 @@ FailureMode sample_mode() {
 
 ModelSpec sample_spec() {
   ModelSpec spec;
+  spec.solve.points_per_face = 2;
   spec.name = "sample <script>alert(1)</script>";
   spec.wall.length = 0.2;
   spec.wall.height = 0.2;

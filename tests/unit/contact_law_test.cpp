@@ -238,7 +238,7 @@ void check_balance(const JointMaterial& material, const std::vector<ContactPathR
   ContactPathRow from;
   double work = 0, dissipated = 0, stored = 0, handled = 0;
   for (const ContactPathRow& to : path) {
-    constexpr int kPieces = 200;
+    constexpr int kPieces = 400;
     double w0 = from.opening, s0 = from.slip;
     for (int k = 1; k <= kPieces; ++k) {
       const double w = from.opening + (to.opening - from.opening) * k / kPieces;
@@ -259,7 +259,7 @@ void check_balance(const JointMaterial& material, const std::vector<ContactPathR
              0.5 * before.tau * before.tau * m.inv_ks;
     from = to;
   }
-  // Corners of the branches within a piece (5 nm) leave half a piece's error each.
+  // Corners of the branches within a piece leave half a piece's error each.
   RC_ASSERT(std::fabs(work - stored - dissipated) <= 2e-3 * handled + 1e-3);
 }
 

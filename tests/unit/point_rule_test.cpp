@@ -75,6 +75,7 @@ TEST(PointRule, a_number_alone_means_what_it_always_meant) {
     const PointChoice choice = point_choice(solve);
     return std::string(word_of(kPointRuleWords, choice.rule)) + " " + std::to_string(choice.points);
   };
+  EXPECT_EQ(meant(PointRule::kDefault, 0), "lobatto 3");
   EXPECT_EQ(meant(PointRule::kDefault, 2), "corners 2");
   EXPECT_EQ(meant(PointRule::kDefault, 3), "trapezoid 3");
   EXPECT_EQ(meant(PointRule::kCorners, 0), "corners 2");

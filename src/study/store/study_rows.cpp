@@ -137,6 +137,7 @@ void each_key(V& v, Study& s) {
   v.numbers("fractions", s.fractions);
   v.number("read_modes_at", s.read_modes_at, "m");
   v.text("until", s.until);
+  v.text("unstated_point_rule", s.unstated_point_rule);
 }
 
 template <class Input>
