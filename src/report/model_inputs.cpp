@@ -170,12 +170,9 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
           {"materials", materials_of(spec.material)},
           {"stages", stages},
           {"settings",
-           {row("points_per_face", s.points_per_face, ""),
-            {"point_rule", word_of(kPointRuleWords, s.point_rule), ""},
-            row("damping", s.damping, ""),
-            row("step_fraction", s.step_fraction, ""),
-            row("gravity", s.gravity, "m/s²"),
-            row("mass_scaling", s.mass_scaling, "")}},
+           {row("points_per_face", s.points_per_face, word_of(kPointRuleWords, s.point_rule)),
+            row("damping", s.damping, ""), row("step_fraction", s.step_fraction, ""),
+            row("gravity", s.gravity, "m/s²"), row("mass_scaling", s.mass_scaling, "")}},
           {"notes", said(model.anatomy.notes)}};
 }
 

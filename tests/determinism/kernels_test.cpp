@@ -62,12 +62,20 @@ End step_with(const Kernels& kernels, const Model& model, double turn) {
           state.dissipated_crushing, state.work_damping};
 }
 
-Model wall_of(Softening softening, Coupling coupling, Unloading unloading, int points) {
+// Crushing under pressure and shear, hardening and dilatancy.
+void add_cap(JointMaterial& material) {
+  material.compression_cap = 9;
+  material.hardening_displacement = 0.01e-3;
+  material.dilatancy_angle = 0.3 * material.residual_friction_angle;
+}
+
+Model wall_of(Softening softening, Coupling coupling, Unloading unloading, int points, bool cap) {
   ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
   for (auto& [name, material] : spec.material) {
     material.softening = softening;
     material.coupling = coupling;
     material.unloading = unloading;
+    if (cap && std::isfinite(material.compressive_strength)) add_cap(material);
   }
   spec.solve.points_per_face = points;
   return compile(spec);
@@ -79,8 +87,8 @@ TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one) {
                                     Softening::kPolynomial, Softening::kPetersson})
     for (const Coupling coupling : {Coupling::kUnion, Coupling::kMaximum, Coupling::kStiffness})
       for (const Unloading unloading : {Unloading::kSecant, Unloading::kElastic})
-        for (const int points : {2, 3}) {
-          const Model model = wall_of(softening, coupling, unloading, points);
+        for (const int points : {2, 3, -2, -3}) {  // below 0: with a cap
+          const Model model = wall_of(softening, coupling, unloading, std::abs(points), points < 0);
           for (const double turn : {1e-4, 0.4}) {
             const End scalar = step_with(*all[0], model, turn);
             EXPECT_GT(scalar.friction, 0);

@@ -183,15 +183,23 @@ TEST(Device, walls_have_the_bits_of_those_alone) {
     EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
 }
 
-// Walls with three and with five points a face, in lanes and on a device.
+// Walls with three and with five points a face, without and with a cap, in lanes and on a device.
 TEST(Lanes, any_number_of_points_a_face) {
   for (const int points : {3, 5})
-    for (const bool device : {false, true}) {
+    for (const int way : {0, 1, 2, 3}) {
+      const bool device = way % 2 == 1, cap = way > 1;
       std::vector<std::unique_ptr<Wall>> walls;
       for (const double strength : {1.0, 1.1, 0.9}) {
         ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
         spec.solve.points_per_face = points;
-        spec.material.begin()->second.tensile_strength *= strength;
+        JointMaterial& joint = spec.material.at("joint");
+        joint.tensile_strength *= strength;
+        if (cap) {
+          joint.compression_cap = 9;
+          joint.compressive_strength = 1e6;  // crushes here
+          joint.hardening_displacement = 0.01e-3;
+          joint.dilatancy_angle = 0.3 * joint.residual_friction_angle;
+        }
         walls.push_back(std::make_unique<Wall>(spec, 1));
       }
       ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));

@@ -54,6 +54,8 @@ at = { x = "0 m", y = "1.1 m", courses = 3 }
 velocity = "6 mm/s"
 damping = 0.1
 until = "18 mm"
+[solve]
+point_rule = "corners" # the scenes of these tests were chosen with it
 [output]
 states = ["6 mm", "12 mm"]
 `;
@@ -102,6 +104,8 @@ at = { beam = true }
 velocity = "40 mm/s"
 damping = 0.3
 until = "45 mm"
+[solve]
+point_rule = "corners"
 `;
 }
 
