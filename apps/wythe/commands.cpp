@@ -13,6 +13,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
+#include "wythe/tested_range.h"
 #include "wythe/text.h"
 
 namespace wythe::app {
@@ -99,7 +100,7 @@ void print_push(const Result& r) {
         1e-3 * q.peak_raw, 1e3 * q.displacement_at_peak_raw);
 }
 
-void print_result(const Result& r, const std::string& out) {
+void print_result(const Model& model, const Result& r, const std::string& out) {
   const std::string warning = text_of(warning_of(r));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
@@ -120,6 +121,8 @@ void print_result(const Result& r, const std::string& out) {
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
+    if (const Message note = note_of(compare_with_tests(model, r)); !note.empty())
+      fmt::print("tests: {}\n", text_of(note));
     for (const Event& e : r.events)
       if (e.is_beyond_limit)
         fmt::print("warning: {} from {:.2f} mm on: {}\n", text_of(e.name), 1e3 * e.displacement,
@@ -162,7 +165,7 @@ int run(const RunArguments& arguments) {
   write_run(results->path(), start.from.spec, model, result);
   write_run_report(results->path(), start.from.spec, model, result, start.from.order.language);
   results->commit(hold_for_test);
-  print_result(result, start.out);
+  print_result(model, result, start.out);
   if (result.status == SolveStatus::kInterrupted && start.has_checkpoints())
     fmt::print("go on with: wythe run --resume {}\n", start.out);
   return exit_code(result.status);

@@ -8,6 +8,7 @@
 #include "study/answer_keys.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
+#include "wythe/tested_range.h"
 
 namespace wythe {
 namespace {
@@ -218,6 +219,16 @@ Json cyclic_json(const CyclicReadings& c) {
           {"work_J", c.work}};
 }
 
+Json tested_range_json(const TestedRange& range) {
+  Json json = {{"kind", range.kind},
+               {"walls", range.walls},
+               {"bias", range.bias},
+               {"bias_interval", {range.bias_low, range.bias_high}},
+               {"scatter", range.scatter}};
+  io::put(json, "note", note_of(range));
+  return json;
+}
+
 }  // namespace
 
 std::string summary_json(const Model& model, const Result& result) {
@@ -232,6 +243,7 @@ std::string summary_json(const Model& model, const Result& result) {
     json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;
   json["top_displacement_mm"] = result.top_displacement * 1e3;
   json["failure_mode"] = failure_mode_json(result.failure_mode);
+  json["tested_range"] = tested_range_json(compare_with_tests(model, result));
   json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);
   study::each_quasi_static(Answers{json}, result.quasi_static);

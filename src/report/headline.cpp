@@ -73,7 +73,7 @@ class RunHeadline {
   RunHeadline(const Json& header, const Texts& texts)
       : header_(header), s_(header.at("summary")), texts_(texts) {}
 
-  [[nodiscard]] std::string sentence() const { return cautions() + answer(); }
+  [[nodiscard]] std::string sentence() const { return cautions() + answer() + tests(); }
 
   [[nodiscard]] std::string warning() const {
     const std::string status = words_in(s_, "status"), reason = said_in(s_, "reason");
@@ -156,6 +156,12 @@ class RunHeadline {
     if (std::fabs(lost) <= std::fabs(number_in(s_, "displacement_at_peak_mm")))
       add(texts_.say("run.slid_off", {{"at", texts_.quantity(lost, "mm")}}));
     return words;
+  }
+
+  // In what the run leaves the range of tested walls, or how these came out.
+  [[nodiscard]] std::string tests() const {
+    const std::string note = said_in(member(s_, "tested_range"), "note");
+    return note.empty() ? "" : " " + texts_.say("run.tests", {{"note", escaped(note)}});
   }
 
   [[nodiscard]] std::string answer() const {

@@ -33,6 +33,14 @@ class Trust(Base):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads((out / "summary.json").read_text()), done.stdout
 
+    def test_a_run_says_in_what_it_leaves_the_range_of_tested_walls(self):
+        summary, told = self.summary_of(DRY, "solve.point_rule=corners", "solve.points_per_face=2")
+        codes = [note["code"] for note in summary["tested_range"]["note_message"]["arguments"]["notes"]]
+        self.assertIn("range.points", codes)  # two corners: three times too stiff in rotation
+        self.assertIn("tests: ", told)
+        page = (self.folder / "out" / "report.html").read_text(errors="replace")
+        self.assertIn("How far tests support this: ", page)
+
     def test_the_jolt_at_the_start_is_no_strength(self):
         summary, _ = self.summary_of(DRY)
         self.assertGreater(summary["peak_raw_kN"], 0.66)
