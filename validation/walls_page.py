@@ -102,7 +102,7 @@ def kinds_agree(tests, answers):
 
 def settings_table(name):
     """How the peaks move with another set of settings."""
-    base, other = walls.predicted(), walls.predicted(name)
+    base, other = walls.predicted(), walls.predicted(name, alone=True)
     rows = [[wall, base[wall]["peak_kN"] or "–", other[wall]["peak_kN"] or "–",
              f"{100 * (float(other[wall]['peak_kN']) / float(base[wall]['peak_kN']) - 1):+.1f}"
              if base[wall]["peak_kN"] and other[wall]["peak_kN"] else "–", other[wall]["mode"]]
@@ -208,7 +208,7 @@ def write(page, held=HELD):
               readme_part(".", "Changes").split("\n", 2)[2], "", "## What a setting moves", ""]
     for name in list(walls.SETS)[1:]:
         lines += settings_table(name)
-    lines += [readme_part(".", "Misses"), "", readme_part(".", "Further"), ""]
+    lines += ["## Misses", "", readme_part(".", "Misses"), "", readme_part(".", "Further"), ""]
     with open(page, "w", encoding="utf-8") as file:
         file.write("\n".join(lines).rstrip() + "\n")
     with open(held, "w", encoding="utf-8") as file:

@@ -89,7 +89,10 @@ def rows_of(wall, results):
     rows = []
     for change in walls.read_csv(CHANGES):
         row = results.get((wall, change["change"]))
-        if change["wall"] != wall or row is None:
+        if change["wall"] != wall:
+            continue
+        if row is None:
+            rows.append([change["question"], change["change"], "not run", "–", "–", "–", "–"])
             continue
         moved = (f"{100 * (float(row['peak_kN']) / float(base['peak_kN']) - 1):+.0f}"
                  if row["peak_kN"] and base["peak_kN"] else "–")

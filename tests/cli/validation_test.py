@@ -15,6 +15,7 @@ os.chdir(SOURCE)
 import bias  # noqa: E402
 import walls  # noqa: E402
 import walls_page  # noqa: E402
+import why  # noqa: E402
 
 
 def sample(*ratios):
@@ -156,6 +157,8 @@ class Table(unittest.TestCase):
             walls_page.write(page, os.path.join(folder, "held.h"))
             self.assertEqual((pathlib.Path(folder) / "held.h").read_text(), pathlib.Path(walls_page.HELD).read_text())
             self.assertEqual(pathlib.Path(page).read_text(), pathlib.Path("docs/validation.md").read_text())
+            why.write(os.path.join(folder, "why.md"))
+            self.assertEqual((pathlib.Path(folder) / "why.md").read_text(), pathlib.Path("docs/why_shear_walls.md").read_text())
             figure = "figures/validation_peaks.svg"
             self.assertEqual((pathlib.Path(folder) / figure).read_text(), pathlib.Path("docs", figure).read_text())
 
