@@ -22,8 +22,9 @@ inline constexpr Word<Bond> kBondWords[] = {{"running", Bond::kRunning},
                                             {"english", Bond::kEnglish},
                                             {"header", Bond::kHeader}};
 static_assert(names_all(kBondWords));
-enum class Split { kMiddle, kNone };
-inline constexpr Word<Split> kSplitWords[] = {{"middle", Split::kMiddle}, {"none", Split::kNone}};
+enum class Split { kMiddle, kAtJoints, kNone };
+inline constexpr Word<Split> kSplitWords[] = {
+    {"middle", Split::kMiddle}, {"at_joints", Split::kAtJoints}, {"none", Split::kNone}};
 static_assert(names_all(kSplitWords));
 // What to do where units or courses do not fit evenly into the wall or an opening.
 enum class Fit { kWhole, kCut };

@@ -96,6 +96,12 @@ std::vector<std::string> shape_keys(const WallSpec& wall) {
   return keys;
 }
 
+// Planes where no head joint ends: a crack that runs along them has to turn at every course.
+void note_planes(const WallSpec& wall, std::vector<Message>& notes) {
+  const bool has_headers = wall.bond == Bond::kFlemish || wall.bond == Bond::kEnglish;
+  if (has_headers && wall.unit.split == Split::kMiddle) notes.push_back({"unit.planes_off_joints"});
+}
+
 void note_unused(const Shape& shape, std::vector<Message>& notes) {
   const bool from_file = uses_blocks_file(shape);
   const std::vector<std::string> idle =
@@ -113,6 +119,7 @@ void note_unused(const Shape& shape, std::vector<Message>& notes) {
 bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
   check_body(shape.wall, faults);
+  note_planes(shape.wall, assembly.report.notes);
   const Lattice lattice = fit_lattice(shape.wall, assembly.report.notes, faults);
   const auto openings = place_openings(shape, lattice, assembly.report.notes, faults);
   if (faults.all().size() > before) return false;

@@ -10,7 +10,7 @@ namespace {
 struct Cycle {
   double start = 0;                // [m]
   std::vector<double> unit;        // lengths [m]
-  std::vector<bool> is_stretcher;  // only stretchers are split
+  std::vector<bool> is_stretcher;  // only these have a crack plane in the middle
 };
 
 Cycle stretchers(const Lattice& lattice, double start) {
@@ -47,20 +47,54 @@ double settle_on_grid(const Axis& columns, double x) {
   return std::abs(line - x) < 1e-9 * columns.extent ? line : x;
 }
 
-// One unit, whole or as its two halves, clipped to the wall.
-void add_unit(const Piece& unit, bool is_split, const Axis& columns, std::vector<Piece>& course) {
+// One unit, whole or in the pieces its crack planes leave, clipped to the wall. A plane stands inside the
+// wall, and pieces are named a, b, c by their unit, also where the wall's end takes one of them away.
+void add_unit(const Piece& unit, const std::vector<double>& planes, const Axis& columns,
+              std::vector<Piece>& course) {
   const double margin = 1e-9 * columns.extent;
-  const double middle = settle_on_grid(columns, (unit.x0 + unit.x1) / 2);
-  Piece piece = unit;
-  piece.x0 = std::max(0.0, unit.x0);
-  piece.x1 = std::min(columns.extent, unit.x1);
-  if (piece.x1 - piece.x0 < margin) return;
-  if (!is_split || middle < margin || middle > columns.extent - margin) {
-    course.push_back(piece);
-    return;
+  const double x0 = std::max(0.0, unit.x0), x1 = std::min(columns.extent, unit.x1);
+  if (x1 - x0 < margin) return;
+  std::vector<double> ends{x0};
+  for (const double plane : planes)
+    if (plane > margin && plane < columns.extent - margin) ends.push_back(plane);
+  ends.push_back(x1);
+  const bool is_whole = ends.size() == 2;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+    course.push_back({ends[k], ends[k + 1], unit.unit,
+                      is_whole ? ' ' : static_cast<char>('a' + static_cast<int>(k))});
+}
+
+// A unit of a course, as the cycle lays it; it may reach beyond the wall.
+struct Unit {
+  double x0, x1;
+  bool is_stretcher;
+};
+std::vector<Unit> units_of(const Lattice& lattice, const WallSpec& wall, int course) {
+  const Cycle cycle = cycle_of(lattice, wall.bond, course);
+  const Axis& columns = lattice.columns;
+  std::vector<Unit> units;
+  double x = cycle.start;
+  for (std::size_t k = 0; x < columns.extent * (1 - 1e-9); k = (k + 1) % cycle.unit.size()) {
+    const double next = settle_on_grid(columns, x + cycle.unit[k]);
+    units.push_back({x, next, cycle.is_stretcher[k]});
+    x = next;
   }
-  course.push_back({piece.x0, middle, unit.unit, 'a'});
-  course.push_back({middle, piece.x1, unit.unit, 'b'});
+  return units;
+}
+
+// Where a unit may crack: in its middle; or in line with the head joints above and below, all but those
+// within a tenth of its own ends (courses repeat in pairs, so the next one is also the one before).
+std::vector<double> planes_of(const Unit& unit, const std::vector<Unit>& next, Split split,
+                              const Axis& columns) {
+  if (split == Split::kNone) return {};
+  if (split == Split::kMiddle)
+    return unit.is_stretcher ? std::vector{settle_on_grid(columns, (unit.x0 + unit.x1) / 2)}
+                             : std::vector<double>{};
+  std::vector<double> planes;
+  const double end = 0.1 * (unit.x1 - unit.x0);
+  for (const Unit& other : next)
+    if (other.x0 > unit.x0 + end && other.x0 < unit.x1 - end) planes.push_back(other.x0);
+  return planes;
 }
 
 Piece clip(Piece piece, double x0, double x1) {
@@ -90,18 +124,14 @@ void join_piece(std::vector<Piece>& run, std::size_t i) {
 }  // namespace
 
 std::vector<Piece> lay_course(const Lattice& lattice, const WallSpec& wall, int course) {
-  const Cycle cycle = cycle_of(lattice, wall.bond, course);
-  const Axis& columns = lattice.columns;
+  const std::vector<Unit> next = units_of(lattice, wall, course + 1);
   std::vector<Piece> pieces;
-  double x = cycle.start;
-  int unit = 0;
-  for (std::size_t k = 0; x < columns.extent * (1 - 1e-9); k = (k + 1) % cycle.unit.size()) {
-    const double next = settle_on_grid(columns, x + cycle.unit[k]);
-    const bool is_split = wall.unit.split == Split::kMiddle && cycle.is_stretcher[k];
+  int number = 0;
+  for (const Unit& unit : units_of(lattice, wall, course)) {
     const std::size_t before = pieces.size();
-    add_unit({x, next, unit, ' '}, is_split, columns, pieces);
-    unit += pieces.size() > before;
-    x = next;
+    add_unit({unit.x0, unit.x1, number, ' '},
+             planes_of(unit, next, wall.unit.split, lattice.columns), lattice.columns, pieces);
+    number += pieces.size() > before;
   }
   return pieces;
 }

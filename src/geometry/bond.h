@@ -5,6 +5,10 @@
 //
 //   | head joint   : potential crack in the middle of a stretcher   a, b its halves
 //
+// With split = at_joints the planes stand in line with the head joints above and below: in running bond
+// that is the middle; in flemish bond a quarter unit from the ends of a stretcher; in english bond there,
+// and in the middle of a header.
+//
 // Called by courses.cpp; pure arithmetic on the lattice.
 #pragma once
 
@@ -18,7 +22,7 @@ namespace wythe::geometry {
 struct Piece {
   double x0 = 0, x1 = 0;  // [m]
   int unit = 0;           // counted from the left end of the course
-  char half = ' ';        // 'a', 'b', or ' ' for a whole unit or a closer
+  char half = ' ';        // 'a', 'b', ..., or ' ' for a whole unit or a closer
 };
 
 // The pieces of course `course` over the whole wall, left to right.

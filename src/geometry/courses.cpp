@@ -81,7 +81,7 @@ Block block_of(const Site& site, const Piece& piece, const Rect& run, std::set<s
   block.material = "masonry";
   block.thickness = site.wall.thickness;
   block.course = site.course;
-  block.unit = site.wall.unit.split == Split::kMiddle ? site.first_unit + piece.unit : -1;
+  block.unit = site.wall.unit.split != Split::kNone ? site.first_unit + piece.unit : -1;
   return block;
 }
 

@@ -99,7 +99,7 @@ Need need_of(FaceKind kind, const std::string& material) {
   const std::string table = "[material." + material + "]";
   switch (kind) {
     case FaceKind::kSplit:
-      return {"missing: split = \"middle\" needs it for the potential crack inside each unit",
+      return {"missing: wall.unit.split needs it for the potential cracks inside the units",
               "add " + table + ", or write wall.unit.split = \"none\""};
     case FaceKind::kLintelChain:
       return {"missing: the lintel is made of it", "add " + table + " with its density and moduli"};
@@ -176,10 +176,11 @@ void check_stated_materials(const Shape& shape, FaultList& faults) {
   for (const ContactRule& rule : shape.contact) uses.emplace(rule.material, FaceKind::kBed);
   if (!uses_blocks_file(shape)) {
     add_lintel_uses(shape, uses);
-    const bool has_stretchers = shape.wall.bond != Bond::kHeader;
-    if (has_stretchers && shape.wall.unit.split == Split::kMiddle) {
-      uses.emplace("unit", FaceKind::kSplit);
-    }
+    const Split split = shape.wall.unit.split;
+    const Bond bond = shape.wall.bond;
+    const bool cracks = split == Split::kMiddle ? bond != Bond::kHeader
+                                                : split == Split::kAtJoints && bond != Bond::kStack;
+    if (cracks) uses.emplace("unit", FaceKind::kSplit);
   }
   if (std::isfinite(shape.wall.beam.height)) uses.emplace(shape.wall.beam.joint, FaceKind::kBeam);
   uses.emplace(foundation_or_joint(shape, plate_joint(shape)), FaceKind::kPlate);

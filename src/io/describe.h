@@ -91,7 +91,9 @@ void describe(Visitor& v, UnitSpec& s) {
              .fallback = "half the length", .example = "155 mm",
              .doc = "Width of a header's face, joint included (flemish, english, header bond)."});
   v.choice("split", s.split, kSplitWords, {.example = "middle",
-           .doc = "Potential crack plane inside each unit: down its middle, or none."});
+           .doc = "Potential crack planes inside the units: down the middle of each stretcher; in "
+                  "line with the head joints above and below, where cracks go through (in running "
+                  "bond the same); or none."});
   v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
              .fallback = kRequired, .example = "1250 kg/m^3",
              .doc = "Density of the masonry, units and mortar together."});

@@ -58,7 +58,9 @@ double blocks_of(const ModelSpec& spec) {
   if (!is_length(wall.length) || !is_length(wall.height) || !is_length(length) ||
       !is_length(wall.unit.height))
     return 0;
-  const double pieces = wall.unit.split == Split::kMiddle && wall.bond != Bond::kHeader ? 2 : 1;
+  const double pieces = wall.unit.split == Split::kAtJoints                               ? 3
+                        : wall.unit.split == Split::kMiddle && wall.bond != Bond::kHeader ? 2
+                                                                                          : 1;
   return std::ceil(pieces * wall.length / length) * std::ceil(wall.height / wall.unit.height);
 }
 

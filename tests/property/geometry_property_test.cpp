@@ -184,6 +184,50 @@ TEST(geometry_bond, flemish_header_stands_in_the_middle_of_the_stretcher_below) 
   EXPECT_TRUE(heads.at(1).count(micrometres(1.5 * kColumn)));
 }
 
+// Crack planes of each course.
+std::map<int, std::set<long>> planes_by_course(const Assembly& wall) {
+  std::map<int, std::set<long>> planes;
+  for (const Face& face : wall.faces)
+    if (face.kind == FaceKind::kSplit)
+      planes[wall.blocks[static_cast<std::size_t>(face.a)].course].insert(micrometres(face.p0.x));
+  return planes;
+}
+
+TEST(geometry_bond, planes_at_joints_are_those_in_the_middle_in_running_bond) {
+  const Scene at_joints{.split = Split::kAtJoints, .window = {4, 2, 5, 3}};
+  const Scene middle{.split = Split::kMiddle, .window = {4, 2, 5, 3}};
+  EXPECT_EQ(planes_by_course(build(at_joints)), planes_by_course(build(middle)));
+  EXPECT_EQ(build(at_joints).blocks.size(), build(middle).blocks.size());
+}
+
+TEST(geometry_bond, planes_at_joints_go_on_where_head_joints_end) {
+  for (const Bond bond : {Bond::kFlemish, Bond::kEnglish, Bond::kHeader, Bond::kRunning}) {
+    const Assembly wall = build({.bond = bond, .split = Split::kAtJoints, .window = {}});
+    const auto planes = planes_by_course(wall);
+    auto heads = heads_by_course(wall);
+    for (const auto& [course, at] : planes) {
+      std::set<long> beside = heads[course + 1];
+      beside.merge(heads[course - 1]);
+      EXPECT_EQ(at, beside) << "bond " << static_cast<int>(bond) << ", course " << course;
+    }
+    EXPECT_GE(planes.size(), 8u);
+  }
+}
+
+TEST(geometry_bond, flemish_cracks_a_quarter_unit_from_the_ends_of_a_stretcher) {
+  const auto planes =
+      planes_by_course(build({.bond = Bond::kFlemish, .split = Split::kAtJoints, .window = {}}));
+  // the stretcher over columns 0-2; above it a header over columns 0.5-1.5
+  EXPECT_TRUE(planes.at(0).count(micrometres(0.5 * kColumn)));
+  EXPECT_TRUE(planes.at(0).count(micrometres(1.5 * kColumn)));
+  EXPECT_FALSE(planes.at(0).count(micrometres(kColumn)));
+}
+
+TEST(geometry_bond, stack_has_no_joints_to_be_in_line_with) {
+  const Assembly wall = build({.bond = Bond::kStack, .split = Split::kAtJoints, .window = {}});
+  EXPECT_TRUE(planes_by_course(wall).empty());
+}
+
 RC_GTEST_PROP(geometry_law, running_bond_fills_any_wall_round_any_window, ()) {
   Scene scene;
   scene.columns = *rc::gen::inRange(5, 16);
@@ -193,7 +237,7 @@ RC_GTEST_PROP(geometry_law, running_bond_fills_any_wall_round_any_window, ()) {
   scene.window.height = *rc::gen::inRange(1, scene.courses - 2);
   scene.window.y = *rc::gen::inRange(0, scene.courses - scene.window.height - 1);
   scene.has_lintel = *rc::gen::arbitrary<bool>();
-  scene.split = *rc::gen::element(Split::kMiddle, Split::kNone);
+  scene.split = *rc::gen::element(Split::kMiddle, Split::kAtJoints, Split::kNone);
   scene.bond = *rc::gen::elementOf(kBonds);
   expect_laws(scene);
   RC_ASSERT(!testing::Test::HasFailure());

@@ -286,7 +286,7 @@ TEST(geometry_split, middle_without_unit_material_names_both_ways_out) {
   ModelSpec spec = papers_wall();
   spec.material.erase("unit");
   const Fault fault = fault_at(spec, "material.unit");
-  EXPECT_TRUE(mentions(fault.problem, "split = \"middle\""));
+  EXPECT_TRUE(mentions(fault.problem, "wall.unit.split"));
   EXPECT_TRUE(mentions(fault.cure, "\"none\""));
 }
 
