@@ -36,7 +36,13 @@ def verdict_text(found):
         return f"on the unsafe side, too large by {percent} % on average"
     if found["delta"] < 0.9:
         return f"on the safe side, too small by {percent} % on average"
-    return "usable as it stands" if found["sigma_M"] <= 0.2 else "right on average, but the scatter is large"
+    if found["sigma_M"] > 0.2:
+        return "right on average, but the scatter is large"
+    low, high = found["delta_interval"]
+    if high > 1.15:  # what these walls can't rule out
+        return (f"right on average; {found['n']} walls can't rule out a bias of {low:.2f} or {high:.2f}, so divide by the latter "
+                "where it matters")
+    return "usable as it stands"
 
 
 def bias_text(b):
