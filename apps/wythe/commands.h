@@ -27,6 +27,7 @@ struct ContactArguments {
   std::string law, path, out;
 };
 int contact(const ContactArguments& arguments);
+int materials(const std::string& name);
 
 struct LimitArguments {
   std::string model, out, with, language = "en";

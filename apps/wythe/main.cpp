@@ -66,6 +66,14 @@ void add_check(CLI::App& app, CheckArguments& a, int& code) {
   command->callback([&] { code = check(a); });
 }
 
+void add_materials(CLI::App& app, std::string& name, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "materials", "list typical materials and rules; explain one with values, source and scatter");
+  command->footer("example: wythe materials circolare_brick_lime");
+  command->add_option("name", name, "name of a typical material or of a rule");
+  command->callback([&] { code = materials(name); });
+}
+
 void add_contact(CLI::App& app, ContactArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("contact", "stresses of one joint along a path of opening and slip");
@@ -177,6 +185,8 @@ int parse_and_run(int argc, char** argv) {
   add_run(app, run_arguments, code);
   add_check(app, check_arguments, code);
   add_contact(app, contact_arguments, code);
+  std::string material_name;
+  add_materials(app, material_name, code);
   CampaignArguments campaign_arguments;
   campaign_arguments.command.assign(argv, argv + argc);
   MergeArguments merge_arguments;

@@ -39,6 +39,9 @@ namespace wythe {
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
 // Identifies a spec: hash of the text of write_model and of its blocks.
 [[nodiscard]] std::uint64_t spec_hash(const ModelSpec& spec);
+// What `wythe materials NAME` prints: a typical material or a rule with values, source, range and scatter;
+// "": the list of both. Throws InputError where the name is neither.
+[[nodiscard]] std::string materials_text(const std::string& name);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
 // Markdown table of the curve's columns (curve.h), for docs/reference/results.md.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/contact_law.h"
+#include "wythe/masonry.h"
 #include "wythe/words.h"
 
 namespace wythe {
@@ -220,6 +221,7 @@ struct ModelSpec {
   std::string name;
   std::string note;
   WallSpec wall;
+  MasonrySpec masonry;  // inputs of rules
   std::map<std::string, JointMaterial> material;
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;

@@ -17,11 +17,13 @@ namespace io {
 
 // A law file, or a whole model file of which only the materials are read.
 struct LawFile {
+  MasonrySpec masonry;
   std::map<std::string, JointMaterial> material;
 };
 
 template <class Visitor>
 void describe(Visitor& v, LawFile& file) {
+  v.table("masonry", file.masonry, {});
   v.map("material", file.material, {});
 }
 
@@ -131,6 +133,7 @@ std::string answer_row(const ContactPathRow& row, const ContactAnswer& answer) {
 JointMaterial read_law(const std::string& path) {
   io::ReadContext context{path};
   toml::table root = io::parse_toml(io::read_input(path, "law.toml"), path);
+  io::resolve_materials(context, root);
   for (const char* name : io::kOtherTables) root.erase(name);
   io::LawFile file;
   io::read_table(context, root, "", file);

@@ -135,6 +135,79 @@ void describe(Visitor& v, WallSpec& s) {
 
 // --- materials -----------------------------------------------------------------------------------
 
+// A key that says how to come to a value and is gone when the table is read (src/io/materials.cpp);
+// visitors that need no more than the values know nothing of it.
+template <class Visitor>
+void describe_recipe(Visitor& v, const char* name, const Key& key) {
+  if constexpr (requires { v.recipe(name, key); }) v.recipe(name, key);
+}
+
+template <class Visitor>
+void describe_use(Visitor& v) {
+  describe_recipe(v, "use", {.fallback = "none", .example = "brick_lime_circolare",
+                  .doc = "Typical values, with their source and scatter, for what is not given here; "
+                         "`wythe materials` lists the names."});
+}
+
+template <class Visitor>
+void describe_origin(Visitor& v, std::vector<std::string>& origin) {
+  v.texts("origin", origin, {.fallback = "none", .example = "[\"cohesion 0.21 MPa: typical of brick_lime_circolare\"]",
+          .doc = "Written by the program: where the values come from that were not given. A line holds "
+                 "only while the value is the one it names."});
+}
+
+template <class Visitor>
+void describe_strengths(Visitor& v, MasonrySpec& m) {
+  v.choice("unit_type", m.unit_type, kUnitTypeWords, {.fallback = "none", .example = "clay",
+           .doc = "Kind of unit, for rules whose ratios depend on it."});
+  v.quantity("unit_strength", m.unit_strength, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .fallback = "none", .example = "15 MPa",
+             .doc = "fb, mean normalised compressive strength of the units (EN 772-1), gross section."});
+  v.quantity("mortar_strength", m.mortar_strength, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .fallback = "none", .example = "4 MPa", .doc = "fmo, mean compressive strength of the mortar."});
+  v.quantity("masonry_strength", m.masonry_strength, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .fallback = "none", .example = "6 MPa",
+             .doc = "fm, mean compressive strength of the masonry across the bed joints."});
+  v.quantity("vertical_stress", m.vertical_stress, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
+             .fallback = "none", .example = "0.6 MPa",
+             .doc = "Mean vertical stress of the wall under its loads; lowers tension of units along their length."});
+  v.quantity("initial_shear_strength", m.initial_shear_strength, {.unit = "Pa", .shown = "MPa",
+             .range = kNotNegative, .fallback = "none", .example = "0.2 MPa", .doc = "fv0 of triplets (EN 1052-3)."});
+  v.number("friction_tan", m.friction_tan, {.range = kNotNegative, .fallback = "none", .example = "0.6",
+           .doc = "mu of triplets, a tangent."});
+}
+
+template <class Visitor>
+void describe_stiffnesses(Visitor& v, MasonrySpec& m) {
+  v.quantity("youngs_modulus", m.youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "none", .example = "3 GPa", .doc = "E of the masonry across the bed joints."});
+  v.quantity("shear_modulus", m.shear_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "none", .example = "1.2 GPa", .doc = "G of the masonry."});
+  v.quantity("unit_youngs_modulus", m.unit_youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "none", .example = "10 GPa", .doc = "Eu of the units."});
+  v.quantity("mortar_youngs_modulus", m.mortar_youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "none", .example = "2 GPa", .doc = "Em of the mortar in the joint."});
+  v.quantity("interface_normal_stiffness", m.interface_normal_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
+             .range = kPositive, .fallback = "none", .example = "82 GPa/m",
+             .doc = "kn of an interface between elastic units, as micro-models state it (1 N/mm3 is 1 GPa/m)."});
+  v.quantity("interface_shear_stiffness", m.interface_shear_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
+             .range = kPositive, .fallback = "none", .example = "36 GPa/m", .doc = "ks of such an interface."});
+  v.quantity("joint_thickness", m.joint_thickness, {.unit = "m", .shown = "mm", .range = kLength,
+             .fallback = "none", .example = "10 mm", .doc = "Thickness of a bed joint."});
+  v.quantity("course_height", m.course_height, {.unit = "m", .shown = "mm", .range = kLength,
+             .fallback = "wall.unit.height", .example = "65 mm", .doc = "Height of a course, bed joint included."});
+  v.quantity("unit_length", m.unit_length, {.unit = "m", .shown = "mm", .range = kLength,
+             .fallback = "wall.unit.length", .example = "260 mm", .doc = "Length of a unit, head joint included."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, MasonrySpec& m) {
+  describe_use(v);
+  describe_strengths(v, m);
+  describe_stiffnesses(v, m);
+  describe_origin(v, m.origin);
+}
+
 template <class Visitor>
 void describe_elasticity(Visitor& v, JointMaterial& m) {
   v.quantity("normal_stiffness", m.normal_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
@@ -156,9 +229,13 @@ void describe_strength(Visitor& v, JointMaterial& m) {
   v.quantity("friction_angle", m.friction_angle, {.unit = "rad", .shown = "deg",
              .range = kFrictionAngle, .fallback = kRequired, .example = "16.2 deg",
              .doc = "Friction angle of the intact joint."});
+  describe_recipe(v, "friction_tan", {.range = kNotNegative, .fallback = "friction_angle", .example = "0.6",
+                  .doc = "The same as a tangent: one of the two."});
   v.quantity("residual_friction_angle", m.residual_friction_angle, {.unit = "rad", .shown = "deg",
              .range = kFrictionAngle, .fallback = kRequired, .example = "14.6 deg",
              .doc = "Friction angle once the joint has broken."});
+  describe_recipe(v, "residual_friction_tan", {.range = kNotNegative, .fallback = "residual_friction_angle",
+                  .example = "0.55", .doc = "The same as a tangent: one of the two."});
   v.quantity("residual_cohesion", m.residual_cohesion, {.unit = "Pa", .shown = "MPa",
              .range = kNotNegative, .fallback = kRequired, .example = "0 MPa",
              .doc = "Cohesion left once the joint has broken."});
@@ -211,6 +288,10 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
 
 template <class Visitor>
 void describe(Visitor& v, JointMaterial& m) {
+  describe_use(v);
+  describe_recipe(v, "missing", {.fallback = "each is asked for", .example = "rule",
+                  .doc = "`missing = \"rule\"`: every key of the joint law that is not here by its rule "
+                         "(docs/theory/material_rules.md). A single key: `cohesion = \"rule\"`, or `\"rule: NAME\"`."});
   describe_elasticity(v, m);
   describe_strength(v, m);
   describe_fracture(v, m);
@@ -235,6 +316,7 @@ void describe(Visitor& v, JointMaterial& m) {
   v.quantity("compression_limit", m.compression_limit, {.unit = "Pa", .shown = "MPa",
              .range = kPositive, .fallback = "none", .example = "20 MPa",
              .doc = "Principal compression of a zone beyond which the run reports it; no effect."});
+  describe_origin(v, m.origin);
 }
 
 template <class Visitor>
@@ -416,6 +498,10 @@ void describe(Visitor& v, ModelSpec& s) {
   v.text("note", s.note, {.fallback = "none", .example = "Table 1 of the paper",
          .doc = "Remarks."});
   v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
+  v.table("masonry", s.masonry, {.optional = true,
+          .doc = "What tests say, mean values: the inputs of rules (docs/theory/material_rules.md), which a "
+                 "material asks for by `\"rule\"` in the place of a value. No effect but through them. Any of "
+                 "these may itself be `\"rule\"`."});
   v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
         "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
         "given elsewhere; bodies (lintels, blocks) need density and moduli only."});

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "io/toml_reader.h"
 
 namespace wythe::io {
@@ -19,6 +21,14 @@ constexpr std::array<std::string_view, 16> kLawKeys = {
     "compressive_energy",     "compression_cap",
     "hardening_displacement", "dilatancy_angle",
     "dilatancy_slip",         "dilatancy_pressure"};
+
+}  // namespace
+
+bool is_law_key(std::string_view name) {
+  return std::find(kLawKeys.begin(), kLawKeys.end(), name) != kLawKeys.end();
+}
+
+namespace {
 
 bool is_law(const Reader& reader) {
   return std::any_of(kLawKeys.begin(), kLawKeys.end(),
@@ -43,7 +53,10 @@ void finish(Reader& reader, JointMaterial& material) {
     if (reader.has(fault.key))
       reader.refuse(fault.key, fault.problem, fault.cure);
     else
-      reader.miss(fault.key, fault.problem, fault.cure);
+      reader.miss(fault.key, fault.problem,
+                  fault.cure + fmt::format("; or ask for its rule, {} = \"rule\"; or take typical "
+                                           "values, use = \"NAME\" (wythe materials)",
+                                           fault.key));
   }
 }
 

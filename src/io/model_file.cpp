@@ -94,6 +94,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   toml::table root = io::parse_toml(toml_text, file_name);
   io::ReadContext context{file_name};
   io::apply_overrides(context, root, overrides);
+  io::resolve_materials(context, root);
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);

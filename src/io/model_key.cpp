@@ -1,6 +1,7 @@
 #include "io/model_key.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -21,6 +22,9 @@ class KeyLister {
   }
   void number(const char* name, const double& value, const Key& key) {
     add(name, value, key, "1", "1");
+  }
+  void recipe(const char* name, const Key& key) {
+    if (std::isfinite(key.range.low)) add(name, kUnset, key, "1", "1");
   }
   void quantities(const char*, const std::vector<double>&, const Key&) {}
   void integer(const char*, const int&, const Key&) {}

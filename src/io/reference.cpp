@@ -73,7 +73,13 @@ class Reference {
     row(name, key, "text", "", value, ValueKind::kText);
   }
   void texts(const char* name, const std::vector<std::string>&, const Key& key) {
-    row(name, key, fmt::format("list of {} texts", key.count), "", "", ValueKind::kBare);
+    const std::string count = key.count ? fmt::format("{} ", key.count) : "";
+    row(name, key, fmt::format("list of {}texts", count), "", "", ValueKind::kBare);
+  }
+  void recipe(const char* name, const Key& key) {
+    const bool number = std::isfinite(key.range.low);
+    row(name, key, number ? "number" : "text", number ? allowed(key) : "", "",
+        number ? ValueKind::kBare : ValueKind::kText);
   }
   template <class E, std::size_t N>
   void choice(const char* name, const E& value, const Word<E> (&words)[N], const Key& key) {

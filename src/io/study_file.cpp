@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -198,9 +199,34 @@ class StudyReader {
       check_batch(base);
       if (!base.block.empty()) study_.blocks_text = blocks_text(base.block, base.wall.thickness);
       keys_ = number_keys(std::move(base));
+      read_recipes();
     } catch (const InputError& error) {
       for (Fault fault : error.faults()) model_faults_.push_back(placed(std::move(fault)));
     }
+  }
+
+  // What of the base model stands for other keys: [masonry] through its rules, tangents for angles.
+  void read_recipes() {
+    toml::table root = parse_toml(study_.model_text, study_.model_file);
+    ReadContext context{study_.model_file};
+    apply_overrides(context, root, study_.settings);
+    resolve_materials(context, root);
+    asked_ = std::move(context.asked);
+    for (const auto& [path, value] : context.derived)
+      if (value.how.starts_with("given as ")) tangents_.insert(path);
+  }
+
+  // Why a variable on this key would change nothing or contradict the model, and the cure; "" where it acts.
+  [[nodiscard]] std::pair<std::string, std::string> idle(const std::string& path) const {
+    if (path.starts_with("masonry.") && !asked_.contains(path.substr(8)))
+      return {"no rule of the base model asks for it",
+              "let a material ask for a rule that does, e.g. tensile_strength = \"rule\""};
+    const std::string name = path.substr(path.rfind('.') + 1);
+    if (!path.starts_with("material.") || !name.ends_with("friction_tan")) return {};
+    const std::string angle = path.substr(0, path.size() - 3) + "angle";
+    if (tangents_.contains(angle)) return {};
+    return {fmt::format("the base model gives no {}", name),
+            fmt::format("write {} there in the place of the angle, or vary {}", name, angle)};
   }
 
   // All samples' records are read together: no more than memory holds, told before any is drawn.
@@ -243,6 +269,8 @@ class StudyReader {
         const ModelKey* key = find_key(keys_, *path);
         if (!key)
           return refuse("path", *path, "no such number in the model", key_advice(keys_, *path));
+        if (const auto [problem, cure] = idle(key->path); !problem.empty())
+          return refuse("path", *path, problem, cure);
         path_[place] = key->path;
         range = key->range;
         check_unit(*key, unit.value_or(key->unit));
@@ -483,11 +511,13 @@ class StudyReader {
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
   StudySpec study_;
-  std::vector<ModelKey> keys_;               // of the base model; empty when it has faults
-  std::map<std::string, std::string> path_;  // table -> canonical path
-  std::vector<Fault> read_faults_;           // those of single keys
-  std::vector<Fault> model_faults_;          // of the base model and of CSV files
-  std::vector<std::string> spoiled_;         // tables that could not be read in full
+  std::vector<ModelKey> keys_;                // of the base model; empty when it has faults
+  std::set<std::string, std::less<>> asked_;  // keys of [masonry] that its rules take
+  std::set<std::string> tangents_;            // angles that it gives as tangents
+  std::map<std::string, std::string> path_;   // table -> canonical path
+  std::vector<Fault> read_faults_;            // those of single keys
+  std::vector<Fault> model_faults_;           // of the base model and of CSV files
+  std::vector<std::string> spoiled_;          // tables that could not be read in full
 };
 
 bool is_of_study(const std::string& override_text) {

@@ -58,6 +58,10 @@ void ReadContext::fault(const std::string& path, int line, const std::string& va
                         const std::string& problem, const std::string& cure) {
   Fault out{
       .file = file, .path = path, .value = value, .problem = problem, .cure = cure, .line = line};
+  if (const auto found = derived.find(path); found != derived.end()) {
+    out.value += fmt::format(" ({})", found->second.how);
+    if (line == 0) out.line = found->second.line;
+  }
   for (const Override& set : overrides) {
     const bool reaches = is_at_or_above(set.path, path);
     // A table that stands in no file was made on the way to the override's key.

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,13 @@ struct ReadContext {
   std::string file;
   FaultList faults = {};
   std::vector<Override> overrides = {};
+  // Values that rules and typologies put into the tree, by path, and the keys of [masonry] they asked for.
+  struct Derived {
+    std::string how;
+    int line = 0;  // of the table
+  };
+  std::map<std::string, Derived> derived = {};
+  std::set<std::string, std::less<>> asked = {};
 
   // Adds a fault at `path`; where an override reaches that path, the fault is the override's.
   void fault(const std::string& path, int line, const std::string& value,
@@ -54,6 +62,8 @@ class Reader {
   void flag(const char* name, bool& value, const Key& key);
   void text(const char* name, std::string& value, const Key& key);
   void texts(const char* name, std::vector<std::string>& values, const Key& key);
+  // Known, but followed and gone before the table is read (materials.cpp).
+  void recipe(const char* name, const Key& key) { (void)find(name, key); }
 
   template <class E, std::size_t N>
   void choice(const char* name, E& value, const Word<E> (&words)[N], const Key& key) {
@@ -153,6 +163,10 @@ void read_table(ReadContext& context, const toml::table& table, const std::strin
                                      std::size_t most = kMostToml);
 // Throws all faults of the context, ordered by line.
 void throw_faults(const ReadContext& context);
+
+// Puts what rules derive and what is typical into the tree, before it is read (materials.cpp).
+void resolve_materials(ReadContext& context, toml::table& root);
+[[nodiscard]] bool is_law_key(std::string_view name);
 
 // Puts "path=value" texts into the tree before it is read (overrides.cpp).
 void apply_overrides(ReadContext& context, toml::table& root,

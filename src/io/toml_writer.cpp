@@ -86,7 +86,7 @@ void Writer::text(const char* name, const std::string& value, const Key& key) {
 }
 
 void Writer::texts(const char* name, const std::vector<std::string>& values, const Key& key) {
-  put(name, list_text(values, quoted), key);
+  if (!values.empty() || key.count > 0) put(name, list_text(values, quoted), key);
 }
 
 std::string Writer::whole() const {

@@ -75,6 +75,7 @@ double crushing_as_published(const Inputs& in) { return 3.2e-3 * in[0]; }
 
 // --- crack plane of a unit -----------------------------------------------------------------------
 
+double cap_as_published(const Inputs&) { return 9; }
 double half_unit(const Inputs& in) { return 2 * in[0] / in[1]; }
 double shear_of_unit(const Inputs& in) { return in[0] / (2 * (1 + kUnitPoisson)); }
 double unit_tension(const Inputs& in) {
@@ -155,6 +156,8 @@ const Rule kRules[] = {
    {{"compressive_strength", 0.5e6, 80e6}}, crushing_energy},
   {"gc_published", Role::kJoint, "compressive_energy", {"compressive_strength"},
    "Gc = 3.2 mm fc", "Pulatsu et al. 2022 [1], tuff", 0.30, {{"compressive_strength", 0.5e6, 12e6}}, crushing_as_published},
+  {"css_published", Role::kJoint, "compression_cap", {},
+   "Css = 9", "Lourenco and Rots 1997, an assumption; no test", 0.30, {}, cap_as_published, false, true},
   // --- crack plane inside a unit
   {"kn_of_half_unit", Role::kUnit, "normal_stiffness", {"unit_youngs_modulus", "unit_length"},
    "kn = Eu / (l/2), l the unit's length", "rigid halves: the plane takes the deformation of half a unit", 0.30,

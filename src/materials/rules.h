@@ -44,6 +44,7 @@ struct Rule {
   std::vector<Bound> range;  // outside it the rule is refused
   double (*value)(const Inputs&);
   bool by_unit_type = false;
+  bool on_request = false;  // for a key the law does without: `missing` leaves it out
 };
 
 // Every rule. Of those with the same role and key the first is the one meant by "rule".

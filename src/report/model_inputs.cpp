@@ -1,9 +1,12 @@
 #include "report/model_inputs.h"
 
-#include "report/said.h"
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "materials/library.h"
+#include "materials/origin.h"
+#include "report/said.h"
 
 namespace wythe::report {
 namespace {
@@ -83,6 +86,82 @@ Json materials_of(const std::map<std::string, JointMaterial>& materials) {
   add_words("unloading",
             [](const JointMaterial& m) { return word_of(kUnloadingWords, m.unloading); });
   return {{"names", names}, {"rows", rows}};
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+// A line of origin in parts: [table, key, value, kind, rule or typology, inputs, formula or title, source].
+// The words of the line are left out: the page has its own.
+Json origin_row(const std::string& table, materials::Role role, const materials::Origin& origin) {
+  using materials::Origin;
+  const std::string by =
+      origin.by.substr(std::min<std::size_t>(3, origin.by.size()));  // after "by "
+  const std::size_t end = std::min(by.find(' '), by.size());
+  const std::string name = by.substr(0, end);
+  std::string inputs, formula, source;
+  const materials::Rule* rule = materials::rule_for(role, origin.key, name);
+  if (rule && origin.kind == Origin::kDerived) {
+    inputs = by.substr(std::min(end + 6, by.size()));  // after " from "
+    inputs = replaced(replaced(inputs, "(typical of ", "(t: "), "(by ", "(r: ");
+    formula = rule->formula;
+    source = rule->source;
+  }
+  const materials::Entry* entry = materials::entry_of(name);
+  if (entry && origin.kind == Origin::kTypical) {
+    formula = entry->title;
+    source = by.substr(std::min(end + 2, by.size()));  // after " ("
+    if (source.ends_with(')')) source.pop_back();
+  }
+  const bool given = origin.kind == Origin::kGiven;
+  return {table,  origin.key, origin.value, materials::kind_word(origin.kind), given ? by : name,
+          inputs, formula,    source};
+}
+
+void add_origins(const std::string& table, materials::Role role,
+                 const std::vector<std::string>& lines, Json& rows) {
+  for (const std::string& line : lines)
+    if (const auto origin = materials::origin_of(line))
+      rows.push_back(origin_row(table, role, *origin));
+}
+
+Json origins_of(const ModelSpec& spec) {
+  Json rows = Json::array();
+  add_origins("masonry", materials::Role::kMasonry, spec.masonry.origin, rows);
+  for (const auto& [name, material] : spec.material)
+    add_origins(name, name == "unit" ? materials::Role::kUnit : materials::Role::kJoint,
+                material.origin, rows);
+  return rows;
+}
+
+// What tests say, the inputs of rules.
+Json masonry_rows(const MasonrySpec& m) {
+  Json rows = Json::array();
+  if (m.unit_type != UnitType::kUnstated)
+    rows.push_back({"unit_type", word_of(kUnitTypeWords, m.unit_type), ""});
+  const auto add = [&](const char* key, double value, const char* unit, double factor) {
+    if (!std::isnan(value)) rows.push_back(row(key, value * factor, unit));
+  };
+  add("unit_strength", m.unit_strength, "MPa", 1e-6);
+  add("mortar_strength", m.mortar_strength, "MPa", 1e-6);
+  add("masonry_strength", m.masonry_strength, "MPa", 1e-6);
+  add("vertical_stress", m.vertical_stress, "MPa", 1e-6);
+  add("initial_shear_strength", m.initial_shear_strength, "MPa", 1e-6);
+  add("friction_tan", m.friction_tan, "", 1);
+  add("youngs_modulus", m.youngs_modulus, "MPa", 1e-6);
+  add("shear_modulus", m.shear_modulus, "MPa", 1e-6);
+  add("unit_youngs_modulus", m.unit_youngs_modulus, "MPa", 1e-6);
+  add("mortar_youngs_modulus", m.mortar_youngs_modulus, "MPa", 1e-6);
+  add("interface_normal_stiffness", m.interface_normal_stiffness, "MPa/mm", 1e-9);
+  add("interface_shear_stiffness", m.interface_shear_stiffness, "MPa/mm", 1e-9);
+  add("joint_thickness", m.joint_thickness, "mm", 1e3);
+  add("course_height", m.course_height, "mm", 1e3);
+  add("unit_length", m.unit_length, "mm", 1e3);
+  return rows;
 }
 
 Json wall_rows(const ModelSpec& spec, const Model& model) {
@@ -168,6 +247,8 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
   return {{"wall", wall_rows(spec, model)},
           {"openings", openings_of(spec.wall)},
           {"materials", materials_of(spec.material)},
+          {"masonry", masonry_rows(spec.masonry)},
+          {"origins", origins_of(spec)},
           {"stages", stages},
           {"settings",
            {row("points_per_face", s.points_per_face, word_of(kPointRuleWords, s.point_rule)),

@@ -7,7 +7,8 @@
 
 namespace wythe::report {
 
-// {wall: [[key, value, unit], ...], openings, materials: {names, rows}, stages, settings, notes}
+// {wall: [[key, value, unit], ...], openings, materials: {names, rows}, masonry: [[key, value, unit], ...],
+//  origins: [[table, key, value, kind, by, inputs, formula, source], ...], stages, settings, notes}
 [[nodiscard]] Json model_inputs(const ModelSpec& spec, const Model& model);
 
 }  // namespace wythe::report

@@ -269,7 +269,47 @@ struct MaterialKeys {
   void choice(const char* name, E&, const Word<E> (&)[N], const io::Key&) {
     names.emplace_back(name);
   }
+  void texts(const char*, std::vector<std::string>&, const io::Key&) {
+  }  // origin: shown at each value
 };
+
+TEST(ModelInputs, a_value_that_was_not_given_says_rule_or_typology_with_formula_and_source) {
+  ModelSpec spec;
+  spec.material["unit"].origin = {
+      "tensile_strength 0.6 MPa: derived by unit_ft_from_fb from unit_strength 15 MPa (typical of "
+      "clay_brick_old), unit_type clay"};
+  spec.material["joint"].origin = {
+      "cohesion 0.15 MPa: typical of tuff_pozzolanic (Pulatsu et al. 2022)",
+      "friction_angle 30 deg: given as friction_tan 0.577", "no line of origin"};
+  spec.masonry.unit_strength = 15e6;
+  const Json inputs = model_inputs(spec, scenes::sample_model());
+  const Json& rows = inputs["origins"];
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0], Json({"joint", "cohesion", "0.15 MPa", "typical", "tuff_pozzolanic", "",
+                           "Neapolitan tuff in pozzolanic mortar", "Pulatsu et al. 2022"}));
+  EXPECT_EQ(rows[1][4], "friction_tan 0.577");
+  EXPECT_EQ(rows[2][4], "unit_ft_from_fb");
+  EXPECT_EQ(rows[2][5], "unit_strength 15 MPa (t: clay_brick_old), unit_type clay");
+  EXPECT_EQ(rows[2][6].get<std::string>().substr(0, 10), "ft = c2 fb");
+  EXPECT_EQ(inputs["masonry"], Json::array({{"unit_strength", 15.0, "MPa"}}));
+}
+
+// Every key of [masonry] is shown, with its name in each language.
+TEST(ModelInputs, every_key_of_the_tests_of_masonry_is_shown) {
+  ModelSpec spec;
+  MaterialKeys keys;
+  io::describe(keys, spec.masonry);
+  spec.masonry.unit_type = UnitType::kClay;
+  std::vector<std::string> shown;
+  for (const Json& row : model_inputs(spec, scenes::sample_model())["masonry"]) {
+    shown.push_back(row[0]);
+    for (const std::string& language : languages())
+      EXPECT_NO_THROW(static_cast<void>(Texts(language).say("input." + shown.back())));
+  }
+  std::sort(shown.begin(), shown.end());
+  std::sort(keys.names.begin(), keys.names.end());
+  EXPECT_EQ(shown, keys.names);
+}
 
 TEST(ModelInputs, every_key_of_a_material_is_shown_in_kilonewtons_and_megapascals) {
   ModelSpec spec;

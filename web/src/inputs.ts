@@ -52,6 +52,45 @@ function openings(list: any[]): Child {
   );
 }
 
+// Where values come from that the file does not give: a mark at each, and below the tables what it means.
+type OriginRow = [string, string, string, string, string, string, string, string];
+
+const markOf = (rows: OriginRow[], table: string, key: string): Child => {
+  const found = rows.find((r) => r[0] === table && r[1] === key && r[3] !== "given");
+  return found ? h("sup", { class: "soft" }, ` ${say(`origin.mark.${found[3]}`)}`) : null;
+};
+
+function originNotes(rows: OriginRow[], anyRule: boolean): Child {
+  if (rows.length === 0) return anyRule ? h("p", { class: "note" }, say("origin.all_given")) : null;
+  const place = (name: string): string => (name === "masonry" ? say("input.masonry") : name);
+  return h(
+    "details",
+    { class: "origins" },
+    h("summary", {}, say("origin.title")),
+    h("p", { class: "note" }, say("origin.lead")),
+    table(
+      [
+        { head: "", left: true },
+        { head: say("origin.value"), left: true },
+        { head: say("origin.kind"), left: true },
+        { head: say("origin.how"), left: true },
+      ],
+      rows.map(([name, key, value, kind, by, inputs, formula, source]) => [
+        `${place(name)}: ${say(`input.${key}`)}`,
+        value,
+        say(`origin.${kind}`),
+        [
+          h("code", {}, by),
+          inputs ? `: ${inputs}` : null,
+          formula ? h("div", {}, formula) : null,
+          source ? h("div", { class: "soft" }, source) : null,
+        ],
+      ]),
+      "",
+    ),
+  );
+}
+
 export function inputTables(inputs: any, note: string): Child {
   if (!inputs) return null;
   const wall = rowsOf(inputs.wall);
@@ -63,6 +102,8 @@ export function inputTables(inputs: any, note: string): Child {
     ].join("; "),
   ]);
   const materials = inputs.materials;
+  const origins: OriginRow[] = inputs.origins ?? [];
+  const masonry = inputs.masonry ?? [];
   return [
     note ? h("p", {}, note) : null,
     h(
@@ -82,11 +123,26 @@ export function inputTables(inputs: any, note: string): Child {
           [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: n }))],
           materials.rows.map(([key, unit, cells]: any) => [
             [say(`input.${key}`), unit ? h("span", { class: "soft" }, ` [${unit}]`) : null],
-            ...cells.map((c: unknown) => shown(c, "")),
+            ...cells.map((c: unknown, i: number) => [
+              shown(c, ""),
+              c === null ? null : markOf(origins, materials.names[i], key),
+            ]),
           ]),
           say("input.materials"),
         )
       : null,
+    masonry.length > 0
+      ? table(
+          plain,
+          masonry.map(([key, value, unit]: any) => [
+            say(`input.${key}`),
+            [shown(value, unit), markOf(origins, "masonry", key)],
+          ]),
+          say("input.masonry"),
+          "facts",
+        )
+      : null,
+    originNotes(origins, materials.names.length > 0),
     inputs.notes.length > 0
       ? [
           h("h3", {}, say("input.notes")),

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Materials by rule and typology, as a user meets them: the list, a run and its files, a stiff crack plane."""
+import json
+import pathlib
+import unittest
+
+from cli_test import SMALL, Base, wythe
+
+HEAD, STAGES = SMALL[:SMALL.index("[material.joint]")], SMALL[SMALL.index("[[stage]]"):]
+RULES = HEAD + """
+[masonry]
+unit_type = "clay"
+unit_strength = "15 MPa"
+masonry_strength = "6 MPa"
+youngs_modulus = "3 GPa"
+shear_modulus = "rule"
+unit_youngs_modulus = "9 GPa"
+initial_shear_strength = "0.2 MPa"
+friction_tan = 0.7
+vertical_stress = "0.15 MPa"
+[material.joint]
+missing = "rule"
+[material.unit]
+missing = "rule"
+""" + STAGES
+
+
+class Materials(Base):
+    def write(self, text, name="rules.toml"):
+        path = pathlib.Path(self.temporary.name) / name
+        path.write_text(text)
+        return path
+
+    def test_the_list_names_every_material_and_rule_and_each_explains_itself(self):
+        names = [line.split()[0] for line in wythe("materials").stdout.splitlines() if line.startswith("  ")]
+        self.assertGreater(len(names), 40)
+        for name in names:
+            done = wythe("materials", name)
+            self.assertEqual(done.returncode, 0, name)
+            self.assertIn("source: ", done.stdout, name)
+        done = wythe("materials", "circolare_brik_lime")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("did you mean circolare_brick_lime?", done.stderr)
+
+    def test_a_used_model_runs_again_to_the_same_bits_without_rules(self):
+        first, again = self.out, pathlib.Path(self.temporary.name) / "again"
+        done = wythe("run", self.write(RULES), "--out", first, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        used = (first / "model.used.toml").read_text()
+        self.assertNotIn('= "rule', used)
+        self.assertIn("tensile_strength 0.5", used)
+        self.assertIn("derived by unit_ft_from_fb from unit_strength 15 MPa", used)
+        wythe("run", first / "model.used.toml", "--out", again, "--quiet")
+        hashes = [json.loads((folder / "summary.json").read_text())["state_hash"] for folder in (first, again)]
+        self.assertEqual(*hashes)
+        self.assertEqual(used, (again / "model.used.toml").read_text())
+
+    def test_check_says_what_a_published_crack_plane_costs(self):
+        stiff = RULES.replace('[material.unit]\n', '[material.unit]\nnormal_stiffness = "1e6 N/mm^3"\n'
+                                                   'shear_stiffness = "1e6 N/mm^3"\n')
+        said = wythe("check", self.write(stiff)).stdout
+        self.assertIn("times as many steps", said)
+        self.assertIn("kn = Eu/(l/2), here 90 GPa/m", said)  # 2 x 9 GPa / 200 mm
+        self.assertNotIn("warning", wythe("check", self.write(RULES)).stdout)
+
+    def test_a_campaign_follows_a_varied_input(self):
+        self.write(RULES)
+        study = self.write('[study]\nmodel = "rules.toml"\nsamples = 3\nseed = 1\n[variable.fm]\n'
+                           'path = "masonry.masonry_strength"\ndistribution = "lognormal"\nmean = "6 MPa"\n'
+                           'cov = 0.2\n', "study.toml")
+        done = wythe("campaign", study, "--out", self.out, "--quiet", "--set", "stage.push.until=0.2 mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        sample = pathlib.Path(self.temporary.name) / "sample"
+        done = wythe("replay", self.out, "--sample", 2, "--out", sample, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        used = (sample / "model.used.toml").read_text()
+        self.assertIn("compressive_strength", used)
+        self.assertNotIn('compressive_strength = "6 MPa"', used)
+        self.assertIn("derived by fc_is_fm from masonry_strength", used)
+
+
+if __name__ == "__main__":
+    unittest.main()
