@@ -65,7 +65,7 @@ struct JointMaterial {
   // Principal stresses of a zone beyond which the run reports an event; the zone stays elastic [Pa].
   double tension_limit = kUnset, compression_limit = kUnset;
   // Where values come from that were not given: "cohesion 0.21 MPa: typical of ..." (io.h, origin_of).
-  std::vector<std::string> origin;
+  std::vector<std::string> origin = {};
 };
 
 // One sentence a fault: missing or inadmissible parameters and snap-back (a softening branch

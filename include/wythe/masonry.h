@@ -55,7 +55,7 @@ struct MasonrySpec {
   double joint_thickness = kNone;             // of a bed joint [m]
   double course_height = kNone;               // unit and bed joint [m]
   double unit_length = kNone;                 // unit and head joint [m]
-  std::vector<std::string> origin;            // where values come from that were not given
+  std::vector<std::string> origin = {};       // where values come from that were not given
 };
 
 }  // namespace wythe

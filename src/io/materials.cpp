@@ -64,6 +64,23 @@ std::string shown_value(double value, const Key& key) {
   return *key.unit ? format_quantity(value, key.unit, key.shown) : fmt::format("{}", value);
 }
 
+// Six digits are more than any rule or test has. Angles keep fifteen: a residual one must not be rounded
+// to above its peak.
+double rounded(double value, const Key& key) {
+  if (!std::isfinite(value)) return value;
+  const int digits = std::string_view(key.unit) == "rad" ? 15 : 6;
+  if (!*key.unit) return std::stod(fmt::format("{:.{}g}", value, digits));
+  const double shown = value / unit_factor(key.shown, key.unit);
+  return parse_quantity(fmt::format("{:.{}g} {}", shown, digits, key.shown), key.unit);
+}
+
+// What a rule gives; an input that it passes on as it is.
+double value_by(const Rule& rule, const materials::Inputs& inputs, const Key& key) {
+  const double value = rule.value(inputs);
+  const auto& in = inputs.value;
+  return std::find(in.begin(), in.end(), value) != in.end() ? value : rounded(value, key);
+}
+
 // For a message: four digits are enough.
 std::string brief(double value, const Key& key) {
   if (!std::isfinite(value)) return "unlimited";
@@ -182,7 +199,7 @@ class Resolver {
             fmt::format("write e.g. {} = 0.6", tangent));
       spoiled_.insert(under(table.path, angle));
     } else {
-      put(table, angle, std::atan(*value), Origin::kGiven,
+      put(table, angle, rounded(std::atan(*value), table.keys->at(angle)), Origin::kGiven,
           fmt::format("as {} {}", tangent, *value));
     }
     table.toml->erase(tangent);
@@ -226,12 +243,16 @@ class Resolver {
     return out;
   }
 
-  Found typical(Table& table, const Entry* entry, Role role, const std::string& key) {
+  static double value_of_datum(const Datum& datum, const Key& key) {
+    const double factor = *datum.unit ? unit_factor(datum.unit, key.unit) : 1;
+    return rounded(datum.value * factor, key);
+  }
+
+  static Found typical(const Table& table, const Entry* entry, Role role, const std::string& key) {
     const Datum* datum = entry ? materials::datum_of(*entry, role, key) : nullptr;
     if (!datum) return {};
     const Key& known = table.keys->at(key);
-    const double factor = *datum->unit ? unit_factor(datum->unit, known.unit) : 1;
-    return {datum->value * factor, fmt::format(" (typical of {})", entry->name)};
+    return {value_of_datum(*datum, known), fmt::format(" (typical of {})", entry->name)};
   }
 
   // A value of [masonry] as `table` sees it.
@@ -365,9 +386,9 @@ class Resolver {
     if (spoiled || !holds(table, key, rule, inputs)) return {kUnset, "", true};
     if (rule.by_unit_type)
       from.push_back(fmt::format("unit_type {}", word_of(kUnitTypeWords, inputs.unit_type)));
-    const double value = rule.value(inputs);
-    put(table, key, value, Origin::kDerived,
-        fmt::format("by {}{}", rule.name, from.empty() ? "" : " from " + joined(from, ", ")));
+    const std::string by = from.empty() ? "" : " from " + joined(from, ", ");
+    const double value = value_by(rule, inputs, table.keys->at(key));
+    put(table, key, value, Origin::kDerived, fmt::format("by {}{}", rule.name, by));
     return {value, fmt::format(" (by {})", rule.name)};
   }
 
@@ -483,17 +504,43 @@ class Resolver {
     table.toml->insert_or_assign("origin", std::move(lines));
   }
 
+  // What a typology of the earlier run gave to a rule: "... from NAME 0.2 MPa (typical of ENTRY), ...".
+  static const Entry* entry_in(const std::string& by, const std::string& name) {
+    constexpr std::string_view kTypicalOf = "(typical of ";
+    const std::size_t from = by.find(name + ' '), end = std::min(by.find(", ", from), by.size());
+    const std::size_t at = from == std::string::npos ? from : by.find(kTypicalOf, from);
+    if (at >= end) return nullptr;
+    const std::size_t begin = at + kTypicalOf.size();
+    return materials::entry_of(std::string_view(by).substr(begin, by.find(')', begin) - begin));
+  }
+  [[nodiscard]] double typical_input(const std::string& by, const char* name) const {
+    const Entry* entry = entry_in(by, name);
+    return entry ? typical(masonry_, entry, Role::kMasonry, name).value : kUnset;
+  }
+  static UnitType typical_type(const std::string& by) {
+    const std::size_t at = by.find("unit_type ");
+    if (at != std::string::npos)
+      for (const auto& known : kUnitTypeWords)
+        if (by.substr(at + 10) == known.word) return known.value;
+    return UnitType::kUnstated;
+  }
+
   bool gives_again(Table& table, const Origin& origin) {
     const std::string name = origin.by.substr(3, origin.by.find(' ', 3) - 3);  // "by NAME from ..."
     const Rule* rule = materials::rule_for(table.role, origin.key, name);
     if (!rule) return false;
     materials::Inputs inputs{{}, rule->by_unit_type ? unit_type(table) : UnitType::kUnstated};
-    for (const char* input_name : rule->inputs)
-      inputs.value.push_back(input(table, input_name).value);
+    if (rule->by_unit_type && inputs.unit_type == UnitType::kUnstated)
+      inputs.unit_type = typical_type(origin.by);
+    for (const char* name : rule->inputs) {
+      const Found found = input(table, name);
+      inputs.value.push_back(found.known() ? found.value : typical_input(origin.by, name));
+    }
     const bool known = std::none_of(inputs.value.begin(), inputs.value.end(),
                                     [](double value) { return std::isnan(value); });
     if (!known || !materials::holds_for(*rule, inputs.unit_type)) return false;
-    const std::string now = shown_value(rule->value(inputs), table.keys->at(origin.key));
+    const Key& key = table.keys->at(origin.key);
+    const std::string now = shown_value(value_by(*rule, inputs, key), key);
     if (now == origin.value) return true;
     fault(
         table, origin.key,
@@ -512,8 +559,7 @@ class Resolver {
     const Datum* datum = entry ? materials::datum_of(*entry, table.role, origin.key) : nullptr;
     if (!datum) return entry && origin.key == "unit_type";
     const Key& key = table.keys->at(origin.key);
-    return shown_value(datum->value * (*datum->unit ? unit_factor(datum->unit, key.unit) : 1),
-                       key) == origin.value;
+    return shown_value(value_of_datum(*datum, key), key) == origin.value;
   }
 
   void refuse_idle_overrides() {

@@ -86,7 +86,10 @@ void Writer::text(const char* name, const std::string& value, const Key& key) {
 }
 
 void Writer::texts(const char* name, const std::vector<std::string>& values, const Key& key) {
-  if (!values.empty() || key.count > 0) put(name, list_text(values, quoted), key);
+  if (key.count > 0) return put(name, list_text(values, quoted), key);
+  std::string lines;  // one sentence a line
+  for (const std::string& value : values) lines += "  " + quoted(value) + ",\n";
+  if (!lines.empty()) put(name, "[\n" + lines + "]", key);
 }
 
 std::string Writer::whole() const {

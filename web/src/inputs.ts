@@ -60,6 +60,10 @@ const markOf = (rows: OriginRow[], table: string, key: string): Child => {
   return found ? h("sup", { class: "soft" }, ` ${say(`origin.mark.${found[3]}`)}`) : null;
 };
 
+// Four digits are enough to read: 0.0724637681 MPa is 0.07246 MPa.
+const brief = (text: string): string =>
+  text.replace(/\d+\.\d{3,}(?:e[-+]?\d+)?/g, (n) => num(Number(n), 4));
+
 function originNotes(rows: OriginRow[], anyRule: boolean): Child {
   if (rows.length === 0) return anyRule ? h("p", { class: "note" }, say("origin.all_given")) : null;
   const place = (name: string): string => (name === "masonry" ? say("input.masonry") : name);
@@ -70,18 +74,17 @@ function originNotes(rows: OriginRow[], anyRule: boolean): Child {
     h("p", { class: "note" }, say("origin.lead")),
     table(
       [
-        { head: "", left: true },
         { head: say("origin.value"), left: true },
-        { head: say("origin.kind"), left: true },
         { head: say("origin.how"), left: true },
       ],
       rows.map(([name, key, value, kind, by, inputs, formula, source]) => [
-        `${place(name)}: ${say(`input.${key}`)}`,
-        value,
-        say(`origin.${kind}`),
+        [
+          `${place(name)}: ${say(`input.${key}`)}`,
+          h("div", {}, brief(value), h("span", { class: "soft" }, `, ${say(`origin.${kind}`)}`)),
+        ],
         [
           h("code", {}, by),
-          inputs ? `: ${inputs}` : null,
+          inputs ? `: ${brief(inputs)}` : null,
           formula ? h("div", {}, formula) : null,
           source ? h("div", { class: "soft" }, source) : null,
         ],
