@@ -532,9 +532,9 @@ class Resolver {
     materials::Inputs inputs{{}, rule->by_unit_type ? unit_type(table) : UnitType::kUnstated};
     if (rule->by_unit_type && inputs.unit_type == UnitType::kUnstated)
       inputs.unit_type = typical_type(origin.by);
-    for (const char* name : rule->inputs) {
-      const Found found = input(table, name);
-      inputs.value.push_back(found.known() ? found.value : typical_input(origin.by, name));
+    for (const char* wanted : rule->inputs) {
+      const Found found = input(table, wanted);
+      inputs.value.push_back(found.known() ? found.value : typical_input(origin.by, wanted));
     }
     const bool known = std::none_of(inputs.value.begin(), inputs.value.end(),
                                     [](double value) { return std::isnan(value); });

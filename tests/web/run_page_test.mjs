@@ -440,6 +440,21 @@ test("no card's text leaves its card, wide, narrow or printed", async () => {
 });
 
 // Words of a language, not of files: what stays English in the Italian page is a phrase without translation.
+test("a value that was not given is marked, and its rule or typology explained", async () => {
+  makeRun("typical_run", "typical.toml");
+  const other = await open(browser, pageOf("typical_run"));
+  const marks = async (sign) => (await other.locator("#inputs sup").allInnerTexts()).filter((t) => t.trim() === sign).length;
+  assert.equal(await marks("t"), 10);
+  assert.equal(await marks("r"), 1);
+  await other.locator("#inputs details.origins summary").click();
+  const said = await other.locator("#inputs details.origins").innerText();
+  assert.match(said, /gi_from_ft: tensile_strength 0\.15 MPa \(t: tuff_pozzolanic\)/);
+  assert.match(said, /GI = 0\.029 mm ft/);
+  assert.match(said, /Pulatsu et al\. 2022/);
+  assert.equal(await page.locator("#inputs details.origins").count(), 0);
+  assert.match(await page.locator("#inputs").innerText(), /All values are given/);
+});
+
 test("in Italian no English is left, notes and reasons included", async () => {
   makeRun("zones_it", "zones.toml");
   makeFacade("facade_it");

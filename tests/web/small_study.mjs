@@ -153,6 +153,11 @@ const kCyclic = changed(kModel, [
 // Pushed no farther than that; drawn so that the inputs are correlated.
 const shortModel = (until) =>
   changed(kModel, ['until = "18 mm"', `until = "${until}"`], ['states = ["6 mm", "12 mm"]', ""]);
+// Joints of a typology, one energy by rule.
+const kTypical = changed(
+  shortModel("1 mm"),
+  [joint("joint", 0.15, 0.15, 20), '[material.joint]\nuse = "tuff_pozzolanic"\nmode_1_energy = "rule"\n'],
+);
 const shortStudy = (model) =>
   changed(
     kStudy,
@@ -167,6 +172,7 @@ export function writeInputs() {
     ["model.toml", kModel],
     ["study.toml", kStudy],
     ["zones.toml", kZones],
+    ["typical.toml", kTypical],
     ["cyclic.toml", kCyclic],
     ["rising_model.toml", shortModel("1 mm")], // hardly a wall reaches its peak
     ["rising.toml", shortStudy("rising_model.toml")],
