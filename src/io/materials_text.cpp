@@ -24,9 +24,8 @@ std::string with_unit(double value, const char* unit) {
 }
 
 std::string place_of(Role role) {
-  return role == Role::kMasonry ? "masonry"
-         : role == Role::kUnit  ? "material.unit"
-                                : "material.joint";
+  if (role == Role::kMasonry) return "masonry";
+  return std::string("material.") + (role == Role::kUnit ? "unit" : "joint");
 }
 
 std::string list_text() {

@@ -301,7 +301,8 @@ TEST(ModelInputs, every_key_of_the_tests_of_masonry_is_shown) {
   io::describe(keys, spec.masonry);
   spec.masonry.unit_type = UnitType::kClay;
   std::vector<std::string> shown;
-  for (const Json& row : model_inputs(spec, scenes::sample_model())["masonry"]) {
+  const Json inputs = model_inputs(spec, scenes::sample_model());
+  for (const Json& row : inputs["masonry"]) {
     shown.push_back(row[0]);
     for (const std::string& language : languages())
       EXPECT_NO_THROW(static_cast<void>(Texts(language).say("input." + shown.back())));
