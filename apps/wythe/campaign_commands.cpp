@@ -290,15 +290,6 @@ int replay(const ReplayArguments& a) {
 
 namespace {
 
-// A reason but for its numbers, which differ from sample to sample.
-std::string kind_of(const std::string& reason) {
-  std::string kind;
-  for (const char c : reason)
-    if (c < '0' || c > '9') kind += c;
-  std::erase_if(kind, [](char c) { return c == '.' || c == '-' || c == '+'; });
-  return kind;
-}
-
 // "1, 5, 9 and 12 more"
 std::string some_of(const std::vector<int>& samples) {
   constexpr std::size_t kShown = 10;
@@ -310,6 +301,7 @@ std::string some_of(const std::vector<int>& samples) {
                                  : text + fmt::format(" and {} more", samples.size() - shown);
 }
 
+// Samples refused at the same key share a line.
 void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   struct Refused {
     std::string first;
@@ -317,13 +309,13 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   };
   std::map<std::string, Refused> refused;
   for (int s = 0; s < samples.n_sample(); ++s) {
-    const std::string why = refusal_of(samples, s, build);
+    const std::vector<Fault> why = refusal_of(samples, s, build);
     if (why.empty()) continue;
-    Refused& same = refused[kind_of(why)];
-    if (same.samples.empty()) same.first = why;
+    Refused& same = refused[why.front().path];
+    if (same.samples.empty()) same.first = in_one_line(why);
     same.samples.push_back(s + 1);
   }
-  for (const auto& [kind, r] : refused)
+  for (const auto& [path, r] : refused)
     fmt::print("{} sample{} will be refused ({}), e.g. {}\n", r.samples.size(),
                r.samples.size() == 1 ? "" : "s", some_of(r.samples), r.first);
 }

@@ -103,7 +103,7 @@ State engine_after(int steps) {
   State state = wall.held;
   dynamics::Processor processor(wall.model, 1);
   processor.put(0, wall.model, state);
-  processor.place(0)->choose_driven(wall.push().driven);
+  processor.access(0)->choose_driven(wall.push().driven);
   dynamics::Controls controls;
   controls.dt = wall.dt;
   controls.damping = kLambda;
@@ -129,7 +129,7 @@ void check_bare_kernels() {
 
 Cost engine_cost(int lanes) {
   const Model& m = cracked().model;
-  using Access = dynamics::Walls<Counted, 1>;
+  using Access = dynamics::WallLanes<Counted, 1>;
   const dynamics::Layout layout(m, dynamics::Layout::kWalls);
   dynamics::Memory memory;
   const dynamics::Tables t = dynamics::make_tables(layout, m, 1, memory);

@@ -97,7 +97,7 @@ void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels
   State s = wall.state;
   dynamics::Processor processor(wall.model, 1, threads, kernels);
   processor.put(0, wall.model, s);
-  processor.place(0)->choose_driven(wall.push().driven);
+  processor.access(0)->choose_driven(wall.push().driven);
   processor.set(0, push_controls());
   for (auto _ : bench) processor.step();
   report(bench, wall.model.n_point(), engine_cost(1));
@@ -114,7 +114,7 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
     for (int lane = 0; lane < lanes; ++lane) {
       processor.put(lane, wall.model,
                     states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
-      processor.place(lane)->choose_driven(wall.push().driven);
+      processor.access(lane)->choose_driven(wall.push().driven);
       processor.set(lane, push_controls());
     }
   }

@@ -33,7 +33,7 @@ struct SampleRecord {
   std::vector<Feature> features;
   std::vector<Event> events;
   EnergyLedger energy;
-  QuasiStatic quasi_static;
+  RateVerdict quasi_static;
   std::vector<CurveRow> curve;
   std::int64_t steps = 0;
   double time_step = 0;     // [s]

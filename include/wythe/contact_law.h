@@ -72,7 +72,8 @@ struct JointMaterial {
 // steeper than the elastic one, which no displacement path can follow), each with its numbers.
 struct MaterialFault {
   std::string key;      // e.g. "mode_1_energy"
-  std::string problem;  // with the numbers
+  std::string value;    // "0.1 N/m", empty when missing
+  std::string problem;  // with the other numbers
   std::string cure;
 };
 [[nodiscard]] std::vector<MaterialFault> check_joint_material(const JointMaterial& material);

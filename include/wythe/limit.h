@@ -220,7 +220,7 @@ struct ComparedRun {
   double load_factor = 0;  // of a body force or tilt
   // Its capacity [N]. NaN: the run says that it has none. Unset: it says nothing, take its highest force.
   std::optional<double> capacity = {};
-  std::string judgement = {};  // of the run on its own push rate: QuasiStatic::judgement
+  std::string judgement = {};  // of the run on its own push rate: RateVerdict::judgement
   Message rate_verdict = {};   // with its reason and cure
   double bound = -1;           // limit load of its own model, where it has one [N] or [-]
   std::string no_bound = {};   // why `bound` is missing

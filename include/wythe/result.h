@@ -161,7 +161,7 @@ struct EnergyLedger {
 
 // How nearly static the push was at its peak, in numbers and in words (docs/theory/integration.md,
 // "Is it static enough?"). NaN: not known.
-struct QuasiStatic {
+struct RateVerdict {
   double unbalance_ratio_mean = 0, unbalance_ratio_max = 0;  // over the rows around the peak
   double kinetic_ratio_mean = 0, kinetic_ratio_max = 0;      // over the rows around the peak
   double shear_gap = 0;      // |mean of (reaction - base shear)| / peak, rows around the peak
@@ -278,7 +278,7 @@ struct Result {
   StageKind curve_of = StageKind::kPush;  // what drove the curve
   Responses responses;
   EnergyLedger energy;
-  QuasiStatic quasi_static;
+  RateVerdict quasi_static;
   Validity validity;
   std::vector<Event> events;
   std::vector<double>

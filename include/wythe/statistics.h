@@ -203,7 +203,7 @@ struct Statistics {
   double read_modes_at = kUnset;         // where modes are to be read [m]
   int replicates = 0;                    // of every bootstrap
   std::map<std::string, int> status;     // of the samples that ran
-  std::map<std::string, int> judgement;  // of the samples with a curve: QuasiStatic::judgement
+  std::map<std::string, int> judgement;  // of the samples with a curve: RateVerdict::judgement
   std::vector<Unanswered> unanswered;
   std::vector<std::string> modes;  // FM-1 ... FM-5 where any occurs, other names, "unclear"
   std::vector<InputSummary> input;

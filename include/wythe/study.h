@@ -132,12 +132,14 @@ struct SampleTable {
 // Makes the ModelSpec of the base model with settings; io.h has the one that reads TOML.
 using ModelBuilder = std::function<ModelSpec(const std::vector<std::string>& settings)>;
 
-// "" when the model with these settings compiles, otherwise the reason in one line: a strength
-// below zero, snap-back, an inadmissible friction angle, a value that is not finite, ...
-[[nodiscard]] std::string refusal_of(const std::vector<std::string>& settings,
-                                     const ModelBuilder& build);
+// None when the model with these settings compiles, otherwise why not: a strength below zero,
+// snap-back, an inadmissible friction angle, a value that is not finite, ...
+[[nodiscard]] std::vector<Fault> refusal_of(const std::vector<std::string>& settings,
+                                            const ModelBuilder& build);
 // The same of a drawn sample (0-based); an input that is not finite is named by its formula's name.
-[[nodiscard]] std::string refusal_of(const SampleTable& samples, int sample,
-                                     const ModelBuilder& build);
+[[nodiscard]] std::vector<Fault> refusal_of(const SampleTable& samples, int sample,
+                                            const ModelBuilder& build);
+// A refusal in one line: the first fault, its numbers to six digits, and how many more; "" of none.
+[[nodiscard]] std::string in_one_line(const std::vector<Fault>& refusal);
 
 }  // namespace wythe

@@ -48,16 +48,19 @@ class Checker {
   }
 
  private:
-  void fault(const char* key, std::string problem, std::string cure) {
-    faults_.push_back({key, std::move(problem), std::move(cure)});
+  void fault(const char* key, std::string value, std::string problem, std::string cure) {
+    faults_.push_back({key, std::move(value), std::move(problem), std::move(cure)});
   }
+
+  static std::string degrees(double angle) { return fmt::format("{:g} deg", angle * 180 / kPi); }
 
   void require(const char* key, double value, double low, bool strict, const char* cure) {
     if (std::isnan(value)) {
-      fault(key, "is missing; a physical parameter has no default",
+      fault(key, "", "is missing; a physical parameter has no default",
             fmt::format("add {} = {}", key, cure));
     } else if (strict ? value <= low : value < low) {
-      fault(key, fmt::format("is {:g}, must be {} {:g}", value, strict ? "above" : "at least", low),
+      fault(key, fmt::format("{:g}", value),
+            fmt::format("must be {} {:g}", strict ? "above" : "at least", low),
             fmt::format("write e.g. {} = {}", key, cure));
     }
   }
@@ -78,7 +81,7 @@ class Checker {
 
   void check_angle(const char* key, double angle) {
     if (angle >= kPi / 2)
-      fault(key, fmt::format("is {:g} deg, must be below 90 deg", angle * 180 / kPi),
+      fault(key, degrees(angle), "must be below 90 deg",
             fmt::format("write e.g. {} = \"30 deg\"", key));
   }
 
@@ -88,14 +91,14 @@ class Checker {
                     double already_spent = 0) {
     const double least = already_spent + steepest * strength * strength / stiffness;
     if (std::isnan(energy)) {
-      fault(key, fmt::format("is missing while {} is {:g} MPa", what, strength * 1e-6),
+      fault(key, "", fmt::format("is missing while {} is {:g} MPa", what, strength * 1e-6),
             fmt::format("add {} = {}", key, example));
     } else if (energy <= least) {
-      fault(key,
-            fmt::format("is {:g} N/m: snap-back, with {} {:g} MPa and stiffness {:g} GPa/m the "
-                        "softening branch is steeper than the elastic one and no displacement path "
-                        "can follow it",
-                        energy, what, strength * 1e-6, stiffness * 1e-9),
+      fault(key, fmt::format("{:g} N/m", energy),
+            fmt::format("gives snap-back: with {} {:g} MPa and stiffness {:g} GPa/m the softening "
+                        "branch is steeper than the elastic one and no displacement path can "
+                        "follow it",
+                        what, strength * 1e-6, stiffness * 1e-9),
             fmt::format("raise {} above {:g} N/m or lower the strength", key, least));
     }
   }
@@ -112,14 +115,12 @@ class Checker {
                    contact::steepest_slope(m_.softening), "the drop from peak to residual shear",
                    "\"125 N/m\"");
     if (m_.residual_friction_angle > m_.friction_angle)
-      fault("residual_friction_angle",
-            fmt::format("is {:g} deg, above friction_angle {:g} deg",
-                        m_.residual_friction_angle * 180 / kPi, m_.friction_angle * 180 / kPi),
+      fault("residual_friction_angle", degrees(m_.residual_friction_angle),
+            "is above friction_angle " + degrees(m_.friction_angle),
             "write a residual no greater than the peak");
     if (m_.residual_cohesion > m_.cohesion)
-      fault("residual_cohesion",
-            fmt::format("is {:g} MPa, above cohesion {:g} MPa", m_.residual_cohesion * 1e-6,
-                        m_.cohesion * 1e-6),
+      fault("residual_cohesion", fmt::format("{:g} MPa", m_.residual_cohesion * 1e-6),
+            fmt::format("is above cohesion {:g} MPa", m_.cohesion * 1e-6),
             "write a residual no greater than the peak");
   }
 
@@ -142,10 +143,9 @@ class Checker {
 
   void refuse_hardening() {
     fault(
-        "hardening_displacement",
-        fmt::format(
-            "is {:g} mm: hardening alone takes {:g} N/m, and compressive_energy is {:g} N/m",
-            m_.hardening_displacement * 1e3, hardening_energy(), m_.compressive_energy),
+        "hardening_displacement", fmt::format("{:g} mm", m_.hardening_displacement * 1e3),
+        fmt::format("makes hardening alone take {:g} N/m, and compressive_energy is {:g} N/m",
+                    hardening_energy(), m_.compressive_energy),
         fmt::format("write less than {:g} mm or raise compressive_energy",
                     m_.hardening_displacement * 1e3 * m_.compressive_energy / hardening_energy()));
   }
@@ -153,7 +153,7 @@ class Checker {
   void check_cap() {
     const auto positive = [&](const char* key, double value, const char* cure) {
       if (!std::isnan(value) && !(value > 0 && std::isfinite(value)))
-        fault(key, fmt::format("is {:g}, must be above 0", value), cure);
+        fault(key, fmt::format("{:g}", value), "must be above 0", cure);
     };
     positive("compression_cap", m_.compression_cap,
              "write e.g. compression_cap = 9, or leave it out for no cap");
@@ -166,14 +166,15 @@ class Checker {
          {std::pair{"compression_cap", m_.compression_cap},
           std::pair{"hardening_displacement", m_.hardening_displacement}})
       if (value > 0 && !std::isfinite(m_.compressive_strength))
-        fault(key, "has no meaning where compressive_strength is unlimited",
+        fault(key, fmt::format("{:g}", value),
+              "has no meaning where compressive_strength is unlimited",
               fmt::format("give compressive_strength, or leave {} out", key));
     const double at_rest = m_.compressive_strength / std::sqrt(m_.compression_cap);
     if (m_.compression_cap > 0 && m_.cohesion >= at_rest)
-      fault("compression_cap",
-            fmt::format("is {:g}: without pressure the cap allows a shear stress of {:g} MPa, and "
-                        "cohesion is {:g} MPa, so that cap and friction never meet",
-                        m_.compression_cap, at_rest * 1e-6, m_.cohesion * 1e-6),
+      fault("compression_cap", fmt::format("{:g}", m_.compression_cap),
+            fmt::format("allows a shear stress of {:g} MPa without pressure, and cohesion is {:g} "
+                        "MPa, so that cap and friction never meet",
+                        at_rest * 1e-6, m_.cohesion * 1e-6),
             fmt::format("write less than {:g} or a smaller cohesion",
                         std::pow(m_.compressive_strength / m_.cohesion, 2)));
     check_dilatancy();
@@ -183,13 +184,14 @@ class Checker {
     const bool fades = m_.dilatancy_slip > 0 || m_.dilatancy_pressure > 0;
     if (std::isnan(m_.dilatancy_angle)) {
       if (fades)
-        fault("dilatancy_angle", "is missing, and dilatancy_slip or dilatancy_pressure is given",
+        fault("dilatancy_angle", "",
+              "is missing, and dilatancy_slip or dilatancy_pressure is given",
               "add dilatancy_angle = \"5 deg\", or leave the others out");
     } else if (m_.dilatancy_angle < 0 || m_.dilatancy_angle > m_.residual_friction_angle) {
-      fault("dilatancy_angle",
-            fmt::format("is {:g} deg, must be from 0 to residual_friction_angle {:g} deg: beyond "
-                        "it sliding would make energy",
-                        m_.dilatancy_angle * 180 / kPi, m_.residual_friction_angle * 180 / kPi),
+      fault("dilatancy_angle", degrees(m_.dilatancy_angle),
+            fmt::format("must be from 0 to residual_friction_angle {}: beyond it sliding would "
+                        "make energy",
+                        degrees(m_.residual_friction_angle)),
             "write a smaller angle");
     }
   }

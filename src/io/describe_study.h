@@ -1,4 +1,4 @@
-// The description of a study file, for the same visitors as describe.h: Reader, Writer.
+// The description of a study file, for the same visitors as describe.h: TableReader, Writer.
 //
 //   describe(v, StudyHead)         [study], but for samples and seed (study_file.cpp)
 //   describe(v, VariableTable)     [variable.<name>], but for values

@@ -30,13 +30,13 @@ bool is_law_key(std::string_view name) {
 
 namespace {
 
-bool is_law(const Reader& reader) {
+bool is_law(const TableReader& reader) {
   return std::any_of(kLawKeys.begin(), kLawKeys.end(),
                      [&](std::string_view name) { return reader.has(name); });
 }
 
 // A refused value stays unset; what the law says then about missing keys follows from that.
-bool has_law_fault(Reader& reader) {
+bool has_law_fault(TableReader& reader) {
   return std::any_of(kLawKeys.begin(), kLawKeys.end(), [&](std::string_view name) {
     return reader.context().has_fault_at(reader.below(std::string(name)));
   });
@@ -44,7 +44,7 @@ bool has_law_fault(Reader& reader) {
 
 }  // namespace
 
-void finish(Reader& reader, JointMaterial& material) {
+void finish(TableReader& reader, JointMaterial& material) {
   if (!is_law(reader)) return;
   const bool half_read = has_law_fault(reader);
   for (const MaterialFault& fault : check_joint_material(material)) {

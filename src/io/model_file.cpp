@@ -13,14 +13,14 @@
 namespace wythe {
 namespace io {
 
-void finish(Reader& reader, ContactRule&) {
+void finish(TableReader& reader, ContactRule&) {
   if (!reader.has("between")) reader.miss("between", "is missing, a contact rule needs it");
   if (!reader.has("material"))
     reader.miss("material", "is missing, a contact rule needs it",
                 "write e.g. material = \"joint\"");
 }
 
-void finish(Reader& reader, ModelSpec& model) {
+void finish(TableReader& reader, ModelSpec& model) {
   if (model.stage.empty() && !reader.context().has_fault_at("stage"))
     reader.miss("stage", "is missing, a model needs at least one stage",
                 "write [[stage]] and under it name = \"gravity\"");

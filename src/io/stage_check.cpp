@@ -22,23 +22,23 @@ std::string words_of(Kinds kinds) {
 bool is_one_kind(Kinds kinds) { return kinds != 0 && (kinds & (kinds - 1)) == 0; }
 
 // Union of the kinds that the keys present belong to alone.
-Kinds told_kinds(const Reader& reader) {
+Kinds told_kinds(const TableReader& reader) {
   Kinds told = 0;
-  for (const Reader::Entry& entry : reader.entries())
+  for (const TableReader::Entry& entry : reader.entries())
     if (entry.node && is_one_kind(entry.key.kinds)) told |= entry.key.kinds;
   return told;
 }
 
-std::string telling_keys(const Reader& reader) {
+std::string telling_keys(const TableReader& reader) {
   std::vector<std::string> out;
-  for (const Reader::Entry& entry : reader.entries())
+  for (const TableReader::Entry& entry : reader.entries())
     if (entry.node && is_one_kind(entry.key.kinds))
       out.push_back(fmt::format("{} ({})", entry.name, words_of(entry.key.kinds)));
   return joined(out, ", ");
 }
 
 // Sets stage.kind; false when the keys don't settle it.
-bool tell_kind(Reader& reader, StageSpec& stage) {
+bool tell_kind(TableReader& reader, StageSpec& stage) {
   if (reader.has("kind")) return !reader.context().has_fault_at(reader.below("kind"));
   const Kinds told = told_kinds(reader);
   if (told == 0) {
@@ -58,8 +58,8 @@ bool tell_kind(Reader& reader, StageSpec& stage) {
   return true;
 }
 
-void refuse_foreign_keys(Reader& reader, StageKind kind) {
-  for (const Reader::Entry& entry : reader.entries()) {
+void refuse_foreign_keys(TableReader& reader, StageKind kind) {
+  for (const TableReader::Entry& entry : reader.entries()) {
     const bool foreign = entry.key.kinds != 0 && !(entry.key.kinds & kind_bit(kind));
     if (entry.node && foreign)
       reader.refuse(entry.name,
@@ -69,15 +69,15 @@ void refuse_foreign_keys(Reader& reader, StageKind kind) {
 }
 
 // Of the keys that belong to its kind, those that describe.h calls required.
-void need_keys(Reader& reader, StageKind kind) {
-  for (const Reader::Entry& entry : reader.entries())
+void need_keys(TableReader& reader, StageKind kind) {
+  for (const TableReader::Entry& entry : reader.entries())
     if (!entry.node && (entry.key.kinds & kind_bit(kind)) &&
         std::string_view(entry.key.fallback) == kRequired)
       reader.miss(entry.name,
                   fmt::format("is missing, a {} stage needs it", word_of(kStageKindWords, kind)));
 }
 
-void check_load(Reader& reader) {
+void check_load(TableReader& reader) {
   const auto is_given = [&](const char* name) { return reader.has(name); };
   const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load"};
   const auto given = std::count_if(loads.begin(), loads.end(), is_given);
@@ -89,7 +89,7 @@ void check_load(Reader& reader) {
                         "make them separate stages");
 }
 
-void check_place(Reader& reader, const PlaceSpec& at) {
+void check_place(TableReader& reader, const PlaceSpec& at) {
   const bool has_x = at.x == at.x, has_y = at.y == at.y;
   const bool has_width = at.width == at.width, has_height = at.height == at.height;
   const int ways = (has_x || has_y ? 1 : 0) + (at.block.empty() ? 0 : 1) + (at.beam ? 1 : 0);
@@ -104,14 +104,14 @@ void check_place(Reader& reader, const PlaceSpec& at) {
 }
 
 // True when a value below `at` was refused already; its place is then half known.
-bool place_has_faults(Reader& reader) {
+bool place_has_faults(TableReader& reader) {
   const std::string path = reader.below("at");
   for (const char* name : {"x", "y", "width", "height", "block", "beam"})
     if (reader.context().has_fault_at(under(path, name))) return true;
   return false;
 }
 
-void check_push(Reader& reader, const StageSpec& stage) {
+void check_push(TableReader& reader, const StageSpec& stage) {
   if (stage.fast_velocity < stage.velocity)
     reader.refuse("fast_velocity", "is slower than velocity",
                   "write a faster one, or leave it out for one velocity throughout");
@@ -131,7 +131,7 @@ void check_push(Reader& reader, const StageSpec& stage) {
   if (reader.has("at") && !place_has_faults(reader)) check_place(reader, stage.at);
 }
 
-void check_manner(Reader& reader, const StageSpec& stage) {
+void check_manner(TableReader& reader, const StageSpec& stage) {
   if (!reader.has("as") || stage.as == Manner::kDefault) return;
   const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
   if (stage.kind == StageKind::kLoad && !of_load)
@@ -143,7 +143,7 @@ void check_manner(Reader& reader, const StageSpec& stage) {
     reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
 }
 
-void check_direction(Reader& reader, const StageSpec& stage) {
+void check_direction(TableReader& reader, const StageSpec& stage) {
   const bool sideways =
       stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
   const bool tilts = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
@@ -154,7 +154,7 @@ void check_direction(Reader& reader, const StageSpec& stage) {
 }
 
 // What a kind asks beyond its required keys.
-void check_needs(Reader& reader, const StageSpec& stage) {
+void check_needs(TableReader& reader, const StageSpec& stage) {
   need_keys(reader, stage.kind);
   if (stage.kind == StageKind::kLoad) check_load(reader);
   if (stage.kind == StageKind::kPush) check_push(reader, stage);
@@ -162,7 +162,7 @@ void check_needs(Reader& reader, const StageSpec& stage) {
 
 }  // namespace
 
-void finish(Reader& reader, StageSpec& stage) {
+void finish(TableReader& reader, StageSpec& stage) {
   if (!reader.has("name"))
     reader.miss("name", "is missing, a stage needs one", "write e.g. name = \"push\"");
   else if (stage.name.empty() && !reader.context().has_fault_at(reader.below("name")))

@@ -114,7 +114,7 @@ class StudyReader {
                      "write [study] and under it model, samples, seed");
       return;
     }
-    Reader reader(context_, *table, "study");
+    TableReader reader(context_, *table, "study");
     StudyHead head{study_, ""};
     describe(reader, head);
     read_samples(reader);
@@ -126,7 +126,7 @@ class StudyReader {
   }
 
   // A number, or the sizes of designs drawn one after another.
-  void read_samples(Reader& reader) {
+  void read_samples(TableReader& reader) {
     const toml::node* node = reader.find("samples", {.range = {.low = 2}, .example = "250"});
     if (!node) {
       reader.miss("samples", "is missing");
@@ -149,7 +149,7 @@ class StudyReader {
   }
 
   // Up to 2^63 - 1 as TOML holds it, up to 2^64 - 1 as a text.
-  void read_seed(Reader& reader) {
+  void read_seed(TableReader& reader) {
     const toml::node* node = reader.find("seed", {.example = "2026"});
     if (!node) {
       reader.miss("seed", "is missing; without it the samples could not be drawn again");
@@ -162,7 +162,7 @@ class StudyReader {
       reader.refuse("seed", "must be a whole number from 0", "write e.g. seed = 2026");
   }
 
-  void read_fractions(Reader& reader) {
+  void read_fractions(TableReader& reader) {
     const toml::node* node = reader.find("fractions", {.example = "[0.8, 0.5]"});
     if (!node) return;
     const toml::array* list = node->as_array();
@@ -175,7 +175,7 @@ class StudyReader {
     for (const toml::node& item : *list) study_.fractions.push_back(*item.value<double>());
   }
 
-  void read_model_text(Reader& reader, const std::string& model) {
+  void read_model_text(TableReader& reader, const std::string& model) {
     if (model.empty()) {
       if (!context_.has_fault_at("study.model")) reader.miss("model", "is missing");
       return;
@@ -306,7 +306,7 @@ class StudyReader {
     if (variable.si_unit.empty()) spoiled_.push_back(place);  // its amounts can't be read
     const VariableKeys keys{range, with_ends(range), "1 " + variable.unit};
     const std::string unit = variable.unit;
-    Reader reader(context_, table, place);
+    TableReader reader(context_, table, place);
     VariableTable described{variable, keys};
     describe(reader, described);
     settle(variable, place, unit);
@@ -322,7 +322,7 @@ class StudyReader {
     if (input.unit.empty()) input.unit = unit;
   }
 
-  void read_values(Reader& reader, VariableSpec& variable) {
+  void read_values(TableReader& reader, VariableSpec& variable) {
     const toml::node* node = reader.find("values", {});
     const bool empirical = variable.distribution == DistributionKind::kEmpirical;
     for (const char* name : {"file", "column", "values"})
@@ -336,7 +336,7 @@ class StudyReader {
       read_measured_values(reader, variable);
   }
 
-  void read_listed_values(Reader& reader, const toml::node& node, VariableSpec& variable) {
+  void read_listed_values(TableReader& reader, const toml::node& node, VariableSpec& variable) {
     const bool plain = variable.si_unit == "1";
     const std::string cure = plain ? "write e.g. values = [0.4, 0.5]"
                                    : fmt::format("write e.g. values = [\"1 {}\"]", variable.unit);
@@ -355,7 +355,7 @@ class StudyReader {
       }
   }
 
-  void read_measured_values(Reader& reader, VariableSpec& variable) {
+  void read_measured_values(TableReader& reader, VariableSpec& variable) {
     FaultList faults;
     const ColumnRequest request{
         .file = beside(context_.file, variable.file),
@@ -378,7 +378,7 @@ class StudyReader {
     Range range;
     if (table.contains("path") || table.contains("unit")) resolve(table, place, dependent, range);
     const std::string unit = dependent.unit;
-    Reader reader(context_, table, place);
+    TableReader reader(context_, table, place);
     DependentTable described{dependent};
     describe(reader, described);
     settle(dependent, place, unit);
@@ -423,7 +423,7 @@ class StudyReader {
   }
 
   void read_correlation(const toml::table& table, const std::string& place) {
-    Reader reader(context_, table, place);
+    TableReader reader(context_, table, place);
     PairTable pair;
     describe(reader, pair);
     reader.refuse_unknown();

@@ -34,9 +34,9 @@ bool is_at_or_above(const std::string& above, const std::string& path) {
   return path == above || path.starts_with(above + '.');
 }
 
-std::vector<std::string> names_of(const std::vector<Reader::Entry>& entries) {
+std::vector<std::string> names_of(const std::vector<TableReader::Entry>& entries) {
   std::vector<std::string> names;
-  for (const Reader::Entry& entry : entries) names.push_back(entry.name);
+  for (const TableReader::Entry& entry : entries) names.push_back(entry.name);
   return names;
 }
 
@@ -86,7 +86,7 @@ bool ReadContext::has_fault_at(const std::string& path) const {
 
 // --- single values -------------------------------------------------------------------------------
 
-std::optional<double> Reader::unlimited(const std::string& text, const Key& key) {
+std::optional<double> TableReader::unlimited(const std::string& text, const Key& key) {
   if (!key.may_be_unlimited) return std::nullopt;
   std::string_view word = trimmed(text);
   if (word == "unlimited") return kUnlimited;
@@ -100,8 +100,8 @@ std::optional<double> Reader::unlimited(const std::string& text, const Key& key)
   }
 }
 
-std::optional<double> Reader::read_quantity(const toml::node& node, const std::string& path,
-                                            const char* name, const Key& key) {
+std::optional<double> TableReader::read_quantity(const toml::node& node, const std::string& path,
+                                                 const char* name, const Key& key) {
   const std::string example = example_text(name, key, ValueKind::kQuantity);
   const auto refuse_value = [&](const std::string& problem, const std::string& cure) {
     context_.fault(path, line_of(node), shown(node), problem, cure);
@@ -126,13 +126,13 @@ std::optional<double> Reader::read_quantity(const toml::node& node, const std::s
   }
 }
 
-void Reader::quantity(const char* name, double& value, const Key& key) {
+void TableReader::quantity(const char* name, double& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   if (const auto read = read_quantity(*node, below(name), name, key)) value = *read;
 }
 
-void Reader::quantities(const char* name, std::vector<double>& values, const Key& key) {
+void TableReader::quantities(const char* name, std::vector<double>& values, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const toml::array* array = node->as_array();
@@ -147,7 +147,7 @@ void Reader::quantities(const char* name, std::vector<double>& values, const Key
   }
 }
 
-void Reader::number(const char* name, double& value, const Key& key) {
+void TableReader::number(const char* name, double& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const auto read = node->is_number() ? node->value<double>() : std::nullopt;
@@ -163,7 +163,7 @@ void Reader::number(const char* name, double& value, const Key& key) {
   }
 }
 
-void Reader::integer(const char* name, int& value, const Key& key) {
+void TableReader::integer(const char* name, int& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const auto* read = node->as_integer();
@@ -179,7 +179,7 @@ void Reader::integer(const char* name, int& value, const Key& key) {
   }
 }
 
-void Reader::flag(const char* name, bool& value, const Key& key) {
+void TableReader::flag(const char* name, bool& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const auto* read = node->as_boolean();
@@ -191,7 +191,7 @@ void Reader::flag(const char* name, bool& value, const Key& key) {
   }
 }
 
-void Reader::text(const char* name, std::string& value, const Key& key) {
+void TableReader::text(const char* name, std::string& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const auto* read = node->as_string();
@@ -202,7 +202,7 @@ void Reader::text(const char* name, std::string& value, const Key& key) {
   }
 }
 
-void Reader::texts(const char* name, std::vector<std::string>& values, const Key& key) {
+void TableReader::texts(const char* name, std::vector<std::string>& values, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const toml::array* array = node->as_array();
@@ -219,7 +219,7 @@ void Reader::texts(const char* name, std::vector<std::string>& values, const Key
   for (const toml::node& item : *array) values.push_back(item.as_string()->get());
 }
 
-int Reader::choose(const char* name, const std::vector<std::string>& words, const Key& key) {
+int TableReader::choose(const char* name, const std::vector<std::string>& words, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return -1;
   const auto* read = node->as_string();
@@ -234,7 +234,7 @@ int Reader::choose(const char* name, const std::vector<std::string>& words, cons
 
 // --- tables --------------------------------------------------------------------------------------
 
-const toml::table* Reader::as_table(const toml::node& node, const std::string& name) {
+const toml::table* TableReader::as_table(const toml::node& node, const std::string& name) {
   if (const toml::table* table = node.as_table()) return table;
   const std::string path = below(name);
   const bool numbered = path.find_first_of("0123456789") != std::string::npos;
@@ -244,7 +244,7 @@ const toml::table* Reader::as_table(const toml::node& node, const std::string& n
   return nullptr;
 }
 
-const toml::array* Reader::as_list_of_tables(const toml::node& node, const std::string& name) {
+const toml::array* TableReader::as_list_of_tables(const toml::node& node, const std::string& name) {
   const toml::array* array = node.as_array();
   const bool good = array && std::all_of(array->begin(), array->end(),
                                          [](const toml::node& item) { return item.is_table(); });
@@ -254,30 +254,31 @@ const toml::array* Reader::as_list_of_tables(const toml::node& node, const std::
   return nullptr;
 }
 
-const toml::node* Reader::find(const char* name, const Key& key) {
+const toml::node* TableReader::find(const char* name, const Key& key) {
   const toml::node* node = table_.get(name);
   entries_.push_back({name, key, node});
   return node;
 }
 
-const Reader::Entry* Reader::entry(std::string_view name) const {
+const TableReader::Entry* TableReader::entry(std::string_view name) const {
   for (const Entry& entry : entries_)
     if (entry.name == name) return &entry;
   return nullptr;
 }
 
-bool Reader::has(std::string_view name) const {
+bool TableReader::has(std::string_view name) const {
   const Entry* found = entry(name);
   return found && found->node;
 }
 
-void Reader::refuse(std::string_view name, const std::string& problem, const std::string& cure) {
+void TableReader::refuse(std::string_view name, const std::string& problem,
+                         const std::string& cure) {
   const toml::node* node = table_.get(name);
   context_.fault(below(std::string(name)), node ? line_of(*node) : line_of(table_),
                  node ? shown(*node) : "", problem, cure);
 }
 
-void Reader::miss(std::string_view name, const std::string& problem, const std::string& cure) {
+void TableReader::miss(std::string_view name, const std::string& problem, const std::string& cure) {
   const Entry* found = entry(name);
   std::string advice = cure;
   if (advice.empty() && found) {
@@ -287,19 +288,19 @@ void Reader::miss(std::string_view name, const std::string& problem, const std::
   context_.fault(below(std::string(name)), line_of(table_), "", problem, advice);
 }
 
-void Reader::refuse_member(std::string_view list, std::size_t index, std::string_view name,
-                           const std::string& problem, const std::string& cure) {
+void TableReader::refuse_member(std::string_view list, std::size_t index, std::string_view name,
+                                const std::string& problem, const std::string& cure) {
   const auto item = table_[list][index][name];
   const std::string path = fmt::format("{}.{}.{}", below(std::string(list)), index, name);
   context_.fault(path, item ? line_of(*item.node()) : 0, item ? shown(*item.node()) : "", problem,
                  cure);
 }
 
-void Reader::refuse_table(const std::string& problem, const std::string& cure) {
+void TableReader::refuse_table(const std::string& problem, const std::string& cure) {
   context_.fault(path_, line_of(table_), "", problem, cure);
 }
 
-void Reader::refuse_unknown() {
+void TableReader::refuse_unknown() {
   const std::vector<std::string> known = names_of(entries_);
   for (const auto& [name, node] : table_) {
     const std::string word(name.str());

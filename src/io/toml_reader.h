@@ -50,9 +50,9 @@ struct ReadContext {
 // The node as the user would recognise it: a text without its quotes, "a table", "a list".
 [[nodiscard]] std::string shown(const toml::node& node);
 
-class Reader {
+class TableReader {
  public:
-  Reader(ReadContext& context, const toml::table& table, std::string path)
+  TableReader(ReadContext& context, const toml::table& table, std::string path)
       : context_(context), table_(table), path_(std::move(path)) {}
 
   void quantity(const char* name, double& value, const Key& key);
@@ -142,15 +142,15 @@ class Reader {
 
 // What stands between several keys of one struct; nothing for most.
 template <class T>
-void finish(Reader&, T&) {}
-void finish(Reader& reader, StageSpec& stage);
-void finish(Reader& reader, JointMaterial& material);
-void finish(Reader& reader, ContactRule& rule);
-void finish(Reader& reader, ModelSpec& model);
+void finish(TableReader&, T&) {}
+void finish(TableReader& reader, StageSpec& stage);
+void finish(TableReader& reader, JointMaterial& material);
+void finish(TableReader& reader, ContactRule& rule);
+void finish(TableReader& reader, ModelSpec& model);
 
 template <class T>
 void read_table(ReadContext& context, const toml::table& table, const std::string& path, T& value) {
-  Reader reader(context, table, path);
+  TableReader reader(context, table, path);
   describe(reader, value);
   reader.refuse_unknown();
   finish(reader, value);

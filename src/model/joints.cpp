@@ -56,7 +56,8 @@ class MaterialTable {
     if (known != index_.end()) return known->second;
     const JointMaterial& material = spec_.material.at(name);
     for (const MaterialFault& fault : check_joint_material(material))
-      faults_.add({"", "material." + name + "." + fault.key, "", fault.problem, fault.cure, 0});
+      faults_.add(
+          {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
     if (material.tensile_strength == 0 && material.cohesion > 0)
       model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
     return index_[name] = append(name, material);

@@ -67,7 +67,7 @@ class BodyBuilder {
     const auto [state, is_new] = checked_.try_emplace(name, true);
     if (is_new)
       for (const MaterialFault& f : solids::check_elasticity(material)) {
-        faults_.add({"", "material." + name + "." + f.key, "", f.problem, f.cure, 0});
+        faults_.add({"", "material." + name + "." + f.key, f.value, f.problem, f.cure, 0});
         state->second = false;
       }
     sound_ = sound_ && state->second;

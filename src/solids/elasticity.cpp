@@ -32,16 +32,16 @@ class Checker {
   }
 
  private:
-  void fault(const char* key, std::string problem, std::string cure) {
-    faults_.push_back({key, std::move(problem), std::move(cure)});
+  void fault(const char* key, std::string value, std::string problem, std::string cure) {
+    faults_.push_back({key, std::move(value), std::move(problem), std::move(cure)});
   }
 
   void require(const char* key, double value, const char* example) {
     if (std::isnan(value))
-      fault(key, "is missing; a block of zones needs it",
+      fault(key, "", "is missing; a block of zones needs it",
             fmt::format("add e.g. {} = {}", key, example));
     else if (!(value > 0 && std::isfinite(value)))
-      fault(key, fmt::format("is {:g}, must be above 0", value),
+      fault(key, fmt::format("{:g}", value), "must be above 0",
             fmt::format("write e.g. {} = {}", key, example));
   }
 
@@ -51,13 +51,13 @@ class Checker {
     const double nu = poisson_ratio_of(m_);
     if (!std::isnan(m_.poisson_ratio) &&
         std::fabs(m_.youngs_modulus / (2 * (1 + nu)) / m_.shear_modulus - 1) > kAgree)
-      return fault("poisson_ratio",
-                   fmt::format("is {:g}, but E = {:g} GPa and G = {:g} GPa make it {:.3g}", nu,
-                               m_.youngs_modulus * 1e-9, m_.shear_modulus * 1e-9, derived),
+      return fault("poisson_ratio", fmt::format("{:g}", nu),
+                   fmt::format("differs from the {:.3g} that E = {:g} GPa and G = {:g} GPa make",
+                               derived, m_.youngs_modulus * 1e-9, m_.shear_modulus * 1e-9),
                    "leave it out, or state youngs_modulus_across for timber");
     if (nu >= 0 && nu < 0.5) return;
     fault(
-        std::isnan(m_.poisson_ratio) ? "shear_modulus" : "poisson_ratio",
+        std::isnan(m_.poisson_ratio) ? "shear_modulus" : "poisson_ratio", "",
         fmt::format("makes the Poisson ratio E/2G - 1 = {:.3g}; an isotropic block needs one from "
                     "0 to below 0.5",
                     nu),
@@ -69,16 +69,16 @@ class Checker {
   void check_orthotropic() {
     const double nu = m_.poisson_ratio;
     if (std::isnan(nu))
-      return fault("poisson_ratio", "is missing beside youngs_modulus_across",
+      return fault("poisson_ratio", "", "is missing beside youngs_modulus_across",
                    "add e.g. poisson_ratio = 0.4");
     if (nu < 0 || nu >= 0.5)
-      return fault("poisson_ratio", fmt::format("is {:g}, must be from 0 to below 0.5", nu),
+      return fault("poisson_ratio", fmt::format("{:g}", nu), "must be from 0 to below 0.5",
                    "write e.g. poisson_ratio = 0.4");
     // the stiffness in space is positive where 1 - nu - 2 nu^2 E2/E1 > 0 with nu across = nu
     const double ratio = across(m_) / m_.youngs_modulus;
     if (1 - nu - 2 * nu * nu * ratio <= 0)
       fault(
-          "youngs_modulus_across",
+          "youngs_modulus_across", fmt::format("{:g} GPa", m_.youngs_modulus_across * 1e-9),
           fmt::format("is {:g} times youngs_modulus: with poisson_ratio {:g} the stiffness is not "
                       "positive",
                       ratio, nu),

@@ -51,7 +51,7 @@ End step_with(const Kernels& kernels, const Model& model, double turn) {
   State state = scattered(model, turn);
   dynamics::Processor processor(model, 1, 1, kernels);
   processor.put(0, model, state);
-  processor.place(0)->choose_driven({3});
+  processor.access(0)->choose_driven({3});
   dynamics::Controls controls;
   controls.damping = 0.4;
   controls.dt = model.solve.step_fraction * 2 / (model.omega_max * std::sqrt(1.4));

@@ -95,7 +95,7 @@ class Rig {
     processor.step();
   }
   void bring_up() {
-    processor.place(0)->bring_up(state);
+    processor.access(0)->bring_up(state);
     known_ = state;
   }
   void take_changes() {

@@ -34,13 +34,13 @@ Result pushed(const Push& p) {
   return result;
 }
 
-QuasiStatic judged(Result result) {
+RateVerdict judged(Result result) {
   result.responses = read_responses(result.curve);
   return dynamics::judge_quasi_static(result);
 }
 
 TEST(Verdict, a_static_push_is_slow_enough) {
-  const QuasiStatic q = judged(pushed({}));
+  const RateVerdict q = judged(pushed({}));
   EXPECT_EQ(q.judgement, "slow enough");
   EXPECT_NEAR(q.lift, 0.02, 1e-12);  // what rounding alone may move
   EXPECT_EQ(q.verdict.code, "rate.slow_enough");
@@ -72,7 +72,7 @@ TEST(Verdict, damping_has_a_veto_where_the_forces_agree) {
   EXPECT_EQ(judged(pushed({.damped = 0.005})).judgement, "slow enough");
   EXPECT_EQ(judged(pushed({.damped = 0.02})).judgement, "usable");
   EXPECT_EQ(judged(pushed({.damped = 0.06})).judgement, "too fast");
-  const QuasiStatic q = judged(pushed({.damped = 0.63}));
+  const RateVerdict q = judged(pushed({.damped = 0.63}));
   EXPECT_EQ(q.judgement, "too fast");
   EXPECT_TRUE(std::isnan(q.lift));  // no such extrapolation is worth a number
   EXPECT_EQ(q.verdict.code, "rate.far_too_fast");
@@ -96,7 +96,7 @@ TEST(Verdict, a_larger_force_out_of_balance_is_not_passed_over) {
   Result result = pushed({});
   for (CurveRow& row : result.curve)
     if (row.displacement > 1.8) row.base_shear = 0.97 * row.reaction;
-  const QuasiStatic q = judged(result);
+  const RateVerdict q = judged(result);
   EXPECT_EQ(q.judgement, "too fast");
   EXPECT_NEAR(q.beyond, 0.97 / 0.88 - 1, 0.02);
 }
@@ -138,7 +138,7 @@ TEST(Verdict, a_load_that_waits_for_balance_is_slow_enough) {
 TEST(Verdict, a_curve_of_one_row_knows_nothing) {
   Result result = pushed({});
   result.curve = {result.curve[0], result.curve[200]};
-  const QuasiStatic q = judged(result);
+  const RateVerdict q = judged(result);
   EXPECT_EQ(q.judgement, "unknown");
   EXPECT_NE(text_of(q.verdict).find("output.window"), std::string::npos);
   const Responses r = read_responses(result.curve);

@@ -95,7 +95,7 @@ TEST(Fields, a_wall_that_takes_a_lane_and_leaves_it_keeps_every_number) {
       dynamics::Processor processor(model, lanes);
       State kept = state, back = initial_state(model);
       processor.put(lane, model, kept);
-      processor.place(lane)->bring_up(back);
+      processor.access(lane)->bring_up(back);
       for (const StateField& field : kStateFields)
         EXPECT_EQ(back.*field.array, state.*field.array)
             << field.name << ", lane " << lane << " of " << lanes;

@@ -159,7 +159,7 @@ TEST(MaterialInput, a_derived_energy_that_snaps_back_is_refused_with_its_numbers
            "unit_gi_by_index\""));
   EXPECT_TRUE(says(said,
                    "model.toml:25: material.unit.mode_1_energy = 58 N/m (derived by "
-                   "unit_gi_by_index from tensile_strength 2 MPa): is 58 N/m: snap-back"))
+                   "unit_gi_by_index from tensile_strength 2 MPa): gives snap-back"))
       << said;
   EXPECT_TRUE(says(said, "above 400 N/m")) << said;
 }

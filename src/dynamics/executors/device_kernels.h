@@ -13,7 +13,7 @@
 
 namespace wythe::dynamics::device {
 
-using Access = Walls<double, 0>;
+using Access = WallLanes<double, 0>;
 
 // Work of entity i of each wall since it took its lane [J], rows of `terms` numbers.
 struct Works {

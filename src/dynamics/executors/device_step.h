@@ -31,7 +31,7 @@ class DeviceExecutor final : public Executor {
   [[nodiscard]] const Model& model() const override { return model_; }
   void put(int lane, const Model& model, State& state) override;
   void drop(int lane) override;
-  [[nodiscard]] std::unique_ptr<Place> place(int lane) override;
+  [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
   [[nodiscard]] double reaction(int lane) const override { return answer_.here[at(lane)]; }
   // Walls enter when their count of steps is in phase with the others', so that the host asks about
@@ -50,7 +50,7 @@ class DeviceExecutor final : public Executor {
     std::size_t first_load = 0;             // in loads_
     int n_load = 0;
   };
-  class DevicePlace;
+  class DeviceWallAccess;
 
   static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] std::size_t of(int lane, std::int64_t row) const {
@@ -255,9 +255,9 @@ double DeviceExecutor<Device>::answer_to(int lane, device::Ask ask) {
 }
 
 template <class Device>
-class DeviceExecutor<Device>::DevicePlace final : public Place {
+class DeviceExecutor<Device>::DeviceWallAccess final : public WallAccess {
  public:
-  DevicePlace(DeviceExecutor& executor, int lane) : x_(executor), lane_(lane) {}
+  DeviceWallAccess(DeviceExecutor& executor, int lane) : x_(executor), lane_(lane) {}
 
   [[nodiscard]] double unbalance_ratio() const override {
     return x_.answer_to(lane_, device::kUnbalance);
@@ -290,8 +290,8 @@ class DeviceExecutor<Device>::DevicePlace final : public Place {
 };
 
 template <class Device>
-std::unique_ptr<Place> DeviceExecutor<Device>::place(int lane) {
-  return std::make_unique<DevicePlace>(*this, lane);
+std::unique_ptr<WallAccess> DeviceExecutor<Device>::access(int lane) {
+  return std::make_unique<DeviceWallAccess>(*this, lane);
 }
 
 // The direction in which a wall's base shear is asked for; the device learns it at once.

@@ -11,12 +11,12 @@
 namespace wythe::dynamics {
 
 // One wall as those see it who look at it between steps.
-class Place {
+class WallAccess {
  public:
-  Place() = default;
-  virtual ~Place() = default;
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+  WallAccess() = default;
+  virtual ~WallAccess() = default;
+  WallAccess(const WallAccess&) = delete;
+  WallAccess& operator=(const WallAccess&) = delete;
 
   // Sum of the unbalanced forces on free blocks over that of the contact forces, 1-norm; 0 where nothing
   // acts.
@@ -51,7 +51,7 @@ class Executor {
   virtual void put(int lane, const Model& model, State& state) = 0;
   // The state's own arrays are brought up to date; the lane stands still from then on.
   virtual void drop(int lane) = 0;
-  [[nodiscard]] virtual std::unique_ptr<Place> place(int lane) = 0;
+  [[nodiscard]] virtual std::unique_ptr<WallAccess> access(int lane) = 0;
   // What the next step takes of a lane; where it is not set, the lane stands still.
   virtual void set(int lane, const Controls& controls) = 0;
   // Contact force on the driven blocks against the push, in the last step [N].

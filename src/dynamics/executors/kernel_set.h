@@ -79,8 +79,8 @@ struct PassesOf {
 
 template <class Real>
 [[nodiscard]] constexpr Kernels kernels_of(const char* name) {
-  using One = Neighbours<Real>;
-  using Many = Walls<Real, Lanes<Real>::width>;
+  using One = EntityLanes<Real>;
+  using Many = WallLanes<Real, Lanes<Real>::width>;
   return {name,
           Lanes<Real>::width,
           {PassesOf<One>::joints, run_pass<Zones<One>>, PassesOf<One>::edges, run_pass<Blocks<One>>,

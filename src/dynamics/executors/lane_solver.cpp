@@ -39,29 +39,30 @@ namespace dynamics {
 LaneSolver::LaneSolver(int width, Make make) : width_(width), make_(std::move(make)) {}
 
 void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
-  auto wall = std::make_unique<Wall>(Wall{ticket, model, state, -1, nullptr, nullptr});
+  auto wall =
+      std::make_unique<RunningWall>(RunningWall{ticket, model, state, -1, nullptr, nullptr});
   wall->alone = std::make_unique<Processor>(model, 1);
   wall->alone->put(0, model, state);
-  wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->place(0));
+  wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->access(0));
   walls_.push_back(std::move(wall));
   changed_ = true;
 }
 
-bool LaneSolver::fits(const Wall& wall) const {
+bool LaneSolver::fits(const RunningWall& wall) const {
   return together_ && fit_together(wall.model, together_->model());
 }
 
 // Takes the wall out of where it is stepped now and into `lane` (-1: a step of its own).
-void LaneSolver::settle_in(Wall& wall, int lane) {
+void LaneSolver::settle_in(RunningWall& wall, int lane) {
   if (lane >= 0) {
     if (wall.alone) wall.alone->drop(0);
     together_->put(lane, wall.model, wall.state);
-    wall.run->move_to(together_->place(lane));
+    wall.run->move_to(together_->access(lane));
     wall.alone.reset();
   } else if (!wall.alone) {
     wall.alone = std::make_unique<Processor>(wall.model, 1);
     wall.alone->put(0, wall.model, wall.state);
-    wall.run->move_to(wall.alone->place(0));
+    wall.run->move_to(wall.alone->access(0));
   }
   wall.lane = lane;
 }
@@ -142,7 +143,7 @@ LaneSolver::Ended LaneSolver::next() {
     step();
     found = std::find_if(walls_.begin(), walls_.end(), ended);
   }
-  const std::unique_ptr<Wall> wall = std::move(*found);
+  const std::unique_ptr<RunningWall> wall = std::move(*found);
   walls_.erase(found);
   changed_ = true;
   if (wall->lane >= 0)

@@ -43,7 +43,7 @@ class LaneSolver {
   [[nodiscard]] Ended next();
 
  private:
-  struct Wall {
+  struct RunningWall {
     int ticket;
     const Model& model;
     State& state;
@@ -54,9 +54,9 @@ class LaneSolver {
   };
 
   void arrange();
-  void settle_in(Wall& wall, int lane);
+  void settle_in(RunningWall& wall, int lane);
   void step();
-  [[nodiscard]] bool fits(const Wall& wall) const;
+  [[nodiscard]] bool fits(const RunningWall& wall) const;
 
   [[nodiscard]] int lanes_for(int fitting) const;
   [[nodiscard]] std::unique_ptr<Executor> made(const Model& model, int lanes) const;
@@ -64,7 +64,7 @@ class LaneSolver {
   int width_;
   Make make_;
   std::unique_ptr<Executor> together_;
-  std::vector<std::unique_ptr<Wall>> walls_;
+  std::vector<std::unique_ptr<RunningWall>> walls_;
   bool changed_ = false;  // walls came or went since the last arrange()
 };
 

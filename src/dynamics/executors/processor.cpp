@@ -25,9 +25,9 @@ const Kernels& kernels_for(int lanes, const Kernels& most) {
   return *widest;
 }
 
-class HostPlace final : public Place {
+class HostWallAccess final : public WallAccess {
  public:
-  HostPlace(const Processor& processor, const Model& model, int lane)
+  HostWallAccess(const Processor& processor, const Model& model, int lane)
       : processor_(processor), model_(model), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override { return unbalance_of(view_); }
@@ -103,8 +103,8 @@ void Processor::drop(int lane) {
   set(lane, {});
 }
 
-std::unique_ptr<Place> Processor::place(int lane) {
-  return std::make_unique<HostPlace>(*this, *wall_[at(lane)].model, lane);
+std::unique_ptr<WallAccess> Processor::access(int lane) {
+  return std::make_unique<HostWallAccess>(*this, *wall_[at(lane)].model, lane);
 }
 
 void Processor::set(int lane, const Controls& controls) {

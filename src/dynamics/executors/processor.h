@@ -5,7 +5,7 @@
 //   one.put(0, model, state);
 //   one.set(0, controls);
 //   one.step();
-//   one.place(0)->bring_up(state);
+//   one.access(0)->bring_up(state);
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ class Processor final : public Executor {
   [[nodiscard]] const Model& model() const override { return model_; }
   void put(int lane, const Model& model, State& state) override;
   void drop(int lane) override;
-  [[nodiscard]] std::unique_ptr<Place> place(int lane) override;
+  [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
   void set(int lane, const Controls& controls) override;
   [[nodiscard]] double reaction(int lane) const override { return wall_[at(lane)].reaction; }
 

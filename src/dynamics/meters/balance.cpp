@@ -88,7 +88,7 @@ double damping_on_the_way(const Curve& curve, std::size_t peak) {
   return *middle;
 }
 
-void read_meters(const Curve& curve, std::size_t peak, QuasiStatic& q) {
+void read_meters(const Curve& curve, std::size_t peak, RateVerdict& q) {
   const Stretch s = stretch_around(curve, peak);
   double gap = 0;
   for (std::size_t i = s.first; i <= s.last; ++i) {
@@ -107,13 +107,13 @@ void read_meters(const Curve& curve, std::size_t peak, QuasiStatic& q) {
 
 Message share(const char* code, double share) { return {code, {{"share_percent", 100 * share}}}; }
 
-Message veto_of(const QuasiStatic& q) {
+Message veto_of(const RateVerdict& q) {
   if (q.kinetic_ratio_mean > kKinetic) return share("meter.motion", q.kinetic_ratio_mean);
   if (q.unbalance_ratio_mean > kUnbalance) return share("meter.unbalance", q.unbalance_ratio_mean);
   return {};
 }
 
-Message reason_of(const QuasiStatic& q) {
+Message reason_of(const RateVerdict& q) {
   const double drag = std::max(q.shear_gap, q.damping_share);
   if (q.beyond > kLift * drag) return share("meter.beyond", q.beyond);
   if (q.shear_gap >= q.damping_share) return share("meter.shear_gap", q.shear_gap);
@@ -121,7 +121,7 @@ Message reason_of(const QuasiStatic& q) {
 }
 
 // Judgement and sentence from the meters.
-void judge(QuasiStatic& q) {
+void judge(RateVerdict& q) {
   const double drag = std::max(q.shear_gap, q.damping_share);
   q.lift = kScatter + std::max(kLift * drag, q.beyond);
   const Message veto = veto_of(q);
@@ -147,8 +147,8 @@ Message energy_missing(double gap_ratio) {
   return {"rate.energy_missing", {{"gap_percent", 100 * gap_ratio}}};
 }
 
-QuasiStatic of_a_load(const Result& result) {
-  QuasiStatic q;
+RateVerdict of_a_load(const Result& result) {
+  RateVerdict q;
   if (std::isnan(result.responses.peak_reaction)) return q;
   q.judgement = "slow enough";
   q.verdict = {"rate.load"};
@@ -157,9 +157,9 @@ QuasiStatic of_a_load(const Result& result) {
 
 }  // namespace
 
-QuasiStatic judge_quasi_static(const Result& result) {
+RateVerdict judge_quasi_static(const Result& result) {
   const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
-  QuasiStatic q;
+  RateVerdict q;
   q.verdict = {"rate.no_push"};
   if (is_load_controlled(result)) {
     q = of_a_load(result);
@@ -197,7 +197,7 @@ std::string judgement_of_older(const std::string& verdict) {
 }  // namespace dynamics
 
 Message warning_of(const Result& result) {
-  const QuasiStatic& q = result.quasi_static;
+  const RateVerdict& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
   if (result.energy.gap_ratio > dynamics::kLedger)
     return dynamics::energy_missing(result.energy.gap_ratio);

@@ -38,7 +38,7 @@ inline constexpr double kKnown = 0.25;
 [[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
 
 // The verdict on the rate, from curve, responses and energy of a run.
-[[nodiscard]] QuasiStatic judge_quasi_static(const Result& result);
+[[nodiscard]] RateVerdict judge_quasi_static(const Result& result);
 
 // Files of older versions hold the verdict in words only, which begin with the judgement.
 [[nodiscard]] std::string judgement_of_older(const std::string& verdict);

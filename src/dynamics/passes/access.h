@@ -1,7 +1,7 @@
 // How a Real takes its lanes from the tables (tables.h).
 //
-//   Neighbours   lane k is entity k of a group of one wall
-//   Walls        lane k is wall k: all share geometry, each has its own state
+//   EntityLanes  lane k is entity k of a group of one wall
+//   WallLanes    lane k is wall k: all share geometry, each has its own state
 //
 // A spot is a group of neighbours, or one entity. Both know
 //   shared(table, row)      one number for all walls         row: spot * rows of the table + row
@@ -79,7 +79,7 @@ struct Lanes<Pack<Arch>> {
 #endif
 
 template <class R>
-struct Neighbours {
+struct EntityLanes {
   using Real = R;
   using L = Lanes<Real>;
   using Id = std::ptrdiff_t;
@@ -137,7 +137,7 @@ struct Neighbours {
 // `fixed`: walls side by side, where all are taken at once; 0: any number of which this Real takes those
 // from `lane` on (a device).
 template <class R, int fixed>
-struct Walls {
+struct WallLanes {
   using Real = R;
   using L = Lanes<Real>;
   using Id = std::ptrdiff_t;

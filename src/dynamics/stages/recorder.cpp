@@ -76,8 +76,8 @@ void Recorder::take_snapshot(const std::string& label, const State& state) {
   result_.snapshots.push_back({label, displacement_, reaction, state});
 }
 
-void Recorder::take(const Place& place, State& state, const Controls& controls, double reaction,
-                    double displacement, double load_factor, double travelled) {
+void Recorder::take(const WallAccess& access, State& state, const Controls& controls,
+                    double reaction, double displacement, double load_factor, double travelled) {
   if (n_.start_time < 0) {
     n_.start_time = state.time - state.stage_time;
     if (!stage_.spec.targets.empty() && stage_.spec.kind == StageKind::kPush) {
@@ -89,7 +89,7 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
     n_.work_at_start = state.work_drive;
     n_.dead = dead_along_push(state);
     if (result_.curve.empty()) result_.curve.push_back({});
-    place.bring_up(state);
+    access.bring_up(state);
     n_.damping_at_start = state.work_damping;
     take_snapshot("start", state);
   }
@@ -102,26 +102,26 @@ void Recorder::take(const Place& place, State& state, const Controls& controls, 
   n_.rise_sum += weight_ * reaction;
   ++n_.steps;
   const bool closes = travelled >= n_.next_close || has_turned();
-  sample(place, state, controls, closes);
+  sample(access, state, controls, closes);
   take_rise(displacement, travelled);
   row_closed_ = closes;
   if (closes) {
-    place.bring_up(state);
+    access.bring_up(state);
     close_row(state);
     take_frame(state, travelled);
   }
-  take_states(place, state);
+  take_states(access, state);
   if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
 }
 
 // At the step, not at the row, so that neither rows nor the states asked for move a reading.
-void Recorder::take_states(const Place& place, State& state) {
+void Recorder::take_states(const WallAccess& access, State& state) {
   const double far = std::fabs(displacement_);
   const bool turns = n_.grows != 0 && far < n_.farthest && !stage_.spec.targets.empty();
   n_.grows = far > n_.farthest ? 1 : 0;
   n_.farthest = std::max(n_.farthest, far);
   if (!turns && far < n_.due) return;
-  place.bring_up(state);
+  access.bring_up(state);
   while (far >= next_state_at()) {
     take_snapshot(fmt::format("{:g} mm", 1e3 * next_state_at()), state);
     result_.snapshots.back().asked = next_state_at();
@@ -190,8 +190,8 @@ void Recorder::take_frame(const State& state, double travelled) {
 // The ground's force along the push, less what weights and dead loads bring there: in balance it is the
 // reaction. Weights and loads of driven blocks stay in both. Of a tilted wall it is scaled to full
 // weight, as the reaction is: W tan against W sin / cos.
-double Recorder::resisted_by_ground(const Place& place, const State& state) const {
-  const double shear = place.base_shear(stage_.drive_x, stage_.drive_y);
+double Recorder::resisted_by_ground(const WallAccess& access, const State& state) const {
+  const double shear = access.base_shear(stage_.drive_x, stage_.drive_y);
   if (stage_.spec.kind == StageKind::kTilt) {
     const double down = -state.gravity_y / model_.solve.gravity;
     return down > 0 ? shear / down : shear;
@@ -214,19 +214,20 @@ double Recorder::dead_along_push(const State& state) const {
   return force;
 }
 
-void Recorder::sample(const Place& place, const State& state, const Controls& controls, bool all) {
+void Recorder::sample(const WallAccess& access, const State& state, const Controls& controls,
+                      bool all) {
   if (state.step % kShearEvery == 0 || all) {
-    const double shear = resisted_by_ground(place, state);
+    const double shear = resisted_by_ground(access, state);
     n_.shear_weight += weight_;
     n_.shear_sum += weight_ * shear;
     n_.rise_shear_weight += weight_;
     n_.rise_shear_sum += weight_ * shear;
     const double work = std::fabs(state.work_drive - n_.work_at_start);
-    if (work > 0) n_.kinetic_sum += place.kinetic_energy(controls.mass_scaling) / work;
+    if (work > 0) n_.kinetic_sum += access.kinetic_energy(controls.mass_scaling) / work;
     ++n_.shear_samples;
   }
   if (state.step % kUnbalanceEvery == 0 || all) {
-    n_.unbalance_sum += place.unbalance_ratio();
+    n_.unbalance_sum += access.unbalance_ratio();
     ++n_.unbalance_samples;
   }
 }
@@ -356,16 +357,17 @@ bool Recorder::fell_below() const {
   return n_.low_rows >= kRows;
 }
 
-void Recorder::finish(const Place& place, State& state, const Controls& controls, bool ran_away) {
+void Recorder::finish(const WallAccess& access, State& state, const Controls& controls,
+                      bool ran_away) {
   if (n_.start_time < 0) {  // it took no step
     recording_ = {};
     return;
   }
-  place.bring_up(state);
+  access.bring_up(state);
   // A window cut short is too noisy a mean to stand beside the others; a wall that ran away under a load
   // that stands still has no more rows.
   if (2 * n_.steps >= n_.full_window && n_.steps > 0 && !ran_away) {
-    sample(place, state, controls, true);
+    sample(access, state, controls, true);
     close_row(state);
   }
   const auto rank = [](const RecordedSide& side) { return std::pair(side.balanced, side.peak); };

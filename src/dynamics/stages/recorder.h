@@ -21,11 +21,12 @@ class Recorder {
            RunRecord& record);
 
   // Called after every step; `travelled` of the path so far, `displacement` along the push.
-  void take(const Place& place, State& state, const Controls& controls, double reaction,
+  void take(const WallAccess& access, State& state, const Controls& controls, double reaction,
             double displacement, double load_factor, double travelled);
   // Closes the last window and adds the snapshot "end". `ran_away`: the load stood still while the
   // wall fell.
-  void finish(const Place& place, State& state, const Controls& controls, bool ran_away = false);
+  void finish(const WallAccess& access, State& state, const Controls& controls,
+              bool ran_away = false);
   // True when the last rows, all beyond any displacement before on their side, lie below the stage's
   // stop_below share of the peak so far on that side.
   [[nodiscard]] bool fell_below() const;
@@ -33,7 +34,7 @@ class Recorder {
 
  private:
   void begin(double read_at);
-  void sample(const Place& place, const State& state, const Controls& controls, bool all);
+  void sample(const WallAccess& access, const State& state, const Controls& controls, bool all);
   void close_row(const State& state);
   void note_joints(const State& state, double displacement, double reaction);
   void note_slid_off(const std::vector<PointReading>& points, double displacement, double reaction);
@@ -46,11 +47,11 @@ class Recorder {
   }
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
-  void take_states(const Place& place, State& state);
+  void take_states(const WallAccess& access, State& state);
   void take_frame(const State& state, double travelled);
   void take_rise(double displacement, double travelled);
   void note_peak(const State& state);
-  [[nodiscard]] double resisted_by_ground(const Place& place, const State& state) const;
+  [[nodiscard]] double resisted_by_ground(const WallAccess& access, const State& state) const;
   [[nodiscard]] double dead_along_push(const State& state) const;
 
   const Model& model_;

@@ -61,12 +61,12 @@ std::function<void(const Progress&)> throttled(const Model& model, const State& 
 namespace dynamics {
 
 WallRun::WallRun(const Model& model, State& state, const SolveOptions& options,
-                 std::unique_ptr<Place> place, RunRecord so_far)
+                 std::unique_ptr<WallAccess> access, RunRecord so_far)
     : model_(model),
       state_(state),
       options_(options),
       record_(std::move(so_far)),
-      wall_{model, state, options_, record_, std::move(place), {}},
+      wall_{model, state, options_, record_, std::move(access), {}},
       start_(Clock::now()),
       seconds_before_(record_.result.wall_seconds) {
   options_.progress = throttled(model, state, options);
@@ -107,7 +107,7 @@ void WallRun::heed_caller() {
   const bool asked = options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   const bool spent = options_.step_budget > 0 && state_.step >= options_.step_budget;
   if (options_.checkpoint && (asked || spent || state_.step % kWatchEvery == 0)) {
-    wall_.place->bring_up(state_);
+    wall_.access->bring_up(state_);
     record_.result.wall_seconds = seconds();
     options_.checkpoint(state_, record_, asked || spent);
   }
@@ -131,9 +131,9 @@ void WallRun::look(double reaction) {
   if (state_.stage > stage) start_stages();
 }
 
-void WallRun::move_to(std::unique_ptr<Place> place) {
-  wall_.place = std::move(place);
-  if (stage_) wall_.place->choose_driven(stage_->driven());
+void WallRun::move_to(std::unique_ptr<WallAccess> access) {
+  wall_.access = std::move(access);
+  if (stage_) wall_.access->choose_driven(stage_->driven());
 }
 
 Result WallRun::finish() {
@@ -153,7 +153,7 @@ Result WallRun::finish() {
 Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
   dynamics::Processor processor(model, 1, std::max(1, options.threads));
   processor.put(0, model, state);
-  dynamics::WallRun run(model, state, options, processor.place(0), std::move(so_far));
+  dynamics::WallRun run(model, state, options, processor.access(0), std::move(so_far));
   while (!run.ended()) {
     processor.set(0, run.next());
     processor.step();

@@ -52,13 +52,13 @@ StageRun::StageRun(WallUnderWay& wall, const Stage& stage)
   controls_.dt = stage_time_step(model_, stage);
   controls_.mass_scaling = stage_mass_scaling(model_, stage);
   controls_.damping = stage.spec.damping;
-  wall.place->choose_driven(stage.driven);
+  wall.access->choose_driven(stage.driven);
 }
 
 void StageRun::drive(const Stage& push) {
   driven_ = &push.driven;
   controls_.push = &push;
-  wall_.place->choose_driven(push.driven);
+  wall_.access->choose_driven(push.driven);
 }
 
 void StageRun::end(StageEnd how) {
@@ -69,12 +69,12 @@ void StageRun::end(StageEnd how) {
 
 StageEnd StageRun::close() {
   // A wall that ran away has not completed, settled or collapsed, whatever its rows seem to say.
-  if (wall_.place->runaway_block() >= 0) end_ = runs_away();
+  if (wall_.access->runaway_block() >= 0) end_ = runs_away();
   finish(end_);
-  wall_.place->bring_up(state_);
+  wall_.access->bring_up(state_);
   wall_.record.result.stages.push_back(
       {stage_.spec.name, state_.stage_time, state_.step - state_.stage_first_step,
-       wall_.place->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
+       wall_.access->unbalance_ratio(), end_.status == SolveStatus::kCompleted});
   wall_.record.result.energy = energy_ledger(model_, state_, controls_.mass_scaling);
   return end_;
 }
@@ -104,7 +104,7 @@ bool StageRun::is_overloaded() const {
 
 // How many joints are crushed through; nothing where none is.
 std::optional<Message> StageRun::crushed() const {
-  wall_.place->bring_up(state_);
+  wall_.access->bring_up(state_);
   const std::vector<PointReading> points = read_points(model_, state_);
   int joints = 0;
   for (JointId j = 0; j < model_.n_joint; ++j) {
@@ -125,7 +125,7 @@ StageEnd StageRun::runs_away() const {
   Message reason{falls ? "block.falls_overloaded"
                  : why ? "block.runs_away_crushed"
                        : "block.runs_away",
-                 {{"block", name_of(wall_.place->runaway_block())},
+                 {{"block", name_of(wall_.access->runaway_block())},
                   {"time_s", state_.time},
                   {"stage", stage_.spec.name}}};
   if (why) reason.arguments.emplace_back("why", *why);
@@ -140,9 +140,9 @@ void StageRun::watch(double share) {
     options.progress(
         {stage_.spec.name.c_str(), share, state_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
-  if (wall_.place->runaway_block() >= 0) return end(runs_away());
+  if (wall_.access->runaway_block() >= 0) return end(runs_away());
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
-  const Furthest furthest = wall_.place->furthest_block();
+  const Furthest furthest = wall_.access->furthest_block();
   if (furthest.distance > allowed) {
     const bool loads =
         stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
@@ -158,9 +158,9 @@ void StageRun::watch(double share) {
 
 namespace {
 
-class QuasiStatic : public StageRun {
+class SettlingStage : public StageRun {
  public:
-  QuasiStatic(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {}
+  SettlingStage(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {}
 
   void prepare() override {
     const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
@@ -175,7 +175,7 @@ class QuasiStatic : public StageRun {
   void look(double) override {
     const double ramp = stage_.spec.ramp;
     if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
-      const double ratio = wall_.place->unbalance_ratio();
+      const double ratio = wall_.access->unbalance_ratio();
       if (ratio < model_.solve.settle_ratio) return end({});
       if (state_.stage_time > ramp + model_.solve.settle_limit) return end(unsettled(ratio));
     }
@@ -217,7 +217,7 @@ class Push : public StageRun {
 
   void look(double reaction) override {
     state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
-    recorder_.take(*wall_.place, state_, controls_, reaction, state_.drive_displacement, 0,
+    recorder_.take(*wall_.access, state_, controls_, reaction, state_.drive_displacement, 0,
                    state_.travelled);
     set_pace();
     if (sense_ * (state_.drive_displacement - target()) >= 0) {
@@ -247,7 +247,7 @@ class Push : public StageRun {
   // Faster where the wall is near balance; all the way takes the time of the smooth start.
   void set_pace() {
     if (!has_servo() || state_.step % kSettleEvery != 0) return;
-    const double ratio = wall_.place->unbalance_ratio();
+    const double ratio = wall_.access->unbalance_ratio();
     const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
@@ -258,7 +258,7 @@ class Push : public StageRun {
   void finish(StageEnd& how) override {
     if (how.finished) state_.target = 0;
     controls_.push = nullptr;
-    recorder_.finish(*wall_.place, state_, controls_);
+    recorder_.finish(*wall_.access, state_, controls_);
   }
 
   std::vector<double> targets_;
@@ -293,9 +293,10 @@ class Factor : public StageRun {
   void look(double) override {
     const double now = moved();
     const double carried = tilting_ ? std::tan(factor_) : factor_;
-    recorder_.take(*wall_.place, state_, controls_, carried * model_.weight, now, carried, factor_);
+    recorder_.take(*wall_.access, state_, controls_, carried * model_.weight, now, carried,
+                   factor_);
     if (state_.step % kSettleEvery == 0) {
-      state_.balance = wall_.place->unbalance_ratio();
+      state_.balance = wall_.access->unbalance_ratio();
       if (share_ > 0) {
         state_.load_factor = carried;
         note_growth(now);
@@ -309,7 +310,7 @@ class Factor : public StageRun {
   }
 
  private:
-  [[nodiscard]] double moved() const { return wall_.place->furthest_block().distance; }
+  [[nodiscard]] double moved() const { return wall_.access->furthest_block().distance; }
 
   void note_growth(double moved) {
     state_.last_growth = state_.stage_time;
@@ -339,7 +340,7 @@ class Factor : public StageRun {
   }
 
   void finish(StageEnd& how) override {
-    recorder_.finish(*wall_.place, state_, controls_, !how.finished);
+    recorder_.finish(*wall_.access, state_, controls_, !how.finished);
     wall_.record.result.load_factor = state_.load_factor;
     if (how.status == SolveStatus::kCollapsed)
       how.reason = {"load.largest_carried",
@@ -387,7 +388,7 @@ class Hold : public StageRun {
 std::unique_ptr<StageRun> StageRun::start(WallUnderWay& wall, const Stage& stage) {
   switch (stage.spec.kind) {
     case StageKind::kGravity:
-    case StageKind::kLoad: return std::make_unique<QuasiStatic>(wall, stage);
+    case StageKind::kLoad: return std::make_unique<SettlingStage>(wall, stage);
     case StageKind::kPush: return std::make_unique<Push>(wall, stage);
     case StageKind::kBodyForce:
     case StageKind::kTilt: return std::make_unique<Factor>(wall, stage);

@@ -39,7 +39,7 @@ struct WallUnderWay {
   State& state;
   const SolveOptions& options;
   RunRecord& record;
-  std::unique_ptr<Place> place;
+  std::unique_ptr<WallAccess> access;
   Controls controls;
 };
 

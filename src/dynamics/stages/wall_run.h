@@ -16,7 +16,7 @@ class WallRun {
   // `options` have to live as long as the run; the place is ready to be stepped. `so_far`: of the steps
   // that brought the state where it is; without it the run tells of the rest alone.
   WallRun(const Model& model, State& state, const SolveOptions& options,
-          std::unique_ptr<Place> place, RunRecord so_far = {});
+          std::unique_ptr<WallAccess> access, RunRecord so_far = {});
   WallRun(const WallRun&) = delete;
   WallRun& operator=(const WallRun&) = delete;
 
@@ -26,7 +26,7 @@ class WallRun {
   // After it, with the reaction of the drive.
   void look(double reaction);
   // Goes on elsewhere; the new place holds the same state.
-  void move_to(std::unique_ptr<Place> place);
+  void move_to(std::unique_ptr<WallAccess> access);
   // What the curve says; call once, at the end.
   Result finish();
 

@@ -52,8 +52,8 @@ SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(
     if (!states.empty()) run_.spec.output.states = states;
     build_model();
   } catch (const InputError& error) {
-    const std::string why = refusal_of(task.samples, sample - 1, task.build);
-    run_.refused = why.empty() ? error.what() : why;
+    const std::vector<Fault> why = refusal_of(task.samples, sample - 1, task.build);
+    run_.refused = in_one_line(why.empty() ? error.faults() : why);
   }
 }
 

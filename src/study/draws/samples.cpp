@@ -98,29 +98,30 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
   return out;
 }
 
-std::string refusal_of(const std::vector<std::string>& settings, const ModelBuilder& build) {
+std::vector<Fault> refusal_of(const std::vector<std::string>& settings, const ModelBuilder& build) {
   try {
     (void)compile(build(settings));
-    return "";
+    return {};
   } catch (const InputError& error) {
-    const Fault& first = error.faults().front();
-    const std::string more =
-        error.faults().size() > 1 ? fmt::format(" (and {} more)", error.faults().size() - 1) : "";
-    // "mode_1_energy is 8.8 N/m: snap-back" names the value itself
-    const bool named =
-        first.value.empty() || first.problem.starts_with("is " + shortened(first.value));
-    return named ? fmt::format("{} {}{}", first.path, first.problem, more)
-                 : fmt::format("{} = {}: {}{}", first.path, shortened(first.value), first.problem,
-                               more);
+    return error.faults();
   }
 }
 
-std::string refusal_of(const SampleTable& samples, int sample, const ModelBuilder& build) {
+std::vector<Fault> refusal_of(const SampleTable& samples, int sample, const ModelBuilder& build) {
   const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
   for (std::size_t j = 0; j < samples.column.size(); ++j)
     if (!std::isfinite(row[j]))
-      return fmt::format("{} = {:g}: is not a finite number", samples.column[j].name, row[j]);
+      return {{"", samples.column[j].name, fmt::format("{:g}", row[j]), "is not a finite number", ""}};
   return refusal_of(settings_of(samples, sample), build);
+}
+
+std::string in_one_line(const std::vector<Fault>& refusal) {
+  if (refusal.empty()) return "";
+  const Fault& first = refusal.front();
+  const std::string value = first.value.empty() ? "" : " = " + shortened(first.value) + ":";
+  const std::string more =
+      refusal.size() > 1 ? fmt::format(" (and {} more)", refusal.size() - 1) : "";
+  return fmt::format("{}{} {}{}", first.path, value, first.problem, more);
 }
 
 }  // namespace wythe
