@@ -159,6 +159,15 @@ void add_report(CLI::App& app, ReportArguments& a, int& code) {
   command->callback([&] { code = report(a); });
 }
 
+void add_export(CLI::App& app, ExportArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "export", "write curves, samples and states of a run or a campaign as CSV tables");
+  command->footer("example: wythe export out/campaign --out out/tables");
+  command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
+  command->add_option("--out", a.out, "folder for the tables, made if absent")->required();
+  command->callback([&] { code = export_tables(a); });
+}
+
 void add_picture(CLI::App& app, PictureArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("picture", "draw the stored states of one sample of a campaign (SVG)");
@@ -198,6 +207,8 @@ int parse_and_run(int argc, char** argv) {
   add_report(app, report_arguments, code);
   LimitArguments limit_arguments;
   add_limit(app, limit_arguments, code);
+  ExportArguments export_arguments;
+  add_export(app, export_arguments, code);
   PictureArguments picture_arguments;
   add_picture(app, picture_arguments, code);
   try {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "campaign_commands.h"
+#include "interrupt.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
@@ -69,6 +71,23 @@ int report(const ReportArguments& a) {
   }
   write_text(a.folder + kPage, page);
   fmt::print("report {}{}\n", a.folder, kPage);
+  return 0;
+}
+
+int export_tables(const ExportArguments& a) {
+  finish_replacement(a.folder);
+  const std::unique_ptr<Replacement> tables = replace_export(a.out);
+  const Exported made = write_export(a.folder, tables->path());
+  tables->commit(hold_for_test);
+  if (made.missing > 0)
+    fmt::print(stderr, "note: {} samples of the study have not run and are in no table\n",
+               made.missing);
+  if (made.states == 0)
+    fmt::print(stderr,
+               "note: no states are stored, so there are no tables of blocks and joints; a study "
+               "stores them at its `states`, a run at `output.states`\n");
+  fmt::print("{} samples, {} rows of curves, {} states -> {}\n", made.samples, made.rows,
+             made.states, a.out);
   return 0;
 }
 

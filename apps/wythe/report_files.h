@@ -32,4 +32,9 @@ struct ReportArguments {
 };
 int report(const ReportArguments& arguments);
 
+struct ExportArguments {
+  std::string folder, out;
+};
+int export_tables(const ExportArguments& arguments);
+
 }  // namespace wythe::app

@@ -96,6 +96,10 @@ struct Campaign {
 // Sizes of the designs a store holds.
 [[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
 [[nodiscard]] Campaign read_campaign(const std::string& folder);
+// The same with a few records at a time, in order, for stores larger than memory: `take` is called with
+// each, and with the campaign without any. Returns that campaign.
+Campaign read_campaign(const std::string& folder,
+                       const std::function<void(const Campaign&, const SampleRecord&)>& take);
 // Stored states of one sample, `model` being its wall (single precision, without velocities, for
 // pictures).
 [[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample,

@@ -115,6 +115,16 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 // The run, or the samples that answered, in a folder of `wythe run` or `wythe campaign`. Throws
 // InputError when it holds neither, IoError when its files are damaged.
 [[nodiscard]] std::vector<ComparedRun> read_compared_runs(const std::string& folder);
+// A run or a campaign as CSV tables and columns.json (docs/howto/export.md).
+struct Exported {
+  int samples = 0, missing = 0;       // written; of the study, not run
+  std::int64_t rows = 0, states = 0;  // of all curves; stored states
+};
+// Writes the tables of the results in `folder` into `out`, which is there and empty. Throws InputError where
+// there are no results, IoError where they are damaged.
+Exported write_export(const std::string& folder, const std::string& out);
+// The Replacement for these tables (made if absent). Throws InputError where it holds anything else.
+[[nodiscard]] std::unique_ptr<Replacement> replace_export(const std::string& out);
 // Content of a file of packed data, e.g. report.data; throws InputError where it can be none, and IoError.
 [[nodiscard]] std::string read_data(const std::string& path);
 // Writes a whole file at once or throws IoError; never leaves half a file, never follows a link.

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "wythe/error.h"
 
@@ -106,14 +107,20 @@ void check_utf8(const std::string& path, std::string_view text) {
   }
 }
 
-// 0, or errno. The data reach the disk before the rename, so that a crash leaves old or new.
-int fill(int descriptor, std::string_view text) {
+// 0, or errno.
+int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return errno;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return 0;
+}
+
+// The same; the data reach the disk before the rename, so that a crash leaves old or new.
+int fill(int descriptor, std::string_view text) {
+  if (const int cause = write_all(descriptor, text); cause != 0) return cause;
   // EINVAL and EROFS: a file system that has nothing to flush
   if (::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) return errno;
   return 0;
@@ -180,6 +187,31 @@ void write_file(const std::string& path, std::string_view text) {
     ::unlink(temporary.c_str());
     refuse_writing(path, cause);
   }
+}
+
+GrowingFile::GrowingFile(const std::string& path)
+    : path_(path),
+      descriptor_(
+          ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) refuse_writing(path_, errno);
+}
+
+GrowingFile::~GrowingFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void GrowingFile::add(std::string_view text) {
+  constexpr std::size_t kAtOnce = 1 << 20;
+  waiting_ += text;
+  if (waiting_.size() < kAtOnce) return;
+  if (const int cause = write_all(descriptor_, waiting_); cause != 0) refuse_writing(path_, cause);
+  waiting_.clear();
+}
+
+void GrowingFile::close() {
+  int cause = fill(descriptor_, waiting_);
+  if (::close(std::exchange(descriptor_, -1)) != 0 && cause == 0) cause = errno;
+  if (cause != 0) refuse_writing(path_, cause);
 }
 
 }  // namespace wythe

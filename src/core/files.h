@@ -19,6 +19,23 @@ namespace wythe {
 // never sees half a file, and a full disk leaves the previous version in place. Throws as below, and IoError
 // with the path and the system's reason.
 void write_file(const std::string& path, std::string_view text);
+
+// A file that is written piece by piece, for what is larger than memory: into a folder of results that are
+// not in place yet, since a half of it may be seen. Throws IoError.
+class GrowingFile {
+ public:
+  explicit GrowingFile(const std::string& path);  // must not exist
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+  void add(std::string_view text);
+  void close();  // its data are on the disk
+
+ private:
+  std::string path_, waiting_;
+  int descriptor_ = -1;
+};
+
 // Throws InputError where `path` is a link or anything but a regular file; nothing there is fine.
 void check_output(const std::string& path);
 // The same where a file is opened to be read alone: a link may lead to it.

@@ -2,6 +2,7 @@
 #include "core/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "core/limits.h"
@@ -78,9 +79,12 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
   return out;
 }
 
+namespace {
+constexpr std::string_view kDigit =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+}  // namespace
+
 std::string base64(std::span<const std::uint8_t> bytes) {
-  static constexpr char kDigit[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -94,6 +98,30 @@ std::string base64(std::span<const std::uint8_t> bytes) {
     text += left > 2 ? kDigit[group & 63] : '=';
   }
   return text;
+}
+
+std::string bytes_of_base64(std::string_view text) {
+  std::array<int, 256> value;
+  value.fill(-1);
+  for (std::size_t d = 0; d < kDigit.size(); ++d)
+    value[static_cast<unsigned char>(kDigit[d])] = static_cast<int>(d);
+  std::size_t padding = 0;
+  for (; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
+  if ((text.size() + padding) % 4 != 0) return "";
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t group = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const int digit = value[static_cast<unsigned char>(c)];
+    if (digit < 0) return "";
+    group = group << 6 | static_cast<std::uint32_t>(digit);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> bits & 255U);
+  }
+  return bytes;
 }
 
 }  // namespace wythe

@@ -27,5 +27,7 @@ namespace wythe {
 
 // RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);
+// Back again; "" where that is no such text.
+[[nodiscard]] std::string bytes_of_base64(std::string_view text);
 
 }  // namespace wythe

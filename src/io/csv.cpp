@@ -50,6 +50,15 @@ void CsvLines::refuse(int most, const char* what) const {
                      .line = line_}});
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string csv_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
 double number_in(std::string_view cell) {
   if (cell.starts_with('+')) cell.remove_prefix(1);
   double number = 0;

@@ -30,6 +30,11 @@ class CsvLines {
   int line_ = 0, rows_ = 0;
 };
 
+// Text as one cell (RFC 4180): quoted where it holds what would end it.
+[[nodiscard]] std::string csv_cell(const std::string& text);
+// The shortest digits that read back as the same number; "" for NaN.
+[[nodiscard]] std::string csv_cell(double value);
+
 // A whole cell as a finite number, a leading + allowed; NaN for anything else.
 [[nodiscard]] double number_in(std::string_view cell);
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "io/csv.h"
 #include "study/answer_keys.h"
 #include "wythe/io.h"
 
@@ -20,13 +21,6 @@ std::vector<double> more_fractions(const StudySpec& study) {
       study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
   std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
   return fractions;
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
 }
 
 std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
@@ -86,11 +80,11 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
     else if constexpr (std::is_same_v<Value, bool>)
       cells.push_back({key.column, value ? "1" : "0"});
     else if constexpr (std::is_same_v<Value, Message>)
-      cells.push_back({key.column, quoted(text_of(value))});
+      cells.push_back({key.column, io::csv_cell(text_of(value))});
     else
-      cells.push_back({key.column, quoted(value)});
+      cells.push_back({key.column, io::csv_cell(value)});
     if (std::string_view(key.stored) == "displacement_max_m")
-      cells.push_back({"failure_mode", quoted(record.failure_mode.name)});
+      cells.push_back({"failure_mode", io::csv_cell(record.failure_mode.name)});
     if (std::string_view(key.stored) != "censored_max") return;
     for (const double fraction : more_fractions(campaign.study)) {
       const FallTo* fall = fall_to(r, fraction);
@@ -110,7 +104,7 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
 std::string title_row(const Campaign& campaign, bool cyclic) {
   std::string row = "sample";
   for (const InputColumn& column : campaign.samples.column)
-    row += "," + quoted(column_title(column));
+    row += "," + io::csv_cell(column_title(column));
   row += ",status";
   for (const Cell& cell : answer_cells(campaign, {})) row += "," + cell.title;
   return row + ",retried,state_hash" + (cyclic ? kCyclicTitles : "") + "\n";
@@ -128,7 +122,7 @@ std::string samples_csv(const Campaign& campaign) {
       const InputColumn& column = campaign.samples.column[i];
       text += "," + number(record.inputs[i] * column.to_unit + column.offset);
     }
-    text += "," + quoted(record.status);
+    text += "," + io::csv_cell(record.status);
     for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;
     text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
     if (!cyclic.empty())

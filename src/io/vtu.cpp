@@ -9,6 +9,8 @@
 #include <cstring>
 
 #include "core/text.h"
+#include "io/element_columns.h"
+#include "wythe/error.h"
 #include "wythe/reading.h"
 
 namespace wythe::io {
@@ -83,71 +85,82 @@ std::string mesh_vtu(const Mesh& mesh, const State& state, const std::string& ce
   return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-// The cell arrays of the joints, one value a joint.
-struct JointColumns {
-  std::vector<double> opening, slip, damage, damage_tension, damage_shear, normal, shear, crushing;
-  std::vector<std::int32_t> kind, joint;
-};
+// The arrays of a table of columns, one value an element.
+template <class Reading, std::size_t n>
+std::string arrays_of(const ElementColumn<Reading> (&columns)[n],
+                      const std::vector<Reading>& elements) {
+  std::string text;
+  for (const ElementColumn<Reading>& column : columns) {
+    std::vector<double> values;
+    values.reserve(elements.size());
+    for (const Reading& element : elements) values.push_back(column.shown(element));
+    text += data_array(column.name, values);
+  }
+  return text;
+}
 
-void add_row(JointColumns& columns, const JointReading& joint, JointId id) {
-  columns.opening.push_back(joint.opening * 1e3);
-  columns.slip.push_back(joint.slip * 1e3);
-  columns.damage.push_back(joint.damage);
-  columns.damage_tension.push_back(joint.damage_tension);
-  columns.damage_shear.push_back(joint.damage_shear);
-  columns.normal.push_back(joint.normal_stress * 1e-6);
-  columns.shear.push_back(joint.shear_stress * 1e-6);
-  columns.crushing.push_back(joint.crushing);
-  columns.kind.push_back(static_cast<std::int32_t>(joint.shape.kind));
-  columns.joint.push_back(id);
+[[noreturn]] void refuse_vtu(const std::string& file, const std::string& what) {
+  throw IoError(fmt::format("{}: is damaged, or no file of wythe run: {}", file, what));
+}
+
+// The bytes of one array after its count.
+std::vector<double> doubles_of(std::string_view packed, const std::string& file,
+                               std::string_view name) {
+  const std::string bytes = bytes_of_base64(packed);
+  std::uint64_t size = 0;
+  if (bytes.size() >= sizeof size) std::memcpy(&size, bytes.data(), sizeof size);
+  if (bytes.size() < sizeof size || size != bytes.size() - sizeof size ||
+      size % sizeof(double) != 0)
+    refuse_vtu(file, fmt::format("array {} is not whole", name));
+  std::vector<double> values(size / sizeof(double));
+  if (size > 0) std::memcpy(values.data(), bytes.data() + sizeof size, size);
+  return values;
 }
 
 }  // namespace
 
 std::string blocks_vtu(const Model& model, const State& state) {
   Mesh mesh;
-  std::vector<double> displacement, rotation;
+  std::vector<double> displacement;
+  std::vector<BlockReading> blocks;
   std::vector<std::int32_t> role, course, block;
   for (BlockId b = 0; b < model.n_block; ++b) {
     const BlockReading now = read_block(model, state, b);
     for (const Vec3& p : outline_now(model, state, b)) mesh.add_point(p);
     mesh.close_cell();
     add(displacement, 1e3 * now.moved);
-    rotation.push_back(1e3 * now.turned.by.z);
+    blocks.push_back(now);
     role.push_back(static_cast<std::int32_t>(now.role));
     course.push_back(model.anatomy.block_course[b]);
     block.push_back(b);
   }
   return mesh_vtu(mesh, state,
                   data_array("displacement_mm", displacement, 3) +
-                      data_array("rotation_mrad", rotation) + data_array("role", role) +
+                      arrays_of(kBlockColumns, blocks) + data_array("role", role) +
                       data_array("course", course) + data_array("block", block));
 }
 
 std::string joints_vtu(const Model& model, const State& state) {
   Mesh mesh;
   mesh.cell_type = kVtkLine;
-  JointColumns columns;
-  for (const JointReading& joint : read_wall(model, state).joints) {
+  std::vector<std::int32_t> kind, id;
+  const std::vector<JointReading> joints = read_wall(model, state).joints;
+  for (const JointReading& joint : joints) {
     for (const Vec3& p : ends_now(model, state, joint.shape.id)) mesh.add_point(p);
     mesh.close_cell();
-    add_row(columns, joint, joint.shape.id < model.n_joint ? joint.shape.id : -1);
+    kind.push_back(static_cast<std::int32_t>(joint.shape.kind));
+    id.push_back(joint.shape.id < model.n_joint ? joint.shape.id : -1);
   }
-  return mesh_vtu(mesh, state,
-                  data_array("opening_mm", columns.opening) + data_array("slip_mm", columns.slip) +
-                      data_array("damage", columns.damage) +
-                      data_array("damage_tension", columns.damage_tension) +
-                      data_array("damage_shear", columns.damage_shear) +
-                      data_array("normal_stress_MPa", columns.normal) +
-                      data_array("shear_stress_MPa", columns.shear) +
-                      data_array("crushing", columns.crushing) + data_array("kind", columns.kind) +
-                      data_array("joint", columns.joint));
+  return mesh_vtu(
+      mesh, state,
+      arrays_of(kJointColumns, joints) + data_array("kind", kind) + data_array("joint", id));
 }
 
 std::string zones_vtu(const Model& model, const State& state) {
   Mesh mesh;
-  std::vector<double> displacement, x, y, xy, first, second;
+  std::vector<double> displacement;
   std::vector<std::int32_t> body, zone;
+  std::vector<ZoneReading> listed;
   const std::vector<ZoneReading> zones = read_zones(model, state);
   for (std::size_t b = 0; b < model.solids.bodies.size(); ++b)
     for (int z = 0; z < model.solids.bodies[b].n_zone; ++z) {
@@ -156,19 +169,12 @@ std::string zones_vtu(const Model& model, const State& state) {
       for (int k = 0; k < now.corners; ++k) mesh.add_point(now.corner[k]);
       mesh.close_cell();
       add(displacement, 1e3 * now.moved);
-      const auto [greatest, least] = principal_stresses(now);
-      x.push_back(now.sigma_x * 1e-6);
-      y.push_back(now.sigma_y * 1e-6);
-      xy.push_back(now.tau * 1e-6);
-      first.push_back(greatest * 1e-6);
-      second.push_back(least * 1e-6);
+      listed.push_back(now);
       body.push_back(static_cast<std::int32_t>(b));
       zone.push_back(at);
     }
   return mesh_vtu(mesh, state,
-                  data_array("displacement_mm", displacement, 3) + data_array("stress_x_MPa", x) +
-                      data_array("stress_y_MPa", y) + data_array("stress_xy_MPa", xy) +
-                      data_array("principal_1_MPa", first) + data_array("principal_2_MPa", second) +
+                  data_array("displacement_mm", displacement, 3) + arrays_of(kZoneColumns, listed) +
                       data_array("body", body) + data_array("zone", zone));
 }
 
@@ -181,6 +187,27 @@ std::string series_pvd(const std::vector<SeriesEntry>& entries) {
                         entry.time, entry.part, entry.name, entry.file);
   }
   return text + "</Collection>\n</VTKFile>\n";
+}
+
+std::map<std::string, std::vector<double>, std::less<>> vtu_arrays(const std::string& text,
+                                                                   const std::string& file) {
+  constexpr std::string_view kBegin = "<DataArray type=\"Float64\" Name=\"",
+                             kBinary = "format=\"binary\">", kEnd = "</DataArray>";
+  std::map<std::string, std::vector<double>, std::less<>> arrays;
+  for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin, at)) {
+    at += kBegin.size();
+    const std::size_t quote = text.find('"', at), head = text.find('>', at);
+    const std::size_t end = text.find(kEnd, at);
+    if (quote > head || head > end || end == std::string::npos)
+      refuse_vtu(file, "it breaks off in an array");
+    const std::string_view name = std::string_view(text).substr(at, quote - at);
+    if (std::string_view(text).substr(at, head + 1 - at).ends_with(kBinary))
+      arrays[std::string(name)] =
+          doubles_of(std::string_view(text).substr(head + 1, end - head - 1), file, name);
+    at = end;
+  }
+  if (!text.ends_with("</VTKFile>\n")) refuse_vtu(file, "its end is missing");
+  return arrays;
 }
 
 }  // namespace wythe::io

@@ -4,6 +4,8 @@
 // Arrays are base64 of little-endian doubles, so that every bit and every NaN survives.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,10 @@ namespace wythe::io {
 // Cells: zones of deformable blocks. displacement_mm (3) of the middle; mean stresses stress_x_MPa,
 // stress_y_MPa, stress_xy_MPa, principal_1_MPa, principal_2_MPa (tension positive); body, zone.
 [[nodiscard]] std::string zones_vtu(const Model& model, const State& state);
+
+// The arrays of doubles in such a text, by name. Throws IoError where it is not whole.
+[[nodiscard]] std::map<std::string, std::vector<double>, std::less<>> vtu_arrays(
+    const std::string& text, const std::string& file);
 
 // One row of the series; `time` is what ParaView's time slider shows: the displacement [mm].
 struct SeriesEntry {

@@ -17,9 +17,15 @@ namespace wythe::study {
 // Where a response has a column for each sample: kView is the view alone, kCsv both.
 enum class Listed { kNowhere, kView, kCsv };
 
+struct Explained {
+  const char* unit;     // as shown; "": none
+  const char* meaning;  // in one line, for columns.json
+};
+
 struct AnswerKey {
   const char* stored;   // column of the store's table `sample`, SI
   const char* summary;  // key of summary.json; "bilinear.force_kN" lies in an object
+  Explained explained;
   Listed listed = Listed::kNowhere;
   const char* column = "";  // there
   double to_unit = 1;       // shown = SI * to_unit; in the store as it is
@@ -28,48 +34,48 @@ struct AnswerKey {
 // clang-format off
 template <class Visitor, class R>
 void each_response(const Visitor& v, R& r) {
-  v(AnswerKey{"peak_reaction_N", "peak_reaction_kN", Listed::kCsv, "peak_reaction_kN", 1e-3}, r.peak_reaction);
-  v(AnswerKey{"displacement_at_peak_m", "displacement_at_peak_mm", Listed::kCsv, "displacement_at_peak_mm", 1e3}, r.displacement_at_peak);
-  v(AnswerKey{"displacement_at_80_percent_m", "displacement_at_80_percent_mm", Listed::kCsv, "displacement_at_80_percent_mm", 1e3}, r.displacement_at_80);
-  v(AnswerKey{"censored_80", "censored_80", Listed::kCsv, "censored_80"}, r.censored_80);
-  v(AnswerKey{"displacement_max_m", "displacement_max_mm", Listed::kCsv, "displacement_max_mm", 1e3}, r.displacement_max);
-  v(AnswerKey{"censored_max", "censored_max", Listed::kCsv, "censored_max"}, r.censored_max);
-  v(AnswerKey{"initial_stiffness_N_per_m", "initial_stiffness_kN_per_mm", Listed::kCsv, "initial_stiffness_kN_per_mm", 1e-6}, r.initial_stiffness);
-  v(AnswerKey{"drift_max", "drift_percent_max", Listed::kCsv, "drift_max_percent", 1e2}, r.drift_max);
-  v(AnswerKey{"collapse_displacement_m", "collapse.displacement_mm", Listed::kCsv, "collapse_displacement_mm", 1e3}, r.collapse.displacement);
-  v(AnswerKey{"collapse_censored", "collapse.censored", Listed::kCsv, "censored_collapse"}, r.collapse.censored);
-  v(AnswerKey{"collapse_criterion", "collapse.criterion", Listed::kCsv, "collapse_criterion"}, r.collapse.criterion);
-  v(AnswerKey{"collapse_drift", "collapse.drift_percent", Listed::kNowhere, "", 1e2}, r.collapse.drift);
-  v(AnswerKey{"peak_reason", "peak_reason", Listed::kView, "peak_reason"}, r.peak_reason);
-  v(AnswerKey{"censored_peak", "censored_peak", Listed::kView, "censored_peak"}, r.censored_peak);
-  v(AnswerKey{"peak_raw_N", "peak_raw_kN", Listed::kView, "peak_raw_kN", 1e-3}, r.peak_raw);
-  v(AnswerKey{"displacement_at_peak_raw_m", "displacement_at_peak_raw_mm", Listed::kNowhere, "", 1e3}, r.displacement_at_peak_raw);
-  v(AnswerKey{"load_height_m", "load_height_m"}, r.load_height);
-  v(AnswerKey{"drift_at_peak", "drift_percent_at_peak", Listed::kView, "drift_at_peak_percent", 1e2}, r.drift_at_peak);
-  v(AnswerKey{"drift_at_80_percent", "drift_percent_at_80", Listed::kView, "drift_at_80_of_peak_percent", 1e2}, r.drift_at_80);
-  v(AnswerKey{"work_to_peak_J", "work_to_peak_J"}, r.work_to_peak);
-  v(AnswerKey{"work_to_80_percent_J", "work_to_80_percent_J"}, r.work_to_80);
-  v(AnswerKey{"work_total_J", "work_total_J"}, r.work_total);
-  v(AnswerKey{"bilinear_stiffness_N_per_m", "bilinear.stiffness_kN_per_mm", Listed::kNowhere, "", 1e-6}, r.bilinear.stiffness);
-  v(AnswerKey{"bilinear_force_N", "bilinear.force_kN", Listed::kNowhere, "", 1e-3}, r.bilinear.force);
-  v(AnswerKey{"bilinear_yield_displacement_m", "bilinear.yield_displacement_mm", Listed::kNowhere, "", 1e3}, r.bilinear.yield_displacement);
-  v(AnswerKey{"bilinear_ultimate_displacement_m", "bilinear.ultimate_displacement_mm", Listed::kNowhere, "", 1e3}, r.bilinear.ultimate_displacement);
-  v(AnswerKey{"bilinear_ductility", "bilinear.ductility"}, r.bilinear.ductility);
-  v(AnswerKey{"bilinear_censored", "bilinear.censored"}, r.bilinear.censored);
+  v(AnswerKey{"peak_reaction_N", "peak_reaction_kN", {"kN", "capacity: largest reaction of a row in balance; no value where there is none"}, Listed::kCsv, "peak_reaction_kN", 1e-3}, r.peak_reaction);
+  v(AnswerKey{"displacement_at_peak_m", "displacement_at_peak_mm", {"mm", "displacement at the capacity"}, Listed::kCsv, "displacement_at_peak_mm", 1e3}, r.displacement_at_peak);
+  v(AnswerKey{"displacement_at_80_percent_m", "displacement_at_80_percent_mm", {"mm", "where the force first falls to 0.8 of the peak after it; a lower bound where censored_80 is 1"}, Listed::kCsv, "displacement_at_80_percent_mm", 1e3}, r.displacement_at_80);
+  v(AnswerKey{"censored_80", "censored_80", {"", "1: the push ended before the force fell to 0.8 of the peak"}, Listed::kCsv, "censored_80"}, r.censored_80);
+  v(AnswerKey{"displacement_max_m", "displacement_max_mm", {"mm", "where the force stays below 0.2 of the peak; a lower bound where censored_max is 1"}, Listed::kCsv, "displacement_max_mm", 1e3}, r.displacement_max);
+  v(AnswerKey{"censored_max", "censored_max", {"", "1: the push ended before the force stayed below 0.2 of the peak"}, Listed::kCsv, "censored_max"}, r.censored_max);
+  v(AnswerKey{"initial_stiffness_N_per_m", "initial_stiffness_kN_per_mm", {"kN/mm", "slope of the rise between 0.1 and 0.3 of the peak"}, Listed::kCsv, "initial_stiffness_kN_per_mm", 1e-6}, r.initial_stiffness);
+  v(AnswerKey{"drift_max", "drift_percent_max", {"%", "displacement_max over the load height"}, Listed::kCsv, "drift_max_percent", 1e2}, r.drift_max);
+  v(AnswerKey{"collapse_displacement_m", "collapse.displacement_mm", {"mm", "largest displacement at which the wall still stood; a lower bound where censored_collapse is 1"}, Listed::kCsv, "collapse_displacement_mm", 1e3}, r.collapse.displacement);
+  v(AnswerKey{"collapse_censored", "collapse.censored", {"", "1: the run ended before the wall collapsed"}, Listed::kCsv, "censored_collapse"}, r.collapse.censored);
+  v(AnswerKey{"collapse_criterion", "collapse.criterion", {"", "what ended the wall"}, Listed::kCsv, "collapse_criterion"}, r.collapse.criterion);
+  v(AnswerKey{"collapse_drift", "collapse.drift_percent", {"%", "collapse displacement over the load height"}, Listed::kNowhere, "", 1e2}, r.collapse.drift);
+  v(AnswerKey{"peak_reason", "peak_reason", {"", "why there is no capacity; empty where there is one"}, Listed::kView, "peak_reason"}, r.peak_reason);
+  v(AnswerKey{"censored_peak", "censored_peak", {"", "1: the force still rose at the end of the push, so the capacity is a lower bound"}, Listed::kView, "censored_peak"}, r.censored_peak);
+  v(AnswerKey{"peak_raw_N", "peak_raw_kN", {"kN", "largest reaction of any row, jolts and rebounds included"}, Listed::kView, "peak_raw_kN", 1e-3}, r.peak_raw);
+  v(AnswerKey{"displacement_at_peak_raw_m", "displacement_at_peak_raw_mm", {"mm", "displacement at the largest reaction of any row"}, Listed::kNowhere, "", 1e3}, r.displacement_at_peak_raw);
+  v(AnswerKey{"load_height_m", "load_height_m", {"m", "height of the driven blocks' centroids, which drifts are measured over"}}, r.load_height);
+  v(AnswerKey{"drift_at_peak", "drift_percent_at_peak", {"%", "displacement at the capacity over the load height"}, Listed::kView, "drift_at_peak_percent", 1e2}, r.drift_at_peak);
+  v(AnswerKey{"drift_at_80_percent", "drift_percent_at_80", {"%", "displacement at 0.8 of the peak over the load height"}, Listed::kView, "drift_at_80_of_peak_percent", 1e2}, r.drift_at_80);
+  v(AnswerKey{"work_to_peak_J", "work_to_peak_J", {"J", "area under the curve up to the capacity"}}, r.work_to_peak);
+  v(AnswerKey{"work_to_80_percent_J", "work_to_80_percent_J", {"J", "area under the curve up to 0.8 of the peak"}}, r.work_to_80);
+  v(AnswerKey{"work_total_J", "work_total_J", {"J", "area under the whole curve"}}, r.work_total);
+  v(AnswerKey{"bilinear_stiffness_N_per_m", "bilinear.stiffness_kN_per_mm", {"kN/mm", "stiffness of the bilinear curve: secant through 0.7 of the peak"}, Listed::kNowhere, "", 1e-6}, r.bilinear.stiffness);
+  v(AnswerKey{"bilinear_force_N", "bilinear.force_kN", {"kN", "yield force of the bilinear curve of equal area"}, Listed::kNowhere, "", 1e-3}, r.bilinear.force);
+  v(AnswerKey{"bilinear_yield_displacement_m", "bilinear.yield_displacement_mm", {"mm", "yield displacement of the bilinear curve"}, Listed::kNowhere, "", 1e3}, r.bilinear.yield_displacement);
+  v(AnswerKey{"bilinear_ultimate_displacement_m", "bilinear.ultimate_displacement_mm", {"mm", "ultimate displacement of the bilinear curve"}, Listed::kNowhere, "", 1e3}, r.bilinear.ultimate_displacement);
+  v(AnswerKey{"bilinear_ductility", "bilinear.ductility", {"–", "ultimate over yield displacement; a lower bound where bilinear_censored is 1"}}, r.bilinear.ductility);
+  v(AnswerKey{"bilinear_censored", "bilinear.censored", {"", "1: 0.8 of the peak was never crossed"}}, r.bilinear.censored);
 }
 
 template <class Visitor, class Meters>
 void each_quasi_static(const Visitor& v, Meters& q) {
-  v(AnswerKey{"rate_verdict", "quasi_static.verdict"}, q.verdict);
-  v(AnswerKey{"rate_judgement", "quasi_static.judgement", Listed::kView, "rate_judgement"}, q.judgement);
-  v(AnswerKey{"rate_lift", "quasi_static.lift_percent", Listed::kNowhere, "", 1e2}, q.lift);
-  v(AnswerKey{"force_beyond_peak", "quasi_static.force_beyond_percent", Listed::kNowhere, "", 1e2}, q.beyond);
-  v(AnswerKey{"unbalance_ratio_mean", "quasi_static.unbalance_ratio_mean"}, q.unbalance_ratio_mean);
-  v(AnswerKey{"unbalance_ratio_max", "quasi_static.unbalance_ratio_max"}, q.unbalance_ratio_max);
-  v(AnswerKey{"kinetic_ratio_mean", "quasi_static.kinetic_ratio_mean"}, q.kinetic_ratio_mean);
-  v(AnswerKey{"kinetic_ratio_max", "quasi_static.kinetic_ratio_max"}, q.kinetic_ratio_max);
-  v(AnswerKey{"shear_gap", "quasi_static.shear_gap"}, q.shear_gap);
-  v(AnswerKey{"damping_share", "quasi_static.damping_share"}, q.damping_share);
+  v(AnswerKey{"rate_verdict", "quasi_static.verdict", {"", "how nearly static the push was, with reason and cure"}}, q.verdict);
+  v(AnswerKey{"rate_judgement", "quasi_static.judgement", {"", "the same in a word: slow enough, usable, too fast, unknown, no push"}, Listed::kView, "rate_judgement"}, q.judgement);
+  v(AnswerKey{"rate_lift", "quasi_static.lift_percent", {"%", "a slow push moves the peak by no more than about this"}, Listed::kNowhere, "", 1e2}, q.lift);
+  v(AnswerKey{"force_beyond_peak", "quasi_static.force_beyond_percent", {"%", "largest force of any row that both reaction and base shear have, beyond the capacity"}, Listed::kNowhere, "", 1e2}, q.beyond);
+  v(AnswerKey{"unbalance_ratio_mean", "quasi_static.unbalance_ratio_mean", {"–", "unbalanced forces over contact forces, mean of the rows around the peak"}}, q.unbalance_ratio_mean);
+  v(AnswerKey{"unbalance_ratio_max", "quasi_static.unbalance_ratio_max", {"–", "the same, largest of these rows"}}, q.unbalance_ratio_max);
+  v(AnswerKey{"kinetic_ratio_mean", "quasi_static.kinetic_ratio_mean", {"–", "kinetic energy over the work of the drive, mean of the rows around the peak"}}, q.kinetic_ratio_mean);
+  v(AnswerKey{"kinetic_ratio_max", "quasi_static.kinetic_ratio_max", {"–", "the same, largest of these rows"}}, q.kinetic_ratio_max);
+  v(AnswerKey{"shear_gap", "quasi_static.shear_gap", {"–", "gap between reaction and base shear over the peak, mean of the rows around it"}}, q.shear_gap);
+  v(AnswerKey{"damping_share", "quasi_static.damping_share", {"–", "share of the drive's work that local damping took on the way to the peak"}}, q.damping_share);
 }
 // clang-format on
 

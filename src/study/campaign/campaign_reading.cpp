@@ -1,4 +1,5 @@
 // What is read out of a store: the campaign, its states, and the titles of its columns.
+#include <algorithm>
 #include <utility>
 
 #include "study/store/store.h"
@@ -17,19 +18,39 @@ study::Store opened(const std::string& folder) {
   return {folder, study::Store::Access::kRead};
 }
 
+Campaign without_records(study::Store& store) {
+  Campaign campaign;
+  campaign.study = store.study();
+  campaign.samples = store.samples();
+  const study::StoreHead head = store.head();
+  campaign.load_height = head.load_height;
+  campaign.provenance = head.provenance;
+  return campaign;
+}
+
 }  // namespace
 
 std::vector<int> stored_batches(const std::string& folder) { return opened(folder).study().batch; }
 
 Campaign read_campaign(const std::string& folder) {
   study::Store store = opened(folder);
-  Campaign campaign;
-  campaign.study = store.study();
-  campaign.samples = store.samples();
+  Campaign campaign = without_records(store);
   campaign.records = store.records(study::last_counted(store));
-  const study::StoreHead head = store.head();
-  campaign.load_height = head.load_height;
-  campaign.provenance = head.provenance;
+  return campaign;
+}
+
+Campaign read_campaign(const std::string& folder,
+                       const std::function<void(const Campaign&, const SampleRecord&)>& take) {
+  constexpr int kAtOnce = 64;
+  study::Store store = opened(folder);
+  const Campaign campaign = without_records(store);
+  const int last = std::min(campaign.samples.n_sample(), study::last_counted(store));
+  for (int first = 1; first <= last; first += kAtOnce) {
+    study::Store part(folder, study::Store::Access::kRead);  // each counts the memory it takes
+    for (const SampleRecord& record :
+         part.records(campaign.samples, first, std::min(last, first + kAtOnce - 1)))
+      take(campaign, record);
+  }
   return campaign;
 }
 

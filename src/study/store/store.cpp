@@ -26,6 +26,9 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
 
+// In the place of a first sample.
+constexpr int kWhole = std::numeric_limits<int>::min();
+
 // How a sample that is stored has ended.
 bool is_outcome(const std::string& status) {
   return value_of(kSolveStatusWords, status).has_value() || status == "refused";
@@ -113,19 +116,20 @@ std::string known_columns(Store& store, const std::string& table, const ColumnNa
   return list;
 }
 
-// Reads one list of all samples.
+// Reads one list of the samples in `where`.
 struct ListReader {
   Store& store;
   std::map<int, RecordLists>& lists;
   int samples;
+  std::string where;
   template <class Member, class Columns>
   void list(const char* table, std::vector<Member> RecordLists::*members, const Columns& columns) {
     ColumnNames names;
     Member any{};
     columns(names, any);
     Statement select(store.database(),
-                     fmt::format("SELECT sample, position{} FROM {} ORDER BY 1, 2",
-                                 known_columns(store, table, names), table));
+                     fmt::format("SELECT sample, position{} FROM {} {} ORDER BY 1, 2",
+                                 known_columns(store, table, names), table, where));
     while (select.step()) {
       const auto sample = static_cast<int>(select.integer(1, samples));
       static_cast<void>(select.integer());
@@ -168,13 +172,14 @@ std::vector<std::string> parts_of(const std::string& list) {
   return parts;
 }
 
-std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples) {
+std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples,
+                                                 const std::string& where) {
   Database& database = store.database();
   std::map<int, std::vector<CurveRow>> curves;
   ColumnNames named;
   named("columns", std::string());
-  Statement select(database, fmt::format("SELECT sample, rows{}, data FROM curve",
-                                         known_columns(store, "curve", named)));
+  Statement select(database, fmt::format("SELECT sample, rows{}, data FROM curve {}",
+                                         known_columns(store, "curve", named), where));
   while (select.step()) {
     const auto sample = static_cast<int>(select.integer(1, samples));
     const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
@@ -499,16 +504,21 @@ int last_counted(Store& store) {
   return met == 0 ? std::numeric_limits<int>::max() : met;
 }
 
-std::vector<SampleRecord> Store::records(int last) {
-  SampleTable table = samples();
-  std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample());
+std::vector<SampleRecord> Store::records(int last) { return records(samples(), kWhole, last); }
+
+std::vector<SampleRecord> Store::records(const SampleTable& table, int first, int last) {
+  // of the whole the lists too: a row of a sample that is none is damage
+  const std::string where =
+      first == kWhole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last);
+  std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample(), where);
   std::map<int, RecordLists> lists;
-  ListReader reader{*this, lists, table.n_sample()};
+  ListReader reader{*this, lists, table.n_sample(), where};
   each_list(reader);
   std::vector<SampleRecord> records;
-  Statement select(database_,
-                   fmt::format("SELECT sample{} FROM sample WHERE sample <= {} ORDER BY sample",
-                               known_columns(*this, "sample", record_columns()), last));
+  Statement select(
+      database_,
+      fmt::format("SELECT sample{} FROM sample WHERE sample BETWEEN {} AND {} ORDER BY sample",
+                  known_columns(*this, "sample", record_columns()), first, last));
   while (select.step()) {
     SampleRecord& record = records.emplace_back();
     record.sample = static_cast<int>(select.integer(1, table.n_sample()));

@@ -57,6 +57,8 @@ class Store {
   [[nodiscard]] StoreHead head();
   [[nodiscard]] std::set<int> done();
   [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
+  // Samples first .. last alone, `table` being samples(): a store may be larger than memory.
+  [[nodiscard]] std::vector<SampleRecord> records(const SampleTable& table, int first, int last);
   // Of one sample, whose wall this is; IoError where they are not states of it.
   [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
   [[nodiscard]] std::string value(const std::string& key);

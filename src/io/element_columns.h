@@ -1,0 +1,41 @@
+// What files say of blocks, joints and zones in a state, one line each: cells of VTU files, and of the
+// tables of `wythe export` with unit and meaning (columns.json). Displacements (displacement_mm) and what
+// never changes stand beside them there.
+#pragma once
+
+#include "wythe/reading.h"
+
+namespace wythe::io {
+
+template <class Reading>
+struct ElementColumn {
+  const char *name, *unit, *meaning;
+  double (*shown)(const Reading&);  // in that unit
+};
+
+// clang-format off
+inline constexpr ElementColumn<BlockReading> kBlockColumns[] = {
+  {"rotation_mrad", "mrad", "how far it turned, anticlockwise +", [](const BlockReading& b) { return 1e3 * b.turned.by.z; }},
+};
+
+inline constexpr ElementColumn<JointReading> kJointColumns[] = {
+  {"opening_mm", "mm", "opening at its wider end; negative where it is closed", [](const JointReading& j) { return j.opening * 1e3; }},
+  {"slip_mm", "mm", "slip along the joint, of its points that of largest magnitude", [](const JointReading& j) { return j.slip * 1e3; }},
+  {"damage", "–", "largest damage of its points: 0 sound, 1 fully cracked", [](const JointReading& j) { return j.damage; }},
+  {"damage_tension", "–", "the same, in tension", [](const JointReading& j) { return j.damage_tension; }},
+  {"damage_shear", "–", "the same, in shear", [](const JointReading& j) { return j.damage_shear; }},
+  {"normal_stress_MPa", "MPa", "mean normal stress, tension +", [](const JointReading& j) { return j.normal_stress * 1e-6; }},
+  {"shear_stress_MPa", "MPa", "mean shear stress", [](const JointReading& j) { return j.shear_stress * 1e-6; }},
+  {"crushing", "–", "largest crushing of its points: 0 sound, 1 fully crushed", [](const JointReading& j) { return j.crushing; }},
+};
+
+inline constexpr ElementColumn<ZoneReading> kZoneColumns[] = {
+  {"stress_x_MPa", "MPa", "mean horizontal stress, tension +", [](const ZoneReading& z) { return z.sigma_x * 1e-6; }},
+  {"stress_y_MPa", "MPa", "mean vertical stress, tension +", [](const ZoneReading& z) { return z.sigma_y * 1e-6; }},
+  {"stress_xy_MPa", "MPa", "mean shear stress", [](const ZoneReading& z) { return z.tau * 1e-6; }},
+  {"principal_1_MPa", "MPa", "greater principal stress, tension +", [](const ZoneReading& z) { return principal_stresses(z).first * 1e-6; }},
+  {"principal_2_MPa", "MPa", "smaller principal stress, tension +", [](const ZoneReading& z) { return principal_stresses(z).second * 1e-6; }},
+};
+// clang-format on
+
+}  // namespace wythe::io

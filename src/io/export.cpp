@@ -1,0 +1,460 @@
+// wythe export: a run or a campaign as plain CSV tables (docs/howto/export.md).
+//
+//   curves.csv  samples.csv  state_blocks.csv  state_joints.csv  state_zones.csv  columns.json
+//
+// A run is a campaign of one sample, number 1. A store is read and written a few samples at a time, so
+// neither its curves nor its states are in memory at once. Numbers have the shortest digits that read back
+// as the same double. Name, unit and meaning of each column come from the table that makes it: curve.h,
+// answer_keys.h, element_columns.h, the study's inputs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <type_traits>
+
+#include "core/files.h"
+#include "core/limits.h"
+#include "core/text.h"
+#include "io/csv.h"
+#include "io/element_columns.h"
+#include "io/export_samples.h"
+#include "io/json.h"
+#include "io/vtu.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace io;
+
+constexpr const char *kCurves = "curves.csv", *kSamples = "samples.csv",
+                     *kBlocks = "state_blocks.csv", *kJoints = "state_joints.csv",
+                     *kZones = "state_zones.csv", *kColumns = "columns.json";
+
+bool is_export_file(const std::string& name) {
+  for (const char* file : {kCurves, kSamples, kBlocks, kJoints, kZones, kColumns})
+    if (name == file) return true;
+  return false;
+}
+
+[[noreturn]] void refuse(const std::string& file, const std::string& problem,
+                         const std::string& cure) {
+  throw InputError({{.file = file, .path = "", .value = "", .problem = problem, .cure = cure}});
+}
+
+// --- tables ----------------------------------------------------------------------------------------
+
+std::string row_of(const std::vector<std::string>& cells) {
+  return joined(cells, ",") + "\r\n";  // RFC 4180
+}
+
+class Table {
+ public:
+  Table(const std::string& folder, const char* name, std::vector<ExportColumn> columns)
+      : file_(folder + "/" + name), columns_(std::move(columns)) {
+    std::vector<std::string> titles;
+    for (const ExportColumn& column : columns_) titles.push_back(csv_cell(column.name));
+    file_.add(row_of(titles));
+  }
+  void add(const std::vector<std::string>& cells) { file_.add(row_of(cells)); }
+  void close() { file_.close(); }
+  [[nodiscard]] const std::vector<ExportColumn>& columns() const { return columns_; }
+
+ private:
+  GrowingFile file_;
+  std::vector<ExportColumn> columns_;
+};
+
+const ExportColumn kSampleNumber{"sample", "", "number of the sample, from 1; of a run 1"};
+
+std::vector<ExportColumn> curve_columns(bool has_lintel) {
+  std::vector<ExportColumn> columns = {kSampleNumber};
+  for (const CurveColumn& c : columns_shown(has_lintel))
+    columns.push_back({c.name, c.unit, std::string(c.meaning) + " (" + c.over + ")"});
+  return columns;
+}
+
+template <class Reading, std::size_t n>
+std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed,
+                                        const ElementColumn<Reading> (&values)[n]) {
+  std::vector<ExportColumn> columns = {
+      kSampleNumber,
+      {"state", "", "number of the state in its sample, from 0 in order of time"},
+      {"label", "", "which state it is: peak, end, a displacement; empty of a run"},
+      {"push_displacement_mm", "mm", "displacement of the push at this state"}};
+  columns.insert(columns.end(), fixed.begin(), fixed.end());
+  columns.insert(columns.end(),
+                 {{"x_m", "m", "its centre at the start, along the wall"},
+                  {"y_m", "m", "its centre at the start, above the ground"},
+                  {"displacement_x_mm", "mm", "how far its centre went along the wall"},
+                  {"displacement_y_mm", "mm", "how far its centre went up"}});
+  for (const ElementColumn<Reading>& c : values) columns.push_back({c.name, c.unit, c.meaning});
+  return columns;
+}
+
+// --- states ----------------------------------------------------------------------------------------
+
+// Blocks, joints or zones of one state: how far each centre went [mm], then a list for each column.
+struct Elements {
+  std::vector<double> moved_x, moved_y;
+  std::vector<std::vector<double>> value;
+};
+struct WallState {
+  std::string label;
+  double displacement = 0;  // of the push [mm]
+  Elements blocks = {}, joints = {}, zones = {};
+};
+
+template <class Reading, std::size_t n>
+void take_values(const ElementColumn<Reading> (&columns)[n], const Reading& reading, Vec3 moved,
+                 Elements& elements) {
+  elements.value.resize(n);
+  elements.moved_x.push_back(1e3 * moved.x);
+  elements.moved_y.push_back(1e3 * moved.y);
+  for (std::size_t c = 0; c < n; ++c) elements.value[c].push_back(columns[c].shown(reading));
+}
+
+Vec3 middle_of(const std::array<Vec3, 2>& ends) { return 0.5 * (ends[0] + ends[1]); }
+
+// What never changes: the wall at the start.
+struct Wall {
+  const Model& model;
+  State start;
+  std::vector<Vec3> joint;  // middles [m]
+  std::vector<Vec3> zone;   // middles [m]
+  std::vector<int> zone_body;
+
+  explicit Wall(const Model& of) : model(of), start(initial_state(of)) {
+    for (JointId j = 0; j < joint_count(model); ++j)
+      joint.push_back(middle_of(ends_now(model, start, j)));
+    for (const ZoneReading& z : read_zones(model, start)) {
+      Vec3 sum;
+      for (int k = 0; k < z.corners; ++k) sum = sum + z.corner[static_cast<std::size_t>(k)];
+      zone.push_back(sum / z.corners);
+    }
+    zone_body.resize(zone.size());
+    for (std::size_t b = 0; b < model.solids.bodies.size(); ++b)
+      for (int z = 0; z < model.solids.bodies[b].n_zone; ++z)
+        zone_body[static_cast<std::size_t>(model.solids.bodies[b].first_zone + z)] =
+            static_cast<int>(b);
+  }
+};
+
+WallState state_of(const Wall& wall, const Snapshot& snapshot) {
+  const Model& model = wall.model;
+  WallState state{.label = snapshot.label, .displacement = 1e3 * snapshot.displacement};
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const BlockReading now = read_block(model, snapshot.state, b);
+    take_values(kBlockColumns, now, now.moved, state.blocks);
+  }
+  const std::vector<JointReading> joints = read_wall(model, snapshot.state).joints;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    take_values(kJointColumns, joints[j],
+                middle_of(ends_now(model, snapshot.state, joints[j].shape.id)) - wall.joint[j],
+                state.joints);
+  for (const ZoneReading& z : read_zones(model, snapshot.state))
+    take_values(kZoneColumns, z, z.moved, state.zones);
+  return state;
+}
+
+// The same out of the VTU files of a run.
+template <class Reading, std::size_t n>
+Elements elements_in(const std::string& file, const ElementColumn<Reading> (&columns)[n],
+                     const std::vector<Vec3>* starts, std::size_t count) {
+  const auto arrays = vtu_arrays(read_file(file, kMostPacked), file);
+  const auto array = [&](const char* name, std::size_t size) -> const std::vector<double>& {
+    const auto found = arrays.find(name);
+    if (found == arrays.end() || found->second.size() != size)
+      throw IoError(
+          fmt::format("{}: its array {} has not the {} numbers of model.used.toml's "
+                      "wall; the files of this run don't belong together",
+                      file, name, size));
+    return found->second;
+  };
+  Elements elements;
+  const std::vector<double>& place =
+      starts != nullptr ? array("Points", 6 * count) : array("displacement_mm", 3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* at = place.data() + (starts != nullptr ? 6 : 3) * i;
+    if (starts == nullptr) {
+      elements.moved_x.push_back(at[0]), elements.moved_y.push_back(at[1]);
+      continue;
+    }
+    const Vec3 now = middle_of({Vec3{at[0], at[1], at[2]}, Vec3{at[3], at[4], at[5]}});
+    elements.moved_x.push_back(1e3 * (now - (*starts)[i]).x);
+    elements.moved_y.push_back(1e3 * (now - (*starts)[i]).y);
+  }
+  for (const ElementColumn<Reading>& column : columns)
+    elements.value.push_back(array(column.name, count));
+  return elements;
+}
+
+class StateTables {
+ public:
+  explicit StateTables(std::string folder) : folder_(std::move(folder)) {}
+
+  // Tables are made with their first row: a file that is there says something.
+  void add(int sample, int number, const Wall& wall, const WallState& state) {
+    const Model& model = wall.model;
+    ++count;
+    if (!blocks_) open_tables();
+    for (BlockId b = 0; b < model.n_block; ++b) {
+      const BlockReading at = read_block(model, wall.start, b);
+      add_row(*blocks_, {sample, number, state},
+              {std::to_string(b), word_of(kBlockRoleWords, at.role),
+               std::to_string(model.anatomy.block_course[static_cast<std::size_t>(b)])},
+              at.start, state.blocks, static_cast<std::size_t>(b));
+    }
+    for (std::size_t j = 0; j < wall.joint.size(); ++j) {
+      const JointShape shape = joint_shape(model, static_cast<JointId>(j));
+      add_row(*joints_, {sample, number, state},
+              {std::to_string(j), word_of(kJointKindWords, shape.kind), std::to_string(shape.a),
+               std::to_string(shape.b), csv_cell(shape.area)},
+              wall.joint[j], state.joints, j);
+    }
+    if (!wall.zone.empty() && !zones_)
+      zones_.emplace(folder_, kZones,
+                     state_columns({{"zone", "", "number of the zone, from 0"},
+                                    {"body", "", "number of its deformable block, from 0"}},
+                                   kZoneColumns));
+    for (std::size_t z = 0; z < wall.zone.size(); ++z)
+      add_row(*zones_, {sample, number, state},
+              {std::to_string(z), std::to_string(wall.zone_body[z])}, wall.zone[z], state.zones, z);
+  }
+
+  void close(nlohmann::ordered_json& columns) {
+    const auto done = [&](std::optional<Table>& table, const char* name) {
+      if (!table) return;
+      table->close();
+      columns[name] = columns_json(table->columns());
+    };
+    done(blocks_, kBlocks), done(joints_, kJoints), done(zones_, kZones);
+  }
+  std::int64_t count = 0;
+
+ private:
+  struct Which {
+    int sample, number;
+    const WallState& state;
+  };
+  void open_tables() {
+    blocks_.emplace(folder_, kBlocks,
+                    state_columns({{"block", "", "number of the block, from 0"},
+                                   {"role", "", "masonry, lintel, plate or beam"},
+                                   {"course", "", "number of its course, from 0; -1: none"}},
+                                  kBlockColumns));
+    joints_.emplace(
+        folder_, kJoints,
+        state_columns({{"joint", "",
+                        "number of the joint, from 0; contacts of deformable blocks "
+                        "follow"},
+                       {"kind", "", "bed, head, split (crack plane of a unit), foundation, ..."},
+                       {"block_a", "", "block on one side, -1: the ground"},
+                       {"block_b", "", "block on the other side"},
+                       {"area_m2", "m^2", "its area"}},
+                      kJointColumns));
+  }
+  static void add_row(Table& table, const Which& which, const std::vector<std::string>& fixed,
+                      Vec3 at, const Elements& elements, std::size_t i) {
+    std::vector<std::string> cells = {std::to_string(which.sample), std::to_string(which.number),
+                                      csv_cell(which.state.label),
+                                      csv_cell(which.state.displacement)};
+    cells.insert(cells.end(), fixed.begin(), fixed.end());
+    for (const double value : {at.x, at.y, elements.moved_x[i], elements.moved_y[i]})
+      cells.push_back(csv_cell(value));
+    for (const std::vector<double>& column : elements.value) cells.push_back(csv_cell(column[i]));
+    table.add(cells);
+  }
+  std::string folder_;
+  std::optional<Table> blocks_, joints_, zones_;
+};
+
+// --- a campaign ------------------------------------------------------------------------------------
+
+// `head` is a row with these columns.
+void write_samples(const std::string& folder, const std::vector<ExportCell>& head,
+                   const std::vector<std::vector<ExportCell>>& rows,
+                   nlohmann::ordered_json& columns) {
+  std::vector<ExportColumn> titles;
+  for (const ExportCell& cell : head) titles.push_back(cell.column);
+  Table table(folder, kSamples, std::move(titles));
+  for (const std::vector<ExportCell>& row : rows) {
+    std::vector<std::string> cells;
+    for (const ExportCell& cell : row) cells.push_back(cell.text);
+    table.add(cells);
+  }
+  table.close();
+  columns[kSamples] = columns_json(table.columns());
+}
+
+void export_states(const std::string& folder, const Campaign& campaign, const SampleRecord& record,
+                   const ModelBuilder& build, StateTables& tables) {
+  if (record.status == "refused") return;  // there is no such wall
+  const Model model = compile(build(settings_of(campaign.samples, record.sample - 1)));
+  const std::vector<Snapshot> snapshots = read_states(folder, record.sample, model);
+  if (snapshots.empty()) return;
+  const Wall wall(model);
+  int number = 0;
+  for (const Snapshot& snapshot : snapshots)
+    tables.add(record.sample, number++, wall, state_of(wall, snapshot));
+}
+
+Exported export_campaign(const std::string& folder, const std::string& out,
+                         nlohmann::ordered_json& columns) {
+  Exported made;
+  std::optional<Table> curves;
+  std::vector<CurveColumn> shown;
+  StateTables states(out);
+  std::vector<std::vector<ExportCell>> samples;
+  ModelBuilder build;
+  const auto begin = [&](const Campaign& campaign) {
+    build = model_builder(campaign.study);
+    const bool has_lintel = has_lintel_of_zones(compile(build({})));
+    shown = columns_shown(has_lintel);
+    curves.emplace(out, kCurves, curve_columns(has_lintel));
+  };
+  const Campaign campaign =
+      read_campaign(folder, [&](const Campaign& head, const SampleRecord& record) {
+        if (!curves) begin(head);
+        samples.push_back(sample_cells(head, record));
+        for (const CurveRow& row : record.curve) {
+          std::vector<std::string> cells = {std::to_string(record.sample)};
+          for (const CurveColumn& c : shown) cells.push_back(csv_cell(row.*c.value * c.to_unit));
+          curves->add(cells);
+        }
+        made.rows += static_cast<std::int64_t>(record.curve.size());
+        export_states(folder, head, record, build, states);
+      });
+  if (!curves) begin(campaign);
+  curves->close();
+  columns[kCurves] = columns_json(curves->columns());
+  made.samples = static_cast<int>(samples.size());
+  made.missing = campaign.samples.n_sample() - made.samples;
+  write_samples(out, sample_cells(campaign, {}), samples, columns);
+  states.close(columns);
+  made.states = states.count;
+  return made;
+}
+
+// --- a run -----------------------------------------------------------------------------------------
+
+// Displacements of the states by number, as run.pvd has them [mm]; NaN where it names none.
+double displacement_in(const std::string& series, const std::string& file) {
+  constexpr std::string_view kTime = "timestep=\"";
+  const std::size_t at = series.find("file=\"" + file + "\"");
+  const std::size_t time = at == std::string::npos ? at : series.rfind(kTime, at);
+  if (time == std::string::npos) return kUnset;
+  const std::size_t begin = time + kTime.size();
+  return number_in(std::string_view(series).substr(begin, series.find('"', begin) - begin));
+}
+
+void export_run_states(const std::string& folder, StateTables& tables) {
+  const auto file = [&](const char* kind, int number) {
+    return fmt::format("state_{}_{:02}.vtu", kind, number);
+  };
+  const auto inside = [&](const std::string& name) { return folder + "/" + name; };
+  std::error_code error;
+  if (!fs::exists(inside(file("blocks", 0)), error)) return;
+  const std::string series = read_text(inside("run.pvd"), kMostJson);
+  const Model model = compile(read_model(inside("model.used.toml")));
+  const Wall wall(model);
+  for (int number = 0; fs::exists(inside(file("blocks", number)), error); ++number) {
+    WallState state{.label = "", .displacement = displacement_in(series, file("blocks", number))};
+    state.blocks = elements_in(inside(file("blocks", number)), kBlockColumns, nullptr,
+                               static_cast<std::size_t>(model.n_block));
+    state.joints =
+        elements_in(inside(file("joints", number)), kJointColumns, &wall.joint, wall.joint.size());
+    if (!wall.zone.empty())
+      state.zones =
+          elements_in(inside(file("zones", number)), kZoneColumns, nullptr, wall.zone.size());
+    tables.add(1, number, wall, state);
+  }
+}
+
+// The cells of force_displacement.csv as they are.
+std::int64_t export_run_curve(const std::string& folder, const std::string& out,
+                              nlohmann::ordered_json& columns) {
+  const std::string path = folder + "/force_displacement.csv";
+  const std::string text = read_text(path, kMostCsv);
+  CsvLines lines(text, path);
+  const auto is_head = [&](bool has_lintel) {
+    std::vector<std::string> names;
+    for (const CurveColumn& c : columns_shown(has_lintel)) names.emplace_back(c.name);
+    return names == lines.cells();
+  };
+  const bool has_head = lines.next();
+  if (!has_head || (!is_head(false) && !is_head(true)))
+    throw IoError(path + ": is not a curve of wythe run; run the model again");
+  Table table(out, kCurves, curve_columns(is_head(true)));
+  std::int64_t rows = 0;
+  for (; lines.next(); ++rows) {
+    std::vector<std::string> cells = {"1"};
+    for (const std::string& cell : lines.cells()) {
+      if (cell != "nan" && std::isnan(number_in(cell)))
+        throw IoError(fmt::format("{}:{}: \"{}\" is not a number; run the model again", path,
+                                  lines.line(), cell));
+      cells.push_back(cell == "nan" ? "" : cell);
+    }
+    if (cells.size() != table.columns().size())
+      throw IoError(fmt::format("{}:{}: has {} cells, its head {}", path, lines.line(),
+                                cells.size() - 1, table.columns().size() - 1));
+    table.add(cells);
+  }
+  table.close();
+  columns[kCurves] = columns_json(table.columns());
+  return rows;
+}
+
+Exported export_run(const std::string& folder, const std::string& out,
+                    nlohmann::ordered_json& columns) {
+  Exported made;
+  made.samples = 1;
+  made.rows = export_run_curve(folder, out, columns);
+  const std::string file = folder + "/summary.json";
+  const std::vector<ExportCell> row = run_cells(parse_json(read_text(file, kMostJson), file));
+  write_samples(out, row, {row}, columns);
+  StateTables states(out);
+  export_run_states(folder, states);
+  states.close(columns);
+  made.states = states.count;
+  return made;
+}
+
+}  // namespace
+
+std::unique_ptr<Replacement> replace_export(const std::string& out) {
+  std::error_code error;
+  finish_replacement(out);
+  const bool of_export = fs::exists(out + "/" + kColumns, error);
+  for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".") || name == "lost+found") continue;
+    if (!of_export || !is_export_file(name))
+      refuse(out, "holds " + name + ", which no export wrote: tables are not put among other files",
+             "name a new folder, an empty one, or one that holds an earlier export alone");
+  }
+  prepare_folder(out);
+  return std::make_unique<Replacement>(out, is_export_file);
+}
+
+Exported write_export(const std::string& folder, const std::string& out) {
+  nlohmann::ordered_json columns;
+  Exported made;
+  if (holds_campaign(folder))
+    made = export_campaign(folder, out, columns);
+  else if (fs::exists(folder + "/summary.json") && fs::exists(folder + "/force_displacement.csv"))
+    made = export_run(folder, out, columns);
+  else
+    refuse(folder, "holds neither a run (summary.json) nor a campaign (campaign.db)",
+           "name the --out folder of a finished wythe run or wythe campaign");
+  write_file(out + "/" + kColumns, columns.dump(2) + "\n");
+  return made;
+}
+
+}  // namespace wythe
