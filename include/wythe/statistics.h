@@ -148,6 +148,7 @@ struct MeanCurve {
 // A drift limit of the code against the samples: P(drift at 0.8 of the peak < limit).
 struct DriftLimit {
   std::string element, mechanism, state, clause;
+  std::string label;           // "pier, shear": of a line in a figure
   double limit = 0;            // [-]
   int below = 0, unknown = 0;  // reached it; push ended before the limit
   // Wilson; Kaplan-Meier and Greenwood where some are unknown. Beyond the farthest push the share is

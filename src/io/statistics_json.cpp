@@ -249,13 +249,10 @@ Json mean_curve_json(const MeanCurve& curve) {
 Json drift_limits_json(const Statistics& s) {
   Json list = Json::array();
   for (const DriftLimit& d : s.drift_limit) {
-    Json row = {{"element", d.element},
-                {"mechanism", d.mechanism},
-                {"state", d.state},
-                {"clause", d.clause},
-                {"limit_drift_percent", number(d.limit * 1e2)},
-                {"below", d.below},
-                {"unknown", d.unknown}};
+    Json row = {{"element", d.element}, {"mechanism", d.mechanism},
+                {"label", d.label},     {"state", d.state},
+                {"clause", d.clause},   {"limit_drift_percent", number(d.limit * 1e2)},
+                {"below", d.below},     {"unknown", d.unknown}};
     add(row, "share_below", d.share);
     row["share_below_is_lower_bound"] = d.is_lower_bound;
     list.push_back(std::move(row));

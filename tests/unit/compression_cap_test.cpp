@@ -211,6 +211,7 @@ void expect_fault(const JointMaterial& m, const std::string& key, const std::str
   const auto faults = check_joint_material(m);
   const MaterialFault* fault = fault_of(faults, key);
   ASSERT_NE(fault, nullptr) << key;
+  EXPECT_EQ(fault->value.empty(), fault->problem.starts_with("is missing"));
   EXPECT_NE(fault->problem.find(part), std::string::npos) << fault->problem;
   EXPECT_FALSE(fault->cure.empty());
 }
@@ -219,7 +220,7 @@ TEST(CompressionCap, what_makes_no_sense_is_refused_with_its_numbers) {
   EXPECT_TRUE(check_joint_material(scenes::capped_joint()).empty());
   JointMaterial m = scenes::capped_joint();
   m.compression_cap = 0;
-  expect_fault(m, "compression_cap", "is 0");
+  expect_fault(m, "compression_cap", "must be above 0");
   m.compression_cap = 1000;  // 3.96/sqrt(1000) = 0.125 MPa, below the cohesion of 0.15
   expect_fault(m, "compression_cap", "cap and friction never meet");
   m = scenes::capped_joint();

@@ -293,7 +293,8 @@ TEST(Elasticity, refuses_what_is_not_an_elastic_body) {
       << problem(body);
   body = scenes::elastic_body(kE, 0.2, 500);
   body.poisson_ratio = 0.3;  // a third number for two
-  EXPECT_TRUE(has(problem(body), "poisson_ratio 0.3: differs from the 0.25")) << problem(body);
+  EXPECT_TRUE(has(problem(body), "poisson_ratio 0.3: differs from the 0.2 that E = 10 GPa"))
+      << problem(body);
   body = scenes::timber_body();
   body.poisson_ratio = kUnset;
   EXPECT_TRUE(has(problem(body), "poisson_ratio : is missing")) << problem(body);

@@ -200,8 +200,7 @@ test("drift limits keep their labels apart, in words or as numbers", async () =>
   const { limitRows } = await viewerModule("campaign/limits");
   const limits = [0.375, 0.5, 0.75, 1, 1.125, 1.5].map((v) => ({
     limit_drift_percent: v,
-    element: "pier",
-    mechanism: "rocking or flexure",
+    label: "pier, rocking",
     state: "near collapse",
   }));
   for (const width of [300, 420, 700, 1200]) {

@@ -111,7 +111,8 @@ std::vector<Fault> refusal_of(const SampleTable& samples, int sample, const Mode
   const std::vector<double>& row = samples.value.at(static_cast<std::size_t>(sample));
   for (std::size_t j = 0; j < samples.column.size(); ++j)
     if (!std::isfinite(row[j]))
-      return {{"", samples.column[j].name, fmt::format("{:g}", row[j]), "is not a finite number", ""}};
+      return {
+          {"", samples.column[j].name, fmt::format("{:g}", row[j]), "is not a finite number", ""}};
   return refusal_of(settings_of(samples, sample), build);
 }
 

@@ -61,15 +61,15 @@ double height_of(const SampleRecord& record, double base_height) {
 }
 
 struct CodeLimit {
-  const char *element, *mechanism;
+  const char *element, *mechanism, *label;
   double near_collapse;
 };
 // Drifts of elements; near collapse, and three quarters of it for life safety.
 constexpr CodeLimit kCodeLimits[] = {
-    {"pier", "shear", 0.005},
-    {"pier", "rocking or flexure", 0.010},
-    {"spandrel without a tension member", "rocking or flexure", 0.015},
-    {"spandrel with a tension member", "rocking or flexure", 0.020}};
+    {"pier", "shear", "pier, shear", 0.005},
+    {"pier", "rocking or flexure", "pier, rocking", 0.010},
+    {"spandrel without a tension member", "rocking or flexure", "spandrel, rocking", 0.015},
+    {"spandrel with a tension member", "rocking or flexure", "spandrel, rocking", 0.020}};
 constexpr double kLifeSafety = 0.75;
 constexpr const char* kClause = "Circolare 21 January 2019 n. 7, C8.7.1.3.1.1";
 
@@ -119,7 +119,7 @@ std::vector<DriftLimit> drift_limits(const Answered& samples) {
   for (const CodeLimit& code : kCodeLimits) {
     for (const bool collapse : {false, true}) {
       DriftLimit limit;
-      limit.element = code.element, limit.mechanism = code.mechanism;
+      limit.element = code.element, limit.mechanism = code.mechanism, limit.label = code.label;
       limit.state = collapse ? "near collapse" : "life safety", limit.clause = kClause;
       limit.limit = code.near_collapse * (collapse ? 1 : kLifeSafety);
       out.push_back(limit_against(limit, drifts));

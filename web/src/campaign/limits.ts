@@ -25,7 +25,6 @@ const kPixel = 6.3, // of a letter
   kMostRows = 3;
 
 const percent = (value: number): string => `${num(value, 4)}\u202f%`;
-const partOf = (l: any): string => `${phrase(l.element.split(" ")[0])}, ${phrase(l.mechanism.split(" ")[0])}`;
 
 // What shares a value shares a line.
 function merged(limits: any[]): Limit[] {
@@ -35,7 +34,7 @@ function merged(limits: any[]): Limit[] {
     return {
       value,
       only: of.every((l) => l.state === "life safety"),
-      words: [...new Set(of.map(partOf))].join("; "),
+      words: [...new Set(of.map((l) => phrase(l.label)))].join("; "),
     };
   });
 }
