@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "wythe/contact_law.h"
+#include "wythe/field.h"
 #include "wythe/message.h"
 #include "wythe/wall_spec.h"
 #include "wythe/words.h"
@@ -103,7 +104,8 @@ struct Anatomy {
   int courses = 0;
   int masonry_blocks_before_lintels = 0;
   int lost_joints = 0;
-  std::vector<Message> notes;  // what the builder fitted or left out
+  std::vector<DrawnField> fields;  // what varies within the wall
+  std::vector<Message> notes;      // what the builder fitted or left out
 };
 
 // Data that zones of one shape and material have in common (src/solids). A triangle is a zone whose
@@ -203,6 +205,7 @@ struct Model {
   double weight = 0;           // of all moving blocks [N]
   std::vector<JointMaterial> materials;
   std::vector<std::string> material_names;
+  std::vector<std::int32_t> stated_material;  // of each, see stated(); empty without fields
   std::vector<Stage> stages;
   SolveSpec solve;
   OutputSpec output;
@@ -210,6 +213,10 @@ struct Model {
   std::uint64_t spec_hash = 0;
   std::uint64_t topology = 0;  // walls with the same can be stepped side by side (model/fields.h)
 
+  // The material as stated that this one was drawn from: itself, but for a joint's own in a field.
+  [[nodiscard]] std::int32_t stated(std::int32_t material) const {
+    return stated_material.empty() ? material : stated_material[static_cast<std::size_t>(material)];
+  }
   [[nodiscard]] int n_point() const { return n_joint * n_face_point; }
   // With the two points of each zone contact, which follow those of the joints.
   [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }

@@ -25,23 +25,6 @@ inline constexpr Word<Design> kDesignWords[] = {{"latin_hypercube", Design::kLat
                                                 {"monte_carlo", Design::kMonteCarlo},
                                                 {"sobol", Design::kSobol}};
 static_assert(names_all(kDesignWords));
-// What a kind takes and how it is made: kKinds in src/study/draws/sampling.cpp.
-enum class DistributionKind {
-  kNormal,
-  kLognormal,
-  kUniform,
-  kTriangular,
-  kBeta,
-  kWeibull,
-  kEmpirical
-};
-inline constexpr Word<DistributionKind> kDistributionWords[] = {
-    {"normal", DistributionKind::kNormal},      {"lognormal", DistributionKind::kLognormal},
-    {"uniform", DistributionKind::kUniform},    {"triangular", DistributionKind::kTriangular},
-    {"beta", DistributionKind::kBeta},          {"weibull", DistributionKind::kWeibull},
-    {"empirical", DistributionKind::kEmpirical}};
-static_assert(names_all(kDistributionWords));
-
 // A quantity of the model, or a number of the study's own, with the unit it is shown in.
 struct InputSpec {
   std::string name;     // as in the study file: [variable.<name>], [dependent.<name>]
@@ -75,6 +58,12 @@ struct CorrelationSpec {
   bool rank = false;
 };
 
+// A field of the base model (field.h). A variable of its name is its mean.
+struct StudyField {
+  std::string name, path;
+  bool follows = false;  // a formula; else each sample draws it anew
+};
+
 struct StudySpec {
   std::string name, note;
   std::string file;                   // the study file, for messages
@@ -85,6 +74,7 @@ struct StudySpec {
   std::vector<VariableSpec> variable;
   std::vector<DependentSpec> dependent;
   std::vector<CorrelationSpec> correlation;
+  std::vector<StudyField> field;
   Design design = Design::kLatinHypercube;
   std::vector<int> batch;  // sizes of the designs drawn one after another; usually one
   std::uint64_t seed = 0;
@@ -107,6 +97,8 @@ struct SampleTable {
   std::vector<InputColumn> column;
   std::vector<std::vector<double>> value;  // (n_sample, n_column) [SI]
   std::vector<double> cut_off;             // probability cut by truncation (n_variable)
+  // What fields add to the settings of a sample: seeds, and what follows them (n_sample; or empty).
+  std::vector<std::vector<std::string>> field_setting;
   [[nodiscard]] int n_sample() const { return static_cast<int>(value.size()); }
 };
 
@@ -125,6 +117,16 @@ struct SampleTable {
 // the variables before it, because chance correlations between them are removed. Throws InputError
 // with every fault of check_study().
 [[nodiscard]] SampleTable draw_samples(const StudySpec& study);
+
+// The seed of the fields of sample i (0-based): of the study's seed and i alone, and each its own.
+[[nodiscard]] int field_seed_of(const StudySpec& study, int sample);
+// Fills field_setting from the values, which draw_samples() has drawn or a store has kept.
+void set_fields(const StudySpec& study, SampleTable& samples);
+
+// Draws the model's fields at every place of its wall, from each field's seed and name alone. Reading
+// a model does it (io.h). A wall that can't be built is left undrawn: compile() says why. Throws InputError
+// with every fault of the fields.
+void draw_fields(ModelSpec& spec);
 
 // "path=value unit" texts of one sample (0-based), 17 digits in SI units: exact.
 [[nodiscard]] std::vector<std::string> settings_of(const SampleTable& samples, int sample);

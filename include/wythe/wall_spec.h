@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/contact_law.h"
+#include "wythe/field.h"
 #include "wythe/masonry.h"
 #include "wythe/words.h"
 
@@ -223,6 +224,7 @@ struct ModelSpec {
   WallSpec wall;
   MasonrySpec masonry;  // inputs of rules
   std::map<std::string, JointMaterial> material;
+  std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;
   SolveSpec solve;

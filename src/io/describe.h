@@ -328,6 +328,51 @@ void describe(Visitor& v, ContactRule& s) {
          .doc = "Name of the joint material between them."});
 }
 
+// --- fields --------------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, FieldTie& s) {
+  v.number("gaussian", s.gaussian, {.fallback = kRequired, .example = "0.5",
+           .doc = "Correlation of the two at one place, of the Gaussian copula."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, FieldSpec& s) {
+  v.text("path", s.path, {.fallback = kRequired, .example = "material.joint.cohesion",
+         .doc = "What varies: a strength, energy, angle or stiffness of a joint material, or a density. "
+                "Its value in the model is the mean."});
+  v.text("formula", s.formula, {.fallback = "a scatter of its own", .example = "0.03 mm * ft",
+         .doc = "Follows other fields of the same joints, place by place, in the place of a scatter."});
+  v.choice("distribution", s.distribution, kDistributionWords, {.example = "lognormal",
+           .doc = "Distribution at each place, with the mean of the key (not `empirical`)."});
+  v.number("cov", s.cov, {.range = kNotNegative, .fallback = "required, or formula",
+           .example = "0.3", .doc = "Coefficient of variation within the wall, before it is cut off."});
+  v.number("low", s.low, {.fallback = "needed by beta", .example = "0.4",
+           .doc = "Lower end of a beta distribution, as a multiple of the mean."});
+  v.number("high", s.high, {.fallback = "needed by beta", .example = "2",
+           .doc = "Upper end of a beta distribution, as a multiple of the mean."});
+  v.number("lower", s.lower, {.fallback = "none", .example = "0.2",
+           .doc = "Cuts off what is below this multiple of the mean; the mean is kept."});
+  v.number("upper", s.upper, {.fallback = "none", .example = "3",
+           .doc = "Cuts off what is above this multiple of the mean; the mean is kept."});
+  v.choice("by", s.by, kFieldByWords, {.example = "unit",
+           .doc = "What has one value of its own: each place, correlated with others over `along` and "
+                  "`across`; each course; each unit, with the joints below and left of it; each joint."});
+  v.choice("kernel", s.kernel, kFieldKernelWords, {.example = "exponential",
+           .doc = "How correlation fades with distance, along and across multiplied: exp(-d/length), or "
+                  "exp(-(d/length)^2)."});
+  v.quantity("along", s.along, {.unit = "m", .shown = "m", .range = kLength,
+             .fallback = "required with by = place", .example = "1 m",
+             .doc = "Correlation length along the courses: there 1/e is left."});
+  v.quantity("across", s.across, {.unit = "m", .shown = "m", .range = kLength,
+             .fallback = "required with by = place", .example = "0.3 m",
+             .doc = "Correlation length across the courses."});
+  v.map("correlation", s.correlation, {.doc = "Correlation with other fields, by their name, "
+        "e.g. `correlation.ft.gaussian = 0.5`; at one of the two."});
+  v.integer("seed", s.seed, {.range = kFromZero, .example = "1",
+            .doc = "Which of all walls with this field; a study gives each sample its own."});
+}
+
 // --- stages --------------------------------------------------------------------------------------
 
 template <class Visitor>
@@ -505,6 +550,8 @@ void describe(Visitor& v, ModelSpec& s) {
   v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
         "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
         "given elsewhere; bodies (lintels, blocks) need density and moduli only."});
+  v.map("field", s.field, {.doc = "One table for each property that differs from place to place "
+        "(docs/theory/fields.md)."});
   v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});
   v.list("stage", s.stage, {.doc = "What is done to the wall, stage after stage. At least one."});
   v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});

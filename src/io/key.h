@@ -32,6 +32,7 @@ inline constexpr Range kDistance{.low = 0, .high = kLongest};
 inline constexpr Range kCoordinate{.low = -kLongest, .high = kLongest};
 inline constexpr Range kSpeed{.low = 0, .high = 100, .low_open = true, .high_open = true};
 inline constexpr Range kPoisson{.low = 0, .high = 0.5, .high_open = true};
+inline constexpr Range kFromZero{.low = 0};
 inline constexpr Range kFromOne{.low = 1};
 inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};
 inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};

@@ -9,6 +9,7 @@
 #include "io/blocks_json.h"
 #include "io/toml_reader.h"
 #include "wythe/io.h"
+#include "wythe/study.h"
 
 namespace wythe {
 namespace io {
@@ -86,6 +87,23 @@ Fault placed(Fault fault, const Places& places) {
   return fault;
 }
 
+// The faults of a spec, each with the place of its key.
+[[noreturn]] void throw_placed(const InputError& error, const ModelSpec& spec,
+                               const toml::table& root, const ReadContext& context) {
+  Places places;
+  note_places(root, "", context.file, places);
+  note_overrides(context, places);
+  const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  std::vector<Fault> faults;
+  for (Fault fault : error.faults()) {
+    if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
+    faults.push_back(placed(std::move(fault), places));
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const Fault& a, const Fault& b) { return a.line < b.line; });
+  throw InputError(std::move(faults));
+}
+
 }  // namespace
 }  // namespace io
 
@@ -100,6 +118,11 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::read_table(context, root, "", spec);
   if (!spec.wall.blocks.empty()) io::read_blocks(context, root, spec, blocks);
   io::throw_faults(context);
+  try {
+    draw_fields(spec);
+  } catch (const InputError& error) {
+    io::throw_placed(error, spec, root, context);
+  }
   return spec;
 }
 
@@ -111,18 +134,7 @@ Model compile_model(const ModelSpec& spec, const std::string& toml_text,
     toml::table root = io::parse_toml(toml_text, file_name);
     io::ReadContext context{file_name};
     io::apply_overrides(context, root, overrides);
-    io::Places places;
-    io::note_places(root, "", file_name, places);
-    io::note_overrides(context, places);
-    const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
-    std::vector<Fault> faults;
-    for (Fault fault : error.faults()) {
-      if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
-      faults.push_back(io::placed(std::move(fault), places));
-    }
-    std::stable_sort(faults.begin(), faults.end(),
-                     [](const Fault& a, const Fault& b) { return a.line < b.line; });
-    throw InputError(std::move(faults));
+    io::throw_placed(error, spec, root, context);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "io/toml_reader.h"
+#include "io/toml_writer.h"
 
 namespace wythe::io {
 namespace {
@@ -139,6 +140,18 @@ class Walk {
 };
 
 }  // namespace
+
+void list_settings(const toml::table& table, const std::string& path,
+                   std::vector<std::string>& texts) {
+  for (const auto& [key, node] : table) {
+    const std::string at = under(path, std::string(key.str()));
+    if (const toml::table* inner = node.as_table())
+      list_settings(*inner, at, texts);
+    else
+      texts.push_back(
+          fmt::format("{}={}", at, node.is_string() ? quoted(shown(node)) : shown(node)));
+  }
+}
 
 void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts) {

@@ -54,6 +54,7 @@ class Flatten {
   }
   template <class T>
   void map(const char* name, std::map<std::string, T>& values, const Key&) {
+    if (values.empty()) return;  // a model without has the hash it had
     size(name, values.size());
     for (auto& [label, value] : values) table(fmt::format("{}.{}", name, label).c_str(), value, {});
   }

@@ -26,7 +26,7 @@ namespace wythe {
 namespace io {
 namespace {
 
-constexpr const char* kParts[] = {"study", "variable", "dependent", "correlation"};
+constexpr const char* kParts[] = {"study", "variable", "dependent", "correlation", "field"};
 
 std::string beside(const std::string& file, const std::string& other) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -122,6 +122,8 @@ class StudyReader {
     read_fractions(reader);
     reader.refuse_unknown();
     read_model_text(reader, head.model);
+    own_settings_ = study_.settings.size();
+    read_fields();
     study_.settings.insert(study_.settings.end(), given_settings_.begin(), given_settings_.end());
   }
 
@@ -190,6 +192,18 @@ class StudyReader {
     }
   }
 
+  // --- [field.<name>] ----------------------------------------------------------------------------
+
+  // They are settings of the base model. One named as a variable varies what that sets.
+  void read_fields() {
+    for (const auto& [name, table] : in_file_order(context_, root_.get("field"), "field")) {
+      const toml::node* variable = node_at("variable." + name + ".path");
+      if (!table->contains("path") && variable && variable->is_string())
+        study_.settings.push_back(fmt::format("field.{}.path={}", name, shown(*variable)));
+      list_settings(*table, "field." + name, study_.settings);
+    }
+  }
+
   // --- base model --------------------------------------------------------------------------------
 
   void list_model_keys() {
@@ -197,6 +211,8 @@ class StudyReader {
       ModelSpec base =
           parse_model(study_.model_text, study_.model_file, study_.settings, study_.blocks_text);
       check_batch(base);
+      for (const auto& [name, field] : base.field)
+        study_.field.push_back({name, field.path, !field.formula.empty()});
       if (!base.block.empty()) study_.blocks_text = blocks_text(base.block, base.wall.thickness);
       keys_ = number_keys(std::move(base));
       read_recipes();
@@ -241,8 +257,11 @@ class StudyReader {
 
   // A fault of a setting that stands in the study file, not on the command line.
   [[nodiscard]] Fault placed(Fault fault) const {
-    const std::size_t own = study_.settings.size() - given_settings_.size();
-    for (std::size_t i = 0; i < own && fault.file == "--set"; ++i) {
+    if (fault.path.starts_with("field.") && node_at(part_of(fault.path)) != nullptr) {
+      fault.file = context_.file;
+      fault.line = line_at(fault.path);
+    }
+    for (std::size_t i = 0; i < own_settings_ && fault.file == "--set"; ++i) {
       const std::string& text = study_.settings[i];
       if (trimmed(text.substr(0, text.find('='))) != fault.path) continue;
       fault.file = context_.file;
@@ -511,6 +530,7 @@ class StudyReader {
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
   StudySpec study_;
+  std::size_t own_settings_ = 0;              // of study.set
   std::vector<ModelKey> keys_;                // of the base model; empty when it has faults
   std::set<std::string, std::less<>> asked_;  // keys of [masonry] that its rules take
   std::set<std::string> tangents_;            // angles that it gives as tangents

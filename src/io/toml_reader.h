@@ -168,6 +168,10 @@ void throw_faults(const ReadContext& context);
 void resolve_materials(ReadContext& context, toml::table& root);
 [[nodiscard]] bool is_law_key(std::string_view name);
 
+// A table as "path=value" texts that put it there.
+void list_settings(const toml::table& table, const std::string& path,
+                   std::vector<std::string>& texts);
+
 // Puts "path=value" texts into the tree before it is read (overrides.cpp).
 void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts);

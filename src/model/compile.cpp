@@ -1,10 +1,13 @@
 // compile(): spec -> assembly -> flat arrays. Called once per run; throws InputError with all faults.
 // A Compiler keeps the assembly and repeats the second step.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "model/compiler.h"
+#include "model/field_places.h"
 #include "model/fields.h"
 #include "model/parts.h"
 #include "model/point_rule.h"
@@ -75,7 +78,8 @@ void check_settings(const ModelSpec& spec, FaultList& faults) {
 
 }  // namespace
 
-BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& model) {
+BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const FieldValues& fields,
+                        Model& model, FaultList& faults) {
   const geometry::Shape shape(spec);
   BlockMap map;
   Anatomy& anatomy = model.anatomy;
@@ -99,7 +103,12 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, Model& 
     }
     map.push_back(model.n_block++);
     const geometry::PolygonMoments moments = geometry::moments(block.outline);
-    const double density = geometry::density_of(shape, block);
+    const double density =
+        fields.density_of(static_cast<int>(map.size()) - 1, geometry::density_of(shape, block));
+    if (!(density >= 0))
+      faults.add({"", "wall.blocks." + block.id, fmt::format("{:g} kg/m^3", density),
+                  "has a density below 0, drawn from its field",
+                  "write a smaller cov, lower = 0.1, or a lognormal field", 0});
     const double mass = inertial_density(density) * moments.area * block.thickness;
     const bool weighs = block.role != Role::kPlate && density > 0;
     model.mass.push_back(mass);
@@ -143,14 +152,17 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   copy_report(assembly, model.anatomy);
   compile_solids(spec, assembly, model, faults);
   faults.throw_if_any();
-  const BlockMap map = compile_blocks(spec, assembly, model);
+  const FieldValues fields(spec, assembly, faults);
+  faults.throw_if_any();
+  const BlockMap map = compile_blocks(spec, assembly, fields, model, faults);
   if (model.n_block == 0 && !model.solids.bodies.empty())
     faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
                 "leave at least one rigid block: loads and pushes act on those", 0});
   faults.throw_if_any();
-  compile_joints(spec, assembly, map, model, faults);
+  compile_joints(spec, assembly, map, fields, model, faults);
   compile_stages(spec, assembly, map, model, faults);
   faults.throw_if_any();
+  fields.describe(spec, assembly, map, model);
   bound_step(model);
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "contact/parameters.h"
+#include "model/field_places.h"
 #include "model/parts.h"
 #include "model/point_rule.h"
 
@@ -55,12 +57,42 @@ class MaterialTable {
     const auto known = index_.find(name);
     if (known != index_.end()) return known->second;
     const JointMaterial& material = spec_.material.at(name);
-    for (const MaterialFault& fault : check_joint_material(material))
+    const std::vector<MaterialFault> found = check_joint_material(material);
+    if (!found.empty()) bad_.insert(name);
+    for (const MaterialFault& fault : found)
       faults_.add(
           {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
     if (material.tensile_strength == 0 && material.cohesion > 0)
       model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
     return index_[name] = append(name, material);
+  }
+
+  // The material of face `face`: its own where a field acts on it.
+  int index_of(const Face& face, int number, const FieldValues& fields) {
+    const int stated = index_of(face.material);
+    if (!fields.act_on(face.material)) return stated;
+    const JointMaterial own =
+        fields.of_face(number, model_.materials[static_cast<std::size_t>(stated)]);
+    if (!stated_has_fault(face.material))
+      for (const MaterialFault& fault : check_joint_material(own)) note(face, fault);
+    const int index = append(face.material, own);
+    model_.stated_material.back() = stated;
+    return index;
+  }
+
+  // What fields make inadmissible: of each key the first joint, and how many more.
+  void report_drawn() {
+    for (const auto& [path, drawn] : drawn_) {
+      const std::string more =
+          drawn.joints > 1 ? fmt::format(" (and at {} more)", drawn.joints - 1) : "";
+      faults_.add(
+          {"", path, drawn.first.value,
+           fmt::format("at the joint at x = {:.3f} m, y = {:.3f} m{}: {}", drawn.x, drawn.y, more,
+                       drawn.first.problem),
+           "give the field a smaller cov or cut it off by lower and upper, or let what must "
+           "keep step follow it by a formula ([field.NAME] formula)",
+           0});
+    }
   }
 
   // A lintel's chain: one derived material for each set of what chain_material() depends on.
@@ -99,13 +131,30 @@ class MaterialTable {
   int append(const std::string& name, const JointMaterial& material) {
     model_.materials.push_back(material);
     model_.material_names.push_back(name);
-    return static_cast<int>(model_.materials.size()) - 1;
+    const auto index = static_cast<int>(model_.materials.size()) - 1;
+    if (!spec_.field.empty()) model_.stated_material.push_back(index);
+    return index;
   }
+
+  struct Drawn {
+    MaterialFault first;
+    double x, y;  // of its joint [m]
+    int joints = 0;
+  };
+  void note(const Face& face, const MaterialFault& fault) {
+    const auto [drawn, is_new] = drawn_.try_emplace(
+        "material." + face.material + "." + fault.key,
+        Drawn{fault, 0.5 * (face.p0.x + face.p1.x), 0.5 * (face.p0.y + face.p1.y)});
+    ++drawn->second.joints;
+  }
+  [[nodiscard]] bool stated_has_fault(const std::string& name) const { return bad_.contains(name); }
 
   const ModelSpec& spec_;
   Model& model_;
   FaultList& faults_;
   std::map<std::string, int> index_;
+  std::set<std::string> bad_;           // faulty as stated
+  std::map<std::string, Drawn> drawn_;  // by path of a key
   std::vector<Chain> chains_;
 };
 
@@ -134,7 +183,7 @@ std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const Block
         face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
     const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
     return std::tuple(ground, m.softening, m.coupling, m.unloading, contact::choice_of(m).cap,
-                      material[f]);
+                      model.stated(material[f]));
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
   return order;
@@ -207,21 +256,22 @@ double chain_half_scale(const Model& model, double depth, double face) {
 }
 
 void compile_joints(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
-                    Model& model, FaultList& faults) {
+                    const FieldValues& fields, Model& model, FaultList& faults) {
   set_points(model);
   MaterialTable table(spec, model, faults);
   std::vector<int> material;
   std::vector<double> half_scale;
   std::vector<Face> faces;  // between rigid blocks
   std::vector<SolidFace> solid_faces;
-  for (const Face& face : assembly.faces) {
+  for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
+    const Face& face = assembly.faces[number];
     if (touches_solid(face, map)) {
-      solid_faces.push_back({&face, table.index_of(face.material)});
+      solid_faces.push_back({&face, table.index_of(face, static_cast<int>(number), fields)});
       continue;
     }
     faces.push_back(face);
     if (face.kind != FaceKind::kLintelChain) {
-      material.push_back(table.index_of(face.material));
+      material.push_back(table.index_of(face, static_cast<int>(number), fields));
       half_scale.push_back(1.0);
       continue;
     }
@@ -233,6 +283,7 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
     material.push_back(table.chain_index(face, spacing, depth));
     half_scale.push_back(chain_half_scale(model, depth, length_of(face)));
   }
+  table.report_drawn();
   for (const std::size_t f : joint_order(faces, map, material, model))
     add_joint(faces[f], material[f], half_scale[f], map, assembly, model);
   set_gather_lists(model);

@@ -14,6 +14,8 @@ using BlockMap = std::vector<BlockId>;
 [[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
 [[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
 
+class FieldValues;  // field_places.h
+
 // A face of a deformable block and its joint material.
 struct SolidFace {
   const geometry::Face* face;
@@ -22,10 +24,10 @@ struct SolidFace {
 
 // mass, inertia, centroids, outlines and names.
 [[nodiscard]] BlockMap compile_blocks(const ModelSpec& spec, const geometry::Assembly& assembly,
-                                      Model& model);
+                                      const FieldValues& fields, Model& model, FaultList& faults);
 // joints, points, gather lists and the materials they refer to; chains get their beam stiffness.
 void compile_joints(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
-                    Model& model, FaultList& faults);
+                    const FieldValues& fields, Model& model, FaultList& faults);
 // deformable blocks: nodes and zones.
 void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
                     FaultList& faults);

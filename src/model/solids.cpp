@@ -262,8 +262,9 @@ void compile_contacts(const Assembly& assembly, const BlockMap& map, std::vector
   const auto of = [&](int block) {
     return block == geometry::kGround ? kGroundBlock : map[static_cast<std::size_t>(block)];
   };
-  std::stable_sort(faces.begin(), faces.end(),
-                   [](const SolidFace& x, const SolidFace& y) { return x.material < y.material; });
+  std::stable_sort(faces.begin(), faces.end(), [&](const SolidFace& x, const SolidFace& y) {
+    return model.stated(x.material) < model.stated(y.material);
+  });
   ContactBuilder builder(assembly, map, model);
   for (const SolidFace& solid : faces) {
     if (is_solid(of(solid.face->a)) && is_solid(of(solid.face->b))) {

@@ -48,6 +48,7 @@ std::string limit_data(const ModelSpec& spec, const Model& model,
                                  {"compiler", made.compiler},
                                  {"flags", made.flags}};
   add_wall(bundle, model);
+  add_fields(bundle, spec, model);
   return bundle.packed();
 }
 

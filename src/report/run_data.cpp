@@ -120,6 +120,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   add_wall(bundle, model);
+  add_fields(bundle, spec, model);
   add_curve(bundle, result.curve, has_lintel_of_zones(model));
   add_frames(bundle, model, result);
   return bundle.packed();

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/field_places.h"
 #include "wythe/reading.h"
+#include "wythe/units.h"
 
 namespace wythe::report {
 namespace {
@@ -143,6 +145,24 @@ void add_wall(Bundle& bundle, const Model& model) {
   bundle.add("wall.support_begin", std::span<const int>(a.support_begin));
   add_floats(bundle, "wall.support_x", a.support_x);
   add_floats(bundle, "wall.support_y", a.support_y);
+}
+
+void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model) {
+  Json list = Json::array();
+  for (const DrawnField& field : model.anatomy.fields) {
+    const FieldTarget target = *field_target(field.path);
+    const std::string si_unit = target.key->si_unit, unit = target.key->shown;
+    const double factor = unit_factor(unit, si_unit);  // SI value of one of them
+    std::vector<double> values = field.of_joint.empty() ? field.of_block : field.of_joint;
+    for (double& value : values) value /= factor;
+    add_floats(bundle, "wall.field_" + std::to_string(list.size()), values);
+    list.push_back({{"name", field.name},
+                    {"path", field.path},
+                    {"unit", unit},
+                    {"mean", mean_of(spec, target) / factor},
+                    {"onBlocks", field.of_joint.empty()}});
+  }
+  if (!list.empty()) bundle.header["wall"]["fields"] = list;
 }
 
 int states_kept(int states, int room, int samples_after) {

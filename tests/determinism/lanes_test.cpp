@@ -167,6 +167,63 @@ TEST(Lanes, walls_with_deformable_lintels_too) {
                                       compile(scenes::lintel_wall(LintelModel::kZones, 0.05e-3))));
 }
 
+// Walls whose fields differ share a topology, alone, in lanes and on a device.
+std::vector<std::unique_ptr<Wall>> walls_with_fields() {
+  std::vector<std::unique_ptr<Wall>> walls;
+  for (const int seed : {1, 2, 3, 4, 5})
+    walls.push_back(std::make_unique<Wall>(
+        scenes::with_fields(scenes::plain_wall(5, 7, 0.2e-3, 0.05), seed), 1));
+  EXPECT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+  EXPECT_NE(walls[0]->alone, walls[1]->alone);
+  return walls;
+}
+
+TEST(Lanes, walls_with_fields_keep_the_bits_of_those_alone) {
+  for (const int width : {2, 4, 8}) {
+    auto walls = walls_with_fields();
+    solve_together(walls, width);
+  }
+  // a plain wall has other laws: beside them
+  auto walls = walls_with_fields();
+  walls.push_back(wall_of(1.0));
+  solve_together(walls, 4);
+}
+
+TEST(Lanes, walls_with_fields_and_a_deformable_lintel_too) {
+  std::vector<std::unique_ptr<Wall>> walls;
+  for (const int seed : {1, 2, 3})
+    walls.push_back(std::make_unique<Wall>(
+        scenes::with_fields(scenes::lintel_wall(LintelModel::kZones, 0.05e-3), seed), 1));
+  ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+  solve_together(walls, 4);
+}
+
+// In a study, by jobs and lanes, and each sample by itself.
+TEST(Lanes, samples_with_fields_do_not_depend_on_lanes_or_jobs) {
+  const TemporaryFolder folder;
+  const StudySpec study =
+      parse_study(write_study(scenes::small_study(5)) +
+                      "[field.ft]\ncov = 0.2\nalong = \"0.5 m\"\nacross = \"0.2 m\"\nupper = 2\n",
+                  "small_study.toml");
+  const SampleTable samples = draw_samples(study);
+  std::vector<SampleRecord> first;
+  for (const char* lanes : {"1", "4"})
+    for (const int jobs : {1, 2}) {
+      const ForcedLanes forced(lanes);
+      const std::string what = std::string(lanes) + " lanes, jobs " + std::to_string(jobs);
+      const auto now = records(study, folder / what, jobs);
+      ASSERT_EQ(now.size(), 5U);
+      if (first.empty()) first = now;
+      for (std::size_t k = 0; k < now.size(); ++k) expect_same(now[k], first[k], what);
+    }
+  const SampleTable stored = read_campaign(folder / "4 lanes, jobs 1").samples;
+  for (int sample = 1; sample <= 5; ++sample) {
+    EXPECT_EQ(settings_of(stored, sample - 1), settings_of(samples, sample - 1));
+    const SampleRun alone = run_sample(study, samples, sample, model_builder(study), {});
+    EXPECT_EQ(alone.result.state_hash, first[static_cast<std::size_t>(sample - 1)].state_hash);
+  }
+}
+
 // --- on a device, which here is this processor with memory of its own ------------------------------
 
 std::unique_ptr<dynamics::Executor> host_device(const Model& model, int walls) {
@@ -208,6 +265,11 @@ TEST(Lanes, any_number_of_points_a_face) {
       else
         solve_together(walls, 4);
     }
+}
+
+TEST(Device, walls_with_fields_keep_the_bits_of_those_alone) {
+  auto walls = walls_with_fields();
+  solve_together(walls, 4, host_device);
 }
 
 TEST(Device, the_order_of_threads_does_not_matter) {

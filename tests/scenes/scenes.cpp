@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "wythe/io.h"
+#include "wythe/study.h"
 
 namespace wythe::scenes {
 
@@ -188,6 +189,23 @@ StageSpec push_stage(const std::string& block, Direction direction, double veloc
   stage.velocity = velocity;
   stage.until = until;
   return stage;
+}
+
+ModelSpec with_fields(ModelSpec spec, int seed) {
+  const auto add = [&](const char* name, const char* key, double cov, double upper) {
+    FieldSpec& field = spec.field[name];
+    field.path = std::string("material.joint.") + key;
+    field.cov = cov;
+    field.upper = upper;
+    field.seed = seed;
+    return &field;
+  };
+  FieldSpec* ft = add("ft", "tensile_strength", 0.2, 1.5);
+  ft->along = 0.5, ft->across = 0.2;
+  add("c", "cohesion", 0.2, 2)->by = FieldBy::kUnit;
+  add("kn", "normal_stiffness", 0.1, 1.4)->by = FieldBy::kJoint;
+  draw_fields(spec);
+  return spec;
 }
 
 ModelSpec turned(ModelSpec spec, double angle) {

@@ -72,6 +72,9 @@ struct BondSize {
 
 // --- changes to an assembly ----------------------------------------------------------------------
 
+// Tensile strength, friction and stiffness of the joint material `joint` differ from joint to joint.
+[[nodiscard]] ModelSpec with_fields(ModelSpec spec, int seed);
+
 [[nodiscard]] ModelSpec turned(ModelSpec spec, double angle);  // about the origin
 [[nodiscard]] ModelSpec mirrored(ModelSpec spec);              // x -> -x
 [[nodiscard]] ModelSpec reversed(ModelSpec spec);              // blocks in reverse order

@@ -18,7 +18,19 @@ export interface Mesh {
   share1: Numbers;
 }
 
+// A property that differs from place to place: of each joint or block, NaN where it has none.
+export interface Field {
+  name: string;
+  path: string;
+  unit: string;
+  mean: number; // as the model states it
+  onBlocks: boolean;
+  values: Numbers;
+  steps: number[]; // bounds of its colours
+}
+
 export interface Wall {
+  fields: Field[];
   length: number;
   height: number;
   thickness: number;
@@ -70,6 +82,18 @@ function readMesh(bundle: Bundle): Mesh | null {
   };
 }
 
+// Six steps of equal width from the least value to the greatest.
+function readFields(bundle: Bundle): Field[] {
+  return (bundle.header.wall.fields ?? []).map((field: Field, i: number): Field => {
+    const values = bundle.array(`wall.field_${i}`);
+    const known = Array.from(values).filter((v) => !Number.isNaN(v));
+    const low = Math.min(...known),
+      high = Math.max(...known);
+    const steps = Array.from({ length: high > low ? 6 : 1 }, (_, k) => low + (k * (high - low)) / 6);
+    return { ...field, values, steps };
+  });
+}
+
 // Data written before the words went along with the numbers.
 const kRolesBefore = ["masonry", "lintel", "plate", "beam"],
   kKindsBefore = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
@@ -103,6 +127,7 @@ export function readWall(bundle: Bundle): Wall | null {
     supportX: get("support_x"),
     supportY: get("support_y"),
     mesh: readMesh(bundle),
+    fields: readFields(bundle),
   };
   const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
   const take = (xs: Numbers, ys: Numbers): void =>
@@ -271,8 +296,11 @@ export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 
   return [1, 2, 5, 10, 20, 50, 100].filter((s) => s === 1 || largest * s <= wanted).pop()!;
 }
 
-export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing" | "stress";
-type Scalar = Exclude<Measure, "cracks" | "stress">;
+type FieldMeasure = `field ${number}`; // number of a field
+export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing" | "stress" | FieldMeasure;
+type Scalar = Exclude<Measure, "cracks" | "stress" | FieldMeasure>;
+export const isField = (measure: Measure): measure is FieldMeasure => measure.startsWith("field ");
+export const fieldOf = (wall: Wall, measure: FieldMeasure): Field => wall.fields[Number(measure.slice(6))];
 export const measuresOf = (frames: Frames): Measure[] => [
   "cracks",
   "opening",
@@ -280,6 +308,7 @@ export const measuresOf = (frames: Frames): Measure[] => [
   "damage",
   "crushing",
   ...(frames.hasForces || frames.hasZoneStress ? ["stress" as const] : []),
+  ...frames.wall.fields.map((_, i): FieldMeasure => `field ${i}`),
 ];
 // Bounds of the colour steps: millimetres, or shares.
 export const kSteps: Record<Scalar, number[]> = {

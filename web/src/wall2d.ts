@@ -5,7 +5,9 @@ import { qty, say } from "./texts";
 import { ticks } from "./plot";
 import {
   crackOf,
+  fieldOf,
   forcesOf,
+  isField,
   jointStress,
   kSteps,
   Pose,
@@ -93,6 +95,18 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   }
 }
 
+// Blocks that a field colours.
+function drawBlockField(wall: Wall, pose: Pose, look: Look, paths: Paths): void {
+  if (!isField(look.measure)) return;
+  const { onBlocks, values, steps } = fieldOf(wall, look.measure);
+  for (let b = 0; onBlocks && b < values.length; ++b) {
+    if (Number.isNaN(values[b])) continue;
+    const points: [number, number][] = [];
+    for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) points.push(pose.corner(b, i));
+    paths.polygon(`block-field r${stepOf(values[b], steps)}`, points);
+  }
+}
+
 function drawZones(wall: Wall, pose: Pose, look: Look, paths: Paths): void {
   if (!wall.mesh) return;
   const { zone } = wall.mesh;
@@ -149,6 +163,13 @@ function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: P
       const stress = jointStress(wall, frame, j);
       const css = stressCss(stress, look.stressSteps);
       if (!css.endsWith("r0")) paths.segment(`joint stress ${css}`, ...ends);
+      else if (wall.kind[j] !== "lintel_chain") paths.segment(quiet, ...ends);
+      continue;
+    }
+    if (isField(look.measure)) {
+      const { onBlocks, values, steps } = fieldOf(wall, look.measure);
+      const drawn = !onBlocks && !Number.isNaN(values[j] ?? NaN);
+      if (drawn) paths.segment(`joint field r${stepOf(values[j], steps)}`, ...ends);
       else if (wall.kind[j] !== "lintel_chain") paths.segment(quiet, ...ends);
       continue;
     }
@@ -257,6 +278,7 @@ const kOrder = [
   "stone stone3",
   "timber",
   "plate",
+  ...[1, 2, 3, 4, 5, 6].map((r) => `block-field r${r}`),
   ...["t", "c"].flatMap((sign) => [1, 2, 3, 4, 5, 6].map((r) => `zone-stress ${sign} r${r}`)),
   "zone",
   "split",
@@ -272,6 +294,7 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     paths.raw("rest", `M${X(0)} ${Y(0)}V${Y(wall.height)}H${X(wall.length)}V${Y(0)}`);
   }
   drawBlocks(wall, pose, paths);
+  drawBlockField(wall, pose, look, paths);
   drawZones(wall, pose, look, paths);
   drawJoints(wall, frames, pose, look, paths);
   const picture = svg("svg", {

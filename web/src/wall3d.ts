@@ -25,6 +25,8 @@ import {
   crackOf,
   forcesOf,
   jointStress,
+  fieldOf,
+  isField,
   kSteps,
   Pose,
   stepOf,
@@ -261,6 +263,12 @@ class WallScene implements Scene {
         const stress = jointStress(this.wall, frame, j);
         return step(stress > 0 ? tension : compression, stepOf(Math.abs(stress), look.stressSteps), thin);
       };
+    }
+    if (isField(measure)) {
+      const { onBlocks, values, steps } = fieldOf(this.wall, measure);
+      const hue = css("damage");
+      return (_, j, thin) =>
+        onBlocks || Number.isNaN(values[j] ?? NaN) ? null : step(hue, stepOf(values[j], steps), thin);
     }
     const hue = css(measure === "crushing" ? "crush" : measure === "opening" ? "open" : measure);
     return (frame, j, thin) => step(hue, stepOf(valueOf(frame, j, measure), kSteps[measure]), thin);

@@ -7,11 +7,14 @@ import { canvasFor, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./
 import { makeScene, type Scene } from "./wall3d";
 import {
   crackOf,
+  fieldOf,
   fittingScale,
+  isField,
   jointStress,
   kSteps,
   measuresOf,
   stressSteps,
+  type Field,
   type Frames,
   type Measure,
   type Wall,
@@ -200,6 +203,7 @@ export class WallView {
         frame.damage[j] / 255,
         frame.crushing[j] / 255,
         ...(frame.compression && frame.shear ? [frame.compression[j] / 1e3, frame.shear[j] / 1e3] : []),
+        ...wall.fields.filter((f) => !f.onBlocks).map((f) => f.values[j] ?? NaN),
       ]);
     }
     return {
@@ -213,16 +217,21 @@ export class WallView {
         "damage",
         "crushing",
         ...(frame.compression ? ["compression_kN", "shear_kN"] : []),
+        ...wall.fields.filter((f) => !f.onBlocks).map((f) => `${f.name}_${f.unit}`),
       ],
       rows,
     };
+  }
+
+  private words(m: Measure): string {
+    return isField(m) ? say("measure.field", { name: fieldOf(this.spec.wall, m).name }) : say(`measure.${m}`);
   }
 
   private controls(): HTMLElement {
     const measure = h(
       "select",
       { "aria-label": say("wall.measure") },
-      measuresOf(this.spec.frames).map((m) => h("option", { value: m }, say(`measure.${m}`))),
+      measuresOf(this.spec.frames).map((m) => h("option", { value: m }, this.words(m))),
     );
     measure.addEventListener("change", () => {
       this.look.measure = measure.value as Measure;
@@ -301,6 +310,7 @@ export class WallView {
         ...extra,
       ]);
     if (measure === "stress") return h("div", {}, this.stressLegend(), legend(extra));
+    if (isField(measure)) return this.fieldLegend(fieldOf(this.spec.wall, measure), extra);
     const bounds = kSteps[measure],
       unit = measure === "opening" || measure === "slip" ? "\u202fmm" : "";
     const items = bounds.map((from, i): [SVGSVGElement, string] => [
@@ -308,6 +318,19 @@ export class WallView {
       i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}${unit}` : `> ${num(from, 4)}${unit}`,
     ]);
     return legend([...items, ...extra]);
+  }
+
+  // The steps from the least value in the wall to the greatest, and the mean as stated.
+  private fieldLegend(field: Field, extra: [SVGSVGElement, string][]): HTMLElement {
+    const { steps, unit } = field,
+      known = Array.from(field.values).filter((v) => !Number.isNaN(v));
+    const end = (k: number): number => (k + 1 < steps.length ? steps[k + 1] : Math.max(...known));
+    const items = steps.map((from, k): [SVGSVGElement, string] => [
+      field.onBlocks ? swatch(`block-field r${k + 1}`, "box") : swatch(`joint field r${k + 1}`),
+      steps.length > 1 ? `${num(from, 3)}–${num(end(k), 3)}` : num(from, 3),
+    ]);
+    const words = say("field.legend", { path: field.path, mean: qty(field.mean, unit, 3) });
+    return h("div", { class: "field-key" }, h("b", {}, unit), legend([...items, ...extra]), h("p", { class: "soft small" }, words));
   }
 
   // Two rows of the same steps, and what is coloured.
@@ -364,6 +387,9 @@ export class WallView {
         [say("joint.shear"), qty(frame.shear[j] / 1e3, "kN", 2)],
         [say("stress.normal"), qty(jointStress(wall, frame, j), "MPa", 2)],
       );
+    for (const field of wall.fields)
+      if (!field.onBlocks && !Number.isNaN(field.values[j] ?? NaN))
+        lines.push([field.name, qty(field.values[j], field.unit, 3)]);
     showTip(event, lines);
     drawing.appendChild(svg("g", { class: "pointed" }));
   }

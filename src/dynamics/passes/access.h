@@ -189,15 +189,16 @@ struct WallLanes {
   WYTHE_INLINE void keep_sum(Real s, double* term, int k) const { L::store(s, term + k * walls()); }
 };
 
-// The numbers of a law: the same in every lane of one wall, each wall's own.
+// The numbers of a law, entry `entry` of those from `law` on. What a way through the law does not ask for
+// is not loaded.
 template <class Access>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<typename Access::Real> law_of(
-    Access access, const double* law, int material, const contact::LawChoice& choice) {
+    Access access, const double* law, std::ptrdiff_t entry, const contact::LawChoice& choice) {
   using Real = typename Access::Real;
   contact::LawConstants<Real> m;
   for_each_part<kLawRows>([&](auto k) __attribute__((always_inline)) {
     constexpr auto member = contact::kConstants<Real>[decltype(k)::value];
-    m.*member = access.of_wall(law, static_cast<std::ptrdiff_t>(material) * kLawRows + k);
+    m.*member = access.own(law, entry * kLawRows + k);
   });
   m.choice = choice;
   return m;

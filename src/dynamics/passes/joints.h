@@ -71,18 +71,28 @@ template <class Access>
 struct FaceRun {
   using Real = typename Access::Real;
   Access access;
-  contact::LawConstants<Real> law;
+  const double* law;      // table of laws (tables.h)
+  std::ptrdiff_t entry;   // of the run, in it
+  std::ptrdiff_t graded;  // 1 where each spot has an entry of its own, else 0
+  contact::LawChoice choice;
   const double *xi, *weight;  // of the points of a face
   double* history;            // from the run's first spot on
   std::uint8_t* way;
   std::ptrdiff_t begin;  // its first spot
   int points;
+
+  [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_at(std::ptrdiff_t spot) const {
+    return law_of(access, law, entry + graded * (spot - begin), choice);
+  }
 };
 template <class Access>
 [[nodiscard]] WYTHE_INLINE FaceRun<Access> face_run(const Tables& t, Access access,
                                                     const Chunk& chunk, std::uint8_t* way) {
   return {access,
-          law_of(access, t.law, chunk.material, chunk.choice),
+          t.law,
+          chunk.law,
+          chunk.graded ? 1 : 0,
+          chunk.choice,
           t.point_xi + chunk.rule,
           t.point_weight + chunk.rule,
           t.history + static_cast<std::ptrdiff_t>(chunk.history) * access.history_lanes(),
@@ -99,11 +109,12 @@ struct FacePoints {
   using History = contact::History<Points>;
 
   const FaceRun<Access>& run;
+  const contact::LawConstants<Real>& law;
   std::ptrdiff_t first;  // number of its history
   int from;
 
   [[nodiscard]] WYTHE_INLINE int rows() const {
-    return contact::remembered(contact::choice_of<V>(run.law));
+    return contact::remembered(contact::choice_of<V>(run));
   }
   WYTHE_INLINE History load() const {
     History h;
@@ -154,7 +165,7 @@ struct FacePoints {
   WYTHE_INLINE void rest(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
                          bool_of_t<Real>& rests, bool_of_t<Real>& open) const {
     const contact::Rest<Points> now =
-        contact::at_rest<V, closed>(run.law, opening(jump), slip(jump), load());
+        contact::at_rest<V, closed>(law, opening(jump), slip(jump), load());
     add(area, now.sigma, now.tau, sum);
     rests = rests & now.rests.all_parts();
     open = open | now.open.any_part();
@@ -166,7 +177,7 @@ struct FacePoints {
     const History before = load();
     History now = before;
     const Points w = opening(jump);
-    const contact::Answer<Points> a = contact::update<V>(run.law, w, slip(jump), now);
+    const contact::Answer<Points> a = contact::update<V>(law, w, slip(jump), now);
     store(now);
     add(area, a.sigma, a.tau, sum);
     const Points share = Points(area) * of_points(run.weight);
@@ -187,13 +198,14 @@ struct FacePoints {
 template <class V, int n, bool one_slip, class Access, class Act>
 WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, const Act& act) {
   const int points = n > 0 ? n : run.points;
-  const int rows = contact::remembered(contact::choice_of<V>(run.law));
+  const int rows = contact::remembered(contact::choice_of<V>(run));
+  const contact::LawConstants<typename Access::Real> law = run.law_at(spot);
   const std::ptrdiff_t first = (spot - run.begin) * points * rows;
   if constexpr (n > 0) {
-    act(FacePoints<V, n, one_slip, Access>{run, first, 0});
+    act(FacePoints<V, n, one_slip, Access>{run, law, first, 0});
   } else {
     for (int k = 0; k < points; ++k)
-      act(FacePoints<V, 1, one_slip, Access>{run, first + k * rows, k});
+      act(FacePoints<V, 1, one_slip, Access>{run, law, first + k * rows, k});
   }
 }
 

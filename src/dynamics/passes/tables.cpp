@@ -49,19 +49,29 @@ void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
   }
 }
 
-const contact::LawChoice choice_of(const Model& m, int material) {
-  return contact::choice_of(m.materials[at(material)]);
+// The laws of chunks, one behind the other.
+void place_laws(std::vector<Chunk>& chunks, std::int32_t& entries) {
+  for (Chunk& chunk : chunks) {
+    chunk.law = entries;
+    entries += chunk.graded ? chunk.end - chunk.begin : 1;
+  }
+}
+
+void follow_law(const Model& m, std::int32_t material, Chunk& chunk) {
+  chunk.material = m.stated(material);
+  chunk.graded = chunk.material != material;
+  chunk.choice = contact::choice_of(m.materials[at(material)]);
 }
 
 std::vector<Chunk> cut_joints(const Model& m, Layout::Kind kind) {
   return cut(
       m.n_joint, kind,
       [&](int i, int j) {
-        return m.joint_material[at(i)] == m.joint_material[at(j)] && j != m.n_pair;
+        return m.stated(m.joint_material[at(i)]) == m.stated(m.joint_material[at(j)]) &&
+               j != m.n_pair;
       },
       [&](int j, Chunk& chunk) {
-        chunk.material = m.joint_material[at(j)];
-        chunk.choice = choice_of(m, chunk.material);
+        follow_law(m, m.joint_material[at(j)], chunk);
         chunk.on_ground = j >= m.n_pair;
         chunk.points = m.n_face_point;
       });
@@ -70,10 +80,10 @@ std::vector<Chunk> cut_joints(const Model& m, Layout::Kind kind) {
 std::vector<Chunk> cut_edges(const Model& m, Layout::Kind kind) {
   const auto& material = m.solids.contact_material;
   return cut(
-      m.solids.n_contact, kind, [&](int i, int j) { return material[at(i)] == material[at(j)]; },
+      m.solids.n_contact, kind,
+      [&](int i, int j) { return m.stated(material[at(i)]) == m.stated(material[at(j)]); },
       [&](int j, Chunk& chunk) {
-        chunk.material = material[at(j)];
-        chunk.choice = choice_of(m, chunk.material);
+        follow_law(m, material[at(j)], chunk);
         chunk.points = 2;
         chunk.rule = static_cast<std::int32_t>(m.point_xi.size());
       });
@@ -225,6 +235,8 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   place_points(chunks[kJoints], history);
   place_points(chunks[kEdges], history);
   history *= kind == kWalls ? 1 : kGroup;
+  place_laws(chunks[kJoints], laws);
+  place_laws(chunks[kEdges], laws);
   entries = m.block_entry.size();
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));

@@ -92,12 +92,14 @@ enum WallRow { kDt, kDamping, kGravityX, kGravityY, kWallRows };
 struct Chunk {
   std::int32_t begin = 0, end = 0;  // groups
   std::int32_t first = 0, n = 0;    // entities
-  std::int32_t material = 0;        // of joints and edges; of zones their shape
+  std::int32_t material = 0;        // of joints and edges, as stated; of zones their shape
+  std::int32_t law = 0;             // first entry in the table of laws
   std::int32_t points = 0;          // of a face
   std::int32_t rule = 0;            // where its points stand: into point_xi, point_weight
   std::int32_t rows = 0;            // of history that their law remembers
   std::int32_t history = 0;         // numbers of history before its first group, of one lane
   bool on_ground = false;
+  bool graded = false;  // each group has a law of its own (a field), not one for all
   contact::LawChoice choice;
 };
 
@@ -126,7 +128,8 @@ struct Tables {
   ZoneShape* shapes;
 
   // each wall its own
-  double* law;         // (n_material, kLawRows)
+  double* law;         // (entries, kLawRows): of a chunk one, or one a group where it is graded; of
+                       // neighbours a number a lane
   double* block;       // (n_block, kBlockRows)
   double* cold;        // (n_block, kColdRows)
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
@@ -154,12 +157,20 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, history = 0;
+  std::int32_t laws = 0;  // entries
   std::size_t entries = 0, edge_entries = 0;
 
   // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
   [[nodiscard]] std::ptrdiff_t number(std::int32_t e, int rows, int row, int walls) const {
     if (kind == kWalls) return (static_cast<std::ptrdiff_t>(e) * rows + row) * walls;
     return (static_cast<std::ptrdiff_t>(e / kGroup) * rows + row) * kGroup + e % kGroup;
+  }
+  // Number `k` of the law of entity n of a chunk of joints or edges.
+  [[nodiscard]] std::ptrdiff_t law_number(const Chunk& chunk, int n, int k, int walls) const {
+    const int group = kind == kWalls ? n : n / kGroup;
+    const std::ptrdiff_t entry = chunk.law + (chunk.graded ? group : 0);
+    const std::ptrdiff_t number = entry * kLawRows + k;
+    return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
   // Row `row` of point k of entity n of a chunk of joints or edges.
   [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, int n, int k, int row,
@@ -208,7 +219,7 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   visit(t.node_edge_begin, n(l.nodes) + 1);
   visit(t.node_edge_entry, m.solids.contact_entry.size());
   visit(t.shapes, m.solids.shapes.size());
-  own(t.law, m.materials.size() * kLawRows);
+  own(t.law, n(l.laws) * kLawRows * (l.kind == Layout::kWalls ? 1 : kGroup));
   own(t.block, n(l.blocks) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.pose, 4 * (n(l.blocks) + 1));

@@ -1,5 +1,7 @@
 #include "dynamics/passes/wall.h"
 
+#include <algorithm>
+
 #include "contact/parameters.h"
 #include "core/real.h"
 
@@ -39,6 +41,23 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   points(l.chunks[kEdges], at(m.n_point()), 2);
 }
 
+// The law of each entity of chunks; of one material to all alike, and a group is filled up with its last.
+void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
+              const std::vector<Chunk>& chunks, const std::vector<std::int32_t>& material) {
+  const int group = l.kind == Layout::kWalls ? 1 : kGroup;
+  for (const Chunk& chunk : chunks) {
+    const int filled = chunk.graded ? (chunk.end - chunk.begin) * group : group;
+    for (int n = 0; n < filled; ++n) {
+      const int entity = chunk.first + (chunk.graded ? std::min(n, chunk.n - 1) : 0);
+      const contact::LawConstants<double> law =
+          contact::constants_of(m.materials[at(material[at(entity)])]);
+      for (int k = 0; k < kLawRows; ++k)
+        t.law[l.law_number(chunk, n, k, static_cast<int>(t.lanes)) + lane] =
+            law.*contact::kConstants<double>[at(k)];
+    }
+  }
+}
+
 }  // namespace
 
 WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
@@ -58,13 +77,8 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
 }
 
 void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const State& s) {
-  const int walls = static_cast<int>(t.lanes);
-  for (std::size_t material = 0; material < m.materials.size(); ++material) {
-    const contact::LawConstants<double> law = contact::constants_of(m.materials[material]);
-    for (std::size_t k = 0; k < at(kLawRows); ++k)
-      t.law[(material * at(kLawRows) + k) * at(walls) + at(lane)] =
-          law.*contact::kConstants<double>[k];
-  }
+  put_laws(l, t, lane, m, l.chunks[kJoints], m.joint_material);
+  put_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field, [&](std::size_t i, double* to) { to[lane] = (s.*field.array)[i]; });
   const WallView wall = view_of(l, m, t, lane);

@@ -125,6 +125,7 @@ Plan continue_store(Store& store, const StudySpec& asked, const StoreHead& head)
         {"store.other_program", {{"began", store.head().provenance}, {"now", head.provenance}}});
   if (drawn.n_sample() > stored) {
     plan.samples.value.insert(plan.samples.value.end(), next, drawn.value.end());
+    set_fields(plan.spec, plan.samples);
     store.add_samples(plan.samples, stored + 1, plan.spec);
   }
   return plan;

@@ -65,6 +65,17 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& known)
     if (n.kind == Kind::kInput) n.which = place[n.which];
 }
 
+std::string Formula::replaced(const std::map<std::string, std::string>& by) const {
+  std::map<std::size_t, std::string> at;  // names by their first character
+  for (const FormulaNode& n : node_)
+    if (n.kind == Kind::kInput) at[n.begin] = inputs_[n.which];
+  std::string out = text_;
+  for (auto name = at.rbegin(); name != at.rend(); ++name)
+    if (const auto text = by.find(name->second); text != by.end())
+      out.replace(name->first, name->second.size(), text->second);
+  return out;
+}
+
 Dimension Formula::dimension(const Dimensions& of) const { return dimension_at(root_, of); }
 
 double Formula::value(std::span<const double> inputs) const { return value_at(root_, inputs); }

@@ -48,6 +48,8 @@ class Formula {
 
   // Names it uses, each once, in the order of `known`.
   [[nodiscard]] const std::vector<std::string>& inputs() const { return inputs_; }
+  // The formula with names replaced by texts of their own.
+  [[nodiscard]] std::string replaced(const std::map<std::string, std::string>& by) const;
   // Dimension of its value for inputs of these dimensions; throws FormulaError where they clash.
   [[nodiscard]] Dimension dimension(const std::map<std::string, Dimension>& of) const;
   // Its value [SI] for the values of inputs(), in that order. NaN where it has none.

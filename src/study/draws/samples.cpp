@@ -65,7 +65,8 @@ SampleTable draw_samples(const StudySpec& study) {
     throw InputError(std::move(faults));
   FaultList none;
   const Dependents dependents(study, none);
-  SampleTable table{.column = columns_of(study, dependents), .value = {}, .cut_off = {}};
+  SampleTable table{
+      .column = columns_of(study, dependents), .value = {}, .cut_off = {}, .field_setting = {}};
   std::vector<Margin> margin;
   for (const VariableSpec& variable : study.variable) {
     margin.emplace_back(variable);
@@ -80,6 +81,7 @@ SampleTable draw_samples(const StudySpec& study) {
       table.value.push_back(std::move(row));
     }
   }
+  set_fields(study, table);
   return table;
 }
 
@@ -94,6 +96,10 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
     out.push_back(column.si_unit == "1"
                       ? fmt::format("{}={}", column.path, number)
                       : fmt::format("{}={} {}", column.path, number, column.si_unit));
+  }
+  if (const auto& fields = samples.field_setting; !fields.empty()) {
+    const auto& own = fields.at(static_cast<std::size_t>(sample));
+    out.insert(out.end(), own.begin(), own.end());
   }
   return out;
 }

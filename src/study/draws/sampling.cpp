@@ -190,13 +190,17 @@ double Margin::quantile(double u) const {
 namespace {
 
 // The generator takes 32 bits.
+OT::UnsignedInteger folded(const Hash& hash) {
+  return static_cast<OT::UnsignedInteger>((hash.value() ^ (hash.value() >> 32)) & 0xffffffffU);
+}
+
 OT::UnsignedInteger seed_of(const DesignRequest& request, const std::string& name) {
   Hash hash;
   const auto batch = static_cast<std::uint64_t>(request.batch);
   const auto design = static_cast<std::uint64_t>(request.design);
   for (const std::uint64_t part : {request.seed, batch, design}) hash.add(&part, sizeof part);
   hash.add(name);
-  return static_cast<OT::UnsignedInteger>((hash.value() ^ (hash.value() >> 32)) & 0xffffffffU);
+  return folded(hash);
 }
 
 std::vector<double> stratified(std::size_t samples) {
@@ -252,6 +256,20 @@ Columns unit_design(const DesignRequest& request, const std::vector<std::string>
   }
   return points;
 }
+
+std::vector<double> normal_numbers(int seed, const std::string& name, std::size_t count) {
+  const std::lock_guard lock(generator_mutex());
+  Hash hash;
+  hash.add("field");
+  hash.add(&seed, sizeof seed);
+  hash.add(name);
+  OT::RandomGenerator::SetSeed(folded(hash));
+  std::vector<double> numbers;
+  for (const double u : independent(count)) numbers.push_back(OT::DistFunc::qNormal(u));
+  return numbers;
+}
+
+double normal_share(double z) { return inside(OT::DistFunc::pNormal(z)); }
 
 // --- correlation ---------------------------------------------------------------------------------
 

@@ -56,6 +56,12 @@ struct DesignRequest {
 // Largest number of variables of a Sobol design.
 [[nodiscard]] int most_sobol_variables();
 
+// `count` independent standard normal numbers of the stream `name` of a seed.
+[[nodiscard]] std::vector<double> normal_numbers(int seed, const std::string& name,
+                                                 std::size_t count);
+// Share of the standard normal distribution below z, in (0, 1).
+[[nodiscard]] double normal_share(double z);
+
 // Symmetric matrix of correlations, row by row, ones on its diagonal.
 struct CorrelationMatrix {
   std::size_t n = 0;

@@ -213,6 +213,7 @@ class StudyCheck {
     for (const DependentSpec& dependent : study_.dependent)
       check_input("dependent." + dependent.name, dependent);
     check_until();
+    check_fields();
     const Dependents checked(study_, faults_);
     check_correlation(study_, faults_);
     if (faults_.empty()) check_use();
@@ -224,6 +225,17 @@ class StudyCheck {
               const std::string& cure) {
     faults_.add(
         {.file = study_.file, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  // A field and a variable of one name are one thing: the scatter within a wall and between walls.
+  void check_fields() {
+    for (const StudyField& field : study_.field)
+      for (const VariableSpec& variable : study_.variable)
+        if (variable.name == field.name && variable.path != field.path)
+          refuse("field." + field.name + ".path", field.path,
+                 fmt::format("is not what variable.{} sets, {}", variable.name,
+                             variable.path.empty() ? "no key" : variable.path),
+                 "leave path out, or give the field another name");
   }
 
   void check_sizes() {

@@ -415,6 +415,7 @@ SampleTable Store::samples() {
       asked != table.n_sample())
     database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
                                   table.n_sample(), asked));
+  set_fields(study(), table);
   return table;
 }
 

@@ -229,6 +229,12 @@ Rows rows_of(const StudySpec& spec) {
     each_input(writer, dependent);
     writer.text("formula", dependent.formula);
   }
+  root.texts("fields", names_of(spec.field));
+  for (const StudyField& field : spec.field) {
+    RowWriter writer(rows, "field." + field.name + ".");
+    writer.text("path", field.path);
+    writer.flag("follows", field.follows);
+  }
   for (std::size_t i = 0; i < spec.correlation.size(); ++i) {
     const CorrelationSpec& pair = spec.correlation[i];
     RowWriter writer(rows, fmt::format("correlation.{}.", i));
@@ -258,6 +264,13 @@ StudySpec study_of(const Rows& rows) {
     RowReader reader(known, "dependent." + name + ".");
     each_input(reader, dependent);
     reader.text("formula", dependent.formula);
+  }
+  for (const std::string& name : lines_of(value_of(rows, "fields"))) {
+    StudyField& field = spec.field.emplace_back();
+    field.name = name;
+    RowReader reader(known, "field." + name + ".");
+    reader.text("path", field.path);
+    reader.flag("follows", field.follows);
   }
   for (std::size_t i = 0; known.contains(fmt::format("correlation.{}.a", i)); ++i) {
     CorrelationSpec& pair = spec.correlation.emplace_back();

@@ -1,0 +1,58 @@
+// Factors F of a correlation matrix C = F F^T, of points on a line, on a grid of lines, or anywhere.
+//
+//   z = F w,  w independent standard normal   =>   cov(z) = F F^T = C
+//
+// Both kernels are products of one of dx and one of dy, so on a grid of nx columns and ny rows C is the
+// Kronecker product of two small matrices, and Z = Fx W Fy^T has C for its covariance, exactly, with
+// nx^3 + ny^3 instead of (nx ny)^3 operations. A wall of courses lies on such a grid.
+//
+// The loops are our own: LAPACK adds in an order that differs from machine to machine, and so would the bits
+// of every wall. The kernel's exponential is that of core/real.h for the same reason.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "wythe/field.h"
+
+namespace wythe {
+
+// Correlation of two places at distance `d`, of one direction, correlation length `length` [m].
+[[nodiscard]] double correlation_at(FieldKernel kernel, double d, double length);
+
+// A matrix of n rows and `rank` columns, row by row.
+struct FieldFactor {
+  std::size_t n = 0, rank = 0;
+  std::vector<double> value;
+  [[nodiscard]] double at(std::size_t i, std::size_t k) const { return value[i * rank + k]; }
+};
+
+// F of the n x n correlation matrix `c` (row by row), by Cholesky with the largest pivot first; it ends where
+// the largest pivot left is n times the rounding of 1. F F^T is C to the accuracy of its entries.
+[[nodiscard]] FieldFactor factor_of(std::vector<double> c, std::size_t n);
+
+// Places of a field: the columns and rows of coordinates and, of each place, its column and row.
+class FieldGrid {
+ public:
+  FieldGrid(const std::vector<double>& x, const std::vector<double>& y, double same);
+
+  // Operations to factor and draw, on the grid or place by place: the cheaper of both.
+  [[nodiscard]] double cost() const;
+  // How many independent normal numbers draw() takes.
+  [[nodiscard]] std::size_t numbers() const;
+  // Fixes kernel and lengths.
+  void correlate(FieldKernel kernel, double along, double across);
+  // z of each place from numbers() independent ones.
+  [[nodiscard]] std::vector<double> draw(const std::vector<double>& w) const;
+
+  [[nodiscard]] const std::vector<double>& columns() const { return x_; }
+  [[nodiscard]] const std::vector<double>& rows() const { return y_; }
+
+ private:
+  [[nodiscard]] bool is_grid() const;
+  std::vector<double> x_, y_;
+  std::vector<std::size_t> column_, row_;  // of each place
+  FieldFactor along_, across_;             // of a grid; else along_ alone, of the places
+};
+
+}  // namespace wythe
