@@ -120,11 +120,27 @@ std::vector<SinCos<double>> rotations_of(const State& state) {
   return rotations;
 }
 
+// The constants of a joint's material: of the last asked for, since joints come in runs of one. A list of all
+// would be long where each joint of a field has its own material.
+class LawOf {
+ public:
+  explicit LawOf(const Model& model) : m_(model) {}
+  const LawConstants<double>& operator()(std::int32_t material) {
+    if (material != last_) law_ = contact::constants_of(m_.materials[material]);
+    last_ = material;
+    return law_;
+  }
+
+ private:
+  const Model& m_;
+  std::int32_t last_ = -1;
+  LawConstants<double> law_{};
+};
+
 }  // namespace
 
 std::vector<PointReading> read_points(const Model& m, const State& s) {
-  std::vector<LawConstants<double>> law;
-  for (const JointMaterial& material : m.materials) law.push_back(contact::constants_of(material));
+  LawOf law(m);
   const std::vector<SinCos<double>> block = rotations_of(s);
   std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
   for (JointId j = 0; j < m.n_joint; ++j) {
@@ -134,7 +150,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, j);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = read_point(s, p, law[m.joint_material[j]], face.at(m.point_xi[k]));
+      points[p] = read_point(s, p, law(m.joint_material[j]), face.at(m.point_xi[k]));
       points[p].share = m.point_weight[k];
       points[p].place = m.point_xi[k];
     }
@@ -143,7 +159,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, m.n_joint + c);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = read_point(s, p, law[m.solids.contact_material[c]], contact_motion(m, s, c, k));
+      points[p] = read_point(s, p, law(m.solids.contact_material[c]), contact_motion(m, s, c, k));
       points[p].share = 0.5;
       points[p].place = 2 * k - 1;
     }
