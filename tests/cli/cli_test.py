@@ -295,6 +295,23 @@ class BadInput(Base):
         self.assertIn("velocity", done.stderr)
 
 
+class RandomFields(Base):
+    """examples/random_field: its commands, and the wall that a stored sample had."""
+
+    def test_a_sample_is_replayed_and_run_from_its_used_model(self):
+        example = SOURCE / "examples/random_field"
+        done = wythe("campaign", example / "study.toml", "--out", self.out, "--set", "study.samples=3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        alone = self.folder / "alone"
+        done = wythe("replay", self.out, "--sample", "3", "--out", alone)
+        self.assertIn("equals that of the campaign, bit for bit", done.stdout + done.stderr)
+        used = (alone / "model.used.toml").read_text()
+        self.assertRegex(used, r"seed = [1-9]\d+")
+        self.assertEqual(wythe("run", alone / "model.used.toml", "--out", self.folder / "again").returncode, 0)
+        hashes = {json.loads((self.folder / run / "summary.json").read_text())["state_hash"] for run in ("alone", "again")}
+        self.assertEqual(len(hashes), 1)
+
+
 class Signals(Base):
     """SIGTERM as Ctrl-C: what was computed is kept, and nothing makes the program deaf."""
 
