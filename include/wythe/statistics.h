@@ -170,6 +170,118 @@ struct Exceedance {
   double misfit = kUnset;  // largest gap between the fit and the samples' own curve [-]
 };
 
+// An event that a sample shows or not: a response is greater than a threshold, or a mode occurs.
+struct FragilityEvent {
+  std::string response;       // of `quantities()`, "drift_at_80_percent", or "failure_mode"
+  std::string mode;           // of "failure_mode"
+  double threshold = kUnset;  // [SI], [-] of a drift
+  std::string unit = {};      // shown
+  double to_unit = 1;
+  [[nodiscard]] bool of_mode() const { return response == "failure_mode"; }
+};
+// What can be told of an event by an input.
+enum class FragilityVerdict {
+  kTold,
+  kFewSamples,  // fewer than kFewestSamples
+  kNever,       // no sample shows the event
+  kAlways,      // every sample does
+  kRare,        // too few do, or too few don't, for a slope
+  kConstant,    // the input does not vary
+  kTwoValues,   // it has two values: nothing is known between them
+  kSeparated,   // it parts the samples: no finite slope
+  kCollinear    // two inputs say the same
+};
+inline constexpr Word<FragilityVerdict> kFragilityVerdictWords[] = {
+    {"told", FragilityVerdict::kTold},
+    {"few samples", FragilityVerdict::kFewSamples},
+    {"never", FragilityVerdict::kNever},
+    {"always", FragilityVerdict::kAlways},
+    {"rare", FragilityVerdict::kRare},
+    {"constant", FragilityVerdict::kConstant},
+    {"two values", FragilityVerdict::kTwoValues},
+    {"separated", FragilityVerdict::kSeparated},
+    {"collinear", FragilityVerdict::kCollinear}};
+static_assert(names_all(kFragilityVerdictWords));
+enum class FragilityLaw { kLogistic, kLognormal };
+inline constexpr Word<FragilityLaw> kFragilityLawWords[] = {
+    {"logistic", FragilityLaw::kLogistic}, {"lognormal", FragilityLaw::kLognormal}};
+static_assert(names_all(kFragilityLawWords));
+
+// One law fitted to one event and one input (shown units). Slope of log-odds per unit, or 1/beta with the
+// sign of the trend; `half` is the input where P = 1/2, NaN where that lies outside the samples.
+struct FragilityFit {
+  FragilityLaw law = FragilityLaw::kLogistic;
+  Estimate slope, half;  // profile likelihood
+  double log_likelihood = kUnset;
+  double influence_p = kUnset;  // likelihood ratio against no influence
+  double fit_p = kUnset;        // Hosmer and Lemeshow; NaN: too few groups
+};
+struct FragilityPoint {
+  double x = 0;  // of the input, as shown
+  Estimate probability;
+};
+struct FragilityOfInput {
+  std::string input, unit;
+  FragilityVerdict verdict = FragilityVerdict::kTold;
+  double parted_low = kUnset, parted_high = kUnset;  // between which it parts the samples, as shown
+  std::vector<FragilityFit> fit;       // the better one first; lognormal only of a positive input
+  std::vector<FragilityPoint> point;   // of the better one, within the samples
+  std::vector<std::string> entangled;  // inputs with a rank correlation above kEntangled
+};
+// Logistic in two inputs: log-odds = intercept + slope_a a + slope_b b, as shown. Wald intervals.
+struct FragilityOfPair {
+  std::string a, b;
+  FragilityVerdict verdict = FragilityVerdict::kTold;
+  double intercept = kUnset;
+  Estimate slope_a, slope_b;
+  double added_p = kUnset;  // likelihood ratio against the better one of the two alone
+  double fit_p = kUnset;
+};
+struct Fragility {
+  FragilityEvent event;
+  int n = 0, seen = 0,
+      unknown = 0;              // samples; with the event; whose push ended before the threshold
+  int repeated = 0;             // left out: all their inputs are those of an earlier sample
+  int doubtful = 0;             // of n, whose push was not slow enough
+  Estimate share;               // of the known, Wilson; of all, widened, where some are unknown
+  std::vector<int> sample;      // those told of, and whether each shows the event:
+  std::vector<double> outcome;  // 0, 1, 0.5 not known
+  std::vector<FragilityOfInput> input;
+  std::vector<FragilityOfPair> pair;
+};
+
+// How far a response would be known better if an input were known: a cubic of its ranks.
+struct Measuring {
+  std::string quantity, input;
+  int n = 0, censored = 0;
+  Estimate variance;        // share of the variance that goes
+  Estimate width;           // share of the interval that goes, 1 - sqrt(1 - variance)
+  double is_best = kUnset;  // share of the replicates in which no other input takes more
+};
+
+enum class IndexVerdict { kTold, kFewSamples, kCorrelated, kCensored, kDiscrete, kUnexplained };
+inline constexpr Word<IndexVerdict> kIndexVerdictWords[] = {
+    {"told", IndexVerdict::kTold},
+    {"few samples", IndexVerdict::kFewSamples},
+    {"correlated", IndexVerdict::kCorrelated},
+    {"censored", IndexVerdict::kCensored},
+    {"discrete", IndexVerdict::kDiscrete},
+    {"unexplained", IndexVerdict::kUnexplained}};
+static_assert(names_all(kIndexVerdictWords));
+// Sobol indices of one response from a polynomial surrogate, if that predicts samples it has not seen.
+struct SurrogateIndices {
+  struct Of {
+    std::string input;
+    Estimate first_order, total;
+  };
+  std::string quantity;
+  IndexVerdict verdict = IndexVerdict::kTold;
+  int n = 0, terms = 0;
+  double q2 = kUnset;  // share of the variance predicted, cross-validated
+  std::vector<Of> input;
+};
+inline constexpr double kLeastQ2 = 0.8;
+
 struct InputSummary {
   std::string name, unit;
   bool is_random = true;
@@ -185,6 +297,8 @@ struct InputCorrelation {
 [[nodiscard]] std::vector<InputCorrelation> input_correlations(const SampleTable& samples);
 // Above this rank correlation two inputs share their influence on a response.
 inline constexpr double kEntangled = 0.1;
+// Fewest samples an until rule may stop at, and of which a fragility is told.
+inline constexpr int kFewestSamples = 20;
 
 // A sample without results, and why.
 struct Unanswered {
@@ -221,13 +335,13 @@ struct Statistics {
   std::vector<MeanCurve> mean_curve;  // all, then modes
   std::vector<DriftLimit> drift_limit;
   std::vector<Exceedance> exceedance;
+  std::vector<Fragility> fragility;
+  std::vector<Measuring> measuring;  // by response, the best first
+  std::vector<SurrogateIndices> surrogate_indices;
 };
 
-// Fewest samples an until rule may stop at.
-inline constexpr int kFewestSamples = 20;
-
 // A sample counts when its push was completed or ended by collapse and left a curve; all others are
-// in `unanswered`. Any campaign will do, an empty one too. Cost: about a second for 250 samples.
+// in `unanswered`. Any campaign will do, an empty one too. Cost: a few seconds for 250 samples.
 [[nodiscard]] Statistics statistics_of(const Campaign& campaign);
 
 // Whether this sample counts in the statistics: it ended, and a force in balance was found.
@@ -237,6 +351,8 @@ inline constexpr int kFewestSamples = 20;
 
 // Throws InputError with every fault of a malformed rule and its cure; "" is no rule.
 void check_rule(const std::string& rule);
+// The same of an event of a study: "peak_reaction > 150 kN", "drift_at_80_percent > 0.5 %".
+[[nodiscard]] FragilityEvent fragility_event(const std::string& text);
 // True when every clause of the rule holds and kFewestSamples have answered; `measures` (optional)
 // says where each clause stands. "" is never met. Cheap: called after every sample.
 [[nodiscard]] bool precise_enough(const std::string& rule, const Campaign& campaign,

@@ -78,10 +78,11 @@ struct StudySpec {
   Design design = Design::kLatinHypercube;
   std::vector<int> batch;  // sizes of the designs drawn one after another; usually one
   std::uint64_t seed = 0;
-  std::vector<double> states;     // displacements at which damage states are stored [m]
-  std::vector<double> fractions;  // of the peak, after it, at which displacements are read
-  double read_modes_at = kUnset;  // displacement at which failure modes are named [m]
-  std::string until;              // stop rule, "" none
+  std::vector<double> states;          // displacements at which damage states are stored [m]
+  std::vector<double> fractions;       // of the peak, after it, at which displacements are read
+  double read_modes_at = kUnset;       // displacement at which failure modes are named [m]
+  std::string until;                   // stop rule, "" none
+  std::vector<std::string> fragility;  // events asked for: "peak_reaction > 150 kN"
   // Points a face of a model that does not say; "" in stores of before it was written: the corners.
   std::string unstated_point_rule = "lobatto";
 };

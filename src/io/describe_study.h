@@ -86,6 +86,8 @@ void describe(Visitor& v, StudyHead& h) {
              .example = "40 mm", .doc = "Displacement at which failure modes are named."});
   v.text("until", s.until, {.fallback = "none", .example = "relative_interval(peak_reaction) < 1 %",
          .doc = "Rule that ends the campaign before all samples have run."});
+  v.texts("fragility", s.fragility, {.fallback = "none", .example = "[\"peak_reaction > 150 kN\"]",
+          .doc = "Events whose probability is told given each input, beside those chosen by the program."});
 }
 
 template <class Visitor>

@@ -279,6 +279,111 @@ Json exceedance_json(const Exceedance& e, const Quantity& q) {
       {"low", low}, {"high", high},           {"lognormal", fit}};
 }
 
+// "slope_per_MPa"
+Json fit_json(const FragilityFit& fit) {
+  Json json = {{"law", word_of(kFragilityLawWords, fit.law)}};
+  add(json, "slope", fit.slope);
+  add(json, "half_at", fit.half);
+  if (fit.law == FragilityLaw::kLognormal) {
+    const Interval& s = fit.slope.interval;
+    const bool has_sign = s.low > 0 || s.high < 0;
+    const double ends[] = {std::fabs(1 / s.low), std::fabs(1 / s.high)};
+    add(json, "beta",
+        {std::fabs(1 / fit.slope.value),
+         has_sign ? Interval{std::fmin(ends[0], ends[1]), std::fmax(ends[0], ends[1])}
+                  : Interval{std::fmin(ends[0], ends[1]), kUnset}});
+  }
+  json["log_likelihood"] = number(fit.log_likelihood);
+  json["influence_p"] = number(fit.influence_p);
+  json["fit_p"] = number(fit.fit_p);
+  return json;
+}
+
+Json fragility_input_json(const FragilityOfInput& of) {
+  Json json = {{"input", of.input},
+               {"unit", of.unit},
+               {"verdict", word_of(kFragilityVerdictWords, of.verdict)},
+               {"entangled_with", of.entangled}};
+  if (of.verdict == FragilityVerdict::kSeparated)
+    json["parted_between"] = pair({of.parted_low, of.parted_high});
+  json["fits"] = Json::array();
+  for (const FragilityFit& fit : of.fit) json["fits"].push_back(fit_json(fit));
+  if (of.point.empty()) return json;
+  Json& curve = json["curve"] = {{"law", word_of(kFragilityLawWords, of.fit.front().law)}};
+  for (const char* key : {"input", "probability", "low", "high"}) curve[key] = Json::array();
+  for (const FragilityPoint& p : of.point) {
+    curve["input"].push_back(number(p.x));
+    curve["probability"].push_back(number(p.probability.value));
+    curve["low"].push_back(number(p.probability.interval.low));
+    curve["high"].push_back(number(p.probability.interval.high));
+  }
+  return json;
+}
+
+Json fragility_pair_json(const FragilityOfPair& pair) {
+  Json json = {{"inputs", {pair.a, pair.b}},
+               {"verdict", word_of(kFragilityVerdictWords, pair.verdict)}};
+  if (pair.verdict != FragilityVerdict::kTold) return json;
+  json["intercept"] = number(pair.intercept);
+  add(json, "slope_1", pair.slope_a);
+  add(json, "slope_2", pair.slope_b);
+  json["added_p"] = number(pair.added_p);
+  json["fit_p"] = number(pair.fit_p);
+  return json;
+}
+
+Json fragility_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const Fragility& f : s.fragility) {
+    const FragilityEvent& event = f.event;
+    Json row = {{"response", event.response}};
+    if (event.of_mode()) row["mode"] = event.mode;
+    if (!event.of_mode())
+      row["greater_than"] = number(event.threshold * event.to_unit), row["unit"] = event.unit;
+    row["n"] = f.n, row["seen"] = f.seen, row["unknown"] = f.unknown;
+    row["repeated"] = f.repeated, row["not_slow_enough"] = f.doubtful;
+    add(row, "share", f.share);
+    row["sample"] = f.sample, row["outcome"] = f.outcome;
+    row["inputs"] = Json::array(), row["pairs"] = Json::array();
+    for (const FragilityOfInput& of : f.input) row["inputs"].push_back(fragility_input_json(of));
+    for (const FragilityOfPair& of : f.pair) row["pairs"].push_back(fragility_pair_json(of));
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json measuring_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const Measuring& m : s.measuring) {
+    Json row = {{"response", m.quantity}, {"input", m.input}, {"n", m.n}, {"censored", m.censored}};
+    add(row, "variance_share", m.variance);
+    add(row, "width_share", m.width);
+    row["is_best"] = number(m.is_best);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json surrogate_json(const Statistics& s) {
+  Json list = Json::array();
+  for (const SurrogateIndices& of : s.surrogate_indices) {
+    Json row = {{"response", of.quantity},
+                {"verdict", word_of(kIndexVerdictWords, of.verdict)},
+                {"n", of.n},
+                {"q2", number(of.q2)},
+                {"q2_asked", kLeastQ2},
+                {"terms", of.terms}};
+    row["inputs"] = Json::array();
+    for (const SurrogateIndices::Of& input : of.input) {
+      Json& json = row["inputs"].emplace_back(Json{{"input", input.input}});
+      add(json, "first_order", input.first_order);
+      add(json, "total", input.total);
+    }
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string statistics_json(const Statistics& s) {
@@ -299,6 +404,9 @@ std::string statistics_json(const Statistics& s) {
   json["correlation"] = correlation_json(s);
   json["first_order"] = first_order_json(s);
   json["mode_against_input"] = modes_json(s);
+  json["fragility"] = fragility_json(s);
+  json["measuring"] = measuring_json(s);
+  json["surrogate_indices"] = surrogate_json(s);
   json["running"] = running_json(s);
   json["mean_curves"] = Json::object();
   for (const MeanCurve& curve : s.mean_curve)

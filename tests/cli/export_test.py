@@ -132,6 +132,8 @@ class Export(campaign_test.Base):
         empty = self.folder / "empty"
         empty.mkdir()
         self.refused(wythe("export", empty, "--out", self.folder / "none"), 2, "holds neither a run", "campaign.db")
+        self.refused(wythe("export", self.folder, "--out", self.folder / "none"), 2, "but campaigns in ", "half",
+                     "export each of them")
 
     def test_no_stored_states_is_said(self):
         with sqlite3.connect(self.copy()) as store:

@@ -486,6 +486,35 @@ test("axe finds nothing, in light and dark, wide and narrow", async () => {
     }
 });
 
+test("a fragility shows every sample, and its law within the samples alone", async () => {
+  const figure = page.locator("#fragility-input"),
+    pairs = page.locator("#fragility-pair");
+  assert.ok(s.fragility.length > 1);
+  for (const [k, event] of s.fragility.entries()) {
+    await page.locator(".pick-event").selectOption(String(k));
+    for (const input of event.inputs) {
+      await page.locator(".pick-fragility-input").selectOption(input.input);
+      const dots = figure.locator("circle[data-outcome]");
+      assert.equal(await dots.count(), event.n);
+      assert.equal(await figure.locator('circle[data-outcome="1"]').count(), event.seen);
+      assert.equal(await figure.locator("path[data-law]").count(), input.curve ? 1 : 0);
+      assert.doesNotMatch(await figure.locator("figcaption").innerText(), /fragility[._]|undefined|NaN|\{/);
+      if (!input.curve) continue;
+      const at = await dots.evaluateAll((c) => c.map((e) => Number(e.getAttribute("cx"))));
+      const line = (await figure.locator("path[data-law]").getAttribute("d"))
+        .slice(1)
+        .split("L")
+        .map((p) => Number(p.split(" ")[0]));
+      assert.ok(Math.min(...line) >= Math.min(...at) - 0.2 && Math.max(...line) <= Math.max(...at) + 0.2);
+    }
+    assert.equal(await pairs.locator("circle[data-outcome]").count(), event.n);
+    assert.doesNotMatch(await pairs.locator("figcaption").innerText(), /fragility[._]|undefined|NaN|\{/);
+  }
+  const best = await page.locator("#measuring tbody tr").count();
+  assert.ok(best > 0 && best <= s.measuring.length);
+  assert.doesNotMatch(await page.locator("#surrogate-indices").textContent(), /indices[._]|undefined|NaN|\{/);
+});
+
 test("prints as an appendix of A4 pages", async () => {
   const pdf = await page.pdf({ preferCSSPageSize: true });
   fs.writeFileSync(path.join(folder("campaign"), "report.pdf"), pdf);

@@ -193,6 +193,7 @@ class Runner {
     const bool same = store_.value("until") == rule && !store_.value("until_from").empty();
     if (rule.empty() || !same) store_.set_value("until_met_at", "");
     store_.set_value("until", rule);
+    store_.set_value("fragility", value_of(rows_of(plan_.spec), "fragility"));
     if (rule.empty()) {
       store_.set_value("until_from", "");
       return;

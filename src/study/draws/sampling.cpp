@@ -1,4 +1,4 @@
-// The only file that sees OpenTURNS; see sampling.h.
+// With surrogate.cpp the only file that sees OpenTURNS; see sampling.h.
 //
 // Its random generator is global: seeded and used under one mutex. Every column is drawn from a seed
 // of its own, made of the study's seed, the batch, the design and the variable's name, so that a

@@ -214,6 +214,7 @@ class StudyCheck {
       check_input("dependent." + dependent.name, dependent);
     check_until();
     check_fields();
+    check_fragility();
     const Dependents checked(study_, faults_);
     check_correlation(study_, faults_);
     if (faults_.empty()) check_use();
@@ -292,6 +293,16 @@ class StudyCheck {
     } catch (const InputError& error) {
       for (const Fault& fault : error.faults())
         refuse("study.until", study_.until, fault.problem, fault.cure);
+    }
+  }
+  void check_fragility() {
+    for (const std::string& event : study_.fragility) {
+      try {
+        static_cast<void>(fragility_event(event));
+      } catch (const InputError& error) {
+        for (const Fault& fault : error.faults())
+          refuse("study.fragility", event, fault.problem, fault.cure);
+      }
     }
   }
 

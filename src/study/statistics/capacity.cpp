@@ -54,12 +54,6 @@ CurvePoint point_at(const std::vector<SampleCurve>& curves, double displacement)
   return point;
 }
 
-// A variable may move the load: its own height counts before the base model's.
-double height_of(const SampleRecord& record, double base_height) {
-  const double own = record.responses.load_height;
-  return own > 0 ? own : base_height;
-}
-
 struct CodeLimit {
   const char *element, *mechanism, *label;
   double near_collapse;
@@ -81,13 +75,18 @@ DriftLimit limit_against(DriftLimit limit, const std::vector<Reading>& drifts) {
   return limit;
 }
 
+}  // namespace
+
+double height_of(const SampleRecord& record, double base_height) {
+  const double own = record.responses.load_height;
+  return own > 0 ? own : base_height;
+}
+
 const Quantity& quantity_named(const std::string& name) {
   for (const Quantity& q : quantities())
     if (name == q.name) return q;
   return quantities().front();
 }
-
-}  // namespace
 
 MeanCurve mean_curve_of(const Group& group, double base_height) {
   MeanCurve out{group.name, static_cast<int>(group.record.size()), {}};

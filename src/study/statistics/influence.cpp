@@ -11,6 +11,26 @@ namespace {
 
 constexpr int kMostBins = 5, kFewestInBin = 10;
 
+ModeBin bin_of(const Answered& samples, const Column& input, const std::vector<int>& bin,
+               int which) {
+  ModeBin out;
+  Moments moments;
+  std::vector<int> count(samples.modes.size(), 0);
+  for (int i = 0; i < samples.n(); ++i) {
+    if (bin[i] != which) continue;
+    out.low = moments.n() == 0 ? input[i] : std::min(out.low, input[i]);
+    out.high = moments.n() == 0 ? input[i] : std::max(out.high, input[i]);
+    moments.add(input[i]);
+    for (std::size_t m = 0; m < samples.modes.size(); ++m)
+      count[m] += samples.record[i]->failure_mode.name == samples.modes[m] ? 1 : 0;
+  }
+  out.n = moments.n(), out.mean = moments.mean();
+  for (int of_mode : count) out.share.push_back(wilson(of_mode, out.n));
+  return out;
+}
+
+}  // namespace
+
 std::vector<int> random_columns(const SampleTable& samples) {
   std::vector<int> columns;
   for (std::size_t k = 0; k < samples.column.size(); ++k)
@@ -38,26 +58,6 @@ Column values_of(const std::vector<Reading>& readings) {
   for (const Reading& r : readings) values.push_back(r.value);
   return values;
 }
-
-ModeBin bin_of(const Answered& samples, const Column& input, const std::vector<int>& bin,
-               int which) {
-  ModeBin out;
-  Moments moments;
-  std::vector<int> count(samples.modes.size(), 0);
-  for (int i = 0; i < samples.n(); ++i) {
-    if (bin[i] != which) continue;
-    out.low = moments.n() == 0 ? input[i] : std::min(out.low, input[i]);
-    out.high = moments.n() == 0 ? input[i] : std::max(out.high, input[i]);
-    moments.add(input[i]);
-    for (std::size_t m = 0; m < samples.modes.size(); ++m)
-      count[m] += samples.record[i]->failure_mode.name == samples.modes[m] ? 1 : 0;
-  }
-  out.n = moments.n(), out.mean = moments.mean();
-  for (int of_mode : count) out.share.push_back(wilson(of_mode, out.n));
-  return out;
-}
-
-}  // namespace
 
 std::vector<InputSummary> input_summaries(const Campaign& campaign) {
   std::vector<InputSummary> out;

@@ -146,6 +146,9 @@ Statistics statistics_of(const Campaign& campaign) {
   out.mode_against_input = study::modes_against_inputs(samples);
   out.drift_limit = study::drift_limits(samples);
   out.exceedance = study::exceedances(samples);
+  out.fragility = study::fragilities(samples);
+  out.measuring = study::measurings(samples);
+  out.surrogate_indices = study::surrogate_indices(samples);
   return out;
 }
 

@@ -34,6 +34,17 @@ struct Group {
 [[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
 // Lower bounds alone, or no value at all, show no influence of anything.
 [[nodiscard]] bool all_censored(const Group& group, const Quantity& quantity);
+[[nodiscard]] const Quantity& quantity_named(const std::string& name);
+[[nodiscard]] std::vector<double> values_of(const std::vector<Reading>& readings);
+// The random inputs, and one of them in some samples [SI].
+[[nodiscard]] std::vector<int> random_columns(const SampleTable& samples);
+[[nodiscard]] std::vector<double> input_of(const std::vector<const SampleRecord*>& records,
+                                           int column);
+// Inputs with a rank correlation to it above kEntangled.
+[[nodiscard]] std::vector<std::string> entangled_with(const std::string& input,
+                                                      const std::vector<InputCorrelation>& pairs);
+// A variable may move the load: its own height counts before the base model's [m].
+[[nodiscard]] double height_of(const SampleRecord& record, double base_height);
 
 // groups.cpp: Table 3, shares, how firm the names are
 [[nodiscard]] GroupSummary summarise(const Group& group);
@@ -54,5 +65,17 @@ struct Group {
 [[nodiscard]] MeanCurve mean_curve_of(const Group& group, double base_height);
 [[nodiscard]] std::vector<DriftLimit> drift_limits(const Answered& samples);
 [[nodiscard]] std::vector<Exceedance> exceedances(const Answered& samples);
+// fragility.cpp: probability of an event given an input
+[[nodiscard]] std::vector<Fragility> fragilities(const Answered& samples);
+// measuring.cpp: what knowing an input is worth; indices by a surrogate
+[[nodiscard]] std::vector<Measuring> measurings(const Answered& samples);
+// Share of the response's variance that goes with the input; its replicates, NaN where there is none.
+[[nodiscard]] Estimate variance_taken(const std::vector<double>& input,
+                                      const std::vector<double>& response,
+                                      std::vector<double>& replicate);
+[[nodiscard]] std::vector<SurrogateIndices> surrogate_indices(const Answered& samples);
+// Of one response, inputs by column; names are not set.
+[[nodiscard]] SurrogateIndices indices_of(const std::vector<std::vector<double>>& inputs,
+                                          const std::vector<double>& response);
 
 }  // namespace wythe::study

@@ -137,6 +137,7 @@ void each_key(V& v, Study& s) {
   v.numbers("fractions", s.fractions);
   v.number("read_modes_at", s.read_modes_at, "m");
   v.text("until", s.until);
+  v.texts("fragility", s.fragility);
   v.text("unstated_point_rule", s.unstated_point_rule);
 }
 
@@ -148,8 +149,8 @@ std::vector<std::string> names_of(const std::vector<Input>& inputs) {
 }
 
 bool may_change(const std::string& key) {
-  static const std::set<std::string> kFree = {"name",       "note",    "file",
-                                              "model_file", "samples", "until"};
+  static const std::set<std::string> kFree = {"name",    "note",  "file",     "model_file",
+                                              "samples", "until", "fragility"};
   return kFree.contains(key);
 }
 

@@ -8,6 +8,7 @@ import { table } from "../tables";
 import { asSentence, phrase, say, sentence } from "../texts";
 import { Curves, meanCurves } from "./curves";
 import { Campaign, modeLabel } from "./data";
+import { fragility, measuring, surrogateIndices } from "./fragility";
 import { entangled, histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
 import { flags, nameSensitivity } from "./names";
 import { SamplePanel } from "./sample";
@@ -131,6 +132,14 @@ export function campaignSections(bundle: Bundle): Section[] {
               sensitivityTable(campaign),
               modeBins(campaign),
             ]
+          : null,
+    },
+    {
+      id: "fragility",
+      title: say("section.fragility"),
+      content:
+        campaign.answered.length >= 5
+          ? [fragility(campaign), measuring(campaign), surrogateIndices(campaign)]
           : null,
     },
     {
