@@ -74,10 +74,12 @@ int report(const ReportArguments& a) {
   return 0;
 }
 
-int export_tables(const ExportArguments& a) {
-  finish_replacement(a.folder);
-  const std::unique_ptr<Replacement> tables = replace_export(a.out);
-  const Exported made = write_export(a.folder, tables->path());
+namespace {
+
+int export_one(const std::string& folder, const std::string& out) {
+  finish_replacement(folder);
+  const std::unique_ptr<Replacement> tables = replace_export(out);
+  const Exported made = write_export(folder, tables->path());
   tables->commit(hold_for_test);
   if (made.missing > 0)
     fmt::print(stderr, "note: {} samples of the study have not run and are in no table\n",
@@ -87,7 +89,40 @@ int export_tables(const ExportArguments& a) {
                "note: no states are stored, so there are no tables of blocks and joints; a study "
                "stores them at its `states`, a run at `output.states`\n");
   fmt::print("{} samples, {} rows of curves, {} states -> {}\n", made.samples, made.rows,
-             made.states, a.out);
+             made.states, out);
+  return 0;
+}
+
+// Campaigns side by side in a folder, as a study with variants leaves them.
+std::vector<std::string> campaigns_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (holds_campaign(folder) || fs::exists(fs::path(folder) / "summary.json", error)) return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.is_directory(error) && holds_campaign(entry.path().string()))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+int export_tables(const ExportArguments& a) {
+  const std::vector<std::string> names = campaigns_in(a.folder);
+  if (names.empty()) return export_one(a.folder, a.out);
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(a.out, error)) {
+    const std::string name = entry.path().filename().string();
+    if (std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("."))
+      continue;
+    throw InputError({{.file = a.out,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds " + name + ", which no export of these campaigns wrote",
+                       .cure = "name a new folder, an empty one, or one that holds an earlier "
+                               "export alone"}});
+  }
+  for (const std::string& name : names) export_one(a.folder + "/" + name, a.out + "/" + name);
   return 0;
 }
 

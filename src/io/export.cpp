@@ -428,26 +428,6 @@ Exported export_run(const std::string& folder, const std::string& out,
 
 }  // namespace
 
-namespace {
-
-// Neither a run nor a campaign; perhaps campaigns side by side in it.
-[[noreturn]] void refuse_folder(const std::string& folder) {
-  std::vector<std::string> inside;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.is_directory(error) && fs::exists(entry.path() / "campaign.db", error))
-      inside.push_back(entry.path().filename().string());
-  std::sort(inside.begin(), inside.end());
-  if (inside.empty())
-    refuse(folder, "holds neither a run (summary.json) nor a campaign (campaign.db)",
-           "name the --out folder of a finished wythe run or wythe campaign");
-  refuse(folder, "holds no campaign itself, but campaigns in " + joined(inside, ", "),
-         fmt::format("export each of them, e.g. wythe export {}/{} --out TABLES/{}", folder,
-                     inside.front(), inside.front()));
-}
-
-}  // namespace
-
 std::unique_ptr<Replacement> replace_export(const std::string& out) {
   std::error_code error;
   finish_replacement(out);
@@ -471,7 +451,8 @@ Exported write_export(const std::string& folder, const std::string& out) {
   else if (fs::exists(folder + "/summary.json") && fs::exists(folder + "/force_displacement.csv"))
     made = export_run(folder, out, columns);
   else
-    refuse_folder(folder);
+    refuse(folder, "holds neither a run (summary.json) nor a campaign (campaign.db)",
+           "name the --out folder of a finished wythe run or wythe campaign");
   write_file(out + "/" + kColumns, columns.dump(2) + "\n");
   return made;
 }

@@ -132,8 +132,20 @@ class Export(campaign_test.Base):
         empty = self.folder / "empty"
         empty.mkdir()
         self.refused(wythe("export", empty, "--out", self.folder / "none"), 2, "holds neither a run", "campaign.db")
-        self.refused(wythe("export", self.folder, "--out", self.folder / "none"), 2, "but campaigns in ", "half",
-                     "export each of them")
+
+    def test_campaigns_side_by_side_are_exported_side_by_side(self):
+        both = self.folder / "side_by_side"
+        for name in ("base", "option"):
+            (both / name).mkdir(parents=True)
+            (both / name / "campaign.db").write_bytes((self.whole / "campaign.db").read_bytes())
+        done = self.export(both)
+        self.assertEqual(done.stdout.count("6 samples"), 2)
+        self.assertEqual({p.name for p in self.out().iterdir()}, {"base", "option"})
+        for name in ("base", "option"):
+            self.assertEqual(len(read_table(self.out() / name / "samples.csv")), 6)
+        (self.out() / "notes.txt").write_text("mine")
+        self.refused(wythe("export", both, "--out", self.out()), 2, "notes.txt")
+        self.refused(wythe("export", both, "--out", both), 2, "which no export wrote")
 
     def test_no_stored_states_is_said(self):
         with sqlite3.connect(self.copy()) as store:
