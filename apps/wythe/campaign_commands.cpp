@@ -71,12 +71,6 @@ std::string shell_quoted(const std::string& word) {
   return out + "'";
 }
 
-std::string resume_command(const CampaignArguments& a) {
-  std::string line;
-  for (const std::string& word : a.command) line += (line.empty() ? "" : " ") + shell_quoted(word);
-  return a.resume ? line : line + " --resume";
-}
-
 // The study with the options that are short for a --set; their faults are named as typed.
 StudySpec study_with_options(const CampaignArguments& a) {
   std::vector<std::string> overrides = a.overrides;
@@ -103,14 +97,16 @@ StudySpec study_with_options(const CampaignArguments& a) {
 // Without --samples a resumed campaign keeps its size.
 StudySpec asked_study(const CampaignArguments& a) {
   StudySpec study = study_with_options(a);
-  if (!a.resume || !a.samples.empty() || !holds_campaign(a.out)) return study;
-  const std::vector<int> stored = stored_batches(a.out);
+  const std::string store = study.option.empty() ? a.out : a.out + "/" + kBaseFolder;
+  if (!a.resume || !a.samples.empty() || !holds_campaign(store)) return study;
+  const std::vector<int> stored = stored_batches(store);
   const int has = std::accumulate(stored.begin(), stored.end(), 0);
   const int asks = std::accumulate(study.batch.begin(), study.batch.end(), 0);
   if (has != asks)
     fmt::print(stderr, "note: {} holds a design of {} samples, the study asks for {}{}\n", a.out,
                has, asks, asks > has ? fmt::format("; --samples {} adds the rest", asks) : "");
   study.batch = stored;
+  for (VariantSpec& option : study.option) option.study.batch = stored;
   return study;
 }
 
@@ -146,6 +142,16 @@ int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) 
 
 }  // namespace
 
+std::string resume_command(const CampaignArguments& a) {
+  std::string line;
+  for (const std::string& word : a.command) line += (line.empty() ? "" : " ") + shell_quoted(word);
+  return a.resume ? line : line + " --resume";
+}
+
+bool write_campaign_files(const std::string& folder, const std::string& language) {
+  return write_files(folder, read_campaign(folder), language).answered > 0;
+}
+
 int write_results(const std::string& folder, const std::string& language) {
   const Campaign campaign = read_campaign(folder);
   const Statistics statistics = write_files(folder, campaign, language);
@@ -166,6 +172,10 @@ int campaign(const CampaignArguments& a) {
   read_shard(a.shard, options);
   const StudySpec study = asked_study(a);
   hold_for_test("model read");
+  if (!study.option.empty()) return campaign_of_options(a, study, options);
+  if (holds_options(a.out))
+    refuse("--out", a.out, "holds the campaigns of a study with [[variant]]",
+           "name another folder");
   const ModelBuilder build = model_builder(study);
   check_folder(a.out, FolderFor::kCampaign);
   CampaignOutcome outcome;
@@ -192,6 +202,7 @@ int campaign(const CampaignArguments& a) {
 }
 
 int merge(const MergeArguments& a) {
+  if (!a.folders.empty() && holds_options(a.folders.front())) return merge_options(a);
   check_folder(a.out, FolderFor::kCampaign);
   check_language(a.language);
   merge_campaigns(a.folders, a.out);
@@ -320,6 +331,19 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
                r.samples.size() == 1 ? "" : "s", some_of(r.samples), r.first);
 }
 
+// Prints what is to be known of an option; the time of one of its samples [s].
+double check_option(const VariantSpec& option) {
+  const StudySpec& study = option.study;
+  const ModelBuilder build = model_builder(study);
+  const Model model = compile_option(study, build);
+  fmt::print("variant \"{}\": blocks {}   joints {}   contact points {}\n", readable(option.name),
+             model.n_block, model.n_joint, model.n_point());
+  for (const Message& note : notes_of(study, build({})))
+    fmt::print("note: {}\n", readable(text_of(note)));
+  print_refusals(draw_samples(study), build);
+  return estimate(model).seconds;
+}
+
 }  // namespace
 
 int check_study_file(const CheckArguments& a) {
@@ -334,9 +358,13 @@ int check_study_file(const CheckArguments& a) {
   for (const Message& note : notes_of(study, build({})))
     fmt::print("note: {}\n", readable(text_of(note)));
   print_refusals(samples, build);
+  double seconds = estimate(base).seconds;
+  for (const VariantSpec& option : study.option) seconds += check_option(option);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  fmt::print("{} samples, about {} on {:.0f} cores\n", samples.n_sample(),
-             duration_text(estimate(base).seconds * samples.n_sample() / cores), cores);
+  const std::size_t each = 1 + study.option.size();
+  fmt::print("{} samples{}, about {} on {:.0f} cores\n", samples.n_sample(),
+             each > 1 ? fmt::format(" of each of {} walls", each) : "",
+             duration_text(seconds * samples.n_sample() / cores), cores);
   return 0;
 }
 

@@ -118,6 +118,17 @@ void add_merge(CLI::App& app, MergeArguments& a, int& code) {
   command->callback([&] { code = merge(a); });
 }
 
+void add_compare(CLI::App& app, CompareArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "compare campaigns of the same samples pair by pair, the base first");
+  command->footer("example: wythe compare out/as_built out/with_tie --out out/comparison");
+  command->add_option("folders", a.folders, "folders of the campaigns: the base, then the options")
+      ->required();
+  command->add_option("--out", a.out, "folder for comparison.json and comparison.html")->required();
+  add_language(command, a.language);
+  command->callback([&] { code = compare(a); });
+}
+
 void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
       "replay", "run one sample of a campaign again and write all files of a run");
@@ -203,6 +214,8 @@ int parse_and_run(int argc, char** argv) {
   ReportArguments report_arguments;
   add_campaign(app, campaign_arguments, code);
   add_merge(app, merge_arguments, code);
+  CompareArguments compare_arguments;
+  add_compare(app, compare_arguments, code);
   add_replay(app, replay_arguments, code);
   add_report(app, report_arguments, code);
   LimitArguments limit_arguments;

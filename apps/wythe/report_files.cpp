@@ -55,6 +55,11 @@ void write_campaign_report(const std::string& folder, const std::string& out,
 int report(const ReportArguments& a) {
   check_language(a.language);
   if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
+  if (holds_options(a.folder)) {
+    for (const std::string& store : option_folders(a.folder))
+      static_cast<void>(write_campaign_files(store, a.language));
+    return compare({.folders = {a.folder}, .out = a.folder, .language = a.language});
+  }
   finish_replacement(a.folder);
   if (!fs::exists(a.folder + kData))
     throw InputError({{.file = a.folder,

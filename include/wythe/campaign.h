@@ -57,6 +57,7 @@ struct CampaignOptions {
   Device device = Device::kCpu;             // kGpu: all samples together there, jobs unused
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
+  int last = 0;                             // no sample beyond this one; 0: all
   const std::atomic<bool>* stop = nullptr;  // true: stop now, drop unfinished samples
   std::string provenance = {};              // version, commit, compiler, flags
 };
@@ -95,6 +96,7 @@ struct Campaign {
 [[nodiscard]] bool holds_campaign(const std::string& folder);
 // Sizes of the designs a store holds.
 [[nodiscard]] std::vector<int> stored_batches(const std::string& folder);
+[[nodiscard]] StudySpec read_study_of(const std::string& folder);  // of a store
 [[nodiscard]] Campaign read_campaign(const std::string& folder);
 // The same with a few records at a time, in order, for stores larger than memory: `take` is called with
 // each, and with the campaign without any. Returns that campaign.

@@ -18,6 +18,8 @@
 
 namespace wythe {
 
+struct PairedComparison;  // comparison.h
+
 // `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
 // of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
 // `blocks` is the content of the blocks file; "": the file itself is read.
@@ -109,6 +111,8 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 [[nodiscard]] std::string samples_csv(const Campaign& campaign);
 // statistics.json of a campaign; keys: docs/reference/statistics.md.
 [[nodiscard]] std::string statistics_json(const Statistics& statistics);
+// comparison.json of `wythe compare`; keys: docs/reference/comparison.md.
+[[nodiscard]] std::string comparison_json(const PairedComparison& comparison);
 // mechanisms.json and mechanism_<name>.csv of `wythe limit`; keys: docs/reference/limit.md.
 [[nodiscard]] std::string mechanisms_json(const Model& model, const SecondOpinion& opinion);
 [[nodiscard]] std::string mechanism_csv(const CapacityCurve& curve);

@@ -19,6 +19,8 @@
 
 namespace wythe {
 
+struct PairedComparison;  // comparison.h
+
 // Deformed, cracked wall at a snapshot as an SVG document; `scale` magnifies displacements.
 [[nodiscard]] std::string wall_svg(const Model& model, const State& state, double scale);
 // States of one wall side by side with their displacements, as an SVG document; `scale` 0: fitting.
@@ -43,6 +45,9 @@ struct SampleWalls {
 // Of a limit analysis; `mechanisms_json` is the text of its mechanisms.json.
 [[nodiscard]] std::string limit_data(const ModelSpec& spec, const Model& model,
                                      const std::string& mechanisms_json);
+
+// Options side by side.
+[[nodiscard]] std::string comparison_data(const PairedComparison& comparison);
 
 // The page made from these bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is none of report_languages().

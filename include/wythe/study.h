@@ -64,6 +64,8 @@ struct StudyField {
   bool follows = false;  // a formula; else each sample draws it anew
 };
 
+struct VariantSpec;
+
 struct StudySpec {
   std::string name, note;
   std::string file;                   // the study file, for messages
@@ -85,7 +87,22 @@ struct StudySpec {
   std::vector<std::string> fragility;  // events asked for: "peak_reaction > 150 kN"
   // Points a face of a model that does not say; "" in stores of before it was written: the corners.
   std::string unstated_point_rule = "lobatto";
+  std::string variant;              // its name, where it is an option or the base of some; else ""
+  int variant_place = 0;            // of an option: 1 is the first in the file
+  std::vector<VariantSpec> option;  // [[variant]]: the same samples under another choice
 };
+
+// One [[variant]]: what it says, and the study that follows from it, whose samples are those of its base.
+struct VariantSpec {
+  std::string name;
+  std::string folder;                   // of its store, beside that of the base
+  std::vector<std::string> set;         // "path=value"
+  std::string model;                    // another base model, as the file writes it; "": the same
+  std::string model_text, blocks_text;  // given with the text of that model; usually ""
+  StudySpec study;
+};
+// The folder and name of what the options of a study are compared with.
+inline constexpr const char* kBaseFolder = "base";
 
 // One column of the samples' inputs: the variables in their order, then the dependents.
 struct InputColumn {

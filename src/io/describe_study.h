@@ -4,6 +4,7 @@
 //   describe(v, VariableTable)     [variable.<name>], but for values
 //   describe(v, DependentTable)    [dependent.<name>]
 //   describe(v, PairTable)         [[correlation]]
+//   describe(v, VariantSpec)       [[variant]]
 //
 // The unit of a variable's mean is that of the key it sets, so amounts are described with the unit
 // found for the variable before (VariableKeys).
@@ -132,6 +133,20 @@ void describe(Visitor& v, PairTable& p) {
           .example = "[\"ft_j\", \"fc\"]"});
   v.number("rank", p.rank, {.fallback = "none", .example = "0.3"});
   v.number("gaussian", p.gaussian, {.fallback = "none", .example = "0.3"});
+}
+
+template <class Visitor>
+void describe(Visitor& v, VariantSpec& s) {
+  v.text("name", s.name, {.fallback = "required", .example = "steel lintel",
+         .doc = "What the option is called; its store lies in a folder of this name."});
+  v.texts("set", s.set, {.fallback = "none", .example = "[\"wall.opening.door.lintel.depth=200 mm\"]",
+          .doc = "Settings of the base model, as for --set; dependent.<name>.formula too."});
+  v.text("model", s.model, {.fallback = "the base's", .example = "with_tie.toml",
+         .doc = "Another base model, relative to the study file."});
+  v.text("model_text", s.model_text, {.fallback = "none",
+         .doc = "That model itself; then `model` is only its name."});
+  v.text("blocks_text", s.blocks_text, {.fallback = "none",
+         .doc = "What its blocks file holds, as JSON."});
 }
 
 // clang-format on

@@ -5,28 +5,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "io/message_json.h"
+#include "io/statistics_numbers.h"
 #include "wythe/io.h"
 
 namespace wythe {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
-}
-Json pair(const Interval& interval, double scale = 1) {
-  return Json::array({number(interval.low * scale), number(interval.high * scale)});
-}
-void add(Json& json, const std::string& key, const Estimate& estimate, double scale = 1) {
-  json[key] = number(estimate.value * scale);
-  json[key + "_interval"] = pair(estimate.interval, scale);
-}
+using namespace io;
 
 // "_kN"
 std::string unit_in_key(const Quantity& q) { return key_of(q).substr(std::string(q.name).size()); }
@@ -73,7 +61,7 @@ Json samples_json(const Statistics& s) {
   Json unanswered = Json::array();
   for (const Unanswered& u : s.unanswered) {
     Json& json = unanswered.emplace_back(Json{{"sample", u.sample}, {"status", u.status}});
-    io::put(json, "reason", u.reason);
+    put(json, "reason", u.reason);
   }
   return {{"asked", s.asked},
           {"run", s.run},
@@ -121,7 +109,7 @@ Json sensitivity_json(const Statistics& s) {
   for (const NameSensitivity& n : s.name_sensitivity) {
     const NameReading& r = n.reading;
     Json row;
-    io::put(row, "reading", r.what());
+    put(row, "reading", r.what());
     row["state"] = r.state.empty() ? Json(nullptr) : Json(r.state);
     row["threshold"] = r.threshold.empty() ? Json(nullptr) : Json(r.threshold);
     row["factor"] = number(r.factor);

@@ -16,6 +16,7 @@
 #include "io/model_key.h"
 #include "io/toml_reader.h"
 #include "io/value_column.h"
+#include "io/variants.h"
 #include "model/size.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
@@ -26,7 +27,8 @@ namespace wythe {
 namespace io {
 namespace {
 
-constexpr const char* kParts[] = {"study", "variable", "dependent", "correlation", "field"};
+constexpr const char* kParts[] = {"study",       "variable", "dependent",
+                                  "correlation", "field",    "variant"};
 
 std::string beside(const std::string& file, const std::string& other) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -557,7 +559,11 @@ StudySpec parse_study(const std::string& toml_text, const std::string& file_name
   for (const std::string& text : overrides)
     (io::is_of_study(text) ? own : settings).push_back(text);
   io::apply_overrides(context, root, own);
-  return io::StudyReader(context, root, std::move(settings)).read();
+  io::VariantTables variants = io::take_variants(context, root);
+  StudySpec study = io::StudyReader(context, root, settings).read();
+  io::read_options(study, std::move(variants), {toml_text, file_name, own, settings},
+                   [](auto& c, auto& t, auto s) { return io::StudyReader(c, t, s).read(); });
+  return study;
 }
 
 StudySpec read_study(const std::string& path, const std::vector<std::string>& overrides) {

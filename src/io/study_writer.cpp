@@ -51,6 +51,12 @@ std::string table_text(const std::string& title, Table table) {
   return '\n' + title + '\n' + writer.whole();
 }
 
+std::string variant_text(VariantSpec& variant) {
+  Writer writer("");
+  describe(writer, variant);
+  return writer.whole();
+}
+
 }  // namespace
 }  // namespace io
 
@@ -70,6 +76,12 @@ std::string write_study(const StudySpec& spec) {
                           io::PairTable{.between = {pair.a, pair.b},
                                         .rank = pair.rank ? pair.value : kUnset,
                                         .gaussian = pair.rank ? kUnset : pair.value});
+  for (const VariantSpec& option : study.option) {
+    VariantSpec whole = option;
+    if (!whole.model.empty()) whole.model_text = whole.study.model_text;
+    if (!whole.model.empty()) whole.blocks_text = whole.study.blocks_text;
+    out += '\n' + std::string("[[variant]]\n") + io::variant_text(whole);
+  }
   return out;
 }
 

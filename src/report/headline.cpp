@@ -43,10 +43,6 @@ std::string judgement_in(const Json& meter) {
   return judgement.empty() ? dynamics::judgement_of_older(words_in(meter, "verdict")) : judgement;
 }
 
-struct Card {
-  std::string value, name, means;
-};
-
 // The number large, its unit small: "49.4 kN/mm" fits a narrow card.
 std::string with_small_unit(const std::string& value) {
   static const std::string kSpace = "\u202f";
@@ -54,16 +50,6 @@ std::string with_small_unit(const std::string& value) {
   if (at == std::string::npos) return value;
   return value.substr(0, at) + "\u2009<span class=\"unit\">" + value.substr(at + kSpace.size()) +
          "</span>";
-}
-
-std::string draw_cards(const std::vector<Card>& cards) {
-  if (cards.empty()) return "";
-  std::string out = "<section class=\"cards\">\n";
-  for (const Card& c : cards)
-    out += "<div class=\"card\"><div class=\"value\">" + with_small_unit(c.value) +
-           "</div><div class=\"name\">" + c.name + "</div><div class=\"means\">" + c.means +
-           "</div></div>\n";
-  return out + "</section>\n";
 }
 
 // --- a run ---------------------------------------------------------------------------------------
@@ -567,25 +553,37 @@ class LimitHeadline {
   const Json* weakest_ = nullptr;
 };
 
-template <class Headline>
-std::string put_together(const Json& header, const Texts& texts, const std::string& kind) {
-  const Headline headline(header, texts);
-  const std::string title = header.value("title", "");
-  std::string out = "<header id=\"headline\">\n<p class=\"kind\">" + texts.say("kind." + kind) +
-                    "</p>\n<h1>" + escaped(title.empty() ? texts.say("untitled." + kind) : title) +
-                    "</h1>\n<p class=\"answer\">" + headline.sentence() + "</p>\n";
-  const std::string warning = headline.warning();
-  if (!warning.empty()) out += "<p class=\"warning\">" + warning + "</p>\n";
-  return out + "</header>\n" + headline.cards();
+// Of the kinds that are classes here.
+template <class OfKind>
+Headline made(const Json& header, const Texts& texts) {
+  const OfKind of(header, texts);
+  return {of.sentence(), of.warning(), of.cards()};
 }
 
 }  // namespace
 
+std::string draw_cards(const std::vector<Card>& cards) {
+  if (cards.empty()) return "";
+  std::string out = "<section class=\"cards\">\n";
+  for (const Card& c : cards)
+    out += "<div class=\"card\"><div class=\"value\">" + with_small_unit(c.value) +
+           "</div><div class=\"name\">" + c.name + "</div><div class=\"means\">" + c.means +
+           "</div></div>\n";
+  return out + "</section>\n";
+}
+
 std::string headline_of(const Json& header, const Texts& texts) {
-  if (header.at("kind") == "campaign")
-    return put_together<CampaignHeadline>(header, texts, "campaign");
-  if (header.at("kind") == "limit") return put_together<LimitHeadline>(header, texts, "limit");
-  return put_together<RunHeadline>(header, texts, "run");
+  const std::string kind = header.at("kind");
+  const Headline headline = kind == "campaign"     ? made<CampaignHeadline>(header, texts)
+                            : kind == "limit"      ? made<LimitHeadline>(header, texts)
+                            : kind == "comparison" ? comparison_headline(header, texts)
+                                                   : made<RunHeadline>(header, texts);
+  const std::string title = header.value("title", "");
+  std::string out = "<header id=\"headline\">\n<p class=\"kind\">" + texts.say("kind." + kind) +
+                    "</p>\n<h1>" + escaped(title.empty() ? texts.say("untitled." + kind) : title) +
+                    "</h1>\n<p class=\"answer\">" + headline.sentence + "</p>\n";
+  if (!headline.warning.empty()) out += "<p class=\"warning\">" + headline.warning + "</p>\n";
+  return out + "</header>\n" + headline.cards;
 }
 
 }  // namespace wythe::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "report/bundle.h"
 #include "report/texts.h"
@@ -10,5 +11,17 @@ namespace wythe::report {
 
 // <header> with title, headline and warnings, then the cards, by the kind of the data.
 [[nodiscard]] std::string headline_of(const Json& header, const Texts& texts);
+
+// A number large, its name and what it means below it.
+struct Card {
+  std::string value, name, means;
+};
+[[nodiscard]] std::string draw_cards(const std::vector<Card>& cards);
+
+// Of options side by side (comparison_data.cpp).
+struct Headline {
+  std::string sentence, warning, cards;
+};
+[[nodiscard]] Headline comparison_headline(const Json& header, const Texts& texts);
 
 }  // namespace wythe::report

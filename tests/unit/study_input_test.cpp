@@ -10,6 +10,7 @@
 #include "io/describe_study.h"
 #include "io/same_spec.h"
 #include "unit/study_text.h"
+#include "wythe/comparison.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
 
@@ -90,6 +91,29 @@ TEST(Study, written_and_read_is_the_same) {
   EXPECT_EQ(back.variable[4].values, (std::vector<double>{1, 0.7e6}));
   EXPECT_EQ(back.variable[5].path, "wall.opening.door.width");  // by its name
   EXPECT_EQ(draw_samples(back).value, draw_samples(study).value);
+}
+
+TEST(Study, options_are_written_and_read_too) {
+  const StudySpec study = parsed(
+      added("[[variant]]\nname = \"Slow push, 1 mm/s\"\nset = [\"stage.push.velocity=1 mm/s\", "
+            "\"dependent.w.formula=0.03 mm * R\"]\n[[variant]]\nname = \"quick\"\n"
+            "set = [\"stage.push.velocity=9 mm/s\"]\n"),
+      {"stage.push.velocity=5 mm/s"});
+  ASSERT_EQ(study.option.size(), 2U);
+  const VariantSpec& slow = study.option[0];
+  EXPECT_EQ(slow.folder, "slow_push_1_mm_s");
+  EXPECT_EQ(slow.study.variant_place, 1);
+  EXPECT_EQ(study.variant, "base");
+  // an option's settings come after those of the command line, and its samples are the base's
+  EXPECT_EQ(model_builder(slow.study)({}).stage.back().velocity, 1e-3);
+  EXPECT_EQ(model_builder(study)({}).stage.back().velocity, 5e-3);
+  const SampleTable base = draw_samples(study), option = draw_samples(slow.study);
+  EXPECT_EQ(other_inputs(base, option), "");
+  EXPECT_NE(base.value, option.value);  // but for the dependent that it changes
+  const std::string text = write_study(study);
+  const StudySpec back = parsed(text);
+  EXPECT_EQ(write_study(back), text);
+  EXPECT_EQ(write_study(back.option[0].study), write_study(slow.study));
 }
 
 TEST(Study, overrides_change_the_study_or_its_model) {

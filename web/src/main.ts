@@ -7,6 +7,7 @@ import { build, fail, type Section } from "./page";
 import { learn, say, speak } from "./texts";
 import { runSections } from "./run";
 import { campaignSections } from "./campaign/page";
+import { comparisonSections } from "./comparison";
 import { limitSections } from "./limit";
 
 async function start(): Promise<void> {
@@ -25,6 +26,9 @@ async function start(): Promise<void> {
         break;
       case "campaign":
         sections = campaignSections(bundle);
+        break;
+      case "comparison":
+        sections = comparisonSections(bundle);
         break;
       case "limit":
         sections = limitSections(bundle);

@@ -178,7 +178,9 @@ class Runner {
  private:
   void queue_samples() {
     const std::set<int> done = store_.done();
-    for (int s = options_.shard; s <= plan_.samples.n_sample(); s += options_.shards) {
+    const int drawn = plan_.samples.n_sample();
+    const int last = options_.last > 0 ? std::min(options_.last, drawn) : drawn;
+    for (int s = options_.shard; s <= last; s += options_.shards) {
       ++total_;
       if (done.contains(s))
         ++done_;

@@ -9,6 +9,13 @@ namespace wythe {
 namespace {
 
 study::Store opened(const std::string& folder) {
+  const std::string base = folder + "/" + kBaseFolder;
+  if (!study::holds_store(folder) && study::holds_store(base))
+    throw InputError({{.file = folder,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds several campaigns, of a study with [[variant]]",
+                       .cure = "name one of its folders, e.g. " + base}});
   if (!study::holds_store(folder))
     throw InputError({{.file = folder,
                        .path = "",
@@ -31,6 +38,8 @@ Campaign without_records(study::Store& store) {
 }  // namespace
 
 std::vector<int> stored_batches(const std::string& folder) { return opened(folder).study().batch; }
+
+StudySpec read_study_of(const std::string& folder) { return opened(folder).study(); }
 
 Campaign read_campaign(const std::string& folder) {
   study::Store store = opened(folder);

@@ -66,6 +66,7 @@ class RowWriter {
     text(key, fmt::format("{}", fmt::join(values, "\n")));
   }
   void flag(const char* key, bool value) { text(key, value ? "true" : ""); }
+  void whole(const char* key, int value) { text(key, value == 0 ? "" : std::to_string(value)); }
 
  private:
   Rows& rows_;
@@ -95,6 +96,10 @@ class RowReader {
       values.push_back(number_in<Number>(above_ + key, line));
   }
   void flag(const char* key, bool& value) { value = found(key) == "true"; }
+  void whole(const char* key, int& value) {
+    const std::string text = found(key);
+    value = text.empty() ? 0 : number_in<int>(above_ + key, text);
+  }
 
  private:
   [[nodiscard]] std::string found(const char* key) const {
@@ -139,6 +144,8 @@ void each_key(V& v, Study& s) {
   v.text("until", s.until);
   v.texts("fragility", s.fragility);
   v.text("unstated_point_rule", s.unstated_point_rule);
+  v.text("variant", s.variant);
+  v.whole("variant_place", s.variant_place);
 }
 
 template <class Input>
@@ -149,8 +156,9 @@ std::vector<std::string> names_of(const std::vector<Input>& inputs) {
 }
 
 bool may_change(const std::string& key) {
-  static const std::set<std::string> kFree = {"name",    "note",  "file",     "model_file",
-                                              "samples", "until", "fragility"};
+  static const std::set<std::string> kFree = {"name",       "note",    "file",
+                                              "model_file", "samples", "until",
+                                              "fragility",  "variant", "variant_place"};
   return kFree.contains(key);
 }
 

@@ -1,0 +1,29 @@
+// Numbers, intervals and estimates as statistics.json and comparison.json write them.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "wythe/statistics.h"
+
+namespace wythe::io {
+
+using Json = nlohmann::ordered_json;
+
+inline Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.9g}", value).c_str(), nullptr);
+}
+inline Json pair(const Interval& interval, double scale = 1) {
+  return Json::array({number(interval.low * scale), number(interval.high * scale)});
+}
+inline void add(Json& json, const std::string& key, const Estimate& estimate, double scale = 1) {
+  json[key] = number(estimate.value * scale);
+  json[key + "_interval"] = pair(estimate.interval, scale);
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,103 @@
+// comparison_data(): what the page of options side by side shows, which is comparison.json; its headline.
+#include <filesystem>
+
+#include "report/bundle.h"
+#include "report/headline.h"
+#include "report/html.h"
+#include "report/said.h"
+#include "wythe/comparison.h"
+#include "wythe/io.h"
+#include "wythe/provenance.h"
+#include "wythe/report.h"
+
+namespace wythe {
+namespace report {
+namespace {
+
+constexpr std::size_t kSentences = 4;  // options that get one each; more are in the cards
+
+// What is said in the language of the page, as markup.
+std::string words_of(const Json& words, const Texts& texts) {
+  if (words.is_string()) return sentence(words.get<std::string>());
+  return words.is_array() && texts.place() < words.size()
+             ? sentence(words[texts.place()].get<std::string>())
+             : "";
+}
+
+std::string change_of(const Json& ratio, const Texts& texts) {
+  if (!ratio.is_number()) return texts.say("card.not_known");
+  const double percent = 100 * (ratio.get<double>() - 1);
+  return (percent > 0 ? "+" : "") + texts.quantity(percent, "%");
+}
+
+Card card_of(const Json& option, const Texts& texts) {
+  const Json& peak = option.at("response").at("peak_reaction_kN");
+  const std::string name = escaped(option.at("name").get<std::string>());
+  const Json& interval = peak.at("ratio_interval");
+  std::string means = texts.say("card.no_interval");
+  if (option.at("pairs") == 0)
+    means = texts.say("card.no_pairs");
+  else if (interval.at(0).is_number() && interval.at(1).is_number())
+    means = texts.say("card.interval", {{"low", change_of(interval[0], texts)},
+                                        {"high", change_of(interval[1], texts)}});
+  return {change_of(peak.at("ratio"), texts), texts.say("card.peak_change", {{"option", name}}),
+          means};
+}
+
+// Pages are sent about: of a folder only its own name.
+void drop_folders(Json& comparison) {
+  const auto shorten = [](Json& of) {
+    std::filesystem::path path(of.at("folder").get<std::string>());
+    if (!path.has_filename()) path = path.parent_path();  // "out/base/"
+    of["folder"] = path.filename().string();
+  };
+  shorten(comparison["base"]);
+  for (Json& option : comparison["option"]) shorten(option);
+}
+
+}  // namespace
+
+Headline comparison_headline(const Json& header, const Texts& texts) {
+  const Json& comparison = header.at("comparison");
+  const Json& options = comparison.at("option");
+  Headline out;
+  if (options.size() > kSentences)
+    out.sentence =
+        texts.say("compare.several",
+                  {{"n", std::to_string(options.size())},
+                   {"base", escaped(comparison.at("base").at("name").get<std::string>())}});
+  else
+    for (const Json& option : options)
+      out.sentence += (out.sentence.empty() ? "" : "<br>") + words_of(option.at("headline"), texts);
+  std::vector<Card> cards;
+  for (const Json& option : options) {
+    cards.push_back(card_of(option, texts));
+    // what makes the differences doubtful stands above them; the rest is in the table
+    const double lost = option.at("lost"), pairs = option.at("pairs");
+    if (pairs > 0 && lost > 0.1 * (pairs + lost))
+      out.warning +=
+          (out.warning.empty() ? "" : "<br>") + words_of(option.at("notes").at(0), texts);
+  }
+  out.cards = draw_cards(cards);
+  return out;
+}
+
+}  // namespace report
+
+std::string comparison_data(const PairedComparison& comparison) {
+  using namespace report;
+  Bundle bundle;
+  bundle.header["kind"] = "comparison";
+  bundle.header["title"] = comparison.study;
+  bundle.header["comparison"] = Json::parse(comparison_json(comparison));
+  drop_folders(bundle.header["comparison"]);
+  say_messages(bundle.header["comparison"]);
+  Json list = Json::array();
+  for (const Quantity& q : quantities())
+    list.push_back({{"name", q.name}, {"key", key_of(q)}, {"unit", q.unit}});
+  bundle.header["quantities"] = list;
+  bundle.header["provenance"] = comparison.provenance;
+  return bundle.packed();
+}
+
+}  // namespace wythe
