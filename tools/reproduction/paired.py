@@ -14,6 +14,9 @@ from paper import SHARES, TABLE_3
 
 NOT_RUN = "(not run yet)"
 EXAMPLE = "lintel: as examples/tuff_wall: timber, loose"  # the row that has the campaign's own choices
+# two-sided 95 % quantiles of Student's t for n - 1 degrees of freedom: shares of groups of modes and bases other than
+# the first row are in no comparison.json
+STUDENT = {5: 2.571, 7: 2.365, 11: 2.201, 15: 2.131, 23: 2.069, 31: 2.040, 47: 2.012, 63: 1.998}
 PAPER = {(q, kind): TABLE_3[q][kind][5] for q in (F, D) for kind in ("mean", "cov")}
 
 
@@ -25,7 +28,9 @@ class Paired:
         loader = importlib.machinery.SourceFileLoader("paired_samples", str(path))
         self.tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("paired_samples", loader))
         loader.exec_module(self.tool)
-        files = {f"{g}: {v}": pathlib.Path(folder) / self.tool.slug(g, v) / "samples.csv" for g, v, _ in self.tool.VARIANTS}
+        first = self.tool.VARIANTS[0][:2]
+        files = {f"{g}: {v}": pathlib.Path(folder) / ("base" if (g, v) == first else self.tool.slug(g, v)) / "samples.csv"
+                 for g, v, _ in self.tool.VARIANTS}
         self.names, self.campaign = list(files), campaign
         self.runs = {name: samples_of(path) for name, path in files.items() if path.exists()}
         self.base = self.runs.get(self.names[0])
@@ -39,7 +44,7 @@ class Paired:
         gaps = [value(self.runs[name][k]) - value(base[k]) for k in common]
         if not any(gaps):
             return 0.0, 0.0
-        t = self.tool.STUDENT.get(len(gaps) - 1, 2.0)
+        t = STUDENT.get(len(gaps) - 1, 2.0)
         return statistics.mean(gaps), t * statistics.stdev(gaps) / math.sqrt(len(gaps))
 
     def effect(self, name, q, kind):
