@@ -48,10 +48,12 @@ inline constexpr CurveColumn kCurveColumns[] = {
   {&CurveRow::time, "time_s", "time_s", "s", 1, ColumnOf::kAnyWall, "end of window",
    "time since the start of the stage that wrote the row"},
   {&CurveRow::displacement, "displacement_mm", "displacement_m", "mm", 1e3, ColumnOf::kAnyWall, "end of window",
-   "push: prescribed mean displacement of the driven blocks along the push, 0 at its start; body_force, tilt: "
+   "push: displacement of the control block, or the prescribed mean of the driven blocks (weighted by the shares of "
+   "a pattern), along the push, 0 at its start; body_force, tilt: "
    "largest horizontal displacement of the top blocks"},
   {&CurveRow::drift, "drift_percent", "drift", "%", 1e2, ColumnOf::kAnyWall, "end of window",
-   "displacement / mean height of the driven blocks' centroids at the start; 0 without a push"},
+   "displacement / height of the control block or mean height of the driven blocks (weighted as they are), at the "
+   "start; 0 without a push"},
   {&CurveRow::reaction, "reaction_kN", "reaction_N", "kN", 1e-3, ColumnOf::kAnyWall, "mean over the window's path, all steps",
    "push: −Σ contact forces on the driven blocks along the push; body_force: λ × weight; tilt: tan(tilt) × weight"},
   {&CurveRow::base_shear, "base_shear_kN", "base_shear_N", "kN", 1e-3, ColumnOf::kAnyWall, "the same, every 8th step",

@@ -83,6 +83,10 @@ struct Stage {
   StageSpec spec;  // with all defaults written in
   std::vector<PointLoad> loads;
   std::vector<BlockId> driven;
+  // Force on each driven block over their mean force: all 1 without a pattern. Their weighted mean
+  // displacement is what the push prescribes.
+  std::vector<double> driven_share;
+  BlockId control = -1;             // whose displacement the push follows; -1: the driven mean
   double drive_x = 0, drive_y = 0;  // unit vector of the push
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
 };
@@ -254,6 +258,9 @@ struct State {
   std::vector<double> load_scale;       // share of each stage's loads in force (n_stage)
   double drive_displacement = 0;        // prescribed displacement along the push [m]
   double travelled = 0;                 // length of the driven path so far [m]
+  double control_start = 0;             // where a push's control block stood at its start [m]
+  double control_moved = 0;             // how far it has moved since [m]
+  double control_furthest = 0;          // the furthest of that [m]
   double turn_time = 0;                 // stage time of the last start or turn of a push [s]
   double pace = 0;                      // of a push: 0 is `velocity`, 1 is `fast_velocity`
   int target = 0;                       // next of a cyclic stage

@@ -149,6 +149,14 @@ struct PlaceSpec {
   bool beam = false;
 };
 
+// How the force of a push is shared between blocks (docs/theory/integration.md, "The pattern of a push").
+enum class Pattern { kNone, kGiven, kMassHeight, kUniform, kMass };
+inline constexpr Word<Pattern> kPatternWords[] = {{"given", Pattern::kGiven},
+                                                  {"mass_height", Pattern::kMassHeight},
+                                                  {"uniform", Pattern::kUniform},
+                                                  {"mass", Pattern::kMass}};
+static_assert(names_all(kPatternWords, 1));  // kNone is not written
+
 struct StageSpec {
   std::string name;
   StageKind kind = StageKind::kGravity;  // inferred from the keys present
@@ -162,6 +170,10 @@ struct StageSpec {
   std::string plate_joint = "foundation";  // joint material under a plate
   // push
   PlaceSpec at;
+  Pattern pattern = Pattern::kNone;  // forces at several levels in the place of `at`
+  std::vector<double> levels;        // their heights [m]
+  std::vector<double> shares;        // kGiven: of the force, one a level
+  PlaceSpec control;                 // whose displacement the push follows; unset: the driven mean
   Direction direction = Direction::kPlusX;
   double velocity = kUnset;       // [m/s]
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity

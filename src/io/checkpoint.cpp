@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 
 struct Head {
   char magic[16];
@@ -81,6 +81,9 @@ constexpr std::tuple kStateNumbers{&State::stage,
                                    &State::balance,
                                    &State::drive_displacement,
                                    &State::travelled,
+                                   &State::control_start,
+                                   &State::control_moved,
+                                   &State::control_furthest,
                                    &State::turn_time,
                                    &State::pace,
                                    &State::target,

@@ -417,8 +417,30 @@ void describe_load(Visitor& v, StageSpec& s) {
 template <class Visitor>
 void describe_push(Visitor& v, StageSpec& s) {
   v.table("at", s.at, {.kinds = kPushStage, .in_braces = true, .optional = true,
-          .fallback = kRequired, .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
+          .fallback = "required, or pattern",
+          .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
           .doc = "The blocks that are pushed: a point, a box, one block or the beam."});
+  v.choice("pattern", s.pattern, kPatternWords, {.kinds = kPushStage, .fallback = "none: pushes `at`",
+           .example = "mass_height",
+           .doc = "Forces at several places in fixed shares, in the place of `at`. At `levels`: "
+                  "`given` by `shares`; `uniform`, by the mass nearest to each level; "
+                  "`mass_height`, by that mass times its height. `mass`: on every block by its own "
+                  "mass, as a body force, but by displacement, so that the falling branch is "
+                  "followed. Masses include those of loads before the push, not of the ground's "
+                  "half storey."});
+  v.quantities("levels", s.levels, {.unit = "m", .shown = "m", .range = kLength,
+               .kinds = kPushStage, .fallback = "needed by every pattern but mass",
+               .example = "[\"3.0 m\", \"6.2 m\"]",
+               .doc = "Heights of the levels above the wall's lowest point: the course that "
+                      "holds the height is pushed along its whole length, each block by its "
+                      "mass."});
+  v.numbers("shares", s.shares, {.kinds = kPushStage, .fallback = "needed by pattern given",
+            .example = "[0.35, 0.65]", .doc = "Share of the force at each level, in their order."});
+  v.table("control", s.control, {.kinds = kPushStage, .in_braces = true, .optional = true,
+          .fallback = "the mean of what is pushed, weighted by the shares",
+          .example = "{ x = \"0 m\", y = \"6.2 m\" }",
+          .doc = "A point (the block there) whose displacement the rows tell and `until` is of. "
+                 "`velocity` stays that of the weighted mean, which the forces work on."});
   v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,

@@ -27,6 +27,7 @@ class KeyLister {
     if (std::isfinite(key.range.low)) add(name, kUnset, key, "1", "1");
   }
   void quantities(const char*, const std::vector<double>&, const Key&) {}
+  void numbers(const char*, const std::vector<double>&, const Key&) {}
   void integer(const char*, const int&, const Key&) {}
   void flag(const char*, const bool&, const Key&) {}
   void text(const char*, const std::string&, const Key&) {}

@@ -59,6 +59,9 @@ class Reference {
   void quantities(const char* name, const std::vector<double>&, const Key& key) {
     row(name, key, fmt::format("list, {}", key.shown), allowed(key), "", ValueKind::kQuantity);
   }
+  void numbers(const char* name, const std::vector<double>&, const Key& key) {
+    row(name, key, "list of numbers", allowed(key), "", ValueKind::kBare);
+  }
   void number(const char* name, const double& value, const Key& key) {
     const std::string fallback = std::isnan(value) ? "" : fmt::format("{}", value);
     row(name, key, "number", allowed(key), fallback, ValueKind::kBare);

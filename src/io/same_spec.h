@@ -26,6 +26,9 @@ class Flatten {
     size(name, values.size());
     for (const double value : values) number(name, value, {});
   }
+  void numbers(const char* name, const std::vector<double>& values, const Key& key) {
+    quantities(name, values, key);
+  }
   void integer(const char* name, const int& value, const Key&) {
     out_.emplace_back(under(path_, name), std::to_string(value));
   }

@@ -103,12 +103,65 @@ void check_place(TableReader& reader, const PlaceSpec& at) {
     reader.refuse("at", "needs x, y, width and height for a box", cure);
 }
 
-// True when a value below `at` was refused already; its place is then half known.
-bool place_has_faults(TableReader& reader) {
-  const std::string path = reader.below("at");
+// True when a value below the place was refused already; it is then half known.
+bool place_has_faults(TableReader& reader, const char* place) {
+  const std::string path = reader.below(place);
   for (const char* name : {"x", "y", "width", "height", "block", "beam"})
     if (reader.context().has_fault_at(under(path, name))) return true;
   return false;
+}
+
+// The keys of a pattern; without one, of the place that is pushed.
+void check_pattern(TableReader& reader, const StageSpec& stage) {
+  if (!reader.has("pattern")) {
+    if (!reader.has("at"))
+      reader.miss("at", "is missing, a push needs at, or a pattern with its levels");
+    for (const char* key : {"levels", "shares"})
+      if (reader.has(key))
+        reader.refuse(key, "belongs to a pattern", "add e.g. pattern = \"mass_height\"");
+    return;
+  }
+  if (stage.pattern == Pattern::kNone) return;  // refused
+  if (reader.has("at"))
+    reader.refuse("at", "is for a push without a pattern",
+                  "leave it out; levels say where a pattern pushes");
+  if (stage.as == Manner::kEach)
+    reader.refuse("as", "would move all levels alike, and a pattern shares forces",
+                  "leave it out, or push at one place");
+  const bool has_levels = stage.pattern != Pattern::kMass;
+  if (has_levels && !reader.has("levels"))
+    reader.miss("levels", "is missing, the pattern acts at levels");
+  if (!has_levels && reader.has("levels"))
+    reader.refuse("levels", "has no meaning, the pattern mass acts on every block",
+                  "leave it out, or write pattern = \"uniform\"");
+  const bool has_shares = stage.pattern == Pattern::kGiven;
+  if (has_shares && !reader.has("shares"))
+    reader.miss("shares", "is missing, the pattern is given by them");
+  if (!has_shares && reader.has("shares"))
+    reader.refuse("shares", "follow from the pattern",
+                  "leave it out, or write pattern = \"given\"");
+  if (has_shares && reader.has("shares") && reader.has("levels") &&
+      stage.shares.size() != stage.levels.size())
+    reader.refuse("shares",
+                  fmt::format("must be as many as levels, {} and not {}", stage.levels.size(),
+                              stage.shares.size()),
+                  "write one share a level");
+  if (has_levels && reader.has("levels") && stage.levels.empty())
+    reader.refuse("levels", "is empty", "write e.g. levels = [\"3.0 m\", \"6.2 m\"]");
+}
+
+void check_control(TableReader& reader, const StageSpec& stage) {
+  if (place_has_faults(reader, "control")) return;
+  const PlaceSpec& at = stage.control;
+  const bool point = at.x == at.x && at.y == at.y;
+  const bool half = (at.x == at.x) != (at.y == at.y);
+  const bool more = at.width == at.width || at.height == at.height || at.courses != 1 || at.beam;
+  if (half || more || point == !at.block.empty())
+    reader.refuse("control", "must be one point, or one block",
+                  "write e.g. control = { x = \"0 m\", y = \"6.2 m\" }");
+  if (!stage.targets.empty())
+    reader.refuse("control", "follows a push in one direction",
+                  "leave it out of a cyclic push, or write until in the place of targets");
 }
 
 void check_push(TableReader& reader, const StageSpec& stage) {
@@ -128,7 +181,9 @@ void check_push(TableReader& reader, const StageSpec& stage) {
   if (idle)
     reader.refuse("targets", "holds a target that is reached before it is driven to",
                   "start from a displacement other than 0 and change it at each target");
-  if (reader.has("at") && !place_has_faults(reader)) check_place(reader, stage.at);
+  check_pattern(reader, stage);
+  if (reader.has("at") && !place_has_faults(reader, "at")) check_place(reader, stage.at);
+  if (reader.has("control")) check_control(reader, stage);
 }
 
 void check_manner(TableReader& reader, const StageSpec& stage) {

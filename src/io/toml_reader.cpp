@@ -147,6 +147,22 @@ void TableReader::quantities(const char* name, std::vector<double>& values, cons
   }
 }
 
+void TableReader::numbers(const char* name, std::vector<double>& values, const Key& key) {
+  const toml::node* node = find(name, key);
+  if (!node) return;
+  const toml::array* array = node->as_array();
+  const auto is_good = [](const toml::node& item) {
+    return item.is_number() && std::isfinite(*item.value<double>());
+  };
+  if (!array || !std::all_of(array->begin(), array->end(), is_good)) {
+    refuse(name, "must be a list of numbers without quotes",
+           cure_by_example(name, key, ValueKind::kBare));
+    return;
+  }
+  values.clear();
+  for (const toml::node& item : *array) values.push_back(*item.value<double>());
+}
+
 void TableReader::number(const char* name, double& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;

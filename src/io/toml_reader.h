@@ -57,6 +57,7 @@ class TableReader {
 
   void quantity(const char* name, double& value, const Key& key);
   void quantities(const char* name, std::vector<double>& values, const Key& key);
+  void numbers(const char* name, std::vector<double>& values, const Key& key);
   void number(const char* name, double& value, const Key& key);
   void integer(const char* name, int& value, const Key& key);
   void flag(const char* name, bool& value, const Key& key);

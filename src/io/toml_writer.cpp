@@ -65,10 +65,21 @@ void Writer::quantities(const char* name, const std::vector<double>& values, con
       key);
 }
 
+namespace {
+
+// TOML reads -0 as the integer 0, so a negative zero needs its point.
+std::string bare(double value) {
+  return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value);
+}
+
+}  // namespace
+
 void Writer::number(const char* name, const double& value, const Key& key) {
-  if (std::isnan(value)) return;
-  // TOML reads -0 as the integer 0, so a negative zero needs its point.
-  put(name, value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value), key);
+  if (!std::isnan(value)) put(name, bare(value), key);
+}
+
+void Writer::numbers(const char* name, const std::vector<double>& values, const Key& key) {
+  if (!values.empty()) put(name, list_text(values, bare), key);
 }
 
 void Writer::integer(const char* name, const int& value, const Key& key) {

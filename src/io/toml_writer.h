@@ -22,6 +22,7 @@ class Writer {
 
   void quantity(const char* name, const double& value, const Key& key);
   void quantities(const char* name, const std::vector<double>& values, const Key& key);
+  void numbers(const char* name, const std::vector<double>& values, const Key& key);
   void number(const char* name, const double& value, const Key& key);
   void integer(const char* name, const int& value, const Key& key);
   void flag(const char* name, const bool& value, const Key& key);

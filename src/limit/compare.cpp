@@ -208,11 +208,11 @@ Message described(const Model& given) {
     return {"wall.described", {{"parts", std::move(parts)}}};
   }
   Vec2 push;
-  for (const BlockId b : grows->driven) {
-    push.x +=
-        model.centroid_x[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());
-    push.y +=
-        model.centroid_y[static_cast<std::size_t>(b)] / static_cast<double>(grows->driven.size());
+  const auto n = static_cast<double>(grows->driven.size());
+  for (std::size_t k = 0; k < grows->driven.size(); ++k) {
+    const auto b = static_cast<std::size_t>(grows->driven[k]);
+    push.x += grows->driven_share[k] * model.centroid_x[b] / n;
+    push.y += grows->driven_share[k] * model.centroid_y[b] / n;
   }
   Message pushed{
       grows->driven.empty() ? "wall.loaded" : "wall.pushed",

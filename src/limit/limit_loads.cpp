@@ -52,9 +52,10 @@ void add_dead_loads(const Model& model, double secant, LimitLoads& loads) {
 void add_push(const Stage& push, LimitLoads& loads) {
   loads.together = push.spec.as == Manner::kEach;
   const auto n = static_cast<double>(push.driven.size());
-  for (const BlockId b : push.driven) {
-    const auto i = static_cast<std::size_t>(b);
-    if (!loads.together) loads.growing[i] = {loads.push_x / n, loads.push_y / n, 0};
+  for (std::size_t k = 0; k < push.driven.size(); ++k) {
+    const auto i = static_cast<std::size_t>(push.driven[k]);
+    const double share = push.driven_share[k];
+    if (!loads.together) loads.growing[i] = {share * loads.push_x / n, share * loads.push_y / n, 0};
     if (push.spec.across == Freedom::kBlocked) loads.held_across[i] = 1;
     // a beam kept level stays so, whatever the push says of it
     if (push.spec.rotation == Freedom::kBlocked) loads.held_turn[i] = 1;

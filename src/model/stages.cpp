@@ -161,6 +161,11 @@ class StageCompiler {
                            : std::any_of(stage.spec.targets.begin(), stage.spec.targets.end(),
                                          [](double target) { return target != 0; });
     if (!moves) fault("until", "", "a push must go somewhere", "write e.g. until = \"50 mm\"");
+    if (stage.spec.pattern != Pattern::kNone) {
+      set_pattern(stage);
+      set_control(stage);
+      return;
+    }
     std::vector<std::size_t> found;
     if (at.beam || !at.block.empty())
       found = named_blocks(at);
@@ -181,7 +186,141 @@ class StageCompiler {
             "= 3 }");
       return;
     }
+    stage.driven_share.assign(stage.driven.size(), 1.0);
     stage.load_height = height / static_cast<double>(stage.driven.size()) - lowest(&Vec2::y);
+    set_control(stage);
+  }
+
+  // --- a pattern of forces: shares of blocks, of mean 1 ---------------------------------------------
+
+  struct Level {
+    double height = 0;                // above the lowest point of the wall [m]
+    std::vector<std::size_t> blocks;  // that the force acts on
+    double mass = 0;                  // nearest to it [kg]
+    double share = 0;
+  };
+
+  void set_pattern(Stage& stage) {
+    std::vector<Level> levels =
+        stage.spec.pattern == Pattern::kMass ? every_block() : levels_of(stage);
+    std::vector<double> force;  // of each driven block
+    double total = 0, height = 0;
+    for (const Level& level : levels) {
+      double mass = 0;
+      for (const std::size_t b : level.blocks) mass += mass_of(b);
+      for (const std::size_t b : level.blocks) {
+        if (is_solid(map_[b])) return refuse_zones(b, "levels");
+        stage.driven.push_back(map_[b]);
+        force.push_back(level.share * mass_of(b) / mass);
+        total += force.back();
+        height += force.back() * (centroid_of(b).y - lowest(&Vec2::y));
+      }
+    }
+    if (stage.driven.empty()) return;  // a fault is said
+    if (!(total > 0))
+      return fault("shares", "", "add up to nothing, or less",
+                   "write shares whose sum is above 0; direction says which way they push");
+    for (const double f : force)
+      stage.driven_share.push_back(f * static_cast<double>(force.size()) / total);
+    stage.load_height = height / total;
+  }
+
+  // All rigid blocks as one level: every block by its own mass. Bodies of zones take no share.
+  [[nodiscard]] std::vector<Level> every_block() const {
+    Level all;
+    all.share = 1;
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
+      if (map_[b] != kGroundBlock && !is_solid(map_[b]) && mass_of(b) > 0) all.blocks.push_back(b);
+    return {all};
+  }
+
+  std::vector<Level> levels_of(const Stage& stage) {
+    const StageSpec& s = stage.spec;
+    const double bottom = lowest(&Vec2::y);
+    std::vector<Level> levels;
+    for (std::size_t k = 0; k < s.levels.size(); ++k) {
+      Level level;
+      level.height = s.levels[k];
+      for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
+        if (is_pushed_at(b, bottom + level.height)) level.blocks.push_back(b);
+      if (level.blocks.empty()) {
+        fault(fmt::format("levels.{}", k), fmt::format("{:g} m", level.height),
+              "no moving block stands at this height",
+              fmt::format("write heights above 0 and up to {:g} m", top_of_wall() - bottom));
+        return {};
+      }
+      for (const Level& other : levels)
+        if (std::find(other.blocks.begin(), other.blocks.end(), level.blocks.front()) !=
+            other.blocks.end()) {
+          fault(fmt::format("levels.{}", k), fmt::format("{:g} m", level.height),
+                fmt::format("lies in the same course as {:g} m", other.height),
+                "write each course once, with its whole share");
+          return {};
+        }
+      levels.push_back(std::move(level));
+    }
+    lump_masses(levels);
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      Level& level = levels[k];
+      if (s.pattern == Pattern::kGiven) level.share = s.shares[k];
+      if (s.pattern == Pattern::kUniform) level.share = level.mass;
+      if (s.pattern == Pattern::kMassHeight) level.share = level.mass * level.height;
+    }
+    return levels;
+  }
+
+  // Whether the block's box holds the height; one that only begins there is the next course's.
+  [[nodiscard]] bool is_pushed_at(std::size_t b, double y) const {
+    if (map_[b] == kGroundBlock || !(mass_of(b) > 0)) return false;
+    double low = 1e300;
+    for (const Vec2& v : assembly_.blocks[b].outline) low = std::min(low, v.y);
+    const double tolerance = 1e-6 * assembly_.height;
+    return y > low + tolerance && y <= top_of(b) + tolerance;
+  }
+
+  // The mass of every block, and of the loads that stand on blocks before the push, goes to the level
+  // nearest to it; what is nearer to the ground than to the lowest level goes to the ground.
+  void lump_masses(std::vector<Level>& levels) const {
+    const double bottom = lowest(&Vec2::y);
+    const auto add = [&](double mass, double height) {
+      Level* nearest = nullptr;
+      double least = std::fabs(height);
+      for (Level& level : levels)
+        if (std::fabs(level.height - height) < least)
+          least = std::fabs(level.height - height), nearest = &level;
+      if (nearest != nullptr) nearest->mass += mass;
+    };
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
+      if (map_[b] != kGroundBlock) add(mass_of(b), centroid_of(b).y - bottom);
+    if (!(model_.solve.gravity > 0)) return;
+    for (const Stage& before : model_.stages)
+      for (const PointLoad& load : before.loads)
+        add(-load.fy / model_.solve.gravity,
+            model_.centroid_y[static_cast<std::size_t>(load.block)] + load.arm_y - bottom);
+  }
+
+  [[nodiscard]] double mass_of(std::size_t b) const {
+    return is_solid(map_[b]) ? 0.0 : model_.heavy_mass[static_cast<std::size_t>(map_[b])];
+  }
+
+  // The block whose displacement the push follows.
+  void set_control(Stage& stage) {
+    const PlaceSpec& at = stage.spec.control;
+    if (!std::isfinite(at.x) && at.block.empty()) return;
+    const std::size_t none = assembly_.blocks.size();
+    std::size_t found = none;
+    if (at.block.empty()) {
+      found = nearest_block(at.x, at.y, -1);
+      if (found < none && distance(found, at.x, at.y) > 0.05 * assembly_.height) found = none;
+    } else if (const auto named = named_blocks(at); !named.empty()) {
+      found = named.front();
+    }
+    if (found == none || map_[found] == kGroundBlock)
+      return fault("control", at.block, "finds no moving block",
+                   "name a point inside the wall, e.g. control = { x = \"0 m\", y = \"6.2 m\" }");
+    if (is_solid(map_[found])) return refuse_zones(found, "control");
+    stage.control = map_[found];
+    stage.load_height = centroid_of(found).y - lowest(&Vec2::y);
   }
 
   [[nodiscard]] std::vector<std::size_t> named_blocks(const PlaceSpec& at) const {

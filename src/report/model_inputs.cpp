@@ -218,6 +218,10 @@ Json stage_of(const Stage& stage) {
   add("velocity", s.velocity, "mm/s", 1e3);
   add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
   add("until", s.until, "mm", 1e3);
+  if (s.pattern != Pattern::kNone)
+    rows.push_back({"pattern", word_of(kPatternWords, s.pattern), ""});
+  for (double level : s.levels) add("level", level, "m", 1);
+  for (double share : s.shares) add("share", share, "", 1);
   for (double target : s.targets) add("target", target, "mm", 1e3);
   add("load_factor_rate", s.rate, "1/s", 1);
   add("load_factor_until", s.factor, "", 1);

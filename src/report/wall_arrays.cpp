@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/field_places.h"
+#include "report/wall_picture.h"
 #include "wythe/reading.h"
 #include "wythe/units.h"
 
@@ -137,7 +138,13 @@ void add_wall(Bundle& bundle, const Model& model) {
   if (const Stage* push = push_of(model)) {
     wall["push"] = {push->drive_x, push->drive_y};
     wall["load_height"] = push->load_height;
-    bundle.add("wall.driven", std::span<const BlockId>(push->driven));
+    std::vector<BlockId> driven;
+    wall["pushed"] = Json::array();
+    for (const PushPart& part : push_parts(model, *push)) {
+      driven.insert(driven.end(), part.blocks.begin(), part.blocks.end());
+      wall["pushed"].push_back({{"end", driven.size()}, {"length", part.length}});
+    }
+    bundle.add("wall.driven", std::span<const BlockId>(driven));
   }
   bundle.header["wall"] = wall;
   add_blocks(bundle, model);

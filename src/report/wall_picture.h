@@ -23,4 +23,12 @@ struct WallPicture {
 // A round magnification at which the largest displacement shows as some 5 % of the wall.
 [[nodiscard]] double fitting_scale(const Model& model, const State& state);
 
+// Pushed blocks that one arrow stands for, and how long it is over the longest: each level of a
+// pattern, in thirds of the wall where all blocks are pushed, all of them without a pattern.
+struct PushPart {
+  std::vector<BlockId> blocks;
+  double length = 1;
+};
+[[nodiscard]] std::vector<PushPart> push_parts(const Model& model, const Stage& push);
+
 }  // namespace wythe::report

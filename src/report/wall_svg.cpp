@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "report/html.h"
 #include "report/style.h"
@@ -223,14 +224,13 @@ const Stage* pushing_stage(const Model& model, const State& state) {
 }
 
 // An arrow that ends where the pushed blocks begin, on the side the push comes from.
-std::string draw_arrow(const Model& model, const State& state, double scale, const Canvas& canvas) {
-  const Stage* stage = pushing_stage(model, state);
-  if (stage == nullptr) return "";
+std::string draw_arrow(const Model& model, const State& state, double scale, const Canvas& canvas,
+                       const Stage& stage, const PushPart& part) {
   Bounds box;
-  for (BlockId b : stage->driven)
+  for (BlockId b : part.blocks)
     for (const Vec3& p : outline_now(model, state, b, scale)) box.add(p);
-  const double dx = stage->drive_x;
-  const double dy = -stage->drive_y;  // pixels run down
+  const double dx = stage.drive_x;
+  const double dy = -stage.drive_y;  // pixels run down
   const Pixel tip = canvas({dx > 0.5    ? box.x0
                             : dx < -0.5 ? box.x1
                                         : (box.x0 + box.x1) / 2,
@@ -238,10 +238,21 @@ std::string draw_arrow(const Model& model, const State& state, double scale, con
                             : dy > 0.5 ? box.y1
                                        : (box.y0 + box.y1) / 2});
   const Pixel head = {tip.x - 3 * dx, tip.y - 3 * dy};
-  const Pixel tail = {head.x - 32 * dx, head.y - 32 * dy};
+  const double length = 12 + 20 * part.length;
+  const Pixel tail = {head.x - length * dx, head.y - length * dy};
   const Pixel barb1 = {head.x - 9 * dx - 6 * dy, head.y - 9 * dy + 6 * dx};
   const Pixel barb2 = {head.x - 9 * dx + 6 * dy, head.y - 9 * dy - 6 * dx};
   return path(path_data({tail, head}, false) + path_data({barb1, head, barb2}, false), "arrow");
+}
+
+std::string draw_arrows(const Model& model, const State& state, double scale,
+                        const Canvas& canvas) {
+  const Stage* stage = pushing_stage(model, state);
+  if (stage == nullptr) return "";
+  std::string out;
+  for (const PushPart& part : push_parts(model, *stage))
+    out += draw_arrow(model, state, scale, canvas, *stage, part);
+  return out;
 }
 
 std::string draw_scale_bar(const Canvas& canvas) {
@@ -282,8 +293,38 @@ WallPicture draw_wall(const Model& model, const State& state, double scale) {
   };
   picture.svg += draw_joints(wall, ends, canvas, picture);
   picture.svg += draw_crushed(wall, ends, canvas, picture);
-  picture.svg += draw_arrow(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
+  picture.svg += draw_arrows(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
   return picture;
+}
+
+std::vector<PushPart> push_parts(const Model& model, const Stage& push) {
+  if (push.spec.pattern == Pattern::kNone) return {{push.driven}};
+  constexpr double kThirds = 3;  // of all blocks
+  const auto y_of = [&](BlockId b) { return model.centroid_y[static_cast<std::size_t>(b)]; };
+  std::map<long, std::pair<PushPart, double>> parts;  // by level or third, with the sum of shares
+  double bottom = std::numeric_limits<double>::infinity();
+  for (const double y : model.anatomy.outline_y) bottom = std::min(bottom, y);
+  for (std::size_t k = 0; k < push.driven.size(); ++k) {
+    const double height = y_of(push.driven[k]) - bottom;
+    long part = static_cast<long>(kThirds * height / model.anatomy.height);
+    if (!push.spec.levels.empty()) {
+      const auto nearest = std::min_element(
+          push.spec.levels.begin(), push.spec.levels.end(),
+          [&](double a, double b) { return std::fabs(a - height) < std::fabs(b - height); });
+      part = nearest - push.spec.levels.begin();
+    }
+    auto& [of, share] = parts[part];
+    of.blocks.push_back(push.driven[k]);
+    share += push.driven_share[k];
+  }
+  double most = 0;
+  for (const auto& [part, of] : parts) most = std::max(most, std::fabs(of.second));
+  std::vector<PushPart> out;
+  for (auto& [part, of] : parts) {
+    of.first.length = most > 0 ? std::fabs(of.second) / most : 1;
+    out.push_back(std::move(of.first));
+  }
+  return out;
 }
 
 }  // namespace report

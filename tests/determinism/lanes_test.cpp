@@ -358,6 +358,18 @@ TEST(Device, a_push_that_changes_its_pace) {
   EXPECT_LT(solve_alone(spec).steps, steps);
   expect_same_result(spec);
 }
+TEST(Device, a_push_in_a_pattern_with_a_control_block) {
+  for (const Pattern pattern : {Pattern::kMass, Pattern::kMassHeight}) {
+    ModelSpec spec = scenes::small_wall(0.3e-3, 0.02);
+    spec.stage.back().at = {};
+    spec.stage.back().pattern = pattern;
+    if (pattern != Pattern::kMass) spec.stage.back().levels = {0.4, 0.8};
+    spec.stage.back().control.x = 0;
+    spec.stage.back().control.y = 0.8;
+    expect_same_result(spec);
+    EXPECT_GT(solve_alone(spec).responses.peak_raw, 0);
+  }
+}
 TEST(Device, body_force_and_tilt) {
   for (const StageKind kind : {StageKind::kBodyForce, StageKind::kTilt}) {
     ModelSpec spec = scenes::plain_wall(4, 5, 0.1e-3, 0.05);

@@ -84,8 +84,8 @@ class Bytes {
     add_all(block, arm_x, arm_y, fx, fy);
   }
   void add(const Stage& stage) {
-    const auto& [spec, loads, driven, drive_x, drive_y, load_height] = stage;
-    add_all(spec, loads, driven, drive_x, drive_y, load_height);
+    const auto& [spec, loads, driven, share, control, drive_x, drive_y, load_height] = stage;
+    add_all(spec, loads, driven, share, control, drive_x, drive_y, load_height);
   }
   void add(const ZoneShape& shape) {
     const auto& [x, y, gx, gy, stiffness, elasticity, share, area, thickness, omega, mass] = shape;
@@ -103,9 +103,13 @@ class Bytes {
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
             cc, dd);
   }
+  void add(const DrawnField& field) {
+    const auto& [name, path, of_joint, of_block] = field;
+    add_all(name, path, of_joint, of_block);
+  }
   void add(const Anatomy& anatomy) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w] = anatomy;
-    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = anatomy;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
   }
 
   std::string out_;
@@ -114,12 +118,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm);
 }
 
 // A model's bytes, or the words of its refusal.
@@ -147,6 +151,9 @@ class Change {
   void quantities(const char*, std::vector<double>& values, const Key&) {
     if (!is_asked_()) return;
     values.push_back(0.01 * way_());
+  }
+  void numbers(const char* name, std::vector<double>& values, const Key& key) {
+    quantities(name, values, key);
   }
   void integer(const char*, int& value, const Key&) {
     if (is_asked_()) value = value + 2 * way_() - 3;

@@ -70,6 +70,9 @@ class Draw {
     for (int i = foreign(key) ? 0 : *rc::gen::inRange(0, 4); i > 0; --i)
       values.push_back(within(key));
   }
+  void numbers(const char* name, std::vector<double>& values, const Key& key) {
+    quantities(name, values, key);
+  }
   void integer(const char*, int& value, const Key& key) {
     const int low = static_cast<int>(key.range.low);
     value = *rc::gen::inRange(low, low + 15);
@@ -136,12 +139,28 @@ void make_place(PlaceSpec& at) {
   }
 }
 
+void make_pattern(StageSpec& stage) {
+  const std::vector<double> levels = stage.levels;
+  stage.levels.clear(), stage.shares.clear();
+  stage.control = {};
+  if (stage.pattern == Pattern::kNone || coin(2)) {
+    stage.pattern = Pattern::kNone;
+    return make_place(stage.at);
+  }
+  stage.at = {};
+  if (stage.targets.empty() && coin(2)) stage.control.x = -0.0, stage.control.y = 1.0 / 3;
+  if (stage.pattern == Pattern::kMass) return;
+  stage.levels = levels.empty() ? std::vector<double>{1.0 / 3} : levels;
+  if (stage.pattern == Pattern::kGiven) stage.shares.assign(stage.levels.size(), -0.0);
+}
+
 void make_push(StageSpec& stage) {
-  make_place(stage.at);
+  make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);
-  stage.fast_velocity = coin(2) ? kUnset : 1.5 * stage.velocity;
+  stage.fast_velocity = coin(2) ? kUnset : stage.velocity;
   if (stage.targets.empty()) set_if_unset(stage.until, 0.05);
-  stage.as = coin(3) ? Manner::kDefault : coin(2) ? Manner::kSpreader : Manner::kEach;
+  const bool alike = stage.pattern == Pattern::kNone && coin(2);
+  stage.as = coin(3) ? Manner::kDefault : alike ? Manner::kEach : Manner::kSpreader;
 }
 
 void make_valid(StageSpec& stage, std::size_t index) {

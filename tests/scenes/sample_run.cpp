@@ -121,6 +121,7 @@ Model sample_model() {
     m.stages.push_back(stage);
   }
   m.stages[1].driven = {1};
+  m.stages[1].driven_share = {1};
   m.stages[1].drive_x = 1;
   m.stages[1].load_height = 0.15;
   m.anatomy = sample_anatomy();

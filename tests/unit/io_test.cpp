@@ -280,7 +280,8 @@ TEST(StageRefused, push_without_end) {
 
 TEST(StageRefused, push_without_place) {
   EXPECT_EQ(fault_of("at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }\n", ""),
-            "model.toml:36: stage.2.at: is missing, a push stage needs it; write e.g. "
+            "model.toml:36: stage.2.at: is missing, a push needs at, or a pattern with its levels; "
+            "write e.g. "
             "at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }");
 }
 

@@ -11,6 +11,7 @@
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
+#include "wythe/solve.h"
 
 namespace wythe::verification {
 namespace {
@@ -68,6 +69,35 @@ TEST(LimitLoad, Ferris_and_Tin_Loi_walls) {
     verify({"LP-FTL", std::string("associated load factor of Ferris and Tin-Loi's ") + wall.what,
             "-", wall.factor, 1e-4, "published with 5 digits"},
            answer.load);
+  }
+}
+
+// Forces in proportion to weight, controlled by displacement: peaks beside the factors published for
+// friction that does not dilate, and the branch that falls behind them.
+TEST(Pattern, Ferris_and_Tin_Loi_walls_reach_the_published_factors_and_fall_behind) {
+  const struct {
+    const char* file;
+    double factor, until, left;  // published; end of the push [m]; of the peak, there, at most
+  } walls[] = {
+      {"wall1", 0.64, 1.6e-3, 1}, {"wall2", 0.563, 3e-3, 1}, {"wall4", 0.264, 25e-3, 0.75}};
+  for (const auto& wall : walls) {
+    ModelSpec spec =
+        read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
+                   {std::string("wall.blocks=data/") + wall.file + ".json"});
+    StageSpec push;
+    push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
+    push.velocity = 2e-3, push.damping = 0.1, push.until = wall.until;
+    spec.stage = {spec.stage.front(), push};
+    spec.solve.collapse_displacement = 2;
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    const Result result = solve(model, state);
+    EXPECT_EQ(result.status, SolveStatus::kCompleted) << wall.file;
+    verify({"FTL-P",
+            std::string("peak over weight, pushed by its mass: Ferris and Tin-Loi's ") + wall.file,
+            "-", wall.factor, 0.03, "published with 3 digits; a push of 2 mm/s"},
+           result.responses.peak_raw / model.weight);
+    EXPECT_LE(result.curve.back().reaction, wall.left * result.responses.peak_raw) << wall.file;
   }
 }
 

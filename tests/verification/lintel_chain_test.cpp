@@ -87,6 +87,7 @@ Stage holding(std::vector<BlockId> blocks, double x, double y, Freedom rotation,
   hold.spec.rotation = rotation;
   hold.spec.across = across;
   hold.driven = std::move(blocks);
+  hold.driven_share.assign(hold.driven.size(), 1.0);
   hold.drive_x = x;
   hold.drive_y = y;
   return hold;

@@ -39,7 +39,8 @@ export interface Wall {
   joints: number;
   pairs: number;
   push: [number, number] | null;
-  driven: Numbers | null;
+  driven: Numbers | null; // in parts, an arrow each: up to `end`, `length` over the longest
+  pushed: { end: number; length: number }[];
   outlineBegin: Numbers;
   outlineX: Numbers;
   outlineY: Numbers;
@@ -107,6 +108,7 @@ export function readWall(bundle: Bundle): Wall | null {
     ...head,
     push: head.push ?? null,
     driven: head.push ? get("driven") : null,
+    pushed: head.pushed ?? (head.push ? [{ end: get("driven").length, length: 1 }] : []),
     outlineBegin: get("outline_begin"),
     outlineX: get("outline_x"),
     outlineY: get("outline_y"),

@@ -223,14 +223,22 @@ function drawForces(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
     .filter((p) => p.getAttribute("data-marks") !== "0");
 }
 
-// An arrow that ends where the pushed blocks begin.
-function drawArrow(wall: Wall, pose: Pose, canvas: Canvas): SVGElement | null {
-  if (!wall.push || !wall.driven || wall.driven.length === 0) return null;
+// An arrow for each part of the pushed blocks.
+function drawArrows(wall: Wall, pose: Pose, canvas: Canvas): (SVGElement | null)[] {
+  const { pushed, driven } = wall;
+  return pushed.map(({ end, length }, i) =>
+    drawArrow(wall, Array.from(driven!.subarray(i ? pushed[i - 1].end : 0, end)), length, pose, canvas),
+  );
+}
+
+// It ends where the blocks begin.
+function drawArrow(wall: Wall, driven: number[], length: number, pose: Pose, canvas: Canvas): SVGElement | null {
+  if (!wall.push || driven.length === 0) return null;
   let x0 = Infinity,
     x1 = -Infinity,
     y0 = Infinity,
     y1 = -Infinity;
-  for (const b of wall.driven) {
+  for (const b of driven) {
     for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) {
       const [x, y] = pose.corner(b, i);
       x0 = Math.min(x0, x);
@@ -242,10 +250,11 @@ function drawArrow(wall: Wall, pose: Pose, canvas: Canvas): SVGElement | null {
   const [dx, dy] = [wall.push[0], -wall.push[1]];
   const tx = canvas.X(dx > 0.5 ? x0 : dx < -0.5 ? x1 : (x0 + x1) / 2) - 3 * dx;
   const ty = canvas.Y(dy < -0.5 ? y0 : dy > 0.5 ? y1 : (y0 + y1) / 2) - 3 * dy;
+  const long = 12 + 18 * length;
   return svg("path", {
     class: "arrow",
     d:
-      `M${tx - 30 * dx} ${ty - 30 * dy}L${tx} ${ty}` +
+      `M${tx - long * dx} ${ty - long * dy}L${tx} ${ty}` +
       `M${tx - 9 * dx - 6 * dy} ${ty - 9 * dy + 6 * dx}L${tx} ${ty}L${tx - 9 * dx + 6 * dy} ${ty - 9 * dy - 6 * dx}`,
   });
 }
@@ -312,7 +321,7 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     picture.appendChild(mark);
   }
   if (look.forces) append(picture, drawForces(wall, pose, canvas));
-  append(picture, [drawArrow(wall, pose, canvas), drawScaleBar(canvas)]);
+  append(picture, [...drawArrows(wall, pose, canvas), drawScaleBar(canvas)]);
   return picture;
 }
 

@@ -118,12 +118,13 @@ struct DriveWalls {
 };
 
 // What is asked about walls between steps; kinetic energy without mass scaling.
-enum Ask { kUnbalance, kKinetic, kShear, kDistance, kFurthest, kRunaway, kAsks };
+enum Ask { kUnbalance, kKinetic, kShear, kDistance, kFurthest, kRunaway, kMoved, kAsks };
 
 // Answers `ask` for all walls; answers (kAsks, walls), directions of base shear (2, walls).
 struct LookAt {
   WallView view;
   const double* aim;
+  const double* watched;  // direction, and the block as a number (3, walls)
   double* answers;
   Ask ask;
   WYTHE_INLINE void on(std::size_t, int wall) const {
@@ -140,6 +141,9 @@ struct LookAt {
       answer[walls] = found.block;
     }
     if (ask == kRunaway) *answer = runaway_of(mine);
+    if (ask == kMoved)
+      *answer = moved_along(mine, static_cast<BlockId>(watched[2 * walls + wall]), watched[wall],
+                            watched[walls + wall]);
   }
 };
 

@@ -25,6 +25,7 @@ class DeviceExecutor final : public Executor {
   ~DeviceExecutor() override {
     device_.release(loads_);
     device_.release(driven_);
+    device_.release(share_);
   }
 
   [[nodiscard]] int lanes() const override { return walls_; }
@@ -68,6 +69,7 @@ class DeviceExecutor final : public Executor {
   void copy_column(int lane, bool out);
   [[nodiscard]] double answer_to(int lane, device::Ask ask);
   void aim(int lane, double px, double py);
+  void watch(int lane, BlockId i, double px, double py);
   void forget() { fresh_.assign(device::kAsks, -1); }  // what was answered
   void copy_out(int lane, State& state);
   [[nodiscard]] WallView view() const { return view_of(layout_, model_, there_, 0); }
@@ -85,11 +87,12 @@ class DeviceExecutor final : public Executor {
   Tables there_;  // of all walls, in the device's memory
   Shared<Device, double> joint_works_, block_works_, sums_;
   std::vector<double> wall_;  // (kWallRows, walls)
-  Shared<Device, double> load_scale_, answer_, asked_, aim_;
+  Shared<Device, double> load_scale_, answer_, asked_, aim_, watch_;
   Shared<Device, device::WallStage> stage_;
   std::vector<Wall> walls_here_;
   device::StageLoad* loads_ = nullptr;  // of all walls, on the device
   BlockId* driven_ = nullptr;
+  double* share_ = nullptr;
   std::int64_t count_ = 0;
   std::vector<std::int64_t> fresh_;  // step after which answers were taken (kAsks)
 };
@@ -117,6 +120,7 @@ DeviceExecutor<Device>::DeviceExecutor(const Model& model, int walls, Device dev
       answer_(device_, 4 * at(walls)),
       asked_(device_, device::kAsks * at(walls)),
       aim_(device_, 2 * at(walls)),
+      watch_(device_, 3 * at(walls)),
       stage_(device_, at(walls)),
       walls_here_(at(walls)) {
   there_.lanes = walls;
@@ -190,6 +194,7 @@ template <class Device>
 void DeviceExecutor<Device>::list_stages() {
   std::vector<device::StageLoad> loads(1);  // never empty
   std::vector<BlockId> driven(1);
+  std::vector<double> share(1);
   for (Wall& wall : walls_here_) {
     if (wall.model == nullptr) continue;
     wall.first_load = loads.size();
@@ -200,15 +205,19 @@ void DeviceExecutor<Device>::list_stages() {
       ++number;
       wall.first_driven.push_back(driven.size());
       driven.insert(driven.end(), stage.driven.begin(), stage.driven.end());
+      share.insert(share.end(), stage.driven_share.begin(), stage.driven_share.end());
     }
     wall.n_load = static_cast<int>(loads.size() - wall.first_load);
   }
   device_.release(loads_);
   device_.release(driven_);
+  device_.release(share_);
   loads_ = device_.template allocate<device::StageLoad>(loads.size());
   driven_ = device_.template allocate<BlockId>(driven.size());
   device_.upload(loads_, loads.data(), loads.size());
+  share_ = device_.template allocate<double>(share.size());
   device_.upload(driven_, driven.data(), driven.size());
+  device_.upload(share_, share.data(), share.size());
 }
 
 template <class Device>
@@ -246,7 +255,7 @@ template <class Device>
 double DeviceExecutor<Device>::answer_to(int lane, device::Ask ask) {
   // all walls are asked at once: they are in phase, and one thread takes as long as many
   if (fresh_[at(ask)] != count_) {
-    device_.run(1, walls_, device::LookAt{view(), aim_.there, asked_.there, ask});
+    device_.run(1, walls_, device::LookAt{view(), aim_.there, watch_.there, asked_.there, ask});
     asked_.fetch();
     fresh_[at(ask)] = count_;
     if (ask == device::kDistance) fresh_[device::kFurthest] = count_;
@@ -276,6 +285,10 @@ class DeviceExecutor<Device>::DeviceWallAccess final : public WallAccess {
     const double distance = x_.answer_to(lane_, device::kDistance);
     return {distance, static_cast<BlockId>(x_.answer_to(lane_, device::kFurthest))};
   }
+  [[nodiscard]] double moved(BlockId i, double px, double py) const override {
+    x_.watch(lane_, i, px, py);
+    return x_.answer_to(lane_, device::kMoved);
+  }
   void choose_driven(const std::vector<BlockId>& blocks) override {
     x_.copy_column(lane_, true);
     dynamics::choose_driven(view_of(x_.layout_, x_.model_, x_.here_, 0), blocks);
@@ -302,6 +315,17 @@ void DeviceExecutor<Device>::aim(int lane, double px, double py) {
   x = px, y = py;
   fresh_[device::kShear] = -1;
   aim_.send();
+}
+
+// The block and direction in which a wall's motion is asked for.
+template <class Device>
+void DeviceExecutor<Device>::watch(int lane, BlockId i, double px, double py) {
+  double* row[3] = {&watch_.here[of(lane, 0)], &watch_.here[of(lane, 1)],
+                    &watch_.here[of(lane, 2)]};
+  if (*row[0] == px && *row[1] == py && *row[2] == i) return;
+  *row[0] = px, *row[1] = py, *row[2] = i;
+  fresh_[device::kMoved] = -1;
+  watch_.send();
 }
 
 // --- the step ------------------------------------------------------------------------------------
@@ -335,7 +359,9 @@ void DeviceExecutor<Device>::set(int lane, const Controls& c) {
   stage.n_load = wall.n_load;
   if (c.push == nullptr) return;
   stage.drive = drive_of(*c.push);
-  stage.drive.driven = driven_ + wall.first_driven[at(c.push - wall.model->stages.data())];
+  const std::size_t first = wall.first_driven[at(c.push - wall.model->stages.data())];
+  stage.drive.driven = driven_ + first;
+  stage.drive.share = share_ + first;
 }
 
 template <class Device>

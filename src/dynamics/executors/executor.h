@@ -29,6 +29,8 @@ class WallAccess {
   [[nodiscard]] virtual BlockId runaway_block() const = 0;
   // The block (n_block + i: node i) that has moved furthest.
   [[nodiscard]] virtual Furthest furthest_block() const = 0;
+  // How far block i has moved along (px, py) [m].
+  [[nodiscard]] virtual double moved(BlockId i, double px, double py) const = 0;
   // Marks the blocks that the drive moves.
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
   // Copies motion and history from where they are into the state's own arrays.

@@ -39,6 +39,9 @@ class HostWallAccess final : public WallAccess {
   }
   [[nodiscard]] BlockId runaway_block() const override { return runaway_of(view_); }
   [[nodiscard]] Furthest furthest_block() const override { return furthest_of(view_); }
+  [[nodiscard]] double moved(BlockId i, double px, double py) const override {
+    return moved_along(view_, i, px, py);
+  }
   void choose_driven(const std::vector<BlockId>& blocks) override {
     dynamics::choose_driven(view_, blocks);
   }

@@ -3,11 +3,13 @@
 //   loads        dead loads that follow their blocks
 //   drive        the driven blocks:
 //     each      every one moves at the prescribed velocity
-//     spreader  they get equal forces R, and only their mean velocity is prescribed:
-//               R = -mean(f) + what the mean acceleration asks; each block then feels f_i + R
+//     spreader  they get forces R r_i in fixed shares r_i (1 without a pattern), and only the mean of
+//               their velocities with these shares is prescribed, which R works on:
+//               sum r_i v_i = v sum r_i,   power of the drive = sum R r_i v_i = R v sum r_i
 //
-// R is found in two parts so that local damping sees the unbalanced force f_i - mean(f) and the
-// mean velocity is still met exactly. The reaction is the contact force on the blocks.
+// R is found in two parts so that local damping sees the unbalanced force f_i + R0 r_i, where
+// R0 = -sum r_i f_i / sum r_i^2 leaves nothing along the shares, and the mean velocity is still met
+// exactly. The reaction is the contact force on the blocks.
 #pragma once
 
 #include "dynamics/passes/blocks.h"
@@ -42,9 +44,11 @@ WYTHE_INLINE void clear_load(BlockId i, const WallView& wall) {
 // Who is driven, and how.
 struct Drive {
   const BlockId* driven;
+  const double* share;  // r_i
   int n;
   double px, py;  // unit vector of the push
   bool spread, free_across, free_rotation;
+  bool is_pattern;  // what its blocks lack of balance is felt by the meters
 };
 // The wall's work so far [J].
 struct WallWork {
@@ -70,24 +74,27 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
   const double px = d.px, py = d.py, dt = wall.of_wall(kDt), lambda = wall.of_wall(kDamping);
   const auto total = [&](BlockId i, ColdRow row) { return wall.cold(i, row); };
 
-  // Equal force that balances the blocks together.
-  double reaction = 0, sum = 0, mobility = 0;
+  // Forces in their shares that balance the blocks together.
+  double reaction = 0, sum = 0, mobility = 0, squares = 0;
   for (int k = 0; k < d.n; ++k) {
     const BlockId i = d.driven[k];
     sum_forces(i, wall);
-    sum += total(i, kTotalX) * px + total(i, kTotalY) * py;
-    mobility += 1.0 / wall.cold(i, kMass);
+    const double r = d.share[k];
+    sum += r * (total(i, kTotalX) * px + total(i, kTotalY) * py);
+    squares += r * r;
+    mobility += r * r / wall.cold(i, kMass);
     reaction -= total(i, kContactX) * px + total(i, kContactY) * py;
   }
-  const double balance = d.spread ? -sum / static_cast<double>(d.n) : 0.0;
+  const double balance = d.spread ? -sum / squares : 0.0;
 
-  // Free motion under f_i + R0; what it misses of the mean velocity is made up by an equal force.
+  // Free motion under f_i + R0 r_i; what it misses of the mean velocity is made up in the same shares.
   double missed = 0;
   for (int k = 0; k < d.n; ++k) {
     const BlockId i = d.driven[k];
-    const double f = total(i, kTotalX) * px + total(i, kTotalY) * py + balance;
+    const double r = d.share[k];
+    const double f = total(i, kTotalX) * px + total(i, kTotalY) * py + r * balance;
     const double v = wall.block(i, kVx) * px + wall.block(i, kVy) * py;
-    missed += velocity - accelerate(v, f, dt / wall.cold(i, kMass), dt, lambda).velocity;
+    missed += r * (velocity - accelerate(v, f, dt / wall.cold(i, kMass), dt, lambda).velocity);
   }
   const double correction = missed / (mobility * dt);
 
@@ -100,10 +107,12 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 
     double vp = velocity, force = 0, damped = 0;
     if (d.spread) {
-      const Moved<double> along = accelerate(along_v, along_f + balance, dt / m, dt, lambda);
-      vp = along.velocity + dt / m * correction;
-      force = balance + correction;
-      damped = -lambda * magnitude(along_f + balance) * sign(along_v) * 0.5 * (along_v + vp);
+      const double r = d.share[k], left = along_f + r * balance;
+      const Moved<double> along = accelerate(along_v, left, dt / m, dt, lambda);
+      vp = along.velocity + dt / m * (r * correction);
+      force = r * (balance + correction);
+      damped = -lambda * magnitude(left) * sign(along_v) * 0.5 * (along_v + vp);
+      if (d.is_pattern) wall.cold(i, kUnbalanced) = magnitude(left) + magnitude(across_f);
     } else {
       force = m * (vp - along_v) / dt - along_f;
     }
@@ -137,12 +146,14 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
 
 [[nodiscard]] inline Drive drive_of(const Stage& push) {
   return {push.driven.data(),
+          push.driven_share.data(),
           static_cast<int>(push.driven.size()),
           push.drive_x,
           push.drive_y,
           push.spec.as != Manner::kEach,
           push.spec.across == Freedom::kFree,
-          push.spec.rotation == Freedom::kFree};
+          push.spec.rotation == Freedom::kFree,
+          push.spec.pattern != Pattern::kNone};
 }
 
 inline void advance_clock(State& state, const Controls& controls) {

@@ -10,7 +10,10 @@ namespace wythe::dynamics {
 WYTHE_INLINE double unbalance_of(const WallView& wall) {
   double unbalanced = 0, contact = 0;
   for (int i = 0; i < wall.blocks; ++i) {
-    if (!(wall.block(i, kIsFree) > 0)) continue;
+    if (!(wall.block(i, kIsFree) > 0)) {
+      unbalanced += wall.cold(i, kUnbalanced);
+      continue;
+    }
     const BlockForce<double> f = contact_force(wall.t, i, wall.lane);
     const double heavy = wall.block(i, kHeavyMass);
     const double x = f.x + (wall.block(i, kLoadX) + heavy * wall.of_wall(kGravityX));
@@ -78,6 +81,11 @@ struct Furthest {
   double distance = 0;
   BlockId block = 0;
 };
+
+// How far block i has moved along (px, py) [m].
+WYTHE_INLINE double moved_along(const WallView& wall, BlockId i, double px, double py) {
+  return wall.ux(i) * px + wall.uy(i) * py;
+}
 
 WYTHE_INLINE Furthest furthest_of(const WallView& wall) {
   double most = 0;

@@ -66,7 +66,17 @@ enum BlockRow {
   kBlockRows
 };
 // Rows of a block that only the drive and the meters read; forces and totals of driven blocks alone.
-enum ColdRow { kMass, kInertia, kContactX, kContactY, kTotalX, kTotalY, kTotalM, kColdRows };
+enum ColdRow {
+  kMass,
+  kInertia,
+  kContactX,
+  kContactY,
+  kTotalX,
+  kTotalY,
+  kTotalM,
+  kUnbalanced,  // of blocks driven in a pattern, 0 of others [N]
+  kColdRows
+};
 enum NodeRow {
   kNodeUx,
   kNodeUy,

@@ -61,7 +61,10 @@ WYTHE_INLINE void set_rates(const WallView& wall, double dt, double mass_scaling
 
 // Marks the blocks that the drive moves.
 inline void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks) {
-  for (int i = 0; i < wall.blocks; ++i) wall.block(i, kIsFree) = 1;
+  for (int i = 0; i < wall.blocks; ++i) {
+    wall.block(i, kIsFree) = 1;
+    wall.cold(i, kUnbalanced) = 0;
+  }
   for (const BlockId block : blocks) wall.block(block, kIsFree) = 0;
 }
 

@@ -204,8 +204,11 @@ class Push : public StageRun {
         recorder_(model_, stage, path_, wall.options.frames, wall.options.read_modes_at,
                   wall.record) {
     controls_.push = &stage;
-    if (state_.stage_time == 0)
+    if (state_.stage_time == 0) {
       state_.drive_displacement = state_.travelled = state_.turn_time = state_.pace = 0;
+      state_.control_start = state_.control_moved = state_.control_furthest = 0;
+      if (stage.control >= 0) state_.control_start = control_now();
+    }
     if (!target_left()) end({});
   }
 
@@ -216,11 +219,10 @@ class Push : public StageRun {
   }
 
   void look(double reaction) override {
-    state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
-    recorder_.take(*wall_.access, state_, controls_, reaction, state_.drive_displacement, 0,
-                   state_.travelled);
+    follow_control();
+    recorder_.take(*wall_.access, state_, controls_, reaction, displacement(), 0, state_.travelled);
     set_pace();
-    if (sense_ * (state_.drive_displacement - target()) >= 0) {
+    if (sense_ * (displacement() - target()) >= 0) {
       ++state_.target;
       state_.turn_time = state_.stage_time;
     }
@@ -228,10 +230,10 @@ class Push : public StageRun {
     if (recorder_.row_closed() && stage_.spec.stop_below > 0 && recorder_.fell_below())
       end({SolveStatus::kCollapsed,
            {"push.fell_below",
-            {{"share", stage_.spec.stop_below},
-             {"displacement_mm", 1e3 * state_.drive_displacement}}},
+            {{"share", stage_.spec.stop_below}, {"displacement_mm", 1e3 * displacement()}}},
            false});
     if (!ended() && !target_left()) end({});
+    if (stage_.control >= 0) end_where_control_stays_back();
   }
 
  private:
@@ -239,6 +241,39 @@ class Push : public StageRun {
     return static_cast<std::size_t>(state_.target) < targets_.size();
   }
   [[nodiscard]] double target() const { return targets_[static_cast<std::size_t>(state_.target)]; }
+  // Of the control point, or the driven mean: what the rows tell and the targets are of [m].
+  [[nodiscard]] double displacement() const {
+    return stage_.control >= 0 ? state_.control_moved : state_.drive_displacement;
+  }
+  [[nodiscard]] double control_now() const {
+    return wall_.access->moved(stage_.control, stage_.drive_x, stage_.drive_y);
+  }
+  // The path so far: of the driven mean in each step, or of the control point from one furthest point
+  // to the next, so that what it trembles does not count.
+  void follow_control() {
+    if (stage_.control < 0) {
+      state_.travelled += std::fabs(controls_.drive_velocity) * controls_.dt;
+      return;
+    }
+    state_.control_moved = control_now() - state_.control_start;
+    const double out = sense_ * state_.control_moved;
+    if (out <= state_.control_furthest) return;
+    state_.travelled += out - state_.control_furthest;
+    state_.control_furthest = out;
+  }
+  // A point that takes no part in how the wall fails would never get to its target.
+  void end_where_control_stays_back() {
+    constexpr double kBack = 0.25, kBeyond = 20;  // of the path
+    const double back = state_.control_furthest - sense_ * state_.control_moved;
+    const bool goes_back = back > kBack * path_;
+    if (!goes_back && std::fabs(state_.drive_displacement) < kBeyond * path_) return;
+    end({SolveStatus::kNotSettled,
+         {goes_back ? "push.control_goes_back" : "push.control_stays_behind",
+          {{"block", name_of(stage_.control)},
+           {"displacement_mm", 1e3 * state_.control_moved},
+           {"mean_mm", 1e3 * state_.drive_displacement}}},
+         false});
+  }
   [[nodiscard]] bool has_servo() const { return std::isfinite(stage_.spec.fast_velocity); }
   [[nodiscard]] double velocity() const {
     if (!has_servo()) return stage_.spec.velocity;
@@ -253,7 +288,7 @@ class Push : public StageRun {
     state_.pace += clip(wanted - state_.pace, -most, most);
   }
   // Where the push goes in this step: kept, for the step may pass the target.
-  double sense() { return sense_ = target() >= state_.drive_displacement ? 1.0 : -1.0; }
+  double sense() { return sense_ = target() >= displacement() ? 1.0 : -1.0; }
 
   void finish(StageEnd& how) override {
     if (how.finished) state_.target = 0;

@@ -66,6 +66,7 @@ class StageRun {
   void drive(const Stage& push);
   // Every few hundred steps: progress, instability, collapse.
   void watch(double share);
+  [[nodiscard]] std::string name_of(BlockId block) const;
 
   WallUnderWay& wall_;
   const Model& model_;
@@ -74,7 +75,6 @@ class StageRun {
   Controls& controls_;
 
  private:
-  [[nodiscard]] std::string name_of(BlockId block) const;
   [[nodiscard]] StageEnd runs_away() const;
   [[nodiscard]] bool is_overloaded() const;
   [[nodiscard]] std::optional<Message> crushed() const;

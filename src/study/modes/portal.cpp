@@ -71,6 +71,9 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
               cure);
     break;
   }
+  if (push.spec.pattern != Pattern::kNone)
+    add_fault(faults, stage + ".pattern", word_of(kPatternWords, push.spec.pattern),
+              "macro-blocks are pushed at one point", cure);
   const Stage* grows = limit::growing_stage(model);
   for (const Stage& s : model.stages)
     if (s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt)
@@ -90,9 +93,10 @@ void read_push(const Model& model, Portal& portal, FaultList& faults) {
               "direction = \"+x\"; the limit load of the blocks takes any");
     return;
   }
-  for (const BlockId b : push->driven) {
-    portal.load_point.x += model.centroid_x[static_cast<std::size_t>(b)];
-    portal.load_point.y += model.centroid_y[static_cast<std::size_t>(b)];
+  for (std::size_t k = 0; k < push->driven.size(); ++k) {
+    const auto b = static_cast<std::size_t>(push->driven[k]);
+    portal.load_point.x += push->driven_share[k] * model.centroid_x[b];
+    portal.load_point.y += push->driven_share[k] * model.centroid_y[b];
   }
   const auto n = static_cast<double>(push->driven.size());
   portal.load_point = {portal.load_point.x / n, portal.load_point.y / n};

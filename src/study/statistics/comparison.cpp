@@ -290,17 +290,29 @@ std::vector<Message> notes_of_option(const ComparedCampaign& base, const Compare
 }
 
 Message peak_in_words(const PairedResponse& peak) {
-  const std::vector<Argument> numbers = {{"percent", 100 * (peak.ratio.value - 1)},
-                                         {"low", 100 * (peak.ratio.interval.low - 1)},
-                                         {"high", 100 * (peak.ratio.interval.high - 1)},
-                                         {"larger", peak.larger},
-                                         {"smaller", peak.smaller},
-                                         {"pairs", peak.pairs}};
+  const auto change = [](double ratio) { return 100 * (ratio - 1); };
+  const double percent = change(peak.ratio.value);
+  const double low = change(peak.ratio.interval.low), high = change(peak.ratio.interval.high);
   if (peak.pairs == 0) return {"compare.peak_none"};
-  if (peak.equal == peak.pairs) return {"compare.peak_same", numbers};
-  if (std::isnan(peak.ratio.interval.low)) return {"compare.peak_few", numbers};
-  if (holds_one(peak.ratio.interval)) return {"compare.peak_unsure", numbers};
-  return {peak.ratio.value > 1 ? "compare.peak_larger" : "compare.peak_smaller", numbers};
+  if (peak.equal == peak.pairs) return {"compare.peak_same", {{"pairs", peak.pairs}}};
+  if (std::isnan(peak.ratio.interval.low))
+    return {"compare.peak_few", {{"percent", percent}, {"pairs", peak.pairs}}};
+  if (holds_one(peak.ratio.interval))
+    return {"compare.peak_unsure",
+            {{"percent", percent},
+             {"low", low},
+             {"high", high},
+             {"larger", peak.larger},
+             {"smaller", peak.smaller},
+             {"pairs", peak.pairs}}};
+  const bool more = peak.ratio.value > 1;
+  return {more ? "compare.peak_larger" : "compare.peak_smaller",
+          {{"percent", percent},
+           {"low", low},
+           {"high", high},
+           {"larger", peak.larger},
+           {"smaller", peak.smaller},
+           {"pairs", peak.pairs}}};
 }
 
 Message headline_of(const OptionComparison& found) {
