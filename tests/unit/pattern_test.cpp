@@ -148,6 +148,20 @@ TEST(Control, the_rows_tell_and_the_push_ends_where_the_control_block_is) {
   EXPECT_NE(state.drive_displacement, result.curve.back().displacement);
 }
 
+// The lower course slides through; the upper one, which is the control, springs back.
+TEST(Control, that_goes_back_ends_the_push_and_is_no_reversal) {
+  ModelSpec spec = pushed_at(Pattern::kUniform, {0.4, 0.8}, 1e-3);
+  spec.stage.back().control.x = 0;
+  spec.stage.back().control.y = 0.8;
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state);
+  EXPECT_EQ(result.status, SolveStatus::kNotSettled);
+  EXPECT_EQ(result.reason.code, "push.control_goes_back");
+  for (std::size_t k = 1; k < result.curve.size(); ++k)
+    EXPECT_GE(result.curve[k].displacement, result.curve[k - 1].displacement) << k;
+}
+
 // Two blocks side by side: the pushed one slides off, the control block stays.
 TEST(Control, that_stays_behind_ends_the_push_and_says_so) {
   const JointMaterial dry = scenes::dry_joint(1e9, 1e9, 0.5);

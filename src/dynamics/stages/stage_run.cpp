@@ -293,7 +293,9 @@ class Push : public StageRun {
   void finish(StageEnd& how) override {
     if (how.finished) state_.target = 0;
     controls_.push = nullptr;
-    recorder_.finish(*wall_.access, state_, controls_);
+    // on its way back a control block is no reversal of the push: no row there
+    const bool at_furthest = stage_.control < 0 || displacement() >= state_.control_furthest;
+    recorder_.finish(*wall_.access, state_, controls_, !at_furthest);
   }
 
   std::vector<double> targets_;
