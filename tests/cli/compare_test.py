@@ -235,6 +235,28 @@ class Options(unittest.TestCase):
         self.assertIn(f"| {found['base']:.1f} |", rows[1])
         self.assertIn("`stage.push.damping=0.05`", page.read_text())
 
+    def test_the_studies_left_open_run_and_have_pages(self):
+        for study in sorted((SOURCE / "studies").glob("*.toml")):
+            if "[study]" in study.read_text():
+                done = wythe("check", study)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertNotIn("will be refused", done.stdout)
+        quick = self.folder / "short"  # the same program with a short push
+        quick.write_text(f'#!/bin/sh\nexec "{pathlib.Path(WYTHE).resolve()}" "$@" --quiet --set "stage.push.until=0.5 mm"\n')
+        quick.chmod(0o755)
+        run = [sys.executable, str(SOURCE / "tools/open_studies")]
+        there = ["aspect", "--out", str(self.folder / "studies")]
+        (self.folder / "studies").mkdir()
+        done = subprocess.run(run + ["run", *there, "--binary", str(quick), "--samples", "2"], cwd=SOURCE, capture_output=True,
+                              text=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        pages = self.folder / "pages"
+        done = subprocess.run(run + ["page", *there, "--pages", str(pages)], cwd=SOURCE, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [line for line in (pages / "aspect.md").read_text().splitlines() if line.startswith("| ")]
+        self.assertEqual(len(rows), 2 + 1 + 4)  # head, base, options
+        self.assertIn("wide piers", rows[-1])
+
     # --- refused
 
     def test_an_option_may_not_set_what_the_samples_set(self):
