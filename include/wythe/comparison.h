@@ -44,9 +44,11 @@ struct PairedResponse {
   int pairs = 0;          // with a value on both sides
   int without_value = 0;  // answered on both sides, but one or both have no such number
   int bounds = 0;         // of `pairs`: one or both are lower bounds
+  int in_means = 0;  // of `pairs`: those that all means, ratios and gains are of; 0: there are none
   int larger = 0, smaller = 0, equal = 0, undecided = 0;  // of `pairs`, bounds taken as such
   // Where a displacement was not reached, means take every value up to here only: the smallest of the
-  // bounds, which no sample's own value can fall short of. NaN: nothing is cut.
+  // bounds, which no sample's own value can fall short of. NaN: nothing is cut. There is no mean where
+  // that would cut most pairs or leave no scatter.
   double up_to = kUnset;
   Estimate base, option, difference;  // means (Student); from five pairs on with intervals
   Interval difference_bootstrap;      // of the same mean, BCa: another view where tails are heavy
@@ -80,8 +82,9 @@ struct ChangedMode {
 struct ModeTable {
   std::vector<std::string> modes;
   std::vector<std::vector<int>> count;  // (base mode, option mode)
-  int pairs = 0;
-  Estimate share_changed;  // Wilson
+  int pairs = 0;                        // named on both sides: all numbers here are of these
+  int unclear = 0;                      // further pairs, unclear on one side or both
+  Estimate share_changed;               // Wilson
   std::vector<ChangedMode> changed;
   std::vector<ModeShift> shift;
   double p = kUnset;  // of equal shares: the smallest p_adjusted

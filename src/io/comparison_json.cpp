@@ -42,6 +42,7 @@ Json response_json(const PairedResponse& r, const Quantity& q) {
       {"unit", q.unit},          {"pairs", r.pairs},        {"without_value", r.without_value},
       {"with_bounds", r.bounds}, {"larger", r.larger},      {"smaller", r.smaller},
       {"equal", r.equal},        {"undecided", r.undecided}};
+  json["in_means"] = r.in_means;
   json["up_to"] = number(r.up_to * scale);
   add(json, "base", r.base, scale);
   add(json, "option", r.option, scale);

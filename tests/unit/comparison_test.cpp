@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "scenes/sample_campaign.h"
 #include "scenes/small_study.h"
@@ -215,6 +216,78 @@ TEST(Pairs, a_peak_still_rising_is_a_bound) {
   EXPECT_EQ(found.notes.at(0).code, "compare.rising");
 }
 
+TEST(Pairs, bounds_of_a_peak_are_no_numbers) {
+  // the same walls, pushed less far in the base: the option is not stronger by half
+  Campaign base = plain(6);
+  const Campaign option = campaign_of(6, [](int i) { return 150e3 + 1e3 * (i * 7 % 5); });
+  for (SampleRecord& record : base.records) record.responses.censored_peak = true;
+  const OptionComparison found = compared(base, option);
+  const PairedResponse& peak = peak_of(found);
+  EXPECT_EQ(peak.undecided, 6);
+  EXPECT_EQ(peak.in_means, 0);
+  for (const double number : {peak.ratio.value, peak.difference.value, peak.base.value,
+                              peak.cov_ratio.value, peak.worth, found.response[1].ratio.value})
+    EXPECT_TRUE(std::isnan(number));
+  EXPECT_TRUE(peak.gain.empty());
+  EXPECT_FALSE(has(text_of(found.headline), "%")) << text_of(found.headline);
+  EXPECT_TRUE(has(text_of(found.headline), "6 open")) << text_of(found.headline);
+}
+
+TEST(Pairs, means_beside_bounds_are_of_the_pairs_without_one) {
+  Campaign option = campaign_of(20, [](int i) { return 110e3 + 1e3 * (i * 7 % 5) + 10 * i; });
+  for (int i = 0; i < 4; ++i) {
+    option.records[i].responses.censored_peak = true;
+    option.records[i].responses.peak_reaction = 300e3;
+  }
+  const OptionComparison found = compared(plain(20), option);
+  const PairedResponse& peak = peak_of(found);
+  EXPECT_EQ(peak.larger, 20);  // a bound above the base's peak has a sure sign
+  EXPECT_EQ(peak.in_means, 16);
+  EXPECT_NEAR(peak.difference.value, 10e3 + 10 * 12.5, 1e-6);
+  ASSERT_EQ(peak.gain.size(), 1U);
+  EXPECT_EQ(peak.gain[0].n, 16);
+  EXPECT_NEAR(peak.gain[0].spearman.value, 1, 1e-12);  // each difference beside its own input
+  EXPECT_EQ(found.headline.code, "compare.headline");
+  EXPECT_FALSE(has(text_of(found.headline), "%")) << text_of(found.headline);
+  EXPECT_EQ(found.notes.at(1).code, "compare.means_beside_bounds");
+}
+
+TEST(Pairs, one_push_that_ended_early_does_not_make_a_gain_vanish) {
+  std::vector<std::pair<Reading, Reading>> sides;
+  for (int i = 0; i < 38; ++i) sides.push_back({{10 + 0.1 * i, false}, {11 + 0.11 * i, false}});
+  sides.push_back({{10, false}, {0.05, true}});
+  const PairedResponse r = study::paired_response(pairs_of(sides), true, 0);
+  EXPECT_EQ(r.larger, 38);
+  EXPECT_TRUE(std::isnan(r.difference.value));
+  EXPECT_TRUE(std::isnan(r.ratio.value));
+  EXPECT_EQ(r.in_means, 0);
+  EXPECT_GT(r.median_interval.low, 1);
+  EXPECT_LT(r.median_interval.high, 1.4);
+}
+
+TEST(Pairs, signs_that_bounds_leave_open_are_not_a_few_samples) {
+  // seven larger, none smaller: a few samples do not make the difference, bounds hide the rest
+  Campaign base = plain(16), option = plain(16);
+  for (SampleRecord& record : option.records) record.responses.peak_reaction *= 1.1;
+  for (int i = 7; i < 16; ++i) base.records[i].responses.censored_peak = true;
+  std::set<std::string> codes;
+  for (const Message& note : compared(base, option).notes) codes.insert(note.code);
+  EXPECT_FALSE(codes.contains("compare.few_decide"));
+  EXPECT_TRUE(codes.contains("compare.signs_open"));
+  // five alike are too few for any sign test, not a contradiction
+  EXPECT_TRUE(compared(plain(5), campaign_of(5, [](int i) { return 120e3 + 1e3 * (i * 7 % 5); }))
+                  .notes.empty());
+}
+
+TEST(Pairs, a_change_within_rounding_is_none) {
+  Campaign option = plain(20);
+  for (int i = 0; i < 20; ++i) option.records[i].responses.peak_reaction *= 1 + 1e-9 * (1 + i % 3);
+  const OptionComparison found = compared(plain(20), option);
+  EXPECT_EQ(peak_of(found).equal, 20);
+  EXPECT_EQ(peak_of(found).larger, 0);
+  EXPECT_TRUE(has(text_of(found.headline), "is the same in all 20 pairs"));
+}
+
 // --- lost pairs ----------------------------------------------------------------------------------
 
 TEST(Pairs, a_lost_pair_is_counted_listed_and_said) {
@@ -335,6 +408,25 @@ TEST(Pairs, samples_of_another_seed_are_refused_with_the_first_difference) {
   const std::string why = refusal(sample_campaign(20, 1), sample_campaign(20, 2));
   EXPECT_TRUE(has(why, "sample 1 has fc = ")) << why;
   EXPECT_TRUE(has(why, "[[variant]]")) << why;
+}
+
+TEST(Pairs, fields_of_another_seed_are_other_walls) {
+  Campaign base = plain(6), other = plain(6);
+  base.study.seed = 1, other.study.seed = 2;
+  EXPECT_EQ(refusal(base, other), "");  // equal inputs, whatever seed drew them
+  StudyField field;
+  field.name = "ft";
+  other.study.field = {field};
+  EXPECT_TRUE(
+      has(refusal(base, other), "random fields are drawn from seed = 1 in the base, 2 here"));
+  std::swap(base.study.field, other.study.field);
+  EXPECT_TRUE(has(refusal(base, other), "[[variant]]"));
+  other.study.field = base.study.field;
+  other.study.seed = 1;
+  EXPECT_EQ(refusal(base, other), "");
+  base.study.field[0].follows = other.study.field[0].follows = true;  // nothing is drawn
+  other.study.seed = 2;
+  EXPECT_EQ(refusal(base, other), "");
 }
 
 TEST(Pairs, inputs_must_be_the_same_ones) {

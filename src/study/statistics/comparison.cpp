@@ -20,7 +20,8 @@ namespace {
 
 using study::Column;
 
-constexpr double kManyLost = 0.1;  // share of lost pairs that is said before any number
+constexpr double kManyLost = 0.1;   // share of lost pairs that is said before any number
+constexpr int kFewestForSigns = 6;  // pairs of which all of one sign are sure
 
 // --- equal samples -------------------------------------------------------------------------------
 
@@ -58,6 +59,18 @@ std::string with_unit(const InputColumn& column, double value) {
                                                    : fmt::format("{:.10g} {}", shown, column.unit);
 }
 
+bool draws_fields(const StudySpec& study) {
+  return std::any_of(study.field.begin(), study.field.end(),
+                     [](const StudyField& field) { return !field.follows; });
+}
+
+// Fields are drawn from the study's seed and not kept as inputs.
+std::string other_fields(const StudySpec& base, const StudySpec& other) {
+  if (base.seed == other.seed || (!draws_fields(base) && !draws_fields(other))) return "";
+  return fmt::format("random fields are drawn from seed = {} in the base, {} here", base.seed,
+                     other.seed);
+}
+
 void refuse_others(const std::vector<ComparedCampaign>& stores) {
   namespace fs = std::filesystem;
   std::vector<Fault> faults;
@@ -75,7 +88,8 @@ void refuse_others(const std::vector<ComparedCampaign>& stores) {
         add(stores[i].folder, "is the same folder as " + stores[j].folder,
             "name each campaign once, the base first");
     }
-    const std::string why = other_inputs(stores[0].campaign.samples, stores[i].campaign.samples);
+    std::string why = other_inputs(stores[0].campaign.samples, stores[i].campaign.samples);
+    if (why.empty()) why = other_fields(stores[0].campaign.study, stores[i].campaign.study);
     if (!why.empty())
       add(stores[i].folder,
           fmt::format("its samples are not those of {}: {}", stores[0].folder, why),
@@ -200,6 +214,7 @@ PairedResponse response_of(const PairedComparison& all, const Pairs& pairs,
   std::vector<Column> input(all.input.size());
   for (const PairValue& pair : out.pair) {
     if (slow.contains(pair.sample)) trusted.push_back(pair);
+    if (!study::enters_means(out, pair)) continue;
     for (std::size_t k = 0; k < input.size(); ++k)
       input[k].push_back(all.value[static_cast<std::size_t>(pair.sample - 1)][k]);
   }
@@ -250,6 +265,26 @@ int without_peak(const OptionComparison& found) {
   return static_cast<int>(found.lost.size()) + found.response.front().without_value;
 }
 
+// Where the signs say other than the mean. Beside bounds both are of other pairs.
+void note_signs(const PairedResponse& peak, std::vector<Message>& notes) {
+  if (peak.bounds > 0) {
+    if (peak.in_means > 0)
+      notes.push_back({"compare.means_beside_bounds",
+                       {{"pairs", peak.in_means}, {"all", peak.pairs}, {"bounds", peak.bounds}}});
+    else
+      notes.push_back({"compare.no_means", {{"bounds", peak.bounds}, {"all", peak.pairs}}});
+    if (peak.undecided > 0)
+      notes.push_back({"compare.signs_open", {{"open", peak.undecided}, {"all", peak.pairs}}});
+    return;
+  }
+  if (peak.pairs < kFewestForSigns || std::isnan(peak.ratio.interval.low)) return;
+  const bool sure = !holds_one(peak.ratio.interval);
+  if (sure && peak.sign_test_p > 0.05 && peak.larger > 0 && peak.smaller > 0)
+    notes.push_back({"compare.few_decide", {{"larger", peak.larger}, {"smaller", peak.smaller}}});
+  if (!sure && peak.sign_test_p <= 0.05)
+    notes.push_back({"compare.most_differ", {{"larger", peak.larger}, {"smaller", peak.smaller}}});
+}
+
 std::vector<Message> notes_of_option(const ComparedCampaign& base, const ComparedCampaign& option,
                                      const OptionComparison& found) {
   std::vector<Message> notes;
@@ -266,11 +301,7 @@ std::vector<Message> notes_of_option(const ComparedCampaign& base, const Compare
   if (found.rising_base + found.rising_option > 0)
     notes.push_back(
         {"compare.rising", {{"base", found.rising_base}, {"option", found.rising_option}}});
-  const PairedResponse& peak = found.response.front();
-  if (!holds_one(peak.ratio.interval) && peak.sign_test_p > 0.05)
-    notes.push_back({"compare.few_decide", {{"larger", peak.larger}, {"smaller", peak.smaller}}});
-  if (holds_one(peak.ratio.interval) && peak.sign_test_p <= 0.05)
-    notes.push_back({"compare.most_differ", {{"larger", peak.larger}, {"smaller", peak.smaller}}});
+  note_signs(found.response.front(), notes);
   if (found.pairs > 0 && found.same_bits == found.pairs) notes.push_back({"compare.same_bits"});
   const Campaign &a = base.campaign, &b = option.campaign;
   const auto read_at = [](const Campaign& c) {
@@ -294,6 +325,13 @@ Message peak_in_words(const PairedResponse& peak) {
   const double percent = change(peak.ratio.value);
   const double low = change(peak.ratio.interval.low), high = change(peak.ratio.interval.high);
   if (peak.pairs == 0) return {"compare.peak_none"};
+  if (peak.bounds > 0)
+    return {"compare.peak_bounds",
+            {{"larger", peak.larger},
+             {"smaller", peak.smaller},
+             {"equal", peak.equal},
+             {"open", peak.undecided},
+             {"pairs", peak.pairs}}};
   if (peak.equal == peak.pairs) return {"compare.peak_same", {{"pairs", peak.pairs}}};
   if (std::isnan(peak.ratio.interval.low))
     return {"compare.peak_few", {{"percent", percent}, {"pairs", peak.pairs}}};

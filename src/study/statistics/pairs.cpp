@@ -14,6 +14,10 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLevel = 0.05;
 constexpr int kFewestForGain = 10;  // pairs to correlate with an input
+constexpr int kFewestBesideBounds =
+    5;                              // pairs without a bound that a mean may be of, beside others
+constexpr double kCut = 1.01;       // a value this many times the end of the means is cut by it
+constexpr double kRounding = 1e-6;  // a smaller relative difference is none
 
 struct Sides {
   Column base, option, difference;
@@ -22,6 +26,7 @@ struct Sides {
 Sides sides_of(const PairedResponse& r) {
   Sides sides;
   for (const PairValue& pair : r.pair) {
+    if (!enters_means(r, pair)) continue;
     double base = pair.base.value, option = pair.option.value;
     if (!std::isnan(r.up_to)) base = std::min(base, r.up_to), option = std::min(option, r.up_to);
     sides.base.push_back(base);
@@ -56,12 +61,14 @@ double cov_of(const Column& values, const Counts& count) {
 void count_signs(PairedResponse& r) {
   for (const PairValue& pair : r.pair) {
     const Interval d = difference_bounds(pair);
+    const double same =
+        kRounding * std::max(std::fabs(pair.base.value), std::fabs(pair.option.value));
     r.bounds += pair.base.censored || pair.option.censored ? 1 : 0;
-    if (d.low > 0)
+    if (d.low > same)
       ++r.larger;
-    else if (d.high < 0)
+    else if (d.high < -same)
       ++r.smaller;
-    else if (d.low == 0 && d.high == 0)
+    else if (d.low >= -same && d.high <= same)
       ++r.equal;
     else
       ++r.undecided;
@@ -75,13 +82,28 @@ void cut_at_first_bound(PairedResponse& r) {
       if (side->censored && !(r.up_to <= side->value)) r.up_to = side->value;
 }
 
+// Whether a mean of these would say anything. Beside bounds, at least half of the pairs must be free of
+// them. A cut must leave most pairs as they are, and some scatter: else the mean is that of the cut.
+bool has_means(const PairedResponse& r, const Sides& sides) {
+  const int n = static_cast<int>(sides.difference.size());
+  if (std::isnan(r.up_to))
+    return n > 0 && (r.bounds == 0 || (n >= kFewestBesideBounds && 2 * n >= r.pairs));
+  int cut = 0, known = 0;
+  for (const PairValue& pair : r.pair) {
+    cut += std::max(pair.base.value, pair.option.value) > kCut * r.up_to ? 1 : 0;
+    known += pair.base.censored && pair.option.censored ? 0 : 1;
+  }
+  const bool scatters = moments_of(sides.difference).standard_deviation() > 0;
+  return known > 0 && 2 * cut <= r.pairs && (cut == 0 || scatters);
+}
+
 void take_means(PairedResponse& r, const Sides& sides) {
   r.base = moments_of(sides.base).student();
   r.option = moments_of(sides.option).student();
   const Moments difference = moments_of(sides.difference);
   r.difference = difference.student();
   r.standard_deviation = difference.standard_deviation();
-  const int n = r.pairs;
+  const int n = r.in_means;
   r.difference_bootstrap = bca_bootstrap(n, [&](const Counts& count) {
                              return mean_of(sides.difference, count);
                            }).interval;
@@ -98,7 +120,7 @@ void take_means(PairedResponse& r, const Sides& sides) {
 }
 
 void take_scatter(PairedResponse& r, const Sides& sides) {
-  const int n = r.pairs;
+  const int n = r.in_means;
   const auto of_base = [&](const Counts& count) { return cov_of(sides.base, count); };
   const auto of_option = [&](const Counts& count) { return cov_of(sides.option, count); };
   if (std::isnan(r.up_to)) {  // values that are cut have no scatter of their own
@@ -215,15 +237,16 @@ PairedResponse paired_response(std::vector<PairValue> pairs, bool cut, int lost)
   if (cut) cut_at_first_bound(r);
   take_median(r);
   take_shares(r, lost);
-  const bool only_bounds =
-      cut && std::all_of(r.pair.begin(), r.pair.end(), [](const PairValue& pair) {
-        return pair.base.censored && pair.option.censored;
-      });
-  if (r.pairs == 0 || only_bounds) return r;
   const Sides sides = sides_of(r);
+  if (!has_means(r, sides)) return r;
+  r.in_means = static_cast<int>(sides.difference.size());
   take_means(r, sides);
   take_scatter(r, sides);
   return r;
+}
+
+bool enters_means(const PairedResponse& response, const PairValue& pair) {
+  return !std::isnan(response.up_to) || !(pair.base.censored || pair.option.censored);
 }
 
 Column differences(const PairedResponse& response) { return sides_of(response).difference; }

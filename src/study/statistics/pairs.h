@@ -17,9 +17,11 @@ namespace wythe::study {
 
 // A pair's difference lies between these.
 [[nodiscard]] Interval difference_bounds(const PairValue& pair);
-// All numbers of a response but its gains; `cut`: means go up to the smallest bound, else values count
-// as recorded. `lost` pairs enter share_larger_with_lost.
+// All numbers of a response but its gains; `cut`: means go up to the smallest bound, else they are of the
+// pairs without a bound. `lost` pairs enter share_larger_with_lost.
 [[nodiscard]] PairedResponse paired_response(std::vector<PairValue> pairs, bool cut, int lost);
+// Whether a pair is one of those that means are of, where there are means.
+[[nodiscard]] bool enters_means(const PairedResponse& response, const PairValue& pair);
 // Differences as they enter the mean.
 [[nodiscard]] Column differences(const PairedResponse& response);
 
