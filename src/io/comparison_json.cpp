@@ -87,7 +87,10 @@ Json modes_json(const ModeTable& table) {
     json["p"] = number(shift.p);
     json["p_adjusted"] = number(shift.p_adjusted);
   }
-  Json json = {{"modes", table.modes}, {"count", table.count}, {"pairs", table.pairs}};
+  Json json = {{"modes", table.modes},
+               {"count", table.count},
+               {"pairs", table.pairs},
+               {"unclear", table.unclear}};
   add(json, "share_changed", table.share_changed);
   json["changed"] = changed;
   json["shift"] = shifts;

@@ -322,8 +322,17 @@ TEST(Pairs, walls_without_a_peak_are_lost_to_the_headline) {
   for (int i = 0; i < 16; ++i) option.records[i].responses.peak_reaction = kUnset;
   const OptionComparison found = compared(plain(20), option);
   EXPECT_EQ(peak_of(found).without_value, 16);
-  EXPECT_TRUE(text_of(found.headline).starts_with("tie: 16 of 20 pairs are lost"))
+  EXPECT_TRUE(text_of(found.headline).starts_with("tie: 16 of 20 pairs are lost or have no peak"))
       << text_of(found.headline);
+}
+
+TEST(Pairs, without_a_peak_on_both_sides_nothing_is_lost_but_peaks) {
+  Campaign option = plain(6);
+  for (SampleRecord& record : option.records) record.responses.peak_reaction = kUnset;
+  const OptionComparison found = compared(plain(6), option);
+  EXPECT_TRUE(found.lost.empty());
+  EXPECT_EQ(found.headline.code, "compare.headline_no_peak");
+  EXPECT_FALSE(has(text_of(found.headline), "lost")) << text_of(found.headline);
 }
 
 TEST(Pairs, a_mean_made_by_a_few_samples_is_told) {
@@ -376,6 +385,29 @@ TEST(Pairs, changed_modes_are_tested_mode_by_mode) {
   const ModeTable both = compared(base, swapped).modes;
   EXPECT_EQ(both.changed.size(), 8U);
   EXPECT_EQ(both.p, 1);
+}
+
+TEST(Pairs, a_mode_that_is_unclear_is_no_other_mode) {
+  Campaign base = plain(20), option = plain(20);
+  for (SampleRecord& record : option.records) record.failure_mode.name = "unclear";
+  const OptionComparison none = compared(base, option);
+  EXPECT_EQ(none.modes.pairs, 0);
+  EXPECT_EQ(none.modes.unclear, 20);
+  EXPECT_TRUE(none.modes.changed.empty());
+  EXPECT_TRUE(std::isnan(none.modes.share_changed.value));
+  EXPECT_TRUE(has(text_of(none.headline), "no pair has a failure mode named on both sides"));
+  for (SampleRecord& record : base.records) record.failure_mode.name = "unclear";
+  EXPECT_FALSE(has(text_of(compared(base, option).headline), "changes in none"));
+  // some: the others are counted, the unclear ones told apart
+  base = plain(20), option = plain(20);
+  for (int i = 0; i < 8; ++i) option.records[i].failure_mode.name = i < 3 ? "FM-4" : "unclear";
+  const OptionComparison some = compared(base, option);
+  EXPECT_EQ(some.modes.pairs, 15);
+  EXPECT_EQ(some.modes.modes, (std::vector<std::string>{"FM-1", "FM-4"}));
+  EXPECT_EQ(some.modes.changed.size(), 3U);
+  EXPECT_DOUBLE_EQ(some.modes.share_changed.value, 0.2);
+  EXPECT_TRUE(has(text_of(some.headline), "changes in 3, 5 whose mode is unclear"))
+      << text_of(some.headline);
 }
 
 TEST(Pairs, who_gains_is_found_against_each_input) {

@@ -260,11 +260,6 @@ ModeTable modes_of(const Pairs& pairs, const Campaign& base, const Campaign& opt
 // Also where there is no interval: then nothing is shown.
 bool holds_one(const Interval& interval) { return !(interval.low > 1 || interval.high < 1); }
 
-// Of the peak force: pairs that do not answer for it.
-int without_peak(const OptionComparison& found) {
-  return static_cast<int>(found.lost.size()) + found.response.front().without_value;
-}
-
 // Where the signs say other than the mean. Beside bounds both are of other pairs.
 void note_signs(const PairedResponse& peak, std::vector<Message>& notes) {
   if (peak.bounds > 0) {
@@ -353,21 +348,40 @@ Message peak_in_words(const PairedResponse& peak) {
            {"pairs", peak.pairs}}};
 }
 
+// Which of the pairs fail in another way, as far as both sides have a name.
+std::vector<Message> modes_in_words(const ModeTable& modes) {
+  if (modes.pairs == 0) return {{"compare.modes_unclear"}};
+  std::vector<Message> parts;
+  if (modes.changed.empty())
+    parts.push_back({"compare.modes_same"});
+  else
+    parts.push_back({"compare.modes_change", {{"changed", modes.changed.size()}}});
+  if (modes.unclear > 0) parts.push_back({"compare.pairs_unclear", {{"pairs", modes.unclear}}});
+  return parts;
+}
+
 Message headline_of(const OptionComparison& found) {
   if (found.pairs == 0)
     return {"compare.headline_none", {{"option", found.name}, {"lost", found.lost.size()}}};
-  std::vector<Message> parts = {peak_in_words(found.response.front())};
-  parts.push_back(found.modes.changed.empty()
-                      ? Message{"compare.modes_same"}
-                      : Message{"compare.modes_change", {{"changed", found.modes.changed.size()}}});
-  const int lost = without_peak(found);
-  const int all = found.pairs + static_cast<int>(found.lost.size());
-  const int bounds = found.response.front().bounds;
-  if (bounds > 0) parts.push_back({"compare.pairs_bounds", {{"pairs", bounds}}});
+  const PairedResponse& peak = found.response.front();
+  const int lost = static_cast<int>(found.lost.size()), all = found.pairs + lost;
+  std::vector<Message> parts = {peak_in_words(peak)};
+  for (const Message& part : modes_in_words(found.modes)) parts.push_back(part);
+  if (peak.bounds > 0) parts.push_back({"compare.pairs_bounds", {{"pairs", peak.bounds}}});
   if (found.too_fast > 0) parts.push_back({"compare.pairs_too_fast", {{"pairs", found.too_fast}}});
   if (lost > 0) parts.push_back({"compare.pairs_lost", {{"lost", lost}}});
-  return {lost > kManyLost * all ? "compare.headline_doubtful" : "compare.headline",
-          {{"option", found.name}, {"parts", parts}, {"lost", lost}, {"all", all}}};
+  if (peak.pairs == 0)
+    return {"compare.headline_no_peak", {{"option", found.name}, {"parts", parts}}};
+  if (peak.without_value > 0)
+    parts.push_back({"compare.pairs_no_peak", {{"pairs", peak.without_value}}});
+  const int silent = lost + peak.without_value;
+  if (silent <= kManyLost * all)
+    return {"compare.headline", {{"option", found.name}, {"parts", parts}}};
+  if (peak.without_value == 0)
+    return {"compare.headline_doubtful",
+            {{"option", found.name}, {"parts", parts}, {"lost", lost}, {"all", all}}};
+  return {"compare.headline_silent",
+          {{"option", found.name}, {"parts", parts}, {"silent", silent}, {"all", all}}};
 }
 
 OptionComparison compare_one(const PairedComparison& all, const ComparedCampaign& base,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -281,15 +282,21 @@ std::vector<GainAgainstInput> gains(const std::vector<Column>& input,
   return out;
 }
 
-ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<std::string>& order) {
+ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<std::string>& all) {
   ModeTable table;
-  table.modes = order;
-  table.pairs = static_cast<int>(pairs.size());
+  const auto is_named = [](const std::string& mode) { return !mode.empty() && mode != "unclear"; };
+  std::copy_if(all.begin(), all.end(), std::back_inserter(table.modes), is_named);
+  const std::vector<std::string>& order = table.modes;
   table.count.assign(order.size(), std::vector<int>(order.size(), 0));
   const auto place = [&](const std::string& mode) {
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), mode) - order.begin());
   };
   for (const ChangedMode& pair : pairs) {
+    if (!is_named(pair.base) || !is_named(pair.option)) {
+      ++table.unclear;
+      continue;
+    }
+    ++table.pairs;
     ++table.count[place(pair.base)][place(pair.option)];
     if (pair.base != pair.option) table.changed.push_back(pair);
   }
