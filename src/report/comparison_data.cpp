@@ -34,6 +34,10 @@ Card card_of(const Json& option, const Texts& texts) {
   const Json& peak = option.at("response").at("peak_reaction_kN");
   const std::string name = escaped(option.at("name").get<std::string>());
   const Json& interval = peak.at("ratio_interval");
+  if (peak.at("with_bounds") > 0)  // a change of the other pairs alone would pass for that of all
+    return {texts.say("card.not_known"), texts.say("card.peak_change", {{"option", name}}),
+            texts.say("card.bounds", {{"n", peak.at("with_bounds").dump()},
+                                      {"of", peak.at("pairs").dump()}})};
   std::string means = texts.say("card.no_interval");
   if (option.at("pairs") == 0)
     means = texts.say("card.no_pairs");

@@ -63,9 +63,12 @@ class Comparison {
   get base(): string {
     return this.header.comparison.base.name;
   }
-  // Quantities of which an option knows a difference.
+  // Quantities of which an option knows a mean difference, or the sign of some.
   known(option: Option): Quantity[] {
-    return this.quantities.filter((q) => option.response[q.key].difference !== null);
+    return this.quantities.filter((q) => {
+      const r = option.response[q.key];
+      return r.difference !== null || r.larger + r.smaller + r.equal > 0;
+    });
   }
 }
 
@@ -163,13 +166,22 @@ function share(r: any): string {
   return `${r.larger} / ${r.pairs} (${num(100 * (low ?? 0), 2)} … ${num(100 * (high ?? 1), 2)}\u202f%)`;
 }
 
+// What means beside bounds are of.
+function boundsWords(r: any, q: Quantity): string {
+  if (r.in_means === 0) return say("compare.no_mean", { n: r.with_bounds });
+  return r.up_to === null
+    ? say("compare.in_means", { of: r.in_means, n: r.with_bounds })
+    : say("compare.up_to", { at: qty(r.up_to, q.unit), n: r.with_bounds });
+}
+
 function differences(c: Comparison, option: Option): Child {
-  const open = c.quantities.filter((q) => option.response[q.key].difference === null);
-  const rows = c.known(option).map((q) => {
+  const known = c.known(option);
+  const open = c.quantities.filter((q) => !known.includes(q));
+  const rows = known.map((q) => {
       const r = option.response[q.key];
       const what = [
         quantityWords(q),
-        r.up_to === null ? null : h("span", { class: "pm" }, say("compare.up_to", { at: qty(r.up_to, q.unit), n: r.with_bounds })),
+        r.with_bounds === 0 ? null : h("span", { class: "pm" }, boundsWords(r, q)),
         r.without_value > 0 ? h("span", { class: "pm" }, say("compare.without", { n: r.without_value })) : null,
       ];
       return [
@@ -177,8 +189,9 @@ function differences(c: Comparison, option: Option): Child {
         qty(r.base, q.unit),
         qty(r.option, q.unit),
         [
-          signed(r.difference, q.unit),
-          h("span", { class: "pm" }, between(r.difference_interval, q.unit)),
+          ...(r.difference === null
+            ? ["–", h("span", { class: "pm" }, say("compare.median", { range: between(r.median_difference_interval, q.unit) }))]
+            : [signed(r.difference, q.unit), h("span", { class: "pm" }, between(r.difference_interval, q.unit))]),
           r.slow_enough < r.pairs && r.difference_slow_enough !== null
             ? h("span", { class: "pm" }, say("compare.slow_only", { n: r.slow_enough, d: signed(r.difference_slow_enough, q.unit) }))
             : null,
@@ -254,8 +267,13 @@ class Pairs {
       sheet: () => {
         const p = this.option.response[this.quantity.key].pair;
         return {
-          head: ["sample", this.c.base, this.option.name],
-          rows: p.sample.map((s: number, i: number) => [s, p.base.value[i], p.option.value[i]]),
+          head: ["sample", this.c.base, this.option.name, `${this.c.base}_censored`, `${this.option.name}_censored`],
+          rows: p.sample.map((s: number, i: number) => [
+            s,
+            p.base.value[i],
+            p.option.value[i],
+            ...[p.base, p.option].map((side: Side) => (side.lower_bounds.includes(s) ? 1 : 0)),
+          ]),
         };
       },
     });
@@ -334,13 +352,17 @@ function pickers(c: Comparison, chosen: (o: Option, q: Quantity) => void): HTMLE
 
 function modes(option: Option): Child {
   const m = option.modes;
-  if (m.modes.length === 0) return null;
+  const unclear = m.unclear > 0 ? h("p", { class: "soft small" }, `${option.name}: ${say("compare.unclear", { n: m.unclear })}`) : null;
+  if (m.pairs === 0) return unclear;
   if (m.changed.length === 0)
-    return h(
-      "p",
-      {},
-      `${option.name}: ${say("compare.modes_caption", { n: 0, of: m.pairs })} (${m.modes.map((mode: string) => phrase(mode)).join(", ")}).`,
-    );
+    return [
+      h(
+        "p",
+        {},
+        `${option.name}: ${say("compare.modes_caption", { n: 0, of: m.pairs })} (${m.modes.map((mode: string) => phrase(mode)).join(", ")}).`,
+      ),
+      unclear,
+    ];
   const name = (mode: string): string => phrase(mode);
   const shift = m.shift as any[];
   return h(
@@ -379,6 +401,7 @@ function modes(option: Option): Child {
       ]),
       say("compare.shift_caption"),
     ),
+    unclear,
     m.changed.length > 0
       ? h(
           "p",
