@@ -104,6 +104,26 @@ Fault placed(Fault fault, const Places& places) {
   throw InputError(std::move(faults));
 }
 
+// A setting of a key that the formula of a field sets anew at each place would change nothing. Where the
+// settings give the formula too they are those of a sample, whose value stands there as its mean.
+void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
+  FaultList faults;
+  for (const auto& [name, field] : spec.field) {
+    const std::string formula = "field." + name + ".formula";
+    const auto is_given = [&](const Override& set) { return set.path == formula; };
+    if (field.formula.empty() ||
+        std::any_of(context.overrides.begin(), context.overrides.end(), is_given))
+      continue;
+    for (const Override& set : context.overrides)
+      if (angle_path(set.path) == field.path)
+        faults.add(
+            {"", set.path, "", fmt::format("has no effect, it is set by field.{}.formula", name),
+             fmt::format("leave it out, or change {0} instead, e.g. --set {0}=\"...\"", formula),
+             0});
+  }
+  faults.throw_if_any();
+}
+
 }  // namespace
 }  // namespace io
 
@@ -119,6 +139,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   if (!spec.wall.blocks.empty()) io::read_blocks(context, root, spec, blocks);
   io::throw_faults(context);
   try {
+    io::refuse_idle(spec, context);
     draw_fields(spec);
   } catch (const InputError& error) {
     io::throw_placed(error, spec, root, context);

@@ -47,32 +47,6 @@ std::string si_unit_of(const std::string& unit) {
   return angle ? "rad" : dimension.unit();
 }
 
-// Named tables in the order of the file; TOML keeps them by name.
-std::vector<std::pair<std::string, const toml::table*>> in_file_order(ReadContext& context,
-                                                                      const toml::node* node,
-                                                                      const std::string& part) {
-  std::vector<std::pair<std::string, const toml::table*>> out;
-  if (!node) return out;
-  const toml::table* tables = node->as_table();
-  if (!tables) {
-    context.fault(part, line_of(*node), shown(*node), "must be named tables",
-                  fmt::format("write each under [{}.<name>]", part));
-    return out;
-  }
-  for (const auto& [name, inner] : *tables) {
-    const std::string label(name.str());
-    if (const toml::table* table = inner.as_table())
-      out.emplace_back(label, table);
-    else
-      context.fault(under(part, label), line_of(inner), shown(inner), "must be a table",
-                    fmt::format("write it under [{}.{}]", part, label));
-  }
-  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
-    return line_of(*a.second) < line_of(*b.second);
-  });
-  return out;
-}
-
 class StudyReader {
  public:
   StudyReader(ReadContext& context, const toml::table& root, std::vector<std::string> settings)
@@ -234,14 +208,26 @@ class StudyReader {
       if (value.how.starts_with("given as ")) tangents_.insert(path);
   }
 
+  // The field whose formula sets this key anew at each place; none: null.
+  [[nodiscard]] const StudyField* formula_of(const std::string& path) const {
+    const auto found = std::find_if(
+        study_.field.begin(), study_.field.end(),
+        [&](const StudyField& field) { return field.follows && field.path == angle_path(path); });
+    return found == study_.field.end() ? nullptr : &*found;
+  }
+
   // Why a variable on this key would change nothing or contradict the model, and the cure; "" where it acts.
   [[nodiscard]] std::pair<std::string, std::string> idle(const std::string& path) const {
+    if (const StudyField* field = formula_of(path))
+      return {fmt::format("has no effect, it is set by field.{}.formula", field->name),
+              fmt::format("leave it out, vary what the formula names, or leave field.{} out",
+                          field->name)};
     if (path.starts_with("masonry.") && !asked_.contains(path.substr(8)))
       return {"no rule of the base model asks for it",
               "let a material ask for a rule that does, e.g. tensile_strength = \"rule\""};
     const std::string name = path.substr(path.rfind('.') + 1);
     if (!path.starts_with("material.") || !name.ends_with("friction_tan")) return {};
-    const std::string angle = path.substr(0, path.size() - 3) + "angle";
+    const std::string angle = angle_path(path);
     if (tangents_.contains(angle)) return {};
     return {fmt::format("the base model gives no {}", name),
             fmt::format("write {} there in the place of the angle, or vary {}", name, angle)};
@@ -407,21 +393,32 @@ class StudyReader {
     reader.refuse_unknown();
   }
 
-  // A setting of a key that an input sets too would change nothing.
+  // A setting of a key that an input, a formula or the sample's number sets too would change nothing.
   void check_settings() {
+    const auto refuse = [&](const std::string& path, const std::string& setter,
+                            const std::string& cure) {
+      model_faults_.push_back(
+          placed({.file = "--set",
+                  .path = path,
+                  .value = "",
+                  .problem = fmt::format("has no effect, it is set by {}", setter),
+                  .cure = cure}));
+    };
     for (const std::string& text : study_.settings) {
       const std::string path(trimmed(text.substr(0, text.find('='))));
+      for (const StudyField& field : study_.field)
+        if (!field.follows && path == "field." + field.name + ".seed")
+          refuse(path, "study.seed and the number of each sample",
+                 "leave it out, or change study.seed");
       const ModelKey* key = find_key(keys_, path);
+      if (const StudyField* field = key == nullptr ? nullptr : formula_of(key->path))
+        refuse(path, "field." + field->name + ".formula", "leave it out, or change the formula");
       for (const auto& [place, sets] : path_) {
         if (key == nullptr || sets != key->path) continue;
-        model_faults_.push_back(placed(
-            {.file = "--set",
-             .path = path,
-             .value = "",
-             .problem = fmt::format("has no effect, it is set by {}", place),
-             .cure = fmt::format("leave it out, or change {} instead, e.g. --set {}", place,
-                                 place.starts_with("variable") ? place + ".mean=..."
-                                                               : place + ".formula=\"...\"")}));
+        refuse(path, place,
+               fmt::format("leave it out, or change {} instead, e.g. --set {}", place,
+                           place.starts_with("variable") ? place + ".mean=..."
+                                                         : place + ".formula=\"...\""));
       }
     }
   }

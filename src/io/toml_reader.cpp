@@ -369,4 +369,29 @@ void throw_faults(const ReadContext& context) {
   if (!sorted.empty()) throw InputError(std::move(sorted));
 }
 
+std::vector<std::pair<std::string, const toml::table*>> in_file_order(ReadContext& context,
+                                                                      const toml::node* node,
+                                                                      const std::string& part) {
+  std::vector<std::pair<std::string, const toml::table*>> out;
+  if (!node) return out;
+  const toml::table* tables = node->as_table();
+  if (!tables) {
+    context.fault(part, line_of(*node), shown(*node), "must be named tables",
+                  fmt::format("write each under [{}.<name>]", part));
+    return out;
+  }
+  for (const auto& [name, inner] : *tables) {
+    const std::string label(name.str());
+    if (const toml::table* table = inner.as_table())
+      out.emplace_back(label, table);
+    else
+      context.fault(under(part, label), line_of(inner), shown(inner), "must be a table",
+                    fmt::format("write it under [{}.{}]", part, label));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
+    return line_of(*a.second) < line_of(*b.second);
+  });
+  return out;
+}
+
 }  // namespace wythe::io

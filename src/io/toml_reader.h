@@ -28,6 +28,11 @@ struct Override {
   std::string given;
 };
 
+// "material.joint.friction_tan" is the key friction_angle, given as its tangent.
+inline std::string angle_path(const std::string& path) {
+  return path.ends_with("friction_tan") ? path.substr(0, path.size() - 3) + "angle" : path;
+}
+
 struct ReadContext {
   std::string file;
   FaultList faults = {};
@@ -176,5 +181,9 @@ void list_settings(const toml::table& table, const std::string& path,
 // Puts "path=value" texts into the tree before it is read (overrides.cpp).
 void apply_overrides(ReadContext& context, toml::table& root,
                      const std::vector<std::string>& texts);
+
+// Named tables in the order of the file; TOML keeps them by name.
+[[nodiscard]] std::vector<std::pair<std::string, const toml::table*>> in_file_order(
+    ReadContext& context, const toml::node* node, const std::string& part);
 
 }  // namespace wythe::io

@@ -162,11 +162,16 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model) {
     const double factor = unit_factor(unit, si_unit);  // SI value of one of them
     std::vector<double> values = field.of_joint.empty() ? field.of_block : field.of_joint;
     for (double& value : values) value /= factor;
+    double sum = 0, count = 0;
+    for (const double value : values)
+      if (!std::isnan(value)) sum += value, ++count;
+    // the value in the file has no part in what follows a formula
+    const bool follows = !spec.field.at(field.name).formula.empty();
     add_floats(bundle, "wall.field_" + std::to_string(list.size()), values);
     list.push_back({{"name", field.name},
                     {"path", field.path},
                     {"unit", unit},
-                    {"mean", mean_of(spec, target) / factor},
+                    {"mean", follows ? sum / count : mean_of(spec, target) / factor},
                     {"onBlocks", field.of_joint.empty()}});
   }
   if (!list.empty()) bundle.header["wall"]["fields"] = list;

@@ -486,5 +486,75 @@ TEST(random_field, of_a_study_is_refused_at_its_line) {
             std::string::npos);
 }
 
+const std::string kFollows =
+    "[field.c2]\npath = \"material.joint.cohesion\"\nformula = \"1.33 * ft\"\n";
+
+TEST(random_field, what_a_formula_sets_anew_is_neither_a_variable_nor_a_setting) {
+  const std::string text = "[study]\nname = \"s\"\nmodel = \"m.toml\"\nmodel_text = '''\n" + kWall +
+                           kField + kFollows + "'''\nsamples = 3\nseed = 7\n";
+  const std::string other =
+      "[variable.phi]\npath = \"material.joint.friction_angle\"\ndistribution = \"normal\"\n"
+      "mean = \"30 deg\"\ncov = 0.1\n";
+  const auto said = [&](const std::string& more,
+                        const std::vector<std::string>& settings = {}) -> std::string {
+    try {
+      (void)parse_study(text + more, "study.toml", settings);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string words = "has no effect, it is set by field.c2.formula";
+  EXPECT_EQ(said(other), "");
+  for (const std::string& refused :
+       {said("[variable.coh]\npath = \"material.joint.cohesion\"\ndistribution = \"normal\"\n"
+             "mean = \"0.45 MPa\"\ncov = 0.1\n"),
+        said(other + "[dependent.coh]\npath = \"material.joint.cohesion\"\n"
+                     "formula = \"0.45 MPa * phi / 30 deg\"\n"),
+        said(other +
+             "[[variant]]\nname = \"strong\"\nset = [\"material.joint.cohesion=0.9 MPa\"]\n")}) {
+    EXPECT_NE(refused.find(words), std::string::npos) << refused;
+    EXPECT_NE(refused.find("study.toml:"), std::string::npos) << refused;
+  }
+  EXPECT_NE(said(other, {"material.joint.cohesion=0.9 MPa"}).find(words), std::string::npos);
+  // the model alone
+  EXPECT_NE(refusal(kField + kFollows, {"material.joint.cohesion=0.9 MPa"}).find(words),
+            std::string::npos);
+  EXPECT_EQ(refusal(kField + kFollows, {"material.joint.tensile_strength=0.1 MPa"}), "");
+}
+
+TEST(random_field, a_seed_that_each_sample_sets_is_no_setting) {
+  const std::string text = write_study(scenes::small_study(3));
+  for (const std::string& more :
+       {kStudyField + "seed = 7\n",
+        kStudyField + "[[variant]]\nname = \"other\"\nset = [\"field.ft.seed=7\"]\n"}) {
+    try {
+      (void)parse_study(text + more, "small_study.toml");
+      ADD_FAILURE() << more;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("has no effect, it is set by study.seed"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(random_field, a_distribution_that_is_none_is_refused_in_words_at_its_place) {
+  const std::string head =
+      "[field.ft]\npath = \"material.joint.tensile_strength\"\nby = \"joint\"\n";
+  const std::string beta = head + "distribution = \"beta\"\nlow = 0.4\nhigh = 2\n";
+  for (const std::string& field :
+       {beta + "cov = 0.7\nupper = 1.3\n", beta + "cov = 0.3\nupper = 1.02\n",
+        head + "cov = 1e200\n", head + "cov = 30\n",
+        head + "cov = 1e200\ndistribution = \"weibull\"\n",
+        head + "cov = 9\ndistribution = \"weibull\"\nupper = 1.01\n"}) {
+    const std::string said = refusal(field);
+    EXPECT_NE(said.find("wall.toml:"), std::string::npos) << field << said;
+    EXPECT_NE(said.find("field.ft."), std::string::npos) << field << said;
+    EXPECT_EQ(said.find("MUST"), std::string::npos) << said;
+    EXPECT_EQ(said.find("boost"), std::string::npos) << said;
+  }
+}
+
 }  // namespace
 }  // namespace wythe

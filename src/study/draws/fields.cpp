@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -30,10 +31,11 @@ namespace {
 
 using geometry::Assembly;
 
-constexpr double kSame = 1e-6;     // places nearer than this are one [m]
-constexpr double kMostWork = 4e9;  // operations to draw: some seconds
-constexpr double kShortest = 0.2;  // of a half unit: there exp(-5) of correlation is left
-constexpr double kLongest = 100;   // times the wall: its ends are correlated by 0.99
+constexpr double kSame = 1e-6;       // places nearer than this are one [m]
+constexpr double kMostWork = 4e9;    // operations to draw: some seconds
+constexpr double kShortest = 0.2;    // of a half unit: there exp(-5) of correlation is left
+constexpr double kMostScatter = 10;  // cov
+constexpr double kLongest = 100;     // times the wall: its ends are correlated by 0.99
 
 bool is_set(double value) { return !std::isnan(value); }
 
@@ -143,6 +145,11 @@ class Checker {
         s.cov * s.cov >= (1 - s.low) * (s.high - 1))
       refuse(field, "cov", fmt::format("{:g}", s.cov), "is more than low and high leave room for",
              fmt::format("write less than {:.3f}", std::sqrt((1 - s.low) * (s.high - 1))));
+    if (s.cov > kMostScatter)
+      refuse(field, "cov", fmt::format("{:g}", s.cov),
+             fmt::format("is more than {:g}, a deviation of {:g} times the mean", kMostScatter,
+                         kMostScatter),
+             "write a share of the mean, e.g. cov = 0.3 for 30 %");
     check_lengths(field);
   }
 
@@ -350,8 +357,12 @@ Margin unit_margin(const Field& field, FaultList& faults) {
   if (!is_set(s.lower) && !is_set(s.upper)) return margin;
   constexpr double kLeastKept = 1e-4, kStep = 1.02;
   const auto miss = [&](double mean) {
-    margin = Margin(margin_of(s, mean));
-    return margin.kept() > kLeastKept ? mean_of(margin) - 1 : kUnset;
+    try {
+      margin = Margin(margin_of(s, mean));
+      return margin.kept() > kLeastKept ? mean_of(margin) - 1 : kUnset;
+    } catch (const std::exception&) {  // no such distribution has this mean: a beta near its end
+      return kUnset;
+    }
   };
   const bool grows = miss(1) < 0;
   double near = 1, far = 1;
@@ -392,14 +403,18 @@ void draw_group(const std::vector<Field*>& group, FaultList& faults) {
     const Field& field = *group[i];
     FieldSpec& spec = *field.spec;
     spec.drawn.assign(field.places.size(), 1.0);
-    if (spec.cov > 0) {
-      const Margin margin = unit_margin(field, faults);
-      for (std::size_t p = 0; p < field.places.size(); ++p) {
-        double z = 0;
-        for (std::size_t k = 0; k <= i; ++k) z += share[i][k] * wave[k][first + p];
-        spec.drawn[p] = margin.quantile(normal_share(z));
+    if (spec.cov > 0) try {
+        const Margin margin = unit_margin(field, faults);
+        for (std::size_t p = 0; p < field.places.size(); ++p) {
+          double z = 0;
+          for (std::size_t k = 0; k <= i; ++k) z += share[i][k] * wave[k][first + p];
+          spec.drawn[p] = margin.quantile(normal_share(z));
+        }
+      } catch (const std::exception&) {
+        faults.add({"", "field." + field.name + ".cov", fmt::format("{:g}", spec.cov),
+                    "leaves no distribution of this kind that can be computed",
+                    "write a smaller cov, bounds further apart, or another distribution", 0});
       }
-    }
     first += field.places.size();
   }
 }
