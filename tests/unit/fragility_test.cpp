@@ -235,6 +235,69 @@ TEST(Fragility, a_peak_at_the_end_of_a_push_is_a_lower_bound) {
   }
 }
 
+TEST(Fragility, the_displacement_at_a_peak_at_the_end_of_a_push_is_a_lower_bound) {
+  Campaign campaign =
+      made(60, [](double a, double, int i) { return Made{.peak = 100 + 50 * a + 20 * chance(i)}; });
+  for (SampleRecord& r : campaign.records) {
+    r.responses.censored_peak = r.sample % 3 == 0;
+    r.responses.displacement_at_peak = r.responses.censored_peak ? 2e-3 : 8e-3 * chance(r.sample);
+  }
+  campaign.study.fragility = {"displacement_at_peak > 4 mm"};
+  const Fragility f = about(of(campaign), "displacement_at_peak");
+  EXPECT_EQ(f.unknown, 20);
+  for (std::size_t i = 0; i < f.sample.size(); ++i)
+    EXPECT_EQ(f.outcome[i] == 0.5, f.sample[i] % 3 == 0);
+}
+
+TEST(Fragility, an_unclear_mode_may_be_the_one_asked_for) {
+  const Fragility f =
+      about(of(made(60,
+                    [](double, double, int i) {
+                      return Made{.mode = i % 3 == 0 ? "unclear" : i % 3 == 1 ? "FM-1" : "FM-2"};
+                    })),
+            "FM-2");
+  EXPECT_EQ(f.seen, 20);
+  EXPECT_EQ(f.unknown, 20);
+  EXPECT_LT(f.share.interval.low, 0.34);
+  EXPECT_GT(f.share.interval.high, 0.66);
+}
+
+// Pushes of a high `a` ended early: on one side they make the event rare there, on the other frequent.
+TEST(Fragility, no_influence_is_claimed_that_hangs_on_what_is_not_known) {
+  const auto with = [](double beyond) {
+    Campaign campaign = made(200, [&](double a, double b, int i) {
+      const bool ends = a > beyond;
+      const bool far = chance(i) < 0.5 + 0.2 * (b - 0.5);
+      return Made{.drift = ends ? 0.004 : far ? 0.02 : 0.003, .censored = ends};
+    });
+    campaign.study.fragility = {"drift_at_80_percent > 0.5 %"};
+    return about(of(campaign), "drift_at_80_percent");
+  };
+  const Fragility known = with(2), open = with(0.8);
+  EXPECT_EQ(open.unknown, 40);
+  ASSERT_EQ(open.input[0].verdict, FragilityVerdict::kTold);
+  EXPECT_GT(known.input[0].fit[0].influence_p, 0.05);
+  EXPECT_TRUE(std::isnan(open.input[0].fit[0].influence_p));
+  EXPECT_LT(open.input[0].fit[0].slope.interval.low, 0);
+  EXPECT_GT(open.input[0].fit[0].slope.interval.high, 0);
+  ASSERT_EQ(open.pair.size(), 1U);
+  EXPECT_EQ(open.pair[0].verdict, FragilityVerdict::kTold);
+  EXPECT_TRUE(std::isnan(open.pair[0].added_p));
+}
+
+TEST(Fragility, an_event_asked_for_that_is_the_programs_own_stands_once) {
+  Campaign campaign = made(
+      100, [](double, double, int i) { return Made{.drift = chance(i) < 0.5 ? 0.012 : 0.004}; });
+  campaign.study.fragility = {"drift_at_80_percent > 1 %", "drift_at_80_percent > 1.0 %"};
+  const auto all = of(campaign);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(),
+                          [](const Fragility& f) {
+                            return f.event.response == "drift_at_80_percent" &&
+                                   std::fabs(f.event.threshold - 0.01) < 1e-9;
+                          }),
+            1);
+}
+
 TEST(Fragility, counts_pushes_that_were_not_slow_enough) {
   Campaign campaign =
       made(40, [](double a, double, int i) { return Made{.peak = 100 + 50 * a + 20 * chance(i)}; });

@@ -3,8 +3,8 @@
 //   events (a force, drifts of the code, every mode) x inputs ──► outcomes 0, 1, not known
 //     ──► may it be told? ──► logistic and lognormal fit (binary_fit.h), the better one as a curve
 //
-// A sample whose push ended before a threshold may be on either side of it: it enters as half an event,
-// and every interval is widened to hold the fits with all such samples on one side and on the other.
+// A sample whose push ended before a threshold may be on either side of it, and so may one of unclear mode:
+// it enters as half an event, and every interval is widened to hold the fits with all such samples on one side and on the other.
 // Equations (7.14) to (7.18) of docs/theory/statistics.md.
 #include <fmt/format.h>
 
@@ -35,16 +35,22 @@ constexpr double kSameInput = 0.95;  // rank correlation from which two inputs c
 // What the threshold is compared with; a peak at the end of a push is a lower bound here.
 Reading reading_for(const FragilityEvent& event, const SampleRecord& record, double base_height) {
   const Responses& r = record.responses;
-  if (event.response == "peak_reaction") return {r.peak_reaction, r.censored_peak};
-  if (event.response != "drift_at_80_percent")
-    return quantity_named(event.response).read(record.responses);
+  if (event.response != "drift_at_80_percent") {
+    Reading reading = quantity_named(event.response).read(record.responses);
+    if (event.response == "peak_reaction" || event.response == "displacement_at_peak")
+      reading.censored = is_still_rising(record);
+    return reading;
+  }
   const double height = height_of(record, base_height);
   return height > 0 ? Reading{r.displacement_at_80 / height, r.censored_80} : Reading{};
 }
 
 // 0, 1, 0.5 where it is not known; NaN where the sample has no such response.
 double outcome_of(const FragilityEvent& event, const SampleRecord& record, double base_height) {
-  if (event.of_mode()) return record.failure_mode.name == event.mode ? 1 : 0;
+  if (event.of_mode()) {
+    const std::string& name = record.failure_mode.name;
+    return name == event.mode ? 1 : name == "unclear" ? 0.5 : 0;
+  }
   const Reading reading = reading_for(event, record, base_height);
   if (!reading.is_known()) return kUnset;
   if (reading.value > event.threshold) return 1;
@@ -98,7 +104,15 @@ std::vector<FragilityEvent> events_of(const Answered& samples) {
                                     [&](auto* r) { return r->failure_mode.name == mode; });
     if (mode != "unclear" && occurs) events.push_back(event);
   }
-  return events;
+  const auto is_same = [](const FragilityEvent& a, const FragilityEvent& b) {
+    return a.response == b.response && a.mode == b.mode &&
+           (a.of_mode() || std::fabs(a.threshold - b.threshold) <= 1e-9 * a.threshold);
+  };
+  std::vector<FragilityEvent> once;  // one asked for may be one of the program's own
+  for (FragilityEvent& event : events)
+    if (std::none_of(once.begin(), once.end(), [&](const auto& e) { return is_same(e, event); }))
+      once.push_back(std::move(event));
+  return once;
 }
 
 // --- what is told ----------------------------------------------------------------------------------
@@ -119,16 +133,36 @@ FragilityVerdict verdict_of(const Outcomes& o, int fewest) {
   return std::min(o.seen, o.missing()) < fewest ? FragilityVerdict::kRare : FragilityVerdict::kTold;
 }
 
-// The same fit with all that is not known on one side, and on the other; none where all is known.
+// The same outcomes with all that is not known on one side, and on the other; none where all is known.
+std::vector<Column> sides_of(const Column& y) {
+  std::vector<Column> sides;
+  if (std::find(y.begin(), y.end(), 0.5) == y.end()) return sides;
+  for (const double side : {0.0, 1.0}) {
+    Column& one = sides.emplace_back(y);
+    std::replace(one.begin(), one.end(), 0.5, side);
+  }
+  return sides;
+}
+
 std::vector<BinaryFit> extremes_of(const BinaryData& data) {
   std::vector<BinaryFit> fits;
-  if (std::find(data.y.begin(), data.y.end(), 0.5) == data.y.end()) return fits;
-  for (const double side : {0.0, 1.0}) {
-    BinaryData one = data;
-    std::replace(one.y.begin(), one.y.end(), 0.5, side);
-    fits.emplace_back(one);
-  }
+  for (Column& y : sides_of(data.y)) fits.emplace_back(BinaryData{data.law, data.x, std::move(y)});
   return fits;
+}
+
+constexpr double kDoubt = 0.05;
+
+// What a test says, where it says the same of both extremes; NaN where that hangs on what is not known.
+// `p_of` gives the p of a fit, `slope_of` the slope it tests.
+template <class P, class Slope>
+double agreed(const BinaryFit& fit, const std::vector<BinaryFit>& others, const P& p_of,
+              const Slope& slope_of) {
+  const double p = p_of(fit);
+  for (const BinaryFit& other : others) {
+    if (!other.is_finite() || (p_of(other) < kDoubt) != (p < kDoubt)) return kUnset;
+    if (p < kDoubt && (slope_of(other) > 0) != (slope_of(fit) > 0)) return kUnset;
+  }
+  return p;
 }
 
 void widen(Interval& interval, const Interval& other) {
@@ -160,7 +194,9 @@ FragilityFit told(const BinaryData& data, const BinaryFit& fit,
                 {std::exp(out.half.interval.low), std::exp(out.half.interval.high)}};
   out.half = within(out.half, low, high);
   out.log_likelihood = fit.log_likelihood();
-  out.influence_p = fit.influence_p();
+  out.influence_p = agreed(
+      fit, others, [](const BinaryFit& f) { return f.influence_p(); },
+      [](const BinaryFit& f) { return f.slope(0); });
   out.fit_p = fit.fit_p();
   return out;
 }
@@ -227,10 +263,14 @@ FragilityOfInput of_input(const Outcomes& outcomes, const InputColumn& column, c
   return out;
 }
 
-double logistic_likelihood(const FragilityOfInput& of) {
-  for (const FragilityFit& fit : of.fit)
-    if (fit.law == FragilityLaw::kLogistic) return fit.log_likelihood;
-  return kUnset;
+// Likelihood ratio of both inputs against the better one of the two alone.
+double added_p(const BinaryFit& both, const Column& x_a, const Column& x_b, const Column& y) {
+  double alone = kUnset;
+  for (const Column* x : {&x_a, &x_b}) {
+    const BinaryFit one(BinaryData{FragilityLaw::kLogistic, {*x}, y});
+    if (one.is_finite()) alone = std::fmax(alone, one.log_likelihood());
+  }
+  return chi_square_beyond(2 * (both.log_likelihood() - alone), 1);
 }
 
 FragilityOfPair of_pair(const Outcomes& outcomes, const FragilityOfInput& a, const Column& x_a,
@@ -257,8 +297,11 @@ FragilityOfPair of_pair(const Outcomes& outcomes, const FragilityOfInput& a, con
     widen(out.slope_a.interval, each.wald_slope(0));
     widen(out.slope_b.interval, each.wald_slope(1));
   }
-  const double alone = std::fmax(logistic_likelihood(a), logistic_likelihood(b));
-  out.added_p = chi_square_beyond(2 * (fit.log_likelihood() - alone), 1);
+  out.added_p = added_p(fit, x_a, x_b, outcomes.y);
+  const bool adds = out.added_p < kDoubt;
+  std::size_t k = 0;  // of `all`, whose first are the sides
+  for (const Column& y : sides_of(outcomes.y))
+    if ((added_p(all[k++], x_a, x_b, y) < kDoubt) != adds) out.added_p = kUnset;
   out.fit_p = fit.fit_p();
   return out;
 }

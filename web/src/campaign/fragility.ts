@@ -193,11 +193,13 @@ class Fragility {
       const end = (v: number | null): string => (v === null ? say("beyond") : num(v * factor, 3));
       words.push(say(`fragility_law.${fit.law}`));
       words.push(
-        fit.influence_p > kDoubt
-          ? say("fragility.no_influence", { p: num(fit.influence_p, 2) })
-          : say(fit.slope > 0 ? "fragility.rises" : "fragility.falls"),
+        fit.influence_p === null
+          ? say("fragility.influence_unknown", { n: event.unknown })
+          : fit.influence_p > kDoubt
+            ? say("fragility.no_influence", { p: num(fit.influence_p, 2) })
+            : say(fit.slope > 0 ? "fragility.rises" : "fragility.falls"),
       );
-      if (fit.influence_p <= kDoubt)
+      if (fit.influence_p !== null && fit.influence_p <= kDoubt)
         words.push(
           fit.half_at === null
             ? say("fragility.half.none")
@@ -220,7 +222,7 @@ class Fragility {
   private caution(): string[] {
     const { unknown, not_slow_enough, repeated, n } = this.event;
     return [
-      unknown > 0 ? say("fragility.unknown", { n: unknown }) : "",
+      unknown > 0 ? say(this.event.mode ? "fragility.unknown.mode" : "fragility.unknown", { n: unknown }) : "",
       not_slow_enough > 0 ? say("fragility.not_slow", { n: not_slow_enough, of: n }) : "",
       repeated > 0 ? say("fragility.repeated", { n: repeated }) : "",
     ].filter((w) => w);
@@ -250,9 +252,11 @@ class Fragility {
         ? say(`fragility_verdict.${pair.verdict.replace(" ", "_")}`, { low: "–", high: "–" })
         : [
             say("fragility.pair.lead"),
-            say(pair.added_p < kDoubt ? "fragility.pair.adds" : "fragility.pair.adds_not", {
-              p: num(pair.added_p, 2),
-            }),
+            pair.added_p === null
+              ? say("fragility.pair.unknown", { n: event.unknown })
+              : say(pair.added_p < kDoubt ? "fragility.pair.adds" : "fragility.pair.adds_not", {
+                  p: num(pair.added_p, 2),
+                }),
             pair.fit_p !== null && pair.fit_p < kDoubt ? say("fragility.fit.bad", { p: num(pair.fit_p, 2) }) : "",
           ].join(" ");
     return plot.svg;
