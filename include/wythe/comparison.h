@@ -82,9 +82,9 @@ struct ChangedMode {
 struct ModeTable {
   std::vector<std::string> modes;
   std::vector<std::vector<int>> count;  // (base mode, option mode)
-  int pairs = 0;                        // named on both sides: all numbers here are of these
-  int unclear = 0;                      // further pairs, unclear on one side or both
-  Estimate share_changed;               // Wilson
+  int pairs = 0;                        // all
+  int unclear = 0;         // of them: unclear on a side or both; what changes is of the others
+  Estimate share_changed;  // Wilson
   std::vector<ChangedMode> changed;
   std::vector<ModeShift> shift;
   double p = kUnset;  // of equal shares: the smallest p_adjusted

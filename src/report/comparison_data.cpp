@@ -36,8 +36,8 @@ Card card_of(const Json& option, const Texts& texts) {
   const Json& interval = peak.at("ratio_interval");
   if (peak.at("with_bounds") > 0)  // a change of the other pairs alone would pass for that of all
     return {texts.say("card.not_known"), texts.say("card.peak_change", {{"option", name}}),
-            texts.say("card.bounds", {{"n", peak.at("with_bounds").dump()},
-                                      {"of", peak.at("pairs").dump()}})};
+            texts.say("card.bounds",
+                      {{"n", peak.at("with_bounds").dump()}, {"of", peak.at("pairs").dump()}})};
   std::string means = texts.say("card.no_interval");
   if (option.at("pairs") == 0)
     means = texts.say("card.no_pairs");

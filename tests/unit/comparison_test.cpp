@@ -391,7 +391,6 @@ TEST(Pairs, a_mode_that_is_unclear_is_no_other_mode) {
   Campaign base = plain(20), option = plain(20);
   for (SampleRecord& record : option.records) record.failure_mode.name = "unclear";
   const OptionComparison none = compared(base, option);
-  EXPECT_EQ(none.modes.pairs, 0);
   EXPECT_EQ(none.modes.unclear, 20);
   EXPECT_TRUE(none.modes.changed.empty());
   EXPECT_TRUE(std::isnan(none.modes.share_changed.value));
@@ -402,8 +401,10 @@ TEST(Pairs, a_mode_that_is_unclear_is_no_other_mode) {
   base = plain(20), option = plain(20);
   for (int i = 0; i < 8; ++i) option.records[i].failure_mode.name = i < 3 ? "FM-4" : "unclear";
   const OptionComparison some = compared(base, option);
-  EXPECT_EQ(some.modes.pairs, 15);
-  EXPECT_EQ(some.modes.modes, (std::vector<std::string>{"FM-1", "FM-4"}));
+  EXPECT_EQ(some.modes.unclear, 5);
+  EXPECT_EQ(some.modes.shift[0].went, 3);
+  EXPECT_EQ(some.modes.shift[0].base, 20);
+  EXPECT_NEAR(some.modes.p, 0.5, 1e-12);  // 3 of 3 one way, two modes
   EXPECT_EQ(some.modes.changed.size(), 3U);
   EXPECT_DOUBLE_EQ(some.modes.share_changed.value, 0.2);
   EXPECT_TRUE(has(text_of(some.headline), "changes in 3, 5 whose mode is unclear"))

@@ -190,7 +190,7 @@ function differences(c: Comparison, option: Option): Child {
         qty(r.option, q.unit),
         [
           ...(r.difference === null
-            ? ["–", h("span", { class: "pm" }, say("compare.median", { range: between(r.median_difference_interval, q.unit) }))]
+            ? ["–", h("span", { class: "pm" }, say("compare.median", { range: between(r.median_difference_bounds, q.unit) }))]
             : [signed(r.difference, q.unit), h("span", { class: "pm" }, between(r.difference_interval, q.unit))]),
           r.slow_enough < r.pairs && r.difference_slow_enough !== null
             ? h("span", { class: "pm" }, say("compare.slow_only", { n: r.slow_enough, d: signed(r.difference_slow_enough, q.unit) }))
@@ -353,13 +353,14 @@ function pickers(c: Comparison, chosen: (o: Option, q: Quantity) => void): HTMLE
 function modes(option: Option): Child {
   const m = option.modes;
   const unclear = m.unclear > 0 ? h("p", { class: "soft small" }, `${option.name}: ${say("compare.unclear", { n: m.unclear })}`) : null;
-  if (m.pairs === 0) return unclear;
+  const named = m.pairs - m.unclear;
+  if (named === 0) return unclear;
   if (m.changed.length === 0)
     return [
       h(
         "p",
         {},
-        `${option.name}: ${say("compare.modes_caption", { n: 0, of: m.pairs })} (${m.modes.map((mode: string) => phrase(mode)).join(", ")}).`,
+        `${option.name}: ${say("compare.modes_caption", { n: 0, of: named })} (${m.modes.map((mode: string) => phrase(mode)).join(", ")}).`,
       ),
       unclear,
     ];
@@ -379,7 +380,7 @@ function modes(option: Option): Child {
         ...m.count[i].map((n: number, j: number) => (i === j ? h("b", {}, String(n)) : n === 0 ? "·" : String(n))),
         String(shift[i].base),
       ]),
-      `${option.name}: ${say("compare.modes_caption", { n: m.changed.length, of: m.pairs })}`,
+      `${option.name}: ${say("compare.modes_caption", { n: m.changed.length, of: named })}`,
     ),
     table(
       [
@@ -470,11 +471,14 @@ class Gains {
     const r = this.option.response[this.quantity.key];
     const values = this.c.inputs.find((i) => i.name === this.input)?.value ?? [];
     const cut = (v: number): number => (r.up_to === null ? v : Math.min(v, r.up_to));
-    return r.pair.sample.map((s: number, i: number): [number, number, number] => [
-      s,
-      values[s - 1],
-      cut(r.pair.option.value[i]) - cut(r.pair.base.value[i]),
-    ]);
+    const bounds = new Set(r.up_to === null ? [...r.pair.base.lower_bounds, ...r.pair.option.lower_bounds] : []);
+    return r.pair.sample
+      .map((s: number, i: number): [number, number, number] => [
+        s,
+        values[s - 1],
+        cut(r.pair.option.value[i]) - cut(r.pair.base.value[i]),
+      ])
+      .filter(([s]: [number, number, number]) => r.in_means > 0 && !bounds.has(s));
   }
   private fill(): void {
     const unit = this.quantity.unit;

@@ -350,7 +350,7 @@ Message peak_in_words(const PairedResponse& peak) {
 
 // Which of the pairs fail in another way, as far as both sides have a name.
 std::vector<Message> modes_in_words(const ModeTable& modes) {
-  if (modes.pairs == 0) return {{"compare.modes_unclear"}};
+  if (modes.unclear == modes.pairs) return {{"compare.modes_unclear"}};
   std::vector<Message> parts;
   if (modes.changed.empty())
     parts.push_back({"compare.modes_same"});

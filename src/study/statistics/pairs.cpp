@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -282,38 +281,42 @@ std::vector<GainAgainstInput> gains(const std::vector<Column>& input,
   return out;
 }
 
-ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<std::string>& all) {
+ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<std::string>& order) {
   ModeTable table;
+  table.modes = order;
+  table.pairs = static_cast<int>(pairs.size());
   const auto is_named = [](const std::string& mode) { return !mode.empty() && mode != "unclear"; };
-  std::copy_if(all.begin(), all.end(), std::back_inserter(table.modes), is_named);
-  const std::vector<std::string>& order = table.modes;
   table.count.assign(order.size(), std::vector<int>(order.size(), 0));
   const auto place = [&](const std::string& mode) {
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), mode) - order.begin());
   };
   for (const ChangedMode& pair : pairs) {
-    if (!is_named(pair.base) || !is_named(pair.option)) {
-      ++table.unclear;
-      continue;
-    }
-    ++table.pairs;
     ++table.count[place(pair.base)][place(pair.option)];
-    if (pair.base != pair.option) table.changed.push_back(pair);
+    if (!is_named(pair.base) || !is_named(pair.option))
+      ++table.unclear;
+    else if (pair.base != pair.option)
+      table.changed.push_back(pair);
   }
-  table.share_changed = wilson(static_cast<int>(table.changed.size()), table.pairs);
+  const int named = table.pairs - table.unclear;
+  table.share_changed = wilson(static_cast<int>(table.changed.size()), named);
   std::vector<double> p;
   for (std::size_t m = 0; m < order.size(); ++m) {
     ModeShift& shift = table.shift.emplace_back();
     shift.mode = order[m];
-    const int stayed = table.count[m][m];
-    for (std::size_t other = 0; other < order.size(); ++other)
+    for (std::size_t other = 0; other < order.size(); ++other) {
       shift.base += table.count[m][other], shift.option += table.count[other][m];
-    shift.went = shift.base - stayed, shift.came = shift.option - stayed;
-    const double n = table.pairs + 2, came = shift.came + 0.5, went = shift.went + 0.5;
+      if (other == m || !is_named(order[m]) || !is_named(order[other])) continue;
+      shift.went += table.count[m][other], shift.came += table.count[other][m];
+    }
+    if (!is_named(order[m])) {
+      p.push_back(kUnset);
+      continue;
+    }
+    const double n = named + 2, came = shift.came + 0.5, went = shift.went + 0.5;
     const double gap = (came - went) / n;
     const double half = kNormal95 * std::sqrt(std::max(0.0, (came + went) / n - gap * gap) / n);
-    if (table.pairs > 0)
-      shift.share_difference = {(shift.option - shift.base) / static_cast<double>(table.pairs),
+    if (named > 0)
+      shift.share_difference = {(shift.came - shift.went) / static_cast<double>(named),
                                 {std::max(-1.0, gap - half), std::min(1.0, gap + half)}};
     shift.p = shift.came + shift.went > 0 ? sign_test(shift.came, shift.went) : 1;
     p.push_back(shift.p);
@@ -321,7 +324,7 @@ ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<st
   const std::vector<double> adjusted = holm(p);
   for (std::size_t m = 0; m < order.size(); ++m) {
     table.shift[m].p_adjusted = adjusted[m];
-    if (!(table.p <= adjusted[m])) table.p = adjusted[m];
+    if (!std::isnan(adjusted[m]) && !(table.p <= adjusted[m])) table.p = adjusted[m];
   }
   return table;
 }

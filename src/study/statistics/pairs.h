@@ -30,8 +30,8 @@ namespace wythe::study {
                                                   const std::vector<std::string>& name,
                                                   const Column& difference);
 
-// Modes of pairs that have a name on both sides; `all`: names in the order in which they are listed.
+// Modes of pairs; `order`: names as they are listed.
 [[nodiscard]] ModeTable mode_table(const std::vector<ChangedMode>& pairs,
-                                   const std::vector<std::string>& all);
+                                   const std::vector<std::string>& order);
 
 }  // namespace wythe::study
