@@ -233,7 +233,8 @@ class Options(unittest.TestCase):
         self.assertEqual([row.split("|")[1].strip() for row in rows[1:]],
                          ["base: as examples/tuff_wall: 10 mm/s, damping 0.2", "damping: 0.05", "damping: 0.02"])
         found = json.loads((self.out() / "comparison.json").read_text())["option"][0]["response"]["peak_reaction_kN"]
-        self.assertIn(f"| {found['base']:.1f} |", rows[1])
+        self.assertIsNone(found["base"])  # two short pushes: the force still rises, or two pairs beside bounds
+        self.assertIn("| not known |", rows[1])
         self.assertIn("`stage.push.damping=0.05`", page.read_text())
 
     def test_the_studies_left_open_run_and_have_pages(self):
