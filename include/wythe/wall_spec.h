@@ -53,6 +53,23 @@ inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
                                               {"strain", Plane::kStrain}};
 static_assert(names_all(kPlaneWords));
 
+enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
+inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
+                                                      {"-x", Direction::kMinusX},
+                                                      {"+y", Direction::kPlusY},
+                                                      {"-y", Direction::kMinusY}};
+static_assert(names_all(kDirectionWords));
+
+// Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
+// or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
+struct PlaceSpec {
+  double x = kUnset, y = kUnset;           // [m]
+  double width = kUnset, height = kUnset;  // [m]
+  int courses = 1;
+  std::string block;
+  bool beam = false;
+};
+
 // How a deformable block is divided into zones, and its plane condition.
 struct ZoneSpec {
   int zones = 0;           // through the depth; 0: the block is rigid
@@ -76,22 +93,124 @@ struct LintelSpec {
   Plane plane = Plane::kStress;
 };
 
+// An arch of voussoirs over an opening, in the place of a lintel (docs/theory/conventions.md).
+enum class ArchKind { kNone, kFlat, kSegmental, kRound };
+inline constexpr Word<ArchKind> kArchKindWords[] = {
+    {"flat", ArchKind::kFlat}, {"segmental", ArchKind::kSegmental}, {"round", ArchKind::kRound}};
+static_assert(names_all(kArchKindWords, 1));  // kNone is not written
+struct ArchSpec {
+  ArchKind kind = ArchKind::kNone;
+  double rise = kUnset;       // of the intrados above the springing [m]; segmental
+  double depth = kUnset;      // of the voussoirs, from intrados to extrados [m]
+  double skewback = kUnset;   // angle of the end joints from upright [rad]; flat
+  int voussoirs = 0;          // 0: as many as units of a course fit
+  std::string joint = "";     // joint material between voussoirs; "": joint
+  std::string material = "";  // of the voussoirs, for their density; "": the masonry's
+};
+
 struct OpeningSpec {
   std::string name;
   double x = kUnset;       // left jamb from the wall's left end [m]
   double y = kUnset;       // sill above the wall's base [m]
   double width = kUnset;   // [m]
-  double height = kUnset;  // [m]
+  double height = kUnset;  // [m], up to the springing of an arch
   LintelSpec lintel;
+  ArchSpec arch = {};
+  std::string storey = "";  // its name: y counts from the storey's foot; "": from the wall's
+};
+
+// Thickness of the mortar, for units given by their own size.
+struct MortarSpec {
+  double bed = kUnset, head = kUnset;  // [m]
 };
 
 struct UnitSpec {
-  double length = kUnset;  // nominal, joint included [m]
-  double height = kUnset;  // nominal course height, joint included [m]
+  double length = kUnset;  // nominal, joint included [m]; with `mortar` that of the bare unit
+  double height = kUnset;  // nominal course height, joint included [m]; with `mortar` bare
   double width =
       kUnset;  // header face width [m]; default half the length (flemish, english, header)
   Split split = Split::kMiddle;
   double density = kUnset;  // [kg/m^3]
+  MortarSpec mortar = {};
+};
+
+// Names of the joint materials of masonry; "": those of the wall, and there joint, joint, unit.
+struct MasonryJoints {
+  std::string joint = "";       // of bed joints
+  std::string head_joint = "";  // of head joints; "": joint
+  std::string unit_joint = "";  // of crack planes inside units; "": unit
+};
+
+// One storey of a building, from the ground up. What it leaves unset is the wall's.
+struct StoreySpec {
+  std::string name;
+  double height = kUnset;     // [m]
+  double thickness = kUnset;  // [m]
+  std::string bond;           // word of Bond; "": the wall's
+  UnitSpec unit;
+  MasonryJoints joints = {};
+};
+
+// A part of the masonry with other materials: a storey, a pier, a box or a polygon.
+struct RegionSpec {
+  std::string name;
+  std::string storey;                          // its name
+  int pier = 0;                                // of the storey, from the left, 1 is the first
+  double x = kUnset, y = kUnset;               // lower left corner of a box [m]
+  double width = kUnset, height = kUnset;      // [m]
+  std::vector<std::array<double, 2>> polygon;  // [m]
+  MasonryJoints joints = {};
+  double density = kUnset;  // [kg/m^3]
+};
+
+// What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").
+struct FloorSpec {
+  std::string name;
+  std::string storey;          // on whose top it lies
+  double y = kUnset;           // or the height of its bearing above the wall's base [m]
+  double x = kUnset;           // left end [m]; unset: along the whole wall
+  double width = kUnset;       // [m]
+  double load = kUnset;        // vertical line load, downwards [N/m]
+  std::vector<double> joists;  // x of point loads [m], which share load * width; empty: a line
+  double bearing = kUnset;     // depth of the bearing, from the inner face [m]
+  double thrust = 0;           // horizontal force of a roof on the wall, +x to the right [N]
+  double mass = 0;             // that moves with the wall as inertia [kg/m]
+};
+
+// A tie: a bar that only pulls, between two points of the wall, or from one to a rigid anchor.
+struct TieSpec {
+  std::string name;
+  PlaceSpec from, to;
+  bool anchored = false;                // `to` is a point that does not move
+  double area = kUnset;                 // of its section [m^2]
+  double youngs_modulus = kUnset;       // [Pa]
+  double yield_strength = kUnlimited;   // [Pa]
+  double anchor_strength = kUnlimited;  // force at which an anchor gives way, plastic [N]
+  double prestress = 0;                 // [Pa]
+};
+
+// What a floor does for the points it connects.
+enum class DiaphragmKind { kElastic, kRigid };
+inline constexpr Word<DiaphragmKind> kDiaphragmKindWords[] = {{"elastic", DiaphragmKind::kElastic},
+                                                              {"rigid", DiaphragmKind::kRigid}};
+static_assert(names_all(kDiaphragmKindWords));
+struct DiaphragmSpec {
+  std::string name;
+  DiaphragmKind kind = DiaphragmKind::kElastic;
+  std::string storey;         // at whose top it lies
+  double y = kUnset;          // or its height [m]
+  std::vector<double> x;      // of the connected points [m], at least two
+  double stiffness = kUnset;  // axial, E A of the strip that acts [N]; elastic
+};
+
+// A wall across, or a neighbour: a spring to the ground at one point, with limits.
+struct SpringSpec {
+  std::string name;
+  PlaceSpec at;
+  Direction direction = Direction::kPlusX;  // that the point is held in, both ways
+  double stiffness = kUnset;                // [N/m]
+  double strength = kUnlimited;             // [N], plastic beyond
+  bool pushes_only = false;                 // holds nothing that moves away: a gap opens
 };
 
 // Rigid beam over the whole wall top, for tests loaded through one.
@@ -112,6 +231,7 @@ struct WallSpec {
   UnitSpec unit;
   std::vector<OpeningSpec> opening;
   BeamSpec beam;
+  MasonryJoints joints = {};
 };
 
 // For blocks files: the joint between two block materials ("ground" is the support).
@@ -125,12 +245,6 @@ inline constexpr Word<StageKind> kStageKindWords[] = {
     {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
     {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold}};
 static_assert(names_all(kStageKindWords));
-enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
-inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
-                                                      {"-x", Direction::kMinusX},
-                                                      {"+y", Direction::kPlusY},
-                                                      {"-y", Direction::kMinusY}};
-static_assert(names_all(kDirectionWords));
 // How a stage acts on the wall. Load: kPressure or kPlate. Push: kSpreader or kEach.
 enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
 inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
@@ -138,16 +252,6 @@ inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
                                                 {"spreader", Manner::kSpreader},
                                                 {"each", Manner::kEach}};
 static_assert(names_all(kMannerWords, 1));  // kDefault is not written
-
-// Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
-// or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
-struct PlaceSpec {
-  double x = kUnset, y = kUnset;           // [m]
-  double width = kUnset, height = kUnset;  // [m]
-  int courses = 1;
-  std::string block;
-  bool beam = false;
-};
 
 // How the force of a push is shared between blocks (docs/theory/integration.md, "The pattern of a push").
 enum class Pattern { kNone, kGiven, kMassHeight, kUniform, kMass };
@@ -191,6 +295,8 @@ struct StageSpec {
   double tilt_until = kUnset;  // [rad]
   // hold
   double duration = kUnset;  // [s]
+  // load
+  bool floors = false;  // sets every [[floor]] on the wall; without such a stage gravity does
 };
 
 // Where the contact points of a face stand and what area each takes (model/point_rule.h).
@@ -214,6 +320,41 @@ struct SolveSpec {
   double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
 };
 
+// Heads and who answers for the sheet that is handed over.
+struct ProjectSpec {
+  std::string title, client, author, date, place;
+};
+
+// The demand of an earthquake as a spectrum: by a code's parameters, or as a table.
+enum class SpectrumKind { kNone, kEn1998, kNtc2018, kTable };
+inline constexpr Word<SpectrumKind> kSpectrumKindWords[] = {{"en1998", SpectrumKind::kEn1998},
+                                                            {"ntc2018", SpectrumKind::kNtc2018},
+                                                            {"table", SpectrumKind::kTable}};
+static_assert(names_all(kSpectrumKindWords, 1));  // kNone is not written
+struct SpectrumSpec {
+  SpectrumKind kind = SpectrumKind::kNone;
+  double ground_acceleration = kUnset;  // ag on rock [m/s^2]
+  std::string ground = "A";             // ground type A to E
+  std::string shape = "1";              // en1998: type 1 or 2
+  double amplification = kUnset;        // ntc2018: F0 [-]
+  double corner_period = kUnset;        // ntc2018: TC* [s]
+  double topography = 1;                // ST [-]
+  double damping = 0.05;                // of critical [-]
+  std::vector<double> periods;          // table [s]
+  std::vector<double> accelerations;    // table [m/s^2]
+};
+// What a run or campaign is asked for beside its curve (docs/theory/assessment.md).
+struct AssessmentSpec {
+  std::string code;       // "": none; circolare_2019, en1998_3
+  SpectrumSpec spectrum;  // of the near-collapse or life-safety limit state, by `limit_state`
+  std::string limit_state = "life_safety";
+  double confidence_factor = kUnset;  // of the knowledge level; unset: 1, and said
+  double masonry_share = 1;           // of the building's mass and force that this wall stands for
+  double added_mass = 0;              // that the wall carries in an earthquake, but not here [kg]
+  double added_height = kUnset;       // where that mass acts [m]; unset: at the control point
+  double record_scatter = kUnset;     // beta of records, for fragility [-]
+};
+
 struct OutputSpec {
   int rows = 500;                   // rows of force_displacement.csv
   double window = kUnset;           // averaging window of the reaction [m]; unset: one row
@@ -233,13 +374,21 @@ struct BlockSpec {
 struct ModelSpec {
   std::string name;
   std::string note;
+  ProjectSpec project;
   WallSpec wall;
+  std::vector<StoreySpec> storey;
+  std::vector<RegionSpec> region;
+  std::vector<FloorSpec> floor;
+  std::vector<TieSpec> tie;
+  std::vector<DiaphragmSpec> diaphragm;
+  std::vector<SpringSpec> spring;
   MasonrySpec masonry;  // inputs of rules
   std::map<std::string, JointMaterial> material;
   std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;
   SolveSpec solve;
+  AssessmentSpec assessment;
   OutputSpec output;
   std::vector<BlockSpec> block;  // content of the file wall.blocks; not a key
   std::string folder;            // folder of the model file, for relative paths; not a key

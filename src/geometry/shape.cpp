@@ -18,8 +18,17 @@ class Key {
   }
 
   void add(const WallSpec& wall) {
-    const auto& [length, height, thickness, bond, fit, blocks, unit, opening, beam] = wall;
-    add_all(length, height, thickness, bond, fit, blocks, unit, opening, beam);
+    const auto& [length, height, thickness, bond, fit, blocks, unit, opening, beam, joints] = wall;
+    add_all(length, height, thickness, bond, fit, blocks, unit, opening, beam, joints);
+  }
+  void add(const StoreySpec& storey) {
+    const auto& [name, height, thickness, bond, unit, joints] = storey;
+    add_all(name, height, thickness, bond, unit, joints);
+  }
+  void add(const RegionSpec& region) {
+    const auto& [name, storey, pier, x, y, width, height, polygon, joints, density] = region;
+    add_all(name, storey, pier, x, y, width, height, polygon, joints);
+    add_density(density);
   }
   void add(const BlockSpec& block) {
     const auto& [id, polygon, material, fixed, is_beam, zone] = block;
@@ -67,9 +76,13 @@ class Key {
   void add_density(double density) { add_all(std::isfinite(density), density > 0, density == 0); }
 
   void add(const UnitSpec& unit) {
-    const auto& [length, height, width, split, density] = unit;
-    add_all(length, height, width, split);
+    const auto& [length, height, width, split, density, mortar] = unit;
+    add_all(length, height, width, split, mortar.bed, mortar.head);
     add_density(density);
+  }
+  void add(const MasonryJoints& joints) {
+    const auto& [joint, head_joint, unit_joint] = joints;
+    add_all(joint, head_joint, unit_joint);
   }
   void add(const BeamSpec& beam) {
     const auto& [height, density, rotation, joint] = beam;
@@ -77,8 +90,12 @@ class Key {
     add_density(density);
   }
   void add(const OpeningSpec& opening) {
-    const auto& [name, x, y, width, height, lintel] = opening;
-    add_all(name, x, y, width, height, lintel);
+    const auto& [name, x, y, width, height, lintel, arch, storey] = opening;
+    add_all(name, x, y, width, height, lintel, arch, storey);
+  }
+  void add(const ArchSpec& arch) {
+    const auto& [kind, rise, depth, skewback, voussoirs, joint, material] = arch;
+    add_all(kind, rise, depth, skewback, voussoirs, joint, material);
   }
   void add(const LintelSpec& lintel) {
     const auto& [kind, depth, bearing, material, bond, bearing_bond, top_bond, model, zones,
@@ -96,7 +113,12 @@ class Key {
 
 }  // namespace
 
-Shape::Shape(const ModelSpec& spec) : wall(spec.wall), block(spec.block), contact(spec.contact) {
+Shape::Shape(const ModelSpec& spec)
+    : wall(spec.wall),
+      storey(spec.storey),
+      region(spec.region),
+      block(spec.block),
+      contact(spec.contact) {
   for (const auto& [name, given] : spec.material) material.emplace(name, given.density);
   for (const StageSpec& stage : spec.stage)
     if (stage.as == Manner::kPlate && std::isfinite(stage.pier_load))
@@ -105,8 +127,8 @@ Shape::Shape(const ModelSpec& spec) : wall(spec.wall), block(spec.block), contac
 
 std::uint64_t shape_key(const Shape& shape) {
   Key key;
-  const auto& [wall, block, contact, material, plates] = shape;
-  key.add_all(wall, block, contact, material, plates);
+  const auto& [wall, storey, region, block, contact, material, plates] = shape;
+  key.add_all(wall, storey, region, block, contact, material, plates);
   return key.value();
 }
 

@@ -21,6 +21,8 @@ struct PlateStage {
 struct Shape {
   Shape(const ModelSpec& spec);  // every spec has one; it lives no longer than the spec
   const WallSpec& wall;
+  const std::vector<StoreySpec>& storey;
+  const std::vector<RegionSpec>& region;
   const std::vector<BlockSpec>& block;
   const std::vector<ContactRule>& contact;
   std::map<std::string, double>
