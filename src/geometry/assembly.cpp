@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "core/text.h"
@@ -15,6 +16,8 @@
 #include "geometry/joints.h"
 #include "geometry/openings.h"
 #include "geometry/polygon.h"
+#include "geometry/regions.h"
+#include "geometry/storeys.h"
 #include "geometry/text.h"
 
 namespace wythe::geometry {
@@ -25,7 +28,8 @@ ZoneSpec zones_of(const LintelSpec& lintel) {
   return {lintel.zones, lintel.zone_length, lintel.zone_kind, lintel.plane};
 }
 
-void add_segments(const Shape& shape, const PlacedOpening& opening, std::vector<Block>& blocks) {
+void add_segments(const Shape& shape, const PlacedOpening& opening, const Storey& storey,
+                  std::vector<Block>& blocks) {
   const std::size_t index = static_cast<std::size_t>(opening.index);
   if (opening.segment.empty()) return;
   const std::string& material = shape.wall.opening[index].lintel.material;
@@ -34,8 +38,9 @@ void add_segments(const Shape& shape, const PlacedOpening& opening, std::vector<
     block.id = "lintel" + std::to_string(opening.index) + "_" + std::to_string(k);
     block.outline = outline_of(opening.segment[k]);
     block.material = material;
-    block.thickness = shape.wall.thickness;
+    block.thickness = storey.thickness;
     block.role = Role::kLintel;
+    block.storey = storey.index;
     block.opening = opening.index;
     block.zone = zones_of(shape.wall.opening[index].lintel);
     blocks.push_back(block);
@@ -43,38 +48,41 @@ void add_segments(const Shape& shape, const PlacedOpening& opening, std::vector<
 }
 
 // Neighbours in the wall become neighbours in memory: from the bottom up, then left to right.
-void sort_blocks(std::vector<Block>& blocks, double course) {
+void sort_blocks(std::vector<Block>& blocks, const std::vector<Storey>& storeys) {
   const auto key = [&](const Block& b) {
     const Vec2 corner = b.outline.front();
-    return std::tuple(static_cast<long>(corner.y / course + 1e-6), corner.x, corner.y);
+    return std::tuple(row_at(storeys, corner.y), corner.x, corner.y);
   };
   std::stable_sort(blocks.begin(), blocks.end(),
                    [&](const Block& a, const Block& b) { return key(a) < key(b); });
 }
 
-void lay_blocks(const Shape& shape, const Lattice& lattice,
+double narrowest_column(const std::vector<Storey>& storeys) {
+  double step = storeys.front().lattice.columns.step;
+  for (const Storey& storey : storeys) step = std::min(step, storey.lattice.columns.step);
+  return step;
+}
+
+void lay_blocks(const Shape& shape, const std::vector<Storey>& storeys,
                 const std::vector<PlacedOpening>& openings, Assembly& assembly) {
   std::vector<Rect> holes;
   for (const PlacedOpening& opening : openings) holes.push_back(opening.hole);
-  Masonry masonry = lay_masonry(shape.wall, lattice, holes);
+  Masonry masonry = lay_masonry(storeys, holes);
   assembly.report.masonry_blocks_before_lintels = static_cast<int>(masonry.blocks.size());
   for (const PlacedOpening& opening : openings) {
     if (opening.segment.empty()) continue;
     holes.push_back(join(opening.segment.front(), opening.segment.back()));
   }
-  if (holes.size() > openings.size()) masonry = lay_masonry(shape.wall, lattice, holes);
+  if (holes.size() > openings.size()) masonry = lay_masonry(storeys, holes);
   assembly.blocks = std::move(masonry.blocks);
-  for (const PlacedOpening& opening : openings) add_segments(shape, opening, assembly.blocks);
-  sort_blocks(assembly.blocks, lattice.courses.step);
+  for (const PlacedOpening& opening : openings)
+    add_segments(shape, opening, storeys[static_cast<std::size_t>(opening.storey)],
+                 assembly.blocks);
+  sort_blocks(assembly.blocks, storeys);
   if (masonry.joined_pieces == 0) return;
-  assembly.report.notes.push_back(
-      {"fit.joined_pieces",
-       {{"pieces", masonry.joined_pieces}, {"shorter_mm", 1e3 * kSliver * lattice.columns.step}}});
-}
-
-void check_body(const WallSpec& wall, FaultList& faults) {
-  (void)is_positive({"wall.thickness", wall.thickness, "m", "0.31 m"}, faults);
-  (void)is_positive({"wall.unit.density", wall.unit.density, "kg/m^3", "1250 kg/m^3"}, faults);
+  assembly.report.notes.push_back({"fit.joined_pieces",
+                                   {{"pieces", masonry.joined_pieces},
+                                    {"shorter_mm", 1e3 * kSliver * narrowest_column(storeys)}}});
 }
 
 // Keys that shape a generated wall and say something here; defaults written out say nothing.
@@ -92,14 +100,19 @@ std::vector<std::string> shape_keys(const WallSpec& wall) {
   add("wall.unit.height", !std::isnan(wall.unit.height));
   add("wall.unit.width", !std::isnan(wall.unit.width));
   add("wall.unit.split", wall.unit.split != unset.unit.split);
+  add("wall.unit.mortar", !std::isnan(wall.unit.mortar.bed) || !std::isnan(wall.unit.mortar.head));
   add("wall.opening", !wall.opening.empty());
   return keys;
 }
 
 // Planes where no head joint ends: a crack that runs along them has to turn at every course.
-void note_planes(const WallSpec& wall, std::vector<Message>& notes) {
-  const bool has_headers = wall.bond == Bond::kFlemish || wall.bond == Bond::kEnglish;
-  if (has_headers && wall.unit.split == Split::kMiddle) notes.push_back({"unit.planes_off_joints"});
+void note_planes(const std::vector<Storey>& storeys, std::vector<Message>& notes) {
+  const auto misses = [](const Storey& s) {
+    const bool has_headers = s.bond == Bond::kFlemish || s.bond == Bond::kEnglish;
+    return has_headers && s.unit.split == Split::kMiddle;
+  };
+  if (std::any_of(storeys.begin(), storeys.end(), misses))
+    notes.push_back({"unit.planes_off_joints"});
 }
 
 void note_unused(const Shape& shape, std::vector<Message>& notes) {
@@ -115,22 +128,107 @@ void note_unused(const Shape& shape, std::vector<Message>& notes) {
   }
 }
 
+// Storeys with their lattices, and the openings on them.
+struct Plan {
+  std::vector<Storey> storeys;
+  std::vector<PlacedOpening> openings;
+};
+
+Plan plan_wall(const Shape& shape, Fit fit, std::vector<Message>& notes, FaultList& faults) {
+  Plan plan;
+  plan.storeys = plan_storeys(shape, fit, notes, faults);
+  plan.openings = place_openings(shape, plan.storeys, notes, faults);
+  return plan;
+}
+
+// A fault as an item of a list: where, what, and the size that fits.
+std::string listed(const Fault& fault) {
+  std::string cure =
+      fault.cure.substr(0, std::min(fault.cure.find(", on the"), fault.cure.find(" (or")));
+  if (cure.starts_with("write ")) cure.erase(0, 6);
+  return fault.path + " = " + fault.value + (cure.empty() ? "" : " (" + cure + " fits)");
+}
+
+// What is left to refuse of the same wall where units are cut.
+FaultList faults_when_cut(const Shape& shape) {
+  FaultList faults;
+  std::vector<Message> unsaid;
+  const Plan plan = plan_wall(shape, Fit::kCut, unsaid, faults);
+  const auto is_bare = [](const Storey& storey) { return storey.lattice.courses.count == 0; };
+  if (std::any_of(plan.storeys.begin(), plan.storeys.end(), is_bare)) return faults;
+  Assembly laid;
+  lay_blocks(shape, plan.storeys, plan.openings, laid);
+  check_slivers(laid.blocks, plan.storeys, faults);
+  return faults;
+}
+
+// Sizes that a survey measured seldom fit whole units. Where many do not, and fit = "cut" would take
+// them all, that is said first and once.
+void add_plan_faults(const Shape& shape, const FaultList& found, FaultList& faults) {
+  constexpr std::size_t kMany = 3, kListed = 12;
+  const auto& all = found.all();
+  const auto is_among = [](const std::vector<Fault>& list) {
+    return [&list](const Fault& fault) {
+      const auto same = [&](const Fault& f) { return f.path == fault.path; };
+      return std::any_of(list.begin(), list.end(), same);
+    };
+  };
+  std::vector<Fault> cured, left;
+  if (shape.wall.fit == Fit::kWhole && all.size() >= kMany) {
+    const FaultList cut = faults_when_cut(shape);
+    // A lintel that is not laid yet may leave slivers of its own.
+    const auto is_known = [&](const Fault& fault) {
+      return is_among(all)(fault) && fault.path.find(".lintel.") == std::string::npos;
+    };
+    const bool is_clear = std::all_of(cut.all().begin(), cut.all().end(), is_known);
+    for (const Fault& fault : all)
+      (!is_clear || is_among(cut.all())(fault) ? left : cured).push_back(fault);
+  }
+  if (cured.size() < kMany) {
+    for (const Fault& fault : all) faults.add(fault);
+    return;
+  }
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kListed, cured.size()); ++i)
+    list += (i > 0 ? ", " : "") + listed(cured[i]);
+  if (cured.size() > kListed) list += " and " + std::to_string(cured.size() - kListed) + " more";
+  add_fault(
+      faults, "wall.fit", "\"whole\"",
+      std::to_string(cured.size()) + " sizes do not fit whole units and courses within 2 %",
+      "write fit = \"cut\" under [wall], for a surveyed wall: units keep their size and are cut at "
+      "the edges; or mend each: " +
+          list);
+  for (const Fault& fault : left) faults.add(fault);
+}
+
+void copy_storeys(const std::vector<Storey>& storeys, Assembly& assembly) {
+  for (const Storey& storey : storeys)
+    if (storey.index >= 0)
+      assembly.storeys.push_back({storey.name, storey.foot, storey.top(), storey.thickness,
+                                  storey.first_course, storey.lattice.courses.count});
+  assembly.thickness = storeys.front().thickness;
+  assembly.top_thickness = storeys.back().thickness;
+}
+
 // Fills everything but faces; false after a fault that keeps the wall from standing.
 bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
-  check_body(shape.wall, faults);
-  note_planes(shape.wall, assembly.report.notes);
-  const Lattice lattice = fit_lattice(shape.wall, assembly.report.notes, faults);
-  const auto openings = place_openings(shape, lattice, assembly.report.notes, faults);
+  note_planes(stated_storeys(shape.wall, shape.storey), assembly.report.notes);
+  FaultList found;
+  const auto [storeys, openings] = plan_wall(shape, shape.wall.fit, assembly.report.notes, found);
+  add_plan_faults(shape, found, faults);
   if (faults.all().size() > before) return false;
+  const Lattice& lattice = storeys.front().lattice;
+  copy_storeys(storeys, assembly);
   assembly.length = shape.wall.length;
-  assembly.height = shape.wall.height;
+  assembly.height = storeys.back().top();
   assembly.report.half_unit = lattice.columns.step;
   assembly.report.course = lattice.courses.step;
-  assembly.report.courses = lattice.courses.count;
+  assembly.report.courses = storeys.back().first_course + storeys.back().lattice.courses.count;
   assembly.piers = find_piers(openings, assembly.length, assembly.height);
-  lay_blocks(shape, lattice, openings, assembly);
-  check_slivers(assembly.blocks, lattice, faults);
+  lay_blocks(shape, storeys, openings, assembly);
+  check_slivers(assembly.blocks, storeys, faults);
+  assign_regions(shape, storeys, openings, assembly, faults);
   add_caps(shape, {0, 0, assembly.length, assembly.height}, assembly, faults);
   return faults.all().size() == before;
 }
@@ -146,9 +244,26 @@ Rect masonry_bounds(const std::vector<Block>& blocks) {
   return whole;
 }
 
+// In a blocks file storeys are levels, from its lowest point upwards; a block belongs to the one that
+// holds its centroid, and takes its thickness where it states one.
+std::vector<Storey> mark_storeys(const Shape& shape, double foot, Assembly& assembly,
+                                 FaultList& faults) {
+  std::vector<Storey> storeys = level_storeys(shape, foot, faults);
+  if (shape.storey.empty()) return storeys;
+  for (Block& block : assembly.blocks) {
+    if (block.role != Role::kMasonry) continue;
+    const Storey& storey = storey_at(storeys, moments(block.outline).centroid.y);
+    block.storey = storey.index;
+    block.thickness = storey.thickness;
+  }
+  copy_storeys(storeys, assembly);
+  return storeys;
+}
+
 bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) {
   const std::size_t before = faults.all().size();
-  (void)is_positive({"wall.thickness", shape.wall.thickness, "m", "0.31 m"}, faults);
+  if (shape.storey.empty())
+    (void)is_positive({"wall.thickness", shape.wall.thickness, "m", "0.31 m"}, faults);
   assembly.blocks = blocks_from_file(shape, faults);
   const Rect extent = masonry_bounds(assembly.blocks);
   assembly.length = extent.x1 - extent.x0;
@@ -159,6 +274,8 @@ bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) 
     assembly.report.courses = std::max(assembly.report.courses, block.course + 1);
   }
   check_overlaps(assembly.blocks, faults);
+  const std::vector<Storey> storeys = mark_storeys(shape, extent.y0, assembly, faults);
+  if (faults.all().size() == before) assign_regions(shape, storeys, {}, assembly, faults);
   if (faults.all().size() == before) add_caps(shape, extent, assembly, faults);
   return faults.all().size() == before;
 }
@@ -201,15 +318,17 @@ void note_lost(const std::vector<LostContact>& lost, Assembly& assembly) {
 }
 
 void note_foundation(const Shape& shape, Assembly& assembly) {
-  const auto falls_back = [](const Face& face) {
-    return face.kind == FaceKind::kFoundation && face.material == "joint";
-  };
-  const auto& faces = assembly.faces;
-  if (shape.material.contains("foundation") ||
-      std::none_of(faces.begin(), faces.end(), falls_back)) {
-    return;
+  if (shape.material.contains("foundation")) return;
+  std::set<std::string> names;
+  for (const Face& face : assembly.faces) {
+    const Block& block = assembly.blocks[static_cast<std::size_t>(face.b)];
+    if (face.kind == FaceKind::kFoundation && face.material == bed_material(shape, block))
+      names.insert("[material." + face.material + "]");
   }
-  assembly.report.notes.push_back({"material.no_foundation"});
+  if (names.empty()) return;
+  const std::vector<std::string> listed(names.begin(), names.end());
+  assembly.report.notes.push_back(
+      {"material.no_foundation", {{"materials", joined(listed, ", ")}}});
 }
 
 }  // namespace
@@ -219,13 +338,28 @@ double density_of(const Shape& shape, const Block& block) {
   if (block.role == Role::kPlate) return kSteel;
   if (block.role == Role::kBeam && !std::isnan(shape.wall.beam.height))
     return shape.wall.beam.density;
+  if (block.role == Role::kLintel) return shape.material.at(block.material);
+  if (block.region >= 0) {
+    const double own = shape.region[static_cast<std::size_t>(block.region)].density;
+    if (!std::isnan(own)) return own;
+  }
   if (uses_blocks_file(shape)) return density_in_file(shape, block.material);
-  return block.role == Role::kLintel ? shape.material.at(block.material) : shape.wall.unit.density;
+  if (block.storey >= 0) {
+    const double own = shape.storey[static_cast<std::size_t>(block.storey)].unit.density;
+    if (!std::isnan(own)) return own;
+  }
+  return shape.wall.unit.density;
+}
+
+double Assembly::thickness_of(const Face& face) const {
+  const double above = blocks[static_cast<std::size_t>(face.b)].thickness;
+  return face.a == kGround ? above
+                           : std::min(above, blocks[static_cast<std::size_t>(face.a)].thickness);
 }
 
 Assembly build_assembly(const Shape& shape, FaultList& faults) {
   Assembly assembly;
-  assembly.thickness = shape.wall.thickness;
+  assembly.thickness = assembly.top_thickness = shape.wall.thickness;
   note_unused(shape, assembly.report.notes);
   const bool stands = uses_blocks_file(shape) ? raise_from_file(shape, assembly, faults)
                                               : raise_generated(shape, assembly, faults);

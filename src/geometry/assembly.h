@@ -30,6 +30,8 @@ struct Block {
   int course = -1;             // 0 at the bottom, -1 where it has no meaning
   int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
   int opening = -1;            // lintel segments: index of their opening
+  int storey = -1;             // in the model's list; -1: the model has none
+  int region = -1;             // the last of the model's list that holds its centroid; -1: none
   ZoneSpec zone;               // deformable where zone.zones > 0
 };
 
@@ -71,11 +73,22 @@ struct Pier {
   double height = 0;      // top of the lower adjacent opening [m]; wall height without openings
 };
 
+// One storey as laid, from the ground up.
+struct StoreyBand {
+  std::string name;
+  double foot = 0, top = 0;           // [m]
+  double thickness = 0;               // [m]
+  int first_course = 0, courses = 0;  // 0 courses in a blocks file
+};
+
 struct Assembly {
   std::vector<Block> blocks;
   std::vector<Face> faces;
   std::vector<Pier> piers;  // left to right; the whole wall when it has no opening
-  double length = 0, height = 0, thickness = 0;  // bounding box of the masonry [m]
+  std::vector<StoreyBand> storeys;
+  double length = 0, height = 0, thickness = 0;  // bounding box of the masonry; of its foot [m]
+  double top_thickness = 0;                      // of the topmost masonry [m]
+  [[nodiscard]] double thickness_of(const Face& face) const;  // the smaller of its blocks' [m]
   BuildReport report;
 };
 

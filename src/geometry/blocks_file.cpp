@@ -32,20 +32,9 @@ bool is_finite(const Polygon& corners) {
                      [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-// "" when the corners make a block.
-std::string shape_problem(const Polygon& corners) {
-  if (!is_finite(corners)) return "a corner is missing or not a finite number";
-  if (corners.size() < 3) return "a block needs at least 3 different corners";
-  if (corners.size() > kMostCorners)
-    return "a block has at most " + std::to_string(kMostCorners) + " corners";
-  if (moments(corners).area == 0) return "the block has no area";
-  if (!is_simple(corners)) return "the outline crosses or touches itself";
-  return "";
-}
-
 bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {
   Polygon corners = corners_of(spec);
-  const std::string problem = shape_problem(corners);
+  const std::string problem = outline_problem(corners);
   if (!problem.empty()) {
     add_fault(faults, path_of(spec), std::to_string(spec.polygon.size()) + " corners", problem,
               corners.size() > kMostCorners
@@ -140,6 +129,16 @@ void check_rules(const Shape& shape, FaultList& faults) {
 }
 
 }  // namespace
+
+std::string outline_problem(const Polygon& corners) {
+  if (!is_finite(corners)) return "a corner is missing or not a finite number";
+  if (corners.size() < 3) return "an outline needs at least 3 different corners";
+  if (corners.size() > kMostCorners)
+    return "an outline has at most " + std::to_string(kMostCorners) + " corners";
+  if (moments(corners).area == 0) return "the outline has no area";
+  if (!is_simple(corners)) return "the outline crosses or touches itself";
+  return "";
+}
 
 std::vector<Block> blocks_from_file(const Shape& shape, FaultList& faults) {
   if (shape.block.empty()) {

@@ -7,11 +7,15 @@
 #include <vector>
 
 #include "geometry/assembly.h"
+#include "geometry/polygon.h"
 
 namespace wythe::geometry {
 
 // Blocks in the file's order. Courses are numbered only where every block is an upright rectangle.
 [[nodiscard]] std::vector<Block> blocks_from_file(const Shape& shape, FaultList& faults);
+
+// Why these corners make no outline; "" where they do.
+[[nodiscard]] std::string outline_problem(const Polygon& corners);
 
 // Density of a file's block: of its material, or the unit's where that has none [kg/m^3].
 [[nodiscard]] double density_in_file(const Shape& shape, const std::string& material);

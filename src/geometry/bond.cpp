@@ -69,9 +69,9 @@ struct Unit {
   double x0, x1;
   bool is_stretcher;
 };
-std::vector<Unit> units_of(const Lattice& lattice, const WallSpec& wall, int course) {
-  const Cycle cycle = cycle_of(lattice, wall.bond, course);
-  const Axis& columns = lattice.columns;
+std::vector<Unit> units_of(const Storey& storey, int course) {
+  const Cycle cycle = cycle_of(storey.lattice, storey.bond, course);
+  const Axis& columns = storey.lattice.columns;
   std::vector<Unit> units;
   double x = cycle.start;
   for (std::size_t k = 0; x < columns.extent * (1 - 1e-9); k = (k + 1) % cycle.unit.size()) {
@@ -123,14 +123,15 @@ void join_piece(std::vector<Piece>& run, std::size_t i) {
 
 }  // namespace
 
-std::vector<Piece> lay_course(const Lattice& lattice, const WallSpec& wall, int course) {
-  const std::vector<Unit> next = units_of(lattice, wall, course + 1);
+std::vector<Piece> lay_course(const Storey& storey, int course) {
+  const Axis& columns = storey.lattice.columns;
+  const std::vector<Unit> next = units_of(storey, course + 1);
   std::vector<Piece> pieces;
   int number = 0;
-  for (const Unit& unit : units_of(lattice, wall, course)) {
+  for (const Unit& unit : units_of(storey, course)) {
     const std::size_t before = pieces.size();
-    add_unit({unit.x0, unit.x1, number, ' '},
-             planes_of(unit, next, wall.unit.split, lattice.columns), lattice.columns, pieces);
+    add_unit({unit.x0, unit.x1, number, ' '}, planes_of(unit, next, storey.unit.split, columns),
+             columns, pieces);
     number += pieces.size() > before;
   }
   return pieces;

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "geometry/fit.h"
+#include "geometry/storeys.h"
 
 namespace wythe::geometry {
 
@@ -25,9 +25,8 @@ struct Piece {
   char half = ' ';        // 'a', 'b', ..., or ' ' for a whole unit or a closer
 };
 
-// The pieces of course `course` over the whole wall, left to right.
-[[nodiscard]] std::vector<Piece> lay_course(const Lattice& lattice, const WallSpec& wall,
-                                            int course);
+// The pieces of course `course`, counted from the ground, over the whole wall, left to right.
+[[nodiscard]] std::vector<Piece> lay_course(const Storey& storey, int course);
 
 // The pieces within x0..x1. Cut pieces shorter than `shortest` are joined to their neighbour, first
 // of the same unit, else the shorter one; `joined` counts them.

@@ -28,7 +28,7 @@ void add_plates(const Rect& extent, Assembly& assembly) {
   for (std::size_t i = 0; i < assembly.piers.size(); ++i) {
     const Pier& pier = assembly.piers[i];
     Block plate = cap("plate" + std::to_string(i), {pier.x0, extent.y1, pier.x1, top}, Role::kPlate,
-                      assembly.thickness);
+                      assembly.top_thickness);
     assembly.blocks.push_back(plate);
   }
 }
@@ -38,7 +38,7 @@ void add_beam(const BeamSpec& beam, const Rect& extent, Assembly& assembly, Faul
   given &= is_not_negative({"wall.beam.density", beam.density, "kg/m^3", "2500 kg/m^3"}, faults);
   if (!given) return;
   Block block = cap("beam", {extent.x0, extent.y1, extent.x1, extent.y1 + beam.height}, Role::kBeam,
-                    assembly.thickness);
+                    assembly.top_thickness);
   assembly.blocks.push_back(block);
 }
 

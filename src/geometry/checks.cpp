@@ -91,10 +91,12 @@ void check_overlaps(const std::vector<Block>& blocks, FaultList& faults) {
               "list every block once, and long ones in pieces");
 }
 
-void check_slivers(const std::vector<Block>& blocks, const Lattice& lattice, FaultList& faults) {
+void check_slivers(const std::vector<Block>& blocks, const std::vector<Storey>& storeys,
+                   FaultList& faults) {
   for (const Block& block : blocks) {
     if (block.role != Role::kMasonry) continue;
     const Rect box = bounds(block.outline);
+    const Lattice& lattice = storeys[static_cast<std::size_t>(std::max(0, block.storey))].lattice;
     const double width = box.x1 - box.x0, height = box.y1 - box.y0;
     if (width >= kThinnest * lattice.columns.step && height >= kThinnest * lattice.courses.step) {
       continue;

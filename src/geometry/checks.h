@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/assembly.h"
-#include "geometry/fit.h"
+#include "geometry/storeys.h"
 
 namespace wythe::geometry {
 
@@ -15,7 +15,8 @@ namespace wythe::geometry {
 void check_overlaps(const std::vector<Block>& blocks, FaultList& faults);
 
 // Pieces of a generated wall thinner than a tenth of a half unit or of a course.
-void check_slivers(const std::vector<Block>& blocks, const Lattice& lattice, FaultList& faults);
+void check_slivers(const std::vector<Block>& blocks, const std::vector<Storey>& storeys,
+                   FaultList& faults);
 
 // Every block must reach the ground through faces.
 void check_support(const Assembly& assembly, FaultList& faults);

@@ -69,7 +69,7 @@ std::string name_of(int course, const Piece& piece, std::set<std::string>& used)
 }
 
 struct Site {
-  const WallSpec& wall;
+  const Storey& storey;
   int course;
   int first_unit;  // number of the course's first unit
 };
@@ -79,30 +79,38 @@ Block block_of(const Site& site, const Piece& piece, const Rect& run, std::set<s
   block.id = name_of(site.course, piece, used);
   block.outline = outline_of({piece.x0, run.y0, piece.x1, run.y1});
   block.material = "masonry";
-  block.thickness = site.wall.thickness;
+  block.thickness = site.storey.thickness;
   block.course = site.course;
-  block.unit = site.wall.unit.split != Split::kNone ? site.first_unit + piece.unit : -1;
+  block.storey = site.storey.index;
+  block.unit = site.storey.unit.split != Split::kNone ? site.first_unit + piece.unit : -1;
   return block;
 }
 
-}  // namespace
-
-Masonry lay_masonry(const WallSpec& wall, const Lattice& lattice, const std::vector<Rect>& holes) {
-  Masonry masonry;
-  const Axis &columns = lattice.columns, &courses = lattice.courses;
+// `first_unit` is the number of the storey's first unit, and afterwards that of the one above.
+void lay_storey(const Storey& storey, const std::vector<Rect>& holes, int& first_unit,
+                Masonry& masonry) {
+  const Axis &columns = storey.lattice.columns, &courses = storey.lattice.courses;
   const double shortest = kSliver * columns.step;
-  int first_unit = 0;
-  for (int course = 0; course < courses.count; ++course) {
-    const std::vector<Piece> laid = lay_course(lattice, wall, course);
-    const Rect band{0, courses.line(course), columns.extent, courses.line(course + 1)};
+  for (int row = 0; row < courses.count; ++row) {
+    const int course = storey.first_course + row;
+    const std::vector<Piece> laid = lay_course(storey, course);
+    const Rect band{0, courses.line(row), columns.extent, courses.line(row + 1)};
     std::set<std::string> used;
     for (const Rect& run : solid_runs(band, holes)) {
       for (const Piece& piece : cut_pieces(laid, run.x0, run.x1, shortest, masonry.joined_pieces)) {
-        masonry.blocks.push_back(block_of({wall, course, first_unit}, piece, run, used));
+        masonry.blocks.push_back(block_of({storey, course, first_unit}, piece, run, used));
       }
     }
     first_unit += laid.back().unit + 1;
   }
+}
+
+}  // namespace
+
+Masonry lay_masonry(const std::vector<Storey>& storeys, const std::vector<Rect>& holes) {
+  Masonry masonry;
+  int first_unit = 0;
+  for (const Storey& storey : storeys) lay_storey(storey, holes, first_unit, masonry);
   return masonry;
 }
 

@@ -18,7 +18,7 @@ struct Masonry {
   int joined_pieces = 0;      // cut pieces too short to stand alone, joined to a neighbour
 };
 
-[[nodiscard]] Masonry lay_masonry(const WallSpec& wall, const Lattice& lattice,
+[[nodiscard]] Masonry lay_masonry(const std::vector<Storey>& storeys,
                                   const std::vector<Rect>& holes);
 
 }  // namespace wythe::geometry

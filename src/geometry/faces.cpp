@@ -6,6 +6,7 @@
 
 #include "geometry/blocks_file.h"
 #include "geometry/caps.h"
+#include "geometry/storeys.h"
 #include "geometry/text.h"
 
 namespace wythe::geometry {
@@ -36,9 +37,36 @@ const LintelSpec& lintel_between(const Shape& shape, const Block& a, const Block
   return shape.wall.opening[static_cast<std::size_t>(opening)].lintel;
 }
 
-// "foundation", where the spec has no such material "joint".
-std::string foundation_or_joint(const Shape& shape, const std::string& name) {
-  return name == "foundation" && !shape.material.contains(name) ? "joint" : name;
+// The first of region, storey and wall that names this kind of joint; "" where none does.
+std::string stated(const Shape& shape, const Block& block, std::string MasonryJoints::*kind) {
+  std::string name;
+  if (block.region >= 0) name = shape.region[static_cast<std::size_t>(block.region)].joints.*kind;
+  if (name.empty() && block.storey >= 0)
+    name = shape.storey[static_cast<std::size_t>(block.storey)].joints.*kind;
+  return name.empty() ? shape.wall.joints.*kind : name;
+}
+
+std::string or_else(const std::string& name, const std::string& otherwise) {
+  return name.empty() ? otherwise : name;
+}
+
+std::string masonry_material(const Shape& shape, const Block& block, FaceKind kind) {
+  if (kind == FaceKind::kSplit)
+    return or_else(stated(shape, block, &MasonryJoints::unit_joint), "unit");
+  const std::string bed = or_else(stated(shape, block, &MasonryJoints::joint), "joint");
+  return kind == FaceKind::kHead ? or_else(stated(shape, block, &MasonryJoints::head_joint), bed)
+                                 : bed;
+}
+
+// Whose joint it is: b is the upper block, or the right one.
+const Block& owner_of(const Block& a, const Block& b) { return a.region < b.region ? a : b; }
+
+// A name that stands for the masonry's own joint where the spec has no such material: "joint" by default
+// (lintel.bond, beam.joint), and "foundation".
+std::string own_joint(const Shape& shape, const std::string& name, const Block& masonry) {
+  const bool stands_in =
+      (name == "joint" || name == "foundation") && !shape.material.contains(name);
+  return stands_in ? bed_material(shape, masonry) : name;
 }
 
 // A lintel's ends, its bearing and what lies on it may have materials of their own.
@@ -52,16 +80,23 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
 
 std::string pair_material(const Shape& shape, const Block& a, const Block& b, FaceKind kind,
                           const Contact& contact) {
-  if (kind == FaceKind::kLintelChain) return lintel_between(shape, a, b).material;
-  if (kind == FaceKind::kLintelBond) return bond_material(lintel_between(shape, a, b), a, contact);
-  if (kind == FaceKind::kPlate) return foundation_or_joint(shape, plate_joint(shape));
-  if (kind == FaceKind::kSplit) return "unit";
-  const std::string plain = kind == FaceKind::kBeam ? shape.wall.beam.joint : "joint";
-  return uses_blocks_file(shape) ? ruled_material(shape, a.material, b.material, plain) : plain;
+  const Block& masonry = a.role == Role::kMasonry ? a : b;
+  switch (kind) {
+    case FaceKind::kLintelChain: return lintel_between(shape, a, b).material;
+    case FaceKind::kLintelBond:
+      return own_joint(shape, bond_material(lintel_between(shape, a, b), a, contact), masonry);
+    case FaceKind::kPlate: return own_joint(shape, plate_joint(shape), masonry);
+    default: break;
+  }
+  const std::string plain = kind == FaceKind::kBeam
+                                ? own_joint(shape, shape.wall.beam.joint, masonry)
+                                : masonry_material(shape, owner_of(a, b), kind);
+  const bool ruled = uses_blocks_file(shape) && kind != FaceKind::kSplit;
+  return ruled ? ruled_material(shape, a.material, b.material, plain) : plain;
 }
 
 std::string ground_material(const Shape& shape, const Block& block, const Block* support) {
-  std::string material = foundation_or_joint(shape, "foundation");
+  std::string material = own_joint(shape, "foundation", block);
   if (!uses_blocks_file(shape)) return material;
   if (support != nullptr)
     material = ruled_material(shape, support->material, block.material, material);
@@ -131,11 +166,36 @@ void add_lintel_uses(const Shape& shape, Uses& uses) {
     uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
     for (const auto* bond :
          {&opening.lintel.bond, &opening.lintel.bearing_bond, &opening.lintel.top_bond})
-      if (!bond->empty()) uses.emplace(*bond, FaceKind::kLintelBond);
+      if (!bond->empty()) uses.emplace(own_joint(shape, *bond, {}), FaceKind::kLintelBond);
   }
 }
 
+bool has_crack_planes(const Storey& storey) {
+  if (storey.unit.split == Split::kMiddle) return storey.bond != Bond::kHeader;
+  return storey.unit.split == Split::kAtJoints && storey.bond != Bond::kStack;
+}
+
+void add_masonry_uses(const Shape& shape, Uses& uses) {
+  const bool from_file = uses_blocks_file(shape);
+  for (const Storey& storey : stated_storeys(shape.wall, shape.storey)) {
+    Block block;
+    block.storey = storey.index;
+    for (const FaceKind kind : {FaceKind::kBed, FaceKind::kHead, FaceKind::kSplit})
+      if (kind != FaceKind::kSplit || (!from_file && has_crack_planes(storey)))
+        uses.emplace(masonry_material(shape, block, kind), kind);
+  }
+  for (const RegionSpec& region : shape.region)
+    for (const auto& [name, kind] : {std::pair(region.joints.joint, FaceKind::kBed),
+                                     {region.joints.head_joint, FaceKind::kHead},
+                                     {region.joints.unit_joint, FaceKind::kSplit}})
+      if (!name.empty()) uses.emplace(name, kind);
+}
+
 }  // namespace
+
+std::string bed_material(const Shape& shape, const Block& block) {
+  return masonry_material(shape, block, FaceKind::kBed);
+}
 
 bool uses_blocks_file(const Shape& shape) {
   return !shape.wall.blocks.empty() || !shape.block.empty();
@@ -172,18 +232,15 @@ void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultLi
 }
 
 void check_stated_materials(const Shape& shape, FaultList& faults) {
-  Uses uses{{"joint", FaceKind::kBed}};
+  Uses uses;
+  add_masonry_uses(shape, uses);
   for (const ContactRule& rule : shape.contact) uses.emplace(rule.material, FaceKind::kBed);
-  if (!uses_blocks_file(shape)) {
-    add_lintel_uses(shape, uses);
-    const Split split = shape.wall.unit.split;
-    const Bond bond = shape.wall.bond;
-    const bool cracks = split == Split::kMiddle ? bond != Bond::kHeader
-                                                : split == Split::kAtJoints && bond != Bond::kStack;
-    if (cracks) uses.emplace("unit", FaceKind::kSplit);
-  }
-  if (std::isfinite(shape.wall.beam.height)) uses.emplace(shape.wall.beam.joint, FaceKind::kBeam);
-  uses.emplace(foundation_or_joint(shape, plate_joint(shape)), FaceKind::kPlate);
+  if (!uses_blocks_file(shape)) add_lintel_uses(shape, uses);
+  Block top;
+  top.storey = static_cast<int>(shape.storey.size()) - 1;
+  if (std::isfinite(shape.wall.beam.height))
+    uses.emplace(own_joint(shape, shape.wall.beam.joint, top), FaceKind::kBeam);
+  uses.emplace(own_joint(shape, plate_joint(shape), top), FaceKind::kPlate);
   refuse_missing(shape, uses, faults);
 }
 

@@ -1,11 +1,16 @@
 // From contacts to faces: what kind of joint each is and which joint material it takes.
 //
-//   two halves of one unit            kSplit        unit
-//   masonry on or beside masonry      kBed, kHead   joint (blocks files: the first matching rule)
+//   two halves of one unit            kSplit        wall.unit_joint, or unit
+//   masonry beside masonry            kHead         wall.head_joint, or as a bed joint
+//   masonry on masonry                kBed          wall.joint, or joint
+//       each of region, storey, wall in turn; blocks files: the first matching contact rule
 //   lintel segment to its neighbour   kLintelChain  the lintel's own material
 //   lintel to masonry                 kLintelBond   lintel.bond
 //   under a plate, under the beam     kPlate, kBeam stage.plate_joint, beam.joint
-//   on the ground or on a support     kFoundation   foundation, or joint where there is none
+//   on the ground or on a support     kFoundation   foundation, or as a bed joint where there is none
+//
+// A joint between two regions is of the one listed first, and of the masonry around before any region: a
+// region has the joints between its own blocks. The bed joint between two storeys is the upper one's.
 //
 // Called by assembly.cpp after find_contacts().
 #pragma once
@@ -19,6 +24,9 @@
 namespace wythe::geometry {
 
 [[nodiscard]] bool uses_blocks_file(const Shape& shape);
+
+// Name of the bed joint's material in the masonry of this block.
+[[nodiscard]] std::string bed_material(const Shape& shape, const Block& block);
 
 // Faces in the contacts' order; contacts between two supports are dropped.
 [[nodiscard]] std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& blocks,

@@ -5,6 +5,9 @@
 // fit = "whole": the step changes by 2 % or less, reported as a note; else a fault with the sizes
 // that would fit. fit = "cut": nominal steps from the start, the last one cut; a rest shorter than
 // a quarter step is joined to the step before it.
+//
+// Sizes are nominal, mortar included. A wall of n bare units has n - 1 joints: where that is what its
+// extent says, it holds n steps, which share the missing joint (docs/theory/conventions.md).
 #pragma once
 
 #include <string>
@@ -24,6 +27,9 @@ struct Axis {
   double extent = 0;                            // [m]
   double step = 0;                              // fitted [m]
   int count = 0;                                // of steps
+  double origin = 0;                            // line 0 [m]
+  double joint = 0;                             // thickness of mortar within a step [m]
+  [[nodiscard]] double end() const;             // line(count) [m]
   [[nodiscard]] double line(int i) const;       // [m], 0 <= i <= count
   [[nodiscard]] double half_line(int q) const;  // line at q half steps, any q [m]
   [[nodiscard]] int nearest(double x) const;    // line nearest to x
@@ -37,9 +43,11 @@ struct Lattice {
   double header = 0;     // header face [m]
 };
 
-// Everything is checked before anything is fitted; where a size is missing the lattice is empty (count
-// 0), where one does not fit it is that of the cure.
-[[nodiscard]] Lattice fit_lattice(const WallSpec& wall, std::vector<Message>& notes,
+struct Storey;  // storeys.h
+
+// The lattice of a storey that stands on `foot`. Everything is checked before anything is fitted; where
+// a size is missing the lattice is empty (count 0), where one does not fit it is that of the cure.
+[[nodiscard]] Lattice fit_lattice(const Storey& storey, std::vector<Message>& notes,
                                   FaultList& faults);
 
 }  // namespace wythe::geometry

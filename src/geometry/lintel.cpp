@@ -68,7 +68,7 @@ bool lies_under_top(int bottom, int top, const Axis& courses, const PlacedOpenin
   if (top <= courses.count) return true;
   add_fault(faults, opening_path(opening.index, "lintel.depth"), millimetres(lintel.depth),
             "deeper than the masonry above " + opening.called + " (" +
-                millimetres(courses.extent - opening.hole.y1) + ")",
+                millimetres(courses.end() - opening.hole.y1) + ")",
             bottom < courses.count
                 ? "write depth = \"" + millimetres((courses.count - bottom) * courses.step) + "\""
                 : "lower the opening, or leave the lintel out");

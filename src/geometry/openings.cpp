@@ -15,7 +15,10 @@ struct Span {
   const PlacedOpening& placed;
   std::string start_key, size_key;  // "x", "width"
   const char *start_moved_code, *size_changed_code;
-  double start, size;  // as stated [m]
+  double start, size;   // as stated, from the wall's corner [m]
+  double base;          // of the user's measure: 0, or the foot of the named storey [m]
+  std::string outside;  // what lies beyond the last line: "outside the wall (wall.length = 5.1 m)"
+  std::string fit_key;  // "wall.fit"
 };
 
 bool is_given(const OpeningSpec& opening, int i, FaultList& faults) {
@@ -26,10 +29,11 @@ bool is_given(const OpeningSpec& opening, int i, FaultList& faults) {
   return given;
 }
 
-// How far an edge may move to the nearest line: 2 % of the opening, and with fit = "cut" upright
-// edges not at all beyond that, while level edges move up to a sliver (no thin strips of units).
+// How far an edge may move to the nearest line: 2 % of the opening or the thickness of a joint, and with
+// fit = "cut" upright edges not at all beyond that, while level edges move up to a sliver (no thin
+// strips of units).
 double reach_of(const Span& span, const Axis& axis, Fit fit) {
-  const double reach = kFitTolerance * span.size;
+  const double reach = std::max(kFitTolerance * span.size, axis.joint);
   const bool is_level = span.start_key == "y";
   return fit == Fit::kCut && is_level ? std::max(reach, kSliver * axis.step) : reach;
 }
@@ -39,6 +43,11 @@ struct Room {
   int first, last;
 };
 
+std::string floor_line(double height) {
+  return "floor line at " + metres(height) +
+         ": an opening lies in one storey, so make two of one that goes through";
+}
+
 // Why the span can't be laid as it is stated, at which key; "" where it can.
 struct SpanFault {
   std::string key, problem;
@@ -46,14 +55,16 @@ struct SpanFault {
 
 SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
   const double end = span.start + span.size, reach = reach_of(span, axis, fit);
-  if (end > axis.extent + kFitTolerance * span.size)
-    return {span.size_key, "ends at " + metres(end) + ", outside the wall (wall." +
-                               (span.start_key == "x" ? "length" : "height") + " = " +
-                               metres(axis.extent) + ")"};
+  const double slack = std::max(kFitTolerance * span.size, axis.joint);
+  if (end > axis.end() + slack)
+    return {span.size_key, "ends at " + metres(end - span.base) + ", " + span.outside};
+  if (span.start < axis.origin - slack)
+    return {span.start_key, "begins at " + metres(span.start - span.base) + ", below the " +
+                                floor_line(axis.origin - span.base)};
   for (const auto& [key, edge] : {std::pair(span.start_key, span.start), {span.size_key, end}}) {
     const double off = std::abs(axis.line(axis.nearest(edge)) - edge);
     if (fit == Fit::kWhole && off > reach + 1e-9)
-      return {key, "has an edge at " + metres(edge) + ", " + millimetres(off) +
+      return {key, "has an edge at " + metres(edge - span.base) + ", " + millimetres(off) +
                        " from the nearest joint line, more than 2 % of its " + span.size_key};
   }
   if (end - span.start < kSliver * axis.step)
@@ -64,7 +75,9 @@ SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
 void note_move(const Span& span, const char* code, double from, double to,
                std::vector<Message>& notes) {
   if (std::abs(to - from) < 1e-9) return;
-  notes.push_back({code, {{"opening", span.placed.words}, {"from_m", from}, {"to_m", to}}});
+  const double base = code == span.start_moved_code ? span.base : 0;
+  notes.push_back(
+      {code, {{"opening", span.placed.words}, {"from_m", from - base}, {"to_m", to - base}}});
 }
 
 // The nearest span on joint lines within `room`: what the cure says, and what the rest is checked with.
@@ -80,13 +93,13 @@ void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room 
     if (std::abs(stated - value) > 1e-9)
       keys += (keys.empty() ? "" : " and ") + key + " = \"" + metres(value) + "\"";
   };
-  write(span.start_key, span.start, start);
+  write(span.start_key, span.start - span.base, start - span.base);
   write(span.size_key, span.size, end - start);
   add_fault(faults, opening_path(span.placed.index, fault.key),
-            metres(fault.key == span.start_key ? span.start : span.size),
+            metres(fault.key == span.start_key ? span.start - span.base : span.size),
             span.placed.called + " " + fault.problem,
-            "write " + keys + ", on the joint lines every " + millimetres(axis.step) +
-                "; or wall.fit = \"cut\"");
+            "write " + keys + ", on the joint lines every " + millimetres(axis.step) + "; or " +
+                span.fit_key + " = \"cut\"");
 }
 
 // Both edges of one direction; false after a fault, with the span of its cure.
@@ -102,29 +115,57 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
     return std::abs(line - edge) <= reach_of(span, axis, fit) + 1e-9 ? line : edge;
   };
   start = snapped(span.start);
-  end = std::min(snapped(span.start + span.size), axis.extent);
+  end = std::min(snapped(span.start + span.size), axis.end());
   note_move(span, span.start_moved_code, span.start, start, notes);
   note_move(span, span.size_changed_code, span.size, end - start, notes);
   return true;
 }
 
+// The named storey, or the one that holds the opening's middle; nullptr after a fault.
+const Storey* storey_of(const OpeningSpec& opening, int i, const std::vector<Storey>& storeys,
+                        FaultList& faults) {
+  if (!opening.storey.empty())
+    return find_storey(storeys, opening.storey, opening_path(i, "storey"), faults);
+  return &storey_at(storeys, opening.y + opening.height / 2);
+}
+
 // False where numbers are missing; after other faults the hole is that of their cures.
-bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Lattice& lattice, Fit fit,
+bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Storey& storey, double top,
                 bool has_lintel, std::vector<Message>& notes, FaultList& faults) {
-  const Axis &columns = lattice.columns, &courses = lattice.courses;
-  const int i = placed.index;
-  if (!is_given(opening, i, faults) || columns.count == 0 || courses.count == 0) return false;
+  const Axis &columns = storey.lattice.columns, &courses = storey.lattice.courses;
+  if (columns.count == 0 || courses.count == 0) return false;
   const int bearing = has_lintel ? whole_steps(opening.lintel.bearing, columns.step) : 0;
   const int depth = has_lintel ? whole_steps(opening.lintel.depth, courses.step) : 0;
-  const Span level{placed,    "x",          "width", "opening.x_moved", "opening.width_changed",
-                   opening.x, opening.width};
-  const Span upright{
-      placed,    "y",           "height", "opening.y_moved", "opening.height_changed",
-      opening.y, opening.height};
+  const double base = opening.storey.empty() ? 0 : storey.foot;
+  const auto outside = [](const char* key, double extent) {
+    return std::string("outside the wall (wall.") + key + " = " + metres(extent) + ")";
+  };
+  const std::string fit_key = storey.path_of("fit");
+  const Span level{placed,
+                   "x",
+                   "width",
+                   "opening.x_moved",
+                   "opening.width_changed",
+                   opening.x,
+                   opening.width,
+                   0,
+                   outside("length", columns.extent),
+                   fit_key};
+  const Span upright{placed,
+                     "y",
+                     "height",
+                     "opening.y_moved",
+                     "opening.height_changed",
+                     opening.y + base,
+                     opening.height,
+                     base,
+                     courses.end() < top ? "above the " + floor_line(courses.end() - base)
+                                         : outside("height", top),
+                     fit_key};
   Rect& hole = placed.hole;
-  (void)snap_span(level, columns, fit, {bearing, columns.count - bearing}, hole.x0, hole.x1, notes,
-                  faults);
-  (void)snap_span(upright, courses, fit, {0, courses.count - depth}, hole.y0, hole.y1, notes,
+  (void)snap_span(level, columns, storey.fit, {bearing, columns.count - bearing}, hole.x0, hole.x1,
+                  notes, faults);
+  (void)snap_span(upright, courses, storey.fit, {0, courses.count - depth}, hole.y0, hole.y1, notes,
                   faults);
   return true;
 }
@@ -189,22 +230,26 @@ double lower_adjacent_top(const std::vector<PlacedOpening>& openings, double x0,
 
 }  // namespace
 
-std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
+std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<Storey>& storeys,
                                           std::vector<Message>& notes, FaultList& faults) {
   std::vector<PlacedOpening> placed;
+  const double top = storeys.back().top();
   for (std::size_t k = 0; k < shape.wall.opening.size(); ++k) {
     const OpeningSpec& opening = shape.wall.opening[k];
     const int i = static_cast<int>(k);
     const bool lintel_is_given = check_lintel(shape, i, faults);
+    if (!is_given(opening, i, faults)) continue;
+    const Storey* storey = storey_of(opening, i, storeys, faults);
+    if (storey == nullptr) continue;
     PlacedOpening result{.index = i,
+                         .storey = static_cast<int>(storey - storeys.data()),
                          .called = opening_name(i, opening.name),
                          .words = opening_words(i, opening.name),
                          .hole = {},
                          .segment = {}};
-    if (!place_hole(opening, result, lattice, shape.wall.fit, lintel_is_given, notes, faults))
-      continue;
-    if (lintel_is_given) place_lintel(opening.lintel, lattice, result, notes, faults);
-    if (opening.lintel.kind.empty()) note_bare_head(result, shape.wall.height, notes);
+    if (!place_hole(opening, result, *storey, top, lintel_is_given, notes, faults)) continue;
+    if (lintel_is_given) place_lintel(opening.lintel, storey->lattice, result, notes, faults);
+    if (opening.lintel.kind.empty()) note_bare_head(result, top, notes);
     placed.push_back(result);
   }
   check_pairs(placed, faults);

@@ -15,18 +15,21 @@
 #include "geometry/assembly.h"
 #include "geometry/fit.h"
 #include "geometry/polygon.h"
+#include "geometry/storeys.h"
 
 namespace wythe::geometry {
 
 struct PlacedOpening {
   int index = 0;              // in wall.opening
+  int storey = 0;             // of the planned storeys, from the ground up
   std::string called;         // "opening 0 (door)", in faults
   Message words;              // the same, in notes
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
 };
 
-[[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape, const Lattice& lattice,
+[[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape,
+                                                        const std::vector<Storey>& storeys,
                                                         std::vector<Message>& notes,
                                                         FaultList& faults);
 

@@ -42,6 +42,10 @@ std::string opening_path(int index, const std::string& key) {
   return "wall.opening." + std::to_string(index) + "." + key;
 }
 
+std::string storey_path(int index, const std::string& key) {
+  return "storey." + std::to_string(index) + "." + key;
+}
+
 std::string opening_name(int index, const std::string& name) {
   return "opening " + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
 }

@@ -16,7 +16,8 @@ namespace wythe::geometry {
 [[nodiscard]] std::string times(double factor);               // 30.96 -> "31"
 [[nodiscard]] std::string last_key(const std::string& path);  // "wall.unit.length" -> "length"
 [[nodiscard]] std::string opening_path(int index,
-                                       const std::string& key);  // "wall.opening.0.width"
+                                       const std::string& key);            // "wall.opening.0.width"
+[[nodiscard]] std::string storey_path(int index, const std::string& key);  // "storey.0.height"
 
 [[nodiscard]] std::string opening_name(int index, const std::string& name);  // "opening 0 (door)"
 [[nodiscard]] Message opening_words(int index, const std::string& name);

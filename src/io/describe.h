@@ -3,6 +3,7 @@
 //
 //   describe(visitor, spec)      visitor reads, writes, compares or documents; it offers
 //     quantity, quantities       double, vector<double> with a unit
+//     points                     pairs of them
 //     number, integer, flag      double without unit, int, bool
 //     text, texts, choice        string, vector<string>, an enum by its words
 //     table, list, map           a struct, a vector of structs [[..]], structs by name [..<name>]
@@ -11,6 +12,7 @@
 // here and nothing elsewhere. Order here is order in written files and in the reference page.
 #pragma once
 
+#include "io/describe_building.h"
 #include "io/key.h"
 #include "wythe/wall_spec.h"
 
@@ -67,36 +69,18 @@ template <class Visitor>
 void describe(Visitor& v, OpeningSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "door",
          .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
+  v.text("storey", s.storey, {.fallback = "the whole wall", .example = "ground",
+         .doc = "Name of its storey: y then counts from the storey's foot. An opening lies in one storey."});
   v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
              .example = "1.70 m", .doc = "Left jamb, from the wall's left end."});
   v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
-             .example = "0.90 m", .doc = "Sill above the wall's base; 0 m for a door."});
+             .example = "0.90 m", .doc = "Sill above the wall's base, or its storey's foot; 0 m for a door."});
   v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = kRequired, .example = "1.70 m", .doc = "Clear width."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = kRequired, .example = "2.64 m", .doc = "Clear height, sill to soffit."});
   v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
           .doc = "The lintel over the opening."});
-}
-
-template <class Visitor>
-void describe(Visitor& v, UnitSpec& s) {
-  v.quantity("length", s.length, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = kRequired, .example = "310 mm",
-             .doc = "Nominal length of a unit, head joint included; fitted to whole half units."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = kRequired, .example = "110 mm",
-             .doc = "Nominal course height, bed joint included; fitted to whole courses."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "half the length", .example = "155 mm",
-             .doc = "Width of a header's face, joint included (flemish, english, header bond)."});
-  v.choice("split", s.split, kSplitWords, {.example = "middle",
-           .doc = "Potential crack planes inside the units: down the middle of each stretcher; in "
-                  "line with the head joints above and below, where cracks go through (in running "
-                  "bond the same); or none."});
-  v.quantity("density", s.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive,
-             .fallback = kRequired, .example = "1250 kg/m^3",
-             .doc = "Density of the masonry, units and mortar together."});
 }
 
 template <class Visitor>
@@ -117,18 +101,21 @@ void describe(Visitor& v, WallSpec& s) {
   v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = kRequired, .example = "5.10 m", .doc = "Length of the wall."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = kRequired, .example = "3.62 m", .doc = "Height of the masonry."});
+             .fallback = "required, or the sum of the storeys", .example = "3.62 m",
+             .doc = "Height of the masonry; with storeys it may be left out, or agrees with their sum."});
   v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = kRequired, .example = "0.31 m",
-             .doc = "Thickness out of the plane; may stand in the blocks file instead."});
+             .doc = "Thickness out of the plane; may stand in the blocks file or in every storey instead."});
   v.choice("bond", s.bond, kBondWords, {.example = "running", .doc = "How the units are laid."});
   v.choice("fit", s.fit, kFitWords, {.example = "cut",
            .doc = "Where units or courses do not divide the wall evenly: `whole` fits their size "
-                  "by up to 2 % and reports it, `cut` keeps it and cuts units at the edges."});
+                  "by up to 2 % and reports it, `cut` keeps it and cuts units at the edges, as in a "
+                  "surveyed wall."});
   v.text("blocks", s.blocks, {.fallback = "the bond pattern", .example = "stones.json",
          .doc = "Blocks file (JSON), relative to the model file. It replaces length, height, bond, "
                 "the unit's sizes and the openings."});
   v.table("unit", s.unit, {.optional = true, .doc = "The masonry unit."});
+  describe_joints(v, s.joints, "joint", "joint, or what that is", "unit");
   v.list("opening", s.opening, {.doc = "One table for each door or window."});
   v.table("beam", s.beam, {.optional = true, .doc = "A loading beam over the whole wall top."});
 }
@@ -193,7 +180,7 @@ void describe_stiffnesses(Visitor& v, MasonrySpec& m) {
   v.quantity("interface_shear_stiffness", m.interface_shear_stiffness, {.unit = "Pa/m", .shown = "GPa/m",
              .range = kPositive, .fallback = "none", .example = "36 GPa/m", .doc = "ks of such an interface."});
   v.quantity("joint_thickness", m.joint_thickness, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "none", .example = "10 mm", .doc = "Thickness of a bed joint."});
+             .fallback = "wall.unit.mortar", .example = "10 mm", .doc = "Thickness of a bed joint."});
   v.quantity("course_height", m.course_height, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "wall.unit.height", .example = "65 mm", .doc = "Height of a course, bed joint included."});
   v.quantity("unit_length", m.unit_length, {.unit = "m", .shown = "mm", .range = kLength,
@@ -565,6 +552,11 @@ void describe(Visitor& v, ModelSpec& s) {
   v.text("note", s.note, {.fallback = "none", .example = "Table 1 of the paper",
          .doc = "Remarks."});
   v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
+  v.list("storey", s.storey, {.doc = "The storeys of a building from the ground up, one on the other. What one leaves "
+         "out is the wall's."});
+  v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs where its centre lies, to "
+         "the last region that holds it; a joint to a region where both its blocks do, else to what is listed "
+         "before it and around it."});
   v.table("masonry", s.masonry, {.optional = true,
           .doc = "What tests say, mean values: the inputs of rules (docs/theory/material_rules.md), which a "
                  "material asks for by `\"rule\"` in the place of a value. No effect but through them. Any of "

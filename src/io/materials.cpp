@@ -137,8 +137,8 @@ class Resolver {
   }
 
  private:
-  static Table law_table(std::string_view name, toml::table& table) {
-    const Role role = name == "unit" ? Role::kUnit : Role::kJoint;
+  Table law_table(std::string_view name, toml::table& table) const {
+    const Role role = is_unit_joint(root_, name) ? Role::kUnit : Role::kJoint;
     return {"material." + std::string(name), &table, role, &keys_of<JointMaterial>()};
   }
 
@@ -265,14 +265,20 @@ class Resolver {
     return out.known() ? out : typical(masonry_, masonry_.use, Role::kMasonry, key);
   }
 
+  // What the wall says of its units; beside mortar their sizes are bare.
   Found from_wall(const std::string& key) {
-    const char* name = key == "course_height" ? "height"
-                       : key == "unit_length" ? "length"
-                                              : nullptr;
-    const auto text = name ? root_["wall"]["unit"][name].value<std::string>() : std::nullopt;
-    if (!text) return {};
+    const bool course = key == "course_height", joint = key == "joint_thickness";
+    if (!course && !joint && key != "unit_length") return {};
+    const auto unit = root_["wall"]["unit"];
+    const char* name = course ? "height" : "length";
+    const auto size = unit[name].value<std::string>();
+    const bool head = unit["mortar"]["head"] && (key == "unit_length" || !unit["mortar"]["bed"]);
+    const auto mortar = unit["mortar"][head ? "head" : "bed"].value<std::string>();
+    if (joint ? !mortar : !size) return {};
     try {
-      const double value = parse_quantity(*text, "m");
+      double value = mortar ? parse_quantity(*mortar, "m") : 0;
+      if (joint) return {value, " (wall.unit.mortar)", !kLength.holds(value)};
+      value += parse_quantity(*size, "m");
       return {value, fmt::format(" (wall.unit.{})", name), !kLength.holds(value)};
     } catch (const std::invalid_argument&) {
       return {kUnset, "", true};

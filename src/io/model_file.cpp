@@ -21,7 +21,24 @@ void finish(TableReader& reader, ContactRule&) {
                 "write e.g. material = \"joint\"");
 }
 
+namespace {
+
+// A storey that does not say how its units split has the wall's way.
+void inherit_split(const TableReader& reader, ModelSpec& model) {
+  for (const TableReader::Entry& entry : reader.entries()) {
+    const toml::array* list =
+        entry.name == "storey" && entry.node ? entry.node->as_array() : nullptr;
+    for (std::size_t i = 0; list && i < model.storey.size(); ++i) {
+      const toml::table* storey = list->get(i)->as_table();
+      if (!(*storey)["unit"]["split"]) model.storey[i].unit.split = model.wall.unit.split;
+    }
+  }
+}
+
+}  // namespace
+
 void finish(TableReader& reader, ModelSpec& model) {
+  inherit_split(reader, model);
   if (model.stage.empty() && !reader.context().has_fault_at("stage"))
     reader.miss("stage", "is missing, a model needs at least one stage",
                 "write [[stage]] and under it name = \"gravity\"");

@@ -28,6 +28,7 @@ class KeyLister {
   }
   void quantities(const char*, const std::vector<double>&, const Key&) {}
   void numbers(const char*, const std::vector<double>&, const Key&) {}
+  void points(const char*, const std::vector<std::array<double, 2>>&, const Key&) {}
   void integer(const char*, const int&, const Key&) {}
   void flag(const char*, const bool&, const Key&) {}
   void text(const char*, const std::string&, const Key&) {}

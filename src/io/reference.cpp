@@ -59,6 +59,10 @@ class Reference {
   void quantities(const char* name, const std::vector<double>&, const Key& key) {
     row(name, key, fmt::format("list, {}", key.shown), allowed(key), "", ValueKind::kQuantity);
   }
+  void points(const char* name, const std::vector<std::array<double, 2>>&, const Key& key) {
+    row(name, key, fmt::format("list of points, {}", key.shown), allowed(key), "",
+        ValueKind::kBare);
+  }
   void numbers(const char* name, const std::vector<double>&, const Key& key) {
     row(name, key, "list of numbers", allowed(key), "", ValueKind::kBare);
   }

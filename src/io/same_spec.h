@@ -29,6 +29,10 @@ class Flatten {
   void numbers(const char* name, const std::vector<double>& values, const Key& key) {
     quantities(name, values, key);
   }
+  void points(const char* name, const std::vector<std::array<double, 2>>& points, const Key&) {
+    size(name, points.size());
+    for (const auto& [x, y] : points) number(name, x, {}), number(name, y, {});
+  }
   void integer(const char* name, const int& value, const Key&) {
     out_.emplace_back(under(path_, name), std::to_string(value));
   }

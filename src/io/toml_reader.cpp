@@ -147,6 +147,29 @@ void TableReader::quantities(const char* name, std::vector<double>& values, cons
   }
 }
 
+void TableReader::points(const char* name, std::vector<std::array<double, 2>>& points,
+                         const Key& key) {
+  const toml::node* node = find(name, key);
+  if (!node) return;
+  const auto is_pair = [](const toml::node& item) {
+    return item.is_array() && item.as_array()->size() == 2;
+  };
+  const toml::array* array = node->as_array();
+  if (!array || !std::all_of(array->begin(), array->end(), is_pair)) {
+    refuse(name, "must be a list of points, each with x and y",
+           fmt::format("write e.g. {} = {}", name, key.example));
+    return;
+  }
+  points.clear();
+  for (std::size_t i = 0; i < array->size() && !enough(context_.faults); ++i) {
+    const toml::array& pair = *array->get(i)->as_array();
+    const std::string path = under(below(name), std::to_string(i));
+    const auto x = read_quantity(*pair.get(0), under(path, "0"), name, key);
+    const auto y = read_quantity(*pair.get(1), under(path, "1"), name, key);
+    if (x && y) points.push_back({*x, *y});
+  }
+}
+
 void TableReader::numbers(const char* name, std::vector<double>& values, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
@@ -367,6 +390,20 @@ void throw_faults(const ReadContext& context) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Fault& a, const Fault& b) { return a.line < b.line; });
   if (!sorted.empty()) throw InputError(std::move(sorted));
+}
+
+bool is_unit_joint(const toml::table& root, std::string_view name) {
+  if (name == "unit") return true;
+  const auto names_it = [&](const toml::node* table) {
+    const toml::table* known = table ? table->as_table() : nullptr;
+    return known && (*known)["unit_joint"].value<std::string_view>() == name;
+  };
+  if (names_it(root.get("wall"))) return true;
+  for (const char* part : {"storey", "region"})
+    if (const toml::array* list = root[part].as_array())
+      for (const toml::node& item : *list)
+        if (names_it(&item)) return true;
+  return false;
 }
 
 std::vector<std::pair<std::string, const toml::table*>> in_file_order(ReadContext& context,

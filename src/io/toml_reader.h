@@ -62,6 +62,7 @@ class TableReader {
 
   void quantity(const char* name, double& value, const Key& key);
   void quantities(const char* name, std::vector<double>& values, const Key& key);
+  void points(const char* name, std::vector<std::array<double, 2>>& points, const Key& key);
   void numbers(const char* name, std::vector<double>& values, const Key& key);
   void number(const char* name, double& value, const Key& key);
   void integer(const char* name, int& value, const Key& key);
@@ -173,6 +174,8 @@ void throw_faults(const ReadContext& context);
 // Puts what rules derive and what is typical into the tree, before it is read (materials.cpp).
 void resolve_materials(ReadContext& context, toml::table& root);
 [[nodiscard]] bool is_law_key(std::string_view name);
+// "unit", and what wall, storeys and regions name as their unit_joint: the law of a crack in a unit.
+[[nodiscard]] bool is_unit_joint(const toml::table& root, std::string_view name);
 
 // A table as "path=value" texts that put it there.
 void list_settings(const toml::table& table, const std::string& path,

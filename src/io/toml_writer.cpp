@@ -65,6 +65,14 @@ void Writer::quantities(const char* name, const std::vector<double>& values, con
       key);
 }
 
+void Writer::points(const char* name, const std::vector<std::array<double, 2>>& points,
+                    const Key& key) {
+  if (points.empty()) return;
+  const auto coordinate = [&](double x) { return quoted(format_quantity(x, key.unit, key.shown)); };
+  put(name, list_text(points, [&](const auto& point) { return list_text(point, coordinate); }),
+      key);
+}
+
 namespace {
 
 // TOML reads -0 as the integer 0, so a negative zero needs its point.

@@ -23,6 +23,7 @@ class Writer {
   void quantity(const char* name, const double& value, const Key& key);
   void quantities(const char* name, const std::vector<double>& values, const Key& key);
   void numbers(const char* name, const std::vector<double>& values, const Key& key);
+  void points(const char* name, const std::vector<std::array<double, 2>>& points, const Key& key);
   void number(const char* name, const double& value, const Key& key);
   void integer(const char* name, const int& value, const Key& key);
   void flag(const char* name, const bool& value, const Key& key);

@@ -208,7 +208,7 @@ void add_joint(const Face& face, int material, double half_scale, const BlockMap
   m.tangent_y.push_back((face.p1.y - face.p0.y) / length);
   m.half_x.push_back(0.5 * half_scale * (face.p1.x - face.p0.x));
   m.half_y.push_back(0.5 * half_scale * (face.p1.y - face.p0.y));
-  m.area.push_back(length * assembly.blocks[static_cast<std::size_t>(face.b)].thickness);
+  m.area.push_back(length * assembly.thickness_of(face));
   m.anatomy.joint_kind.push_back(kind_of(face.kind));
   ++m.n_joint;
   if (a != kGroundBlock) ++m.n_pair;

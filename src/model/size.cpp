@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "geometry/storeys.h"
 #include "model/point_rule.h"
 #include "wythe/curve.h"
 
@@ -50,18 +51,26 @@ bool is_length(double value) { return std::isfinite(value) && value > 0; }
 double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
 
 // 0 where lengths are missing: those are faults of their own.
-double blocks_of(const ModelSpec& spec) {
-  const WallSpec& wall = spec.wall;
-  if (!spec.block.empty() || !wall.blocks.empty()) return static_cast<double>(spec.block.size());
-  const double length = wall.bond == Bond::kHeader ? or_else(wall.unit.width, wall.unit.length / 2)
-                                                   : wall.unit.length;
-  if (!is_length(wall.length) || !is_length(wall.height) || !is_length(length) ||
-      !is_length(wall.unit.height))
+double blocks_of(const geometry::Storey& storey) {
+  const UnitSpec& unit = storey.unit;
+  const bool headers = storey.bond == Bond::kHeader;
+  const double length = headers ? or_else(unit.width, unit.length / 2) : unit.length;
+  if (!is_length(storey.length) || !is_length(storey.height) || !is_length(length) ||
+      !is_length(unit.height))
     return 0;
-  const double pieces = wall.unit.split == Split::kAtJoints                               ? 3
-                        : wall.unit.split == Split::kMiddle && wall.bond != Bond::kHeader ? 2
-                                                                                          : 1;
-  return std::ceil(pieces * wall.length / length) * std::ceil(wall.height / wall.unit.height);
+  const double pieces = unit.split == Split::kAtJoints             ? 3
+                        : unit.split == Split::kMiddle && !headers ? 2
+                                                                   : 1;
+  return std::ceil(pieces * storey.length / length) * std::ceil(storey.height / unit.height);
+}
+
+double blocks_of(const ModelSpec& spec) {
+  if (!spec.block.empty() || !spec.wall.blocks.empty())
+    return static_cast<double>(spec.block.size());
+  double blocks = 0;
+  for (const geometry::Storey& storey : geometry::stated_storeys(spec.wall, spec.storey))
+    blocks += blocks_of(storey);
+  return blocks;
 }
 
 double push_path(const StageSpec& stage) {
@@ -77,7 +86,7 @@ double push_path(const StageSpec& stage) {
 // Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
 double step_of(const ModelSpec& spec) {
   constexpr double kUsual = 3e-5;  // of a wall whose sizes are not stated
-  const UnitSpec& unit = spec.wall.unit;
+  const UnitSpec unit = geometry::stated_storeys(spec.wall, spec.storey).front().unit;
   double stiffest = 0;
   for (const auto& [name, material] : spec.material)
     stiffest = std::max(stiffest, or_else(material.normal_stiffness, 0));
@@ -175,13 +184,14 @@ Size size_of(const ModelSpec& spec) {
   size.blocks = blocks_of(spec);
   const double points = kJointsPerBlock * point_choice(spec.solve).points;
   const double state = kStateDoubles * (1 + points) * sizeof(double);
+  const double height = geometry::stated_storeys(spec.wall, spec.storey).back().top();
   double kept = kFramesKept + static_cast<double>(spec.output.states.size());
   double seconds = 0;
   for (const StageSpec& stage : spec.stage) {
     seconds += pace_of(stage).seconds;
     // a wall pushed by its own height has fallen
     if (stage.kind == StageKind::kPush)
-      kept += std::min(pace_of(stage).path, or_else(spec.wall.height, 1)) / kReadEvery;
+      kept += std::min(pace_of(stage).path, or_else(height, 1)) / kReadEvery;
   }
   size.bytes = size.blocks * (kBuildBytes + kCopies * kept * state);
   size.steps = seconds / step_of(spec);

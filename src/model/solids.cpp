@@ -175,7 +175,7 @@ class ContactBuilder {
     block_ = rigid == kGroundBlock ? m_.n_block : rigid;
     body_ = solid_of(map_[static_cast<std::size_t>(mine)]);
     material_ = solid.material;
-    thickness_ = assembly_.blocks[static_cast<std::size_t>(mine)].thickness;
+    thickness_ = assembly_.thickness_of(face);
     // n from the rigid block to the zones, on the left of the face
     p0_ = zone_is_b ? face.p0 : face.p1;
     const Vec2 p1 = zone_is_b ? face.p1 : face.p0;

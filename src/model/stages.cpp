@@ -75,7 +75,7 @@ class StageCompiler {
     if (std::isfinite(s.beam_load)) load_role(stage, Role::kBeam, s.beam_load, "beam_load");
     if (std::isfinite(s.pressure))
       press(stage, lowest(&Vec2::x), lowest(&Vec2::x) + assembly_.length,
-            s.pressure * assembly_.thickness, "pressure");
+            s.pressure * assembly_.top_thickness, "pressure");
     if (!std::isfinite(s.pier_load)) return;
     if (s.as == Manner::kPlate) {
       load_role(stage, Role::kPlate, s.pier_load, "pier_load");

@@ -129,11 +129,19 @@ void add_origins(const std::string& table, materials::Role role,
       rows.push_back(origin_row(table, role, *origin));
 }
 
+// The law of a crack inside units, not of a joint.
+bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
+  const auto names_it = [&](const auto& part) { return part.joints.unit_joint == name; };
+  return name == "unit" || names_it(spec.wall) ||
+         std::any_of(spec.storey.begin(), spec.storey.end(), names_it) ||
+         std::any_of(spec.region.begin(), spec.region.end(), names_it);
+}
+
 Json origins_of(const ModelSpec& spec) {
   Json rows = Json::array();
   add_origins("masonry", materials::Role::kMasonry, spec.masonry.origin, rows);
   for (const auto& [name, material] : spec.material)
-    add_origins(name, name == "unit" ? materials::Role::kUnit : materials::Role::kJoint,
+    add_origins(name, is_unit_joint(spec, name) ? materials::Role::kUnit : materials::Role::kJoint,
                 material.origin, rows);
   return rows;
 }

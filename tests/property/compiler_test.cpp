@@ -155,6 +155,9 @@ class Change {
   void numbers(const char* name, std::vector<double>& values, const Key& key) {
     quantities(name, values, key);
   }
+  void points(const char*, std::vector<std::array<double, 2>>& points, const Key&) {
+    if (is_asked_()) points.push_back({0.1 * way_(), 0.02});
+  }
   void integer(const char*, int& value, const Key&) {
     if (is_asked_()) value = value + 2 * way_() - 3;
   }

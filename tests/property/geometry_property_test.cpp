@@ -243,6 +243,45 @@ RC_GTEST_PROP(geometry_law, running_bond_fills_any_wall_round_any_window, ()) {
   RC_ASSERT(!testing::Test::HasFailure());
 }
 
+RC_GTEST_PROP(geometry_law, a_building_of_one_storey_is_the_plain_wall_to_the_bit, ()) {
+  Scene scene;
+  scene.bond = *rc::gen::elementOf(kBonds);
+  scene.split = *rc::gen::element(Split::kMiddle, Split::kAtJoints, Split::kNone);
+  scene.columns = *rc::gen::inRange(6, 16);
+  scene.courses = *rc::gen::inRange(5, 12);
+  scene.window = {2, *rc::gen::inRange(0, 2), 3, 2};
+  scene.has_lintel = *rc::gen::arbitrary<bool>();
+  const ModelSpec plain = spec_of(scene);
+  ModelSpec storey = plain;
+  storey.storey.resize(1);
+  storey.storey[0].name = "ground";
+  storey.storey[0].height = plain.wall.height;
+  storey.storey[0].unit.split = scene.split;
+  storey.wall.height = *rc::gen::element(plain.wall.height, kUnset);
+  if (*rc::gen::arbitrary<bool>()) storey.wall.opening[0].storey = "ground";
+  FaultList faults;
+  const Assembly a = build_assembly(plain, faults), b = build_assembly(storey, faults);
+  RC_ASSERT(faults.empty());
+  RC_ASSERT(a.blocks.size() == b.blocks.size());
+  RC_ASSERT(a.faces.size() == b.faces.size());
+  for (std::size_t i = 0; i < a.blocks.size(); ++i) {
+    RC_ASSERT(a.blocks[i].id == b.blocks[i].id);
+    RC_ASSERT(a.blocks[i].unit == b.blocks[i].unit);
+    for (std::size_t v = 0; v < 4; ++v) {
+      RC_ASSERT(a.blocks[i].outline[v].x == b.blocks[i].outline[v].x);
+      RC_ASSERT(a.blocks[i].outline[v].y == b.blocks[i].outline[v].y);
+    }
+  }
+  for (std::size_t i = 0; i < a.faces.size(); ++i) {
+    RC_ASSERT(a.faces[i].a == b.faces[i].a);
+    RC_ASSERT(a.faces[i].b == b.faces[i].b);
+    RC_ASSERT(a.faces[i].kind == b.faces[i].kind);
+    RC_ASSERT(a.faces[i].material == b.faces[i].material);
+    RC_ASSERT(a.faces[i].p0.x == b.faces[i].p0.x);
+    RC_ASSERT(a.faces[i].p1.y == b.faces[i].p1.y);
+  }
+}
+
 // Faces as (kind, centre), `sign` -1 for their mirror images in a wall of this length.
 std::multiset<std::tuple<int, long, long>> face_set(const Assembly& wall, bool mirrored) {
   std::multiset<std::tuple<int, long, long>> faces;

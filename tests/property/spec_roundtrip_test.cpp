@@ -73,6 +73,9 @@ class Draw {
   void numbers(const char* name, std::vector<double>& values, const Key& key) {
     quantities(name, values, key);
   }
+  void points(const char*, std::vector<std::array<double, 2>>& points, const Key& key) {
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) points.push_back({within(key), within(key)});
+  }
   void integer(const char*, int& value, const Key& key) {
     const int low = static_cast<int>(key.range.low);
     value = *rc::gen::inRange(low, low + 15);
