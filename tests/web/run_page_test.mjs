@@ -85,6 +85,43 @@ test("the time slider moves the wall and the cursor on the curve", async () => {
   assert.deepEqual(await state(), end);
 });
 
+// A path of thousands of blocks is slow to draw; pixels are not, and the drawing follows when all is at rest.
+test("while it moves the wall is painted, at rest it is drawn", async () => {
+  const wall = page.locator("#wall .wall-stage");
+  const drawing = await wall.locator("path.stone0").getAttribute("d");
+  const moving = await wall.evaluate((stage) => {
+    const slider = document.querySelector("#wall .time input");
+    const looks = (css) => getComputedStyle(stage.querySelector(css));
+    const wanted = { stone: looks("path.stone0").fill, open: looks("path.crack.open").stroke };
+    const frames = [Number(slider.max) - 1, Number(slider.max)].map((frame) => {
+      slider.value = frame;
+      slider.dispatchEvent(new Event("input"));
+      return stage.querySelector("canvas");
+    });
+    const [width, height] = [frames[1].width, frames[1].height];
+    const { data } = frames[1].getContext("2d").getImageData(0, 0, width, height);
+    const share = (colour) => {
+      const [r, g, b] = colour.match(/\d+/g).map(Number);
+      let n = 0;
+      for (let i = 0; i < data.length; i += 4)
+        n += data[i] === r && data[i + 1] === g && data[i + 2] === b && data[i + 3] === 255 ? 1 : 0;
+      return n / (width * height);
+    };
+    return {
+      canvases: stage.querySelectorAll("canvas").length,
+      same: frames[0] === frames[1],
+      built: stage.querySelectorAll("path.stone, path.mortar, path.crack").length,
+      arrow: stage.querySelectorAll("path.arrow").length,
+      stone: share(wanted.stone),
+      open: share(wanted.open),
+    };
+  });
+  assert.deepEqual([moving.canvases, moving.same, moving.built, moving.arrow], [1, true, 0, 1]);
+  assert.ok(moving.stone > 0.03 && moving.open > 1e-4, `${moving.stone} ${moving.open}`);
+  assert.equal(await wall.locator("path.stone0").getAttribute("d"), drawing);
+  assert.equal(await wall.locator("canvas").count(), 0);
+});
+
 test("pressing on the curve moves the wall", async () => {
   const before = await page.locator("#wall .wall-caption").innerText();
   const box = await page.locator("#curve svg.plot").boundingBox();

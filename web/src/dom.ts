@@ -87,9 +87,24 @@ function next(): void {
     }
   }
   if (queue.length > 0) setTimeout(next, 0);
-  else document.documentElement.dataset.ready = "yes";
+  else if (resting.size === 0) document.documentElement.dataset.ready = "yes";
+}
+// Work for when something has come to rest: when nothing has asked for it anew for a while.
+const kRest = 160; // longer than a step of what plays [ms]
+const resting = new Map<object, { work: () => void; timer: number }>();
+export function atRest(who: object, work: () => void): void {
+  window.clearTimeout(resting.get(who)?.timer);
+  delete document.documentElement.dataset.ready;
+  resting.set(who, { work, timer: window.setTimeout(() => rest(who), kRest) });
+}
+function rest(who: object): void {
+  const { work, timer } = resting.get(who)!;
+  window.clearTimeout(timer);
+  resting.delete(who);
+  later(work);
 }
 // Before printing: all of it now.
 export function finishLater(): void {
+  for (const who of [...resting.keys()]) rest(who);
   while (queue.length > 0) queue.shift()!();
 }

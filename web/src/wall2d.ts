@@ -1,6 +1,7 @@
 // The wall in its plane, as SVG: ground, blocks by tint, joints by what they show, forces, push.
-// Shapes of one look are one path, so that a thousand blocks move as fast as ten.
+// Shapes of one look are one path (paths.ts).
 import { append, svg } from "./dom";
+import { Paths, type Painter } from "./paths";
 import { qty, say } from "./texts";
 import { ticks } from "./plot";
 import {
@@ -55,32 +56,6 @@ export function canvasFor(wall: Wall, width: number, tallest = 560): Canvas {
   const height = Math.round(high * k + 2 * kMargin);
   const left = (width - (x1 - x0) * k) / 2;
   return { width, height, k, X: (x) => left + (x - x0) * k, Y: (y) => height - kMargin - (y - y0) * k };
-}
-
-class Paths {
-  private readonly d: Record<string, string[]> = {};
-  constructor(private readonly canvas: Canvas) {}
-  segment(css: string, [ax, ay]: [number, number], [bx, by]: [number, number]): void {
-    const { X, Y } = this.canvas;
-    (this.d[css] ??= []).push(
-      `M${X(ax).toFixed(1)} ${Y(ay).toFixed(1)}L${X(bx).toFixed(1)} ${Y(by).toFixed(1)}`,
-    );
-  }
-  polygon(css: string, points: [number, number][]): void {
-    const { X, Y } = this.canvas;
-    (this.d[css] ??= []).push(
-      "M" + points.map(([x, y]) => `${X(x).toFixed(1)} ${Y(y).toFixed(1)}`).join("L") + "Z",
-    );
-  }
-  raw(css: string, d: string): void {
-    (this.d[css] ??= []).push(d);
-  }
-  elements(order: string[]): SVGPathElement[] {
-    const rest = Object.keys(this.d).filter((css) => !order.includes(css));
-    return [...order, ...rest]
-      .filter((css) => this.d[css])
-      .map((css) => svg("path", { class: css, d: this.d[css].join(""), "data-marks": this.d[css].length }));
-  }
 }
 
 function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
@@ -294,9 +269,16 @@ const kOrder = [
   "mortar",
 ];
 
-export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas): SVGSVGElement {
+// With a painter what is many goes on its canvas, and the drawing is the rest, which lies above it.
+export function drawWall(
+  wall: Wall,
+  frames: Frames,
+  look: Look,
+  canvas: Canvas,
+  painter?: Painter,
+): SVGSVGElement {
   const pose = new Pose(wall, frames.at(look.frame), look.scale);
-  const paths = new Paths(canvas);
+  const paths = new Paths(canvas.X, canvas.Y);
   drawGround(wall, canvas, paths);
   if (wall.courses > 0) {
     const { X, Y } = canvas;
@@ -314,7 +296,9 @@ export function drawWall(wall: Wall, frames: Frames, look: Look, canvas: Canvas)
     role: "img",
     "aria-label": say("wall.alt"),
   });
-  append(picture, paths.elements(kOrder));
+  painter?.clear();
+  if (painter) paths.paint(kOrder, painter);
+  else append(picture, paths.elements(kOrder));
   for (const mark of drawCrushed(wall, frames, pose, look)) {
     mark.setAttribute("cx", canvas.X(Number(mark.getAttribute("data-x"))).toFixed(1));
     mark.setAttribute("cy", canvas.Y(Number(mark.getAttribute("data-y"))).toFixed(1));

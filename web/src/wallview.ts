@@ -1,7 +1,8 @@
 // The wall with its controls: 2D or 3D, what the joints show, magnification, time and play.
-import { h, later, svg } from "./dom";
+import { atRest, h, later, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
+import { Painter } from "./paths";
 import { num, qty, say } from "./texts";
 import { canvasFor, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
 import { makeScene, type Scene } from "./wall3d";
@@ -49,6 +50,8 @@ export class WallView {
   private readonly play = h("button", { type: "button", class: "play", "aria-label": say("wall.play") }, "▶");
   private canvas!: Canvas;
   private width = 0;
+  private painter: Painter | null = null; // while the wall moves
+  private explained = ""; // what the legend is of
   private timer = 0;
   private scene: Scene | null = null;
   private solid = false;
@@ -95,6 +98,7 @@ export class WallView {
     if (width === this.width) return;
     this.width = width;
     this.canvas = canvasFor(this.spec.wall, width, this.spec.tallest ?? 560);
+    this.painter = null;
     if (this.solid) this.scene?.resize(width, this.canvas.height);
     this.redraw();
   }
@@ -111,10 +115,11 @@ export class WallView {
   show(frame: number, quiet = false): void {
     this.look.frame = Math.min(Math.max(this.first, frame), this.last);
     this.slider.value = String(this.look.frame);
-    this.redraw();
+    this.redraw(true);
     if (!quiet) this.spec.onFrame?.(this.look.frame);
   }
-  redraw(): void {
+  // While it moves it is painted; the drawing whose parts can be pointed at and exported follows at rest.
+  redraw(moves = false): void {
     if (this.width === 0 || this.spec.frames.count === 0) return;
     const info = this.spec.info[this.look.frame];
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter(
@@ -122,8 +127,27 @@ export class WallView {
     );
     this.caption.textContent = [...words, scaleWords(this.look.scale)].join(" · ");
     this.slider.setAttribute("aria-valuetext", words.join(", "));
+    this.explain();
     if (this.solid && this.scene) this.scene.draw(this.look);
-    else this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
+    else if (moves) this.paint();
+    else this.settle();
+  }
+  private paint(): void {
+    const { wall, frames } = this.spec;
+    this.painter ??= new Painter(this.stage, this.canvas.width, this.canvas.height);
+    const above = drawWall(wall, frames, this.look, this.canvas, this.painter);
+    if (this.painter.element.parentNode === this.stage) this.stage.lastChild!.replaceWith(above);
+    else this.stage.replaceChildren(this.painter.element, above);
+    atRest(this, () => this.settle());
+  }
+  private settle(): void {
+    this.painter = null; // the theme may be another when it moves again
+    if (!this.solid) this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
+  }
+  private explain(): void {
+    const what = `${this.look.measure} ${this.look.forces}`;
+    if (what === this.explained) return;
+    this.explained = what;
     this.key.replaceChildren(this.legend());
   }
   // A figure for paper, with what it shows beneath.
@@ -159,6 +183,7 @@ export class WallView {
   private tools(): HTMLElement {
     const drawing = (): SVGSVGElement => drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas);
     const shown = (work: (d: SVGSVGElement) => void): void => {
+      if (this.painter) this.settle();
       // styles are those of the page: the drawing has to be in it
       const d = this.stage.querySelector<SVGSVGElement>("svg.wall") ?? drawing();
       work(d);
@@ -364,7 +389,7 @@ export class WallView {
 
   private point(event: PointerEvent): void {
     const drawing = this.stage.querySelector<SVGSVGElement>("svg.wall");
-    if (!drawing || this.solid) return;
+    if (!drawing || this.solid || this.painter) return;
     const { wall, frames } = this.spec;
     const j = jointAt(wall, frames, this.look, this.canvas, ...pointIn(drawing, event));
     drawing.querySelector(".pointed")?.remove();
