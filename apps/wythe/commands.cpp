@@ -13,6 +13,7 @@
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
+#include "wythe/mechanism.h"
 #include "wythe/solve.h"
 #include "wythe/tested_range.h"
 #include "wythe/text.h"
@@ -115,6 +116,7 @@ void print_result(const Model& model, const Result& r, const std::string& out) {
     fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
                r.failure_mode.reading.empty() ? "" : ", ", text_of(r.failure_mode.reading),
                text_of(r.failure_mode.sentence));
+    fmt::print("mechanism: {}\n", text_of(read_mechanism(model, r).sentence));
     if (!r.validity.holds())
       fmt::print(
           "warning: from {:.2f} mm on {} compressed joint{} lost more than half of the contact "

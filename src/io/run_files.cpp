@@ -1,6 +1,6 @@
 // The files of `wythe run`, all but report.html (contract: docs/reference/results.md).
 //
-//   force_displacement.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
+//   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
 //   run.pvd                  summary.json, written last
 //   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
@@ -18,6 +18,7 @@
 #include "io/curve_csv.h"
 #include "io/vtu.h"
 #include "wythe/checkpoint.h"
+#include "wythe/element_forces.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 
@@ -39,8 +40,9 @@ bool is_state(const std::string& name) {
 
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
-  for (const char* file : {"force_displacement.csv", "summary.json", "run.pvd", "report.html",
-                           "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
+  for (const char* file :
+       {"force_displacement.csv", "elements.csv", "summary.json", "run.pvd", "report.html",
+        "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
     if (name == file) return true;
   return is_state(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
@@ -182,6 +184,8 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
   write_file(inside(folder, "force_displacement.csv"),
              io::curve_csv(result.curve, has_lintel_of_zones(model)));
+  write_file(inside(folder, "elements.csv"),
+             element_forces_csv(read_element_forces(model, result)));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
   write_file(inside(folder, "summary.json"), summary_json(model, result));

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "io/message_json.h"
 #include "study/answer_keys.h"
+#include "study/modes/wall_parts.h"
 #include "wythe/io.h"
+#include "wythe/mechanism.h"
 #include "wythe/provenance.h"
 #include "wythe/tested_range.h"
 
@@ -65,9 +68,13 @@ Json flags_json(const std::vector<Evidence>& flags) {
   return list;
 }
 
-Json elements_json(const std::vector<ElementState>& elements) {
+Json elements_json(const Model& model, const std::vector<ElementState>& elements) {
+  const study::WallParts parts = study::find_parts(model);
+  std::map<std::string, const study::Part*> by_name;
+  for (const auto& [part, kind] : study::all_parts(parts)) by_name[part->name] = part;
   Json list = Json::array();
   for (const ElementState& e : elements) {
+    const auto part = by_name.find(e.element);
     Json signs = Json::array();
     for (const ElementSign& s : e.signs) {
       signs.push_back({{"state", s.state},
@@ -80,6 +87,8 @@ Json elements_json(const std::vector<ElementState>& elements) {
     }
     list.push_back({{"element", e.element},
                     {"kind", e.kind},
+                    {"mark", part != by_name.end() ? part->second->mark : ""},
+                    {"storey", part != by_name.end() ? part->second->storey : 0},
                     {"state", e.state},
                     {"displacement_first_mm", e.displacement_first * 1e3},
                     {"signs", signs}});
@@ -87,7 +96,18 @@ Json elements_json(const std::vector<ElementState>& elements) {
   return list;
 }
 
-Json failure_mode_json(const FailureMode& mode) {
+Json mechanism_json(const WallMechanism& mechanism) {
+  Json scores = Json::object();
+  for (const auto& [name, score] : mechanism.scores) scores[name] = score;
+  Json json = {{"name", mechanism.name}};
+  io::put(json, "sentence", mechanism.sentence);
+  json.update(
+      {{"storeys", mechanism.storeys}, {"candidates", mechanism.candidates}, {"scores", scores}});
+  return json;
+}
+
+Json failure_mode_json(const Model& model, const Result& result) {
+  const FailureMode& mode = result.failure_mode;
   Json scores = Json::object();
   for (const auto& [name, score] : mode.scores) scores[name] = score;
   Json sensitivity = Json::array();
@@ -99,9 +119,10 @@ Json failure_mode_json(const FailureMode& mode) {
   io::put(json, "sentence", mode.sentence);
   json["read_at_mm"] = mode.read_at * 1e3;
   io::put(json, "reading", mode.reading);
-  json.update({{"scores", scores},
+  json.update({{"mechanism", mechanism_json(read_mechanism(model, result))},
+               {"scores", scores},
                {"evidence", evidence_json(mode.evidence)},
-               {"elements", elements_json(mode.elements)},
+               {"elements", elements_json(model, mode.elements)},
                {"flags", flags_json(mode.flags)},
                {"sensitivity", sensitivity}});
   return json;
@@ -242,7 +263,7 @@ std::string summary_json(const Model& model, const Result& result) {
   if (result.curve_of == StageKind::kTilt)
     json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;
   json["top_displacement_mm"] = result.top_displacement * 1e3;
-  json["failure_mode"] = failure_mode_json(result.failure_mode);
+  json["failure_mode"] = failure_mode_json(model, result);
   json["tested_range"] = tested_range_json(compare_with_tests(model, result));
   json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);

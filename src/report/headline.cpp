@@ -253,6 +253,9 @@ class RunHeadline {
       damaged += words_in(e, "state") != "intact" ? 1 : 0;
     const bool is_list = member(member(header_, "mode"), "lists_parts") == true;
     if (!is_list || damaged <= kListedParts) return ": " + escaped(words);
+    const std::string mechanism = words_in(member(failure_mode(), "mechanism"), "name");
+    if (!mechanism.empty() && mechanism != "none" && mechanism != "unclear")
+      return ": " + escaped(said_in(member(header_, "mode"), "mechanism"));
     return ": " + parts();
   }
   [[nodiscard]] std::string parts() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "dynamics/meters/residual.h"
 #include "report/bundle.h"
@@ -10,7 +11,10 @@
 #include "report/said.h"
 #include "report/wall_arrays.h"
 #include "study/answer_keys.h"
+#include "study/modes/wall_parts.h"
+#include "wythe/element_forces.h"
 #include "wythe/io.h"
+#include "wythe/mechanism.h"
 #include "wythe/report.h"
 
 namespace wythe {
@@ -87,6 +91,43 @@ void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, bool has_lint
   }
 }
 
+// Where piers, spandrels, nodes, toes stand, and what piers and spandrels carried: an array a quantity, all
+// elements of a state together.
+void add_parts(Bundle& bundle, const Model& model, const Result& result) {
+  const study::WallParts parts = study::find_parts(model);
+  Json list = Json::array();
+  for (const auto& [part, kind] : study::all_parts(parts))
+    list.push_back({{"name", part->name},
+                    {"mark", part->mark},
+                    {"kind", kind},
+                    {"storey", part->storey},
+                    {"box", {part->box.x0, part->box.x1, part->box.y0, part->box.y1}}});
+  bundle.header["wall"]["parts"] = list;
+
+  const std::vector<ElementForces> elements = read_element_forces(model, result);
+  std::map<std::string, std::vector<float>> columns;
+  Json names = Json::array(), displacements = Json::array();
+  for (const ElementForces& e : elements) names.push_back(e.element);
+  const std::size_t rows = elements.empty() ? 0 : elements.front().rows.size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    displacements.push_back(1e3 * elements.front().rows[r].displacement);
+    for (const ElementForces& e : elements) {
+      const ElementForces::Row& row = e.rows[r];
+      const auto put = [&](const char* name, double value) {
+        columns[name].push_back(static_cast<float>(value));
+      };
+      put("axial_1", 1e-3 * row.end[0].axial), put("axial_2", 1e-3 * row.end[1].axial);
+      put("shear_1", 1e-3 * row.end[0].shear), put("shear_2", 1e-3 * row.end[1].shear);
+      put("moment_1", 1e-3 * row.end[0].moment), put("moment_2", 1e-3 * row.end[1].moment);
+      put("drift", 1e2 * row.drift), put("distortion", 1e2 * row.distortion);
+    }
+  }
+  if (rows == 0) return;
+  bundle.header["forces"] = {{"elements", names}, {"displacement_mm", displacements}};
+  for (const auto& [name, values] : columns)
+    bundle.add("forces." + name, std::span<const float>(values));
+}
+
 // The sentence without what the modes in it mean, which stands further down.
 Message brief(Message sentence) {
   if (sentence.code == "mode.between_modes") sentence.code = "mode.between_kinds";
@@ -97,11 +138,13 @@ Message brief(Message sentence) {
   return sentence;
 }
 
-Json mode_of(const FailureMode& mode) {
+Json mode_of(const Model& model, const Result& result) {
+  const FailureMode& mode = result.failure_mode;
   const Message& sentence = mode.sentence;
   return {{"words", said(mode.words)},
           {"sentence", said(shortened(sentence))},
           {"brief", said(brief(shortened(sentence)))},
+          {"mechanism", said(read_mechanism(model, result).sentence)},
           {"lists_parts", sentence.code == "mode.parts" || sentence.code == "mode.parts_only"}};
 }
 
@@ -115,11 +158,12 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["weight_kN"] = model.weight * 1e-3;
   bundle.header["summary"] = Json::parse(summary_json(model, result));
   say_messages(bundle.header["summary"]);
-  bundle.header["mode"] = mode_of(result.failure_mode);
+  bundle.header["mode"] = mode_of(model, result);
   bundle.header["names"] = names_of(model);
   bundle.header["inputs"] = model_inputs(spec, model);
   bundle.header["model_text"] = write_model(spec);
   add_wall(bundle, model);
+  add_parts(bundle, model, result);
   add_fields(bundle, spec, model);
   add_curve(bundle, result.curve, has_lintel_of_zones(model));
   add_frames(bundle, model, result);

@@ -113,10 +113,10 @@ TEST_F(RunFiles, all_files_of_the_contract_are_there_and_no_others) {
   for (const auto& entry : fs::directory_iterator(folder_))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"force_displacement.csv", "model.used.toml", "run.pvd",
-                                             "state_blocks_00.vtu", "state_blocks_01.vtu",
-                                             "state_joints_00.vtu", "state_joints_01.vtu",
-                                             "summary.json"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"elements.csv", "force_displacement.csv",
+                                             "model.used.toml", "run.pvd", "state_blocks_00.vtu",
+                                             "state_blocks_01.vtu", "state_joints_00.vtu",
+                                             "state_joints_01.vtu", "summary.json"}));
 }
 
 TEST_F(RunFiles, series_lists_blocks_and_joints_with_displacement_as_time) {

@@ -11,6 +11,7 @@
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
 #include "wythe/failure_mode.h"
+#include "wythe/mechanism.h"
 
 namespace wythe {
 namespace {
@@ -72,19 +73,44 @@ TEST(WallParts, wall_without_opening_is_one_pier) {
   EXPECT_TRUE(parts.spandrels.empty());
 }
 
-// A wall of half units with windows at the given columns and courses, 3 x 3 each.
-Model windows(const std::vector<std::pair<int, int>>& at, int columns, int courses) {
+// Columns and courses of half units.
+struct Hole {
+  int column, course, wide = 3, high = 3;
+};
+
+ModelSpec facade_spec(const std::vector<Hole>& holes, int columns, int courses) {
   ModelSpec spec = scenes::plain_wall(columns, courses, 2e-3, 0.02);
   const double column = spec.wall.length / columns, course = spec.wall.height / courses;
-  for (const auto& [i, j] : at) {
+  for (const Hole& hole : holes) {
     OpeningSpec o;
-    o.x = i * column;
-    o.y = j * course;
-    o.width = 3 * column;
-    o.height = 3 * course;
+    o.x = hole.column * column;
+    o.y = hole.course * course;
+    o.width = hole.wide * column;
+    o.height = hole.high * course;
     spec.wall.opening.push_back(o);
   }
-  return compile(spec);
+  return spec;
+}
+Model facade(const std::vector<Hole>& holes, int columns, int courses) {
+  return compile(facade_spec(holes, columns, courses));
+}
+Model windows(const std::vector<std::pair<int, int>>& at, int columns, int courses) {
+  std::vector<Hole> holes;
+  for (const auto& [i, j] : at) holes.push_back({i, j});
+  return facade(holes, columns, courses);
+}
+constexpr double kColumn = 0.155, kCourse = 0.11;  // of these walls [m]
+
+void expect_box(const study::Part& part, double i0, double i1, double j0, double j1) {
+  EXPECT_NEAR(part.box.x0, i0 * kColumn, kRoundOff) << part.name;
+  EXPECT_NEAR(part.box.x1, i1 * kColumn, kRoundOff) << part.name;
+  EXPECT_NEAR(part.box.y0, j0 * kCourse, kRoundOff) << part.name;
+  EXPECT_NEAR(part.box.y1, j1 * kCourse, kRoundOff) << part.name;
+}
+
+bool share_ground(const study::Box& a, const study::Box& b) {
+  return std::min(a.x1, b.x1) - std::max(a.x0, b.x0) > kRoundOff &&
+         std::min(a.y1, b.y1) - std::max(a.y0, b.y0) > kRoundOff;
 }
 
 TEST(WallParts, two_windows_make_three_piers_and_two_spandrels) {
@@ -97,10 +123,114 @@ TEST(WallParts, two_windows_make_three_piers_and_two_spandrels) {
 
 TEST(WallParts, two_storeys_have_their_own_piers_and_spandrels) {
   const study::WallParts parts = study::find_parts(windows({{3, 0}, {3, 6}}, 9, 12));
-  ASSERT_EQ(parts.piers.size(), 4U);
-  EXPECT_NEAR(parts.piers[1].base, parts.piers[0].box.y1, kRoundOff);
+  ASSERT_EQ(parts.storeys, 2);
+  EXPECT_EQ(pier_names(parts),
+            (std::vector<std::string>{"pier 1 of storey 1", "pier 2 of storey 1",
+                                      "pier 1 of storey 2", "pier 2 of storey 2"}));
+  EXPECT_EQ(parts.piers[3].mark, "P4");
+  // the masonry between two storeys is half the one's, half the other's
+  EXPECT_NEAR(parts.piers[2].base, 4.5 * kCourse, kRoundOff);
   ASSERT_EQ(parts.spandrels.size(), 2U);  // no sill: the wall between the windows is a spandrel
-  EXPECT_NEAR(parts.spandrels[0].box.y1, parts.piers[1].box.y0, kRoundOff);
+  EXPECT_EQ(parts.spandrels[1].name, "spandrel 1 of storey 2");
+  EXPECT_NEAR(parts.spandrels[0].box.y1, parts.piers[2].box.y0, kRoundOff);
+}
+
+// A door between two windows, and above them two windows that stand beside it.
+TEST(WallParts, openings_of_two_storeys_need_not_stand_in_line) {
+  const std::vector<Hole> holes = {{3, 3}, {12, 0, 3, 6}, {21, 3}, {8, 10}, {16, 10}};
+  const study::WallParts parts = study::find_parts(facade(holes, 27, 16));
+  ASSERT_EQ(parts.storeys, 2);
+  ASSERT_EQ(parts.piers.size(), 7U);
+  expect_box(parts.piers[0], 0, 3, 3, 6);
+  expect_box(parts.piers[1], 6, 12, 0, 6);  // from the door's foot; clear from the window's sill
+  EXPECT_NEAR(parts.piers[1].clear_y0, 3 * kCourse, kRoundOff);
+  EXPECT_NEAR(parts.piers[1].clear_y1, 6 * kCourse, kRoundOff);
+  expect_box(parts.piers[5], 11, 16, 10, 13);  // above the door
+  EXPECT_EQ(parts.piers[5].name, "pier 2 of storey 2");
+  const auto door = std::find_if(parts.spandrels.begin(), parts.spandrels.end(),
+                                 [](const auto& s) { return s.name == "spandrel 2 of storey 1"; });
+  ASSERT_NE(door, parts.spandrels.end());
+  expect_box(*door, 12, 15, 6, 10);  // no farther than the next storey's sills
+  const auto sills = std::count_if(parts.spandrels.begin(), parts.spandrels.end(),
+                                   [](const study::Spandrel& s) { return s.is_sill; });
+  EXPECT_EQ(sills, 2);  // below the lower windows alone
+}
+
+TEST(WallParts, no_pier_or_spandrel_lies_in_an_opening_or_in_another_wherever_these_stand) {
+  const std::vector<std::vector<Hole>> walls = {
+      {{3, 3}, {12, 0, 3, 6}, {21, 3}, {8, 10}, {16, 10}},
+      {{2, 2}, {9, 2, 3, 5}, {16, 4, 4, 2}, {3, 9}, {12, 8, 3, 4}},  // of different height
+      {{2, 1}, {10, 1}, {6, 5, 2, 4}, {2, 9}, {10, 9}},              // a stair's window between
+      {{2, 1}, {6, 1, 3, 12}, {12, 1}, {2, 9}, {12, 9}},             // a gate of two storeys
+      {{2, 1}, {5, 5}, {8, 9}, {11, 13}},                            // a stair of windows
+      {{2, 0, 2, 2}, {2, 4, 2, 2}, {8, 0, 3, 6}}};                   // two beside one
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const Model model = facade(walls[w], 24, 18);
+    const study::WallParts parts = study::find_parts(model);
+    std::vector<study::Part> all;
+    for (const auto& p : parts.piers) all.push_back(p);
+    const std::size_t piers = all.size();
+    for (const auto& s : parts.spandrels) all.push_back(s);
+    EXPECT_GE(piers, 2U) << w;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_GT(all[i].box.height(), 0.5 * kCourse) << w << all[i].name;
+      for (const study::Box& o : study::find_openings(model))
+        EXPECT_FALSE(share_ground(all[i].box, o)) << w << ": " << all[i].name;
+      for (std::size_t k = i + 1; k < piers; ++k)
+        EXPECT_FALSE(share_ground(all[i].box, all[k].box)) << w << ": " << all[i].name;
+    }
+    EXPECT_EQ(parts.toes.size(), 2 * piers);
+  }
+}
+
+TEST(WallParts, stair_window_between_two_rows_makes_no_storey_of_its_own) {
+  const Model model = facade({{2, 1}, {10, 1}, {6, 3, 2, 5}, {2, 9}, {10, 9}}, 15, 14);
+  EXPECT_EQ(study::find_parts(model).storeys, 2);
+}
+
+TEST(WallParts, opening_at_the_wall_s_end_has_a_pier_on_one_side) {
+  const study::WallParts parts = study::find_parts(facade({{0, 0, 3, 5}}, 10, 8));
+  EXPECT_EQ(parts.openings, 1);
+  ASSERT_EQ(parts.piers.size(), 1U);
+  expect_box(parts.piers[0], 3, 10, 0, 5);
+  ASSERT_EQ(parts.spandrels.size(), 1U);
+  EXPECT_EQ(parts.spandrels[0].left, -1);
+  EXPECT_EQ(parts.connections.size(), 1U);
+  EXPECT_TRUE(study::find_openings(facade({{0, 0, 3, 5}}, 10, 8)).empty());  // none between piers
+}
+
+TEST(WallParts, pockets_of_joists_are_no_openings) {
+  std::vector<Hole> holes = {{3, 2, 4, 6}, {12, 2, 4, 6}};
+  for (int i = 0; i < 6; ++i) holes.push_back({2 + 3 * i, 11, 1, 1});
+  const study::WallParts parts = study::find_parts(facade(holes, 20, 14));
+  EXPECT_EQ(parts.openings, 2);
+  EXPECT_EQ(parts.piers.size(), 3U);
+}
+
+TEST(WallParts, below_a_cornice_or_a_leaning_side_there_is_no_opening) {
+  std::vector<BlockSpec> blocks;
+  for (int c = 0; c < 20; ++c)
+    blocks.push_back(scenes::rectangle("b" + std::to_string(c), 0, 0.1 * c, 0.8, 0.1));
+  blocks.push_back(scenes::rectangle("cornice", -0.15, 2.0, 1.1, 0.1));
+  const ModelSpec spec = scenes::assembly(blocks, scenes::paper_joint(), 0.3, 1800);
+  EXPECT_EQ(study::find_parts(compile(spec)).openings, 0);
+  std::vector<BlockSpec> leaning;
+  for (int c = 0; c < 20; ++c)
+    leaning.push_back(scenes::rectangle("b" + std::to_string(c), 0.02 * c, 0.1 * c, 0.8, 0.1));
+  const ModelSpec tower = scenes::assembly(leaning, scenes::paper_joint(), 0.3, 1800);
+  EXPECT_EQ(study::find_parts(compile(tower)).openings, 0);
+}
+
+TEST(WallParts, mirrored_facade_is_numbered_from_the_other_side) {
+  const auto parts = study::find_parts(facade({{3, 3}, {12, 0, 3, 6}, {8, 10}}, 27, 16));
+  const auto mirror = study::find_parts(facade({{21, 3}, {12, 0, 3, 6}, {16, 10}}, 27, 16));
+  ASSERT_EQ(parts.piers.size(), mirror.piers.size());
+  ASSERT_EQ(parts.piers.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::size_t k = i < 3 ? 2 - i : 7 - i;
+    EXPECT_NEAR(parts.piers[i].box.x0, parts.wall.x1 - mirror.piers[k].box.x1, kRoundOff);
+    EXPECT_NEAR(parts.piers[i].box.y0, mirror.piers[k].box.y0, kRoundOff);
+  }
 }
 
 // --- blocks files ----------------------------------------------------------------------------
@@ -198,6 +328,125 @@ TEST(PlainName, three_piers_are_named_by_kind_of_damage) {
   };
   const FailureMode mode = name_from_state(model, moved(model, rocking));
   EXPECT_NE(mode.name.find("pier rocking"), std::string::npos) << mode.name << mode.sentence;
+  const WallMechanism whole = mechanism_from_state(model, moved(model, rocking));
+  EXPECT_EQ(whole.name, "rocking piers");  // two of three
+  EXPECT_EQ(text_of(whole.sentence), "the piers rock");
+}
+
+// --- mechanism -------------------------------------------------------------------------------
+
+// Two storeys of three piers: 27 x 16 half units, windows of 3 x 3.
+const Model& two_storeys() {
+  static const Model model = facade({{6, 2}, {18, 2}, {6, 10}, {18, 10}}, 27, 16);
+  return model;
+}
+struct Strip {
+  double x0, x1;
+};
+// The pier a place lies in line with; the masonry over openings goes with the pier on its left.
+Strip strip_at(double x) {
+  const double c = x / kColumn;
+  if (c < 9) return {0, 6 * kColumn};
+  if (c < 21) return {9 * kColumn, 18 * kColumn};
+  return {21 * kColumn, 27 * kColumn};
+}
+Mechanism mechanism_of_storey(double foot, double head, bool shears) {
+  return [=](double x, double y) {
+    const double slip = 8e-3;
+    if (y < foot * kCourse) return Motion{};
+    if (y > head * kCourse) return Motion{.move_x = slip, .move_y = shears ? 0 : 2e-3};
+    const Strip pier = strip_at(x);
+    const double share = (x - pier.x0) / (pier.x1 - pier.x0);
+    const double height = (y - foot * kCourse) / ((head - foot) * kCourse);
+    if (shears) return height > 1 - share ? Motion{.move_x = slip} : Motion{};
+    return Motion{
+        .pivot_x = pier.x1, .pivot_y = foot * kCourse, .turn = -slip / ((head - foot) * kCourse)};
+  };
+}
+WallMechanism of_two_storeys(const Mechanism& mechanism) {
+  return mechanism_from_state(two_storeys(), moved(two_storeys(), mechanism));
+}
+
+TEST(Mechanism, piers_of_one_storey_in_shear_under_a_wall_that_follows_are_a_soft_storey) {
+  for (const bool mirror : {false, true}) {
+    Mechanism first = mechanism_of_storey(2, 5, true), second = mechanism_of_storey(10, 13, true);
+    if (mirror) first = mirrored(first, 27 * kColumn), second = mirrored(second, 27 * kColumn);
+    EXPECT_EQ(text_of(of_two_storeys(first).sentence), "soft storey 1: the piers fail in shear");
+    const auto above = of_two_storeys(second);
+    EXPECT_EQ(above.name, "piers in shear");
+    EXPECT_EQ(above.storeys, std::vector<int>{2});
+    EXPECT_EQ(text_of(above.sentence, "it"), "piano soffice 2: i maschi collassano a taglio");
+  }
+}
+
+TEST(Mechanism, rocking_piers_of_one_storey_are_named_with_it) {
+  for (const bool mirror : {false, true}) {
+    Mechanism rocks = mechanism_of_storey(2, 5, false);
+    if (mirror) rocks = mirrored(rocks, 27 * kColumn);
+    const auto found = of_two_storeys(rocks);
+    EXPECT_EQ(found.name, "rocking piers");
+    EXPECT_EQ(found.storeys, std::vector<int>{1});
+  }
+}
+
+TEST(Mechanism, both_storeys_in_shear_are_no_soft_one) {
+  const auto both = [](double x, double y) {
+    const Motion low = mechanism_of_storey(2, 5, true)(x, y);
+    Motion high = mechanism_of_storey(10, 13, true)(x, y);
+    high.move_x += low.move_x;
+    return y > 9 * kCourse ? high : low;
+  };
+  const auto found = of_two_storeys(both);
+  EXPECT_EQ(found.storeys, (std::vector<int>{1, 2}));
+  EXPECT_EQ(text_of(found.sentence), "the piers fail in shear (storey 1, 2)");
+}
+
+TEST(Mechanism, one_pier_of_three_is_none_of_the_wall) {
+  const auto all = mechanism_of_storey(2, 5, true);
+  const auto one = [=](double x, double y) {
+    return x < 6 * kColumn && y < 5 * kCourse ? all(x, y) : Motion{};
+  };
+  const auto found = of_two_storeys(one);
+  EXPECT_EQ(found.name, "none");
+  EXPECT_NE(text_of(found.sentence).find("there are cracks"), std::string::npos);
+}
+
+TEST(Mechanism, nothing_has_happened_to_a_wall_at_rest) {
+  const auto found = of_two_storeys([](double, double) { return Motion{}; });
+  EXPECT_EQ(found.name, "none");
+  EXPECT_EQ(text_of(found.sentence), "no mechanism: no part shows damage");
+}
+
+TEST(Mechanism, wall_that_leaves_its_base_slides_there) {
+  const auto found = of_two_storeys(cut(-1, 6e-3));
+  EXPECT_EQ(found.name, "base sliding");
+  EXPECT_TRUE(found.storeys.empty());
+}
+
+TEST(Mechanism, spandrels_that_shear_over_piers_that_stay_are_weak) {
+  // the masonry over each opening falls apart in layers
+  const auto falls = [](double x, double y) {
+    const double c = x / kColumn, r = y / kCourse;
+    const bool over = (c > 6 && c < 9) || (c > 18 && c < 21);
+    if (!over || r < 5 || (r > 10 && r < 13)) return Motion{};
+    return Motion{.move_x = r < 10 ? 4e-3 * std::floor(r - 5) : 4e-3 * std::floor(r - 13)};
+  };
+  const auto found = of_two_storeys(falls);
+  EXPECT_EQ(found.name, "weak spandrels");
+}
+
+TEST(Mechanism, share_of_piers_half_way_between_two_leaves_both_as_candidates) {
+  // of three piers, two of them in shear, one as wide as these rocks: shear, or both
+  const auto shear = mechanism_of_storey(2, 5, true), rock = mechanism_of_storey(2, 5, false);
+  const auto mixed = [=](double x, double y) {
+    const double c = x / kColumn;
+    return c < 9 ? shear(x, y) : c < 20 ? rock(x, y) : shear(x, y);
+  };
+  const auto found = of_two_storeys(mixed);
+  double sum = 0;
+  for (const auto& [name, score] : found.scores) sum += score;
+  EXPECT_NEAR(sum, 1, kRoundOff);
+  EXPECT_EQ(found.name, "piers in shear and rocking") << found.sentence;
 }
 
 }  // namespace

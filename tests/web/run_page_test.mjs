@@ -331,9 +331,31 @@ test("the failure mode stands beside its flags and the readings that name it oth
     assert.ok(!words.includes(`${r.what}: `), r.what);
 });
 
+// Numbers stand on the wall; a row lights its part; its number keeps it lit and draws its forces.
+test("piers and spandrels are numbered on the wall and lit from their rows", async () => {
+  const marks = await page.locator("#parts text.part").allTextContents();
+  assert.deepEqual(marks.sort(), ["P1", "P2", "S1"]);
+  const rows = page.locator("#elements tbody tr");
+  const lit = () => page.locator("#parts path.lit, #wall path.lit").evaluateAll((p) => p.map((e) => e.dataset.part));
+  await rows.nth(0).hover();
+  const name = await rows.nth(0).locator(".mark-button").getAttribute("data-part");
+  assert.deepEqual(await lit(), [name, name]);
+  await page.locator("#failure .lead").hover();
+  assert.deepEqual(await lit(), []);
+  const drawn = () => page.locator("#element-forces path.force").getAttribute("d");
+  const before = await drawn();
+  await rows.nth(1).locator(".mark-button").click();
+  await page.locator("#failure .lead").hover();
+  assert.equal((await lit()).length, 2);
+  assert.notEqual(await drawn(), before);
+  await rows.nth(1).locator(".mark-button").click();
+  assert.deepEqual(await lit(), []);
+  assert.ok((await page.locator("#mechanism").innerText()).length > 12);
+});
+
 test("every figure exports SVG, PNG and CSV that can be read", async () => {
   const figures = await page.locator("figure[id]").evaluateAll((f) => f.map((e) => e.id));
-  assert.deepEqual(figures.sort(), ["curve", "energy-chart", "ratios", "wall"]);
+  assert.deepEqual(figures.sort(), ["curve", "element-forces", "energy-chart", "parts", "ratios", "wall"]);
   for (const id of figures) {
     const press = (kind) => downloaded(page, () => page.locator(`#${id} [data-export=${kind}]`).click());
     const svg = (await press("svg")).toString();

@@ -70,7 +70,7 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
       return drawWall(
         wall,
         { count: 1, at: () => frame } as unknown as Frames,
-        { frame: 0, scale: 1, measure: "cracks", forces: false, stressSteps: [] },
+        { frame: 0, scale: 1, measure: "cracks", forces: false, numbers: false, lit: "", stressSteps: [] },
         canvasFor(wall, width, 460),
       );
     },

@@ -6,10 +6,11 @@ import type { Sheet } from "./export";
 import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
+import { ElementsView } from "./run_elements";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { table } from "./tables";
-import { capital, num, phrase, qty, say, type Said } from "./texts";
+import { asSentence, capital, num, phrase, qty, say, type Said } from "./texts";
 import { Frames, readWall } from "./wall";
 import { WallView, type FrameInfo } from "./wallview";
 
@@ -32,10 +33,6 @@ const kManyParts = 12, // of a wall, from which on only those are listed that sh
 
 // Words for a frame's labels: "peak", "20 mm", "end".
 const labelOf = (labels: Said[]): string => labels.map((l) => phrase(l)).join(", ");
-
-// What a part shows: its signs that hold, gravest first.
-const stateOf = (element: any): string =>
-  element.signs.filter((s: any) => s.holds).map((s: any) => phrase(s.state)).join(", ") || phrase(element.state);
 
 // Every sign of every part, and its measure.
 const evidenceOf = (mode: any): any[] =>
@@ -383,6 +380,8 @@ class RunPage {
   private failure(): Child {
     const mode = this.s.failure_mode;
     if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
+    const elements = new ElementsView(this.bundle, mode, this.view);
+    const mechanism = this.header.mode?.mechanism;
     return [
       h(
         "p",
@@ -391,6 +390,9 @@ class RunPage {
         this.modeWords ? `: ${this.modeWords}. ` : ". ",
         h("span", { class: "soft" }, say("failure.read_at", { at: qty(mode.read_at_mm, "mm") })),
       ),
+      mechanism
+        ? h("p", { id: "mechanism" }, h("b", {}, `${say("failure.mechanism")}: `), asSentence(phrase(mechanism)))
+        : null,
       this.s.censored_80 && this.s.status !== "collapsed"
         ? h(
             "p",
@@ -400,7 +402,8 @@ class RunPage {
           )
         : null,
       this.scores(mode),
-      h("div", { class: "pair" }, this.elements(mode), this.flags(mode)),
+      h("div", { class: "pair" }, elements.list(), elements.map?.element),
+      h("div", { class: "pair" }, this.flags(mode), elements.chart?.element),
       this.sensitivity(mode),
       h("details", {}, h("summary", {}, say("failure.measures")), this.measures(evidenceOf(mode))),
     ];
@@ -425,34 +428,6 @@ class RunPage {
         h(e.margin >= 0 ? "b" : "span", {}, say(e.margin >= 0 ? "yes" : "no")),
       ]),
       caption,
-    );
-  }
-  // Of a wall of many parts those that show something; the others are counted.
-  private elements(mode: any): Child {
-    const all = mode.elements as any[];
-    if (all.length === 0) return null;
-    const shown = all.length > kManyParts ? all.filter((e) => e.state !== "intact") : all;
-    return h(
-      "div",
-      { id: "elements" },
-      shown.length > 0
-        ? table(
-            [
-              { head: say("failure.element"), left: true },
-              { head: say("failure.state"), left: true },
-              { head: say("failure.first") },
-            ],
-            shown.map((e: any) => [phrase(e.element), stateOf(e), qty(e.displacement_first_mm, "mm")]),
-            say("failure.elements"),
-          )
-        : null,
-      shown.length < all.length
-        ? h(
-            "p",
-            { class: "soft small" },
-            say(shown.length > 0 ? "failure.others_intact" : "failure.all_intact", { n: all.length - shown.length }),
-          )
-        : null,
     );
   }
   private flags(mode: any): Child {

@@ -29,7 +29,18 @@ export interface Field {
   steps: number[]; // bounds of its colours
 }
 
+// A pier, spandrel, sill, node, connection or toe, where it was built: [x0, x1, y0, y1].
+export interface Part {
+  name: string;
+  mark: string;
+  kind: string;
+  storey: number;
+  box: [number, number, number, number];
+  blocks: number[]; // whose centroids lie in it
+}
+
 export interface Wall {
+  parts: Part[];
   fields: Field[];
   length: number;
   height: number;
@@ -99,6 +110,16 @@ function readFields(bundle: Bundle): Field[] {
 const kRolesBefore = ["masonry", "lintel", "plate", "beam"],
   kKindsBefore = ["bed", "head", "split", "foundation", "lintel_chain", "lintel_bond", "plate", "beam", "other"];
 
+// With the blocks that lie in each; none in data of before.
+function readParts(list: Part[] | undefined, x: Numbers, y: Numbers): Part[] {
+  return (list ?? []).map((part) => {
+    const [x0, x1, y0, y1] = part.box;
+    const blocks: number[] = [];
+    for (let b = 0; b < x.length; ++b) if (x[b] > x0 && x[b] < x1 && y[b] > y0 && y[b] < y1) blocks.push(b);
+    return { ...part, blocks };
+  });
+}
+
 export function readWall(bundle: Bundle): Wall | null {
   const head = bundle.header.wall;
   if (!head) return null;
@@ -130,6 +151,7 @@ export function readWall(bundle: Bundle): Wall | null {
     supportY: get("support_y"),
     mesh: readMesh(bundle),
     fields: readFields(bundle),
+    parts: readParts(head.parts, get("centroid_x"), get("centroid_y")),
   };
   const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
   const take = (xs: Numbers, ys: Numbers): void =>

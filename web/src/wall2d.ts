@@ -17,6 +17,7 @@ import {
   zoneStress,
   type Frames,
   type Measure,
+  type Part,
   type Wall,
 } from "./wall";
 
@@ -25,6 +26,8 @@ export interface Look {
   scale: number;
   measure: Measure;
   forces: boolean;
+  numbers: boolean; // of piers and spandrels
+  lit: string; // name of the part that is lit, "": none
   stressSteps: number[]; // bounds of the colours of stress [MPa]
 }
 // Style of a stress: what is drawn for tension is t, for compression c.
@@ -234,6 +237,61 @@ function drawArrow(wall: Wall, driven: number[], length: number, pose: Pose, can
   });
 }
 
+// Where the middle of a part is now: as far as its blocks have gone, in the mean.
+function middleOf(part: Part, pose: Pose): [number, number] {
+  const { wall, scale, frame } = pose,
+    [x0, x1, y0, y1] = part.box;
+  let ux = 0,
+    uy = 0,
+    n = 0;
+  for (const b of part.blocks) {
+    if (wall.role[b] !== "masonry") continue;
+    ux += frame.ux[b];
+    uy += frame.uy[b];
+    ++n;
+  }
+  const k = n > 0 ? scale / n : 0;
+  return [(x0 + x1) / 2 + k * ux, (y0 + y1) / 2 + k * uy];
+}
+
+// Numbers of piers and spandrels, and the part that is lit: a layer of its own, so that pointing at a
+// table need not draw the wall again.
+export function drawParts(wall: Wall, frames: Frames, look: Look, canvas: Canvas): SVGGElement {
+  const pose = new Pose(wall, frames.at(look.frame), look.scale);
+  const layer = svg("g", { class: "parts" });
+  const lit = wall.parts.find((p) => p.name === look.lit);
+  if (lit) {
+    const d = lit.blocks.map((b) => {
+      const corners: string[] = [];
+      for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) {
+        const [x, y] = pose.corner(b, i);
+        corners.push(`${canvas.X(x).toFixed(1)} ${canvas.Y(y).toFixed(1)}`);
+      }
+      return `M${corners.join("L")}Z`;
+    });
+    layer.appendChild(svg("path", { class: "lit", d: d.join(""), "data-part": lit.name }));
+  }
+  for (const part of wall.parts) {
+    const numbered = look.numbers && (part.kind === "pier" || part.kind === "spandrel");
+    if (!numbered && part !== lit) continue;
+    const [x, y] = middleOf(part, pose);
+    layer.appendChild(
+      svg(
+        "text",
+        {
+          class: part === lit ? "part lit-mark" : "part",
+          x: canvas.X(x).toFixed(1),
+          y: (canvas.Y(y) + 5).toFixed(1),
+          "text-anchor": "middle",
+          "data-mark": part.mark,
+        },
+        part.mark,
+      ),
+    );
+  }
+  return layer;
+}
+
 function drawScaleBar(canvas: Canvas): SVGElement {
   const metres = ticks([0, (0.25 * canvas.width) / canvas.k], 3)[1];
   const right = canvas.width - 8,
@@ -306,6 +364,7 @@ export function drawWall(
   }
   if (look.forces) append(picture, drawForces(wall, pose, canvas));
   append(picture, [...drawArrows(wall, pose, canvas), drawScaleBar(canvas)]);
+  picture.appendChild(drawParts(wall, frames, look, canvas));
   return picture;
 }
 

@@ -4,7 +4,7 @@ import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { Painter } from "./paths";
 import { num, qty, say } from "./texts";
-import { canvasFor, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
+import { canvasFor, drawParts, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
 import { makeScene, type Scene } from "./wall3d";
 import {
   crackOf,
@@ -67,6 +67,8 @@ export class WallView {
       scale: fittingScale(spec.wall, spec.frames),
       measure: "cracks",
       forces: false,
+      numbers: spec.wall.parts.some((part) => part.kind === "spandrel"),
+      lit: "",
       stressSteps: stressSteps(spec.wall, spec.frames),
     };
     this.choose(0, last);
@@ -118,6 +120,16 @@ export class WallView {
     this.redraw(true);
     if (!quiet) this.spec.onFrame?.(this.look.frame);
   }
+  // Lights a part of the wall; "": none.
+  light(name: string): void {
+    if (this.look.lit === name) return;
+    this.look.lit = name;
+    this.redrawParts();
+  }
+  private redrawParts(): void {
+    const layer = this.stage.querySelector("svg.wall g.parts");
+    layer?.replaceWith(drawParts(this.spec.wall, this.spec.frames, this.look, this.canvas));
+  }
   // While it moves it is painted; the drawing whose parts can be pointed at and exported follows at rest.
   redraw(moves = false): void {
     if (this.width === 0 || this.spec.frames.count === 0) return;
@@ -157,7 +169,7 @@ export class WallView {
     const drawing = drawWall(
       this.spec.wall,
       this.spec.frames,
-      { ...this.look, frame, scale, measure: "cracks", forces: false },
+      { ...this.look, frame, scale, measure: "cracks", forces: false, lit: "" },
       canvasFor(this.spec.wall, width, tallest),
     );
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(scale)];
@@ -283,6 +295,12 @@ export class WallView {
       this.look.forces = forces.checked;
       this.redraw();
     });
+    const numbers = h("input", { type: "checkbox", class: "numbers" });
+    numbers.checked = this.look.numbers;
+    numbers.addEventListener("change", () => {
+      this.look.numbers = numbers.checked;
+      this.redrawParts();
+    });
     const flat = h("button", { type: "button", "aria-pressed": "true", class: "segment" }, "2D");
     const solid = h("button", { type: "button", "aria-pressed": "false", class: "segment" }, "3D");
     const choose = (want: boolean): void => {
@@ -300,6 +318,9 @@ export class WallView {
       h("label", {}, h("span", {}, say("wall.scale")), scale, shown),
       this.spec.frames.hasForces
         ? h("label", { class: "check" }, forces, h("span", {}, say("wall.forces")))
+        : null,
+      this.spec.wall.parts.length > 0
+        ? h("label", { class: "check" }, numbers, h("span", {}, say("wall.numbers")))
         : null,
     );
   }

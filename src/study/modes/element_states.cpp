@@ -78,7 +78,7 @@ bool is_foundation(const BedSection& section) {
 }
 
 // Slips of bed sections: the most in one, or of all together; and on the foundation.
-struct Slips {
+struct BedSlips {
   double above = 0, below = 0;  // [m]
 };
 
@@ -89,8 +89,8 @@ double length_of(const BedSection& section) {
 }
 
 // `width` of a section; 0: the masonry there is, where that is half of `least` or more.
-Slips slips_of(const std::vector<BedSection>& sections, double width, double least = 0) {
-  Slips slips;
+BedSlips slips_of(const std::vector<BedSection>& sections, double width, double least = 0) {
+  BedSlips slips;
   double together = 0;  // many little slips, one way
   for (const BedSection& section : sections) {
     const double all = width > 0 ? width : length_of(section);
@@ -196,7 +196,7 @@ class SignReader {
     const Box whole{p.box.x0, p.box.x1, p.base - 0.5 * parts_.course, p.box.y1};
     const std::vector<BedSection> sections = bed_sections(joints_, whole, parts_.course);
     const Beds beds = beds_of(p, sections);
-    const Slips slips = slips_of(sections, width);
+    const BedSlips slips = slips_of(sections, width);
     double apart = parted(lines, shaft.height(), rules_.crack), rocks = beds.open_foot;
     const double dry = dryness(beds);
     if (dry > 0) {
@@ -224,7 +224,8 @@ class SignReader {
     all.x0 -= parts_.column;
     all.x1 += parts_.column;
     all.y0 -= 0.5 * parts_.course;
-    const Slips slips = slips_of(bed_sections(joints_, all, parts_.course), 0, parts_.wall.width());
+    const BedSlips slips =
+        slips_of(bed_sections(joints_, all, parts_.course), 0, parts_.wall.width());
     return element(
         kWholeWall, "wall",
         {sign(kSliding, "slip all along its beds", slips.above, rules_.sliding, "mm"),

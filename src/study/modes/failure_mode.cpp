@@ -8,6 +8,7 @@
 
 #include "study/modes/mode_flags.h"
 #include "study/modes/mode_names.h"
+#include "wythe/mechanism.h"
 
 namespace wythe {
 namespace {
@@ -99,11 +100,15 @@ double length_slid_off(const WallMotion& motion) {
 }
 
 // Half a section of the narrowest pier stands on faces that are not there: no name is vouched for.
-void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Validity& validity,
-                    FailureMode& mode) {
+bool is_slid_off(const WallParts& parts, const WallMotion& motion) {
   double narrowest = parts.wall.width();
   for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
-  if (length_slid_off(motion) < 0.5 * narrowest) return;
+  return length_slid_off(motion) >= 0.5 * narrowest;
+}
+
+void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Validity& validity,
+                    FailureMode& mode) {
+  if (!is_slid_off(parts, motion)) return;
   const bool known = !std::isnan(validity.overlap_lost);
   Message doubt{known ? "mode.slid_off_from" : "mode.slid_off",
                 {{"shows", mode.name == "unclear" ? mode.sentence : mode.words}}};
@@ -220,6 +225,31 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
   mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules);
   return mode;
+}
+
+namespace {
+
+WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion,
+                           const ModeRules& rules) {
+  WallMechanism mechanism = study::name_wall(parts, motion, rules).mechanism;
+  if (!is_slid_off(parts, motion)) return mechanism;
+  if (mechanism.name != "unclear") mechanism.candidates = {mechanism.name};
+  mechanism.name = "unclear";
+  mechanism.sentence = {"mechanism.slid_off", {{"shows", std::move(mechanism.sentence)}}};
+  return mechanism;
+}
+
+}  // namespace
+
+WallMechanism mechanism_from_state(const Model& model, const State& state) {
+  return mechanism_in(study::find_parts(model), study::read_motion(model, state), rules_for(model));
+}
+
+WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  if (read == nullptr) return {};
+  return mechanism_in(study::find_parts(model), study::read_motion(model, read->state),
+                      rules_at(model, result, *read, read_at));
 }
 
 }  // namespace wythe

@@ -16,11 +16,10 @@
 #include <utility>
 
 #include "core/text.h"
+#include "study/modes/mechanism.h"
 
 namespace wythe::study {
 namespace {
-
-constexpr double kClear = 0.3;  // lead below which the name is "unclear"
 
 // Codes of messages: for a name, and for what happens ("" where nothing is said of it).
 struct Words {
@@ -82,6 +81,7 @@ class Namer {
  public:
   Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
       : parts_(parts),
+        motion_(motion),
         rules_(rules),
         elements_(element_states(parts, motion, rules)),
         truths_(truths_of(parts, motion, rules)) {
@@ -89,14 +89,19 @@ class Namer {
   }
 
   FailureMode name() {
-    if (is_two_pier_wall(parts_)) {
+    if (is_two_pier_wall(parts_))
       name_two_piers();
-    } else {
+    else
       name_plainly();
-    }
     give_evidence();
-    mode_.elements = std::move(elements_);
-    return std::move(mode_);
+    mode_.elements = elements_;
+    return mode_;
+  }
+
+  // Of the wall just named.
+  [[nodiscard]] WallMechanism mechanism() const {
+    const WallSigns signs{parts_, elements_, truths_, motion_, rules_, slips()};
+    return is_two_pier_wall(parts_) ? mechanism_of_portal(mode_, signs) : mechanism_of(signs);
   }
 
  private:
@@ -128,6 +133,14 @@ class Namer {
     return way_ > 0 ? ramp(slip / way_, 0.5, rules_) : 0.0;
   }
 
+  [[nodiscard]] Slips slips() const {
+    const std::string through = parts_.openings == 0 ? parts_.piers.front().name : kWholeWall;
+    Slips s{slip(through.c_str(), kBaseSliding), slip(through.c_str(), kSliding),
+            slip(kTopJoint, kSliding)};
+    s.truth = is_most(s.all());
+    return s;
+  }
+
   void name_two_piers() {
     const auto spandrel = std::find_if(parts_.spandrels.begin(), parts_.spandrels.end(),
                                        [](const Spandrel& s) { return !s.is_sill; });
@@ -142,15 +155,14 @@ class Namer {
                     {"FM-4", s * f * neither},
                     {"FM-5", (1 - s) * c * r * neither}};
     const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
-    const std::pair<const char*, double> slips[] = {
-        {"base sliding", slip(kWholeWall, kBaseSliding)},
-        {by_piers ? "pier sliding" : "bed sliding", slip(kWholeWall, kSliding)},
-        {"top sliding", slip(kTopJoint, kSliding)}};
-    const double all = slips[0].second + slips[1].second + slips[2].second;
-    const double slides = is_most(all);
-    for (auto& [name, score] : mode_.scores) score *= 1 - slides;
-    for (const auto& [name, slip] : slips)
-      if (slides * slip > 0) mode_.scores[name] = slides * slip / all;
+    const Slips slid = slips();
+    const std::pair<const char*, double> kinds[] = {
+        {"base sliding", slid.base},
+        {by_piers ? "pier sliding" : "bed sliding", slid.bed},
+        {"top sliding", slid.top}};
+    for (auto& [name, score] : mode_.scores) score *= 1 - slid.truth;
+    for (const auto& [name, slip] : kinds)
+      if (slid.truth * slip > 0) mode_.scores[name] = slid.truth * slip / slid.all();
     name_highest_score();
   }
 
@@ -196,11 +208,9 @@ class Namer {
     const auto add = [&](const char* of_pier, const char* alone, double sure) {
       ranked_.emplace_back(bare ? alone : of_pier, sure);
     };
-    const std::string through = bare ? parts_.piers.front().name : kWholeWall;
-    const double bed = slip(through.c_str(), kSliding);
+    const double bed = slips().bed;
     // what slides all across on most of its way has not failed by the cracks on that way
-    const double stays =
-        1 - is_most(slip(through.c_str(), kBaseSliding) + bed + slip(kTopJoint, kSliding));
+    const double stays = 1 - slips().truth;
     add("pier shear", "shear", stays * surest("pier", kDiagonal));
     if (!bare)
       add("spandrel shear", "",
@@ -277,6 +287,7 @@ class Namer {
   }
 
   const WallParts& parts_;
+  const WallMotion& motion_;
   const ModeRules& rules_;
   ElementStates elements_;
   Truths truths_;
@@ -294,6 +305,14 @@ FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const M
     return none;
   }
   return Namer(parts, motion, rules).name();
+}
+
+Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
+  if (parts.piers.empty() || !(rules.crack > 0))
+    return {name_parts(parts, motion, rules), {.sentence = {"mode.no_piers"}}};
+  Namer namer(parts, motion, rules);
+  const FailureMode mode = namer.name();
+  return {mode, namer.mechanism()};
 }
 
 }  // namespace wythe::study
