@@ -208,6 +208,16 @@ int run(const RunArguments& arguments) {
   return exit_code(result.status);
 }
 
+void print_storeys(const ModelSpec& spec) {
+  double foot = 0;
+  for (const StoreySpec& storey : spec.storey) {
+    const double thickness = std::isnan(storey.thickness) ? spec.wall.thickness : storey.thickness;
+    fmt::print("storey {}: {:.3f} to {:.3f} m, {:.3f} m thick\n", readable(storey.name), foot,
+               foot + storey.height, thickness);
+    foot += storey.height;
+  }
+}
+
 int check(const CheckArguments& arguments) {
   if (is_study(arguments.file)) return check_study_file(arguments);
   ModelSpec spec;
@@ -221,6 +231,7 @@ int check(const CheckArguments& arguments) {
       "lintels\n",
       model.anatomy.length, model.anatomy.height, model.anatomy.thickness, model.anatomy.courses,
       model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
+  print_storeys(spec);
   fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core\n",
              e.time_step, model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)],
              e.steps, duration_text(e.seconds));

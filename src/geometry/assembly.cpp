@@ -86,7 +86,8 @@ void lay_blocks(const Shape& shape, const std::vector<Storey>& storeys,
 }
 
 // Keys that shape a generated wall and say something here; defaults written out say nothing.
-std::vector<std::string> shape_keys(const WallSpec& wall) {
+std::vector<std::string> shape_keys(const Shape& shape) {
+  const WallSpec& wall = shape.wall;
   const WallSpec unset;
   std::vector<std::string> keys;
   const auto add = [&](const char* key, bool stated) {
@@ -102,6 +103,13 @@ std::vector<std::string> shape_keys(const WallSpec& wall) {
   add("wall.unit.split", wall.unit.split != unset.unit.split);
   add("wall.unit.mortar", !std::isnan(wall.unit.mortar.bed) || !std::isnan(wall.unit.mortar.head));
   add("wall.opening", !wall.opening.empty());
+  for (const StoreySpec& storey : shape.storey) {
+    const UnitSpec& unit = storey.unit;
+    const bool sized = !std::isnan(unit.length) || !std::isnan(unit.height) ||
+                       !std::isnan(unit.width) || !std::isnan(unit.density);
+    add(("storey." + storey.name + ".bond").c_str(), !storey.bond.empty());
+    add(("storey." + storey.name + ".unit").c_str(), sized);
+  }
   return keys;
 }
 
@@ -117,8 +125,7 @@ void note_planes(const std::vector<Storey>& storeys, std::vector<Message>& notes
 
 void note_unused(const Shape& shape, std::vector<Message>& notes) {
   const bool from_file = uses_blocks_file(shape);
-  const std::vector<std::string> idle =
-      from_file ? shape_keys(shape.wall) : std::vector<std::string>();
+  const std::vector<std::string> idle = from_file ? shape_keys(shape) : std::vector<std::string>();
   if (!idle.empty()) {
     notes.push_back(
         {idle.size() > 1 ? "keys.idle_many" : "keys.idle_one", {{"keys", joined(idle, ", ")}}});

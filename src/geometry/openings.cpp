@@ -51,6 +51,7 @@ std::string floor_line(double height) {
 // Why the span can't be laid as it is stated, at which key; "" where it can.
 struct SpanFault {
   std::string key, problem;
+  bool cut_cures = false;
 };
 
 SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
@@ -64,8 +65,10 @@ SpanFault fault_of(const Span& span, const Axis& axis, Fit fit) {
   for (const auto& [key, edge] : {std::pair(span.start_key, span.start), {span.size_key, end}}) {
     const double off = std::abs(axis.line(axis.nearest(edge)) - edge);
     if (fit == Fit::kWhole && off > reach + 1e-9)
-      return {key, "has an edge at " + metres(edge - span.base) + ", " + millimetres(off) +
-                       " from the nearest joint line, more than 2 % of its " + span.size_key};
+      return {key,
+              "has an edge at " + metres(edge - span.base) + ", " + millimetres(off) +
+                  " from the nearest joint line, more than 2 % of its " + span.size_key,
+              true};
   }
   if (end - span.start < kSliver * axis.step)
     return {span.size_key, "is smaller than a quarter of a unit"};
@@ -98,8 +101,8 @@ void cure_span(const Span& span, const SpanFault& fault, const Axis& axis, Room 
   add_fault(faults, opening_path(span.placed.index, fault.key),
             metres(fault.key == span.start_key ? span.start - span.base : span.size),
             span.placed.called + " " + fault.problem,
-            "write " + keys + ", on the joint lines every " + millimetres(axis.step) + "; or " +
-                span.fit_key + " = \"cut\"");
+            "write " + keys + ", on the joint lines every " + millimetres(axis.step) +
+                (fault.cut_cures ? "; or " + span.fit_key + " = \"cut\"" : ""));
 }
 
 // Both edges of one direction; false after a fault, with the span of its cure.
@@ -116,6 +119,11 @@ bool snap_span(const Span& span, const Axis& axis, Fit fit, Room room, double& s
   };
   start = snapped(span.start);
   end = std::min(snapped(span.start + span.size), axis.end());
+  if (end - start < 1e-6 * axis.step) {
+    cure_span(span, {span.size_key, "would move to one joint line"}, axis, room, start, end,
+              faults);
+    return false;
+  }
   note_move(span, span.start_moved_code, span.start, start, notes);
   note_move(span, span.size_changed_code, span.size, end - start, notes);
   return true;

@@ -120,15 +120,29 @@ void add_once(const FaultList& found, FaultList& faults) {
   }
 }
 
+// Joints as thick as units were built; thicker ones are a slip of the pen that would fit any wall.
+bool mortar_fits(const Storey& storey, const char* key, double joint, double bare, const char* side,
+                 FaultList& faults) {
+  if (std::isnan(joint)) return true;
+  if (!is_not_negative({storey.path_of(key), joint, "m", "10 mm"}, faults)) return false;
+  if (!(joint > bare)) return true;
+  add_fault(faults, storey.path_of(key), millimetres(joint),
+            std::string("is thicker than the unit is ") + side + " (" + millimetres(bare) + ")",
+            "write e.g. " + last_key(key) + " = \"10 mm\"");
+  return false;
+}
+
+bool mortar_fits(const Storey& storey, FaultList& faults) {
+  const auto& [bed, head] = storey.unit.mortar;
+  return mortar_fits(storey, "unit.mortar.bed", bed, storey.unit.height - bed, "high", faults) &
+         mortar_fits(storey, "unit.mortar.head", head, (storey.unit.length - head) / 2, "half long",
+                     faults);
+}
+
 void check_body(const Storey& storey, FaultList& faults) {
   (void)is_positive({storey.path_of("thickness"), storey.thickness, "m", "0.31 m"}, faults);
   (void)is_positive({storey.path_of("unit.density"), storey.unit.density, "kg/m^3", "1250 kg/m^3"},
                     faults);
-  const auto& [bed, head] = storey.unit.mortar;
-  if (!std::isnan(bed))
-    (void)is_not_negative({storey.path_of("unit.mortar.bed"), bed, "m", "10 mm"}, faults);
-  if (!std::isnan(head))
-    (void)is_not_negative({storey.path_of("unit.mortar.head"), head, "m", "10 mm"}, faults);
 }
 
 void add_notes(const Storey& storey, std::vector<Message>& said, std::vector<Message>& notes) {
@@ -177,6 +191,7 @@ std::vector<Storey> plan_storeys(const Shape& shape, Fit fit, std::vector<Messag
     std::vector<Message> said;
     check_body(storey, found);
     storey.lattice = fit_lattice(storey, said, found);
+    if (!mortar_fits(storey, found)) storey.lattice = {};
     storey.first_course = course;
     course += storey.lattice.courses.count;
     add_once(found, faults);

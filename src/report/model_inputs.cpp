@@ -1,5 +1,7 @@
 #include "report/model_inputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -172,10 +174,21 @@ Json masonry_rows(const MasonrySpec& m) {
   return rows;
 }
 
+// One number, or from the thinnest to the thickest masonry.
+Json thickness_row(const Model& model) {
+  double least = model.anatomy.thickness, most = least;
+  for (std::size_t b = 0; b < model.anatomy.block_role.size(); ++b) {
+    if (model.anatomy.block_role[b] != BlockRole::kMasonry) continue;
+    least = std::min(least, model.anatomy.block_thickness[b]);
+    most = std::max(most, model.anatomy.block_thickness[b]);
+  }
+  if (!(least < most)) return row("thickness", most, "m");
+  return {"thickness", fmt::format("{:g} – {:g}", least, most), "m"};
+}
+
 Json wall_rows(const ModelSpec& spec, const Model& model) {
   const Anatomy& a = model.anatomy;
-  Json rows = {row("length", a.length, "m"), row("height", a.height, "m"),
-               row("thickness", a.thickness, "m")};
+  Json rows = {row("length", a.length, "m"), row("height", a.height, "m"), thickness_row(model)};
   if (!spec.wall.blocks.empty()) rows.push_back({"blocks_file", spec.wall.blocks, ""});
   if (a.courses > 0) {
     rows.push_back({"bond", word_of(kBondWords, spec.wall.bond), ""});
@@ -193,12 +206,22 @@ Json wall_rows(const ModelSpec& spec, const Model& model) {
   return rows;
 }
 
-Json openings_of(const WallSpec& wall) {
+// Foot of the storey that an opening counts from.
+double foot_of(const ModelSpec& spec, const std::string& storey) {
+  double foot = 0;
+  for (const StoreySpec& s : spec.storey) {
+    if (s.name == storey) return foot;
+    foot += s.height;
+  }
+  return 0;
+}
+
+Json openings_of(const ModelSpec& spec) {
   Json list = Json::array();
-  for (const OpeningSpec& o : wall.opening)
+  for (const OpeningSpec& o : spec.wall.opening)
     list.push_back({{"name", o.name},
                     {"x", o.x},
-                    {"y", o.y},
+                    {"y", o.y + foot_of(spec, o.storey)},
                     {"width", o.width},
                     {"height", o.height},
                     {"lintel", o.lintel.kind},
@@ -257,7 +280,7 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
   for (const Stage& stage : model.stages) stages.push_back(stage_of(stage));
   const SolveSpec& s = model.solve;
   return {{"wall", wall_rows(spec, model)},
-          {"openings", openings_of(spec.wall)},
+          {"openings", openings_of(spec)},
           {"materials", materials_of(spec.material)},
           {"masonry", masonry_rows(spec.masonry)},
           {"origins", origins_of(spec)},

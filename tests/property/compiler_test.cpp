@@ -248,8 +248,34 @@ ModelSpec file_wall() {
   return spec;
 }
 
+// Two storeys of bare units, of which one differs in all, and a region.
+ModelSpec storeys_wall() {
+  ModelSpec spec = scenes::plain_wall(8, 8, 1e-3, 0.01);
+  const double height = spec.wall.height, unit = spec.wall.unit.length;
+  spec.wall.height = kUnset;
+  spec.wall.unit.length -= 0.01;
+  spec.wall.unit.height -= 0.01;
+  spec.wall.unit.mortar = {0.01, 0.01};
+  spec.material["weak"] = spec.material["joint"];
+  spec.storey.resize(2);
+  spec.storey[0].name = "joint";
+  spec.storey[1].name = "unit";
+  spec.storey[0].height = spec.storey[1].height = height / 2;
+  spec.storey[1].thickness = 0.2;
+  spec.storey[1].bond = "stack";
+  spec.storey[1].unit.density = 900;
+  spec.storey[1].joints.head_joint = "weak";
+  spec.region.resize(1);
+  spec.region[0].x = spec.region[0].y = 0;
+  spec.region[0].width = spec.region[0].height = 2 * unit;
+  spec.region[0].joints.joint = "weak";
+  spec.region[0].density = 2000;
+  return spec;
+}
+
 std::vector<std::pair<std::string, ModelSpec>> walls() {
-  return {{"segments", scenes::lintel_wall(LintelModel::kSegments)},
+  return {{"storeys", storeys_wall()},
+          {"segments", scenes::lintel_wall(LintelModel::kSegments)},
           {"zones", scenes::lintel_wall(LintelModel::kZones)},
           {"plates", plates_wall()},
           {"beam", beam_wall()},

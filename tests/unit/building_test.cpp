@@ -169,6 +169,14 @@ TEST(Mortar, of_one_side_is_that_of_both_and_may_be_nothing) {
   EXPECT_NEAR(build(spec).report.half_unit, 0.125, 1e-12);
 }
 
+TEST(Mortar, thicker_than_its_unit_is_refused_and_would_else_fit_any_wall) {
+  ModelSpec spec = bare_units(2.60, 0.65);
+  spec.wall.unit.mortar.bed = 10;  // "10 m" for "10 mm"
+  expect_says(refusal(spec), {"wall.unit.mortar.bed", "thicker than the unit is high (55 mm)"});
+  spec.wall.unit.mortar = {0.010, 0.13};
+  expect_says(refusal(spec), {"wall.unit.mortar.head", "half long"});
+}
+
 TEST(Mortar, a_size_off_by_more_than_joint_and_tolerance_is_refused_with_bare_sizes) {
   const std::string said = refusal(bare_units(0.40, 0.65));
   expect_says(said, {"wall.unit.length", "holds 3.077 half units", "length = \"256.667 mm\"",
@@ -243,6 +251,19 @@ TEST(Storeys, weigh_what_their_thickness_and_density_say_and_meet_in_the_smaller
   }
   EXPECT_NEAR(floor_line, 0.25 * length, 1e-12);
   EXPECT_NEAR(below, 0.40 * length, 1e-12);
+}
+
+TEST(Storeys, a_pressure_on_the_top_acts_on_the_thickness_there) {
+  ModelSpec spec = building(2);
+  for (const char* name : {"joint", "unit", "foundation"})
+    spec.material[name] = scenes::paper_joint();
+  spec.storey[1].thickness = 0.2;
+  spec.stage = {scenes::gravity_stage(), scenes::gravity_stage()};
+  spec.stage[1].kind = StageKind::kLoad;
+  spec.stage[1].pressure = 1e5;
+  double load = 0;
+  for (const PointLoad& force : compile(spec).stages[1].loads) load -= force.fy;
+  EXPECT_NEAR(load / (1e5 * 2 * 0.2), 1, 1e-12);
 }
 
 TEST(Storeys, a_building_of_one_storey_runs_as_the_plain_wall_to_the_bit) {
@@ -492,6 +513,8 @@ TEST(Regions, and_storeys_of_a_blocks_file_go_by_the_centre) {
     EXPECT_EQ(block.region, upper ? 0 : -1);
   }
   EXPECT_EQ(materials_of(wall, FaceKind::kBed), (Names{{"joint", 8}, {"weak", 4}}));
+  spec.storey[1].unit.density = 900;
+  EXPECT_TRUE(notes_say(build(spec), "storey.b.unit is not used"));
 }
 
 // --- surveyed walls --------------------------------------------------------------------------------------
