@@ -307,6 +307,7 @@ TEST(Storeys, an_opening_through_a_floor_line_is_refused_with_its_place) {
   spec.wall.opening = {hole("", 0.6, 0.2, 0.8, 0.5)};
   expect_says(refusal(spec), {"wall.opening.0.height", "ends at 0.7 m", "floor line at 0.5 m",
                               "make two of one that goes through", "height = \"0.3 m\""});
+  EXPECT_EQ(refusal(spec).find("\"cut\""), std::string::npos) << "which would not cure it";
   spec.wall.opening = {hole("", 0.6, 0.3, 0.8, 0.5)};
   expect_says(refusal(spec), {"wall.opening.0.y", "begins at 0.3 m", "floor line at 0.5 m"});
   spec.wall.opening = {hole("first", 0.6, 0.3, 0.8, 0.5)};
