@@ -402,8 +402,7 @@ class RunPage {
           )
         : null,
       this.scores(mode),
-      h("div", { class: "pair" }, elements.list(), elements.map?.element),
-      h("div", { class: "pair" }, this.flags(mode), elements.chart?.element),
+      h("div", { class: "pair" }, elements.list(), elements.map?.element, this.flags(mode), elements.chart?.element),
       this.sensitivity(mode),
       h("details", {}, h("summary", {}, say("failure.measures")), this.measures(evidenceOf(mode))),
     ];

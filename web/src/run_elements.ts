@@ -97,7 +97,7 @@ export class ElementsView {
         type: "button",
         class: "mark-button",
         "aria-pressed": "false",
-        "aria-label": say("failure.light", { part: phrase(element.element) }),
+        "aria-label": say("failure.light", { mark: element.mark, part: phrase(element.element) }),
         "data-part": element.element,
       },
       element.mark,

@@ -295,7 +295,7 @@ export class WallView {
       this.look.forces = forces.checked;
       this.redraw();
     });
-    const numbers = h("input", { type: "checkbox", class: "numbers" });
+    const numbers = h("input", { type: "checkbox" });
     numbers.checked = this.look.numbers;
     numbers.addEventListener("change", () => {
       this.look.numbers = numbers.checked;
@@ -320,7 +320,7 @@ export class WallView {
         ? h("label", { class: "check" }, forces, h("span", {}, say("wall.forces")))
         : null,
       this.spec.wall.parts.length > 0
-        ? h("label", { class: "check" }, numbers, h("span", {}, say("wall.numbers")))
+        ? h("label", { class: "numbers" }, numbers, h("span", {}, say("wall.numbers")))
         : null,
     );
   }
