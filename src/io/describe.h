@@ -13,6 +13,7 @@
 #pragma once
 
 #include "io/describe_building.h"
+#include "io/describe_floors.h"
 #include "io/key.h"
 #include "wythe/wall_spec.h"
 
@@ -385,14 +386,17 @@ void describe(Visitor& v, PlaceSpec& s) {
 template <class Visitor>
 void describe_load(Visitor& v, StageSpec& s) {
   v.quantity("pier_load", s.pier_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
-             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "200 kN",
+             .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "200 kN",
              .doc = "Vertical load on the top of each pier, downwards."});
   v.quantity("pressure", s.pressure, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
-             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "0.3 MPa",
+             .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "0.3 MPa",
              .doc = "Vertical pressure on the whole wall top, downwards."});
   v.quantity("beam_load", s.beam_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
-             .kinds = kLoadStage, .fallback = "one of the three loads", .example = "100 kN",
+             .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "100 kN",
              .doc = "Vertical load on the centre of the loading beam, downwards."});
+  v.flag("floors", s.floors, {.kinds = kLoadStage, .example = "true",
+         .doc = "Sets every `[[floor]]` on the wall, in the place of a load. Without such a stage the "
+                "first gravity stage does."});
   v.choice("as", s.as, kMannerWords, {.kinds = kLoadStage | kPushStage,
            .fallback = "pressure (load), spreader (push)", .example = "plate",
            .doc = "A load acts as a uniform pressure or through a free stiff plate; a push moves "
@@ -557,6 +561,8 @@ void describe(Visitor& v, ModelSpec& s) {
   v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs where its centre lies, to "
          "the last region that holds it; a joint to a region where both its blocks do, else to what is listed "
          "before it and around it."});
+  v.list("floor", s.floor, {.optional = true,
+         .doc = "Floors and roofs that lie on the wall, one table each: weight at their level."});
   v.table("masonry", s.masonry, {.optional = true,
           .doc = "What tests say, mean values: the inputs of rules (docs/theory/material_rules.md), which a "
                  "material asks for by `\"rule\"` in the place of a value. No effect but through them. Any of "

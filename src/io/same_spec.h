@@ -54,7 +54,8 @@ class Flatten {
     describe(inner, value);
   }
   template <class T>
-  void list(const char* name, std::vector<T>& values, const Key&) {
+  void list(const char* name, std::vector<T>& values, const Key& key) {
+    if (key.optional && values.empty()) return;  // a model without has the hash it had
     size(name, values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       table(fmt::format("{}.{}", name, i).c_str(), values[i], {});

@@ -44,8 +44,8 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
   if (told == 0) {
     if (stage.name == "gravity") return true;
     reader.miss("kind", "can't be told, the stage has no key of any one kind",
-                "write kind = \"gravity\", or velocity (push), pier_load, pressure or beam_load "
-                "(load), rate (body_force), tilt_rate (tilt), duration (hold)");
+                "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load "
+                "or floors (load), rate (body_force), tilt_rate (tilt), duration (hold)");
     return false;
   }
   if (!is_one_kind(told)) {
@@ -77,15 +77,15 @@ void need_keys(TableReader& reader, StageKind kind) {
                   fmt::format("is missing, a {} stage needs it", word_of(kStageKindWords, kind)));
 }
 
-void check_load(TableReader& reader) {
+void check_load(TableReader& reader, const StageSpec& stage) {
   const auto is_given = [&](const char* name) { return reader.has(name); };
   const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load"};
-  const auto given = std::count_if(loads.begin(), loads.end(), is_given);
+  const auto given = std::count_if(loads.begin(), loads.end(), is_given) + (stage.floors ? 1 : 0);
   if (given == 0)
-    reader.refuse_table("a load stage needs pier_load, pressure or beam_load",
+    reader.refuse_table("a load stage needs pier_load, pressure, beam_load or floors = true",
                         "write e.g. pier_load = \"200 kN\"");
   if (given > 1)
-    reader.refuse_table("has more than one of pier_load, pressure and beam_load",
+    reader.refuse_table("has more than one of pier_load, pressure, beam_load and floors",
                         "make them separate stages");
 }
 
@@ -211,7 +211,7 @@ void check_direction(TableReader& reader, const StageSpec& stage) {
 // What a kind asks beyond its required keys.
 void check_needs(TableReader& reader, const StageSpec& stage) {
   need_keys(reader, stage.kind);
-  if (stage.kind == StageKind::kLoad) check_load(reader);
+  if (stage.kind == StageKind::kLoad) check_load(reader, stage);
   if (stage.kind == StageKind::kPush) check_push(reader, stage);
 }
 

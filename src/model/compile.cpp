@@ -160,7 +160,8 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
                 "leave at least one rigid block: loads and pushes act on those", 0});
   faults.throw_if_any();
   compile_joints(spec, assembly, map, fields, model, faults);
-  compile_stages(spec, assembly, map, model, faults);
+  const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
+  compile_stages(spec, assembly, map, floors, model, faults);
   faults.throw_if_any();
   fields.describe(spec, assembly, map, model);
   bound_step(model);

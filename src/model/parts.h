@@ -34,9 +34,14 @@ void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, M
 // the faces of deformable blocks; called by compile_joints, which finds their materials.
 void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
                       std::vector<SolidFace> faces, Model& model, FaultList& faults);
+// what the floors lay on blocks, for the stage that sets them; adds their inertia to the blocks.
+[[nodiscard]] std::vector<PointLoad> compile_floors(const ModelSpec& spec,
+                                                    const geometry::Assembly& assembly,
+                                                    const BlockMap& map, Model& model,
+                                                    FaultList& faults);
 // stages with loads and driven blocks.
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
-                    Model& model, FaultList& faults);
+                    const std::vector<PointLoad>& floors, Model& model, FaultList& faults);
 
 // First period of the elastic wall along (px, py) [s], every contact closed; NaN where it has none.
 [[nodiscard]] double first_period(const Model& model, double px, double py);

@@ -17,11 +17,17 @@ constexpr double kLoadRamp = 0.1;
 
 class StageCompiler {
  public:
-  StageCompiler(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map, Model& model,
-                FaultList& faults)
-      : spec_(spec), assembly_(assembly), map_(map), model_(model), faults_(faults) {}
+  StageCompiler(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+                const std::vector<PointLoad>& floors, Model& model, FaultList& faults)
+      : spec_(spec),
+        assembly_(assembly),
+        map_(map),
+        floors_(floors),
+        model_(model),
+        faults_(faults) {}
 
   void run() {
+    const std::size_t sets_floors = stage_of_floors();
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
@@ -31,6 +37,8 @@ class StageCompiler {
       if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
       if (stage.spec.kind == StageKind::kPush) set_driven(stage);
       refuse_second_factor(stage);
+      if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
+      floors_lie_ = floors_lie_ || k == sets_floors;
       model_.stages.push_back(std::move(stage));
     }
   }
@@ -38,6 +46,30 @@ class StageCompiler {
  private:
   void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  // The load stage that asks for them, or the first gravity stage.
+  std::size_t stage_of_floors() {
+    const std::size_t none = spec_.stage.size();
+    std::size_t gravity = none, asked = none;
+    for (std::size_t k = 0; k < none; ++k) {
+      path_ = fmt::format("stage.{}", k);
+      const StageSpec& s = spec_.stage[k];
+      if (s.kind == StageKind::kGravity) gravity = std::min(gravity, k);
+      if (!s.floors) continue;
+      if (spec_.floor.empty())
+        fault("floors", "", "there is no floor to set on the wall",
+              "write [[floor]] tables, or leave floors out");
+      if (asked < none)
+        fault("floors", "", "the floors lie on the wall already",
+              "let one stage set them, all together");
+      asked = std::min(asked, k);
+    }
+    const std::size_t found = asked < none ? asked : gravity;
+    if (found == none && !spec_.floor.empty())
+      faults_.add({"", "floor.0", "", "no stage sets it on the wall",
+                   "add a gravity stage, or a load stage with floors = true", 0});
+    return found;
   }
 
   // A second body force or tilt would have to take the first one back on its way.
@@ -201,17 +233,18 @@ class StageCompiler {
   };
 
   void set_pattern(Stage& stage) {
-    std::vector<Level> levels =
-        stage.spec.pattern == Pattern::kMass ? every_block() : levels_of(stage);
+    const bool all = stage.spec.pattern == Pattern::kMass;
+    std::vector<Level> levels = all ? every_block() : levels_of(stage);
+    const auto weighs = [&](std::size_t b) { return mass_of(b) + (all ? floor_mass_on(b) : 0.0); };
     std::vector<double> force;  // of each driven block
     double total = 0, height = 0;
     for (const Level& level : levels) {
       double mass = 0;
-      for (const std::size_t b : level.blocks) mass += mass_of(b);
+      for (const std::size_t b : level.blocks) mass += weighs(b);
       for (const std::size_t b : level.blocks) {
         if (is_solid(map_[b])) return refuse_zones(b, "levels");
         stage.driven.push_back(map_[b]);
-        force.push_back(level.share * mass_of(b) / mass);
+        force.push_back(level.share * weighs(b) / mass);
         total += force.back();
         height += force.back() * (centroid_of(b).y - lowest(&Vec2::y));
       }
@@ -225,7 +258,15 @@ class StageCompiler {
     stage.load_height = height / total;
   }
 
-  // All rigid blocks as one level: every block by its own mass. Bodies of zones take no share.
+  // Of the floors that lie on the block already [kg].
+  [[nodiscard]] double floor_mass_on(std::size_t b) const {
+    double weight = 0;
+    for (const PointLoad& load : floors_) weight -= load.block == map_[b] ? load.fy : 0.0;
+    return floors_lie_ && model_.solve.gravity > 0 ? weight / model_.solve.gravity : 0.0;
+  }
+
+  // All rigid blocks as one level: every block by its own mass and that of floors on it. Bodies of
+  // zones take no share.
   [[nodiscard]] std::vector<Level> every_block() const {
     Level all;
     all.share = 1;
@@ -410,17 +451,18 @@ class StageCompiler {
   const ModelSpec& spec_;
   const Assembly& assembly_;
   const BlockMap& map_;
+  const std::vector<PointLoad>& floors_;
   Model& model_;
   FaultList& faults_;
   std::string path_;
-  bool has_factor_ = false;
+  bool has_factor_ = false, floors_lie_ = false;
 };
 
 }  // namespace
 
 void compile_stages(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
-                    Model& model, FaultList& faults) {
-  StageCompiler(spec, assembly, map, model, faults).run();
+                    const std::vector<PointLoad>& floors, Model& model, FaultList& faults) {
+  StageCompiler(spec, assembly, map, floors, model, faults).run();
 }
 
 }  // namespace wythe

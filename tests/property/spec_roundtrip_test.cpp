@@ -80,7 +80,9 @@ class Draw {
     const int low = static_cast<int>(key.range.low);
     value = *rc::gen::inRange(low, low + 15);
   }
-  void flag(const char*, bool& value, const Key&) { value = coin(2); }
+  void flag(const char*, bool& value, const Key& key) {
+    if (!foreign(key)) value = coin(2);
+  }
   void text(const char*, std::string& value, const Key& key) {
     if (!foreign(key) && coin(2)) value = any_text();
   }
@@ -121,6 +123,10 @@ void set_if_unset(double& value, double otherwise) {
 void make_one_load(StageSpec& stage) {
   const double load = std::abs(any_bits());
   stage.pier_load = stage.pressure = stage.beam_load = kUnset;
+  if (stage.floors) {
+    stage.as = Manner::kDefault;
+    return;
+  }
   double* const loads[] = {&stage.pier_load, &stage.pressure, &stage.beam_load};
   const std::size_t which = *rc::gen::inRange<std::size_t>(0, 3);
   *loads[which] = load;

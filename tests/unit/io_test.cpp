@@ -293,13 +293,15 @@ TEST(StageRefused, place_with_half_a_point) {
 
 TEST(StageRefused, load_without_load_and_with_two) {
   const std::string none = fault_of("pier_load = \"200 kN\"", "kind = \"load\"");
-  EXPECT_EQ(none,
-            "model.toml:33: stage.1: a load stage needs pier_load, pressure or beam_load; "
-            "write e.g. pier_load = \"200 kN\"");
+  EXPECT_EQ(
+      none,
+      "model.toml:33: stage.1: a load stage needs pier_load, pressure, beam_load or floors = true; "
+      "write e.g. pier_load = \"200 kN\"");
   const std::string two = fault_of("pier_load =", "pressure = \"1 MPa\"\npier_load =");
-  EXPECT_EQ(two,
-            "model.toml:33: stage.1: has more than one of pier_load, pressure and beam_load; "
-            "make them separate stages");
+  EXPECT_EQ(
+      two,
+      "model.toml:33: stage.1: has more than one of pier_load, pressure, beam_load and floors; "
+      "make them separate stages");
 }
 
 TEST(StageRefused, manner_of_another_kind) {

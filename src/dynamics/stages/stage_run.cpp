@@ -167,9 +167,9 @@ class SettlingStage : public StageRun {
     if (stage_.spec.kind == StageKind::kGravity) {
       state_.gravity_x = 0;
       state_.gravity_y = -model_.solve.gravity * share;
-    } else {
-      state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
     }
+    if (stage_.spec.kind == StageKind::kLoad || !stage_.loads.empty())
+      state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
   }
 
   void look(double) override {
