@@ -118,6 +118,9 @@ Statistics write_files(const std::string& folder, const Campaign& campaign,
   });
   write_text(results.path() + "/samples.csv", samples_csv(campaign));
   Statistics statistics = statistics_of(campaign);
+  const ModelSpec base = model_builder(campaign.study)({});
+  if (is_asked(base.assessment))
+    statistics.assessment = assess_campaign(campaign, base, compile(base));
   write_text(results.path() + "/statistics.json", statistics_json(statistics));
   write_campaign_report(folder, results.path(), campaign, statistics, language);
   results.commit(hold_for_test);

@@ -10,6 +10,7 @@
 #include "interrupt.h"
 #include "progress.h"
 #include "report_files.h"
+#include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
@@ -102,7 +103,19 @@ void print_push(const Result& r) {
         1e-3 * q.peak_raw, 1e3 * q.displacement_at_peak_raw);
 }
 
-void print_result(const Model& model, const Result& r, const std::string& out) {
+void print_assessment(const ModelSpec& spec, const Model& model, const Result& r) {
+  if (!is_asked(spec.assessment)) return;
+  const CodeAssessment a = assess_run(spec, model, r);
+  fmt::print("assessment, {}: {}\n", spec.assessment.code, text_of(a.sentence));
+  if (!a.limit_states.empty())
+    fmt::print("m* {:.0f} kg   Gamma {:.3f}   T* {:.3f} s{}\n", a.system.mass,
+               a.system.participation, a.system.period(),
+               a.spectrum.is_given() ? fmt::format("   q* {:.2f}", a.demand.q) : "");
+  fmt::print("note: {}\n", text_of(a.notes.front()));
+}
+
+void print_result(const ModelSpec& spec, const Model& model, const Result& r,
+                  const std::string& out) {
   const std::string warning = text_of(warning_of(r));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
@@ -124,6 +137,7 @@ void print_result(const Model& model, const Result& r, const std::string& out) {
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
+    print_assessment(spec, model, r);
     if (const Message note = note_of(compare_with_tests(model, r)); !note.empty())
       fmt::print("tests: {}\n", text_of(note));
     for (const Event& e : r.events)
@@ -202,7 +216,7 @@ int run(const RunArguments& arguments) {
   write_run(results->path(), start.from.spec, model, result);
   write_run_report(results->path(), start.from.spec, model, result, start.from.order.language);
   results->commit(hold_for_test);
-  print_result(model, result, start.out);
+  print_result(start.from.spec, model, result, start.out);
   if (result.status == SolveStatus::kInterrupted && start.has_checkpoints())
     fmt::print("go on with: wythe run --resume {}\n", start.out);
   return exit_code(result.status);

@@ -107,6 +107,9 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
                const Result& result);
 // summary.json of a run; keys: docs/reference/results.md.
 [[nodiscard]] std::string summary_json(const Model& model, const Result& result);
+// The same with `project` and `assessment`, where the model file asks for them.
+[[nodiscard]] std::string summary_json(const ModelSpec& spec, const Model& model,
+                                       const Result& result);
 // samples.csv of a campaign; columns: docs/reference/store.md.
 [[nodiscard]] std::string samples_csv(const Campaign& campaign);
 // statistics.json of a campaign; keys: docs/reference/statistics.md.

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "wythe/assessment.h"
 #include "wythe/campaign.h"
 
 namespace wythe {
@@ -307,6 +308,30 @@ struct Unanswered {
   Message reason;
 };
 
+// At which peak ground acceleration the samples reach a limit state (docs/theory/assessment.md, A.13).
+struct PgaFragility {
+  std::string limit_state;             // word of LimitState
+  bool is_checked = false;             // the one that the spectrum belongs to
+  int n = 0, censored = 0;             // samples with an acceleration; of them lower bounds
+  Estimate median, beta_capacity;      // lognormal [m/s^2], [-]; percentile bootstrap
+  double beta = kUnset;                // with the records' scatter [-]
+  double demand = kUnset;              // acceleration of the spectrum, of the checked one [m/s^2]
+  Estimate at_demand;                  // probability that the limit state is reached there
+  std::vector<ExceedancePoint> point;  // share of the samples that carry more, Kaplan-Meier
+  std::vector<FragilityPoint> curve;   // probability against acceleration [m/s^2]
+};
+struct CampaignAssessment {
+  AssessmentSpec spec;                   // of the base model
+  MassAndShape mass;                     // of the base model, with a linear shape
+  int answered = 0, without_answer = 0;  // samples that ran
+  int doubtful = 0;                      // of those answered: not to be signed, but for bounds
+  std::vector<Message> notes;
+  std::vector<PgaFragility> fragility;  // of each limit state; empty without a spectrum
+};
+// Of all samples that ran; `model` is that of `base`, the study's base model.
+[[nodiscard]] CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
+                                                 const Model& model);
+
 struct Statistics {
   std::string study, design;
   std::uint64_t seed = 0;
@@ -338,6 +363,7 @@ struct Statistics {
   std::vector<Fragility> fragility;
   std::vector<Measuring> measuring;  // by response, the best first
   std::vector<SurrogateIndices> surrogate_indices;
+  CampaignAssessment assessment;  // where the model asks for one; set by assess_campaign()
 };
 
 // A sample counts when its push was completed or ended by collapse and left a curve; all others are

@@ -12,6 +12,7 @@
 // here and nothing elsewhere. Order here is order in written files and in the reference page.
 #pragma once
 
+#include "io/describe_assessment.h"
 #include "io/describe_building.h"
 #include "io/describe_floors.h"
 #include "io/key.h"
@@ -555,6 +556,7 @@ void describe(Visitor& v, ModelSpec& s) {
          .doc = "Title of the report."});
   v.text("note", s.note, {.fallback = "none", .example = "Table 1 of the paper",
          .doc = "Remarks."});
+  v.table("project", s.project, {.optional = true, .doc = "Heads of the sheet that is handed over."});
   v.table("wall", s.wall, {.doc = "The wall: sizes along x (to the right) and y (upwards)."});
   v.list("storey", s.storey, {.doc = "The storeys of a building from the ground up, one on the other. What one leaves "
          "out is the wall's."});
@@ -575,6 +577,8 @@ void describe(Visitor& v, ModelSpec& s) {
   v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});
   v.list("stage", s.stage, {.doc = "What is done to the wall, stage after stage. At least one."});
   v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});
+  v.table("assessment", s.assessment, {.optional = true,
+          .doc = "What a code asks of the wall, and what it has (docs/theory/assessment.md)."});
   v.table("output", s.output, {.doc = "What is written."});
 }
 

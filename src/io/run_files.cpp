@@ -188,7 +188,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
              element_forces_csv(read_element_forces(model, result)));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
-  write_file(inside(folder, "summary.json"), summary_json(model, result));
+  write_file(inside(folder, "summary.json"), summary_json(spec, model, result));
 }
 
 std::string read_data(const std::string& path) { return read_file(path, kMostPacked); }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/assessment_json.h"
 #include "io/message_json.h"
 #include "io/statistics_numbers.h"
 #include "wythe/io.h"
@@ -393,6 +394,7 @@ std::string statistics_json(const Statistics& s) {
   json["first_order"] = first_order_json(s);
   json["mode_against_input"] = modes_json(s);
   json["fragility"] = fragility_json(s);
+  if (is_asked(s.assessment.spec)) json["assessment"] = assessment_json(s.assessment);
   json["measuring"] = measuring_json(s);
   json["surrogate_indices"] = surrogate_json(s);
   json["running"] = running_json(s);

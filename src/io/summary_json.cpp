@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/assessment_json.h"
 #include "io/message_json.h"
 #include "study/answer_keys.h"
 #include "study/modes/wall_parts.h"
@@ -253,11 +254,18 @@ Json tested_range_json(const TestedRange& range) {
 }  // namespace
 
 std::string summary_json(const Model& model, const Result& result) {
+  return summary_json({}, model, result);
+}
+
+std::string summary_json(const ModelSpec& spec, const Model& model, const Result& result) {
   Json json;
   json["status"] = to_string(result.status);
   io::put(json, "reason", result.reason);
   io::put(json, "warning", warning_of(result));
+  io::add_project(json, spec.project);
   add_responses(json, result.responses);
+  if (is_asked(spec.assessment))
+    json["assessment"] = io::assessment_json(assess_run(spec, model, result));
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
   json["load_factor"] = result.load_factor;
   if (result.curve_of == StageKind::kTilt)

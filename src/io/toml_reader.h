@@ -154,6 +154,8 @@ void finish(TableReader& reader, StageSpec& stage);
 void finish(TableReader& reader, JointMaterial& material);
 void finish(TableReader& reader, ContactRule& rule);
 void finish(TableReader& reader, ModelSpec& model);
+void finish(TableReader& reader, SpectrumSpec& spectrum);
+void finish(TableReader& reader, AssessmentSpec& assessment);
 
 template <class T>
 void read_table(ReadContext& context, const toml::table& table, const std::string& path, T& value) {

@@ -59,7 +59,9 @@ class RunHeadline {
   RunHeadline(const Json& header, const Texts& texts)
       : header_(header), s_(header.at("summary")), texts_(texts) {}
 
-  [[nodiscard]] std::string sentence() const { return cautions() + answer() + tests(); }
+  [[nodiscard]] std::string sentence() const {
+    return cautions() + answer() + assessed() + tests();
+  }
 
   [[nodiscard]] std::string warning() const {
     const std::string status = words_in(s_, "status"), reason = said_in(s_, "reason");
@@ -142,6 +144,12 @@ class RunHeadline {
     if (std::fabs(lost) <= std::fabs(number_in(s_, "displacement_at_peak_mm")))
       add(texts_.say("run.slid_off", {{"at", texts_.quantity(lost, "mm")}}));
     return words;
+  }
+
+  // What a code says of it, where it was asked.
+  [[nodiscard]] std::string assessed() const {
+    const std::string words = said_in(member(s_, "assessment"), "sentence");
+    return words.empty() ? "" : " " + report::sentence(words);
   }
 
   // In what the run leaves the range of tested walls, or how these came out.

@@ -156,7 +156,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   bundle.header["title"] = spec.name;
   bundle.header["note"] = spec.note;
   bundle.header["weight_kN"] = model.weight * 1e-3;
-  bundle.header["summary"] = Json::parse(summary_json(model, result));
+  bundle.header["summary"] = Json::parse(summary_json(spec, model, result));
   say_messages(bundle.header["summary"]);
   bundle.header["mode"] = mode_of(model, result);
   bundle.header["names"] = names_of(model);

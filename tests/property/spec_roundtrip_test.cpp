@@ -214,6 +214,31 @@ void make_valid(JointMaterial& material) {
   material.compressive_energy = 128000 * more;
 }
 
+// What stands between the keys of a spectrum: each kind has its own.
+void make_valid(AssessmentSpec& assessment) {
+  if (assessment.code.empty()) {  // not asked for: no table
+    assessment = {};
+    return;
+  }
+  assessment.code = coin(2) ? "circolare_2019" : "en1998_3";
+  assessment.limit_state = coin(2) ? "near_collapse" : "damage_limitation";
+  if (!(assessment.added_mass > 0)) assessment.added_height = kUnset;
+  SpectrumSpec& s = assessment.spectrum;
+  const SpectrumSpec drawn = s;
+  s = {};
+  s.kind = drawn.kind;
+  if (drawn.kind == SpectrumKind::kTable) {
+    s.corner_period = 1.0 / 3;
+    s.periods = {0, 1.0 / 3, 2};
+    s.accelerations = {2, 5, 1.0 / 3};
+  } else if (drawn.kind != SpectrumKind::kNone) {
+    s.ground_acceleration = 1.0 / 3, s.ground = coin(2) ? "E" : "A";
+    s.topography = drawn.topography, s.damping = drawn.damping;
+    if (drawn.kind == SpectrumKind::kEn1998) s.shape = coin(2) ? "1" : "2";
+    if (drawn.kind == SpectrumKind::kNtc2018) s.amplification = 2.45, s.corner_period = 1.0 / 3;
+  }
+}
+
 ModelSpec any_spec() {
   ModelSpec spec;
   Draw draw;
@@ -222,6 +247,7 @@ ModelSpec any_spec() {
   if (spec.stage.empty()) spec.stage.emplace_back();
   for (std::size_t i = 0; i < spec.stage.size(); ++i) make_valid(spec.stage[i], i);
   for (auto& [name, material] : spec.material) make_valid(material);
+  make_valid(spec.assessment);
   for (ContactRule& rule : spec.contact)
     if (rule.material.empty()) rule.material = "joint";
   return spec;

@@ -1,4 +1,5 @@
 // The page of a run: curve and wall side by side, how it failed; energy and meters are in run_trust.ts.
+import { assessmentSection } from "./assessment";
 import type { Bundle } from "./bundle";
 import { append, h, onScreen, svg, type Child } from "./dom";
 import { Figure, hideTip, legend, pointIn, showTip, swatch } from "./figure";
@@ -99,6 +100,7 @@ class RunPage {
   sections(): Section[] {
     return [
       { id: "push", title: say("section.push"), content: this.push() },
+      { id: "assessment", title: say("section.assessment"), content: assessmentSection(this.s, this.curve) },
       cyclesSection(this.s),
       { id: "failure", title: say("section.failure"), content: this.failure() },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },

@@ -6,6 +6,7 @@ import { assumptions, inputTables, provenanceTable } from "../inputs";
 import type { Section } from "../page";
 import { table } from "../tables";
 import { asSentence, phrase, say, sentence } from "../texts";
+import { pgaFragility } from "./assessment";
 import { Curves, meanCurves } from "./curves";
 import { Campaign, modeLabel } from "./data";
 import { fragility, measuring, surrogateIndices } from "./fragility";
@@ -120,6 +121,11 @@ export function campaignSections(bundle: Bundle): Section[] {
             driftLimits(campaign),
           ]
         : null,
+    },
+    {
+      id: "assessment",
+      title: say("section.assessment"),
+      content: several ? pgaFragility(campaign) : null,
     },
     {
       id: "influence",

@@ -1,0 +1,197 @@
+// The assessment of a pushed wall by a code: what an earthquake asks of it, and what it has.
+//
+//   curve ──► limit states (force drop, drift) ──► bilinear curve ──► one degree of freedom (N2)
+//   [assessment.spectrum] ──► elastic spectrum ──► demand, and the acceleration of each limit state
+//
+// Equations, clauses and what is not in them: docs/theory/assessment.md. SI units; NaN: not known.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "wythe/error.h"
+#include "wythe/result.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe {
+
+inline constexpr double kStandardGravity = 9.81;  // what codes mean by g [m/s^2]
+
+// --- words of [assessment] ---------------------------------------------------------------------------
+
+enum class GroundType { kA, kB, kC, kD, kE };
+inline constexpr Word<GroundType> kGroundTypeWords[] = {{"A", GroundType::kA},
+                                                        {"B", GroundType::kB},
+                                                        {"C", GroundType::kC},
+                                                        {"D", GroundType::kD},
+                                                        {"E", GroundType::kE}};
+static_assert(names_all(kGroundTypeWords));
+enum class AssessmentCode { kCircolare2019, kEn1998 };
+inline constexpr Word<AssessmentCode> kAssessmentCodeWords[] = {
+    {"circolare_2019", AssessmentCode::kCircolare2019}, {"en1998_3", AssessmentCode::kEn1998}};
+static_assert(names_all(kAssessmentCodeWords));
+enum class LimitState { kDamageLimitation, kLifeSafety, kNearCollapse };
+inline constexpr Word<LimitState> kLimitStateWords[] = {
+    {"damage_limitation", LimitState::kDamageLimitation},
+    {"life_safety", LimitState::kLifeSafety},
+    {"near_collapse", LimitState::kNearCollapse}};
+static_assert(names_all(kLimitStateWords));
+
+// --- demand ------------------------------------------------------------------------------------------
+
+// Elastic response spectrum of accelerations, horizontal.
+struct ElasticSpectrum {
+  SpectrumKind kind = SpectrumKind::kNone;
+  double ground_acceleration = kUnset;           // ag on rock; of a table that at period 0 [m/s^2]
+  double soil = 1, topography = 1;               // S or SS, ST [-]
+  double eta = 1;                                // of the damping [-]
+  double amplification = 2.5;                    // of the plateau over ag S [-]
+  double TB = kUnset, TC = kUnset, TD = kUnset;  // corner periods [s]
+  std::vector<double> periods, accelerations;    // table
+  // Se(T) [m/s^2]. NaN beyond the end of a table, and where there is no spectrum.
+  [[nodiscard]] double acceleration(double period) const;
+  [[nodiscard]] double displacement(double period) const;  // Se T^2 / (4 pi^2) [m]
+  [[nodiscard]] double peak_ground_acceleration() const;   // Se(0) [m/s^2]
+  [[nodiscard]] bool is_given() const { return kind != SpectrumKind::kNone; }
+};
+[[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);
+// What keys lack or hold that can't be; paths are the keys of [assessment.spectrum] and [assessment]. The
+// functions below take specs without faults.
+[[nodiscard]] std::vector<Fault> faults_of(const SpectrumSpec& spec);
+[[nodiscard]] std::vector<Fault> faults_of(const AssessmentSpec& spec);
+
+// --- one degree of freedom ---------------------------------------------------------------------------
+
+// Elastic, perfectly plastic: F* up to d* yield with the slope k.
+struct EquivalentSystem {
+  double mass = kUnset;           // m* [kg]
+  double participation = kUnset;  // Gamma: d = Gamma d*, F = Gamma F* [-]
+  double stiffness = kUnset;      // k* [N/m]
+  double force = kUnset;          // Fy* [N]
+  [[nodiscard]] double yield() const { return force / stiffness; }  // dy* [m]
+  [[nodiscard]] double period() const;                              // T* [s]
+};
+struct SpectralDemand {
+  double elastic = kUnset;       // Sde(T*) [m]
+  double q = kUnset;             // q* = Se m* / Fy* [-]
+  double displacement = kUnset;  // d*max [m]
+};
+// N2, EN 1998-1 Annex B.5, of the spectrum times `scale`.
+[[nodiscard]] SpectralDemand demand_of(const EquivalentSystem& system,
+                                       const ElasticSpectrum& spectrum, double scale = 1);
+// The scale at which that demand is d*: the inverse of demand_of, in closed form.
+[[nodiscard]] double scale_for(const EquivalentSystem& system, const ElasticSpectrum& spectrum,
+                               double displacement);
+// The scale at which q* is q.
+[[nodiscard]] double scale_for_q(const EquivalentSystem& system, const ElasticSpectrum& spectrum,
+                                 double q);
+
+// --- mass and shape ----------------------------------------------------------------------------------
+
+// A part of the moving mass and the share of the control displacement that it goes.
+struct MovingMass {
+  double mass = 0;    // [kg]
+  double height = 0;  // above the wall's lowest point [m]
+  double shape = 0;   // Phi [-]
+};
+struct MassAndShape {
+  double blocks = 0, loads = 0, added = 0;  // mass by where it comes from [kg]
+  double participating = 0;                 // m* = sum m Phi [kg]
+  double participation = 0;                 // Gamma = m* / sum m Phi^2 [-]
+  bool is_linear = false;                   // Phi grows with height; else as the wall was bent
+  double read_at = kUnset;                  // displacement of that state [m]
+  [[nodiscard]] double total() const { return blocks + loads + added; }
+};
+// Phi as the wall stood when its control displacement was `displacement`, between the states kept.
+[[nodiscard]] MassAndShape mass_and_shape(const AssessmentSpec& spec, const Model& model,
+                                          const Result& result, double displacement);
+// Phi grows with height, 1 where the curve's displacement is of.
+[[nodiscard]] MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& model);
+
+// --- limit states ------------------------------------------------------------------------------------
+
+// One rule of a code that ends a limit state.
+struct Criterion {
+  std::string name;       // "force drop", "storey drift", "share of near collapse", "yield", "q*"
+  Message words;          // for a reader
+  std::string clause;     // where it stands in the code
+  bool verified = false;  // checked against the printed clause
+  double value = kUnset;  // of the rule, in `unit`
+  std::string unit;
+  double displacement =
+      kUnset;            // of the control point where it is met; the last, where it isn't [m]
+  bool reached = false;  // within the push
+};
+struct LimitStateCheck {
+  LimitState state = LimitState::kNearCollapse;
+  bool is_asked = false;  // the one that the spectrum belongs to
+  std::vector<Criterion> criteria = {};
+  std::string governing = {};         // name of the criterion that decides
+  double displacement = kUnset;       // capacity of the control point [m]
+  double drift = kUnset;              // over its height [-]
+  double ratio = kUnset;              // capacity over demand, displacements [-]
+  double scale = kUnset;              // of the spectrum at which the limit state is reached [-]
+  double acceleration = kUnset;       // peak ground acceleration then, soil included [m/s^2]
+  double rock_acceleration = kUnset;  // the same over S ST [m/s^2]
+  bool at_least = false;              // the push ended before: all of these are lower bounds
+};
+
+enum class AssessmentVerdict { kHolds, kFails, kNotShown, kNoDemand, kNotKnown };
+inline constexpr Word<AssessmentVerdict> kAssessmentVerdictWords[] = {
+    {"holds", AssessmentVerdict::kHolds},
+    {"fails", AssessmentVerdict::kFails},
+    {"not shown", AssessmentVerdict::kNotShown},  // a lower bound that is below the demand
+    {"no demand", AssessmentVerdict::kNoDemand},  // no spectrum is given
+    {"not known", AssessmentVerdict::kNotKnown}};
+static_assert(names_all(kAssessmentVerdictWords));
+
+struct CodeAssessment {
+  AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
+  bool may_be_signed = false;     // nothing stands in `cautions`
+  std::vector<Message> cautions;  // why the numbers are not to be signed; said before them
+  Message reason;                 // why there are no numbers; empty: there are
+  Message sentence;               // cautions and verdict, for a reader
+  std::vector<Message> notes;     // what was assumed and what is not modelled
+  AssessmentSpec spec;
+  MassAndShape mass;
+  Bilinear bilinear;  // of the curve up to near collapse; its ultimate is that displacement
+  EquivalentSystem system;
+  ElasticSpectrum spectrum;
+  SpectralDemand demand;
+  double demand_displacement = kUnset;  // Gamma d*max, of the control point [m]
+  std::vector<LimitStateCheck> limit_states;
+  [[nodiscard]] const LimitStateCheck* asked() const;
+};
+
+// What is judged of a push: of a run or of a stored sample.
+struct DriftPoint {
+  double displacement = 0;  // of the curve [m]
+  double drift = 0;         // largest of the storeys [-]
+};
+struct JudgedPush {
+  SolveStatus status = SolveStatus::kCompleted;
+  StageKind curve_of = StageKind::kPush;
+  bool is_horizontal = true;
+  bool is_patterned = true;  // forces at several levels; false: at one place
+  const std::vector<CurveRow>& curve;
+  const Responses& responses;
+  std::string judgement = {};           // RateVerdict::judgement
+  double overlap_lost = kUnset;         // Validity::overlap_lost [m]
+  std::vector<RisePoint> rise = {};     // Result::rise
+  std::vector<DriftPoint> drifts = {};  // ascending; empty: displacement over load height
+  bool storeys_known = false;           // drifts are of storeys
+  double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
+  std::string mechanism = {};           // "shear", "flexure", "": not known
+};
+// Mass and shape at a displacement; called with that of the bilinear curve's yield.
+using ShapeReader = std::function<MassAndShape(double displacement)>;
+[[nodiscard]] CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
+                                    const ShapeReader& shape);
+
+[[nodiscard]] inline bool is_asked(const AssessmentSpec& spec) { return !spec.code.empty(); }
+// Of a run, with what its model file asks for.
+[[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
+                                        const Result& result);
+
+}  // namespace wythe

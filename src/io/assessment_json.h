@@ -1,0 +1,17 @@
+// `assessment` and `project` of summary.json (docs/reference/results.md).
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "wythe/statistics.h"
+
+namespace wythe::io {
+
+[[nodiscard]] nlohmann::ordered_json assessment_json(const CodeAssessment& assessment);
+[[nodiscard]] nlohmann::ordered_json spectrum_json(const ElasticSpectrum& spectrum);
+// `assessment` of statistics.json (docs/reference/statistics.md).
+[[nodiscard]] nlohmann::ordered_json assessment_json(const CampaignAssessment& assessment);
+// Nothing where no head is given.
+void add_project(nlohmann::ordered_json& json, const ProjectSpec& project);
+
+}  // namespace wythe::io

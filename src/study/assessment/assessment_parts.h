@@ -1,0 +1,26 @@
+// What the files of the assessment share; the doors are in wythe/assessment.h.
+#pragma once
+
+#include <vector>
+
+#include "wythe/assessment.h"
+
+namespace wythe::study {
+
+// The stage whose curve is judged; null: the model has no push.
+[[nodiscard]] const Stage* push_of(const Model& model);
+// Lowest point of the moving blocks [m]; heights count from it.
+[[nodiscard]] double foot_of(const Model& model);
+// States kept of a push, each displacement once, ascending, beyond its start.
+[[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
+// How far each block went along the push since its start, when the curve's displacement was
+// `displacement`: straight between the states kept [m]. Empty: no state reaches so far.
+[[nodiscard]] std::vector<double> moved_at(const Model& model, const Result& result,
+                                           double displacement);
+
+// What a push is by its model alone: its curve and responses are those of none.
+[[nodiscard]] JudgedPush judged_push(const Model& model);
+// "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
+[[nodiscard]] std::string mechanism_of(const FailureMode& mode);
+
+}  // namespace wythe::study

@@ -1,0 +1,551 @@
+// The assessment against numbers by hand: masses, limit states, fragilities; and what it must
+// refuse, call a bound, or not let be signed.
+#include "wythe/assessment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "wythe/io.h"
+#include "wythe/solve.h"
+#include "wythe/statistics.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRound = 1e-12;  // relative: a few operations in double
+
+SpectrumSpec en(const std::string& ground, const std::string& shape, double ag) {
+  SpectrumSpec spec;
+  spec.kind = SpectrumKind::kEn1998;
+  spec.ground_acceleration = ag, spec.ground = ground, spec.shape = shape;
+  return spec;
+}
+
+// --- a curve
+
+// Straight to the force `peak` at `yield`, flat to `fall`, then straight down to nothing at twice that.
+struct Made {
+  double peak = 20e3, yield = 2e-3, fall = 20e-3, until = 40e-3, height = 5;
+};
+std::vector<CurveRow> curve_of(const Made& m) {
+  std::vector<CurveRow> curve;
+  for (int i = 0; i <= 4000; ++i) {
+    CurveRow row;
+    row.displacement = m.until * i / 4000;
+    row.drift = row.displacement / m.height;
+    const double up = std::fmin(1, row.displacement / m.yield);
+    const double down = std::fmax(0, 1 - (row.displacement - m.fall) / m.fall);
+    row.reaction = row.base_shear = m.peak * std::fmin(up, std::fmin(1, down));
+    curve.push_back(row);
+  }
+  return curve;
+}
+
+struct Pushed {
+  explicit Pushed(const Made& made = {}) : curve(curve_of(made)), responses(read_responses(curve)) {
+    push.judgement = "slow enough";
+    push.mechanism = "flexure";
+  }
+  std::vector<CurveRow> curve;
+  Responses responses;
+  JudgedPush push{.curve = curve, .responses = responses};
+};
+
+MassAndShape mass_of(double) {
+  return {.blocks = 9000, .loads = 1000, .participating = 8000, .participation = 1.25};
+}
+
+AssessmentSpec asked(const std::string& code = "circolare_2019") {
+  AssessmentSpec spec;
+  spec.code = code;
+  spec.spectrum = en("B", "1", 1.0);
+  return spec;
+}
+
+const LimitStateCheck& state_of(const CodeAssessment& a, LimitState state) {
+  for (const LimitStateCheck& check : a.limit_states)
+    if (check.state == state) return check;
+  throw std::out_of_range("no such limit state");
+}
+
+bool says(const Message& message, const std::string& part) {
+  return text_of(message).find(part) != std::string::npos;
+}
+
+// The force falls to 0.8 at 24 mm. Area up to there: 20 kN (22 mm + 0.9 4 mm - ...) as below.
+TEST(Assessment, of_a_plain_curve_is_the_one_by_hand) {
+  const Pushed p;
+  const CodeAssessment a = assess(asked("en1998_3"), p.push, mass_of);
+  const LimitStateCheck& collapse = state_of(a, LimitState::kNearCollapse);
+  EXPECT_NEAR(collapse.displacement, 24e-3, 1e-5);
+  EXPECT_EQ(collapse.governing, "force drop");
+  const double k = 20e3 / 2e-3;
+  const double area = 20e3 * (1e-3 + 18e-3 + 0.9 * 4e-3);
+  const double force = k * (24e-3 - std::sqrt(24e-3 * 24e-3 - 2 * area / k));
+  EXPECT_NEAR(a.bilinear.force, force, 1e-3 * force);
+  EXPECT_NEAR(a.bilinear.stiffness, k, 1e-3 * k);
+  EXPECT_NEAR(a.system.force, a.bilinear.force / 1.25, 1e-6);
+  EXPECT_NEAR(a.system.period(), 2 * kPi * std::sqrt(8000 / a.bilinear.stiffness), kRound);
+  EXPECT_NEAR(state_of(a, LimitState::kLifeSafety).displacement, 0.75 * collapse.displacement,
+              kRound);
+  EXPECT_NEAR(state_of(a, LimitState::kDamageLimitation).displacement,
+              a.bilinear.yield_displacement, kRound);
+  EXPECT_TRUE(a.may_be_signed);
+}
+
+TEST(Assessment, at_the_acceleration_of_a_limit_state_has_no_reserve) {
+  const Pushed p;
+  for (const char* code : {"circolare_2019", "en1998_3"}) {
+    AssessmentSpec spec = asked(code);
+    const CodeAssessment first = assess(spec, p.push, mass_of);
+    for (const LimitStateCheck& check : first.limit_states) {
+      ASSERT_GT(check.scale, 0);
+      spec.spectrum.ground_acceleration = asked().spectrum.ground_acceleration * check.scale;
+      const CodeAssessment again = assess(spec, p.push, mass_of);
+      EXPECT_NEAR(state_of(again, check.state).scale, 1, 1e-9);
+      if (check.governing != "q*") {
+        EXPECT_NEAR(state_of(again, check.state).ratio, 1, 1e-9);
+      }
+      EXPECT_NEAR(check.acceleration, 1.2 * check.rock_acceleration, 1e-12);
+    }
+  }
+}
+
+// Twice the mass and twice the force: the same period and q*, so the same answer.
+TEST(Assessment, of_a_wall_twice_as_heavy_and_strong_is_the_same) {
+  const Pushed one, two(Made{.peak = 40e3});
+  const auto twice = [](double d) {
+    MassAndShape m = mass_of(d);
+    m.participating *= 2;
+    return m;
+  };
+  const CodeAssessment a = assess(asked(), one.push, mass_of), b = assess(asked(), two.push, twice);
+  EXPECT_NEAR(a.system.period(), b.system.period(), 1e-12);
+  for (std::size_t i = 0; i < a.limit_states.size(); ++i)
+    EXPECT_NEAR(a.limit_states[i].scale / b.limit_states[i].scale, 1, 1e-9);
+}
+
+TEST(Assessment, by_the_italian_code_ends_where_q_is_four) {
+  const Pushed weak(Made{.peak = 2e3});
+  const CodeAssessment a = assess(asked(), weak.push, mass_of);
+  const LimitStateCheck& check = *a.asked();
+  EXPECT_EQ(check.governing, "q*");
+  EXPECT_NEAR(demand_of(a.system, a.spectrum, check.scale).q, 4, 1e-9);
+  const CodeAssessment other = assess(asked("en1998_3"), weak.push, mass_of);
+  EXPECT_NE(other.asked()->governing, "q*");
+  EXPECT_GT(other.asked()->scale, check.scale);
+}
+
+// --- drifts
+
+TEST(Assessment, ends_at_the_drift_of_shear_before_the_force_falls) {
+  Pushed p(Made{.height = 2});  // 0.5 % of 2 m: 10 mm
+  p.push.mechanism = "shear";
+  const LimitStateCheck check =
+      state_of(assess(asked(), p.push, mass_of), LimitState::kNearCollapse);
+  EXPECT_NEAR(check.displacement, 10e-3, 1e-9);
+  EXPECT_EQ(check.governing, "storey drift, shear");
+  for (const Criterion& c : check.criteria) EXPECT_FALSE(c.verified) << c.clause;
+}
+
+TEST(Assessment, takes_the_lesser_drift_where_the_mechanism_is_not_known) {
+  Pushed p(Made{.height = 2});
+  p.push.mechanism = "";
+  const CodeAssessment a = assess(asked(), p.push, mass_of);
+  EXPECT_EQ(state_of(a, LimitState::kNearCollapse).governing, "storey drift, shear");
+}
+
+TEST(Assessment, by_en_1998_3_takes_flexure_by_the_slenderness_of_piers) {
+  Pushed p(Made{.height = 2});
+  p.push.pier_slenderness = 0.5;  // 0.8 % 0.5 2 m = 8 mm
+  const CodeAssessment a = assess(asked("en1998_3"), p.push, mass_of);
+  EXPECT_NEAR(state_of(a, LimitState::kLifeSafety).displacement, 0.75 * 32e-3 / 3, 1e-6);
+  EXPECT_NEAR(state_of(a, LimitState::kNearCollapse).displacement, 32e-3 / 3, 1e-6);
+}
+
+TEST(Assessment, takes_the_drift_of_a_storey_rather_than_of_the_whole_wall) {
+  Pushed p;  // 5 m: 0.5 % is 25 mm, beyond the fall of the force
+  p.push.mechanism = "shear";
+  p.push.storeys_known = true;
+  p.push.drifts = {{10e-3, 0.004}, {20e-3, 0.008}, {40e-3, 0.016}};
+  const LimitStateCheck check =
+      state_of(assess(asked(), p.push, mass_of), LimitState::kNearCollapse);
+  EXPECT_NEAR(check.displacement, 12.5e-3, 1e-12);
+}
+
+// --- what must not be signed
+
+TEST(Assessment, of_a_push_that_ended_early_is_a_lower_bound) {
+  const Pushed whole, early(Made{.until = 15e-3});
+  AssessmentSpec spec = asked();
+  spec.spectrum.ground_acceleration = 6;
+  const CodeAssessment a = assess(spec, early.push, mass_of), b = assess(spec, whole.push, mass_of);
+  EXPECT_FALSE(a.may_be_signed);
+  EXPECT_TRUE(says(a.sentence, "not to be signed"));
+  EXPECT_TRUE(says(a.sentence, "at least"));
+  EXPECT_TRUE(text_of(a.sentence, "it").find("almeno") != std::string::npos);
+  for (std::size_t i = 0; i < a.limit_states.size(); ++i) {
+    EXPECT_TRUE(a.limit_states[i].at_least);
+    EXPECT_LT(a.limit_states[i].scale, b.limit_states[i].scale);
+  }
+  EXPECT_EQ(b.verdict, AssessmentVerdict::kFails);
+  EXPECT_EQ(a.verdict, AssessmentVerdict::kNotShown);  // a bound below the demand is no failure
+}
+
+TEST(Assessment, of_a_curve_that_never_yields_gives_no_number) {
+  const Pushed p(Made{.until = 1.9e-3});
+  const CodeAssessment a = assess(asked(), p.push, mass_of);
+  EXPECT_EQ(a.verdict, AssessmentVerdict::kNotKnown);
+  EXPECT_EQ(a.reason.code, "assessment.still_rising");
+  EXPECT_TRUE(a.limit_states.empty());
+  EXPECT_FALSE(a.may_be_signed);
+}
+
+TEST(Assessment, of_too_fast_a_push_says_so_before_any_number) {
+  Pushed p;
+  for (const char* judgement : {"too fast", "unknown", ""}) {
+    p.push.judgement = judgement;
+    const CodeAssessment a = assess(asked(), p.push, mass_of);
+    EXPECT_FALSE(a.may_be_signed);
+    EXPECT_EQ(text_of(a.sentence).rfind("not to be signed", 0), 0u) << judgement;
+  }
+  p.push.judgement = "usable";
+  EXPECT_TRUE(assess(asked(), p.push, mass_of).may_be_signed);
+}
+
+TEST(Assessment, of_an_unfinished_run_or_of_blocks_that_slid_off_is_not_signed) {
+  Pushed p;
+  p.push.status = SolveStatus::kInterrupted;
+  EXPECT_FALSE(assess(asked(), p.push, mass_of).may_be_signed);
+  p.push.status = SolveStatus::kCollapsed;
+  EXPECT_TRUE(assess(asked(), p.push, mass_of).may_be_signed);
+  p.push.overlap_lost = 5e-3;
+  EXPECT_FALSE(assess(asked(), p.push, mass_of).may_be_signed);
+  p.push.overlap_lost = 39e-3;  // beyond the limit state
+  EXPECT_TRUE(assess(asked(), p.push, mass_of).may_be_signed);
+}
+
+TEST(Assessment, refuses_by_name_what_has_no_push_one_way) {
+  Pushed p;
+  const auto reason = [&] { return assess(asked(), p.push, mass_of).reason.code; };
+  p.push.curve_of = StageKind::kBodyForce;
+  EXPECT_EQ(reason(), "assessment.of_body_force");
+  p.push.curve_of = StageKind::kTilt;
+  EXPECT_EQ(reason(), "assessment.of_tilt");
+  p.push.curve_of = StageKind::kHold;
+  EXPECT_EQ(reason(), "assessment.without_push");
+  p.push.curve_of = StageKind::kPush;
+  p.push.is_horizontal = false;
+  EXPECT_EQ(reason(), "assessment.not_horizontal");
+  p.push.is_horizontal = true;
+  p.responses.cyclic.sense = 1;
+  EXPECT_EQ(reason(), "assessment.of_cycles");
+  p.responses.cyclic.sense = 0;
+  p.responses.peak_reaction = kUnset;
+  EXPECT_EQ(reason(), "assessment.without_peak");
+}
+
+TEST(Assessment, without_mass_or_stiffness_gives_no_number) {
+  Pushed p;
+  for (const double mass : {0.0, -1.0, kUnset, std::numeric_limits<double>::infinity()}) {
+    const auto none = [&](double) {
+      return MassAndShape{.participating = mass, .participation = 1};
+    };
+    EXPECT_EQ(assess(asked(), p.push, none).reason.code, "assessment.without_mass");
+  }
+  p.responses.bilinear.stiffness = kUnset;
+  EXPECT_EQ(assess(asked(), p.push, mass_of).reason.code, "assessment.without_stiffness");
+}
+
+TEST(Assessment, of_a_period_beyond_its_table_gives_no_number) {
+  const Pushed p;
+  AssessmentSpec spec = asked();
+  spec.spectrum = {.kind = SpectrumKind::kTable,
+                   .corner_period = 0.05,
+                   .periods = {0, 0.1},
+                   .accelerations = {2, 5}};
+  const CodeAssessment a = assess(spec, p.push, mass_of);
+  EXPECT_EQ(a.reason.code, "assessment.period_beyond_table");
+  EXPECT_TRUE(a.limit_states.empty());
+}
+
+TEST(Assessment, without_a_spectrum_tells_the_capacity_alone) {
+  const Pushed p;
+  AssessmentSpec spec = asked();
+  spec.spectrum = {};
+  const CodeAssessment a = assess(spec, p.push, mass_of);
+  EXPECT_EQ(a.verdict, AssessmentVerdict::kNoDemand);
+  EXPECT_TRUE(std::isnan(a.asked()->ratio));
+  EXPECT_GT(a.asked()->displacement, 0);
+}
+
+TEST(Assessment, always_says_that_local_out_of_plane_is_not_modelled) {
+  Pushed p;
+  for (const bool refused : {false, true}) {
+    p.push.is_horizontal = !refused;
+    const CodeAssessment a = assess(asked(), p.push, mass_of);
+    ASSERT_FALSE(a.notes.empty());
+    EXPECT_TRUE(says(a.notes.front(), "out-of-plane"));
+  }
+}
+
+// --- a wall
+
+std::string wall_text(const std::string& more, const std::string& x = "0 m",
+                      const std::string& direction = "+x") {
+  return R"([wall]
+length = "1.0 m"
+height = "1.0 m"
+thickness = "0.2 m"
+unit = { length = "500 mm", height = "250 mm", split = "none", density = "2000 kg/m^3" }
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "floor"
+pressure = "0.0981 MPa"
+[[stage]]
+name = "push"
+at = { x = ")" +
+         x + R"(", y = "0.9 m" }
+direction = ")" +
+         direction + R"("
+velocity = "20 mm/s"
+until = "12 mm"
+)" + more;
+}
+constexpr const char* kAssessed = R"([project]
+title = "School"
+[assessment]
+code = "en1998_3"
+limit_state = "near_collapse"
+added_mass = "300 kg"
+added_height = "0.875 m"
+[assessment.spectrum]
+kind = "en1998"
+ground_acceleration = "1 m/s^2"
+ground = "B"
+)";
+
+// 1 m x 1 m x 0.2 m of 2000 kg/m3: 400 kg, m* = 400 times the mean height over the load's height.
+// The floor: 19.62 kN on the top, 2000 kg at 1 m. Added: 300 kg at the height of the load.
+TEST(MassAndShape, that_grows_with_height_is_the_one_by_hand) {
+  const ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  const MassAndShape m = mass_and_linear_shape(spec.assessment, compile(spec));
+  EXPECT_NEAR(m.blocks, 400, 1e-9);
+  EXPECT_NEAR(m.loads, 2000, 1e-9);
+  EXPECT_NEAR(m.added, 300, 1e-9);
+  const double h = 0.875;
+  EXPECT_NEAR(m.participating, 400 * 0.5 / h + 2000 / h + 300, 1e-9);
+  // four courses of 100 kg with their centres at 1/8, 3/8, 5/8, 7/8 m
+  const double square = 100 * (1 + 9 + 25 + 49) / 64.0 / (h * h) + 2000 / (h * h) + 300;
+  EXPECT_NEAR(m.participation, m.participating / square, 1e-12);
+}
+
+TEST(MassAndShape, counts_the_share_of_the_masonry_alone) {
+  ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  spec.assessment.masonry_share = 0.5;
+  const MassAndShape m = mass_and_linear_shape(spec.assessment, compile(spec));
+  EXPECT_NEAR(m.blocks, 200, 1e-9);
+  EXPECT_NEAR(m.loads, 2000, 1e-9);
+}
+
+Result pushed(const Model& model) {
+  State state = initial_state(model);
+  return solve(model, state);
+}
+
+TEST(Assessment, of_a_wall_pushed_to_the_left_is_that_of_its_mirror_image) {
+  const ModelSpec right = parse_model(wall_text(kAssessed), "wall.toml"),
+                  left = parse_model(wall_text(kAssessed, "1 m", "-x"), "wall.toml");
+  const Model model_right = compile(right), model_left = compile(left);
+  const CodeAssessment a = assess_run(right, model_right, pushed(model_right)),
+                       b = assess_run(left, model_left, pushed(model_left));
+  ASSERT_TRUE(a.reason.empty()) << a.reason;
+  ASSERT_FALSE(a.limit_states.empty());
+  // blocks of a dry wall rattle: its shape at a tenth of a millimetre is not mirrored to the bit
+  EXPECT_NEAR(a.mass.participating / b.mass.participating, 1, 0.01);
+  EXPECT_NEAR(a.asked()->displacement / b.asked()->displacement, 1, 1e-3);
+  EXPECT_FALSE(a.mass.is_linear);
+  EXPECT_GT(a.mass.participating, 0.5 * a.mass.total());
+}
+
+TEST(Assessment, of_a_run_stands_in_its_summary) {
+  const ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(spec);
+  const Result result = pushed(model);
+  const auto json = nlohmann::json::parse(summary_json(spec, model, result));
+  EXPECT_EQ(json.at("project").at("title"), "School");
+  const auto& a = json.at("assessment");
+  EXPECT_EQ(a.at("limit_states").size(), 3u);
+  for (const auto& check : a.at("limit_states"))
+    for (const auto& c : check.at("criteria")) {
+      EXPECT_FALSE(c.at("verified").get<bool>());
+      EXPECT_FALSE(c.at("clause").get<std::string>().empty());
+    }
+  EXPECT_GT(a.at("equivalent").at("period_s"), 0);
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(model, result)).contains("assessment"));
+}
+
+// --- a campaign
+
+// Samples like the made curve, their peaks from 10 to 30 kN.
+Campaign campaign_of(int n, double until = 40e-3) {
+  Campaign campaign;
+  for (int i = 0; i < n; ++i) {
+    const Made made{.peak = 10e3 + 20e3 * i / (n - 1), .until = until, .height = 0.875};
+    SampleRecord& record = campaign.records.emplace_back();
+    record.sample = i + 1, record.status = "completed";
+    record.curve = curve_of(made);
+    record.responses = read_responses(record.curve);
+    record.quasi_static.judgement = "slow enough";
+  }
+  return campaign;
+}
+const PgaFragility& asked_of(const CampaignAssessment& a) {
+  for (const PgaFragility& f : a.fragility)
+    if (f.is_checked) return f;
+  throw std::out_of_range("none is checked");
+}
+
+TEST(CampaignAssessment, has_the_median_and_the_scatter_of_its_samples) {
+  ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  const Campaign campaign = campaign_of(40);
+  const CampaignAssessment a = assess_campaign(campaign, base, model);
+  EXPECT_EQ(a.answered, 40);
+  EXPECT_EQ(a.without_answer, 0);
+  EXPECT_EQ(a.doubtful, 0);
+  const PgaFragility& f = asked_of(a);
+  ASSERT_EQ(f.n, 40);
+  EXPECT_EQ(f.censored, 0);
+  double mean = 0, square = 0;  // of the logarithms, from the samples' own steps
+  for (const ExceedancePoint& p : f.point) mean += std::log(p.value) / 40;
+  for (const ExceedancePoint& p : f.point) square += std::pow(std::log(p.value) - mean, 2) / 40;
+  ASSERT_EQ(f.point.size(), 40u);
+  EXPECT_NEAR(f.median.value, std::exp(mean), 1e-6);
+  EXPECT_NEAR(f.beta_capacity.value, std::sqrt(square), 1e-6);
+  EXPECT_EQ(f.beta, f.beta_capacity.value);  // no scatter of records is stated: and that is said
+  EXPECT_EQ(a.notes.back().code, "assessment.note.no_record_scatter");
+  EXPECT_LT(f.median.interval.low, f.median.value);
+  EXPECT_GT(f.median.interval.high, f.median.value);
+
+  base.assessment.record_scatter = 0.3;
+  const CampaignAssessment with = assess_campaign(campaign, base, model);
+  EXPECT_NEAR(asked_of(with).beta, std::hypot(f.beta_capacity.value, 0.3), 1e-12);
+  EXPECT_EQ(asked_of(with).median.value, f.median.value);
+}
+
+// The spectrum of EN 1998-1 keeps its shape whatever ag: what the wall carries does not change.
+TEST(CampaignAssessment, carries_the_same_whatever_is_asked) {
+  ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  const Campaign campaign = campaign_of(25);
+  const PgaFragility one = asked_of(assess_campaign(campaign, base, model));
+  base.assessment.spectrum.ground_acceleration *= 2;
+  const PgaFragility two = asked_of(assess_campaign(campaign, base, model));
+  EXPECT_NEAR(one.median.value / two.median.value, 1, 1e-9);
+  EXPECT_NEAR(two.demand / one.demand, 2, 1e-12);
+  EXPECT_GE(two.at_demand.value, one.at_demand.value);
+}
+
+TEST(CampaignAssessment,
+     takes_pushes_that_ended_early_as_bounds_and_counts_those_without_an_answer) {
+  const ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  Campaign campaign = campaign_of(30);
+  const Campaign early = campaign_of(30, 4e-3), rising = campaign_of(3, 1.9e-3);
+  for (int i = 0; i < 30; i += 3) campaign.records[i] = early.records[i];
+  const auto with_bounds = assess_campaign(campaign, base, model);
+  EXPECT_EQ(asked_of(with_bounds).censored, 10);
+  for (const SampleRecord& record : rising.records) campaign.records.push_back(record);
+  campaign.records[1].quasi_static.judgement = "too fast";
+  const auto a = assess_campaign(campaign, base, model);
+  EXPECT_EQ(a.without_answer, 3);
+  EXPECT_EQ(a.doubtful, 1);
+  EXPECT_EQ(asked_of(a).n, 30);
+  EXPECT_EQ(asked_of(a).median.value, asked_of(with_bounds).median.value);
+  // bounds alone tell no median
+  EXPECT_TRUE(std::isnan(asked_of(assess_campaign(early, base, model)).median.value));
+}
+
+TEST(CampaignAssessment, stands_in_statistics_json_where_it_is_asked_for) {
+  const ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Campaign campaign = campaign_of(25);
+  Statistics statistics = statistics_of(campaign);
+  EXPECT_FALSE(nlohmann::json::parse(statistics_json(statistics)).contains("assessment"));
+  statistics.assessment = assess_campaign(campaign, base, compile(base));
+  const auto json = nlohmann::json::parse(statistics_json(statistics)).at("assessment");
+  EXPECT_EQ(json.at("limit_states").size(), 3u);
+  EXPECT_EQ(json.at("answered"), 25);
+  EXPECT_GT(json.at("limit_states")[0].at("median_pga_g"), 0);
+}
+
+// --- the file
+
+std::string faults_in(const std::string& more) {
+  try {
+    (void)parse_model(wall_text(more), "wall.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+void refuses(const std::string& table, const std::string& key, const std::string& problem) {
+  const std::string said = faults_in("[assessment]\ncode = \"en1998_3\"\n" + table);
+  EXPECT_NE(said.find(key), std::string::npos) << said;
+  EXPECT_NE(said.find(problem), std::string::npos) << said;
+}
+
+TEST(AssessmentFile, refuses_a_spectrum_without_units_or_out_of_order) {
+  const std::string table = "[assessment.spectrum]\nkind = \"table\"\ncorner_period = \"0.5 s\"\n";
+  refuses(table + "periods = [0, 1]\naccelerations = [\"1 m/s^2\", \"2 m/s^2\"]\n", "periods",
+          "unit");
+  refuses(table + "periods = [\"0 s\", \"1 s\"]\naccelerations = [1, 2]\n", "accelerations",
+          "unit");
+  refuses(table +
+              "periods = [\"0 s\", \"1 s\", \"1 s\"]\naccelerations = [\"1 m/s^2\", \"2 m/s^2\", "
+              "\"1 m/s^2\"]\n",
+          "periods", "must grow");
+  refuses(table + "periods = [\"0.1 s\", \"1 s\"]\naccelerations = [\"1 m/s^2\", \"2 m/s^2\"]\n",
+          "periods", "begin at 0 s");
+  refuses(table + "periods = [\"0 s\", \"1 s\"]\naccelerations = [\"1 m/s^2\"]\n", "periods",
+          "as many periods");
+  refuses(
+      "[assessment.spectrum]\nkind = \"table\"\nperiods = [\"0 s\", \"1 s\"]\naccelerations = "
+      "[\"1 m/s^2\", \"2 m/s^2\"]\n",
+      "corner_period", "is missing");
+  refuses("[assessment.spectrum]\nkind = \"en1998\"\nground_acceleration = 1.5\n",
+          "ground_acceleration", "unit");
+}
+
+TEST(AssessmentFile, names_what_a_spectrum_lacks_and_what_it_does_not_know) {
+  refuses("[assessment.spectrum]\nkind = \"ntc2018\"\nground_acceleration = \"1 m/s^2\"\n",
+          "amplification", "is missing");
+  refuses(
+      "[assessment.spectrum]\nkind = \"ntc2018\"\nground_acceleration = \"1 m/s^2\"\n"
+      "amplification = 2.5\ncorner_period = \"30 s\"\n",
+      "corner_period", "beyond TD");
+  refuses(
+      "[assessment.spectrum]\nkind = \"en1998\"\nground_acceleration = \"1 m/s^2\"\namplification "
+      "= 2\n",
+      "amplification", "no such key");
+  refuses("[assessment.spectrum]\nground = \"B\"\n", "kind", "is missing");
+  refuses("added_height = \"2 m\"\n", "added_height", "no added mass");
+  EXPECT_NE(faults_in("[assessment]\nlimit_state = \"life_safety\"\n").find("code"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace wythe
