@@ -14,7 +14,7 @@ namespace wythe {
 
 struct WallMechanism {
   std::string name = "none";  // "base sliding", "piers in shear", "weak spandrels, rocking piers",
-                              // ..., "none", "unclear"
+                              // ..., "partial", "none", "unclear"
   std::vector<int> storeys = {};              // whose piers move so; empty: not a matter of storeys
   std::vector<std::string> candidates = {};   // of "unclear": the two nearest
   std::map<std::string, double> scores = {};  // 0 to 1, together 1

@@ -276,3 +276,13 @@ test("CSV quotes what needs it and defuses formulas", () => {
     'a,"b""c"\n1.5,"x,y"\n,\'=1+1\n,\'-\n',
   );
 });
+
+// A block pressed down by 4 and pushed to the right by 3 hands both on: the line slants down to the right.
+test("a force between blocks is drawn along itself", () => {
+  const one = (v) => Float32Array.of(v);
+  const wall = { joints: 1, length: 1, height: 1, halfX: one(0.5), halfY: one(0) };
+  const frame = { compression: one(4), shear: one(3), eccentricity: one(0) };
+  const [force] = wallModule.forcesOf(wall, frame, { joint: () => [0, 0] });
+  const slope = (force.to[1] - force.from[1]) / (force.to[0] - force.from[0]);
+  assert.ok(Math.abs(slope + 4 / 3) < 1e-6, `${slope}`);
+});

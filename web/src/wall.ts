@@ -406,8 +406,9 @@ export function forcesOf(wall: Wall, frame: Frame, pose: Pose): Force[] {
     const half = Math.hypot(wall.halfX[j], wall.halfY[j]);
     const tx = wall.halfX[j] / half,
       ty = wall.halfY[j] / half; // n is on the left of t
-    const fx = -ty * compression[j] + tx * shear[j],
-      fy = tx * compression[j] + ty * shear[j];
+    // of side a on side b: pressed along n, and against the shear that b hands on to a along t
+    const fx = -ty * compression[j] - tx * shear[j],
+      fy = tx * compression[j] - ty * shear[j];
     const [x, y] = pose.joint(j, eccentricity[j]);
     const share = size / largest,
       long = (0.5 * reach * (0.25 + 0.75 * Math.sqrt(share))) / size;

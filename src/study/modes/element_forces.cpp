@@ -175,7 +175,7 @@ ElementEnd forces_at(const Model& model, const Cut& cut, const WallReading& wall
   }
   ElementEnd end;
   const bool pier = cut.across == Across::kPier;
-  end.axial = pier ? -force.y : -force.x;
+  end.axial = 0.0 - (pier ? force.y : force.x);  // 0, not -0
   end.shear = pier ? force.x : force.y;
   end.moment = moment;
   return end;
@@ -232,7 +232,8 @@ std::vector<ElementForces> read_element_forces(const Model& model, const Result&
   if (!result.snapshots.empty() && !result.readings.empty() &&
       result.snapshots.front().label == "start")
     states.push_back(&result.snapshots.front());
-  for (const Snapshot& s : result.readings) states.push_back(&s);
+  for (const Snapshot& s : result.readings)  // the end may be a reading too
+    if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
   for (const Snapshot* s : states) {
     const WallReading wall = read_wall(model, s->state);
     for (std::size_t e = 0; e < all.size(); ++e)

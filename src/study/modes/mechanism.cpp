@@ -18,6 +18,7 @@ constexpr How kBoth{"piers in shear and rocking", "mechanism.shear_and_rocking"}
 constexpr How kRock{"rocking piers", "mechanism.rocking"};
 constexpr const char* kWeak = "weak spandrels";
 constexpr const char* kNone = "none";
+constexpr const char* kPartial = "partial";
 
 struct Storey {
   double width = 0, sheared = 0, rocks = 0, failed = 0;  // of its piers [m]
@@ -61,7 +62,9 @@ class Reader {
     add(kBoth, std::max(0.0, 1 - shear - rock));
     add(kRock, rock);
     scores[kWeak] += rest * weak * (1 - moves);
-    scores[kNone] += rest * (1 - weak) * (1 - moves);
+    const double none = rest * (1 - weak) * (1 - moves), some = surest_part();
+    scores[kPartial] += none * some;
+    scores[kNone] += none * (1 - some);
     add_slips(scores);
     std::erase_if(scores, [](const auto& s) { return s.second <= 0; });
     return scores;
@@ -85,6 +88,7 @@ class Reader {
     if (name == "top sliding") return {"mode.top_sliding"};
     if (name == "one pier in shear") return {"mechanism.one_pier"};
     if (name == kWeak) return {"mechanism.spandrels"};
+    if (name == kPartial) return {"mechanism.partial", {{"parts", failed_parts()}}};
     const How* how = of_piers(name);
     if (how == nullptr)
       return is_damaged() ? Message{"mechanism.cracks"} : Message{"mechanism.none"};
@@ -114,6 +118,34 @@ class Reader {
       sheared += s.box.width() * truth_of(s, false);
     }
     return length > 0 ? ramp(sheared / length, kHalf, wall_.rules) : 0.0;
+  }
+
+  // The truth that a pier or spandrel has failed at all.
+  [[nodiscard]] double surest_part() const {
+    double most = 0;
+    for (const Pier& p : wall_.parts.piers)
+      most = std::max({most, truth_of(p, true), sure(p, kRocking)});
+    for (const Spandrel& s : wall_.parts.spandrels)
+      if (!s.is_sill) most = std::max(most, truth_of(s, false));
+    return most;
+  }
+  // Their names, the first few.
+  [[nodiscard]] std::vector<Message> failed_parts() const {
+    constexpr std::size_t kListed = 4;
+    std::vector<Message> names;
+    std::size_t more = 0;
+    const auto add = [&](const Part& part, double failed) {
+      if (failed <= kHalf) return;
+      if (names.size() < kListed)
+        names.push_back(wall_.parts.words.at(part.name));
+      else
+        ++more;
+    };
+    for (const Pier& p : wall_.parts.piers) add(p, std::max(truth_of(p, true), sure(p, kRocking)));
+    for (const Spandrel& s : wall_.parts.spandrels)
+      if (!s.is_sill) add(s, truth_of(s, false));
+    if (more > 0) names.push_back({"mechanism.more_parts", {{"number", more}}});
+    return names;
   }
 
   [[nodiscard]] bool is_damaged() const {

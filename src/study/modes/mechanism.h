@@ -6,8 +6,9 @@
 //
 //   sliding   S                       (1 - S)   W       1 - W
 //                                     M         weak spandrels and piers,      piers alone
-//                                     1 - M     weak spandrels alone           none
+//                                     1 - M     weak spandrels alone           none, or partial
 //
+// Partial: a pier or spandrel has failed, but not most of a storey's piers or of the spandrels.
 // M is shared out further: the piers are in shear where two thirds of the failed width are sheared, they
 // rock where two thirds rock, else both. A wall of two piers and one opening takes its mode's name.
 #pragma once
