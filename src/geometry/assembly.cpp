@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/text.h"
+#include "geometry/arches.h"
 #include "geometry/blocks_file.h"
 #include "geometry/caps.h"
 #include "geometry/checks.h"
@@ -47,6 +48,23 @@ void add_segments(const Shape& shape, const PlacedOpening& opening, const Storey
   }
 }
 
+void add_voussoirs(const Shape& shape, const PlacedOpening& opening,
+                   const std::vector<Storey>& storeys, std::vector<Block>& blocks) {
+  const Storey& storey = storeys[static_cast<std::size_t>(opening.storey)];
+  const ArchSpec& arch = shape.wall.opening[static_cast<std::size_t>(opening.index)].arch;
+  for (std::size_t k = 0; k < opening.arch.voussoirs(); ++k) {
+    Block block;
+    block.id = "arch" + std::to_string(opening.index) + "_" + std::to_string(k);
+    block.outline = voussoir(opening.arch, k);
+    block.material = arch.material.empty() ? "masonry" : arch.material;
+    block.thickness = storey.thickness;
+    block.storey = storey.index;
+    block.opening = opening.index;
+    block.course = static_cast<int>(row_at(storeys, moments(block.outline).centroid.y));
+    blocks.push_back(block);
+  }
+}
+
 // Neighbours in the wall become neighbours in memory: from the bottom up, then left to right.
 void sort_blocks(std::vector<Block>& blocks, const std::vector<Storey>& storeys) {
   const auto key = [&](const Block& b) {
@@ -78,6 +96,11 @@ void lay_blocks(const Shape& shape, const std::vector<Storey>& storeys,
   for (const PlacedOpening& opening : openings)
     add_segments(shape, opening, storeys[static_cast<std::size_t>(opening.storey)],
                  assembly.blocks);
+  for (const PlacedOpening& opening : openings) {
+    if (opening.arch.empty()) continue;
+    masonry.joined_pieces += cut_masonry(opening.arch, storeys, assembly.blocks);
+    add_voussoirs(shape, opening, storeys, assembly.blocks);
+  }
   sort_blocks(assembly.blocks, storeys);
   if (masonry.joined_pieces == 0) return;
   assembly.report.notes.push_back({"fit.joined_pieces",
@@ -346,6 +369,7 @@ double density_of(const Shape& shape, const Block& block) {
   if (block.role == Role::kBeam && !std::isnan(shape.wall.beam.height))
     return shape.wall.beam.density;
   if (block.role == Role::kLintel) return shape.material.at(block.material);
+  if (is_voussoir(block) && block.material != "masonry") return shape.material.at(block.material);
   if (block.region >= 0) {
     const double own = shape.region[static_cast<std::size_t>(block.region)].density;
     if (!std::isnan(own)) return own;

@@ -29,11 +29,16 @@ struct Block {
   Role role = Role::kMasonry;  // kSupport blocks never move
   int course = -1;             // 0 at the bottom, -1 where it has no meaning
   int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
-  int opening = -1;            // lintel segments: index of their opening
+  int opening = -1;            // segments of a lintel and voussoirs: index of their opening
   int storey = -1;             // in the model's list; -1: the model has none
   int region = -1;             // the last of the model's list that holds its centroid; -1: none
   ZoneSpec zone;               // deformable where zone.zones > 0
 };
+
+// A stone of an arch: masonry that belongs to an opening.
+[[nodiscard]] inline bool is_voussoir(const Block& block) {
+  return block.role == Role::kMasonry && block.opening >= 0;
+}
 
 enum class FaceKind {
   kBed,

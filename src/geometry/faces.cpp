@@ -22,6 +22,10 @@ FaceKind masonry_kind(const Block& a, const Block& b, const Contact& contact) {
   return FaceKind::kOther;
 }
 
+bool are_of_one_arch(const Block& a, const Block& b) {
+  return is_voussoir(a) && is_voussoir(b) && a.opening == b.opening;
+}
+
 FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
   const auto either = [&](Role role) { return a.role == role || b.role == role; };
   if (either(Role::kBeam)) return FaceKind::kBeam;
@@ -29,6 +33,7 @@ FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
   const bool both_lintel = a.role == Role::kLintel && b.role == Role::kLintel;
   if (both_lintel && a.opening == b.opening) return FaceKind::kLintelChain;
   if (either(Role::kLintel)) return FaceKind::kLintelBond;
+  if (are_of_one_arch(a, b)) return FaceKind::kHead;
   return masonry_kind(a, b, contact);
 }
 
@@ -78,6 +83,13 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
   return level && !own.empty() ? own : lintel.bond;
 }
 
+// Joints of an arch are its own, or lie like the bed joints around; so do those between arch and masonry.
+std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
+  const auto opening = static_cast<std::size_t>(is_voussoir(a) ? a.opening : b.opening);
+  const std::string& own = shape.wall.opening[opening].arch.joint;
+  return are_of_one_arch(a, b) && !own.empty() ? own : bed_material(shape, owner_of(a, b));
+}
+
 std::string pair_material(const Shape& shape, const Block& a, const Block& b, FaceKind kind,
                           const Contact& contact) {
   const Block& masonry = a.role == Role::kMasonry ? a : b;
@@ -86,7 +98,9 @@ std::string pair_material(const Shape& shape, const Block& a, const Block& b, Fa
     case FaceKind::kLintelBond:
       return own_joint(shape, bond_material(lintel_between(shape, a, b), a, contact), masonry);
     case FaceKind::kPlate: return own_joint(shape, plate_joint(shape), masonry);
-    default: break;
+    case FaceKind::kBeam: break;
+    default:
+      if (is_voussoir(a) || is_voussoir(b)) return arch_material(shape, a, b);
   }
   const std::string plain = kind == FaceKind::kBeam
                                 ? own_joint(shape, shape.wall.beam.joint, masonry)
@@ -162,6 +176,7 @@ void refuse_missing(const Shape& shape, const Uses& uses, FaultList& faults) {
 
 void add_lintel_uses(const Shape& shape, Uses& uses) {
   for (const OpeningSpec& opening : shape.wall.opening) {
+    if (!opening.arch.joint.empty()) uses.emplace(opening.arch.joint, FaceKind::kHead);
     if (opening.lintel.kind.empty()) continue;
     uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
     for (const auto* bond :

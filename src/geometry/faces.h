@@ -4,6 +4,7 @@
 //   masonry beside masonry            kHead         wall.head_joint, or as a bed joint
 //   masonry on masonry                kBed          wall.joint, or joint
 //       each of region, storey, wall in turn; blocks files: the first matching contact rule
+//   voussoir to voussoir of its arch   kHead        arch.joint, or as a bed joint
 //   lintel segment to its neighbour   kLintelChain  the lintel's own material
 //   lintel to masonry                 kLintelBond   lintel.bond
 //   under a plate, under the beam     kPlate, kBeam stage.plate_joint, beam.joint

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/limits.h"
+#include "geometry/arches.h"
 #include "geometry/lintel.h"
 #include "geometry/text.h"
 
@@ -197,11 +198,32 @@ void refuse_lintel_in_opening(const PlacedOpening& a, const PlacedOpening& b, Fa
             "shorten the bearing or move the opening");
 }
 
+// The voussoirs of a and the room under them, against the opening, lintel and arch of b.
+void refuse_arch_in_opening(const PlacedOpening& a, const PlacedOpening& b, FaultList& faults) {
+  if (a.arch.empty() || a.index == b.index) return;
+  constexpr double kTouch = 1e-9;  // [m^2]
+  const Polygon arch = outline_of(a.arch);
+  const auto meets = [&](const Polygon& other) { return overlap_area(arch, other) > kTouch; };
+  std::string what;
+  if (!b.segment.empty() && meets(outline_of(join(b.segment.front(), b.segment.back()))))
+    what = "reaches into the lintel of ";
+  else if (!b.arch.empty() && meets(outline_of(b.arch)))
+    what = "overlaps the arch of ";
+  else if (meets(outline_of(b.hole)))
+    what = "reaches into ";
+  if (what.empty() || (!b.arch.empty() && a.index > b.index && what.starts_with("overlaps")))
+    return;
+  add_fault(faults, opening_path(a.index, "arch"), "",
+            "the arch of " + a.called + " " + what + b.called,
+            "move the openings apart, or make the arch less deep");
+}
+
 void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) {
   for (std::size_t i = 0; i < openings.size() && !enough(faults); ++i) {
     for (std::size_t j = 0; j < openings.size(); ++j) {
       if (i < j) refuse_overlap(openings[i], openings[j], faults);
       refuse_lintel_in_opening(openings[i], openings[j], faults);
+      refuse_arch_in_opening(openings[i], openings[j], faults);
     }
   }
 }
@@ -246,6 +268,7 @@ std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<
     const OpeningSpec& opening = shape.wall.opening[k];
     const int i = static_cast<int>(k);
     const bool lintel_is_given = check_lintel(shape, i, faults);
+    const bool arch_is_given = check_arch(shape, i, faults);
     if (!is_given(opening, i, faults)) continue;
     const Storey* storey = storey_of(opening, i, storeys, faults);
     if (storey == nullptr) continue;
@@ -254,10 +277,13 @@ std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<
                          .called = opening_name(i, opening.name),
                          .words = opening_words(i, opening.name),
                          .hole = {},
-                         .segment = {}};
+                         .segment = {},
+                         .arch = {}};
     if (!place_hole(opening, result, *storey, top, lintel_is_given, notes, faults)) continue;
     if (lintel_is_given) place_lintel(opening.lintel, storey->lattice, result, notes, faults);
-    if (opening.lintel.kind.empty()) note_bare_head(result, top, notes);
+    if (arch_is_given) place_arch(opening.arch, *storey, result, notes, faults);
+    if (opening.lintel.kind.empty() && opening.arch.kind == ArchKind::kNone)
+      note_bare_head(result, top, notes);
     placed.push_back(result);
   }
   check_pairs(placed, faults);

@@ -19,6 +19,13 @@
 
 namespace wythe::geometry {
 
+// Corners of the voussoirs, from left to right, one more than there are; empty without an arch.
+struct PlacedArch {
+  std::vector<Vec2> intrados, extrados;  // [m]
+  [[nodiscard]] bool empty() const { return intrados.empty(); }
+  [[nodiscard]] std::size_t voussoirs() const { return empty() ? 0 : intrados.size() - 1; }
+};
+
 struct PlacedOpening {
   int index = 0;              // in wall.opening
   int storey = 0;             // of the planned storeys, from the ground up
@@ -26,6 +33,7 @@ struct PlacedOpening {
   Message words;              // the same, in notes
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
+  PlacedArch arch;
 };
 
 [[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape,

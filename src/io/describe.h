@@ -68,6 +68,27 @@ void describe(Visitor& v, LintelSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, ArchSpec& s) {
+  v.choice("kind", s.kind, kArchKindWords, {.fallback = "no arch", .example = "segmental",
+           .doc = "Its presence makes the arch. `flat`: level, joints inclined to one centre; `segmental`: part of a "
+                  "circle; `round`: half of one."});
+  v.quantity("rise", s.rise, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "needed if segmental",
+             .example = "150 mm",
+             .doc = "Of the intrados above the springing, half the span at most; segmental arches only."});
+  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "needed with an arch",
+             .example = "250 mm", .doc = "Of the voussoirs, from intrados to extrados."});
+  v.quantity("skewback", s.skewback, {.unit = "rad", .shown = "deg", .range = kSkewback, .fallback = "needed if flat",
+             .example = "15 deg", .doc = "Angle of the end joints from upright; flat arches only."});
+  v.integer("voussoirs", s.voussoirs, {.range = kFromZero, .fallback = "as many as courses are high",
+            .example = "11", .doc = "Their number; 0: as many as fit along the intrados when each is as wide as a "
+            "course is high, and an odd number, for a keystone."});
+  v.text("joint", s.joint, {.fallback = "as the bed joints around", .example = "joint",
+         .doc = "Name of the joint material between voussoirs."});
+  v.text("material", s.material, {.fallback = "the masonry's", .example = "tuff",
+         .doc = "Name of a material whose density the voussoirs have."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, OpeningSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "door",
          .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
@@ -80,9 +101,11 @@ void describe(Visitor& v, OpeningSpec& s) {
   v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = kRequired, .example = "1.70 m", .doc = "Clear width."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = kRequired, .example = "2.64 m", .doc = "Clear height, sill to soffit."});
+             .fallback = kRequired, .example = "2.64 m", .doc = "Clear height, sill to soffit; under an arch up to its springing."});
   v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
           .doc = "The lintel over the opening."});
+  v.table("arch", s.arch, {.in_braces = true, .optional = true, .fallback = "no arch",
+          .doc = "An arch of voussoirs over it, in the place of a lintel (docs/theory/conventions.md)."});
 }
 
 template <class Visitor>

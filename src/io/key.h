@@ -37,6 +37,8 @@ inline constexpr Range kFromOne{.low = 1};
 inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};
 inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};
 inline constexpr Range kFrictionAngle{.low = 0, .high = kQuarterTurn, .high_open = true};
+inline constexpr Range kSkewback{
+    .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
 inline constexpr Range kTiltAngle{
     .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
 

@@ -219,14 +219,17 @@ double foot_of(const ModelSpec& spec, const std::string& storey) {
 Json openings_of(const ModelSpec& spec) {
   Json list = Json::array();
   for (const OpeningSpec& o : spec.wall.opening)
-    list.push_back({{"name", o.name},
-                    {"x", o.x},
-                    {"y", o.y + foot_of(spec, o.storey)},
-                    {"width", o.width},
-                    {"height", o.height},
-                    {"lintel", o.lintel.kind},
-                    {"lintel_depth_mm", o.lintel.depth * 1e3},
-                    {"lintel_bearing_mm", o.lintel.bearing * 1e3}});
+    list.push_back(
+        {{"name", o.name},
+         {"x", o.x},
+         {"y", o.y + foot_of(spec, o.storey)},
+         {"width", o.width},
+         {"height", o.height},
+         {"lintel", o.lintel.kind},
+         {"lintel_depth_mm", o.lintel.depth * 1e3},
+         {"lintel_bearing_mm", o.lintel.bearing * 1e3},
+         {"arch", o.arch.kind == ArchKind::kNone ? "" : word_of(kArchKindWords, o.arch.kind)},
+         {"arch_depth_mm", o.arch.depth * 1e3}});
   return list;
 }
 

@@ -24,7 +24,9 @@ const plain = [
 function openings(list: any[]): Child {
   if (list.length === 0) return null;
   const lintel = (o: any): string =>
-    o.lintel === ""
+    o.arch
+      ? say("input.arch_words", { kind: phrase(o.arch), depth: qty(o.arch_depth_mm, "mm", 4) })
+      : o.lintel === ""
       ? "–"
       : say("input.lintel_words", {
           kind: phrase(o.lintel),
