@@ -28,9 +28,9 @@ std::string words_in(const Json& json, const char* key) {
 }
 
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
-// What makes the numbers doubtful; it comes before any of them.
-std::string caution(const std::string& text) {
-  return "<strong class=\"caution\">" + text + "</strong> ";
+// What makes the numbers doubtful; it comes before any of them. Mild: they may still be used.
+std::string caution(const std::string& text, const char* mild = "") {
+  return "<strong class=\"caution" + std::string(mild) + "\">" + text + "</strong> ";
 }
 
 constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
@@ -41,15 +41,6 @@ constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
 std::string judgement_in(const Json& meter) {
   const std::string judgement = words_in(meter, "judgement");
   return judgement.empty() ? dynamics::judgement_of_older(words_in(meter, "verdict")) : judgement;
-}
-
-// The number large, its unit small: "49.4 kN/mm" fits a narrow card.
-std::string with_small_unit(const std::string& value) {
-  static const std::string kSpace = "\u202f";
-  const std::size_t at = value.rfind(kSpace);
-  if (at == std::string::npos) return value;
-  return value.substr(0, at) + "\u2009<span class=\"unit\">" + value.substr(at + kSpace.size()) +
-         "</span>";
 }
 
 // --- a run ---------------------------------------------------------------------------------------
@@ -134,7 +125,7 @@ class RunHeadline {
     const Json& meter = member(s_, "quasi_static");
     const std::string judgement = judgement_in(meter);
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
-    if (judgement == "usable") add(texts_.say("run.usable"));
+    if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
     const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
     if (judgement == "unknown" && !(gap > kGap)) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
@@ -168,9 +159,12 @@ class RunHeadline {
       return texts_.say("run.no_capacity",
                         {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
              mode();
-    if (!(peak() > 0))
-      return texts_.say("run.unpushed",
+    if (!(peak() > 0)) {
+      const bool fell = words_in(s_, "status") == "collapsed";
+      return (fell ? caution(texts_.say("run.fell")) : "") +
+             texts_.say(fell ? "run.weighs" : "run.unpushed",
                         {{"weight", texts_.quantity(number_in(header_, "weight_kN"), "kN")}});
+    }
     return texts_.say(is_still_rising() ? "run.resists.bound" : "run.resists",
                       {{"force", bold(kilonewtons(peak()))},
                        {"at", bold(millimetres("displacement_at_peak_mm"))},
@@ -572,16 +566,6 @@ Headline made(const Json& header, const Texts& texts) {
 }
 
 }  // namespace
-
-std::string draw_cards(const std::vector<Card>& cards) {
-  if (cards.empty()) return "";
-  std::string out = "<section class=\"cards\">\n";
-  for (const Card& c : cards)
-    out += "<div class=\"card\"><div class=\"value\">" + with_small_unit(c.value) +
-           "</div><div class=\"name\">" + c.name + "</div><div class=\"means\">" + c.means +
-           "</div></div>\n";
-  return out + "</section>\n";
-}
 
 std::string headline_of(const Json& header, const Texts& texts) {
   const std::string kind = header.at("kind");

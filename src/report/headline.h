@@ -12,12 +12,6 @@ namespace wythe::report {
 // <header> with title, headline and warnings, then the cards, by the kind of the data.
 [[nodiscard]] std::string headline_of(const Json& header, const Texts& texts);
 
-// A number large, its name and what it means below it.
-struct Card {
-  std::string value, name, means;
-};
-[[nodiscard]] std::string draw_cards(const std::vector<Card>& cards);
-
 // Of options side by side (comparison_data.cpp).
 struct Headline {
   std::string sentence, warning, cards;

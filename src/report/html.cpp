@@ -19,6 +19,15 @@ std::string with_power(double value, int digits) {
   return text.substr(0, e) + "·10" + raised;
 }
 
+// The number large, its unit small: "49.4 kN/mm" fits a narrow card.
+std::string with_small_unit(const std::string& value) {
+  static const std::string kSpace = "\u202f";
+  const std::size_t at = value.rfind(kSpace);
+  if (at == std::string::npos) return value;
+  return value.substr(0, at) + "\u2009<span class=\"unit\">" + value.substr(at + kSpace.size()) +
+         "</span>";
+}
+
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -67,6 +76,16 @@ std::string quantity(double value, std::string_view unit, int digits) {
   std::string text = rounded(value, digits);
   if (!std::isfinite(value) || unit.empty()) return text;
   return text + "\u202f" + escaped(unit);
+}
+
+std::string draw_cards(const std::vector<Card>& cards) {
+  if (cards.empty()) return "";
+  std::string out = "<section class=\"cards\">\n";
+  for (const Card& c : cards)
+    out += "<div class=\"card\"><div class=\"value\">" + with_small_unit(c.value) +
+           "</div><div class=\"name\">" + c.name + "</div><div class=\"means\">" + c.means +
+           "</div></div>\n";
+  return out + "</section>\n";
 }
 
 }  // namespace wythe::report

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wythe::report {
 
@@ -18,5 +19,11 @@ namespace wythe::report {
 
 // Escaped, with a capital and a full stop.
 [[nodiscard]] std::string sentence(std::string_view text);
+
+// A number large, its name and what it means below it.
+struct Card {
+  std::string value, name, means;
+};
+[[nodiscard]] std::string draw_cards(const std::vector<Card>& cards);
 
 }  // namespace wythe::report

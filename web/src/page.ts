@@ -8,6 +8,7 @@ export interface Section {
   title: string;
   content: Child;
   paper?: boolean; // printed, never on a screen
+  first?: boolean; // a printed page of its own, in place of the headline; what follows is its appendix
 }
 
 function themeButton(): HTMLElement {
@@ -81,15 +82,16 @@ export function build(sections: Section[]): void {
     ),
   );
   document.body.insertBefore(nav, main);
-  for (const s of shown)
-    main.appendChild(
-      h(
-        "section",
-        { id: s.id, class: s.paper ? "print-only" : undefined, "aria-labelledby": `${s.id}-title` },
-        h("h2", { id: `${s.id}-title` }, s.title),
-        s.content,
-      ),
+  for (const s of shown) {
+    const section = h(
+      "section",
+      { id: s.id, class: s.paper ? "print-only" : undefined, "aria-labelledby": `${s.id}-title` },
+      h("h2", { id: `${s.id}-title` }, s.title),
+      s.content,
     );
+    if (!s.first) main.appendChild(section);
+    else document.getElementById("headline")!.after(section, h("p", { class: "print-only appendix" }, say("appendix")));
+  }
   main.appendChild(h("footer", {}, say("footer")));
   watchPrinting();
   markHere(nav);

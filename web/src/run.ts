@@ -10,6 +10,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { ElementsView } from "./run_elements";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
+import { projectSection, sheetSection } from "./sheet";
 import { table } from "./tables";
 import { asSentence, capital, num, phrase, qty, say, type Said } from "./texts";
 import { Frames, readWall } from "./wall";
@@ -56,11 +57,11 @@ function nearest(distances: number[]): number {
 }
 
 class RunPage {
-  private readonly header: any;
+  readonly header: any;
+  readonly curve: Curve;
+  readonly view: WallView | null;
   private readonly s: any;
-  private readonly curve: Curve;
   private readonly byFactor: boolean;
-  private readonly view: WallView | null;
   private plot: Plot | null = null;
   private cursor: SVGGElement | null = null;
 
@@ -99,6 +100,7 @@ class RunPage {
 
   sections(): Section[] {
     return [
+      sheetSection(this),
       { id: "push", title: say("section.push"), content: this.push() },
       { id: "assessment", title: say("section.assessment"), content: assessmentSection(this.s, this.curve) },
       cyclesSection(this.s),
@@ -112,6 +114,7 @@ class RunPage {
       },
       { id: "provenance", title: say("section.provenance"), content: this.provenance() },
       { id: "measures", title: say("section.measures"), content: this.paperMeasures(), paper: true },
+      projectSection(this.header),
     ];
   }
 

@@ -1,0 +1,406 @@
+// The sheet that is handed over: one A4 page before all others, on a screen too where the model names a
+// project or a code. Verdict first; what would not fit is cut with a mark, and stands in the appendix.
+import { h, later, svg, type Child } from "./dom";
+import { legend, swatch } from "./figure";
+import { aroundPrint, type Section } from "./page";
+import { Plot, rangeOf } from "./plot";
+import { drawEnvelopes, signOf, waysOf } from "./run_cyclic";
+import { zip, type Curve } from "./run_trust";
+import { table } from "./tables";
+import { capital, num, phrase, qty, say, sentence, type Said } from "./texts";
+import type { WallView } from "./wallview";
+
+const kListed = 5, // materials and stages; more are counted
+  kNotes = 9,
+  kFewWords = 1300, // letters
+  kShort = 60, // letters of what is never cut
+  kGapShown = 1e-4; // of the energy ledger; less is said to be this
+
+export interface SheetSource {
+  header: any;
+  curve: Curve;
+  view: WallView | null;
+}
+
+// Whether somebody may put a name under the numbers.
+//   none: there is no strength;  no: something makes the numbers doubtful;  bound: they are lower bounds;
+//   reserve: a slower push may move them;  yes
+export type Standing = "none" | "no" | "bound" | "reserve" | "yes";
+export interface Doubts {
+  grave: boolean; // what the headline warns of
+  mild: boolean;
+}
+export function standingOf(s: any, { grave, mild }: Doubts): { standing: Standing; first: string } {
+  const fell = s.status === "collapsed",
+    a = s.assessment;
+  const said = (standing: Standing, key: string): { standing: Standing; first: string } => ({
+    standing,
+    first: say(`sheet.${key}`),
+  });
+  if (!(s.peak_reaction_kN > 0) && !(s.load_factor > 0)) return said("none", "none");
+  if (grave || (s.status && s.status !== "completed" && !fell)) return said("no", "no");
+  if (a && !a.limit_states) return said("no", "no_assessment");
+  if (a && !a.may_be_signed) return said("no", "no");
+  // what a code judges is known, or it would not be signed
+  if (!a && !fell && !(s.load_factor > 0)) {
+    if (s.censored_max && s.displacement_at_peak_mm >= s.displacement_max_mm) return said("bound", "bound.force");
+    if (s.censored_80) return said("bound", "bound.displacement");
+  }
+  return { standing: mild ? "reserve" : "yes", first: judged(a) };
+}
+function judged(a: any): string {
+  const key = { holds: "holds", fails: "fails", "not shown": "not_shown" }[a?.verdict as string],
+    state = a?.limit_states?.find((check: any) => check.is_checked)?.state;
+  return key && state ? say(`sheet.${key}`, { state: capital(say(`assessment.${state}`)) }) : "";
+}
+
+// What the page already says, in its static head.
+const answer = (): Element | null => document.querySelector("#headline .answer");
+const doubts = (): Doubts => {
+  const all = [...(answer()?.querySelectorAll(".caution") ?? [])];
+  return { grave: all.some((e) => !e.classList.contains("mild")), mild: all.length > 0 };
+};
+
+// On a screen only where somebody is named or a code is asked.
+export function sheetSection(source: SheetSource): Section {
+  const place = h("div", {}),
+    asked = Boolean(source.header.summary.project || source.header.summary.assessment);
+  const show = (): void => place.replaceChildren(...(asked ? [sheet(source, false)] : []));
+  later(show);
+  aroundPrint(() => place.replaceChildren(sheet(source, true)), show);
+  return { id: "sheet", title: say("section.sheet"), content: place, paper: !asked, first: true };
+}
+
+function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
+  const s = source.header.summary,
+    { standing, first } = standingOf(s, doubts());
+  // paper has room for one above the other where few words are said
+  const words = (answer()?.textContent ?? "") + Object.values(s.project ?? {}).join(" ");
+  const wide = onPaper && !s.assessment?.limit_states && words.length < kFewWords;
+  return h(
+    "div",
+    { class: "a4", "data-standing": standing },
+    head(source.header),
+    verdict(s, standing, first),
+    keyNumbers(),
+    pictures(source, wide),
+    limitStates(s.assessment),
+    h("div", { class: "a4-pair" }, assumed(source.header), notModelled(s)),
+    foot(s, standing),
+  );
+}
+
+const titleOf = ({ title, summary }: any): string => summary.project?.title || title || say("untitled.run");
+
+// What the head of the sheet may have cut.
+export function projectSection(header: any): Section {
+  const rows: [string, string][] = [[say("sheet.title"), titleOf(header)]];
+  for (const [key, text] of factsOf(header)) rows.push([say(`sheet.${key}`), text]);
+  const long = rows.some(([, text]) => text.length > kShort);
+  const columns = [
+    { head: "", left: true },
+    { head: "", left: true },
+  ];
+  return {
+    id: "project",
+    title: say("section.project"),
+    content: long ? table(columns, rows, "", "facts") : null,
+    paper: true,
+  };
+}
+
+// --- head ----------------------------------------------------------------------------------------
+
+function factsOf({ title, summary }: any): [string, string][] {
+  const p = summary.project ?? {};
+  const rows: [string, string | undefined][] = [
+    ["wall", p.title ? title : undefined],
+    ["place", p.place],
+    ["client", p.client],
+    ["author", p.author],
+    ["date", p.date],
+  ];
+  return rows.filter((row): row is [string, string] => Boolean(row[1]));
+}
+
+function head(header: any): Child {
+  const own = titleOf(header),
+    given = factsOf(header);
+  return [
+    h("p", { class: "a4-title cut", style: `--lines:${own.length > 90 ? 3 : 2}` }, own),
+    given.length > 0
+      ? h(
+          "dl",
+          { class: "a4-facts" },
+          given.map(([key, text]) =>
+            h("div", {}, h("dt", {}, say(`sheet.${key}`)), h("dd", { class: "cut", style: "--lines:3" }, text)),
+          ),
+        )
+      : null,
+  ];
+}
+
+function verdict(s: any, standing: Standing, first: string): Child {
+  const words = [...(answer()?.childNodes ?? [])].map((node) => node.cloneNode(true));
+  const stopped = document.querySelector("#headline .warning")?.textContent ?? "";
+  const fine = standing === "yes" && !["fails", "not shown"].includes(s.assessment?.verdict);
+  return h(
+    "div",
+    { class: fine ? "a4-verdict" : "a4-verdict doubtful" },
+    h(
+      "p",
+      { class: "cut", style: "--lines:11" },
+      first ? [h("strong", {}, first), " "] : null,
+      words,
+      stopped ? ` ${stopped}` : null,
+    ),
+  );
+}
+
+function keyNumbers(): Child {
+  const cards = [...document.querySelectorAll("#page > .cards .card")];
+  if (cards.length === 0) return null;
+  return h(
+    "dl",
+    { class: "a4-numbers" },
+    cards.slice(0, kListed).map((card) =>
+      h(
+        "div",
+        {},
+        h("dt", {}, card.querySelector(".name")?.textContent),
+        h("dd", {}, [...(card.querySelector(".value")?.childNodes ?? [])].map((node) => node.cloneNode(true))),
+      ),
+    ),
+  );
+}
+
+// --- wall and curve ------------------------------------------------------------------------------
+
+function pictures({ header, curve, view }: SheetSource, wide: boolean): Child {
+  const s = header.summary,
+    shown: HTMLElement[] = [];
+  if (view) {
+    const picture = view.picture(frameShown(header), wide ? 780 : 440, wide ? 400 : 330);
+    picture.insertBefore(crackKey(), picture.lastChild);
+    shown.push(picture);
+  }
+  if (curve.displacement.length > 1)
+    shown.push(
+      h("figure", {}, drawCurve(s, curve, wide), curveKey(s), h("figcaption", {}, demandWords(s.assessment))),
+    );
+  return shown.length > 0 ? h("div", { class: wide ? "a4-pictures wide" : "a4-pictures" }, shown) : null;
+}
+
+// The state at which the failure was read, else the last.
+function frameShown(header: any): number {
+  const frames = header.frames as any[],
+    at = header.summary.failure_mode?.read_at_mm;
+  if (typeof at !== "number") return frames.length - 1;
+  const off = frames.map((f) => Math.abs(Math.abs(f.displacement_mm) - Math.abs(at)));
+  return off.lastIndexOf(Math.min(...off));
+}
+
+const crackKey = (): HTMLElement =>
+  legend([
+    [swatch("crack open w2"), say("crack.open.short")],
+    [swatch("crack slip w2"), say("crack.slip.short")],
+    [swatch("crack closed w0"), say("crack.closed.short")],
+    [swatch("crushed", "dot"), say("crack.crushed")],
+  ]);
+
+function curveKey(s: any): HTMLElement {
+  const items: [SVGSVGElement, Child][] = [[swatch("force"), say(s.load_factor > 0 ? "curve.factor" : "curve.force")]];
+  if (bilinearOf(s)) items.push([swatch("fit"), say("curve.bilinear")]);
+  if (s.assessment?.limit_states) items.push([swatch("limit"), say("assessment.states")]);
+  if (s.assessment?.demand) items.push([swatch("asked"), say("assessment.demand.control")]);
+  return legend(items);
+}
+
+const bilinearOf = (s: any): any => {
+  const b = s.assessment?.bilinear ?? s.bilinear;
+  return !(s.load_factor > 0) && b?.force_kN > 0 ? b : null;
+};
+
+function demandWords(a: any): string {
+  if (!a) return say("sheet.no_demand");
+  if (!a.spectrum) return say("sheet.no_spectrum");
+  return a.demand ? say("sheet.demand", { at: qty(a.demand.displacement_mm, "mm"), pga: qty(a.spectrum.pga_g, "g") }) : "";
+}
+
+function drawCurve(s: any, c: Curve, wide: boolean): SVGSVGElement {
+  const byFactor = s.load_factor > 0,
+    force = byFactor ? c.factor : c.reaction,
+    a = s.assessment,
+    asked = a?.demand?.displacement_mm;
+  const x = rangeOf([0, ...c.displacement, asked ?? 0]),
+    y = rangeOf([0, ...force]);
+  const plot = new Plot({
+    width: wide ? 780 : 440,
+    height: wide ? 270 : 330,
+    x: [x[0], 1.02 * x[1]],
+    y: [y[0] < -0.02 * y[1] ? 1.08 * y[0] : 0, 1.08 * y[1]],
+    xLabel: say("axis.displacement"),
+    yLabel: say(byFactor ? "axis.factor" : "axis.reaction"),
+    title: say("curve.alt", {
+      force: byFactor ? num(s.load_factor) : qty(s.peak_reaction_kN, "kN"),
+      at: qty(s.displacement_at_peak_mm, "mm"),
+    }),
+  });
+  const b = bilinearOf(s),
+    sign = signOf(s);
+  if (b)
+    plot.line(
+      [
+        [0, 0],
+        [sign * b.yield_displacement_mm, sign * b.force_kN],
+        [sign * b.ultimate_displacement_mm, sign * b.force_kN],
+      ],
+      "fit",
+    );
+  plot.line(zip(c.displacement, force), waysOf(s).length > 0 ? "force thin" : "force");
+  drawEnvelopes(plot, s);
+  if (!byFactor && s.peak_reaction_kN > 0)
+    plot.dot(sign * s.displacement_at_peak_mm, sign * s.peak_reaction_kN, 4.5, "peak");
+  const upright = (at: number, css: string, words: string): void => {
+    const px = plot.X(at);
+    plot.add(svg("line", { class: css, x1: px, x2: px, y1: plot.top, y2: plot.bottom }));
+    const place = `translate(${px - 4} ${plot.bottom - 6}) rotate(-90)`;
+    plot.text(0, 0, words, "small halo", { transform: place });
+  };
+  for (const check of a?.limit_states ?? [])
+    if (Number.isFinite(check.displacement_mm)) upright(check.displacement_mm, "limit", say(`assessment.${check.state}`));
+  if (Number.isFinite(asked)) upright(asked, "asked", say("assessment.demand"));
+  return plot.svg;
+}
+
+// --- what a code says ----------------------------------------------------------------------------
+
+function limitStates(a: any): Child {
+  if (!a?.limit_states) return null;
+  const withDemand = Boolean(a.spectrum);
+  let anyUnverified = false;
+  const rows = a.limit_states.map((check: any) => {
+    const rule = check.criteria.find((c: any) => c.governs),
+      bound = check.at_least ? "≥ " : "";
+    anyUnverified ||= Boolean(rule && !rule.verified);
+    return h(
+      "tr",
+      { class: check.is_checked ? "chosen" : undefined },
+      h("th", { scope: "row", class: "left" }, say(`assessment.${check.state}`)),
+      h("td", {}, bound + qty(check.displacement_mm, "mm")),
+      h("td", {}, bound + qty(check.drift_percent, "%", 2)),
+      withDemand ? [h("td", {}, bound + num(check.capacity_over_demand)), h("td", {}, bound + qty(check.pga_g, "g"))] : null,
+      h("td", { class: "left" }, rule ? `${phrase(rule.words)}: ${rule.clause}${rule.verified ? "" : " †"}` : "–"),
+    );
+  });
+  const heads = ["assessment.state", "displacement", "drift", ...(withDemand ? ["assessment.ratio", "assessment.pga"] : [])];
+  return h(
+    "div",
+    { class: "a4-states" },
+    h(
+      "table",
+      {},
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          heads.map((key, i) => h("th", { scope: "col", class: i === 0 ? "left" : undefined }, say(key))),
+          h("th", { scope: "col", class: "left" }, say("assessment.governs")),
+        ),
+      ),
+      h("tbody", {}, rows),
+    ),
+    anyUnverified ? h("p", { class: "soft" }, say("sheet.unverified")) : null,
+  );
+}
+
+// --- assumptions ---------------------------------------------------------------------------------
+
+function listed(items: Child[], lines = 2): Child {
+  const shown = items.slice(0, kListed),
+    more = items.length - shown.length;
+  return [
+    shown.map((item) => h("li", {}, h("div", { class: "cut", style: `--lines:${lines}` }, item))),
+    more > 0 ? h("li", {}, say("sheet.more", { n: more })) : null,
+  ];
+}
+
+const kStrengths: [string, string][] = [
+  ["tensile_strength", "ft"],
+  ["cohesion", "c"],
+  ["friction_angle", "φ"],
+  ["compressive_strength", "fc"],
+  ["youngs_modulus", "E"],
+  ["density", "ρ"],
+];
+
+function materialLines({ materials, origins }: any): Child[] {
+  return (materials?.names ?? []).map((name: string, i: number) => {
+    const values = kStrengths.flatMap(([key, sign]) => {
+      const row = materials.rows.find((r: any) => r[0] === key),
+        value = row?.[2][i];
+      return typeof value === "number" ? [`${sign} ${qty(value, row[1])}`] : [];
+    });
+    const from = new Set<string>(
+      (origins ?? [])
+        .filter((r: any) => r[0] === name)
+        .map((r: any) => (r[3] === "given" ? say("origin.given") : `${say(`origin.${r[3]}`)}: ${r[4]}`)),
+    );
+    return [
+      h("b", {}, name),
+      `: ${values.join(", ")} `,
+      h("span", { class: "soft" }, `(${from.size > 0 ? [...from].join(", ") : say("origin.given")})`),
+    ];
+  });
+}
+
+const kOfTheSolver = ["velocity", "fast_velocity", "damping", "duration", "ramp", "driven_blocks", "stop_below"];
+const shown = (value: unknown, unit: string): string =>
+  typeof value === "number" ? qty(value, unit, 4) : phrase(String(value ?? "–"));
+
+function stageLines(stages: any[]): Child[] {
+  return stages.map((stage) => {
+    const rows = stage.rows.filter(([key]: any) => !kOfTheSolver.includes(key));
+    const words = rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`);
+    return [h("b", {}, stage.name), `: ${[say(`stage.${stage.kind}`), ...words].join("; ")}`];
+  });
+}
+
+function assumed({ inputs, summary: s }: any): Child {
+  const gap = s.energy_J?.gap_ratio;
+  const trust = [
+    s.quasi_static?.verdict ? sentence(s.quasi_static.verdict) : "",
+    typeof gap === "number" ? say("sheet.energy", { gap: qty(100 * Math.max(Math.abs(gap), kGapShown), "%", 2) }) : "",
+  ].filter((text) => text !== "");
+  return h(
+    "div",
+    {},
+    h("h3", {}, say("sheet.assumed")),
+    h("ul", {}, listed(materialLines(inputs ?? {})), listed(stageLines(inputs?.stages ?? [])), listed(trust, 5)),
+  );
+}
+
+function notModelled(s: any): Child {
+  const notes: Said[] = s.assessment?.notes ?? [];
+  const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [say("sheet.out_of_plane"), say("sheet.one_push")];
+  const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
+  return h(
+    "div",
+    {},
+    h("h3", {}, say("sheet.not_modelled")),
+    h("ul", {}, [...own, ...always].slice(0, kNotes).map((text) => h("li", {}, h("div", { class: "cut", style: "--lines:3" }, text)))),
+  );
+}
+
+// A name is put only under what may be signed.
+function foot(s: any, standing: Standing): Child {
+  const author = s.project?.author;
+  return h(
+    "div",
+    { class: "a4-foot" },
+    h("span", {}, say("sheet.made", { version: s.provenance?.version ?? "", state: s.state_hash ?? "" })),
+    author && standing !== "none" && standing !== "no" ? h("span", { class: "a4-sign" }, say("sheet.signature")) : null,
+  );
+}
