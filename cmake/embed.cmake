@@ -1,6 +1,8 @@
-# Script: writes OUTPUT, a C++ file that holds files of SOURCE as raw strings (src/report/assets.h, src/core/messages.h).
+# Script: writes OUTPUT, a C++ file that holds files of SOURCE as raw strings (src/report/assets.h, src/core/messages.h,
+# src/io/starters.h).
 set(source "// Written by cmake/embed.cmake.
 #include \"core/messages.h\"
+#include \"io/starters.h\"
 #include \"report/assets.h\"
 
 namespace wythe {
@@ -13,7 +15,12 @@ function(embed name file)
   endif()
   set(source "${source}const std::string_view ${name} = R\"wythe_asset(${text})wythe_asset\";\n" PARENT_SCOPE)
 endfunction()
-embed(kMessagesJson core/messages.json)
-embed(report::kViewerHtml report/assets/viewer.html)
-embed(report::kTextsJson report/assets/texts.json)
+embed(kMessagesJson src/core/messages.json)
+embed(report::kViewerHtml src/report/assets/viewer.html)
+embed(report::kTextsJson src/report/assets/texts.json)
+embed(io::kPierModel examples/brick_pier/model.toml)
+embed(io::kPierStudy examples/brick_pier/study.toml)
+embed(io::kPortalModel examples/brick_portal/model.toml)
+embed(io::kFacadeModel examples/brick_facade/model.toml)
+embed(io::kArchModel examples/arch/model.toml)
 file(WRITE "${OUTPUT}" "${source}}  // namespace wythe\n")

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "campaign_commands.h"
@@ -16,6 +17,7 @@
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
 #include "wythe/solve.h"
+#include "wythe/starter.h"
 #include "wythe/tested_range.h"
 #include "wythe/text.h"
 
@@ -255,6 +257,16 @@ int check(const CheckArguments& arguments) {
 
 int materials(const std::string& name) {
   fmt::print("{}", materials_text(name));
+  return 0;
+}
+
+int new_starter(const NewArguments& arguments) {
+  const std::vector<std::string> files = write_starter(arguments.kind, arguments.folder);
+  for (const std::string& file : files) fmt::print("wrote {}\n", file);
+  const bool is_study = arguments.kind == "study";
+  const std::string out = (std::filesystem::path(arguments.folder) / "result").string();
+  fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(),
+             is_study ? "campaign" : "run", files.front(), out);
   return 0;
 }
 

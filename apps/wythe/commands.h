@@ -29,6 +29,11 @@ struct ContactArguments {
 int contact(const ContactArguments& arguments);
 int materials(const std::string& name);
 
+struct NewArguments {
+  std::string kind, folder;
+};
+int new_starter(const NewArguments& arguments);
+
 struct LimitArguments {
   std::string model, out, with, language = "en";
   std::vector<std::string> overrides;

@@ -179,6 +179,15 @@ void add_export(CLI::App& app, ExportArguments& a, int& code) {
   command->callback([&] { code = export_tables(a); });
 }
 
+void add_new(CLI::App& app, NewArguments& a, int& code) {
+  CLI::App* command =
+      app.add_subcommand("new", "write a commented file to start from, which runs as it is");
+  command->footer("example: wythe new facade my_house");
+  command->add_option("kind", a.kind, "pier, portal, facade, arch or study")->required();
+  command->add_option("folder", a.folder, "folder for the file, made if absent")->required();
+  command->callback([&] { code = new_starter(a); });
+}
+
 void add_picture(CLI::App& app, PictureArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("picture", "draw the stored states of one sample of a campaign (SVG)");
@@ -222,6 +231,8 @@ int parse_and_run(int argc, char** argv) {
   add_limit(app, limit_arguments, code);
   ExportArguments export_arguments;
   add_export(app, export_arguments, code);
+  NewArguments new_arguments;
+  add_new(app, new_arguments, code);
   PictureArguments picture_arguments;
   add_picture(app, picture_arguments, code);
   try {

@@ -1,0 +1,10 @@
+// Files of examples/ as they are in the program (cmake/embed.cmake).
+#pragma once
+
+#include <string_view>
+
+namespace wythe::io {
+
+extern const std::string_view kPierModel, kPierStudy, kPortalModel, kFacadeModel, kArchModel;
+
+}  // namespace wythe::io
