@@ -6,7 +6,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import zlib from "node:zlib";
 import { folder, launch, open, pageOf, pdfPages, root, run, screenshot, shots, violations } from "./helpers.mjs";
-import { makeFacade, makeRun } from "./small_study.mjs";
+import { input, makeFacade, makeRun, writeInputs } from "./small_study.mjs";
 
 let browser;
 before(async () => {
@@ -137,6 +137,8 @@ test("long texts and markup stay text, on one page", async () => {
   assert.ok((await page.locator("#project").textContent()).split(long).length === 7); // uncut, in the appendix
   assert.equal(await page.locator("#sheet img").count(), 0);
   assert.ok((await page.locator("#sheet .a4-title").innerText()).startsWith("<img src=x"));
+  const cut = await page.locator("#sheet .cut").evaluateAll((all) => all.filter((e) => e.scrollHeight > e.clientHeight + 2).length);
+  assert.equal(cut, 0); // a screen scrolls
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
   assert.deepEqual(page.faults, []);
   await page.context().close();
@@ -237,6 +239,28 @@ test("without a curve, states or materials no empty box is left", async () => {
   assertFits(seen, "sheet_bare");
   assert.equal(seen.pictures.length, 0);
   assert.doesNotMatch(seen.words, /undefined|NaN|null|\[object/);
+});
+
+test("a model's own project and code make the sheet", async () => {
+  writeInputs();
+  const text = `${fs.readFileSync(input("model.toml"), "utf8")}
+[project]
+title = "School <script>alert('project')</script>"
+author = "A. Rossi"
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "en1998"
+ground_acceleration = "1.5 m/s^2"
+`;
+  fs.writeFileSync(input("assessed.toml"), text);
+  fs.rmSync(folder("sheet_assessed"), { recursive: true, force: true });
+  run("run", input("assessed.toml"), "--out", folder("sheet_assessed"), "--quiet");
+  const seen = await printed("sheet_assessed");
+  assertFits(seen, "sheet_assessed");
+  assert.equal(seen.standing, "yes");
+  assert.match(seen.verdict, /^Life safety: met\./);
+  assert.match(seen.words, /School <script>[^]*near collapse[^]*Circolare 7\/2019[^]*Signature/);
 });
 
 test("in Italian no English is left on the sheet", async () => {

@@ -261,15 +261,16 @@ function drawCurve(s: any, c: Curve, wide: boolean): SVGSVGElement {
   drawEnvelopes(plot, s);
   if (!byFactor && s.peak_reaction_kN > 0)
     plot.dot(sign * s.displacement_at_peak_mm, sign * s.peak_reaction_kN, 4.5, "peak");
-  const upright = (at: number, css: string, words: string): void => {
+  // words of limit states at the foot, of the demand at the top: the two may lie at one place
+  const upright = (at: number, css: string, words: string, high = false): void => {
     const px = plot.X(at);
     plot.add(svg("line", { class: css, x1: px, x2: px, y1: plot.top, y2: plot.bottom }));
-    const place = `translate(${px - 4} ${plot.bottom - 6}) rotate(-90)`;
-    plot.text(0, 0, words, "small halo", { transform: place });
+    const place = `translate(${px - 4} ${high ? plot.top + 4 : plot.bottom - 6}) rotate(-90)`;
+    plot.text(0, 0, words, "small halo", { transform: place, "text-anchor": high ? "end" : "start" });
   };
   for (const check of a?.limit_states ?? [])
     if (Number.isFinite(check.displacement_mm)) upright(check.displacement_mm, "limit", say(`assessment.${check.state}`));
-  if (Number.isFinite(asked)) upright(asked, "asked", say("assessment.demand"));
+  if (Number.isFinite(asked)) upright(asked, "asked", say("assessment.demand"), true);
   return plot.svg;
 }
 
