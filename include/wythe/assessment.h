@@ -169,6 +169,12 @@ struct DriftPoint {
   double displacement = 0;  // of the curve [m]
   double drift = 0;         // largest of the storeys [-]
 };
+// Drift across one pier's clear height while the wall was pushed, and how it fails.
+struct PierDrift {
+  std::string mark;                // "P2"
+  std::string mechanism;           // "shear", "flexure", "": not known
+  std::vector<DriftPoint> drifts;  // ascending by displacement
+};
 struct JudgedPush {
   SolveStatus status = SolveStatus::kCompleted;
   StageKind curve_of = StageKind::kPush;
@@ -181,6 +187,7 @@ struct JudgedPush {
   std::vector<RisePoint> rise = {};     // Result::rise
   std::vector<DriftPoint> drifts = {};  // ascending; empty: displacement over load height
   bool storeys_known = false;           // drifts are of storeys
+  std::vector<PierDrift> piers = {};    // where they are known they stand for the storeys
   double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
   std::string mechanism = {};           // "shear", "flexure", "": not known
 };

@@ -176,6 +176,25 @@ TEST(Assessment, takes_the_drift_of_a_storey_rather_than_of_the_whole_wall) {
   EXPECT_NEAR(check.displacement, 12.5e-3, 1e-12);
 }
 
+TEST(Assessment, ends_at_the_first_pier_that_reaches_the_limit_of_its_own_mechanism) {
+  Pushed p;
+  p.push.storeys_known = true;
+  p.push.drifts = {{10e-3, 0.1}, {40e-3, 0.4}};  // of storeys: piers stand for them
+  p.push.piers = {{"P1", "flexure", {{10e-3, 0.005}, {40e-3, 0.02}}},  // 1 % at 20 mm
+                  {"P2", "shear", {{10e-3, 0.003}, {40e-3, 0.012}}},   // 0.5 % at 16.7 mm
+                  {"P3", "", {{10e-3, 0.0001}, {40e-3, 0.0004}}}};     // never
+  const CodeAssessment a = assess(asked(), p.push, mass_of);
+  const LimitStateCheck& check = state_of(a, LimitState::kNearCollapse);
+  EXPECT_NEAR(check.displacement, 50e-3 / 3, 1e-12);
+  bool named = false;
+  for (const Criterion& c : check.criteria)
+    named = named || (c.name == "pier drift, shear" && says(c.words, "P2"));
+  EXPECT_TRUE(named);
+  p.push.piers = {{"P3", "", {{10e-3, 0.0001}, {40e-3, 0.0004}}}};
+  const CodeAssessment none = assess(asked("en1998_3"), p.push, mass_of);
+  EXPECT_EQ(state_of(none, LimitState::kNearCollapse).governing, "force drop");
+}
+
 // --- what must not be signed
 
 TEST(Assessment, of_a_push_that_ended_early_is_a_lower_bound) {
@@ -351,6 +370,20 @@ TEST(MassAndShape, that_grows_with_height_is_the_one_by_hand) {
   // four courses of 100 kg with their centres at 1/8, 3/8, 5/8, 7/8 m
   const double square = 100 * (1 + 9 + 25 + 49) / 64.0 / (h * h) + 2000 / (h * h) + 300;
   EXPECT_NEAR(m.participation, m.participating / square, 1e-12);
+}
+
+// 20 kN/m over 1 m, on the course whose top is at 0.75 m; whether it has inertia in the run changes nothing.
+TEST(MassAndShape, counts_a_floor_once_whether_its_inertia_is_on_or_off) {
+  for (const char* inertia : {"", "mass = \"2000 kg/m\"\n"}) {
+    const std::string floor =
+        std::string("[[floor]]\ny = \"0.75 m\"\nload = \"20 kN/m\"\n") + inertia;
+    const ModelSpec spec = parse_model(wall_text(kAssessed + floor), "wall.toml");
+    const MassAndShape m = mass_and_linear_shape(spec.assessment, compile(spec));
+    EXPECT_NEAR(m.loads, 2000 + 20e3 / 9.81, 1e-6);
+    EXPECT_NEAR(m.blocks, 400, 1e-9);
+    EXPECT_NEAR(m.participating,
+                400 * 0.5 / 0.875 + (2000 * 1.0 + 20e3 / 9.81 * 0.75) / 0.875 + 300, 1e-6);
+  }
 }
 
 TEST(MassAndShape, counts_the_share_of_the_masonry_alone) {

@@ -7,10 +7,10 @@
 // lower bounds, one without a peak gives no number.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "study/assessment/assessment_parts.h"
-#include "wythe/reading.h"
 
 namespace wythe {
 namespace {
@@ -178,31 +178,61 @@ class Judge {
     return decided(std::move(check));
   }
 
-  // The rule of the mechanism; of the lesser where that is not known.
+  // The first pier at its limit; where piers are not known, the storeys or the whole wall.
   void add_drifts(LimitStateCheck& check) {
-    std::vector<Criterion> rules;
+    if (push_.piers.empty()) {
+      if (const auto rule = rule_of(check.state, push_.mechanism))
+        check.criteria.push_back(met_at(whole_criterion(*rule), drifts()));
+      return;
+    }
+    std::optional<Criterion> first;
+    for (const PierDrift& pier : push_.piers) {
+      const auto rule = rule_of(check.state, pier.mechanism);
+      if (!rule) continue;
+      const Criterion met = met_at(pier_criterion(*rule, pier.mark), pier.drifts);
+      const bool is_first =
+          !first || (met.reached && !first->reached) ||
+          (met.reached == first->reached && met.displacement < first->displacement);
+      if (is_first) first = met;
+    }
+    if (first) check.criteria.push_back(*std::move(first));
+  }
+
+  // Of a mechanism; of the lesser limit where that is not known.
+  struct Rule {
+    double drift = 0;
+    bool is_shear = true;
+    const char* clause = "";
+  };
+  [[nodiscard]] std::optional<Rule> rule_of(LimitState state, const std::string& mechanism) const {
+    std::optional<Rule> least;
     const auto take = [&](const DriftRule& rule) {
-      if (rule.state != check.state) return;
-      if (!push_.mechanism.empty() && push_.mechanism != rule.mechanism) return;
-      const double value = rule.drift * (rule.by_slenderness ? push_.pier_slenderness : 1);
-      if (!(value > 0)) return;  // the piers' shape is not known
-      const bool is_shear = std::string_view(rule.mechanism) == "shear";
-      Criterion c{.name = std::string("storey drift, ") + rule.mechanism,
-                  .words = {is_shear ? "assessment.drift_shear" : "assessment.drift_flexure",
-                            {{"percent", 100 * value}}},
-                  .clause = rule.clause,
-                  .value = value,
-                  .unit = "-"};
-      rules.push_back(met_at(std::move(c), drifts()));
+      if (rule.state != state || (!mechanism.empty() && mechanism != rule.mechanism)) return;
+      const double drift = rule.drift * (rule.by_slenderness ? push_.pier_slenderness : 1);
+      if (!(drift > 0)) return;  // the piers' shape is not known
+      if (!least || drift < least->drift)
+        least = Rule{drift, std::string_view(rule.mechanism) == "shear", rule.clause};
     };
     if (is_circolare(spec_))
       for (const DriftRule& rule : kCircolare) take(rule);
     else
       for (const DriftRule& rule : kEn1998) take(rule);
-    const auto least =
-        std::min_element(rules.begin(), rules.end(),
-                         [](const Criterion& a, const Criterion& b) { return a.value < b.value; });
-    if (least != rules.end()) check.criteria.push_back(*least);
+    return least;
+  }
+  [[nodiscard]] static Criterion whole_criterion(const Rule& rule) {
+    return {.name = rule.is_shear ? "storey drift, shear" : "storey drift, flexure",
+            .words = {rule.is_shear ? "assessment.drift_shear" : "assessment.drift_flexure",
+                      {{"percent", 100 * rule.drift}}},
+            .clause = rule.clause,
+            .value = rule.drift,
+            .unit = "-"};
+  }
+  [[nodiscard]] static Criterion pier_criterion(const Rule& rule, const std::string& mark) {
+    Criterion c = whole_criterion(rule);
+    c.name = rule.is_shear ? "pier drift, shear" : "pier drift, flexure";
+    c.words = {rule.is_shear ? "assessment.pier_shear" : "assessment.pier_flexure",
+               {{"mark", mark}, {"percent", 100 * rule.drift}}};
+    return c;
   }
 
   // Of storeys where they are known; else the displacement over its height.
@@ -322,9 +352,16 @@ class Judge {
       out_.notes.push_back(
           {"assessment.note.confidence_factor", {{"factor", spec_.confidence_factor}}});
     if (out_.spectrum.is_given()) out_.notes.push_back({"assessment.note.scaled"});
-    out_.notes.push_back(push_.storeys_known ? Message{"assessment.note.storey_drift"}
-                                             : Message{"assessment.note.whole_drift"});
-    if (push_.mechanism.empty()) out_.notes.push_back({"assessment.note.no_mechanism"});
+    if (!push_.piers.empty())
+      out_.notes.push_back({"assessment.note.pier_drift"});
+    else
+      out_.notes.push_back(push_.storeys_known ? Message{"assessment.note.storey_drift"}
+                                               : Message{"assessment.note.whole_drift"});
+    const auto is_unknown = [](const PierDrift& pier) { return pier.mechanism.empty(); };
+    const bool any_unknown = push_.piers.empty()
+                                 ? push_.mechanism.empty()
+                                 : std::any_of(push_.piers.begin(), push_.piers.end(), is_unknown);
+    if (any_unknown) out_.notes.push_back({"assessment.note.no_mechanism"});
   }
 
   void collect_cautions() {
@@ -397,67 +434,6 @@ class Judge {
   CodeAssessment out_;
 };
 
-// --- of a run -----------------------------------------------------------------------------------------
-
-// Heights of storeys' tops above the foot: those of the file, else the levels that are pushed [m].
-std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
-  std::vector<double> levels;
-  double top = 0;
-  for (const StoreySpec& storey : spec.storey) levels.push_back(top += storey.height);
-  if (levels.empty()) levels = push.spec.levels;
-  std::sort(levels.begin(), levels.end());
-  return levels;
-}
-
-// Blocks whose outline holds each level.
-std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vector<double>& levels) {
-  std::vector<std::vector<BlockId>> found(levels.size());
-  const double foot = study::foot_of(model);
-  for (BlockId b = 0; b < block_count(model); ++b) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3& corner : outline_of(model, b))
-      low = std::fmin(low, corner.y - foot), high = std::fmax(high, corner.y - foot);
-    const double slack = 1e-6 * high;
-    for (std::size_t k = 0; k < levels.size(); ++k)
-      if (levels[k] > low + slack && levels[k] <= high + slack) found[k].push_back(b);
-  }
-  return found;
-}
-
-// The largest drift of any storey at each state kept.
-std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
-                                      const Result& result) {
-  const Stage* push = study::push_of(model);
-  const std::vector<double> levels = levels_of(spec, *push);
-  if (levels.empty()) return {};
-  const std::vector<std::vector<BlockId>> blocks = blocks_at(model, levels);
-  std::vector<DriftPoint> out;
-  for (const Snapshot* state : study::states_by_displacement(result)) {
-    const std::vector<double> moved = study::moved_at(model, result, state->displacement);
-    double below = 0, at = 0, largest = 0;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      if (blocks[k].empty()) return {};
-      double sum = 0;
-      for (const BlockId b : blocks[k]) sum += moved[static_cast<std::size_t>(b)];
-      const double mean = sum / static_cast<double>(blocks[k].size());
-      largest = std::fmax(largest, std::fabs(mean - below) / (levels[k] - at));
-      below = mean, at = levels[k];
-    }
-    out.push_back({state->displacement, largest});
-  }
-  return out;
-}
-
-// The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
-double slenderness_of(const Anatomy& anatomy) {
-  double least = kUnset;
-  for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
-    const double width = anatomy.pier_x1[k] - anatomy.pier_x0[k];
-    least = std::fmin(least, 0.5 * anatomy.pier_height[k] / width);
-  }
-  return least;
-}
-
 }  // namespace
 
 const LimitStateCheck* CodeAssessment::asked() const {
@@ -469,65 +445,6 @@ const LimitStateCheck* CodeAssessment::asked() const {
 CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
                       const ShapeReader& shape) {
   return Judge(spec, push, shape).all();
-}
-
-namespace study {
-
-// "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
-std::string mechanism_of(const FailureMode& mode) {
-  bool flexure = false;
-  for (const ElementState& element : mode.elements) {
-    if (element.kind != "pier") continue;
-    for (const ElementSign& sign : element.signs) {
-      if (!sign.holds()) continue;
-      if (sign.state == "diagonal shear crack" || sign.state == "sliding" ||
-          sign.state == "sliding at the base")
-        return "shear";
-      flexure = true;
-    }
-  }
-  return flexure ? "flexure" : "";
-}
-
-JudgedPush judged_push(const Model& model) {
-  static const std::vector<CurveRow> kNoCurve;
-  static const Responses kNoResponses;
-  JudgedPush push{.curve = kNoCurve, .responses = kNoResponses};
-  push.pier_slenderness = slenderness_of(model.anatomy);
-  // the curve is that of the last stage that has one
-  const Stage* last = nullptr;
-  for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
-        stage.spec.kind == StageKind::kTilt)
-      last = &stage;
-  push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
-  if (last == nullptr) return push;
-  push.is_horizontal = last->drive_y == 0;
-  push.is_patterned = last->spec.pattern != Pattern::kNone;
-  return push;
-}
-
-}  // namespace study
-
-CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
-  const JudgedPush of_model = study::judged_push(model);
-  JudgedPush push{.status = result.status,
-                  .curve_of = of_model.curve_of,
-                  .is_horizontal = of_model.is_horizontal,
-                  .is_patterned = of_model.is_patterned,
-                  .curve = result.curve,
-                  .responses = result.responses,
-                  .judgement = result.quasi_static.judgement,
-                  .overlap_lost = result.validity.overlap_lost,
-                  .rise = result.rise,
-                  .pier_slenderness = of_model.pier_slenderness,
-                  .mechanism = study::mechanism_of(result.failure_mode)};
-  if (push.is_horizontal && push.curve_of == StageKind::kPush)
-    push.drifts = storey_drifts(spec, model, result);
-  push.storeys_known = !push.drifts.empty();
-  return assess(spec.assessment, push, [&](double displacement) {
-    return mass_and_shape(spec.assessment, model, result, displacement);
-  });
 }
 
 }  // namespace wythe

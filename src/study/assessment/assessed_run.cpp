@@ -1,0 +1,149 @@
+// The assessment of a run: what its model and its states say of the push, then assess().
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "study/assessment/assessment_parts.h"
+#include "study/modes/element_states.h"
+#include "wythe/element_forces.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+// Heights of storeys' tops above the foot: those of the file, else the levels that are pushed [m].
+std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
+  std::vector<double> levels;
+  double top = 0;
+  for (const StoreySpec& storey : spec.storey) levels.push_back(top += storey.height);
+  if (levels.empty()) levels = push.spec.levels;
+  std::sort(levels.begin(), levels.end());
+  return levels;
+}
+
+// Blocks whose outline holds each level.
+std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vector<double>& levels) {
+  std::vector<std::vector<BlockId>> found(levels.size());
+  const double foot = study::foot_of(model);
+  for (BlockId b = 0; b < block_count(model); ++b) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3& corner : outline_of(model, b))
+      low = std::fmin(low, corner.y - foot), high = std::fmax(high, corner.y - foot);
+    const double slack = 1e-6 * high;
+    for (std::size_t k = 0; k < levels.size(); ++k)
+      if (levels[k] > low + slack && levels[k] <= high + slack) found[k].push_back(b);
+  }
+  return found;
+}
+
+// The largest drift of any storey at each state kept.
+std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
+                                      const Result& result) {
+  const Stage* push = study::push_of(model);
+  const std::vector<double> levels = levels_of(spec, *push);
+  if (levels.empty()) return {};
+  const std::vector<std::vector<BlockId>> blocks = blocks_at(model, levels);
+  std::vector<DriftPoint> out;
+  for (const Snapshot* state : study::states_by_displacement(result)) {
+    const std::vector<double> moved = study::moved_at(model, result, state->displacement);
+    double below = 0, at = 0, largest = 0;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      if (blocks[k].empty()) return {};
+      double sum = 0;
+      for (const BlockId b : blocks[k]) sum += moved[static_cast<std::size_t>(b)];
+      const double mean = sum / static_cast<double>(blocks[k].size());
+      largest = std::fmax(largest, std::fabs(mean - below) / (levels[k] - at));
+      below = mean, at = levels[k];
+    }
+    out.push_back({state->displacement, largest});
+  }
+  return out;
+}
+
+// The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
+double slenderness_of(const Anatomy& anatomy) {
+  double least = kUnset;
+  for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
+    const double width = anatomy.pier_x1[k] - anatomy.pier_x0[k];
+    least = std::fmin(least, 0.5 * anatomy.pier_height[k] / width);
+  }
+  return least;
+}
+
+// Of every pier, from the states read each millimetre; the end counts too.
+std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
+  std::vector<PierDrift> out;
+  for (const ElementForces& element : read_element_forces(model, result)) {
+    if (element.kind != "pier" || element.rows.empty()) continue;
+    PierDrift& pier = out.emplace_back();
+    pier.mark = element.mark;
+    pier.mechanism = study::mechanism_of(result.failure_mode, element.element);
+    for (const ElementForces::Row& row : element.rows)
+      if (row.displacement > 0) pier.drifts.push_back({row.displacement, std::fabs(row.drift)});
+  }
+  return out;
+}
+
+}  // namespace
+
+namespace study {
+
+// "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
+std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
+  bool flexure = false;
+  for (const ElementState& element : mode.elements) {
+    if (element.kind != "pier" || (!pier.empty() && element.element != pier)) continue;
+    for (const ElementSign& sign : element.signs) {
+      if (!sign.holds()) continue;
+      if (sign.state == kDiagonal || sign.state == kSliding || sign.state == kBaseSliding)
+        return "shear";
+      flexure = true;
+    }
+  }
+  return flexure ? "flexure" : "";
+}
+
+JudgedPush judged_push(const Model& model) {
+  static const std::vector<CurveRow> kNoCurve;
+  static const Responses kNoResponses;
+  JudgedPush push{.curve = kNoCurve, .responses = kNoResponses};
+  push.pier_slenderness = slenderness_of(model.anatomy);
+  // the curve is that of the last stage that has one
+  const Stage* last = nullptr;
+  for (const Stage& stage : model.stages)
+    if (stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
+        stage.spec.kind == StageKind::kTilt)
+      last = &stage;
+  push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
+  if (last == nullptr) return push;
+  push.is_horizontal = last->drive_y == 0;
+  push.is_patterned = last->spec.pattern != Pattern::kNone;
+  return push;
+}
+
+}  // namespace study
+
+CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
+  const JudgedPush of_model = study::judged_push(model);
+  JudgedPush push{.status = result.status,
+                  .curve_of = of_model.curve_of,
+                  .is_horizontal = of_model.is_horizontal,
+                  .is_patterned = of_model.is_patterned,
+                  .curve = result.curve,
+                  .responses = result.responses,
+                  .judgement = result.quasi_static.judgement,
+                  .overlap_lost = result.validity.overlap_lost,
+                  .rise = result.rise,
+                  .pier_slenderness = of_model.pier_slenderness,
+                  .mechanism = study::mechanism_of(result.failure_mode)};
+  if (push.is_horizontal && push.curve_of == StageKind::kPush)
+    push.drifts = storey_drifts(spec, model, result);
+  push.storeys_known = !push.drifts.empty();
+  if (push.is_horizontal && push.curve_of == StageKind::kPush)
+    push.piers = pier_drifts(model, result);
+  return assess(spec.assessment, push, [&](double displacement) {
+    return mass_and_shape(spec.assessment, model, result, displacement);
+  });
+}
+
+}  // namespace wythe
