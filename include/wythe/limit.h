@@ -60,6 +60,7 @@ struct LimitAnswer {
   // joint forces at that load (n_point): compression on each point [N]
   std::vector<double> point_force;
   std::vector<double> shear_force;  // along t on the block b [N] (n_joint)
+  std::vector<double> link_force;   // of ties, diaphragms and springs, tension + [N] (n_link)
   // collapse mechanism, per unit velocity of the load (n_block) [-], [-], [1/m]
   std::vector<double> vx, vy, omega;
   double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load

@@ -176,6 +176,29 @@ struct Solids {
   std::vector<SolidBody> bodies;
 };
 
+// A bar between two points: of two blocks, or of the ground (a) and a block (b).
+enum class LinkKind { kTie, kDiaphragm, kSpring };
+inline constexpr Word<LinkKind> kLinkKindWords[] = {
+    {"tie", LinkKind::kTie}, {"diaphragm", LinkKind::kDiaphragm}, {"spring", LinkKind::kSpring}};
+static_assert(names_all(kLinkKindWords));
+
+// Ties, diaphragms and springs (docs/theory/links.md), one row per link.
+struct Links {
+  int n = 0;
+  std::vector<BlockId> a, b;  // a is kGroundBlock at an anchor
+  std::vector<double> arm_a_x, arm_a_y, arm_b_x,
+      arm_b_y;                         // ends seen from the centroids [m]; 0 of the ground
+  std::vector<double> span_x, span_y;  // from a to b at the start [m]; of a spring a unit vector
+  std::vector<double> follows;         // 1: its line turns with its ends; 0: keeps its direction
+  std::vector<double> stiffness;       // [N/m]
+  std::vector<double> tension;         // force at which it yields, 0: hangs slack [N]
+  std::vector<double> compression;     // the same when pressed, as a positive number [N]
+  std::vector<double> prestress;       // force drawn in along with the stage set_by [N]
+  std::vector<std::string> name;       // different from each other
+  std::vector<LinkKind> kind;
+  int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
+};
+
 struct Model {
   int n_block = 0, n_joint = 0, n_pair = 0, n_face_point = 2;
 
@@ -202,6 +225,7 @@ struct Model {
   std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
   Solids solids;  // deformable blocks; empty in a wall of rigid ones
+  Links links;    // ties, diaphragms and springs
 
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
@@ -245,6 +269,11 @@ struct State {
   std::vector<double> shear_damage;  // ds [-]
   std::vector<double> tension_set;   // w_t [m], elastic unloading only
   std::vector<double> crush_path;    // q [m]; empty where no law of the wall has a cap
+
+  // written by the pass over links (n_link)
+  std::vector<double> link_force;    // tension + [N]
+  std::vector<double> link_plastic;  // elongation that stays [m]
+  std::vector<double> link_drawn;    // elongation drawn in by prestress so far [m]
 
   // written by drive
   int stage = 0;                        // index into Model::stages

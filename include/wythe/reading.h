@@ -122,6 +122,17 @@ struct WallReading {
 [[nodiscard]] bool has_slid_off(const Model& model, const std::vector<PointReading>& points,
                                 JointId joint);
 
+// A link at rest on the present state, with the step's arithmetic.
+struct LinkReading {
+  double stiffness = 0;      // [N/m]
+  double force = 0;          // tension + [N]
+  double elongation = 0;     // from its length at the start, prestress apart [m]
+  double plastic = 0;        // part of it that stays [m]
+  std::array<Vec3, 2> ends;  // now [m]; of a spring both where it holds its block
+};
+// Of all links of the model, in their order.
+[[nodiscard]] std::vector<LinkReading> read_links(const Model& model, const State& state);
+
 // A zone of a deformable block: its mean stresses in the wall's axes, and where its corners are now.
 struct ZoneReading {
   double sigma_x = 0, sigma_y = 0, tau = 0;  // [Pa]

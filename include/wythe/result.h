@@ -262,6 +262,11 @@ struct Snapshot {
   double asked = kUnset;  // by output.states, at this displacement [m]
 };
 
+// A link at the end of a row of the curve.
+struct LinkRow {
+  double force = 0, elongation = 0, plastic = 0;  // tension + [N], [m], [m]
+};
+
 struct StageReport {
   std::string name;
   double time = 0;  // spent [s]
@@ -275,6 +280,7 @@ struct Result {
   Message reason;  // which residual, where, when; why it stopped
   std::vector<CurveRow> curve;
   std::vector<RisePoint> rise;            // of a push
+  std::vector<LinkRow> links;             // (rows of the curve, links of the model)
   StageKind curve_of = StageKind::kPush;  // what drove the curve
   Responses responses;
   EnergyLedger energy;

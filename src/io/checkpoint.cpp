@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 2;
+constexpr std::uint32_t kFormat = 3;
 
 struct Head {
   char magic[16];
@@ -164,6 +164,10 @@ void walk_result(A& archive, const Model& model, R& result) {
   if constexpr (A::kReads) result.curve_of = static_cast<StageKind>(curve_of);
   archive.list(result.curve, plain);
   archive.list(result.rise, plain);
+  archive.list(result.links, plain);
+  archive.require(
+      result.links.empty() || result.links.size() == result.curve.size() * model.links.a.size(),
+      "it has rows of other links");
   archive.list(result.joint_crack_displacement, plain);
   const std::size_t joints = result.joint_crack_displacement.size();
   archive.require(joints == 0 || joints == static_cast<std::size_t>(model.n_joint),

@@ -388,26 +388,6 @@ void describe(Visitor& v, FieldSpec& s) {
 // --- stages --------------------------------------------------------------------------------------
 
 template <class Visitor>
-void describe(Visitor& v, PlaceSpec& s) {
-  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate,
-             .fallback = "none", .example = "0 m",
-             .doc = "A point in the pushed block, or a box's left end; from the wall's left."});
-  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate,
-             .fallback = "none", .example = "3.12 m",
-             .doc = "The same, above the wall's base."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength, .fallback = "none",
-             .example = "0.5 m",
-             .doc = "With height: every block whose centre lies in the box is pushed."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = "none", .example = "0.3 m", .doc = "Height of that box."});
-  v.integer("courses", s.courses, {.range = kFromOne, .example = "3",
-            .doc = "Widens a point to so many courses, centred on its own."});
-  v.text("block", s.block, {.fallback = "none", .example = "b12",
-         .doc = "One block by its id, instead of a point."});
-  v.flag("beam", s.beam, {.example = "true", .doc = "The loading beam, instead of a point."});
-}
-
-template <class Visitor>
 void describe_load(Visitor& v, StageSpec& s) {
   v.quantity("pier_load", s.pier_load, {.unit = "N", .shown = "kN", .range = kNotNegative,
              .kinds = kLoadStage, .fallback = "one of the loads, or floors", .example = "200 kN",
@@ -588,6 +568,11 @@ void describe(Visitor& v, ModelSpec& s) {
          "before it and around it."});
   v.list("floor", s.floor, {.optional = true,
          .doc = "Floors and roofs that lie on the wall, one table each: weight at their level."});
+  v.list("tie", s.tie, {.optional = true, .doc = "Bars that only pull (docs/theory/links.md)."});
+  v.list("diaphragm", s.diaphragm, {.optional = true,
+         .doc = "What a floor does for points of the wall in its plane: it keeps their distances."});
+  v.list("spring", s.spring, {.optional = true,
+         .doc = "Walls across and neighbours: a point held by the ground, along one direction."});
   v.table("masonry", s.masonry, {.optional = true,
           .doc = "What tests say, mean values: the inputs of rules (docs/theory/material_rules.md), which a "
                  "material asks for by `\"rule\"` in the place of a value. No effect but through them. Any of "

@@ -9,6 +9,28 @@ namespace wythe::io {
 // The descriptions are tables laid out by hand, two to four lines a key.
 // clang-format off
 
+// --- places ---------------------------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, PlaceSpec& s) {
+  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate,
+             .fallback = "none", .example = "0 m",
+             .doc = "A point in the pushed block, or a box's left end; from the wall's left."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate,
+             .fallback = "none", .example = "3.12 m",
+             .doc = "The same, above the wall's base."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength, .fallback = "none",
+             .example = "0.5 m",
+             .doc = "With height: every block whose centre lies in the box is pushed."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
+             .fallback = "none", .example = "0.3 m", .doc = "Height of that box."});
+  v.integer("courses", s.courses, {.range = kFromOne, .example = "3",
+            .doc = "Widens a point to so many courses, centred on its own."});
+  v.text("block", s.block, {.fallback = "none", .example = "b12",
+         .doc = "One block by its id, instead of a point."});
+  v.flag("beam", s.beam, {.example = "true", .doc = "The loading beam, instead of a point."});
+}
+
 // --- floors --------------------------------------------------------------------------------------
 
 template <class Visitor>
@@ -45,6 +67,74 @@ void describe(Visitor& v, FloorSpec& s) {
              .example = "1200 kg/m",
              .doc = "Inertia a length of wall that moves with the blocks. Not needed for weight or for "
                     "patterns of forces; it slows a push down (docs/theory/integration.md)."});
+}
+
+// --- ties, diaphragms, springs -------------------------------------------------------------------
+
+template <class Visitor>
+void describe(Visitor& v, TieSpec& s) {
+  v.text("name", s.name, {.fallback = "tie 1, tie 2 ...", .example = "tie first floor",
+         .doc = "A name for messages, for links.csv and for `--set tie.NAME.area=...`."});
+  v.table("from", s.from, {.in_braces = true, .optional = true, .fallback = kRequired,
+          .example = "{ x = \"0 m\", y = \"3.1 m\" }",
+          .doc = "One end: a point of the wall, the middle of a block, or the beam."});
+  v.table("to", s.to, {.in_braces = true, .optional = true, .fallback = kRequired,
+          .example = "{ x = \"4.8 m\", y = \"3.1 m\" }", .doc = "The other end, on another block."});
+  v.flag("anchored", s.anchored, {.example = "true",
+         .doc = "`to` is a rigid anchor: a point that does not move, on the wall or off it."});
+  v.quantity("area", s.area, {.unit = "m^2", .shown = "mm^2", .range = kPositive,
+             .fallback = kRequired, .example = "491 mm^2", .doc = "Area of the section."});
+  v.quantity("youngs_modulus", s.youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = kRequired, .example = "200 GPa",
+             .doc = "E; the stiffness is E A over the length between the ends."});
+  v.quantity("yield_strength", s.yield_strength, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .may_be_unlimited = true, .example = "235 MPa",
+             .doc = "Stress at which it yields; beyond it the force stays and the tie lengthens for good."});
+  v.quantity("anchor_strength", s.anchor_strength, {.unit = "N", .shown = "kN", .range = kPositive,
+             .may_be_unlimited = true, .example = "80 kN",
+             .doc = "Force at which an anchor gives way, as yielding."});
+  v.quantity("prestress", s.prestress, {.unit = "Pa", .shown = "MPa", .range = kNotNegative,
+             .example = "60 MPa",
+             .doc = "Stress drawn in along with the first gravity or load stage; what the wall yields to "
+                    "it is lost from the tie."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, DiaphragmSpec& s) {
+  v.text("name", s.name, {.fallback = "diaphragm 1 ...", .example = "first floor",
+         .doc = "A name for messages and for links.csv."});
+  v.choice("kind", s.kind, kDiaphragmKindWords, {.example = "rigid",
+           .doc = "`elastic`: bars of the given stiffness between neighbouring points, both ways. `rigid`: "
+                  "as stiff as shortens the time step by a tenth at most; a note gives the number."});
+  v.text("storey", s.storey, {.fallback = "y", .example = "ground",
+         .doc = "Name of the storey at whose top it lies."});
+  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "storey",
+             .example = "3.10 m", .doc = "Its height. It holds the blocks below this height."});
+  v.quantities("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = kRequired,
+               .example = "[\"0.2 m\", \"2.4 m\", \"4.6 m\"]",
+               .doc = "The connected points, from left to right, each on a block of its own."});
+  v.quantity("stiffness", s.stiffness, {.unit = "N", .shown = "MN", .range = kPositive,
+             .fallback = "needed by elastic", .example = "300 MN",
+             .doc = "Axial stiffness E A of the strip that acts; over the distance of two points."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, SpringSpec& s) {
+  v.text("name", s.name, {.fallback = "spring 1 ...", .example = "cross wall",
+         .doc = "A name for messages and for links.csv."});
+  v.table("at", s.at, {.in_braces = true, .optional = true, .fallback = kRequired,
+          .example = "{ x = \"4.8 m\", y = \"2.9 m\" }",
+          .doc = "The held point of the wall, the middle of a block, or the beam."});
+  v.choice("direction", s.direction, kDirectionWords, {.example = "+x",
+           .doc = "Where the neighbour stands, seen from the point: what moves there presses on it."});
+  v.quantity("stiffness", s.stiffness, {.unit = "N/m", .shown = "kN/mm", .range = kPositive,
+             .fallback = kRequired, .example = "20 kN/mm",
+             .doc = "Force for a displacement along `direction`; across it the point is free."});
+  v.quantity("strength", s.strength, {.unit = "N", .shown = "kN", .range = kPositive,
+             .may_be_unlimited = true, .example = "50 kN",
+             .doc = "Force that is not exceeded, either way; beyond it the neighbour gives way for good."});
+  v.flag("pushes_only", s.pushes_only, {.example = "true",
+         .doc = "Holds nothing that moves away from it: a gap opens."});
 }
 
 // clang-format on

@@ -127,6 +127,7 @@ Json limit_json(const NamedLimit& limit) {
   json["spin_per_m"] = a.omega;
   json["point_force_N"] = a.point_force;
   json["shear_force_N"] = a.shear_force;
+  if (!a.link_force.empty()) json["link_force_N"] = a.link_force;
   return json;
 }
 

@@ -2,6 +2,7 @@
 //
 //   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
+//   links.csv (with ties, diaphragms or springs)
 //   run.pvd                  summary.json, written last
 //   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
 #include <fmt/format.h>
@@ -41,8 +42,8 @@ bool is_state(const std::string& name) {
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
   for (const char* file :
-       {"force_displacement.csv", "elements.csv", "summary.json", "run.pvd", "report.html",
-        "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
+       {"force_displacement.csv", "elements.csv", "links.csv", "summary.json", "run.pvd",
+        "report.html", "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
     if (name == file) return true;
   return is_state(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
@@ -186,6 +187,8 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
              io::curve_csv(result.curve, has_lintel_of_zones(model)));
   write_file(inside(folder, "elements.csv"),
              element_forces_csv(read_element_forces(model, result)));
+  if (model.links.n > 0)
+    write_file(inside(folder, "links.csv"), io::links_csv(model.links.name, result));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
   write_states(folder, model, result.snapshots);
   write_file(inside(folder, "summary.json"), summary_json(spec, model, result));

@@ -150,6 +150,30 @@ Json events_json(const std::vector<Event>& events) {
   return list;
 }
 
+// Of each link the largest force over the curve and where; what it keeps of yielding.
+Json links_json(const Model& model, const Result& result) {
+  Json list = Json::array();
+  const std::size_t n = model.links.name.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    LinkRow largest, last;
+    double at = 0;
+    for (std::size_t row = 0; row * n + k < result.links.size(); ++row) {
+      last = result.links[row * n + k];
+      if (std::fabs(last.force) <= std::fabs(largest.force)) continue;
+      largest = last;
+      at = result.curve[row].displacement;
+    }
+    list.push_back({{"name", model.links.name[k]},
+                    {"kind", word_of(kLinkKindWords, model.links.kind[k])},
+                    {"stiffness_kN_per_mm", 1e-6 * model.links.stiffness[k]},
+                    {"largest_force_kN", 1e-3 * largest.force},
+                    {"displacement_mm", 1e3 * at},
+                    {"yields", last.plastic != 0},
+                    {"plastic_mm", 1e3 * last.plastic}});
+  }
+  return list;
+}
+
 Json stages_json(const std::vector<StageReport>& stages) {
   Json list = Json::array();
   for (const StageReport& stage : stages) {
@@ -281,6 +305,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   io::put(json["validity"], "where", result.validity.where);
   json["events"] = events_json(result.events);
   json["stages"] = stages_json(result.stages);
+  if (model.links.n > 0) json["links"] = links_json(model, result);
   json["blocks"] = model.n_block;
   json["joints"] = model.n_joint;
   json["points"] = model.n_point();

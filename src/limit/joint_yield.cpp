@@ -40,6 +40,8 @@ YieldModel yield_of(const Model& model, const LimitOptions& options, double time
     y.half_length = std::hypot(model.half_x[j], model.half_y[j]);
     yield.joint.push_back(y);
   }
+  for (std::size_t k = 0; k < model.links.a.size(); ++k)
+    yield.link.push_back({times * model.links.tension[k], times * model.links.compression[k]});
   return yield;
 }
 

@@ -33,9 +33,15 @@ struct Tangent {
   double sign = 1, slope = 0, capacity = 0;  // [-], [m], [N m]
 };
 
+// What a tie, diaphragm or spring bears, pulled and pressed [N]; may be infinite.
+struct LinkYield {
+  double tension = 0, compression = 0;
+};
+
 struct YieldModel {
   std::vector<double> xi, weight;  // of the points used
   std::vector<JointYield> joint;   // (n_joint)
+  std::vector<LinkYield> link;     // (n_link)
   std::vector<Tangent> tangent;    // grows while the stress block is being cut
   bool stress_block = false;
   [[nodiscard]] std::size_t points() const { return xi.size(); }

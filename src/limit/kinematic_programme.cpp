@@ -26,6 +26,7 @@ class KinematicProgramme {
   void build() {
     for (int i = 0; i < m_.n_block; ++i) add_block(static_cast<std::size_t>(i));
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
+    for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_unit_power();
   }
 
@@ -73,15 +74,18 @@ class KinematicProgramme {
   [[nodiscard]] std::vector<Entry> relative(int j, std::array<double, 2> axis, double xi) const {
     std::vector<Entry> row;
     const double ex = xi * m_.half_x[j], ey = xi * m_.half_y[j];
-    const auto add = [&](BlockId block, double sign, double x, double y) {
-      if (block == kGroundBlock) return;
-      row.push_back({3 * block, sign * axis[0]});
-      row.push_back({3 * block + 1, sign * axis[1]});
-      row.push_back({3 * block + 2, sign * (x * axis[1] - y * axis[0]) / u_.length});
-    };
-    add(m_.joint_b[j], 1, m_.arm_b_x[j] + ex, m_.arm_b_y[j] + ey);
-    add(m_.joint_a[j], -1, m_.arm_a_x[j] + ex, m_.arm_a_y[j] + ey);
+    add_motion(row, m_.joint_b[j], 1, axis, m_.arm_b_x[j] + ex, m_.arm_b_y[j] + ey);
+    add_motion(row, m_.joint_a[j], -1, axis, m_.arm_a_x[j] + ex, m_.arm_a_y[j] + ey);
     return row;
+  }
+
+  // Velocity along `axis` of the point of a block at arm (x, y).
+  void add_motion(std::vector<Entry>& row, BlockId block, double sign, std::array<double, 2> axis,
+                  double x, double y) const {
+    if (block == kGroundBlock) return;
+    row.push_back({3 * block, sign * axis[0]});
+    row.push_back({3 * block + 1, sign * axis[1]});
+    row.push_back({3 * block + 2, sign * (x * axis[1] - y * axis[0]) / u_.length});
   }
 
   void add_joint(int j) {
@@ -109,6 +113,20 @@ class KinematicProgramme {
       add_tangent_flow(j, k, tangents, opening);
       lp_.add_row(opening, 0, 0);
     }
+  }
+
+  // A link lengthens or shortens at what it bears; where it bears no end, not at all.
+  void add_link(std::size_t k) {
+    const Links& l = m_.links;
+    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const std::array<double, 2> n{l.span_x[k] / length, l.span_y[k] / length};
+    std::vector<Entry> row;
+    add_motion(row, l.b[k], 1, n, l.arm_b_x[k], l.arm_b_y[k]);
+    add_motion(row, l.a[k], -1, n, l.arm_a_x[k], l.arm_a_y[k]);
+    if (!std::isinf(y_.link[k].tension)) row.push_back({add_multiplier(y_.link[k].tension), -1.0});
+    if (!std::isinf(y_.link[k].compression))
+      row.push_back({add_multiplier(y_.link[k].compression), 1.0});
+    lp_.add_row(row, 0, 0);
   }
 
   void add_tangent_flow(int j, std::size_t k, const std::vector<int>& multipliers,

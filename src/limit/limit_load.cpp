@@ -64,10 +64,16 @@ bool has_joint(const Model& model, BlockId block) {
           name_of(model, model.joint_b[j]), model.material_names[model.joint_material[j]]);
     }
   }
+  for (std::size_t k = 0; k < yield.link.size(); ++k) {
+    const std::size_t at = 1 + static_cast<std::size_t>(model.n_joint) * stride + k;
+    if (at >= answer.ray.size() || std::fabs(answer.ray[at]) <= most) continue;
+    most = std::fabs(answer.ray[at]);
+    between = model.links.name[k];
+  }
   refuse("stage", "",
          fmt::format("the load can grow without end: no mechanism exists, {} carries any force",
                      between),
-         "push where blocks can move, give that joint a strength, or count crushing");
+         "push where blocks can move, give that joint or tie a strength, or count crushing");
 }
 
 // Entries of the model's own blocks and joints; its deformable ones came after them.
@@ -157,6 +163,7 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
   answer.kinematic = without_round_off(by_motion.load);
   answer.shear_force = by_forces.shear;
   answer.point_force = by_forces.point_force;
+  answer.link_force = by_forces.link_force;
   answer.vx = by_motion.vx;
   answer.vy = by_motion.vy;
   answer.omega = by_motion.omega;

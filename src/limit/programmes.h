@@ -29,6 +29,7 @@ struct StaticAnswer {
   double load = 0;
   std::vector<double> shear;        // (n_joint) [N]
   std::vector<double> point_force;  // (n_joint x points) [N], compression +
+  std::vector<double> link_force;   // (n_link) [N], tension +
   std::vector<double> ray;          // of the columns, when without limit
   double accuracy = 0;
   int rows = 0, columns = 0;

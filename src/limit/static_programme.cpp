@@ -1,7 +1,7 @@
 // Static theorem: forces in balance within the joints' strength.
 //
-// Columns: load | per joint: shear s, compressions p_k | per driven block: its force, where driven
-// blocks share one velocity. Rows: balance of each block (x, y, moment), two sliding planes a joint,
+// Columns: load | per joint: shear s, compressions p_k | per link: its force | per driven block: its
+// force, where driven blocks share one velocity. Rows: balance of each block (x, y, moment), two sliding planes a joint,
 // tangents of stress blocks.
 #include <algorithm>
 #include <array>
@@ -24,6 +24,7 @@ class StaticProgramme {
   void build(bool elastic) {
     load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
+    for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
     if (elastic) add_slack();
     add_balance();
@@ -57,6 +58,8 @@ class StaticProgramme {
       for (std::size_t k = 0; k < y_.points(); ++k)
         answer.point_force.push_back(x[static_cast<std::size_t>(point(j, k))] * u_.force);
     }
+    for (std::size_t k = 0; k < y_.link.size(); ++k)
+      answer.link_force.push_back(x[static_cast<std::size_t>(shear(m_.n_joint)) + k] * u_.force);
     return answer;
   }
 
@@ -105,6 +108,17 @@ class StaticProgramme {
       act(m_.joint_b[j], point(j, k), n, {m_.arm_b_x[j] + ex, m_.arm_b_y[j] + ey});
       act(m_.joint_a[j], point(j, k), {-n[0], -n[1]}, {m_.arm_a_x[j] + ex, m_.arm_a_y[j] + ey});
     }
+  }
+
+  // Right behind the columns of the joints.
+  void add_link(std::size_t k) {
+    const Links& l = m_.links;
+    const double length = std::hypot(l.span_x[k], l.span_y[k]);
+    const double x = l.span_x[k] / length, y = l.span_y[k] / length;
+    const int column =
+        lp_.add_column(-y_.link[k].compression / u_.force, y_.link[k].tension / u_.force, 0);
+    act(l.a[k], column, {x, y}, {l.arm_a_x[k], l.arm_a_y[k]});
+    act(l.b[k], column, {-x, -y}, {l.arm_b_x[k], l.arm_b_y[k]});
   }
 
   void add_loads() {

@@ -161,6 +161,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   faults.throw_if_any();
   compile_joints(spec, assembly, map, fields, model, faults);
   const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
+  compile_links(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, floors, model, faults);
   faults.throw_if_any();
   fields.describe(spec, assembly, map, model);

@@ -21,7 +21,7 @@
 namespace wythe {
 
 // What an array has one number of.
-enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kOther };
+enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kLink, kOther };
 
 [[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
   switch (entity) {
@@ -31,6 +31,7 @@ enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kOther };
     case Entity::kJoint: return static_cast<std::size_t>(m.n_joint);
     case Entity::kZone: return static_cast<std::size_t>(m.solids.n_zone);
     case Entity::kContact: return static_cast<std::size_t>(m.solids.n_contact);
+    case Entity::kLink: return static_cast<std::size_t>(m.links.n);
     case Entity::kOther: break;
   }
   return 0;
@@ -74,6 +75,12 @@ inline constexpr std::array kStateFields{
                "velocity of a node along x"},
     StateField{&State::node_vy, Entity::kNode, false, "node_vy", "m/s",
                "velocity of a node along y"},
+    StateField{&State::link_force, Entity::kLink, true, "link_force", "N",
+               "force of a link, tension +"},
+    StateField{&State::link_plastic, Entity::kLink, true, "link_plastic", "m",
+               "elongation of a link that stays"},
+    StateField{&State::link_drawn, Entity::kLink, true, "link_drawn", "m",
+               "elongation of a link drawn in by prestress"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
@@ -154,6 +161,21 @@ void each_model_field(M& m, const Visit& visit) {
   visit(s.node_free_y, E::kNode, kAll, "node_free_y", "1");
   visit(s.node_mass, E::kNode, kOwn, "node_mass", "kg");
   visit(s.node_heavy_mass, E::kNode, kOwn, "node_heavy_mass", "kg");
+
+  auto& l = m.links;
+  visit(l.a, E::kLink, kAll, "link_a", "");
+  visit(l.b, E::kLink, kAll, "link_b", "");
+  visit(l.arm_a_x, E::kLink, kOwn, "link_arm_a_x", "m");
+  visit(l.arm_a_y, E::kLink, kOwn, "link_arm_a_y", "m");
+  visit(l.arm_b_x, E::kLink, kOwn, "link_arm_b_x", "m");
+  visit(l.arm_b_y, E::kLink, kOwn, "link_arm_b_y", "m");
+  visit(l.span_x, E::kLink, kOwn, "link_span_x", "m");
+  visit(l.span_y, E::kLink, kOwn, "link_span_y", "m");
+  visit(l.follows, E::kLink, kOwn, "link_follows", "1");
+  visit(l.stiffness, E::kLink, kOwn, "link_stiffness", "N/m");
+  visit(l.tension, E::kLink, kOwn, "link_tension", "N");
+  visit(l.compression, E::kLink, kOwn, "link_compression", "N");
+  visit(l.prestress, E::kLink, kOwn, "link_prestress", "N");
 }
 
 // Names what walls must share to be stepped side by side: a hash over the kTopology fields, the number

@@ -93,27 +93,13 @@ class FloorCompiler {
     if (std::isfinite(f.bearing) && !line)
       fault(".bearing", "", "says nothing of joists, whose width is not known",
             "leave it out, or leave joists out for a line load");
-    if (f.bearing > assembly_.thickness)
-      fault(".bearing", fmt::format("{:g} m", f.bearing),
-            fmt::format("is deeper than the wall is thick, {:g} m", assembly_.thickness),
-            "write how much of the thickness the floor lies on");
     return faults_.all().size() == before;
   }
 
   // The top of the named storey, or y, above the wall's base.
   [[nodiscard]] double stated_level() {
     if (floor_->storey.empty()) return floor_->y;
-    double top = 0;
-    std::vector<std::string> names;
-    for (const StoreySpec& storey : spec_.storey) {
-      top += storey.height;
-      if (storey.name == floor_->storey) return top;
-      names.push_back(storey.name);
-    }
-    fault(".storey", floor_->storey, "is not among the storeys",
-          names.empty() ? "write [[storey]] tables, or the height y of the floor's bearing"
-                        : "write one of: " + joined(names, ", "));
-    return kUnset;
+    return top_of_storey(assembly_, floor_->storey, path_, faults_) - base_;
   }
 
   // The height of the bed joint at the stated level.
@@ -163,6 +149,12 @@ class FloorCompiler {
         return fault("", assembly_.blocks[part.block].id,
                      "would lie on a block of zones; loads act on rigid blocks",
                      "end the floor beside it, or leave the block's zones out");
+    for (const Part& part : parts)
+      if (const double thickness = assembly_.blocks[part.block].thickness;
+          floor_->bearing > thickness)
+        return fault(".bearing", fmt::format("{:g} m", floor_->bearing),
+                     fmt::format("is deeper than the wall is thick there, {:g} m", thickness),
+                     "write how much of the thickness the floor lies on");
     if (!parts.empty()) put(parts, level, from, to, zero);
   }
 
@@ -260,7 +252,9 @@ class FloorCompiler {
             std::min(strength, model_.materials[static_cast<std::size_t>(model_.joint_material[j])]
                                    .compressive_strength);
     model_.anatomy.notes.push_back(
-        {pressure > strength ? "floor.bearing_crushes" : "floor.bearing",
+        {pressure > strength    ? "floor.bearing_crushes"
+         : std::isinf(strength) ? "floor.bearing_only"
+                                : "floor.bearing",
          {{"floor", name}, {"pressure_MPa", 1e-6 * pressure}, {"strength_MPa", 1e-6 * strength}}});
   }
 
@@ -277,6 +271,20 @@ class FloorCompiler {
 };
 
 }  // namespace
+
+double top_of_storey(const Assembly& assembly, const std::string& name, const std::string& path,
+                     FaultList& faults) {
+  std::vector<std::string> names;
+  for (const geometry::StoreyBand& storey : assembly.storeys) {
+    if (storey.name == name) return storey.top;
+    if (!storey.name.empty()) names.push_back(storey.name);
+  }
+  faults.add({"", path + ".storey", name, "is not among the storeys",
+              names.empty() ? "write [[storey]] tables with names, or a height y"
+                            : "write one of: " + joined(names, ", "),
+              0});
+  return kUnset;
+}
 
 std::vector<PointLoad> compile_floors(const ModelSpec& spec, const Assembly& assembly,
                                       const BlockMap& map, Model& model, FaultList& faults) {

@@ -34,11 +34,17 @@ void compile_solids(const ModelSpec& spec, const geometry::Assembly& assembly, M
 // the faces of deformable blocks; called by compile_joints, which finds their materials.
 void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
                       std::vector<SolidFace> faces, Model& model, FaultList& faults);
+// Top of a storey as it was laid [m]; NaN with a fault where no storey has the name.
+[[nodiscard]] double top_of_storey(const geometry::Assembly& assembly, const std::string& name,
+                                   const std::string& path, FaultList& faults);
 // what the floors lay on blocks, for the stage that sets them; adds their inertia to the blocks.
 [[nodiscard]] std::vector<PointLoad> compile_floors(const ModelSpec& spec,
                                                     const geometry::Assembly& assembly,
                                                     const BlockMap& map, Model& model,
                                                     FaultList& faults);
+// ties, diaphragms and springs.
+void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
+                   Model& model, FaultList& faults);
 // stages with loads and driven blocks.
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults);

@@ -31,6 +31,7 @@ class Elastic {
  public:
   explicit Elastic(const Model& model) : m_(model), first_node_(3 * model.n_block) {
     joints();
+    links();
     zones();
     contacts();
     hold();
@@ -86,6 +87,18 @@ class Elastic {
         along(-m_.tangent_y[j], m_.tangent_x[j], material.normal_stiffness);
         along(m_.tangent_x[j], m_.tangent_y[j], material.shear_stiffness);
       }
+    }
+  }
+
+  void links() {
+    const Links& l = m_.links;
+    for (std::size_t k = 0; k < l.a.size(); ++k) {
+      const double length = std::hypot(l.span_x[k], l.span_y[k]);
+      const double dx = l.span_x[k] / length, dy = l.span_y[k] / length;
+      Row row;
+      add_block(row, l.b[k], 1, dx, dy, l.arm_b_x[k], l.arm_b_y[k]);
+      if (l.a[k] != kGroundBlock) add_block(row, l.a[k], -1, dx, dy, l.arm_a_x[k], l.arm_a_y[k]);
+      spring(row, l.stiffness[k]);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -71,9 +72,57 @@ std::vector<double> node_bounds(const Model& m) {
   return stiffness;
 }
 
-// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2].
-double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones) {
-  Eigen::Matrix3d k = 2.0 * zones;
+// Direction of link `k` at one of its ends, in the (ux, uy, theta) of the block there.
+Eigen::Vector3d link_row(const Model& m, std::size_t k, bool is_b) {
+  const Links& l = m.links;
+  const double length = std::hypot(l.span_x[k], l.span_y[k]);
+  const double x = l.span_x[k] / length, y = l.span_y[k] / length;
+  const double rx = is_b ? l.arm_b_x[k] : l.arm_a_x[k], ry = is_b ? l.arm_b_y[k] : l.arm_a_y[k];
+  return {x, y, rx * y - ry * x};
+}
+
+// visit(link, block, row) for both ends of every link but those in the ground.
+template <class Visit>
+void each_link_end(const Model& m, const Visit& visit) {
+  for (std::size_t k = 0; k < m.links.a.size(); ++k) {
+    if (m.links.a[k] != kGroundBlock)
+      visit(k, static_cast<std::size_t>(m.links.a[k]), link_row(m, k, false));
+    visit(k, static_cast<std::size_t>(m.links.b[k]), link_row(m, k, true));
+  }
+}
+
+// Links without a stiffness are rigid diaphragms: as stiff as brings the squared frequency bound of
+// their ends by a tenth of the wall's, and no more.
+void set_rigid_links(Model& m, double bound) {
+  constexpr double kShare = 0.1;
+  std::vector<double> least(m.links.a.size(), std::numeric_limits<double>::infinity());
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
+    const double mobility =
+        (row[0] * row[0] + row[1] * row[1]) / m.mass[i] + row[2] * row[2] / m.inertia[i];
+    least[k] = std::min(least[k], kShare * bound / (2 * mobility));
+  });
+  for (std::size_t k = 0; k < least.size(); ++k)
+    if (std::isnan(m.links.stiffness[k])) {
+      m.links.stiffness[k] = least[k];
+      m.anatomy.notes.push_back(
+          {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
+    }
+}
+
+// Stiffness that links give to each block: whole where the other end is the ground, twice otherwise.
+std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block), Eigen::Matrix3d::Zero());
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
+    const double share = m.links.a[k] == kGroundBlock ? 1.0 : 2.0;
+    sum[i] += share * m.links.stiffness[k] * row * row.transpose();
+  });
+  return sum;
+}
+
+// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
+double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
+                 const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
+  Eigen::Matrix3d k = 2.0 * zones + more;
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[static_cast<std::size_t>(e)];
     const auto j = static_cast<std::size_t>(entry >> 1);
@@ -148,6 +197,25 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
   }
 }
 
+// Takes the links into the bounds of their blocks; says when one of them rules the step.
+void bound_links(Model& m, const std::vector<Eigen::Matrix3d>& zones, std::vector<double>& bound) {
+  if (m.links.n == 0) return;
+  const double before = *std::max_element(bound.begin(), bound.end());
+  set_rigid_links(m, before);
+  const std::vector<Eigen::Matrix3d> links = link_stiffness(m);
+  std::size_t worst = 0;
+  double most = 0;
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d&) {
+    bound[i] = std::max(bound[i], own_bound(m, i, zones[i], links[i]));
+    if (bound[i] > most) most = bound[i], worst = k;
+  });
+  constexpr double kMuchShorter = 1.1;
+  const double times = std::sqrt(most / before);
+  if (times > kMuchShorter)
+    m.anatomy.notes.push_back(
+        {"step.ruled_by_link", {{"link", m.links.name[worst]}, {"times", times}}});
+}
+
 // Takes the nodes of zones into the bound of the step.
 void bound_nodes(Model& m, double blocks) {
   std::vector<double> bound = node_bounds(m);
@@ -181,6 +249,7 @@ void bound_step(Model& m) {
           {raised == 1 ? "inertia.block_raised" : "inertia.blocks_raised",
            {{"blocks", raised}, {"of_wall_percent", 100 * added / (all - added)}}});
   }
+  if (!bound.empty()) bound_links(m, zones, bound);
   double blocks = 0;
   if (!bound.empty()) {
     const auto greatest = std::max_element(bound.begin(), bound.end());

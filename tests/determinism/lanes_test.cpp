@@ -167,6 +167,24 @@ TEST(Lanes, walls_with_deformable_lintels_too) {
                                       compile(scenes::lintel_wall(LintelModel::kZones, 0.05e-3))));
 }
 
+TEST(Lanes, walls_with_ties_too) {
+  for (const int width : {2, 4, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double area : {1.0, 1.1, 0.9, 1.2, 0.8}) {
+      ModelSpec spec = scenes::tied(scenes::small_wall(0.1e-3, 0.05));
+      spec.tie[0].area *= area;
+      walls.push_back(std::make_unique<Wall>(spec, 1));
+    }
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    solve_together(walls, width);
+  }
+  ModelSpec fewer = scenes::tied(scenes::small_wall(0.1e-3, 0.05));
+  fewer.tie.pop_back();
+  EXPECT_FALSE(dynamics::fit_together(compile(fewer),
+                                      compile(scenes::tied(scenes::small_wall(0.1e-3, 0.05)))));
+}
+
 // Walls whose fields differ share a topology, alone, in lanes and on a device.
 std::vector<std::unique_ptr<Wall>> walls_with_fields() {
   std::vector<std::unique_ptr<Wall>> walls;
@@ -334,6 +352,9 @@ void expect_same_result(const ModelSpec& spec) {
 
 TEST(Device, curve_and_ledger_of_a_plain_wall) {
   expect_same_result(scenes::plain_wall(5, 7, 0.4e-3, 0.05));
+}
+TEST(Device, curve_and_ledger_of_a_wall_with_ties) {
+  expect_same_result(scenes::tied(scenes::small_wall(0.1e-3, 0.05)));
 }
 TEST(Device, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
   expect_same_result(scenes::lintel_wall(LintelModel::kZones, 0.1e-3));

@@ -173,6 +173,35 @@ ModelSpec tuff_wall(const std::string& source_dir, double until) {
   return spec;
 }
 
+ModelSpec tied(ModelSpec spec) {
+  TieSpec tie;
+  tie.name = "across";
+  tie.from.x = 0.05, tie.from.y = 0.60;
+  tie.to.x = 1.0, tie.to.y = 0.30;
+  tie.area = 1e-5;
+  tie.youngs_modulus = 200e9;
+  tie.yield_strength = 5e6;
+  tie.prestress = 4.9e6;
+  TieSpec anchored = tie;
+  anchored.name = "anchored";
+  anchored.to.x = -0.5, anchored.to.y = 0.7;
+  anchored.anchored = true;
+  anchored.prestress = 0;
+  spec.tie = {tie, anchored};
+  DiaphragmSpec floor;
+  floor.y = 0.66;
+  floor.x = {0.1, 0.5, 0.9};
+  floor.stiffness = 1e6;
+  spec.diaphragm = {floor};
+  SpringSpec wall;
+  wall.at.x = 1.0, wall.at.y = 0.6;
+  wall.stiffness = 1e7;
+  wall.strength = 100;
+  wall.pushes_only = true;
+  spec.spring = {wall};
+  return spec;
+}
+
 StageSpec gravity_stage() {
   StageSpec stage;
   stage.name = "gravity";

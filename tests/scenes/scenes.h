@@ -64,6 +64,9 @@ struct BondSize {
 // examples/tuff_wall/model.toml under WYTHE_SOURCE_DIR, pushed to `until` [m].
 [[nodiscard]] ModelSpec tuff_wall(const std::string& source_dir, double until);
 
+// The same with a prestressed tie that yields, one to an anchor, a floor and a wall across.
+[[nodiscard]] ModelSpec tied(ModelSpec spec);
+
 // --- stages --------------------------------------------------------------------------------------
 
 [[nodiscard]] StageSpec gravity_stage();

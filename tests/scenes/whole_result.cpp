@@ -86,6 +86,8 @@ std::string whole(const Result& r) {
   text += rows(r.curve);
   for (const RisePoint& point : r.rise)
     text += "rise" + bits({point.displacement, point.force}) + "\n";
+  for (const LinkRow& row : r.links)
+    text += "link" + bits({row.force, row.elongation, row.plastic}) + "\n";
   text += readings(r.responses);
   const EnergyLedger& e = r.energy;
   text += "energy" +

@@ -198,7 +198,17 @@ TEST(Floors, a_storey_stands_for_its_top) {
   FloorSpec floor = floor_at(kUnset);
   floor.storey = "upper";
   ModelSpec spec = wall_with(floor);
-  expect_refused(spec, "floor.0.storey = upper", "is not among the storeys", "[[storey]]");
+  expect_refused(spec, "floor.0.storey = upper", "is not among the storeys", "height y");
+  spec.storey.resize(2);
+  spec.storey[0].name = "ground", spec.storey[0].height = 0.44;
+  spec.storey[1].name = "upper", spec.storey[1].height = 0.44;
+  spec.wall.opening.clear();
+  spec.stage.resize(1);
+  EXPECT_NEAR(sum_of(compile(spec)).top, 0.88, 1e-9);
+  spec.floor[0].storey = "ground";
+  EXPECT_NEAR(sum_of(compile(spec)).top, 0.44, 1e-9);
+  spec.floor[0].storey = "attic";
+  expect_refused(spec, "floor.0.storey = attic", "is not among", "ground, upper");
 }
 
 TEST(Floors, what_cannot_carry_them_is_refused_with_its_place_and_cure) {

@@ -8,6 +8,7 @@
 
 #include "dynamics/passes/drive.h"
 #include "dynamics/passes/joints.h"
+#include "dynamics/passes/links.h"
 #include "dynamics/passes/solids.h"
 #include "dynamics/passes/sums.h"
 
@@ -64,6 +65,7 @@ struct WallStage {
   double velocity;
   bool new_rates;  // time step or masses have changed
   double mass_scaling;
+  double links_set;  // share of their prestress
 };
 
 // Dead loads of one wall, in order.
@@ -84,6 +86,21 @@ struct PlaceLoads {
   }
 };
 
+// The links of one wall; their works so far in rows 4 and 5 of its answers.
+struct PullLinks {
+  WallView view;  // of wall 0
+  const WallStage* stage;
+  double* answer;
+  WYTHE_INLINE void on(std::size_t, int wall) const {
+    WallView mine = view;
+    mine.lane = wall;
+    if (mine.of_wall(kDt) == 0) return;
+    const LinkWork work = pull_links(mine, stage[wall].links_set);
+    answer[4 * view.t.lanes + wall] += work.dissipated;
+    answer[5 * view.t.lanes + wall] += work.tensioned;
+  }
+};
+
 // Rates of all blocks and nodes of a wall whose controls have changed.
 struct SetRates {
   WallView view;
@@ -96,7 +113,7 @@ struct SetRates {
   }
 };
 
-// The driven blocks of one wall; afterwards its reaction and work, rows (4, walls).
+// The driven blocks of one wall; afterwards its reaction and work, the first 4 of kAnswers rows.
 struct DriveWalls {
   WallView view;
   const WallStage* stage;
@@ -116,6 +133,8 @@ struct DriveWalls {
     work[2 * walls] = done.loads;
   }
 };
+
+inline constexpr int kAnswers = 6;
 
 // What is asked about walls between steps; kinetic energy without mass scaling.
 enum Ask { kUnbalance, kKinetic, kShear, kDistance, kFurthest, kRunaway, kMoved, kAsks };

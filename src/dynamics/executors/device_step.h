@@ -117,7 +117,7 @@ DeviceExecutor<Device>::DeviceExecutor(const Model& model, int walls, Device dev
       sums_(device_, 3 * device::SumWorks::kParts),
       wall_(kWallRows * at(walls)),
       load_scale_(device_, model.stages.size() * at(walls)),
-      answer_(device_, 4 * at(walls)),
+      answer_(device_, device::kAnswers * at(walls)),
       asked_(device_, device::kAsks * at(walls)),
       aim_(device_, 2 * at(walls)),
       watch_(device_, 3 * at(walls)),
@@ -176,7 +176,7 @@ void DeviceExecutor<Device>::put(int lane, const Model& model, State& s) {
   copy_column(lane, false);
   ids_.here = memory_.ids;  // blocks that this wall loads or drives
   ids_.send();
-  for (std::size_t row = 0; row < 4; ++row)
+  for (std::size_t row = 0; row < device::kAnswers; ++row)
     answer_.here[of(lane, row)] = row == 1 ? s.work_drive : 0;
   answer_.send();
   for (const auto& [pass, n] : {std::pair{kJoints, layout_.joints + layout_.edges},
@@ -234,6 +234,8 @@ void DeviceExecutor<Device>::copy_out(int lane, State& state) {
       for (int k = 0; k < kParts; ++k) all += sums_.here[at(term * kParts + k)];
       // works of driven blocks come with the drive: loads, then damping
       if (pass == kBlocks) all += answer_.here[of(lane, term == 0 ? 3 : 2)] * from_drive;
+      if (pass == kBlocks && term == 0) all += answer_.here[of(lane, 5)];
+      if (pass == kJoints && term == 0) all += answer_.here[of(lane, 4)];
       double* const ledger[kTerms] = {&state.dissipated_friction, &state.dissipated_fracture,
                                       &state.dissipated_crushing, &state.work_loads,
                                       &state.work_damping};
@@ -355,6 +357,7 @@ void DeviceExecutor<Device>::set(int lane, const Controls& c) {
     load_scale_.here[of(lane, static_cast<std::int64_t>(k))] =
         state == nullptr ? 0.0 : state->load_scale[k];
   if (wall.model == nullptr) return;
+  stage.links_set = links_set(*wall.model, *state);
   stage.loads = loads_ + wall.first_load;
   stage.n_load = wall.n_load;
   if (c.push == nullptr) return;
@@ -371,6 +374,8 @@ void DeviceExecutor<Device>::begin_step() {
   load_scale_.send();
   device_.run(1, walls_, device::SetRates{view(), stage_.there});
   device_.run(1, walls_, device::PlaceLoads{view(), stage_.there, load_scale_.there});
+  if (model_.links.n > 0)
+    device_.run(1, walls_, device::PullLinks{view(), stage_.there, answer_.there});
 }
 
 template <class Device>

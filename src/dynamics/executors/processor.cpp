@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "dynamics/passes/links.h"
+
 namespace wythe::dynamics {
 
 void Executor::step() {
-  begin_step();  //          dead loads follow their blocks
+  begin_step();  //          dead loads follow their blocks; forces of links    passes/links.h
   run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
@@ -66,6 +68,14 @@ void place_loads(const Model& model, const State& state, const WallView& wall) {
   }
 }
 
+// Links pull where the blocks are now; what they take goes into the ledger.
+void take_links(const Model& model, State& state, const WallView& wall) {
+  if (wall.links == 0) return;
+  const LinkWork work = pull_links(wall, links_set(model, state));
+  state.dissipated_friction += work.dissipated;
+  state.work_loads += work.tensioned;
+}
+
 }  // namespace
 
 Processor::Processor(const Model& model, int lanes, int threads, const Kernels& kernels)
@@ -124,6 +134,7 @@ void Processor::begin_step() {
     const Wall& wall = wall_[at(lane)];
     if (wall.model == nullptr) continue;
     place_loads(*wall.model, *wall.state, wall.view);
+    if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
     wall.view.of_wall(kGravityX) = wall.state->gravity_x;
     wall.view.of_wall(kGravityY) = wall.state->gravity_y;
   }

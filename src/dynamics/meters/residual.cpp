@@ -44,6 +44,8 @@ double elastic_energy(const Model& model, const State& state) {
       energy += shape.area * point.share * recoverable(law, point);
     }
   }
+  for (const LinkReading& link : read_links(model, state))
+    energy += 0.5 * link.force * link.force / link.stiffness;
   return energy + reading::strain_energy(model, state);
 }
 

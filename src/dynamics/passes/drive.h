@@ -156,6 +156,12 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
           push.spec.pattern != Pattern::kNone};
 }
 
+// The share of their prestress that links have now.
+[[nodiscard]] inline double links_set(const Model& model, const State& state) {
+  return model.links.set_by < 0 ? 0.0
+                                : state.load_scale[static_cast<std::size_t>(model.links.set_by)];
+}
+
 inline void advance_clock(State& state, const Controls& controls) {
   state.time += controls.dt;
   state.stage_time += controls.dt;

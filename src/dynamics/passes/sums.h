@@ -32,6 +32,11 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
     contact += sides * (magnitude(wall.of_four(wall.t.edge_block_force, c, 0)) +
                         magnitude(wall.of_four(wall.t.edge_block_force, c, 1)));
   }
+  for (int k = 0; k < wall.links; ++k) {
+    const double sides = wall.t.link_a[k] == wall.t.n_block ? 1.0 : 2.0;
+    contact += sides * (magnitude(wall.of_four(wall.t.force, wall.joints + k, 0)) +
+                        magnitude(wall.of_four(wall.t.force, wall.joints + k, 1)));
+  }
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }
@@ -59,6 +64,10 @@ WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
     if (wall.t.edge_block[c] == wall.t.n_block)
       sum += wall.of_four(wall.t.edge_block_force, c, 0) * px +
              wall.of_four(wall.t.edge_block_force, c, 1) * py;
+  for (int k = 0; k < wall.links; ++k)
+    if (wall.t.link_a[k] == wall.t.n_block)
+      sum += wall.of_four(wall.t.force, wall.joints + k, 0) * px +
+             wall.of_four(wall.t.force, wall.joints + k, 1) * py;
   return sum;
 }
 

@@ -110,6 +110,7 @@ class Filler {
     fill_joints();
     fill_edges();
     fill_blocks();
+    fill_links();
     fill_solids();
   }
 
@@ -160,7 +161,15 @@ class Filler {
     }
   }
 
-  // Joints of each block in the model's order: those of which it is side a, then b. Zone contacts.
+  void fill_links() {
+    for (int k = 0; k < m_.links.n; ++k) {
+      t_.link_a[k] = pose_of(m_.links.a[at(k)]);
+      t_.link_b[k] = pose_of(m_.links.b[at(k)]);
+    }
+  }
+
+  // Joints of each block in the model's order, then its links: those of which it is side a, then b. Zone
+  // contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
     std::vector<std::vector<std::int32_t>> edges_of(at(m_.n_block));
@@ -169,6 +178,10 @@ class Filler {
         edges_of[at(block)].push_back(l_.edge_place[at(c)]);
     const auto add = [&](std::int32_t entry) {
       t_.block_entry[next++] = l_.joint_place[at(entry >> 1)];
+    };
+    const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
+      for (int k = 0; k < m_.links.n; ++k)
+        if (side[at(k)] == block) t_.block_entry[next++] = l_.joints + k;
     };
     for (int i = 0; i < l_.blocks; ++i) {
       t_.block_begin[i] = next;
@@ -179,8 +192,10 @@ class Filler {
       auto e = m_.block_begin[at(i)];
       for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
         add(m_.block_entry[at(e)]);
+      add_links(m_.links.a, i);
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
+      add_links(m_.links.b, i);
       for (const std::int32_t edge : edges_of[at(i)]) t_.block_edge_entry[next_edge++] = edge;
     }
     t_.block_begin[l_.blocks] = next;
@@ -232,12 +247,13 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   std::vector<std::int32_t> same;
   blocks = place_all(chunks[kBlocks], kind, same);
   nodes = place_all(chunks[kNodes], kind, same);
+  links = place_all(cut_plain(m.links.n, kind), kind, same);
   place_points(chunks[kJoints], history);
   place_points(chunks[kEdges], history);
   history *= kind == kWalls ? 1 : kGroup;
   place_laws(chunks[kJoints], laws);
   place_laws(chunks[kEdges], laws);
-  entries = m.block_entry.size();
+  entries = m.block_entry.size() + 2 * m.links.a.size();
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));
 }

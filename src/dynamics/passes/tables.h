@@ -92,6 +92,28 @@ enum NodeRow {
 static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
               kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
               kNodeVy == row_of(&State::node_vy));
+// Rows of a link: what it remembers, its law, where it is.
+enum LinkRowName {
+  kLinkForce,
+  kLinkPlastic,
+  kLinkDrawn,
+  kLinkStiffness,
+  kLinkTension,
+  kLinkCompression,
+  kLinkPrestress,
+  kLinkArmAX,
+  kLinkArmAY,
+  kLinkArmBX,
+  kLinkArmBY,
+  kLinkSpanX,
+  kLinkSpanY,
+  kLinkFollows,
+  kLinkRows
+};
+static_assert(kLinkDrawn + 1 == fields_of(Entity::kLink) &&
+              kLinkForce == row_of(&State::link_force) &&
+              kLinkPlastic == row_of(&State::link_plastic) &&
+              kLinkDrawn == row_of(&State::link_drawn));
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
@@ -133,6 +155,7 @@ struct Tables {
   std::int32_t*
       special;  // of a group (spot): a stage of some wall loads or drives one of its blocks
   std::int32_t *edge_block, *edge_p, *edge_q;
+  std::int32_t *link_a, *link_b;  // poses of the two ends
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
   ZoneShape* shapes;
@@ -144,7 +167,9 @@ struct Tables {
   double* cold;        // (n_block, kColdRows)
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
   double* history;     // (points, kHistoryRows)
-  double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids
+  double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids;
+                       // of joints, then of links
+  double* link;        // (links, kLinkRows)
   double* node;        // (n_node, kNodeRows)
   double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
   double* high_force;  // another table, those on 2 and 3
@@ -166,7 +191,7 @@ struct Layout {
   std::vector<std::int32_t> joint_place, zone_place, edge_place;
 
   // entities with those that fill up groups
-  std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, history = 0;
+  std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
   std::int32_t laws = 0;  // entries
   std::size_t entries = 0, edge_entries = 0;
 
@@ -223,6 +248,8 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   visit(t.edge_block, n(l.edges));
   visit(t.edge_p, n(l.edges));
   visit(t.edge_q, n(l.edges));
+  visit(t.link_a, n(l.links));
+  visit(t.link_b, n(l.links));
   for (auto& corner : t.corner) visit(corner, n(l.zones));
   visit(t.node_zone_begin, n(l.nodes) + 1);
   visit(t.node_zone_entry, m.solids.zone_entry.size());
@@ -234,7 +261,8 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.pose, 4 * (n(l.blocks) + 1));
   own(t.history, n(l.history));
-  own(t.force, 4 * n(l.joints));
+  own(t.force, 4 * n(l.joints + l.links));
+  own(t.link, n(l.links) * kLinkRows);
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
   own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it

@@ -30,6 +30,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   };
   if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows, row - 2);
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
+  if (field.entity == Entity::kLink) return plain(t.link, m.links.n, kLinkRows, row);
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
     for (const Chunk& chunk : chunks)
       for (int n = 0; row < chunk.rows && n < chunk.n; ++n)
@@ -58,6 +59,25 @@ void put_laws(const Layout& l, const Tables& t, int lane, const Model& m,
   }
 }
 
+void put_links(const WallView& wall, const Links& links) {
+  for (int k = 0; k < links.n; ++k) {
+    const auto put = [&](LinkRowName row, const std::vector<double>& of) {
+      wall.link(k, row) = of[at(k)];
+    };
+    put(kLinkStiffness, links.stiffness);
+    put(kLinkTension, links.tension);
+    put(kLinkCompression, links.compression);
+    put(kLinkPrestress, links.prestress);
+    put(kLinkArmAX, links.arm_a_x);
+    put(kLinkArmAY, links.arm_a_y);
+    put(kLinkArmBX, links.arm_b_x);
+    put(kLinkArmBY, links.arm_b_y);
+    put(kLinkSpanX, links.span_x);
+    put(kLinkSpanY, links.span_y);
+    put(kLinkFollows, links.follows);
+  }
+}
+
 }  // namespace
 
 WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
@@ -72,6 +92,7 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   view.first_ground = m.n_pair < m.n_joint ? l.joint_place[at(m.n_pair)] : l.joints;
   view.nodes = l.nodes;
   view.edges = l.edges;
+  view.links = m.links.n;
   view.moving_blocks = m.n_block;
   return view;
 }
@@ -97,6 +118,7 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
     wall.node(i, kNodeHeavyMass) = m.solids.node_heavy_mass[at(i)];
     wall.node(i, kNodeMass) = m.solids.node_mass[at(i)];
   }
+  put_links(wall, m.links);
   wall.of_four(t.pose, t.n_block, 2) = 1;  // the ground's cosine
   turn_all(wall);
 }

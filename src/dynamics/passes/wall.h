@@ -12,6 +12,7 @@ struct WallView {
   std::ptrdiff_t lane = 0;
   int shift = 0, mask = 0;  // of an entity's number: its group, its place in it
   int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
+  int links = 0;          // without those that fill up a group
   int moving_blocks = 0;  // of the model: nodes are numbered behind them
 
   WYTHE_INLINE double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
@@ -26,6 +27,9 @@ struct WallView {
   }
   WYTHE_INLINE double& node(std::ptrdiff_t i, NodeRow row) const {
     return number(t.node, kNodeRows, i, row);
+  }
+  WYTHE_INLINE double& link(std::ptrdiff_t k, LinkRowName row) const {
+    return number(t.link, kLinkRows, k, row);
   }
   WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
   WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }

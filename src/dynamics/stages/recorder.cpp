@@ -63,6 +63,7 @@ void Recorder::begin(double read_at) {
   result_.curve_of = stage_.spec.kind;
   result_.curve.clear();
   result_.rise.clear();
+  result_.links.clear();
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
@@ -88,8 +89,11 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
     while (n_.next_close < travelled) plan_close();
     n_.work_at_start = state.work_drive;
     n_.dead = dead_along_push(state);
-    if (result_.curve.empty()) result_.curve.push_back({});
     access.bring_up(state);
+    if (result_.curve.empty()) {
+      result_.curve.push_back({});
+      note_links(state, 0, 0);
+    }
     n_.damping_at_start = state.work_damping;
     take_snapshot("start", state);
   }
@@ -263,6 +267,7 @@ void Recorder::close_row(const State& state) {
   n_.steps = n_.shear_samples = n_.unbalance_samples = 0;
   plan_close();
 
+  note_links(state, row.displacement, row.reaction);
   note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
   note_peak(state);
@@ -285,6 +290,18 @@ void Recorder::note_peak(const State& state) {
   side.peak = force;
   side.peak_state = state;
   side.peak_displacement = row.displacement;
+}
+
+// What each link carries at the end of a row, and that it has begun to yield.
+void Recorder::note_links(const State& state, double displacement, double reaction) {
+  const std::vector<LinkReading> links = read_links(model_, state);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    result_.links.push_back({links[k].force, links[k].elongation, links[k].plastic});
+    const Message name{"event.link_yields", {{"link", model_.links.name[k]}}};
+    if (links[k].plastic == 0 || has_event(result_, name)) continue;
+    result_.events.push_back(
+        {name, displacement, reaction, {"place.force", {{"force_kN", 1e-3 * links[k].force}}}});
+  }
 }
 
 void Recorder::note_joints(const State& state, double displacement, double reaction) {

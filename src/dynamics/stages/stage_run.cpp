@@ -168,7 +168,8 @@ class SettlingStage : public StageRun {
       state_.gravity_x = 0;
       state_.gravity_y = -model_.solve.gravity * share;
     }
-    if (stage_.spec.kind == StageKind::kLoad || !stage_.loads.empty())
+    if (stage_.spec.kind == StageKind::kLoad || !stage_.loads.empty() ||
+        model_.links.set_by == state_.stage)
       state_.load_scale[static_cast<std::size_t>(state_.stage)] = share;
   }
 

@@ -414,6 +414,10 @@ Portal find_portal(const Model& model) {
   if (has_beam(model))
     add_fault(faults, "wall.beam", "", "a loading beam ties the macro-blocks together",
               "load the piers with pier_load instead; the limit load of the blocks takes any wall");
+  if (model.links.n > 0)
+    add_fault(faults, std::string(word_of(kLinkKindWords, model.links.kind.front())),
+              model.links.name.front(), "holds the wall, and macro-blocks know no ties",
+              "leave it out for the mechanisms; the limit load of the blocks takes it");
   if (faults.empty()) check_load_point(portal, faults);
   faults.throw_if_any();
   portal.thickness = model.anatomy.thickness;

@@ -1,0 +1,51 @@
+// The links of one wall: ties, springs and diaphragms (contact/link.h, docs/theory/links.md). A wall has
+// few. They are taken one by one before its joints and leave their forces in rows behind those of the
+// joints, where the pass over blocks gathers both (tables.h).
+#pragma once
+
+#include "contact/link.h"
+#include "dynamics/passes/wall.h"
+
+namespace wythe::dynamics {
+
+// What links took and what drew them taut in a step [J].
+struct LinkWork {
+  double dissipated = 0, tensioned = 0;
+};
+
+WYTHE_INLINE contact::LinkEnd end_of(const WallView& wall, std::int32_t block, double arm_x,
+                                     double arm_y) {
+  return contact::link_end(wall.ux(block), wall.uy(block), wall.of_four(wall.t.pose, block, 2),
+                           wall.of_four(wall.t.pose, block, 3), arm_x, arm_y);
+}
+
+// Forces of all links where the blocks are now; `set`: share of their prestress in force.
+WYTHE_INLINE LinkWork pull_links(const WallView& wall, double set) {
+  LinkWork work;
+  for (int k = 0; k < wall.links; ++k) {
+    const auto of = [&](LinkRowName row) { return wall.link(k, row); };
+    const contact::LinkEnd a = end_of(wall, wall.t.link_a[k], of(kLinkArmAX), of(kLinkArmAY));
+    const contact::LinkEnd b = end_of(wall, wall.t.link_b[k], of(kLinkArmBX), of(kLinkArmBY));
+    const contact::LinkLine line =
+        contact::link_line(of(kLinkSpanX), of(kLinkSpanY), of(kLinkFollows) > 0, a, b);
+    const double drawn = set * of(kLinkPrestress) / of(kLinkStiffness), before = of(kLinkForce);
+    const contact::LinkPull pull =
+        contact::link_pull({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
+                           line.elongation, of(kLinkPlastic), drawn);
+    const double mean = 0.5 * (before + pull.force);
+    work.dissipated += mean * pull.flow;
+    work.tensioned += mean * (drawn - of(kLinkDrawn));
+    wall.link(k, kLinkForce) = pull.force;
+    wall.link(k, kLinkPlastic) = of(kLinkPlastic) + pull.flow;
+    wall.link(k, kLinkDrawn) = drawn;
+    const double fx = pull.force * line.axis_x, fy = pull.force * line.axis_y;
+    const std::ptrdiff_t row = wall.joints + k;
+    wall.of_four(wall.t.force, row, 0) = fx;
+    wall.of_four(wall.t.force, row, 1) = fy;
+    wall.of_four(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx;
+    wall.of_four(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy;
+  }
+  return work;
+}
+
+}  // namespace wythe::dynamics

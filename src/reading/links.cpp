@@ -1,0 +1,41 @@
+// Links: what they carry in a state.
+#include "contact/link.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+contact::LinkEnd end_in(const State& s, BlockId block, double arm_x, double arm_y) {
+  if (block == kGroundBlock) return {0, 0, 0, 0};
+  const auto i = static_cast<std::size_t>(block);
+  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
+  return contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
+}
+
+}  // namespace
+
+std::vector<LinkReading> read_links(const Model& m, const State& s) {
+  const Links& l = m.links;
+  std::vector<LinkReading> links(l.a.size());
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const contact::LinkEnd a = end_in(s, l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
+    const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
+    const contact::LinkLine line =
+        contact::link_line(l.span_x[k], l.span_y[k], l.follows[k] > 0, a, b);
+    const contact::LinkPull pull =
+        contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
+                           s.link_plastic[k], s.link_drawn[k]);
+    const auto block = static_cast<std::size_t>(l.b[k]);
+    const Vec3 end{m.centroid_x[block] + l.arm_b_x[k] + b.moved_x,
+                   m.centroid_y[block] + l.arm_b_y[k] + b.moved_y, 0};
+    Vec3 start = end;
+    if (l.follows[k] > 0)
+      start = {end.x - l.span_x[k] - (b.moved_x - a.moved_x),
+               end.y - l.span_y[k] - (b.moved_y - a.moved_y), 0};
+    links[k] = {
+        l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
+  }
+  return links;
+}
+
+}  // namespace wythe
