@@ -239,6 +239,17 @@ std::string direction_word(Direction direction) {
   return word.starts_with('-') ? "−" + word.substr(1) : word;
 }
 
+// Of the loads that the stage lays on blocks, downwards [N]; NaN where it lays none.
+double weight_of(const Stage& stage) {
+  double weight = 0;
+  for (const PointLoad& load : stage.loads) weight -= load.fy;
+  return weight > 0 ? weight : kUnset;
+}
+
+std::string control_of(const PlaceSpec& at) {
+  return at.block.empty() ? fmt::format("x = {:g} m, y = {:g} m", at.x, at.y) : at.block;
+}
+
 Json stage_of(const Stage& stage) {
   const StageSpec& s = stage.spec;
   Json rows = Json::array();
@@ -249,6 +260,7 @@ Json stage_of(const Stage& stage) {
   add("pier_load", s.pier_load, "kN", 1e-3);
   add("pressure", s.pressure, "MPa", 1e-6);
   add("beam_load", s.beam_load, "kN", 1e-3);
+  if (s.kind == StageKind::kGravity || s.floors) add("floors", weight_of(stage), "kN", 1e-3);
   add("velocity", s.velocity, "mm/s", 1e3);
   add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
   add("until", s.until, "mm", 1e3);
@@ -265,6 +277,7 @@ Json stage_of(const Stage& stage) {
   add("duration", s.duration, "s", 1);
   add("ramp", s.ramp, "s", 1);
   add("damping", s.damping, "", 1);
+  if (stage.control >= 0) rows.push_back({"control", control_of(s.control), ""});
   if (!stage.driven.empty()) {
     rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
     rows.push_back(row("load_height", stage.load_height, "m"));
