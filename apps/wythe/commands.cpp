@@ -12,6 +12,7 @@
 #include "progress.h"
 #include "report_files.h"
 #include "wythe/assessment.h"
+#include "wythe/drawing.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"
@@ -267,6 +268,11 @@ int new_starter(const NewArguments& arguments) {
   const std::string out = (std::filesystem::path(arguments.folder) / "result").string();
   fmt::print("next: wythe check {}\n      wythe {} {} --out {}\n", files.front(),
              is_study ? "campaign" : "run", files.front(), out);
+  return 0;
+}
+
+int drawing(const DrawingArguments& a) {
+  fmt::print("{}", drawing_text(a.file, a.unit, {a.outline, a.openings, a.lintels}));
   return 0;
 }
 

@@ -34,6 +34,11 @@ struct NewArguments {
 };
 int new_starter(const NewArguments& arguments);
 
+struct DrawingArguments {
+  std::string file, unit, outline = "outline", openings = "openings", lintels = "lintels";
+};
+int drawing(const DrawingArguments& arguments);
+
 struct LimitArguments {
   std::string model, out, with, language = "en";
   std::vector<std::string> overrides;

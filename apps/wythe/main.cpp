@@ -86,6 +86,22 @@ void add_contact(CLI::App& app, ContactArguments& a, int& code) {
   command->callback([&] { code = contact(a); });
 }
 
+void add_drawing(CLI::App& app, DrawingArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "drawing", "print the wall and its openings from a drawing of a facade (ASCII DXF)");
+  command->footer("example: wythe drawing facade.dxf > model.toml");
+  command->add_option("file", a.file, "the drawing, closed rectangles by layer")->required();
+  command->add_option("--unit", a.unit,
+                      "m, mm, cm, dm, in or ft, in place of what the file states");
+  command->add_option("--outline", a.outline, "layer of the wall's outline")->capture_default_str();
+  command
+      ->add_option("--openings", a.openings,
+                   "layer of doors and windows, up to the springing of arches")
+      ->capture_default_str();
+  command->add_option("--lintels", a.lintels, "layer of lintels")->capture_default_str();
+  command->callback([&] { code = drawing(a); });
+}
+
 void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
       "campaign", "draw the samples of a study, push one wall for each, write statistics");
@@ -216,6 +232,8 @@ int parse_and_run(int argc, char** argv) {
   add_contact(app, contact_arguments, code);
   std::string material_name;
   add_materials(app, material_name, code);
+  DrawingArguments drawing_arguments;
+  add_drawing(app, drawing_arguments, code);
   CampaignArguments campaign_arguments;
   campaign_arguments.command.assign(argv, argv + argc);
   MergeArguments merge_arguments;

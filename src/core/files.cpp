@@ -128,6 +128,15 @@ int fill(int descriptor, std::string_view text) {
 
 }  // namespace
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t size = character_at(text, i);
+    if (size == 0) return false;
+    i += size;
+  }
+  return true;
+}
+
 void check_input(const std::string& path) {
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0) check_readable(path, there);

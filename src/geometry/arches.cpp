@@ -10,9 +10,9 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kThinnest = 0.1;  // of a course: the least width of a voussoir
+constexpr double kThinnest = 0.1;   // of a course: the least width of a voussoir
 constexpr double kNothing = 1e-10;  // [m^2]
-constexpr int kFewest = 3;         // voussoirs where their number is not stated
+constexpr int kFewest = 3;          // voussoirs where their number is not stated
 
 std::string key_of(int index, const char* key) {
   return opening_path(index, std::string("arch.") + key);
@@ -29,12 +29,11 @@ struct KindKey {
 
 bool check_keys(const ArchSpec& arch, int index, FaultList& faults) {
   bool good = is_positive({key_of(index, "depth"), arch.depth, "m", "250 mm"}, faults);
-  const KindKey keys[] = {
-      {"rise", arch.rise, arch.kind == ArchKind::kSegmental, "m", "150 mm",
-       arch.kind == ArchKind::kRound ? "a round arch rises by half its span"
-                                     : "the soffit of a flat arch is level"},
-      {"skewback", arch.skewback, arch.kind == ArchKind::kFlat, "rad", "15 deg",
-       "its end joints run to the centre of its circle"}};
+  const KindKey keys[] = {{"rise", arch.rise, arch.kind == ArchKind::kSegmental, "m", "150 mm",
+                           arch.kind == ArchKind::kRound ? "a round arch rises by half its span"
+                                                         : "the soffit of a flat arch is level"},
+                          {"skewback", arch.skewback, arch.kind == ArchKind::kFlat, "rad", "15 deg",
+                           "its end joints run to the centre of its circle"}};
   for (const KindKey& key : keys) {
     if (key.is_needed) {
       good &= is_positive({key_of(index, key.name), key.value, key.unit, key.example}, faults);
@@ -55,8 +54,7 @@ bool check_number(const ArchSpec& arch, int index, FaultList& faults) {
 }
 
 void check_body(const Shape& shape, int index, FaultList& faults) {
-  const std::string& material =
-      shape.wall.opening[static_cast<std::size_t>(index)].arch.material;
+  const std::string& material = shape.wall.opening[static_cast<std::size_t>(index)].arch.material;
   if (material.empty()) return;
   const auto found = shape.material.find(material);
   if (found == shape.material.end()) {
@@ -138,9 +136,10 @@ PlacedArch lay_voussoirs(const ArchSpec& arch, const Rect& hole, int n) {
   const auto mirror = [&](Vec2 p) { return Vec2{twice - p.x, p.y}; };
   for (std::size_t k = 0; 2 * k <= last; ++k) {
     const double u = 1 - 2 * static_cast<double>(k) / n;
-    const Corner joint = k == 0                         ? end_joint(arch, hole)
-                         : arch.kind == ArchKind::kFlat ? flat_joint(arch, hole, u)
-                                                        : round_joint(arch, circle_of(arch, hole), u);
+    const Corner joint = k == 0 ? end_joint(arch, hole)
+                         : arch.kind == ArchKind::kFlat
+                             ? flat_joint(arch, hole, u)
+                             : round_joint(arch, circle_of(arch, hole), u);
     laid.intrados[k] = joint.intrados;
     laid.extrados[k] = joint.extrados;
     if (2 * k == last) continue;
@@ -155,10 +154,10 @@ bool rises_no_more_than_half(const ArchSpec& arch, const PlacedOpening& opening,
                              FaultList& faults) {
   const double half = (opening.hole.x1 - opening.hole.x0) / 2;
   if (arch.kind != ArchKind::kSegmental || arch.rise <= half * (1 + kFitTolerance)) return true;
-  add_fault(faults, key_of(opening.index, "rise"), millimetres(arch.rise),
-            "the arch of " + opening.called + " rises by more than half its span of " +
-                metres(2 * half),
-            "write rise = \"" + millimetres(half / 2) + "\", say, or kind = \"round\"");
+  add_fault(
+      faults, key_of(opening.index, "rise"), millimetres(arch.rise),
+      "the arch of " + opening.called + " rises by more than half its span of " + metres(2 * half),
+      "write rise = \"" + millimetres(half / 2) + "\", say, or kind = \"round\"");
   return false;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 namespace clip = ClipperLib;
 
-constexpr double kGrid = 1e9;  // lines a metre; the longest wall, 10 km, is far from its largest number
+constexpr double kGrid =
+    1e9;  // lines a metre; the longest wall, 10 km, is far from its largest number
 
 // To the grid and back, to the bits of the coordinates that went there.
 class Grid {
@@ -50,7 +51,8 @@ std::vector<Polygon> combine(clip::ClipType what, const Polygon& a, const Polygo
   clipper.AddPath(grid.put(b), clip::ptClip, true);
   clip::Paths found;
   clipper.Execute(what, found, clip::pftNonZero, clip::pftNonZero);
-  clip::CleanPolygons(found);  // corners within a line or two of the grid, or in line with their neighbours
+  clip::CleanPolygons(
+      found);  // corners within a line or two of the grid, or in line with their neighbours
   std::vector<Polygon> outlines;
   for (const clip::Path& path : found)
     if (path.size() >= 3 && clip::Orientation(path)) outlines.push_back(grid.take(path));

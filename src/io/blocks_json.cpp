@@ -17,6 +17,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "io/describe.h"
+#include "io/dxf.h"
 #include "io/json.h"
 #include "wythe/io.h"
 
@@ -236,16 +237,53 @@ class BlocksReader {
   std::set<std::string> ids_;
 };
 
+bool is_drawing(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  return same_layer(ending, ".dxf");
+}
+
+// A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
+void read_drawn_blocks(ReadContext& context, const std::string& file, const std::string& unit,
+                       ModelSpec& spec) {
+  const Drawing drawing = read_drawing(file, unit);
+  for (const Unread& entity : drawing.unread)
+    if (!enough(context.faults)) context.faults.add(fault_of(entity, file));
+  for (const DrawnOutline& outline : drawing.outlines) {
+    BlockSpec block;
+    block.id =
+        outline.handle.empty() ? "b" + std::to_string(spec.block.size() + 1) : outline.handle;
+    block.fixed = same_layer(outline.layer, "fixed");
+    block.beam = same_layer(outline.layer, "beam");
+    if (outline.layer != "0") block.material = outline.layer;
+    block.polygon = outline.corners;
+    spec.block.push_back(std::move(block));
+  }
+}
+
+std::string stated_unit(ReadContext& context, const toml::table& root, bool is_drawn) {
+  const toml::node* node = root["wall"]["blocks_unit"].node();
+  if (node == nullptr) return "";
+  if (!is_drawn)
+    context.fault("wall.blocks_unit", line_of(*node), shown(*node),
+                  "has no meaning here: a JSON file states its units", "leave it out");
+  return shown(*node);
+}
+
 }  // namespace
 
 void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
                  const std::string& text) {
   const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  const bool is_drawn = is_drawing(file);
+  const std::string unit = stated_unit(context, root, is_drawn);
   try {
-    BlocksReader(context, file, spec).read(text.empty() ? read_text(file, kMostJson) : text);
+    if (is_drawn && text.empty())
+      read_drawn_blocks(context, file, unit, spec);
+    else
+      BlocksReader(context, file, spec).read(text.empty() ? read_text(file, kMostJson) : text);
   } catch (const InputError& error) {
     for (Fault fault : error.faults()) {
-      fault.path = "wall.blocks";
+      if (fault.path.empty() || !is_drawn) fault.path = "wall.blocks";
       context.faults.add(std::move(fault));
     }
   } catch (const IoError& error) {

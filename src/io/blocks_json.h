@@ -1,4 +1,4 @@
-// Blocks files: JSON with polygons or boxes (docs/reference/blocks.md).
+// Blocks files: JSON with polygons or boxes, or a drawing (docs/reference/blocks.md).
 #pragma once
 
 #include <string>

@@ -31,6 +31,13 @@ inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage
 // The descriptions are tables laid out by hand, two to four lines a key.
 // clang-format off
 
+// A key that says how to come to a value and is gone when the table is read (src/io/materials.cpp);
+// visitors that need no more than the values know nothing of it.
+template <class Visitor>
+void describe_recipe(Visitor& v, const char* name, const Key& key) {
+  if constexpr (requires { v.recipe(name, key); }) v.recipe(name, key);
+}
+
 // --- wall ----------------------------------------------------------------------------------------
 
 template <class Visitor>
@@ -137,8 +144,10 @@ void describe(Visitor& v, WallSpec& s) {
                   "by up to 2 % and reports it, `cut` keeps it and cuts units at the edges, as in a "
                   "surveyed wall."});
   v.text("blocks", s.blocks, {.fallback = "the bond pattern", .example = "stones.json",
-         .doc = "Blocks file (JSON), relative to the model file. It replaces length, height, bond, "
-                "the unit's sizes and the openings."});
+         .doc = "Blocks file (JSON), or a drawing of every stone (DXF), relative to the model file. It replaces "
+                "length, height, bond, the unit's sizes and the openings."});
+  describe_recipe(v, "blocks_unit", {.fallback = "what the drawing states", .example = "mm",
+                  .doc = "Unit of a drawing (m, mm, cm, dm, in, ft), where it states none or a wrong one."});
   v.table("unit", s.unit, {.optional = true, .doc = "The masonry unit."});
   describe_joints(v, s.joints, "joint", "joint, or what that is", "unit");
   v.list("opening", s.opening, {.doc = "One table for each door or window."});
@@ -146,13 +155,6 @@ void describe(Visitor& v, WallSpec& s) {
 }
 
 // --- materials -----------------------------------------------------------------------------------
-
-// A key that says how to come to a value and is gone when the table is read (src/io/materials.cpp);
-// visitors that need no more than the values know nothing of it.
-template <class Visitor>
-void describe_recipe(Visitor& v, const char* name, const Key& key) {
-  if constexpr (requires { v.recipe(name, key); }) v.recipe(name, key);
-}
 
 template <class Visitor>
 void describe_use(Visitor& v) {

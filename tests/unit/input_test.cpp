@@ -15,6 +15,7 @@
 #include "core/shape.h"
 #include "core/text.h"
 #include "io/csv.h"
+#include "io/dxf.h"
 #include "io/json.h"
 #include "scenes/small_study.h"
 #include "study/store/folder_lock.h"
@@ -354,7 +355,7 @@ TEST(Limits, stand_in_their_page) {
     return "| " + std::to_string(bytes / 1'000'000) + " MB |";
   };
   expect_words(
-      page, {megabytes(kMostToml), megabytes(kMostJson), megabytes(kMostCsv),
+      page, {megabytes(kMostToml), megabytes(kMostJson), megabytes(kMostDxf), megabytes(kMostCsv),
              megabytes(kMostPacked), "| " + std::to_string(kMostDepth) + " levels |", "| 20 000 |",
              "| 1000 |", "| 10 000 000 |", "| " + std::to_string(kMostFaults) + " |"});
   EXPECT_EQ(kMostKeys, 20'000);
@@ -397,6 +398,84 @@ TEST(ManyFaults, long_names_and_long_lists_are_not_compared) {
   EXPECT_EQ(nearest_name("lenght", {"length", a}), "length");
   const std::vector<std::string> many(100'000, "name");
   EXPECT_LT(name_advice("nane", many).size(), 1000U);
+}
+
+// --- drawings ------------------------------------------------------------------------------------
+
+class Drawings : public Files {
+ protected:
+  // What is said of a file with this content.
+  std::string said(const std::string& text, const std::string& unit = "m") {
+    write(at("stones.dxf"), text);
+    return refusal([&] { (void)io::read_drawing(at("stones.dxf"), unit); });
+  }
+  static std::string section(const std::string& entities) {
+    return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+  }
+  static std::string polyline(const std::string& vertices, const char* flags = "1") {
+    return std::string("0\nLWPOLYLINE\n5\n2F\n8\nstones\n70\n") + flags + "\n" + vertices;
+  }
+};
+
+TEST_F(Drawings, that_are_none_are_refused_with_what_to_do) {
+  expect_words(said("AutoCAD Binary DXF\r\n\x1a"), {"binary", "ASCII DXF"});
+  expect_words(said("AC1032 and so on"), {"DWG", "ASCII DXF"});
+  expect_words(said(""), {"no EOF"});
+  expect_words(said("0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n"), {"no EOF"});
+  expect_words(said("0\nSECTION\n2"), {":3:", "not whole"});
+  expect_words(said("hello\nworld\n"), {":1:", "hello", "no group code"});
+  expect_words(said("0\nEOF\n"), {"no section ENTITIES"});
+  expect_words(said(section(""), "furlong"), {"furlong", "mm"});
+  expect_words(said(section(""), ""), {"does not say its unit", "blocks_unit"});
+  expect_words(said(section(polyline("10\nwide\n20\n0\n"))), {"wide", "must be a number", ":14:"});
+  expect_words(said(section(polyline("10\nnan\n20\n0\n"))), {"nan", "must be a number"});
+  std::string zero = section("");
+  zero[1] = '\0';
+  expect_words(said(zero), {"no text"});
+}
+
+TEST_F(Drawings, at_their_largest_are_refused_before_they_are_read) {
+  write(at("stones.dxf"), section(""));
+  fs::resize_file(at("stones.dxf"), kMostDxf + 1);
+  expect_words(refusal([&] { (void)io::read_drawing(at("stones.dxf"), "m"); }), {"64 MB"});
+}
+
+TEST_F(Drawings, what_is_no_outline_is_kept_with_its_place) {
+  const auto unread = [&](const std::string& entities) {
+    write(at("stones.dxf"), section(entities));
+    const io::Drawing drawing = io::read_drawing(at("stones.dxf"), "m");
+    EXPECT_TRUE(drawing.outlines.empty());
+    return drawing.unread.size() == 1 ? to_string(io::fault_of(drawing.unread[0], "f.dxf")) : "";
+  };
+  const std::string corners = "10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n";
+  expect_words(unread(polyline(corners, "0")),
+               {"f.dxf:5:", "LWPOLYLINE 2F", "layer stones", "is open"});
+  expect_words(unread(polyline("10\n0\n20\n0\n42\n0.5\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"arc"});
+  expect_words(unread(polyline("10\n0\n20\n0\n10\n1\n20\n0\n")), {"fewer than 3"});
+  expect_words(unread(polyline("10\n0\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"without x or y"});
+  expect_words(unread(polyline("10\n1e9\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"10 km"});
+  expect_words(unread(polyline("230\n-1\n" + corners)), {"another plane"});
+  expect_words(unread("0\nSPLINE\n5\n3A\n8\narches\n"), {"SPLINE 3A", "layer arches", "straight"});
+  expect_words(unread("0\nINSERT\n8\n0\n"), {"INSERT on layer 0", "explode"});
+}
+
+TEST_F(Drawings, of_an_old_code_page_keep_the_names_of_their_layers) {
+  write(at("stones.dxf"), section("0\nLWPOLYLINE\n8\nT\xfc"
+                                  "ff\n70\n1\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n"));
+  const io::Drawing drawing = io::read_drawing(at("stones.dxf"), "m");
+  ASSERT_EQ(drawing.outlines.size(), 1U);
+  EXPECT_EQ(drawing.outlines[0].layer,
+            "T\xc3\xbc"
+            "ff");
+}
+
+TEST_F(Drawings, of_many_faults_tell_a_hundred) {
+  write(at("stones.dxf"), section(repeated("0\nSPLINE\n8\n0\n", 100'000)));
+  write(at("model.toml"),
+        "wall = { blocks = \"stones.dxf\", blocks_unit = \"m\", thickness = \"1 m\" }\n");
+  const std::string said = refusal([&] { (void)read_model(at("model.toml")); });
+  EXPECT_TRUE(has(said, "SPLINE"));
+  EXPECT_LT(said.size(), 50'000U);
 }
 
 }  // namespace

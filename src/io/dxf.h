@@ -1,0 +1,45 @@
+// Outlines of a drawing: closed polylines of an ASCII DXF file, R12 to 2018, in metres.
+//
+// A file is pairs of lines, a group code and its value. HEADER states the unit ($INSUNITS), ENTITIES holds what was
+// drawn. Polylines of straight segments are read; what else draws a line or an area is told by name with its place.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "wythe/error.h"
+
+namespace wythe::io {
+
+struct DrawnOutline {
+  std::string layer;
+  std::string handle;  // of the entity, as the drawing program shows it; "" in old files
+  int line = 0;        // of the file
+  std::vector<std::array<double, 2>> corners;  // the first is not repeated [m]
+};
+
+// An entity that is no closed outline of straight segments, and why not.
+struct Unread {
+  std::string layer, type, handle, problem, cure;
+  int line = 0;
+};
+
+struct Drawing {
+  std::vector<DrawnOutline> outlines;  // in the file's order
+  std::vector<Unread> unread;
+  std::vector<std::string> layers;  // that hold entities, each once
+};
+
+// Texts, dimensions and points are left aside. `unit` ("mm", "m", ...) goes before what the file states; "": the
+// file's. Throws InputError where the file is no such drawing, or no unit is known.
+[[nodiscard]] Drawing read_drawing(const std::string& file, const std::string& unit);
+
+// The fault of an entity that a reader needs, "LWPOLYLINE 2F on layer stones".
+[[nodiscard]] Fault fault_of(const Unread& entity, const std::string& file);
+
+// Layer names are the same in upper and lower case.
+[[nodiscard]] bool same_layer(std::string_view a, std::string_view b);
+
+}  // namespace wythe::io
