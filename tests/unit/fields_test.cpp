@@ -15,7 +15,7 @@
 namespace wythe {
 namespace {
 
-// With a law that remembers all there is to remember.
+// With a law that remembers all there is to remember, and a link.
 ModelSpec capped_wall_with_zones() {
   ModelSpec spec = scenes::lintel_wall(LintelModel::kZones);
   for (auto& [name, material] : spec.material)
@@ -23,6 +23,10 @@ ModelSpec capped_wall_with_zones() {
       material.compression_cap = 9;
       material.cohesion = std::fmin(material.cohesion, 0.2 * material.compressive_strength);
     }
+  SpringSpec across;
+  across.at.x = across.at.y = 0.05;
+  across.stiffness = 1e6;
+  spec.spring = {across};
   return spec;
 }
 
