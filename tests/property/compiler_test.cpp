@@ -103,6 +103,10 @@ class Bytes {
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
             cc, dd);
   }
+  void add(const Links& links) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = links;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  }
   void add(const DrawnField& field) {
     const auto& [name, path, of_joint, of_block] = field;
     add_all(name, path, of_joint, of_block);
@@ -118,12 +122,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn);
 }
 
 // A model's bytes, or the words of its refusal.
