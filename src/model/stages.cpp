@@ -48,6 +48,10 @@ class StageCompiler {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
   }
 
+  static bool drives(StageKind kind) {
+    return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
+  }
+
   // The load stage that asks for them, or the first gravity stage.
   std::size_t stage_of_floors() {
     const std::size_t none = spec_.stage.size();
@@ -69,6 +73,13 @@ class StageCompiler {
     if (found == none && !spec_.floor.empty())
       faults_.add({"", "floor.0", "", "no stage sets it on the wall",
                    "add a gravity stage, or a load stage with floors = true", 0});
+    for (std::size_t k = 0; k < found && found < none && !spec_.floor.empty(); ++k) {
+      if (!drives(spec_.stage[k].kind)) continue;
+      path_ = fmt::format("stage.{}", found);
+      fault("floors", "", fmt::format("would lie on the wall only after stage.{} has moved it", k),
+            "put the stage that sets them before it");
+      break;
+    }
     return found;
   }
 

@@ -254,6 +254,18 @@ TEST(Floors, half_said_floors_are_refused) {
   expect_refused(spec, "stage.2.floors", "already", "one stage");
 }
 
+// Pushed first and loaded then, a wall would be judged without its floors.
+TEST(Floors, a_wall_is_not_pushed_before_its_floors_lie_on_it) {
+  ModelSpec spec = wall_with(floor_at(0.66));
+  StageSpec load;
+  load.name = "floors";
+  load.kind = StageKind::kLoad;
+  load.floors = true;
+  spec.stage.push_back(load);
+  const std::string stage = "stage." + std::to_string(spec.stage.size() - 1) + ".floors";
+  expect_refused(spec, stage, "only after stage.", "before it");
+}
+
 // Within ten millimetres the bed joint is meant; a note says where the floor lies.
 TEST(Floors, a_level_beside_the_bed_joint_by_a_few_millimetres_is_the_bed_joint) {
   const Model model = compile(wall_with(floor_at(0.667)));
