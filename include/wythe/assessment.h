@@ -190,6 +190,7 @@ struct JudgedPush {
   std::vector<PierDrift> piers = {};    // where they are known they stand for the storeys
   double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
   std::string mechanism = {};           // "shear", "flexure", "": not known
+  Message barred = {};                  // why the model's stages allow no answer; empty: they do
 };
 // Mass and shape at a displacement; called with that of the bilinear curve's yield.
 using ShapeReader = std::function<MassAndShape(double displacement)>;

@@ -325,6 +325,7 @@ struct CampaignAssessment {
   MassAndShape mass;                     // of the base model, with a linear shape
   int answered = 0, without_answer = 0;  // samples that ran
   int doubtful = 0;                      // of those answered: not to be signed, but for bounds
+  Message reason;                        // why there are no numbers; empty: there may be
   std::vector<Message> notes;
   std::vector<PgaFragility> fragility;  // of each limit state; empty without a spectrum
 };

@@ -166,6 +166,7 @@ Json assessment_json(const CampaignAssessment& a) {
                {"without_answer", a.without_answer},
                {"not_to_be_signed", a.doubtful},
                {"mass", mass_json(a.mass)}};
+  put(json, "reason", a.reason);
   put(json, "notes", a.notes);
   json["limit_states"] = Json::array();
   for (const PgaFragility& f : a.fragility) json["limit_states"].push_back(fragility_json(f));

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "unit/assessed_wall.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 
 namespace wythe {
 namespace {
+
+using namespace test;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRound = 1e-12;  // relative: a few operations in double
@@ -22,26 +25,6 @@ SpectrumSpec en(const std::string& ground, const std::string& shape, double ag) 
   spec.kind = SpectrumKind::kEn1998;
   spec.ground_acceleration = ag, spec.ground = ground, spec.shape = shape;
   return spec;
-}
-
-// --- a curve
-
-// Straight to the force `peak` at `yield`, flat to `fall`, then straight down to nothing at twice that.
-struct Made {
-  double peak = 20e3, yield = 2e-3, fall = 20e-3, until = 40e-3, height = 5;
-};
-std::vector<CurveRow> curve_of(const Made& m) {
-  std::vector<CurveRow> curve;
-  for (int i = 0; i <= 4000; ++i) {
-    CurveRow row;
-    row.displacement = m.until * i / 4000;
-    row.drift = row.displacement / m.height;
-    const double up = std::fmin(1, row.displacement / m.yield);
-    const double down = std::fmax(0, 1 - (row.displacement - m.fall) / m.fall);
-    row.reaction = row.base_shear = m.peak * std::fmin(up, std::fmin(1, down));
-    curve.push_back(row);
-  }
-  return curve;
 }
 
 struct Pushed {
@@ -69,10 +52,6 @@ const LimitStateCheck& state_of(const CodeAssessment& a, LimitState state) {
   for (const LimitStateCheck& check : a.limit_states)
     if (check.state == state) return check;
   throw std::out_of_range("no such limit state");
-}
-
-bool says(const Message& message, const std::string& part) {
-  return text_of(message).find(part) != std::string::npos;
 }
 
 // The force falls to 0.8 at 24 mm. Area up to there: 20 kN (22 mm + 0.9 4 mm - ...) as below.
@@ -313,50 +292,6 @@ TEST(Assessment, always_says_that_local_out_of_plane_is_not_modelled) {
 
 // --- a wall
 
-std::string wall_text(const std::string& more, const std::string& x = "0 m",
-                      const std::string& direction = "+x") {
-  return R"([wall]
-length = "1.0 m"
-height = "1.0 m"
-thickness = "0.2 m"
-unit = { length = "500 mm", height = "250 mm", split = "none", density = "2000 kg/m^3" }
-[material.joint]
-normal_stiffness = "20 GPa/m"
-shear_stiffness = "8 GPa/m"
-tensile_strength = "0 MPa"
-cohesion = "0 MPa"
-residual_cohesion = "0 MPa"
-friction_angle = "30 deg"
-residual_friction_angle = "30 deg"
-compressive_strength = "unlimited"
-[[stage]]
-name = "gravity"
-[[stage]]
-name = "floor"
-pressure = "0.0981 MPa"
-[[stage]]
-name = "push"
-at = { x = ")" +
-         x + R"(", y = "0.9 m" }
-direction = ")" +
-         direction + R"("
-velocity = "20 mm/s"
-until = "12 mm"
-)" + more;
-}
-constexpr const char* kAssessed = R"([project]
-title = "School"
-[assessment]
-code = "en1998_3"
-limit_state = "near_collapse"
-added_mass = "300 kg"
-added_height = "0.875 m"
-[assessment.spectrum]
-kind = "en1998"
-ground_acceleration = "1 m/s^2"
-ground = "B"
-)";
-
 // 1 m x 1 m x 0.2 m of 2000 kg/m3: 400 kg, m* = 400 times the mean height over the load's height.
 // The floor: 19.62 kN on the top, 2000 kg at 1 m. Added: 300 kg at the height of the load.
 TEST(MassAndShape, that_grows_with_height_is_the_one_by_hand) {
@@ -433,19 +368,6 @@ TEST(Assessment, of_a_run_stands_in_its_summary) {
 
 // --- a campaign
 
-// Samples like the made curve, their peaks from 10 to 30 kN.
-Campaign campaign_of(int n, double until = 40e-3) {
-  Campaign campaign;
-  for (int i = 0; i < n; ++i) {
-    const Made made{.peak = 10e3 + 20e3 * i / (n - 1), .until = until, .height = 0.875};
-    SampleRecord& record = campaign.records.emplace_back();
-    record.sample = i + 1, record.status = "completed";
-    record.curve = curve_of(made);
-    record.responses = read_responses(record.curve);
-    record.quasi_static.judgement = "slow enough";
-  }
-  return campaign;
-}
 const PgaFragility& asked_of(const CampaignAssessment& a) {
   for (const PgaFragility& f : a.fragility)
     if (f.is_checked) return f;

@@ -84,6 +84,39 @@ std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
   return out;
 }
 
+bool drives(const Stage& stage) {
+  return stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
+         stage.spec.kind == StageKind::kTilt;
+}
+
+// What pulls at the wall across gravity before or while it is pushed: dead loads, and ties drawn taut
+// against a rigid anchor. Sum of sizes [N]: two that cancel count.
+double thrust_on(const Model& model, const Stage& push) {
+  double sum = 0;
+  for (const Stage& stage : model.stages) {
+    for (const PointLoad& load : stage.loads) sum += std::fabs(load.fx);
+    if (&stage == &push) break;
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(model.links.n); ++k)
+    if (model.links.a[k] == kGroundBlock && model.links.span_x[k] != 0)
+      sum += std::fabs(model.links.prestress[k]);
+  return sum;
+}
+
+// Why a push gets no answer: its curve must begin at rest and at no force.
+Message barred_by_stages(const Model& model, const Stage& push) {
+  for (const Stage& stage : model.stages) {
+    if (&stage == &push) break;
+    if (drives(stage))
+      return {stage.spec.kind == StageKind::kPush ? "assessment.driven_before"
+                                                  : "assessment.held_before",
+              {{"stage", stage.spec.name}, {"push", push.spec.name}}};
+  }
+  if (const double force = thrust_on(model, push); force > 0)
+    return {"assessment.thrust", {{"force_kN", 1e-3 * force}}};
+  return {};
+}
+
 }  // namespace
 
 namespace study {
@@ -111,13 +144,12 @@ JudgedPush judged_push(const Model& model) {
   // the curve is that of the last stage that has one
   const Stage* last = nullptr;
   for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
-        stage.spec.kind == StageKind::kTilt)
-      last = &stage;
+    if (drives(stage)) last = &stage;
   push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
   if (last == nullptr) return push;
   push.is_horizontal = last->drive_y == 0;
   push.is_patterned = last->spec.pattern != Pattern::kNone;
+  push.barred = barred_by_stages(model, *last);
   return push;
 }
 
@@ -135,7 +167,8 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
                   .overlap_lost = result.validity.overlap_lost,
                   .rise = result.rise,
                   .pier_slenderness = of_model.pier_slenderness,
-                  .mechanism = study::mechanism_of(result.failure_mode)};
+                  .mechanism = study::mechanism_of(result.failure_mode),
+                  .barred = of_model.barred};
   if (push.is_horizontal && push.curve_of == StageKind::kPush)
     push.drifts = storey_drifts(spec, model, result);
   push.storeys_known = !push.drifts.empty();

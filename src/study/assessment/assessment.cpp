@@ -110,6 +110,7 @@ class Judge {
     if (push_.curve_of == StageKind::kTilt) return {"assessment.of_tilt"};
     if (push_.curve_of != StageKind::kPush || push_.curve.size() < 2)
       return {"assessment.without_push"};
+    if (!push_.barred.empty()) return push_.barred;
     if (push_.responses.cyclic.sense != 0) return {"assessment.of_cycles"};
     if (!push_.is_horizontal) return {"assessment.not_horizontal"};
     if (!(push_.responses.peak_reaction > 0))

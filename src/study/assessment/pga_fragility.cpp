@@ -29,7 +29,8 @@ CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base, 
       .responses = record.responses,
       .judgement = record.quasi_static.judgement,
       .pier_slenderness = push.pier_slenderness,
-      .mechanism = study::mechanism_of(record.failure_mode)};
+      .mechanism = study::mechanism_of(record.failure_mode),
+      .barred = push.barred};
   return assess(base.assessment, of, [&](double) { return mass; });
 }
 
@@ -79,6 +80,30 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
   if (out.demand > 0) out.at_demand = probability(out.demand, fit, replicates, scatter);
 }
 
+// Whether a sample with this key set has the mass, the shape and the spectrum of the base model.
+bool keeps_mass_and_spectrum(const std::string& path) {
+  if (path.empty()) return true;  // a number of formulas alone
+  const bool is_law = path.starts_with("material.") || path.starts_with("masonry.");
+  return is_law && path.find("density") == std::string::npos;
+}
+
+// What samples have of their own that their assessment would have to follow; "": nothing.
+std::string own_key(const StudySpec& study) {
+  for (const VariableSpec& of : study.variable)
+    if (!keeps_mass_and_spectrum(of.path)) return of.path;
+  for (const DependentSpec& of : study.dependent)
+    if (!keeps_mass_and_spectrum(of.path)) return of.path;
+  for (const StudyField& of : study.field)
+    if (!keeps_mass_and_spectrum(of.path)) return of.path;
+  return "";
+}
+
+Message barred(const Campaign& campaign, const Model& model) {
+  if (const std::string path = own_key(campaign.study); !path.empty())
+    return {"assessment.samples_differ", {{"path", path}}};
+  return study::judged_push(model).barred;
+}
+
 }  // namespace
 
 CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
@@ -87,6 +112,12 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   out.spec = base.assessment;
   const ElasticSpectrum spectrum = spectrum_of(base.assessment.spectrum);
   out.mass = mass_and_linear_shape(base.assessment, model);
+  out.reason = barred(campaign, model);
+  if (!out.reason.empty()) {
+    for (const SampleRecord& record : campaign.records)
+      out.without_answer += record.status.empty() ? 0 : 1;
+    return out;
+  }
   constexpr std::size_t kStates = std::size(kLimitStateWords);
   std::vector<std::vector<Reading>> readings(kStates);
   for (const SampleRecord& record : campaign.records) {

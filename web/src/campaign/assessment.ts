@@ -14,6 +14,7 @@ const range = (pair: (number | null)[]): string => `${num(pair[0], kDigits)} –
 export function pgaFragility(campaign: Campaign): Child {
   const a = campaign.statistics.assessment;
   if (!a) return null;
+  if (a.reason) return h("p", { class: "warning" }, say("pga.refused", { why: phrase(a.reason) }));
   const known = (a.limit_states as any[]).filter((f) => f.median_pga_g !== null);
   return [
     a.not_to_be_signed > 0
