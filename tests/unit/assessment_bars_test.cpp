@@ -119,5 +119,39 @@ TEST(CampaignAssessment, has_no_answer_where_its_push_has_none) {
   EXPECT_EQ(a.answered, 0);
 }
 
+TEST(Assessment, notes_masses_and_spectra_that_are_more_often_a_slip) {
+  const auto notes = [](ModelSpec spec) {
+    const CodeAssessment a = assess_run(spec, compile(spec), {});
+    std::string all;
+    for (const Message& note : a.notes) all += note.code + " ";
+    return all;
+  };
+  const auto has = [](const std::string& all, const char* what) {
+    return all.find(std::string("assessment.note.") + what) != std::string::npos;
+  };
+  const std::string floor = "[[floor]]\nname = \"f\"\ny = \"0.75 m\"\n";
+  ModelSpec spec = parse_model(wall_text(kAssessed), "wall.toml");
+  for (const char* what :
+       {"masonry_share", "low_amplification", "table_start", "floor_mass", "added_height"})
+    EXPECT_FALSE(has(notes(spec), what)) << what;
+  const auto with = [&](const std::string& more) {
+    return notes(parse_model(wall_text(kAssessed + floor + more), "wall.toml"));
+  };
+  EXPECT_TRUE(has(with("mass = \"2000 kg/m\"\n"), "floor_mass"));
+  EXPECT_TRUE(has(with("load = \"10 kN/m\"\nmass = \"2000 kg/m\"\n"), "floor_mass"));
+  EXPECT_FALSE(has(with("load = \"10 kN/m\"\nmass = \"1000 kg/m\"\n"), "floor_mass"));
+  spec.assessment.masonry_share = 0.5, spec.assessment.added_height = 1.5;
+  EXPECT_TRUE(has(notes(spec), "masonry_share"));
+  EXPECT_TRUE(has(notes(spec), "added_height"));
+  SpectrumSpec& s = spec.assessment.spectrum;
+  s.kind = SpectrumKind::kNtc2018, s.corner_period = 0.3, s.amplification = 1.5;
+  EXPECT_TRUE(has(notes(spec), "low_amplification"));
+  EXPECT_TRUE(faults_of(s).empty());
+  s.amplification = 0.9;
+  EXPECT_EQ(faults_of(s).size(), 1u);
+  s.kind = SpectrumKind::kTable, s.periods = {0, 1}, s.accelerations = {0.01, 5};
+  EXPECT_TRUE(has(notes(spec), "table_start"));
+}
+
 }  // namespace
 }  // namespace wythe

@@ -153,6 +153,24 @@ JudgedPush judged_push(const Model& model) {
   return push;
 }
 
+std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) {
+  std::vector<Message> notes;
+  for (const FloorSpec& floor : spec.floor) {
+    const double counted = floor.load > 0 ? floor.load / model.solve.gravity : 0;
+    if (floor.mass > 1.001 * counted)
+      notes.push_back({"assessment.note.floor_mass",
+                       {{"floor", floor.name}, {"mass", floor.mass}, {"counted", counted}}});
+  }
+  const double foot = foot_of(model);
+  double top = 0;
+  for (BlockId b = 0; b < block_count(model); ++b)
+    for (const Vec3& corner : outline_of(model, b)) top = std::fmax(top, corner.y - foot);
+  if (spec.assessment.added_height > top * (1 + 1e-9))
+    notes.push_back({"assessment.note.added_height",
+                     {{"height_m", spec.assessment.added_height}, {"top_m", top}}});
+  return notes;
+}
+
 }  // namespace study
 
 CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
@@ -174,9 +192,11 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
   push.storeys_known = !push.drifts.empty();
   if (push.is_horizontal && push.curve_of == StageKind::kPush)
     push.piers = pier_drifts(model, result);
-  return assess(spec.assessment, push, [&](double displacement) {
+  CodeAssessment out = assess(spec.assessment, push, [&](double displacement) {
     return mass_and_shape(spec.assessment, model, result, displacement);
   });
+  for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
+  return out;
 }
 
 }  // namespace wythe

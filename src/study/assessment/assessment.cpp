@@ -15,6 +15,8 @@
 namespace wythe {
 namespace {
 
+constexpr double kLeastAmplification = 2.2;  // F0, NTC 2018, 3.2.3.2.1
+
 // --- rules of the codes -------------------------------------------------------------------------------
 
 // A drift at which a storey's piers are at their end. `by_slenderness`: times H0 / D.
@@ -353,6 +355,7 @@ class Judge {
       out_.notes.push_back(
           {"assessment.note.confidence_factor", {{"factor", spec_.confidence_factor}}});
     if (out_.spectrum.is_given()) out_.notes.push_back({"assessment.note.scaled"});
+    note_oddities();
     if (!push_.piers.empty())
       out_.notes.push_back({"assessment.note.pier_drift"});
     else
@@ -363,6 +366,22 @@ class Judge {
                                  ? push_.mechanism.empty()
                                  : std::any_of(push_.piers.begin(), push_.piers.end(), is_unknown);
     if (any_unknown) out_.notes.push_back({"assessment.note.no_mechanism"});
+  }
+
+  // What can be meant, but is more often a slip.
+  void note_oddities() {
+    if (spec_.masonry_share != 1)
+      out_.notes.push_back(
+          {"assessment.note.masonry_share", {{"percent", 100 * spec_.masonry_share}}});
+    const SpectrumSpec& s = spec_.spectrum;
+    if (s.kind == SpectrumKind::kNtc2018 && s.amplification < kLeastAmplification)
+      out_.notes.push_back({"assessment.note.low_amplification",
+                            {{"value", s.amplification}, {"least", kLeastAmplification}}});
+    if (s.kind != SpectrumKind::kTable || s.accelerations.empty()) return;
+    const double largest = *std::max_element(s.accelerations.begin(), s.accelerations.end());
+    if (s.accelerations.front() <= 0.01 * largest)
+      out_.notes.push_back({"assessment.note.table_start",
+                            {{"first", s.accelerations.front()}, {"largest", largest}}});
   }
 
   void collect_cautions() {

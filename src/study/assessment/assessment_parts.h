@@ -20,6 +20,8 @@ namespace wythe::study {
 
 // What a push is by its model alone: its curve and responses are those of none.
 [[nodiscard]] JudgedPush judged_push(const Model& model);
+// What the model file says that the masses of the assessment do not follow.
+[[nodiscard]] std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model);
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known; of
 // one pier where it is named.
 [[nodiscard]] std::string mechanism_of(const FailureMode& mode, const std::string& pier = "");

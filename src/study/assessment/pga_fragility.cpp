@@ -135,6 +135,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
       readings[static_cast<std::size_t>(check.state)].push_back(
           {check.acceleration, check.at_least});
   }
+  for (Message& note : study::notes_of_masses(base, model)) out.notes.push_back(std::move(note));
   out.notes.push_back({"assessment.note.base_mass"});
   if (std::isnan(base.assessment.record_scatter))
     out.notes.push_back({"assessment.note.no_record_scatter"});

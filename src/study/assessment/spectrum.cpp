@@ -69,6 +69,10 @@ class SpectrumFaults {
           "write \"1\" for strong and distant earthquakes, \"2\" for magnitudes up to 5.5");
     if (s_.kind == SpectrumKind::kNtc2018) {
       need(s_.amplification, "amplification", "write F0 of the site, e.g. amplification = 2.45");
+      if (s_.amplification > 0 && s_.amplification < 1)
+        add("amplification", fmt::format("{:g}", s_.amplification),
+            "is below 1: the plateau would lie under the ground's own acceleration",
+            "write F0 of the site, e.g. amplification = 2.45");
       need(s_.corner_period, "corner_period",
            "write TC* of the site, e.g. corner_period = \"0.32 s\"");
       if (const ElasticSpectrum out = spectrum_of(s_); faults_.empty() && !(out.TC < out.TD))
