@@ -291,6 +291,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   if (is_asked(spec.assessment))
     json["assessment"] = io::assessment_json(assess_run(spec, model, result));
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
+  json["curve_of"] = word_of(kStageKindWords, result.curve_of);
   json["load_factor"] = result.load_factor;
   if (result.curve_of == StageKind::kTilt)
     json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;

@@ -82,7 +82,9 @@ class RunHeadline {
  private:
   [[nodiscard]] double peak() const { return number_in(s_, "peak_reaction_kN"); }
   [[nodiscard]] double raw_peak() const { return number_in(s_, "peak_raw_kN"); }
-  [[nodiscard]] bool pushes_by_factor() const { return number_in(s_, "load_factor") > 0; }
+  [[nodiscard]] bool pushes_by_factor() const {
+    return number_in(s_, "load_factor") > 0 && words_in(s_, "curve_of") != "push";
+  }
   // Forces were read, but none that the ground carried.
   [[nodiscard]] bool has_no_capacity() const {
     return !(peak() > 0) && !pushes_by_factor() && raw_peak() > 0;

@@ -39,6 +39,19 @@ RateVerdict judged(Result result) {
   return dynamics::judge_quasi_static(result);
 }
 
+// The largest force of such a push holds the held load too.
+TEST(Verdict, a_push_during_a_held_body_force_is_warned_of_first) {
+  Result result = pushed({});
+  result.quasi_static.judgement = "slow enough";
+  EXPECT_NE(warning_of(result).code, "doubt.held_factor");
+  result.load_factor = 0.5;
+  EXPECT_EQ(warning_of(result).code, "doubt.held_factor");
+  result.quasi_static.judgement = "too fast";
+  EXPECT_EQ(warning_of(result).code, "doubt.held_factor");
+  result.curve_of = StageKind::kBodyForce;
+  EXPECT_NE(warning_of(result).code, "doubt.held_factor");
+}
+
 TEST(Verdict, a_static_push_is_slow_enough) {
   const RateVerdict q = judged(pushed({}));
   EXPECT_EQ(q.judgement, "slow enough");

@@ -197,6 +197,8 @@ std::string judgement_of_older(const std::string& verdict) {
 }  // namespace dynamics
 
 Message warning_of(const Result& result) {
+  if (result.curve_of == StageKind::kPush && result.load_factor > 0)
+    return {"doubt.held_factor", {{"factor", result.load_factor}}};
   const RateVerdict& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
   if (result.energy.gap_ratio > dynamics::kLedger)
