@@ -202,7 +202,10 @@ TEST(Report, load_factor_stands_in_where_nothing_is_pushed) {
   Result result = scenes::sample_result();
   result.responses = {};
   result.load_factor = 0.25;
+  result.curve_of = StageKind::kBodyForce;
   EXPECT_EQ(count(sample_head(result), "carries <b>0.25</b> of its weight"), 1);
+  result.curve_of = StageKind::kPush;  // the body force is only held
+  EXPECT_EQ(count(sample_head(result), "of its weight"), 0);
 }
 
 TEST(Report, damaged_data_are_refused) {
