@@ -1,0 +1,28 @@
+// Blocks in space: what a file or a builder gives of them.
+//
+//   file or builder ──► BodySpec ──► geometry (mass, inertia, joint faces) ──► Model::space
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "wythe/vector.h"
+
+namespace wythe {
+
+// A convex solid with flat faces.
+struct Polyhedron {
+  std::vector<Vec3> vertex;                     // [m], in the wall's axes: y up
+  std::vector<std::vector<std::int32_t>> face;  // corners, anticlockwise seen from outside
+};
+
+// One rigid block: one convex part, or several that move as one (their inner faces touch).
+struct BodySpec {
+  std::string id;
+  std::vector<Polyhedron> part;
+  std::string material = "masonry";  // names a material with a density, else wall.unit.density
+  bool fixed = false;                // a support: never moves but by a stage that drives it
+};
+
+}  // namespace wythe
