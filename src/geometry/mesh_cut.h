@@ -1,0 +1,45 @@
+// A closed surface of triangles, and how it is cut into convex pieces.
+//
+//   +-------+            an edge whose faces enclose more than 180 degrees of the solid is reflex; a plane
+//   |   A  /|            through it, and through as many other corners as it can, cuts the solid in two.
+//   |    r--+---+        Corners within kConvexPart of the plane count as on it, so that no slivers arise.
+//   |    :   B  |
+//   +----+------+        Pieces are cut again until none is concave by more than kConvexPart of its size.
+//
+// Called by convex_parts.cpp. Idea of cutting at notches: B. Chazelle, SIAM J. Comput. 13 (1984).
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wythe/body.h"
+#include "wythe/vector.h"
+
+namespace wythe::geometry {
+
+struct Mesh {
+  std::vector<Vec3> vertex;
+  std::vector<std::array<int, 3>> triangle;  // anticlockwise seen from outside
+  std::vector<int> source;  // of each triangle: the face it came from; caps get new ones
+};
+
+// The triangulation of least area: of a flat polygon, convex or not, one without overlaps. Corners by their
+// place in the list. Takes n^3; empty for more than kMostCorners.
+inline constexpr std::size_t kMostCorners = 200;
+[[nodiscard]] std::vector<std::array<int, 3>> triangles_of(const std::vector<Vec3>& polygon);
+
+[[nodiscard]] double volume_of(const Mesh& mesh);
+// Pieces that share no edge.
+[[nodiscard]] std::vector<Mesh> connected_pieces(const Mesh& mesh);
+// An edge that runs through a triangle it does not belong to.
+[[nodiscard]] std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh);
+// How far the highest corner lies above a face, as a share of the longest side of the box.
+[[nodiscard]] double concavity_of(const Mesh& mesh);
+
+// Convex pieces; "" or why there are none.
+[[nodiscard]] std::string cut_into_convex(const Mesh& mesh, std::vector<Mesh>& pieces);
+
+}  // namespace wythe::geometry
