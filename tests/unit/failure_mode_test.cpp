@@ -20,6 +20,7 @@
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
 #include "study/modes/element_states.h"
+#include "wythe/mechanism.h"
 
 namespace wythe {
 namespace {
@@ -212,6 +213,52 @@ TEST(ElementStates, split_pier_is_the_one_that_is_named) {
   EXPECT_FALSE(flag_of(mode, "left pier").holds());
 }
 
+// A plumb strip at the right end of the right pier, `width` wide up to `height`, goes down by `way`.
+Mechanism with_strip(const Mechanism& rest, double width, double height, double way = 4e-3) {
+  return [=](double x, double y) {
+    Motion m = rest(x, y);
+    if (x > kLength - width && y < height) m.move_y -= way;
+    return m;
+  };
+}
+
+TEST(ElementStates, plumb_split_is_a_crack_through_the_pier_from_three_quarters_of_its_shaft_on) {
+  const auto none = [](double, double) { return Motion{}; };
+  const auto is_cracked = [&](double width, double height) {
+    const State state = moved(tuff_wall(), with_strip(none, width, height));
+    return shows(name_from_state(tuff_wall(), state), "right pier", study::kDiagonal);
+  };
+  EXPECT_FALSE(is_cracked(0.45, 1.00));
+  EXPECT_FALSE(is_cracked(0.45, 1.45));  // as high as a stepped crack that crosses the pier
+  EXPECT_TRUE(is_cracked(0.45, 2.64));
+  EXPECT_TRUE(is_cracked(0.29, 2.64));
+}
+
+TEST(ElementStates, strip_of_half_a_unit_that_comes_off_an_edge_is_no_crack_through_the_pier) {
+  const FailureMode mode =
+      name_from_state(tuff_wall(), moved(tuff_wall(), with_strip(mechanism(kFm5), 0.155, 2.64)));
+  EXPECT_FALSE(shows(mode, "right pier", study::kDiagonal));
+  EXPECT_EQ(mode.name, "FM-5");
+}
+
+TEST(ElementStates, short_split_beside_a_sheared_spandrel_does_not_blur_the_name) {
+  const FailureMode mode =
+      name_from_state(tuff_wall(), moved(tuff_wall(), with_strip(mechanism(kFm4), 0.45, 1.35)));
+  EXPECT_EQ(mode.name, "FM-4") << mode.sentence;
+}
+
+TEST(ElementStates, stepped_crack_that_crosses_a_pier_counts_at_the_slope_of_the_bond) {
+  // what is above the steps, from (3.6, 1.9) down to the toe side, goes right
+  const auto above = [](double x, double y) {
+    const bool is_above = x > 3.40 && y > 1.75 - (x - 3.55) * 0.11 / 0.155 && y < 2.64;
+    return Motion{.move_x = is_above ? 4e-3 : 0, .move_y = is_above ? -1e-3 : 0};
+  };
+  const FailureMode mode = name_from_state(tuff_wall(), moved(tuff_wall(), above));
+  EXPECT_TRUE(shows(mode, "right pier", study::kDiagonal))
+      << sign_of(mode.elements, "right pier", study::kDiagonal).value << " of "
+      << sign_of(mode.elements, "right pier", study::kDiagonal).threshold;
+}
+
 TEST(ElementStates, crack_that_has_closed_still_counts) {
   State state = moved(tuff_wall(), mechanism(kFm1));
   std::fill(state.ux.begin(), state.ux.end(), 0.0);
@@ -401,6 +448,27 @@ TEST(NameFailureMode, what_is_stored_for_the_user_changes_neither_name_nor_place
     EXPECT_EQ(mode.name, "FM-4") << kept;
     EXPECT_DOUBLE_EQ(mode.read_at, 40e-3) << kept;
   }
+}
+
+TEST(NameFailureMode, spandrel_that_shears_well_after_a_pier_does_not_take_the_name) {
+  const auto named_when = [](double spandrel_at, double pier_at) {
+    Result result;
+    for (int mm = 1; mm <= 40; ++mm) {
+      const double d = 1e-3 * mm;
+      const Parts parts{.right_split = d >= pier_at,
+                        .spandrel = d >= spandrel_at ? Parts::kLayers : Parts::kWhole};
+      result.readings.push_back({"", d, 0, moved(tuff_wall(), mechanism(parts, d / 3.12))});
+    }
+    const FailureMode mode = name_failure_mode(tuff_wall(), result);
+    const WallMechanism whole = read_mechanism(tuff_wall(), result);
+    EXPECT_EQ(whole.name == "one pier in shear", mode.name == "FM-1") << whole.name;
+    if (mode.name == "unclear") return text_of(mode.sentence);
+    return mode.name + (text_of(mode.sentence).find("later") == std::string::npos ? "" : ", later");
+  };
+  EXPECT_EQ(named_when(30e-3, 18e-3), "FM-1, later");
+  EXPECT_EQ(named_when(18e-3, 18e-3), "FM-3");
+  EXPECT_EQ(named_when(18e-3, 30e-3), "FM-3");
+  EXPECT_EQ(named_when(1, 18e-3), "FM-1");
 }
 
 TEST(NameFailureMode, push_that_ended_before_is_read_at_its_end_and_says_so) {

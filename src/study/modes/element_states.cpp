@@ -51,11 +51,38 @@ double foot_height(const Pier& pier) {
   return kFoot * std::min(pier.box.width(), pier.box.height());
 }
 
-// Length of the lines on which the panel has parted by a crack's width.
-double parted(const std::vector<LineSum>& lines, double length, double crack) {
-  const auto open = std::count_if(lines.begin(), lines.end(),
-                                  [&](const LineSum& l) { return l.movement() >= crack; });
-  return length * static_cast<double>(open) / static_cast<double>(lines.size());
+// Where a panel has parted by a crack's width: how far along it, and on what part of its depth there.
+struct PartedPanel {
+  double along = 0, across = 0;  // [m]
+  // How far along it has to go to cross `depth`, at the slope it has; the bond's steps are the least.
+  [[nodiscard]] double to_cross(double depth, double bond) const {
+    return depth * (across > 0 ? std::max(bond, along / across) : bond);
+  }
+};
+
+// `lines` cross a panel that is long across them.
+PartedPanel parted(const std::vector<JointMotion>& joints, const Box& panel, Lines lines,
+                   const WallParts& parts, double crack) {
+  const bool level = lines == Lines::kLevel;
+  const double pitch = level ? parts.course : parts.column;
+  const double pitch_across = level ? parts.column : parts.course;  // no crack takes less
+  Box reached = panel;  // from the first to the last line that has parted
+  double &from = level ? reached.y0 : reached.x0, &to = level ? reached.y1 : reached.x1;
+  const auto is_parted = [&](const LineSum& l) { return l.movement() >= crack; };
+  const std::vector<LineSum> all = scan(joints, panel, lines, pitch);
+  const auto open = std::count_if(all.begin(), all.end(), is_parted);
+  if (open == 0) return {};
+  const auto first = std::find_if(all.begin(), all.end(), is_parted);
+  const auto last = std::find_if(all.rbegin(), all.rend(), is_parted);
+  const double length = to - from, depth = level ? panel.width() : panel.height();
+  from = std::max(from, first->at - 0.6 * pitch);  // with the joints that bound it
+  to = std::min(to, last->at + 0.6 * pitch);
+  const std::vector<LineSum> other =
+      scan(joints, reached, level ? Lines::kUpright : Lines::kLevel, pitch_across);
+  const auto crossed = std::count_if(other.begin(), other.end(), is_parted);
+  return {length * static_cast<double>(open) / static_cast<double>(all.size()),
+          std::max(pitch_across,
+                   depth * static_cast<double>(crossed) / static_cast<double>(other.size()))};
 }
 
 double widest_line(const std::vector<LineSum>& lines) {
@@ -188,27 +215,24 @@ class SignReader {
       : parts_(parts), motion_(motion), joints_(motion.joints), rules_(rules) {}
 
   [[nodiscard]] ElementState pier(const Pier& p) const {
-    const Box shaft = shaft_of(p);
     const double width = p.box.width();
-    const double needed = std::min(rules_.pier_crossed * width * parts_.course / parts_.column,
-                                   kSlender * shaft.height());
-    const std::vector<LineSum> lines = scan(joints_, shaft, Lines::kLevel, parts_.course);
+    const Reach crack = crack_through(p);
     const Box whole{p.box.x0, p.box.x1, p.base - 0.5 * parts_.course, p.box.y1};
     const std::vector<BedSection> sections = bed_sections(joints_, whole, parts_.course);
     const Beds beds = beds_of(p, sections);
     const BedSlips slips = slips_of(sections, width);
-    double apart = parted(lines, shaft.height(), rules_.crack), rocks = beds.open_foot;
+    double apart = crack.length, rocks = beds.open_foot;
     const double dry = dryness(beds);
     if (dry > 0) {
       const double turning = dry * Turning(p, parts_, motion_.blocks, rules_.crack).share();
       // a stepped crack through joints without strength is the shape of rocking, not a failure
       if (turning > rules_.rocking)
-        apart = std::min(apart, needed * (1 - turning) / (1 - rules_.rocking));
+        apart = std::min(apart, crack.needed * (1 - turning) / (1 - rules_.rocking));
       rocks = std::max(rocks, std::min(turning, rules_.rocking * beds.widest / rules_.crack));
     }
     return element(
         p.name, "pier",
-        {sign(kDiagonal, "height over which it is parted", apart, needed, "m"),
+        {sign(kDiagonal, "height over which it is parted", apart, crack.needed, "m"),
          sign(kSliding, "slip all across its bed sections", slips.above, rules_.sliding, "mm"),
          sign(kBaseSliding, "slip all across the foundation", slips.below, rules_.sliding, "mm"),
          sign(kRocking,
@@ -250,10 +274,10 @@ class SignReader {
     Box masonry = s.box;
     masonry.y0 += s.lintel;
     const double length = masonry.width();
-    const double needed =
-        std::min(rules_.spandrel_crossed * masonry.height() * parts_.column / parts_.course,
-                 kSlender * length);
-    const std::vector<LineSum> columns = scan(joints_, masonry, Lines::kUpright, parts_.column);
+    const PartedPanel crack = parted(joints_, masonry, Lines::kUpright, parts_, rules_.crack);
+    const double needed = std::min(
+        crack.to_cross(rules_.spandrel_crossed * masonry.height(), parts_.column / parts_.course),
+        kSlender * length);
     const std::vector<LineSum> inner = scan(joints_, masonry, Lines::kLevel, parts_.course);
     Box ends = masonry;  // with the joints at the jambs
     ends.x0 -= 0.5 * parts_.column;
@@ -261,8 +285,7 @@ class SignReader {
     const std::vector<LineSum> whole = scan(joints_, ends, Lines::kLevel, parts_.course);
     return element(
         s.name, s.is_sill ? "sill" : "spandrel",
-        {sign(kDiagonal, "length over which it is parted", parted(columns, length, rules_.crack),
-              needed, "m"),
+        {sign(kDiagonal, "length over which it is parted", crack.along, needed, "m"),
          sign(kSliding, "slip all down an upright section", slip_on_all(inner), rules_.sliding,
               "mm"),
          sign(kFlexural, "widest crack along a course", widest_line(whole), rules_.crack, "mm")});
@@ -291,6 +314,28 @@ class SignReader {
   }
 
  private:
+  // How far a crack has come, and how far it has to come.
+  struct Reach {
+    double length = 0, needed = 0;  // [m]
+  };
+  // The farther of two: across the pier, from side to side; or along its shaft, where a steep one splits it.
+  [[nodiscard]] Reach crack_through(const Pier& p) const {
+    const Box core = without_edges(p.box), shaft = without_edges(shaft_of(p));
+    const PartedPanel crack = parted(joints_, core, Lines::kLevel, parts_, rules_.crack);
+    const PartedPanel split = parted(joints_, shaft, Lines::kLevel, parts_, rules_.crack);
+    const Reach across{crack.along, crack.to_cross(rules_.pier_crossed * core.width(),
+                                                   parts_.course / parts_.column)};
+    const Reach along{split.along, kSlender * shaft.height()};
+    return along.length * across.needed > across.length * along.needed ? along : across;
+  }
+  // A strip of half a unit that comes off a pier's edge is no crack through the pier, as long as it is
+  // less than half of the toe's quarter.
+  [[nodiscard]] Box without_edges(Box pier) const {
+    if (parts_.column > 0.5 * kFoot * pier.width()) return pier;
+    pier.x0 += parts_.column;
+    pier.x1 -= parts_.column;
+    return pier;
+  }
   [[nodiscard]] Beds beds_of(const Pier& p, const std::vector<BedSection>& sections) const {
     Beds beds;
     for (const BedSection& section : sections) {

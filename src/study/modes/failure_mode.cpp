@@ -118,6 +118,19 @@ void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Vali
   mode.words = {};
 }
 
+// What each part showed at the states up to the one that is read.
+std::vector<study::Reading> readings_up_to(const Model& model, const WallParts& parts,
+                                           const Result& result, const Snapshot* read,
+                                           const ModeRules& rules) {
+  std::vector<study::Reading> readings;
+  for (const Snapshot& s : result.readings) {
+    const WallMotion then = study::read_motion(model, s.state);
+    readings.push_back({s.displacement, study::element_states(parts, then, rules)});
+    if (&s == read) break;
+  }
+  return readings;
+}
+
 void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     for (std::size_t k = 0; k < elements[e].signs.size(); ++k) {
@@ -144,7 +157,8 @@ constexpr Change kChanges[] = {
 
 std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
                                         const Result& result, const Snapshot& read,
-                                        const WallMotion& motion, const ModeRules& rules) {
+                                        const WallMotion& motion, const ModeRules& rules,
+                                        double later) {
   std::vector<NameReading> names;
   const Snapshot* before = &read;
   const auto same_place = [](const Snapshot& a, const Snapshot& b) {
@@ -154,13 +168,13 @@ std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& par
     if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
     before = &s;
     const WallMotion there = study::read_motion(model, s.state);
-    names.push_back({study::name_parts(parts, there, rules).name, s.label, s.displacement});
+    names.push_back({study::name_parts(parts, there, rules, later).name, s.label, s.displacement});
   }
   for (const Change& change : kChanges) {
     for (const double factor : {0.75, 1.25}) {
       ModeRules changed = rules;
       changed.*change.threshold *= factor;
-      names.push_back({study::name_parts(parts, motion, changed).name, "", read.displacement,
+      names.push_back({study::name_parts(parts, motion, changed, later).name, "", read.displacement,
                        change.word, factor});
     }
   }
@@ -212,26 +226,24 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   const WallParts parts = study::find_parts(model);
   const WallMotion motion = study::read_motion(model, read->state);
   const ModeRules rules = rules_at(model, result, *read, read_at);
-  FailureMode mode = study::name_parts(parts, motion, rules);
+  const std::vector<study::Reading> readings = readings_up_to(model, parts, result, read, rules);
+  const double later = study::spandrel_later(parts, readings, rules);
+  FailureMode mode = study::name_parts(parts, motion, rules, later);
   doubt_slid_off(parts, motion, result.validity, mode);
   mode.read_at = read->displacement;
   mode.reading = words_for(model, result, *read, read_at);
-  for (const Snapshot& s : result.readings) {
-    const WallMotion then = study::read_motion(model, s.state);
-    note_first(study::element_states(parts, then, rules), s.displacement, mode.elements);
-    if (&s == read) break;
-  }
+  for (const study::Reading& r : readings) note_first(r.elements, r.displacement, mode.elements);
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
   mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
-  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules);
+  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules, later);
   return mode;
 }
 
 namespace {
 
-WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion,
-                           const ModeRules& rules) {
-  WallMechanism mechanism = study::name_wall(parts, motion, rules).mechanism;
+WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                           double later = 0) {
+  WallMechanism mechanism = study::name_wall(parts, motion, rules, later).mechanism;
   if (!is_slid_off(parts, motion)) return mechanism;
   if (mechanism.name != "unclear") mechanism.candidates = {mechanism.name};
   mechanism.name = "unclear";
@@ -248,8 +260,11 @@ WallMechanism mechanism_from_state(const Model& model, const State& state) {
 WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) return {};
-  return mechanism_in(study::find_parts(model), study::read_motion(model, read->state),
-                      rules_at(model, result, *read, read_at));
+  const WallParts parts = study::find_parts(model);
+  const ModeRules rules = rules_at(model, result, *read, read_at);
+  const double later =
+      study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules);
+  return mechanism_in(parts, study::read_motion(model, read->state), rules, later);
 }
 
 }  // namespace wythe

@@ -2,16 +2,18 @@
 // right pier is sheared", r of "both piers rock", c of "a connection has cracked", f of "a pier's
 // foot has cracked" (each 0 to 1, see truths_of), the scores are
 //
-//   FM-1  (1 - s) c (p + q - 2 p q)       one pier            FM-3  s (p + q - p q)
-//   FM-2  (1 - s) c p q                   both piers          FM-4  s f (1 - p) (1 - q)
+//   FM-1  F (p + q - 2 p q)               one pier            FM-3  s (1 - l) (p + q - p q)
+//   FM-2  F p q                           both piers          FM-4  s f (1 - p) (1 - q)
 //   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
 //
+// with F = (1 - s) c + s l, l the truth that a pier sheared before the spandrel did,
 // each times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding": S is the
 // truth of joints all along the wall having slid by more than half of the way the wall has gone. The
 // highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
 #include "study/modes/mode_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -79,10 +81,12 @@ bool is_two_pier_wall(const WallParts& parts) {
 
 class Namer {
  public:
-  Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules)
+  Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+        double spandrel_later)
       : parts_(parts),
         motion_(motion),
         rules_(rules),
+        later_(spandrel_later),
         elements_(element_states(parts, motion, rules)),
         truths_(truths_of(parts, motion, rules)) {
     for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.moved.x));
@@ -149,9 +153,11 @@ class Namer {
     const double r = std::min(sure(left, kRocking), sure(right, kRocking));
     const double c = surest("connection", kFlexural), f = surest("pier", kFlexural);
     const double neither = (1 - p) * (1 - q);
-    mode_.scores = {{"FM-1", (1 - s) * c * (p + q - 2 * p * q)},
-                    {"FM-2", (1 - s) * c * p * q},
-                    {"FM-3", s * (1 - neither)},
+    // the piers come first: the spandrel is whole and cracked at its ends, or shears later
+    const double first = (1 - s) * c + s * later_;
+    mode_.scores = {{"FM-1", first * (p + q - 2 * p * q)},
+                    {"FM-2", first * p * q},
+                    {"FM-3", s * (1 - later_) * (1 - neither)},
                     {"FM-4", s * f * neither},
                     {"FM-5", (1 - s) * c * r * neither}};
     const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
@@ -187,6 +193,8 @@ class Namer {
     } else {
       give_name(first_name, words_of(first_name));
       mode_.sentence = sentence_of(first_name);
+      if (later_ > 0.5 && (first_name == "FM-1" || first_name == "FM-2"))
+        mode_.sentence = {"mode.spandrel_later", {{"what", mode_.sentence}}};
     }
   }
 
@@ -289,6 +297,7 @@ class Namer {
   const WallParts& parts_;
   const WallMotion& motion_;
   const ModeRules& rules_;
+  double later_;  // truth that the spandrel sheared after a pier
   ElementStates elements_;
   Truths truths_;
   std::vector<std::pair<std::string, double>> ranked_;  // kinds of damage, gravest first
@@ -298,19 +307,37 @@ class Namer {
 
 }  // namespace
 
-FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
+FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                       double spandrel_later) {
   if (parts.piers.empty() || !(rules.crack > 0)) {
     FailureMode none;
     none.sentence = {"mode.no_piers"};
     return none;
   }
-  return Namer(parts, motion, rules).name();
+  return Namer(parts, motion, rules, spandrel_later).name();
 }
 
-Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRules& rules) {
+double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+                      const ModeRules& rules) {
+  constexpr double kFarther = 1.3;  // of the way then: at once is neither's turn
+  if (!is_two_pier_wall(parts)) return 0;
+  const auto first = [&](const char* kind) {
+    for (const Reading& r : readings)
+      for (const ElementState& e : r.elements)
+        for (const ElementSign& s : e.signs)
+          if (e.kind == kind && (s.state == kDiagonal || s.state == kSliding) && s.holds())
+            return std::fabs(r.displacement);
+    return kUnset;
+  };
+  const double pier = first("pier"), spandrel = first("spandrel");
+  return pier > 0 && spandrel > 0 ? ramp(spandrel / pier, kFarther, rules) : 0.0;
+}
+
+Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                double spandrel_later) {
   if (parts.piers.empty() || !(rules.crack > 0))
     return {name_parts(parts, motion, rules), {.sentence = {"mode.no_piers"}}};
-  Namer namer(parts, motion, rules);
+  Namer namer(parts, motion, rules, spandrel_later);
   const FailureMode mode = namer.name();
   return {mode, namer.mechanism()};
 }

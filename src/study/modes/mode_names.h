@@ -10,15 +10,23 @@
 
 namespace wythe::study {
 
-// Name, scores, sentence, evidence and elements; no flags, no first displacements.
+// Name, scores, sentence, evidence and elements; no flags, no first displacements. `spandrel_later`: the
+// truth that a pier of a portal sheared before its spandrel did, which one state does not show.
 [[nodiscard]] FailureMode name_parts(const WallParts& parts, const WallMotion& motion,
-                                     const ModeRules& rules);
+                                     const ModeRules& rules, double spandrel_later = 0);
+// That truth, from the states up to the one that is read, `readings` being their element states.
+struct Reading {
+  double displacement = 0;  // [m]
+  ElementStates elements;
+};
+[[nodiscard]] double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+                                    const ModeRules& rules);
 // The same with the mechanism of the whole wall.
 struct Named {
   FailureMode mode;
   WallMechanism mechanism;
 };
 [[nodiscard]] Named name_wall(const WallParts& parts, const WallMotion& motion,
-                              const ModeRules& rules);
+                              const ModeRules& rules, double spandrel_later = 0);
 
 }  // namespace wythe::study
