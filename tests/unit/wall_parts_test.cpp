@@ -417,6 +417,32 @@ TEST(Mechanism, nothing_has_happened_to_a_wall_at_rest) {
   EXPECT_EQ(text_of(found.sentence), "no mechanism: no part shows damage");
 }
 
+TEST(Mechanism, force_that_fell_without_a_failed_pier_or_spandrel_is_not_explained_away) {
+  // masonry above a pier moves off in one piece: no pier, no spandrel
+  const auto node = [](double x, double y) {
+    const double c = x / kColumn, r = y / kCourse;
+    return c < 4 && r > 14 ? Motion{.move_x = -6e-3, .move_y = 3e-3} : Motion{};
+  };
+  const auto at_a_loss_of = [&](double lost) {
+    Result result;
+    result.readings.push_back({"", 40e-3, 0, moved(two_storeys(), node)});
+    for (const double at : {10e-3, 40e-3}) {
+      CurveRow row;
+      row.displacement = at;
+      row.reaction = at < 20e-3 ? 1e5 : 1e5 * (1 - lost);
+      result.curve.push_back(row);
+    }
+    return read_mechanism(two_storeys(), result);
+  };
+  EXPECT_EQ(at_a_loss_of(0.1).name, "none");
+  const WallMechanism found = at_a_loss_of(0.4);
+  EXPECT_EQ(found.name, "unclear");
+  EXPECT_EQ(found.candidates, std::vector<std::string>{"none"});
+  const std::string said = text_of(found.sentence);
+  EXPECT_NE(said.find("lost 40 % of its peak"), std::string::npos) << said;
+  EXPECT_NE(said.find("6.7 mm, is in node 1 of storey 2"), std::string::npos) << said;
+}
+
 TEST(Mechanism, wall_that_leaves_its_base_slides_there) {
   const auto found = of_two_storeys(cut(-1, 6e-3));
   EXPECT_EQ(found.name, "base sliding");

@@ -123,6 +123,7 @@ std::vector<study::Reading> readings_up_to(const Model& model, const WallParts& 
                                            const Result& result, const Snapshot* read,
                                            const ModeRules& rules) {
   std::vector<study::Reading> readings;
+  readings.reserve(result.readings.size());
   for (const Snapshot& s : result.readings) {
     const WallMotion then = study::read_motion(model, s.state);
     readings.push_back({s.displacement, study::element_states(parts, then, rules)});
@@ -251,6 +252,54 @@ WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, con
   return mechanism;
 }
 
+// The share of its peak that the force has lost where the state is read.
+double force_lost(const Result& result, double read_at) {
+  double peak = 0, now = 0;
+  for (const CurveRow& row : backbone_of(result.curve)) {
+    if (std::fabs(row.displacement) > (1 + kNearly) * std::fabs(read_at)) break;
+    now = row.reaction;
+    peak = std::max(peak, now);
+  }
+  return peak > 0 ? 1 - now / peak : 0.0;
+}
+
+// The part in which a joint lies, the smallest that holds it.
+Message place_of(const WallParts& parts, const study::JointMotion& joint) {
+  const study::Part* found = nullptr;
+  for (const auto& [part, kind] : study::all_parts(parts)) {
+    const study::Box& b = part->box;
+    const double reach = 0.5 * parts.course;
+    if (joint.x < b.x0 - reach || joint.x > b.x1 + reach || joint.y < b.y0 - reach ||
+        joint.y > b.y1 + reach)
+      continue;
+    if (found == nullptr || b.width() * b.height() < found->box.width() * found->box.height())
+      found = part;
+  }
+  if (found == nullptr) return {"mechanism.no_part"};
+  const auto words = parts.words.find(found->name);
+  return words != parts.words.end() ? words->second : as_text(found->name);
+}
+
+// A force that fell needs a cause. Where no pier and no spandrel shows one, say so, and where it moved most.
+void doubt_calm(const WallParts& parts, const WallMotion& motion, double lost,
+                WallMechanism& mechanism) {
+  const study::JointMotion* most = nullptr;
+  const auto way = [](const study::JointMotion& j) { return std::hypot(j.opened, j.slip); };
+  for (const auto* list : {&motion.joints, &motion.top})
+    for (const study::JointMotion& j : *list)
+      if (most == nullptr || way(j) > way(*most)) most = &j;
+  if (most == nullptr) return;
+  double crushed = 0;
+  for (const study::JointMotion& j : motion.joints) crushed = std::max(crushed, j.crushing);
+  mechanism.candidates = {mechanism.name};
+  mechanism.name = "unclear";
+  mechanism.sentence = {"mechanism.fell",
+                        {{"percent", 100 * lost},
+                         {"mm", 1e3 * way(*most)},
+                         {"place", place_of(parts, *most)},
+                         {"crushed_percent", 100 * crushed}}};
+}
+
 }  // namespace
 
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
@@ -262,9 +311,16 @@ WallMechanism read_mechanism(const Model& model, const Result& result, double re
   if (read == nullptr) return {};
   const WallParts parts = study::find_parts(model);
   const ModeRules rules = rules_at(model, result, *read, read_at);
+  const WallMotion motion = study::read_motion(model, read->state);
   const double later =
-      study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules);
-  return mechanism_in(parts, study::read_motion(model, read->state), rules, later);
+      study::is_two_pier_wall(parts)
+          ? study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules)
+          : 0.0;
+  WallMechanism mechanism = mechanism_in(parts, motion, rules, later);
+  if (mechanism.name != "none" || is_load_controlled(result)) return mechanism;
+  if (const double lost = force_lost(result, read->displacement); lost >= rules.drop)
+    doubt_calm(parts, motion, lost, mechanism);
+  return mechanism;
 }
 
 }  // namespace wythe

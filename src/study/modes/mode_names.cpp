@@ -73,12 +73,6 @@ Message words_of(const Kinds& kinds) {
   return {"damage.several", {{"kinds", std::move(list)}}};
 }
 
-bool is_two_pier_wall(const WallParts& parts) {
-  const auto spandrels = std::count_if(parts.spandrels.begin(), parts.spandrels.end(),
-                                       [](const Spandrel& s) { return !s.is_sill; });
-  return parts.piers.size() == 2 && parts.openings == 1 && spandrels == 1;
-}
-
 class Namer {
  public:
   Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
@@ -306,6 +300,12 @@ class Namer {
 };
 
 }  // namespace
+
+bool is_two_pier_wall(const WallParts& parts) {
+  const auto spandrels = std::count_if(parts.spandrels.begin(), parts.spandrels.end(),
+                                       [](const Spandrel& s) { return !s.is_sill; });
+  return parts.piers.size() == 2 && parts.openings == 1 && spandrels == 1;
+}
 
 FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
                        double spandrel_later) {

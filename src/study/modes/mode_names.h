@@ -14,6 +14,7 @@ namespace wythe::study {
 // truth that a pier of a portal sheared before its spandrel did, which one state does not show.
 [[nodiscard]] FailureMode name_parts(const WallParts& parts, const WallMotion& motion,
                                      const ModeRules& rules, double spandrel_later = 0);
+[[nodiscard]] bool is_two_pier_wall(const WallParts& parts);
 // That truth, from the states up to the one that is read, `readings` being their element states.
 struct Reading {
   double displacement = 0;  // [m]
