@@ -21,6 +21,7 @@
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
 #include "wythe/message.h"
+#include "wythe/vector.h"
 #include "wythe/wall_spec.h"
 #include "wythe/words.h"
 
@@ -76,6 +77,7 @@ struct PointLoad {
   BlockId block = 0;
   double arm_x = 0, arm_y = 0;  // from the centroid, in the block's own axes [m]
   double fx = 0, fy = 0;        // [N]
+  double arm_z = 0, fz = 0;     // in space
 };
 
 // One stage, ready to run: blocks, newtons, metres and seconds in place of words.
@@ -88,6 +90,7 @@ struct Stage {
   std::vector<double> driven_share;
   BlockId control = -1;             // whose displacement the push follows; -1: the driven mean
   double drive_x = 0, drive_y = 0;  // unit vector of the push
+  double drive_z = 0;               // in space
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
 };
 
@@ -199,6 +202,34 @@ struct Links {
   int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
 };
 
+// Walls in space: what the plane's arrays of the Model do not hold (docs/theory/space.md). Empty in a plane
+// wall; in space the plane's arms, faces and points are.
+//
+//        n                t1, t2 and n = t1 x t2 are right-handed; n points from a to b.
+//        |   t2           Block b of a joint is free; a is free, or support a - n_block.
+//     +--|--/------+      Point k of joint j stands at centre + r1_k t1 + r2_k t2, with
+//    /   | /   .  /       the area share_k * area_j.
+//   /    o-----> t1
+//  +------------+
+struct Space {
+  int n_support = 0;
+
+  // read by the pass over joint faces (one row per joint, sorted by law, support and number of points)
+  std::vector<Vec3> arm_a, arm_b;          // face centre seen from the centroids [m]
+  std::vector<Vec3> tangent, normal;       // t1, n at the start
+  std::vector<std::int32_t> point_begin;   // CSR (n_joint + 1) into the next three
+  std::vector<double> point_r1, point_r2;  // [m]
+  std::vector<double> point_share;         // of the face's area; of each face they sum to 1
+
+  // read by the pass over blocks (one row per block)
+  std::vector<Vec3> axis_1, axis_2, axis_3;   // principal axes at the start, right-handed
+  std::vector<Vec3> inertia;                  // about them [kg m^2]
+  std::vector<Vec3> centroid;                 // at the start [m]; the supports' follow
+  // names and shapes, for pictures and reports; bodies are the blocks, then the supports
+  std::vector<BodySpec> body;
+  std::vector<std::vector<Vec3>> face;  // outline of each joint at the start, anticlockwise about n [m]
+};
+
 struct Model {
   int n_block = 0, n_joint = 0, n_pair = 0, n_face_point = 2;
 
@@ -226,6 +257,7 @@ struct Model {
 
   Solids solids;  // deformable blocks; empty in a wall of rigid ones
   Links links;    // ties, diaphragms and springs
+  Space space;    // walls in space
 
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
@@ -245,7 +277,10 @@ struct Model {
   [[nodiscard]] std::int32_t stated(std::int32_t material) const {
     return stated_material.empty() ? material : stated_material[static_cast<std::size_t>(material)];
   }
-  [[nodiscard]] int n_point() const { return n_joint * n_face_point; }
+  [[nodiscard]] bool in_space() const { return !space.point_begin.empty(); }
+  [[nodiscard]] int n_point() const {
+    return in_space() ? space.point_begin.back() : n_joint * n_face_point;
+  }
   // With the two points of each zone contact, which follow those of the joints.
   [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }
 };
@@ -270,6 +305,14 @@ struct State {
   std::vector<double> tension_set;   // w_t [m], elastic unloading only
   std::vector<double> crush_path;    // q [m]; empty where no law of the wall has a cap
 
+  // in space alone: the third displacement and velocity, the turn since the start as a unit quaternion,
+  // the angular momentum about the centroid, in the wall's axes (n_block)
+  std::vector<double> uz, vz;          // [m], [m/s]
+  std::vector<double> qw, qx, qy, qz;  // [-]
+  std::vector<double> lx, ly, lz;      // at the half step [kg m^2/s]
+  std::vector<double> plastic_slip_2;  // along t2; plastic_slip is along t1 [m] (n_history)
+  std::vector<double> support_x, support_y, support_z;  // how far a support was driven [m] (n_support)
+
   // written by the pass over links (n_link)
   std::vector<double> link_force;    // tension + [N]
   std::vector<double> link_plastic;  // elongation that stays [m]
@@ -281,6 +324,7 @@ struct State {
   double time = 0;                      // [s]
   double stage_time = 0;                // [s]
   double gravity_x = 0, gravity_y = 0;  // acceleration now in force [m/s^2]
+  double gravity_z = 0;                 // in space
   double body_factor = 0;               // lambda of the body force, or the angle of a tilt
   double load_factor = 0;               // largest one reached in balance
   double balance = 1;                   // unbalance ratio, last sampled by the servo

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "wythe/body.h"
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
 #include "wythe/masonry.h"
@@ -53,18 +54,22 @@ inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
                                               {"strain", Plane::kStrain}};
 static_assert(names_all(kPlaneWords));
 
-enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY };
+// The last two are for walls in space alone.
+enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ };
 inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
                                                       {"-x", Direction::kMinusX},
                                                       {"+y", Direction::kPlusY},
-                                                      {"-y", Direction::kMinusY}};
+                                                      {"-y", Direction::kMinusY},
+                                                      {"+z", Direction::kPlusZ},
+                                                      {"-z", Direction::kMinusZ}};
 static_assert(names_all(kDirectionWords));
 
 // Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
 // or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
+// In space a point or box has z and depth too, and an id may end with * for all that begin so.
 struct PlaceSpec {
-  double x = kUnset, y = kUnset;           // [m]
-  double width = kUnset, height = kUnset;  // [m]
+  double x = kUnset, y = kUnset, z = kUnset;               // [m]
+  double width = kUnset, height = kUnset, depth = kUnset;  // [m]
   int courses = 1;
   std::string block;
   bool beam = false;
@@ -228,6 +233,8 @@ struct WallSpec {
   Bond bond = Bond::kRunning;
   Fit fit = Fit::kWhole;
   std::string blocks;  // path of a blocks file; then length, height, bond, unit sizes are not used
+  std::string up;      // axis of a file in space that points up, "y" or "z"; "": as its format has it
+  std::vector<std::string> supports;  // blocks of such a file that stand still, by id; * at the end
   UnitSpec unit;
   std::vector<OpeningSpec> opening;
   BeamSpec beam;
@@ -254,11 +261,13 @@ inline constexpr Word<Manner> kMannerWords[] = {{"pressure", Manner::kPressure},
 static_assert(names_all(kMannerWords, 1));  // kDefault is not written
 
 // How the force of a push is shared between blocks (docs/theory/integration.md, "The pattern of a push").
-enum class Pattern { kNone, kGiven, kMassHeight, kUniform, kMass };
+// kArea, in space alone: the free faces that look against the push, as a pressure on them would.
+enum class Pattern { kNone, kGiven, kMassHeight, kUniform, kMass, kArea };
 inline constexpr Word<Pattern> kPatternWords[] = {{"given", Pattern::kGiven},
                                                   {"mass_height", Pattern::kMassHeight},
                                                   {"uniform", Pattern::kUniform},
-                                                  {"mass", Pattern::kMass}};
+                                                  {"mass", Pattern::kMass},
+                                                  {"area", Pattern::kArea}};
 static_assert(names_all(kPatternWords, 1));  // kNone is not written
 
 struct StageSpec {
@@ -283,6 +292,9 @@ struct StageSpec {
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
   double fast_below = 2e-4;       // unbalance ratio below which the wall is near balance
   double until = kUnset;          // [m]
+  std::vector<double> along;      // in space: any direction, in the place of `direction`
+  PlaceSpec on;      // in space: blocks whose faces the pressure acts on; unset: all
+  std::string face;  // in space: where those faces look, a word of Direction; "": up
   std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
   double stop_below = 0;          // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;
@@ -307,11 +319,19 @@ inline constexpr Word<PointRule> kPointRuleWords[] = {{"corners", PointRule::kCo
                                                       {"gauss", PointRule::kGauss}};
 static_assert(names_all(kPointRuleWords, 1));  // kDefault is not written
 
+// Local damping in space: of each component in the wall's axes, as in the paper, or of force and moment as
+// vectors, which knows no axes (docs/theory/space.md).
+enum class DampingForm { kVector, kComponents };
+inline constexpr Word<DampingForm> kDampingFormWords[] = {
+    {"vector", DampingForm::kVector}, {"components", DampingForm::kComponents}};
+static_assert(names_all(kDampingFormWords));
+
 struct SolveSpec {
   PointRule point_rule = PointRule::kDefault;
   int points_per_face = 0;          // 0: as the rule has it; both unstated: lobatto, 3
   double step_fraction = 0.95;      // of the longest stable step, damping included
   double damping = 0.8;             // local damping
+  DampingForm damping_form = DampingForm::kVector;  // in space alone
   double gravity = 9.81;            // [m/s^2]
   double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio
   double settle_limit = 20;         // give up settling after this time [s]
@@ -391,6 +411,7 @@ struct ModelSpec {
   AssessmentSpec assessment;
   OutputSpec output;
   std::vector<BlockSpec> block;  // content of the file wall.blocks; not a key
+  std::vector<BodySpec> body;    // the same in space; not a key
   std::string folder;            // folder of the model file, for relative paths; not a key
 };
 

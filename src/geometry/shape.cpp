@@ -18,8 +18,10 @@ class Key {
   }
 
   void add(const WallSpec& wall) {
-    const auto& [length, height, thickness, bond, fit, blocks, unit, opening, beam, joints] = wall;
-    add_all(length, height, thickness, bond, fit, blocks, unit, opening, beam, joints);
+    const auto& [length, height, thickness, bond, fit, blocks, up, supports, unit, opening, beam,
+                 joints] = wall;
+    add_all(length, height, thickness, bond, fit, blocks, up, supports, unit, opening, beam,
+            joints);
   }
   void add(const StoreySpec& storey) {
     const auto& [name, height, thickness, bond, unit, joints] = storey;
@@ -33,6 +35,15 @@ class Key {
   void add(const BlockSpec& block) {
     const auto& [id, polygon, material, fixed, is_beam, zone] = block;
     add_all(id, polygon, material, fixed, is_beam, zone);
+  }
+  void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
+  void add(const Polyhedron& part) {
+    const auto& [vertex, face] = part;
+    add_all(vertex, face);
+  }
+  void add(const BodySpec& body) {
+    const auto& [id, part, material, fixed] = body;
+    add_all(id, part, material, fixed);
   }
   void add(const ContactRule& rule) {
     const auto& [between, material] = rule;
@@ -118,6 +129,7 @@ Shape::Shape(const ModelSpec& spec)
       storey(spec.storey),
       region(spec.region),
       block(spec.block),
+      body(spec.body),
       contact(spec.contact) {
   for (const auto& [name, given] : spec.material) material.emplace(name, given.density);
   for (const StageSpec& stage : spec.stage)
@@ -127,8 +139,8 @@ Shape::Shape(const ModelSpec& spec)
 
 std::uint64_t shape_key(const Shape& shape) {
   Key key;
-  const auto& [wall, storey, region, block, contact, material, plates] = shape;
-  key.add_all(wall, storey, region, block, contact, material, plates);
+  const auto& [wall, storey, region, block, body, contact, material, plates] = shape;
+  key.add_all(wall, storey, region, block, body, contact, material, plates);
   return key.value();
 }
 

@@ -24,6 +24,7 @@ struct Shape {
   const std::vector<StoreySpec>& storey;
   const std::vector<RegionSpec>& region;
   const std::vector<BlockSpec>& block;
+  const std::vector<BodySpec>& body;
   const std::vector<ContactRule>& contact;
   std::map<std::string, double>
       material;  // names and densities [kg/m^3]; no other number of theirs

@@ -15,6 +15,7 @@
 #include "io/describe_assessment.h"
 #include "io/describe_building.h"
 #include "io/describe_floors.h"
+#include "io/describe_space.h"
 #include "io/key.h"
 #include "wythe/wall_spec.h"
 
@@ -31,8 +32,7 @@ inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage
 // The descriptions are tables laid out by hand, two to four lines a key.
 // clang-format off
 
-// A key that says how to come to a value and is gone when the table is read (src/io/materials.cpp);
-// visitors that need no more than the values know nothing of it.
+// A key that is gone when the table is read (src/io/materials.cpp); visitors of values know nothing of it.
 template <class Visitor>
 void describe_recipe(Visitor& v, const char* name, const Key& key) {
   if constexpr (requires { v.recipe(name, key); }) v.recipe(name, key);
@@ -148,6 +148,7 @@ void describe(Visitor& v, WallSpec& s) {
                 "length, height, bond, the unit's sizes and the openings."});
   describe_recipe(v, "blocks_unit", {.fallback = "what the drawing states", .example = "mm",
                   .doc = "Unit of a drawing (m, mm, cm, dm, in, ft), where it states none or a wrong one."});
+  describe_space(v, s);
   v.table("unit", s.unit, {.optional = true, .doc = "The masonry unit."});
   describe_joints(v, s.joints, "joint", "joint, or what that is", "unit");
   v.list("opening", s.opening, {.doc = "One table for each door or window."});
@@ -500,6 +501,7 @@ void describe(Visitor& v, StageSpec& s) {
   describe_load(v, s);
   describe_push(v, s);
   describe_other_drives(v, s);
+  describe_space(v, s, kDirectedStage, kLoadStage);
 }
 
 // --- settings ------------------------------------------------------------------------------------
@@ -525,6 +527,7 @@ void describe(Visitor& v, SolveSpec& s) {
                   "the safe side."});
   v.number("damping", s.damping, {.range = kBelowOne, .example = "0.8",
            .doc = "Local damping: this share of the unbalanced force opposes the motion."});
+  describe_space(v, s);
   v.quantity("gravity", s.gravity, {.unit = "m/s^2", .shown = "m/s^2", .range = kNotNegative,
              .example = "9.81 m/s^2", .doc = "Acceleration of gravity, downwards."});
   v.number("settle_ratio", s.settle_ratio, {.range = kPositive, .example = "1e-5",

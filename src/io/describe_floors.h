@@ -19,15 +19,20 @@ void describe(Visitor& v, PlaceSpec& s) {
   v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kCoordinate,
              .fallback = "none", .example = "3.12 m",
              .doc = "The same, above the wall's base."});
+  v.quantity("z", s.z, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "none",
+             .example = "0.1 m", .doc = "In space: the third coordinate of the point or box."});
   v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength, .fallback = "none",
              .example = "0.5 m",
              .doc = "With height: every block whose centre lies in the box is pushed."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "none", .example = "0.3 m", .doc = "Height of that box."});
+  v.quantity("depth", s.depth, {.unit = "m", .shown = "m", .range = kLength, .fallback = "none",
+             .example = "0.3 m", .doc = "In space: depth of that box along z."});
   v.integer("courses", s.courses, {.range = kFromOne, .example = "3",
             .doc = "Widens a point to so many courses, centred on its own."});
   v.text("block", s.block, {.fallback = "none", .example = "b12",
-         .doc = "One block by its id, instead of a point."});
+         .doc = "One block by its id, instead of a point; in space all whose ids begin so, with * at "
+                "the end."});
   v.flag("beam", s.beam, {.example = "true", .doc = "The loading beam, instead of a point."});
 }
 

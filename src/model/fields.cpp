@@ -22,6 +22,11 @@ void add(Hash& hash, const std::vector<ZoneShape>& shapes) {
   }
 }
 
+void add(Hash& hash, const std::vector<Vec3>& vectors) {
+  for (const Vec3& v : vectors)
+    for (const double number : {v.x, v.y, v.z}) hash.add(number);
+}
+
 }  // namespace
 
 std::size_t count_of(const Model& model, const StateField& field) {
@@ -35,6 +40,7 @@ std::size_t count_of(const Model& model, const StateField& field) {
 State initial_state(const Model& model) {
   State s;
   for (const StateField& field : kStateFields) (s.*field.array).assign(count_of(model, field), 0.0);
+  std::fill(s.qw.begin(), s.qw.end(), 1.0);
   s.load_scale.assign(model.stages.size(), 0.0);
   return s;
 }

@@ -21,7 +21,20 @@
 namespace wythe {
 
 // What an array has one number of.
-enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kLink, kOther };
+// kBody, kFacePoint: a block or point in space, beside what it has of a plane one.
+enum class Entity {
+  kBlock,
+  kNode,
+  kPoint,
+  kJoint,
+  kZone,
+  kContact,
+  kLink,
+  kBody,
+  kFacePoint,
+  kSupport,
+  kOther
+};
 
 [[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
   switch (entity) {
@@ -32,6 +45,9 @@ enum class Entity { kBlock, kNode, kPoint, kJoint, kZone, kContact, kLink, kOthe
     case Entity::kZone: return static_cast<std::size_t>(m.solids.n_zone);
     case Entity::kContact: return static_cast<std::size_t>(m.solids.n_contact);
     case Entity::kLink: return static_cast<std::size_t>(m.links.n);
+    case Entity::kBody: return m.in_space() ? static_cast<std::size_t>(m.n_block) : 0;
+    case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
+    case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
     case Entity::kOther: break;
   }
   return 0;
@@ -81,6 +97,27 @@ inline constexpr std::array kStateFields{
                "elongation of a link that stays"},
     StateField{&State::link_drawn, Entity::kLink, true, "link_drawn", "m",
                "elongation of a link drawn in by prestress"},
+    StateField{&State::uz, Entity::kBody, true, "uz", "m", "displacement of the centroid along z"},
+    StateField{&State::qw, Entity::kBody, true, "qw", "1",
+               "turn since the start, a unit quaternion"},
+    StateField{&State::qx, Entity::kBody, true, "qx", "1", "its part along x"},
+    StateField{&State::qy, Entity::kBody, true, "qy", "1", "its part along y"},
+    StateField{&State::qz, Entity::kBody, true, "qz", "1", "its part along z"},
+    StateField{&State::vz, Entity::kBody, false, "vz", "m/s", "velocity along z, half a step back"},
+    StateField{&State::lx, Entity::kBody, false, "lx", "kg m^2/s",
+               "angular momentum about x, half a step back"},
+    StateField{&State::ly, Entity::kBody, false, "ly", "kg m^2/s",
+               "angular momentum about y, half a step back"},
+    StateField{&State::lz, Entity::kBody, false, "lz", "kg m^2/s",
+               "angular momentum about z, half a step back"},
+    StateField{&State::plastic_slip_2, Entity::kFacePoint, true, "plastic_slip_2", "m",
+               "plastic slip across the first direction of the face"},
+    StateField{&State::support_x, Entity::kSupport, true, "support_x", "m",
+               "displacement of a support along x"},
+    StateField{&State::support_y, Entity::kSupport, true, "support_y", "m",
+               "displacement of a support along y"},
+    StateField{&State::support_z, Entity::kSupport, true, "support_z", "m",
+               "displacement of a support along z"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
@@ -163,6 +200,20 @@ void each_model_field(M& m, const Visit& visit) {
   visit(s.node_heavy_mass, E::kNode, kOwn, "node_heavy_mass", "kg");
 
   auto& l = m.links;
+  auto& b = m.space;
+  visit(b.arm_a, E::kJoint, kAll, "space_arm_a", "m");
+  visit(b.arm_b, E::kJoint, kAll, "space_arm_b", "m");
+  visit(b.tangent, E::kJoint, kAll, "space_tangent", "1");
+  visit(b.normal, E::kJoint, kAll, "space_normal", "1");
+  visit(b.point_begin, E::kOther, kAll, "space_point_begin", "");
+  visit(b.point_r1, E::kPoint, kAll, "space_point_r1", "m");
+  visit(b.point_r2, E::kPoint, kAll, "space_point_r2", "m");
+  visit(b.point_share, E::kPoint, kAll, "space_point_share", "1");
+  visit(b.axis_1, E::kBlock, kAll, "space_axis_1", "1");
+  visit(b.axis_2, E::kBlock, kAll, "space_axis_2", "1");
+  visit(b.axis_3, E::kBlock, kAll, "space_axis_3", "1");
+  visit(b.inertia, E::kBlock, kOwn, "space_inertia", "kg m^2");
+
   visit(l.a, E::kLink, kAll, "link_a", "");
   visit(l.b, E::kLink, kAll, "link_b", "");
   visit(l.arm_a_x, E::kLink, kOwn, "link_arm_a_x", "m");

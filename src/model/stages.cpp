@@ -110,6 +110,8 @@ class StageCompiler {
       case Direction::kMinusX: stage.drive_x = -1; break;
       case Direction::kPlusY: stage.drive_y = 1; break;
       case Direction::kMinusY: stage.drive_y = -1; break;
+      case Direction::kPlusZ: stage.drive_z = 1; break;
+      case Direction::kMinusZ: stage.drive_z = -1; break;
     }
   }
 

@@ -80,12 +80,12 @@ class Bytes {
   }
   void add(const Message& message) { add_all(message.code, message.arguments); }
   void add(const PointLoad& load) {
-    const auto& [block, arm_x, arm_y, fx, fy] = load;
-    add_all(block, arm_x, arm_y, fx, fy);
+    const auto& [block, arm_x, arm_y, fx, fy, arm_z, fz] = load;
+    add_all(block, arm_x, arm_y, fx, fy, arm_z, fz);
   }
   void add(const Stage& stage) {
-    const auto& [spec, loads, driven, share, control, drive_x, drive_y, load_height] = stage;
-    add_all(spec, loads, driven, share, control, drive_x, drive_y, load_height);
+    const auto& [spec, loads, driven, share, control, x, y, z, load_height] = stage;
+    add_all(spec, loads, driven, share, control, x, y, z, load_height);
   }
   void add(const ZoneShape& shape) {
     const auto& [x, y, gx, gy, stiffness, elasticity, share, area, thickness, omega, mass] = shape;
@@ -107,6 +107,19 @@ class Bytes {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = links;
     add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
   }
+  void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
+  void add(const Polyhedron& part) {
+    const auto& [vertex, face] = part;
+    add_all(vertex, face);
+  }
+  void add(const BodySpec& body) {
+    const auto& [id, part, material, fixed] = body;
+    add_all(id, part, material, fixed);
+  }
+  void add(const Space& space) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = space;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  }
   void add(const DrawnField& field) {
     const auto& [name, path, of_joint, of_block] = field;
     add_all(name, path, of_joint, of_block);
@@ -122,12 +135,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo);
 }
 
 // A model's bytes, or the words of its refusal.

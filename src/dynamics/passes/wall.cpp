@@ -31,6 +31,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows, row - 2);
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
   if (field.entity == Entity::kLink) return plain(t.link, m.links.n, kLinkRows, row);
+  if (field.entity != Entity::kPoint) return;  // of walls in space
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
     for (const Chunk& chunk : chunks)
       for (int n = 0; row < chunk.rows && n < chunk.n; ++n)

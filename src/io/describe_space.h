@@ -1,0 +1,44 @@
+// The keys of walls in space, beside those of every wall (describe.h).
+#pragma once
+
+#include "io/key.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::io {
+
+// clang-format off
+
+template <class Visitor>
+void describe_space(Visitor& v, WallSpec& s) {
+  v.text("up", s.up, {.fallback = "z in OBJ, PLY, STL and COMPAS files, y in others", .example = "z",
+         .doc = "In space: the axis of the blocks file that points up, `y` or `z`. Places and directions "
+                "in the model file are in the file's axes."});
+  v.texts("supports", s.supports, {.fallback = "those the file marks", .example = "[\"foot*\"]",
+          .doc = "In space: blocks of the file that stand still, by id, or all whose ids begin so with "
+                 "* at the end; `lowest` are those that reach down to the lowest point."});
+}
+
+template <class Visitor>
+void describe_space(Visitor& v, StageSpec& s, Kinds directed, Kinds load) {
+  v.numbers("along", s.along, {.kinds = directed, .fallback = "direction",
+            .example = "[1, 0, 0.5]",
+            .doc = "In space: any direction as a vector, in the place of `direction`."});
+  v.table("on", s.on, {.kinds = load, .in_braces = true, .optional = true, .fallback = "every block",
+          .example = "{ block = \"leaf*\" }",
+          .doc = "In space: the blocks whose free faces the pressure acts on."});
+  v.text("face", s.face, {.kinds = load, .fallback = "up: +y, or +z where z points up",
+         .example = "-z",
+         .doc = "In space: where those faces look. The pressure acts against that direction and keeps "
+                "its own."});
+}
+
+template <class Visitor>
+void describe_space(Visitor& v, SolveSpec& s) {
+  v.choice("damping_form", s.damping_form, kDampingFormWords, {.example = "components",
+           .doc = "In space: local damping of force and moment as vectors, which knows no axes, or of "
+                  "each component in the wall's axes, as in the paper."});
+}
+
+// clang-format on
+
+}  // namespace wythe::io
