@@ -60,10 +60,10 @@ def main():
         slow = Campaign(arguments.slow) if arguments.slow else None
     except FileNotFoundError as error:
         sys.exit(f"{error.filename}: not there; `wythe report FOLDER` makes it from a finished campaign")
-    page, runs = compare.Page(campaign, arguments.page, arguments.figures), paired.Paired(arguments.paired, campaign)
+    page, runs = compare.Page(campaign, arguments.page, arguments.figures), paired.Paired(arguments.paired, campaign, arguments.binary or "build/release/wythe")
     checked = recompute.check(campaign)
     values = head(campaign) | compare.values(page) | causes.values(page, arguments.binary) | paired.values(page, runs)
-    values |= rate.values(page, slow)
+    values |= rate.values(page, slow, arguments.binary or "build/release/wythe")
     template = pathlib.Path(__file__).with_name("page.md").read_text(encoding="utf-8")
     pathlib.Path(arguments.page).write_text(filled(template, values | {"check": said_of(checked)}), encoding="utf-8")
     print(f"{arguments.page}: {values['inside']} inside, {values['outside']} outside; of {checked.compared} numbers computed again "

@@ -75,7 +75,8 @@ class Campaign:
     def curves(self):
         """Displacement [mm] and reaction [kN] of every sample, from the packed arrays of the store."""
         if self.unpacked is None:
-            self.unpacked = {k: unpack(data, rows) for k, rows, data in self.rows("SELECT sample, rows, data FROM curve")}
+            found = self.rows("SELECT sample, rows, columns, data FROM curve")
+            self.unpacked = {k: unpack(data, rows, columns.split(",")) for k, rows, columns, data in found}
         return self.unpacked
 
     def push(self):
@@ -89,17 +90,21 @@ class Campaign:
         return said
 
 
-def unpack(data, rows):
+def unpack(data, rows, columns):
     """Displacement [mm] and reaction [kN] of a stored curve; by libzstd, which the program itself needs."""
     library = ctypes.CDLL(ctypes.util.find_library("zstd") or "libzstd.so.1")
     library.ZSTD_decompress.restype = ctypes.c_size_t
-    size = 64 * rows
+    size = 8 * rows * len(columns)
     buffer = ctypes.create_string_buffer(size)
     got = library.ZSTD_decompress(buffer, ctypes.c_size_t(size), data, ctypes.c_size_t(len(data)))
     if got != size:
         raise SystemExit(f"campaign.db: a curve of {rows} rows does not unpack; the store is damaged")
-    columns = struct.unpack(f"<{8 * rows}d", buffer.raw)
-    return [1e3 * d for d in columns[rows:2 * rows]], [f / 1e3 for f in columns[3 * rows:4 * rows]]
+    numbers = struct.unpack(f"<{rows * len(columns)}d", buffer.raw)
+
+    def column(name, factor):
+        first = columns.index(name) * rows
+        return [factor * v for v in numbers[first:first + rows]]
+    return column("displacement_m", 1e3), column("reaction_N", 1e-3)
 
 
 def holds(sample, element, state):

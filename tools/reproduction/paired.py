@@ -1,10 +1,12 @@
 """What each changed choice moves: the runs of tools/paired_samples against their base; values of page.md by name."""
 import importlib.machinery
 import importlib.util
+import json
 import math
 import pathlib
-import random
 import statistics
+import subprocess
+import tempfile
 
 import charts
 from campaign import D, F, GROUPS, samples_of
@@ -12,91 +14,136 @@ from causes import cov, mean_of
 from compare import NO, table
 from paper import SHARES, TABLE_3
 
-NOT_RUN = "(not run yet)"
+NOT_RUN, NOT_KNOWN = "(not run yet)", "not known"
+BASE = "base"  # what the program calls it
 EXAMPLE = "lintel: as examples/tuff_wall: timber, loose"  # the row that has the campaign's own choices
-# two-sided 95 % quantiles of Student's t for n - 1 degrees of freedom: shares of groups of modes and bases other than
-# the first row are in no comparison.json
-STUDENT = {5: 2.571, 7: 2.365, 11: 2.201, 15: 2.131, 23: 2.069, 31: 2.040, 47: 2.012, 63: 1.998}
 PAPER = {(q, kind): TABLE_3[q][kind][5] for q in (F, D) for kind in ("mean", "cov")}
 
 
-class Paired:
-    """The campaigns of `tools/paired_samples run` that are finished, by "group: variant"; the first is the base."""
+def compared(binary, folders):
+    """What `wythe compare` says of these campaigns, the first the base: options by name."""
+    with tempfile.TemporaryDirectory() as out:
+        subprocess.run([binary, "compare", *map(str, folders), "--out", out], check=True, stdout=subprocess.DEVNULL)
+        return options_of(pathlib.Path(out))
 
-    def __init__(self, folder, campaign):
+
+def options_of(folder):
+    comparison = json.loads((folder / "comparison.json").read_text(encoding="utf-8"))
+    return {option["name"]: option for option in comparison["option"] if option["pairs"]}
+
+
+def half(interval):
+    return (interval[1] - interval[0]) / 2
+
+
+def difference(option, q):
+    """Mean of the pairs' differences and its 95 % half-width; None where the pairs don't tell it."""
+    found = option["response"][q]
+    if found["difference"] is None or found["difference_interval"][0] is None:
+        return None
+    return found["difference"], half(found["difference_interval"])
+
+
+def cov_change(option, q):
+    found = option["response"][q]
+    if None in (found["cov_base"], found["cov_option"], *found["cov_ratio_interval"]):
+        return None
+    return found["cov_option"] - found["cov_base"], found["cov_base"] * half(found["cov_ratio_interval"])
+
+
+def share_change(option, group):
+    """Of the pairs named on both sides [%]; None where the comparison does not take modes together."""
+    if "group_shift" not in option["modes"]:
+        return None
+    for shift in option["modes"]["group_shift"]:
+        if shift["mode"] == group:
+            gap, interval = shift["share_difference"], shift.get("share_difference_interval")
+            return None if gap is None else (100 * gap, 100 * half(interval))
+    return 0.0, 0.0  # no wall fails so on either side
+
+
+def shown(change, digits, unit=""):
+    return NOT_KNOWN if change is None else f"{change[0]:+.{digits}f} ± {change[1]:.{digits}f}{unit}"
+
+
+class Paired:
+    """What `tools/paired_samples run` left in `folder`: its comparison, by "group: variant"; the first is the base."""
+
+    def __init__(self, folder, campaign, binary):
         path = pathlib.Path(__file__).parent.with_name("paired_samples")
         loader = importlib.machinery.SourceFileLoader("paired_samples", str(path))
-        self.tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("paired_samples", loader))
-        loader.exec_module(self.tool)
-        first = self.tool.VARIANTS[0][:2]
-        files = {f"{g}: {v}": pathlib.Path(folder) / ("base" if (g, v) == first else self.tool.slug(g, v)) / "samples.csv"
-                 for g, v, _ in self.tool.VARIANTS}
-        self.names, self.campaign = list(files), campaign
-        self.runs = {name: samples_of(path) for name, path in files.items() if path.exists()}
-        self.base = self.runs.get(self.names[0])
-        self.changed = [n for n in self.names[1:] if n in self.runs and self.base]
-        self.missing = [n for n in self.names if n not in self.runs]
-
-    def change(self, name, value, base=None):
-        """Mean of value(sample) over the same samples less that of the base, and its 95 % half-width (Student)."""
-        base = base or self.base
-        common = sorted(set(self.runs[name]) & set(base))
-        gaps = [value(self.runs[name][k]) - value(base[k]) for k in common]
-        if not any(gaps):
-            return 0.0, 0.0
-        t = STUDENT.get(len(gaps) - 1, 2.0)
-        return statistics.mean(gaps), t * statistics.stdev(gaps) / math.sqrt(len(gaps))
+        tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("paired_samples", loader))
+        loader.exec_module(tool)
+        folder = pathlib.Path(folder)
+        self.names = [tool.name_of(group, variant) for group, variant, _ in tool.VARIANTS]
+        self.campaign = campaign
+        self.option = options_of(folder) if (folder / "comparison.json").exists() else {}
+        self.changed = [name for name in self.names[1:] if name in self.option]
+        self.missing = [name for name in self.names[1:] if name not in self.option] if self.option else self.names
+        self.folder = {self.names[0]: folder / BASE} | {name: folder / self.option[name]["folder"] for name in self.changed}
+        self.runs = {name: samples_of(self.folder[name] / "samples.csv") for name in self.folder} if self.changed else {}
+        self.from_example = {}
+        if EXAMPLE in self.changed:
+            others = [path for name, path in self.folder.items() if name != EXAMPLE]
+            self.from_example = compared(binary, [self.folder[EXAMPLE], *others])
 
     def effect(self, name, q, kind):
-        """Change of the mean, or of the CoV: that one's half-width by drawing the pairs again (bootstrap)."""
-        if kind == "mean":
-            return self.change(name, lambda s: s[q])
-        common = sorted(set(self.runs[name]) & set(self.base))
-
-        def gap(keys):
-            return cov(self.runs[name][k][q] for k in keys) - cov(self.base[k][q] for k in keys)
-        source = random.Random(1)
-        return gap(common), 1.96 * statistics.stdev(gap(source.choices(common, k=len(common))) for _ in range(500))
+        return (difference if kind == "mean" else cov_change)(self.option[name], q)
 
     def ours(self, q, kind):
-        """What the campaign's value is with the base's choices, as the paired samples show it."""
-        shift = self.effect(EXAMPLE, q, kind)[0] if EXAMPLE in self.runs else 0.0
-        return self.campaign.table("all", q)[kind] - shift
+        """What the campaign's value is with the base's choices, as the paired samples show it; None where they don't."""
+        ours = self.campaign.table("all", q)[kind]
+        if EXAMPLE not in self.changed:
+            return ours
+        shift = self.effect(EXAMPLE, q, kind)
+        return None if shift is None or ours is None else ours - shift[0]
 
     def our_share(self, group):
         share = self.campaign.statistics["shares"].get(group, {"share": 0.0})["share"]
-        return 100 * share - (self.change(EXAMPLE, share_of(group))[0] if EXAMPLE in self.runs else 0.0)
+        if EXAMPLE not in self.changed:
+            return 100 * share
+        change = share_change(self.option[EXAMPLE], group)
+        return None if change is None else 100 * share - change[0]
 
     def of_campaign(self, name, q):
         """What all samples of the campaign would give with this row's choices: its mean and 95 % half-width."""
         t = self.campaign.table("all", q)
-        value, half = self.change(name, lambda s: s[q], self.runs.get(EXAMPLE))
-        return f"{t['mean'] + value:.1f} ± {math.hypot(half, (t['mean_interval'][1] - t['mean_interval'][0]) / 2):.1f}"
+        option = self.from_example.get(BASE if name == self.names[0] else name)
+        change = (0.0, 0.0) if name == EXAMPLE else difference(option, q) if option else None
+        if change is None or None in t["mean_interval"]:
+            return NOT_KNOWN
+        return f"{t['mean'] + change[0]:.1f} ± {math.hypot(change[1], half(t['mean_interval'])):.1f}"
 
 
 def share_of(group):
     return lambda s: 100.0 * (s["mode"] in GROUPS[group])
 
 
+def needed(paired, q, kind):
+    ours = paired.ours(q, kind)
+    return None if ours is None else PAPER[q, kind] - ours
+
+
 def summary(paired):
     """For each quantity what it lacks to the paper's, and the changes that surely move it, either way."""
-    asked = [(what, digits, PAPER[q, kind] - paired.ours(q, kind), lambda name, q=q, kind=kind: paired.effect(name, q, kind))
+    asked = [(what, digits, needed(paired, q, kind), lambda name, q=q, kind=kind: paired.effect(name, q, kind))
              for what, digits, q, kind in (("mean F max [kN]", 1, F, "mean"), ("CoV of F max", 3, F, "cov"),
                                            ("mean D [mm]", 1, D, "mean"), ("CoV of D", 2, D, "cov"))]
     for group in GROUPS:
-        asked.append((f"share of {group} [%]", 0, 100 * SHARES[group] - paired.our_share(group),
-                      lambda name, group=group: paired.change(name, share_of(group))))
+        share = paired.our_share(group)
+        asked.append((f"share of {group} [%]", 0, None if share is None else 100 * SHARES[group] - share,
+                      lambda name, group=group: share_change(paired.option[name], group)))
     rows, tally = [], {name: [0, 0] for name in paired.changed}
     for what, digits, need, effect in asked:
         sides = [[], []]
         for name in paired.changed:
-            value, half = effect(name)
-            if abs(value) > half:
+            value, width = effect(name) or (0.0, 0.0)
+            if need is not None and abs(value) > width:
                 away = value * need < 0
                 tally[name][away] += 1
                 sides[away].append((abs(value), f"{name} {value:+.{digits}f}"))
         said = ["; ".join(words for _, words in sorted(side, reverse=True)) or NO for side in sides]
-        rows.append([what, f"{need:+.{digits}f}", *said])
+        rows.append([what, NOT_KNOWN if need is None else f"{need:+.{digits}f}", *said])
     several = sorted((n for n in tally if tally[n][0] > 1), key=lambda n: (tally[n][1] - tally[n][0], n))
     counted = "; ".join(f"{n} ({tally[n][0]} towards, {tally[n][1]} away)" for n in several)
     return {"what moves what": table(["", "needed", "towards the paper", "away from it"], rows),
@@ -112,12 +159,12 @@ def variants(paired):
             if name == paired.names[0]:
                 cells += [mean_of(list(run.values()), q), paired.of_campaign(name, q), scatter]
                 continue
-            (value, half), (gap, spread) = paired.effect(name, q, "mean"), paired.effect(name, q, "cov")
-            cells += [f"{value:+.1f} ± {half:.1f}", paired.of_campaign(name, q),
-                      f"{scatter} ({gap:+.{digits}f} ± {spread:.{digits}f})"]
+            cells += [shown(paired.effect(name, q, "mean"), 1), paired.of_campaign(name, q),
+                      f"{scatter} ({shown(paired.effect(name, q, 'cov'), digits)})"]
         shares = " / ".join(f"{statistics.mean(share_of(g)(s) for s in run.values()):.0f}" for g in GROUPS)
-        same = sum(run[k]["mode"] == paired.base[k]["mode"] for k in run if k in paired.base)
-        rows.append([name, *cells, shares, f"{same} of {len(run)}"])
+        modes = paired.option[name]["modes"] if name in paired.option else None
+        same = f"{modes['pairs'] - modes['unclear'] - len(modes['changed'])} of {modes['pairs']}" if modes else ""
+        rows.append([name, *cells, shares, same])
     said = [f"{PAPER[key]:g}" for key in ((F, "mean"), (F, "cov"), (D, "mean"), (D, "cov"))]
     rows.append(["**paper**", "", *said[:2], "", *said[2:], " / ".join(f"{100 * s:.0f}" for s in SHARES.values()), ""])
     head = ["change", "F max kN", "of 250, kN", "CoV", "D mm", "of 250, mm", "CoV", "FM-1+2 / 3+4 / 5 %", "same name"]
@@ -151,16 +198,17 @@ def turned(paired):
 def effects(page, paired):
     panels = []
     for q, title in ((F, "change of mean F max [kN]"), (D, "change of mean D at 0.8 F max [mm]")):
-        found = [paired.effect(name, q, "mean") for name in paired.changed]
-        need = PAPER[q, "mean"] - paired.ours(q, "mean")
-        ends = [v for value, half in found for v in (value - half, value + half)] + [0, need]
-        labels = [n.replace(" (the paper's setting)", "") for n in paired.changed]
+        found = [(name, *effect) for name in paired.changed if (effect := paired.effect(name, q, "mean"))]
+        need = needed(paired, q, "mean")
+        ends = [v for _, value, width in found for v in (value - width, value + width)] + [0, need or 0]
+        labels = [name.replace(" (the paper's setting)", "") for name, _, _ in found]
         panel = charts.Panel(title, charts.padded(ends), None, rows=labels, width=620, height=84 + 22 * len(found), left=290)
         for x, colour, dash in ((0, charts.SOFT, ""), (need, charts.COLOUR["paper"], "6 4")):
-            panel.line([(x, -0.5), (x, len(found) - 0.5)], colour, 1.4, dash)
-        for i, (value, half) in enumerate(found):
-            sure = charts.COLOUR["FM-3"] if abs(value) > half else charts.COLOUR["unclear"]
-            panel.estimate(i, value, (value - half, value + half), sure, level=True)
+            if x is not None:
+                panel.line([(x, -0.5), (x, len(found) - 0.5)], colour, 1.4, dash)
+        for i, (_, value, width) in enumerate(found):
+            sure = charts.COLOUR["FM-3"] if abs(value) > width else charts.COLOUR["unclear"]
+            panel.estimate(i, value, (value - width, value + width), sure, level=True)
         panels.append(panel)
     return page.figure("paired_effects", "What each changed choice moves, and what the paper would need (dashed)", panels, 2)
 
@@ -170,11 +218,10 @@ def values(page, paired):
     found = {f"paired {name} | {what}": NOT_RUN for name in paired.names for what in ("F", "D", "CoV F", "CoV D")}
     for name in paired.changed:
         for short, q, unit, digits in (("F", F, "kN", 3), ("D", D, "mm", 2)):
-            (value, half), (gap, spread) = paired.effect(name, q, "mean"), paired.effect(name, q, "cov")
-            found[f"paired {name} | {short}"] = f"{value:+.1f} ± {half:.1f} {unit}"
-            found[f"paired {name} | CoV {short}"] = f"{gap:+.{digits}f} ± {spread:.{digits}f}"
+            found[f"paired {name} | {short}"] = shown(paired.effect(name, q, "mean"), 1, f" {unit}")
+            found[f"paired {name} | CoV {short}"] = shown(paired.effect(name, q, "cov"), digits)
     found["not run"] = "Not run yet: " + "; ".join(paired.missing) + "." if paired.missing else "All variants have run."
-    found["n paired"] = str(len(paired.base or []))
+    found["n paired"] = str(len(paired.runs.get(paired.names[0], [])))
     if not paired.changed:
         return found | dict.fromkeys(("what moves what", "towards in several", "figure of effects", "table of variants",
                                       "table of order", "turned ft_j", "turned D"), NO)

@@ -1,34 +1,16 @@
 """The same samples at the paper's rate: a second campaign beside the first; values of page.md by name."""
-import math
-import statistics
 import tempfile
 
 import charts
 import compare
-from campaign import D, F, GROUPS, INPUTS, MODES
+import paired
+from campaign import D, F, GROUPS, MODES
 from compare import GROUPS_OF_ALL, NO, between, table
 from paper import SHARES, TABLE_3
 
 NOT_RUN = "(not run yet: give its folder by `--slow`)"
 NAMES = ("slow velocity", "slow damping", "slow samples", "slow headline", "slow verdict", "slow modes", "slow names", "slow kept",
          "figure rate", "slow change F", "slow change D")
-
-
-def paired(pairs):
-    """Mean of the differences and its 95 % half-width."""
-    gaps = [b - a for a, b in pairs]
-    return statistics.mean(gaps), 1.96 * statistics.stdev(gaps) / math.sqrt(len(gaps))
-
-
-def spread(mean, half, digits, unit):
-    return f"{mean:+.{digits}f} ± {half:.{digits}f} {unit}"
-
-
-def both(fast, slow):
-    common = sorted(set(fast.samples) & set(slow.samples))
-    if any(fast.samples[k][c] != slow.samples[k][c] for k in common for c in INPUTS) or len(common) < 3:
-        raise SystemExit(f"{slow.folder}: not the samples of {fast.folder}")
-    return [(s, slow.samples[k]) for k, s in sorted(fast.samples.items()) if k in slow.samples]
 
 
 def headline(fast, slow):
@@ -60,39 +42,44 @@ def by_mode(slow):
     return table(["", "n", "F max, paper [kN] (CoV)", "ours", "D, paper [mm] (CoV)", "ours"], rows)
 
 
-def names(pairs, fast, slow):
-    words = MODES + ["unclear"]
-    rows = [[a, *(sum(f["mode"] == a and s["mode"] == b for f, s in pairs) or NO for b in words)] for a in words]
+def names(modes, fast, slow):
+    place, count = {mode: i for i, mode in enumerate(modes["modes"])}, modes["count"]
+    words = [mode for mode in MODES + ["unclear"] if mode in place]
+    rows = [[a, *(count[place[a]][place[b]] or NO for b in words)] for a in words]
     return table([f"{fast.push()['velocity']} ↓, {slow.push()['velocity']} →", *words], rows)
 
 
-def figure(page, pairs, fast, slow):
+def figure(page, option, fast, slow):
     panels = []
     for q, words in ((F, "F max [kN]"), (D, "D at 0.8 F max [mm]")):
-        around = charts.padded([s[q] for pair in pairs for s in pair])
+        pair = option["response"][q]["pair"]
+        ours, theirs = pair["base"]["value"], pair["option"]["value"]
+        around = charts.padded(ours + theirs)
         panel = charts.Panel(words, around, around, fast.push()["velocity"], slow.push()["velocity"], width=420, height=380)
         panel.line([(around[0], around[0]), (around[1], around[1])], charts.SOFT, 1, "4 4")
-        for f, s in pairs:
-            panel.dot(f[q], s[q], charts.colour_of(s["mode"]))
+        for sample, a, b in zip(pair["sample"], ours, theirs):
+            panel.dot(a, b, charts.colour_of(slow.samples[sample]["mode"]))
         panels.append(panel)
     return page.figure("rate", "Peak force and D of the same samples at two rates; colours: mode at the slower", panels, 2,
                        [*MODES, "unclear"])
 
 
-def values(page, slow):
+def values(page, slow, binary):
     fast = page.campaign
     if slow is None:
         return dict.fromkeys(NAMES, NOT_RUN)
     with tempfile.TemporaryDirectory() as folder:
         judged = compare.Page(slow, "page.md", folder)
         judged_values = compare.values(judged)
-    pairs = both(fast, slow)
-    s = slow.statistics["samples"]
+    option = next(iter(paired.compared(binary, [fast.folder, slow.folder]).values()), None)
+    if option is None:
+        raise SystemExit(f"{slow.folder}: no sample answered there and in {fast.folder}")
+    modes, s = option["modes"], slow.statistics["samples"]
     return {"slow velocity": slow.push()["velocity"], "slow damping": slow.push()["damping"], "slow samples": f"{s['answered']} of {s['asked']}",
             "slow headline": headline(fast, slow),
             "slow verdict": f"{judged_values['inside']} of {judged_values['compared']} inside, {judged_values['outside']} outside",
-            "slow modes": by_mode(slow), "slow names": names(pairs, fast, slow),
-            "slow kept": f"{sum(a['mode'] == b['mode'] for a, b in pairs)} of {len(pairs)}",
-            "slow change F": spread(*paired([(a[F], b[F]) for a, b in pairs]), 1, "kN"),
-            "slow change D": spread(*paired([(a[D], b[D]) for a, b in pairs]), 1, "mm"),
-            "figure rate": figure(page, pairs, fast, slow)}
+            "slow modes": by_mode(slow), "slow names": names(modes, fast, slow),
+            "slow kept": f"{modes['pairs'] - modes['unclear'] - len(modes['changed'])} of {modes['pairs']}",
+            "slow change F": paired.shown(paired.difference(option, F), 1, " kN"),
+            "slow change D": paired.shown(paired.difference(option, D), 1, " mm"),
+            "figure rate": figure(page, option, fast, slow)}
