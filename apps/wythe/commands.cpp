@@ -15,6 +15,7 @@
 #include "wythe/drawing.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
+#include "wythe/field_notes.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
 #include "wythe/solve.h"
@@ -30,10 +31,12 @@ int exit_code(SolveStatus status) {
 }
 
 // The summary both `check` and `run` begin with.
-void print_model(const Model& m) {
+void print_model(const ModelSpec& spec, const Model& m) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
   for (const Message& note : m.anatomy.notes) fmt::print("note: {}\n", readable(text_of(note)));
+  for (const Message& note : notes_of_fields(spec))
+    fmt::print("note: {}\n", readable(text_of(note)));
 }
 
 // A number, or a dash where there is none.
@@ -194,7 +197,7 @@ int run(const RunArguments& arguments) {
   hold_for_test("model read");
   const Model& model = start.from.model;
   const std::unique_ptr<Replacement> results = replace_run(start.out, start.is_resumed);
-  if (!arguments.quiet) print_model(model);
+  if (!arguments.quiet) print_model(start.from.spec, model);
   State state = start.from.state;
   if (start.is_resumed && !arguments.quiet)
     fmt::print("goes on after {} steps, in stage \"{}\"\n", state.step,
@@ -242,7 +245,7 @@ int check(const CheckArguments& arguments) {
   hold_for_test("model read");
   const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", readable(arguments.file));
-  print_model(model);
+  print_model(spec, model);
   fmt::print(
       "wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before "
       "lintels\n",

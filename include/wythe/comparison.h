@@ -84,9 +84,13 @@ struct ModeTable {
   std::vector<std::vector<int>> count;  // (base mode, option mode)
   int pairs = 0;                        // all
   int unclear = 0;         // of them: unclear on a side or both; what changes is of the others
+  int read_apart = 0;      // of the others: read at displacements that differ by more than 1 %
+  int changed_apart = 0;   // of these: of another mode
   Estimate share_changed;  // Wilson
   std::vector<ChangedMode> changed;
   std::vector<ModeShift> shift;
+  std::vector<ModeShift>
+      group_shift;    // of FM-1 + FM-2 (piers) and FM-3 + FM-4 (spandrel) taken as one
   double p = kUnset;  // of equal shares: the smallest p_adjusted
 };
 

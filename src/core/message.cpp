@@ -35,9 +35,17 @@ std::size_t place_of(std::string_view language) {
 
 std::string said(const Message& message, std::size_t language);
 
+// What is not 0 is not said to be: as many decimals more as show it, at most three. Formats without decimals
+// count things.
 // A damaged store may put a number where the words expect a list: its format is none for numbers.
-std::string in_digits(double number, const std::string& format) try {
-  return fmt::format(fmt::runtime("{:" + format + "}"), number);
+std::string in_digits(double number, std::string format) try {
+  std::string text = fmt::format(fmt::runtime("{:" + format + "}"), number);
+  if (number == 0 || !format.ends_with('f') || format.ends_with(".0f")) return text;
+  for (int more = 0; more < 3 && text.find_first_of("123456789") == std::string::npos; ++more) {
+    ++format[format.size() - 2];
+    text = fmt::format(fmt::runtime("{:" + format + "}"), number);
+  }
+  return text;
 } catch (const fmt::format_error&) {
   return fmt::format("{}", number);
 }

@@ -73,11 +73,9 @@ Json response_json(const PairedResponse& r, const Quantity& q) {
   return json;
 }
 
-Json modes_json(const ModeTable& table) {
-  Json changed = Json::array(), shifts = Json::array();
-  for (const ChangedMode& one : table.changed)
-    changed.push_back({{"sample", one.sample}, {"base", one.base}, {"option", one.option}});
-  for (const ModeShift& shift : table.shift) {
+Json shifts_json(const std::vector<ModeShift>& list) {
+  Json shifts = Json::array();
+  for (const ModeShift& shift : list) {
     Json& json = shifts.emplace_back(Json{{"mode", shift.mode},
                                           {"base", shift.base},
                                           {"option", shift.option},
@@ -87,13 +85,20 @@ Json modes_json(const ModeTable& table) {
     json["p"] = number(shift.p);
     json["p_adjusted"] = number(shift.p_adjusted);
   }
-  Json json = {{"modes", table.modes},
-               {"count", table.count},
-               {"pairs", table.pairs},
-               {"unclear", table.unclear}};
+  return shifts;
+}
+
+Json modes_json(const ModeTable& table) {
+  Json changed = Json::array();
+  for (const ChangedMode& one : table.changed)
+    changed.push_back({{"sample", one.sample}, {"base", one.base}, {"option", one.option}});
+  Json json = {{"modes", table.modes},           {"count", table.count},
+               {"pairs", table.pairs},           {"unclear", table.unclear},
+               {"read_apart", table.read_apart}, {"changed_apart", table.changed_apart}};
   add(json, "share_changed", table.share_changed);
   json["changed"] = changed;
-  json["shift"] = shifts;
+  json["shift"] = shifts_json(table.shift);
+  json["group_shift"] = shifts_json(table.group_shift);
   json["p"] = number(table.p);
   return json;
 }

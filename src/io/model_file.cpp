@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/blocks_json.h"
+#include "io/model_key.h"
 #include "io/toml_reader.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
@@ -121,22 +122,28 @@ Fault placed(Fault fault, const Places& places) {
   throw InputError(std::move(faults));
 }
 
-// A setting of a key that the formula of a field sets anew at each place would change nothing. Where the
-// settings give the formula too they are those of a sample, whose value stands there as its mean.
+// A setting of a key that the formula of a field sets anew at each place would change nothing, nor would that
+// key in a whole table. Where the settings give the formula too they are those of a sample, whose value stands
+// there as its mean.
 void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
   FaultList faults;
   for (const auto& [name, field] : spec.field) {
     const std::string formula = "field." + name + ".formula";
-    const auto is_given = [&](const Override& set) { return set.path == formula; };
+    const auto is_given = [&](const Override& set) { return lies_in(formula, set.path); };
     if (field.formula.empty() ||
         std::any_of(context.overrides.begin(), context.overrides.end(), is_given))
       continue;
-    for (const Override& set : context.overrides)
-      if (angle_path(set.path) == field.path)
-        faults.add(
-            {"", set.path, "", fmt::format("has no effect, it is set by field.{}.formula", name),
-             fmt::format("leave it out, or change {0} instead, e.g. --set {0}=\"...\"", formula),
-             0});
+    for (const Override& set : context.overrides) {
+      if (!lies_in(field.path, angle_path(set.path))) continue;
+      const bool whole = angle_path(set.path) != field.path;
+      faults.add(
+          {"", set.path, "",
+           fmt::format("{}has no effect, it is set by {}",
+                       whole ? "its " + field.path.substr(set.path.size() + 1) + " " : "", formula),
+           fmt::format("{}, or change {} instead, e.g. --set {}=\"...\"",
+                       whole ? "set its other keys one by one" : "leave it out", formula, formula),
+           0});
+    }
   }
   faults.throw_if_any();
 }

@@ -9,6 +9,11 @@
 
 namespace wythe::io {
 
+// Whether a setting of `path` sets the key too: it is its path, or that of a table around it.
+inline bool lies_in(const std::string& key, const std::string& path) {
+  return key == path || key.starts_with(path + '.');
+}
+
 struct ModelKey {
   std::string path;   // members of a list by name: stage.push.velocity
   std::string alias;  // the same by index: stage.2.velocity

@@ -331,6 +331,7 @@ Json fragility_json(const Statistics& s) {
       row["greater_than"] = number(event.threshold * event.to_unit), row["unit"] = event.unit;
     row["n"] = f.n, row["seen"] = f.seen, row["unknown"] = f.unknown;
     row["repeated"] = f.repeated, row["not_slow_enough"] = f.doubtful;
+    row["lost"] = s.run - f.n - f.repeated;  // without an answer, or without this response
     add(row, "share", f.share);
     row["sample"] = f.sample, row["outcome"] = f.outcome;
     row["inputs"] = Json::array(), row["pairs"] = Json::array();

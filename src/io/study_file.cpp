@@ -393,33 +393,37 @@ class StudyReader {
     reader.refuse_unknown();
   }
 
-  // A setting of a key that an input, a formula or the sample's number sets too would change nothing.
+  // A key that an input, a formula or the sample's number sets too has no effect, in a whole table either.
   void check_settings() {
-    const auto refuse = [&](const std::string& path, const std::string& setter,
-                            const std::string& cure) {
-      model_faults_.push_back(
-          placed({.file = "--set",
-                  .path = path,
-                  .value = "",
-                  .problem = fmt::format("has no effect, it is set by {}", setter),
-                  .cure = cure}));
+    const auto refuse = [&](const std::string& path, const std::string& key,
+                            const std::string& setter, const std::string& cure) {
+      const bool whole = key.size() > path.size() && key.starts_with(path);
+      model_faults_.push_back(placed(
+          {.file = "--set",
+           .path = path,
+           .value = "",
+           .problem = fmt::format("{}has no effect, it is set by {}",
+                                  whole ? "its " + key.substr(path.size() + 1) + " " : "", setter),
+           .cure = cure}));
     };
     for (const std::string& text : study_.settings) {
       const std::string path(trimmed(text.substr(0, text.find('='))));
       for (const StudyField& field : study_.field)
         if (!field.follows && path == "field." + field.name + ".seed")
-          refuse(path, "study.seed and the number of each sample",
+          refuse(path, path, "study.seed and the number of each sample",
                  "leave it out, or change study.seed");
       const ModelKey* key = find_key(keys_, path);
-      if (const StudyField* field = key == nullptr ? nullptr : formula_of(key->path))
-        refuse(path, "field." + field->name + ".formula", "leave it out, or change the formula");
-      for (const auto& [place, sets] : path_) {
-        if (key == nullptr || sets != key->path) continue;
-        refuse(path, place,
-               fmt::format("leave it out, or change {} instead, e.g. --set {}", place,
-                           place.starts_with("variable") ? place + ".mean=..."
-                                                         : place + ".formula=\"...\""));
-      }
+      const std::string full = key == nullptr ? path : key->path;
+      const std::string leave = key == nullptr ? "set its other keys one by one" : "leave it out";
+      for (const StudyField& field : study_.field)
+        if (field.follows && lies_in(field.path, angle_path(full)))
+          refuse(path, field.path, "field." + field.name + ".formula",
+                 leave + ", or change the formula");
+      for (const auto& [place, sets] : path_)
+        if (lies_in(sets, full))
+          refuse(path, sets, place,
+                 fmt::format("{0}, or change {1} instead, e.g. --set {1}{2}", leave, place,
+                             place.starts_with("variable") ? ".mean=..." : ".formula=\"...\""));
     }
   }
 

@@ -1,7 +1,8 @@
 // campaign_data(): what the page of a campaign shows. Statistics are those of statistics.json.
 //
 // Curves go along in single precision; walls as the stored states of each sample, as far as
-// kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last.
+// kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last. Each sample
+// brings its own fields.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -127,9 +128,15 @@ Json quantities_json() {
 
 // --- walls ---------------------------------------------------------------------------------------
 
-Model wall_of(const Campaign& campaign, const SampleWalls& walls, int sample) {
+struct SampleWall {
+  ModelSpec spec;
+  Model model;
+};
+SampleWall wall_of(const Campaign& campaign, const SampleWalls& walls, int sample) {
   try {
-    return compile(walls.build(settings_of(campaign.samples, sample - 1)));
+    ModelSpec spec = walls.build(settings_of(campaign.samples, sample - 1));
+    Model model = compile(spec);
+    return {std::move(spec), std::move(model)};
   } catch (const InputError& error) {
     throw IoError(fmt::format(
         "sample {}: it has run, but what the store holds of its inputs makes no wall: {}", sample,
@@ -142,18 +149,27 @@ bool same_shape(const Model& a, const Model& b) {
          a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
 }
 
+// Numbers of the page that one sample's fields take.
+double field_numbers(const Model& model) {
+  double numbers = 0;
+  for (const DrawnField& field : model.anatomy.fields)
+    numbers += static_cast<double>(field.of_joint.size() + field.of_block.size());
+  return numbers;
+}
+
 void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& walls) {
   if (!walls.build || !walls.states || campaign.records.empty()) return;
   Json frames = Json::array();
   FrameArrays arrays(false);
   Model first;
   int most = 0;
+  bool with_fields = false;  // at most half of the room is theirs
   auto waiting = static_cast<int>(
       std::count_if(campaign.records.begin(), campaign.records.end(), is_answered));
   for (const SampleRecord& r : campaign.records) {
     if (!is_answered(r)) continue;
     --waiting;
-    const Model model = wall_of(campaign, walls, r.sample);
+    const auto [spec, model] = wall_of(campaign, walls, r.sample);
     const std::vector<Snapshot> states = walls.states(r.sample, model);
     if (states.empty()) continue;
     if (arrays.count() == 0) {
@@ -161,14 +177,19 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
       add_wall(bundle, first);
       bundle.header["model"] = model_inputs(walls.build({}), first);
       bundle.header["names"] = names_of(first);
-      most = static_cast<int>(kMostWallNumbers / (3.0 * first.n_block +
-                                                  4.0 * (first.n_joint + first.solids.n_contact) +
-                                                  2.0 * first.solids.n_node));
+      const double of_fields = field_numbers(first) * (waiting + 1);
+      with_fields = of_fields > 0 && of_fields <= 0.5 * kMostWallNumbers;
+      const double room = kMostWallNumbers - (with_fields ? of_fields : 0);
+      most = static_cast<int>(room / (3.0 * first.n_block +
+                                      4.0 * (first.n_joint + first.solids.n_contact) +
+                                      2.0 * first.solids.n_node));
     }
     // a wall of another shape has no place among these frames
     if (!same_shape(first, model)) continue;
     const int stored = static_cast<int>(states.size());
-    for (int i = stored - states_kept(stored, most - arrays.count(), waiting); i < stored; ++i) {
+    const int kept = states_kept(stored, most - arrays.count(), waiting);
+    if (with_fields && kept > 0) add_fields(bundle, spec, model, r.sample);
+    for (int i = stored - kept; i < stored; ++i) {
       const Snapshot& s = states[static_cast<std::size_t>(i)];
       arrays.add(model, s.state);
       frames.push_back({{"sample", r.sample},

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "model/field_places.h"
+#include "report/said.h"
 #include "report/wall_picture.h"
+#include "wythe/field_notes.h"
 #include "wythe/reading.h"
 #include "wythe/units.h"
 
@@ -154,8 +156,9 @@ void add_wall(Bundle& bundle, const Model& model) {
   add_floats(bundle, "wall.support_y", a.support_y);
 }
 
-void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model) {
-  Json list = Json::array();
+void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int sample) {
+  Json list = bundle.header["wall"].value("fields", Json::array());
+  const std::vector<Message> notes = notes_of_fields(spec);
   for (const DrawnField& field : model.anatomy.fields) {
     const FieldTarget target = *field_target(field.path);
     const std::string si_unit = target.key->si_unit, unit = target.key->shown;
@@ -172,7 +175,11 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model) {
                     {"path", field.path},
                     {"unit", unit},
                     {"mean", follows ? sum / count : mean_of(spec, target) / factor},
+                    {"follows", follows},
                     {"onBlocks", field.of_joint.empty()}});
+    for (const Message& note : notes)
+      if (note.arguments.front() == Argument("field", field.name)) list.back()["note"] = said(note);
+    if (sample > 0) list.back()["sample"] = sample;
   }
   if (!list.empty()) bundle.header["wall"]["fields"] = list;
 }

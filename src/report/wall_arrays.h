@@ -14,7 +14,8 @@ namespace wythe::report {
 // Shapes at the start: blocks, joints, supports, what is pushed. Header: "wall".
 void add_wall(Bundle& bundle, const Model& model);
 // What varies within the wall: of each joint or block, in the unit it is shown in. Header: "wall.fields".
-void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model);
+// In a campaign each `sample` has its own.
+void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int sample = 0);
 
 // How many of a sample's states go along, the last ones: all of them where the last of every sample
 // that follows still has room, else the last alone.

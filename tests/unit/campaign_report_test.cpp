@@ -11,6 +11,7 @@
 #include "scenes/scenes.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
+#include "wythe/study.h"
 
 namespace wythe {
 namespace {
@@ -207,6 +208,36 @@ TEST(CampaignData, draws_every_stored_state_of_each_sample) {
   }
   EXPECT_EQ(header["arrays"]["frame.ux"]["count"], 4 * model.n_block);
   EXPECT_EQ(header["wall"]["blocks"], model.n_block);
+}
+
+TEST(CampaignData, shows_each_sample_with_its_own_fields) {
+  const auto wall = [](int seed) {
+    ModelSpec spec = scenes::small_wall();
+    FieldSpec& ft = spec.field["ft"];
+    ft.path = "material.joint.tensile_strength";
+    ft.distribution = DistributionKind::kNormal;
+    ft.cov = 0.25, ft.lower = 0.75, ft.upper = 1.25;
+    ft.by = FieldBy::kJoint;
+    ft.seed = seed;
+    draw_fields(spec);
+    return spec;
+  };
+  Campaign campaign = sample_campaign(3);
+  int built = 0;
+  SampleWalls walls;
+  walls.build = [&](const std::vector<std::string>&) { return wall(++built); };
+  walls.states = [&](int, const Model& model) {
+    return std::vector<Snapshot>{{"", 1e-3, 10e3, initial_state(model)}};
+  };
+  const Json header = header_of(campaign_data(campaign, statistics_of(campaign), walls));
+  const Json& fields = header["wall"]["fields"];
+  ASSERT_EQ(fields.size(), header["frames"].size());
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    EXPECT_EQ(fields[i]["sample"], header["frames"][i]["sample"]);
+    EXPECT_EQ(fields[i]["name"], "ft");
+    EXPECT_NE(fields[i]["note"].dump().find("13.5 %"), std::string::npos) << fields[i]["note"];
+    EXPECT_TRUE(header["arrays"].contains("wall.field_" + std::to_string(i)));
+  }
 }
 
 TEST(StatisticsJson, has_stable_keys_with_units) {

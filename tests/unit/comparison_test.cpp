@@ -387,6 +387,18 @@ TEST(Pairs, changed_modes_are_tested_mode_by_mode) {
   EXPECT_EQ(both.p, 1);
 }
 
+TEST(Pairs, groups_of_modes_shift_as_one) {
+  Campaign base = plain(20), option = plain(20);
+  for (int i = 0; i < 6; ++i) option.records[i].failure_mode.name = "FM-2";
+  for (int i = 6; i < 9; ++i) option.records[i].failure_mode.name = "FM-4";
+  const ModeTable modes = compared(base, option).modes;
+  EXPECT_EQ(modes.changed.size(), 9U);
+  ASSERT_EQ(modes.group_shift.size(), 2U);
+  EXPECT_EQ(modes.group_shift[0].mode, "FM-1 + FM-2");  // FM-1 to FM-2 is no change here
+  EXPECT_EQ(modes.group_shift[0].went, 3);
+  EXPECT_DOUBLE_EQ(modes.group_shift[1].share_difference.value, 3.0 / 20);
+}
+
 TEST(Pairs, a_mode_that_is_unclear_is_no_other_mode) {
   Campaign base = plain(20), option = plain(20);
   for (SampleRecord& record : option.records) record.failure_mode.name = "unclear";
@@ -433,6 +445,47 @@ TEST(Pairs, several_tests_need_more_each) {
   EXPECT_NEAR(study::sign_test(9, 1), 2 * 11.0 / 1024, 1e-12);
   EXPECT_NEAR(study::sign_test(9, 1, 4), 2 * 3473.0 / 16384, 1e-12);  // as if 9 against 5
   EXPECT_TRUE(std::isnan(study::sign_test(0, 0)));
+}
+
+TEST(Pairs, modes_that_were_read_at_other_displacements_are_told) {
+  Campaign base = plain(20), option = plain(20);
+  for (Campaign* campaign : {&base, &option})
+    for (SampleRecord& record : campaign->records) record.failure_mode.read_at = 0.04;
+  option.records[0].failure_mode.read_at = 0.0401;  // the same state
+  for (const Message& note : compared(base, option).notes)
+    EXPECT_NE(note.code, "compare.modes_read_apart");
+  for (int i = 0; i < 5; ++i) option.records[i].failure_mode.read_at = 0.021;
+  for (int i = 0; i < 3; ++i) option.records[i].failure_mode.name = "FM-4";
+  option.records[4].failure_mode.name = "unclear";  // has no name to change
+  const OptionComparison found = compared(base, option);
+  EXPECT_EQ(found.modes.read_apart, 4);
+  EXPECT_EQ(found.modes.changed_apart, 3);
+  ASSERT_FALSE(found.notes.empty());
+  EXPECT_TRUE(has(text_of(found.notes.back()), "in 4 of 19 pairs the failure modes were read"))
+      << text_of(found.notes.back());
+}
+
+TEST(Pairs, a_sure_change_is_not_said_to_be_0) {
+  const Campaign base = plain(30);
+  Campaign option = plain(30);
+  for (int i = 0; i < 30; ++i) option.records[i].responses.peak_reaction *= 1 + 1e-4 * (2 + i % 3);
+  const std::string said = text_of(compared(base, option).headline);
+  EXPECT_TRUE(has(said, "+0.03 % peak force (95 %: +0.03 to +0.03 %)")) << said;
+}
+
+TEST(Pairs, settings_in_another_order_are_a_change) {
+  Campaign base = plain(6), option = plain(6);
+  base.study.settings = {"stage.push.damping=0.2", "stage.push.damping=0.8"};
+  option.study.settings = {"stage.push.damping=0.8", "stage.push.damping=0.2"};
+  EXPECT_EQ(compared(base, option).changes, std::vector<std::string>{"stage.push.damping=0.2"});
+  // of a table around a key the last counts too
+  base.study.settings = {"a.b=1", "a={b = 2}"};
+  option.study.settings = {"a={b = 2}", "a.b=1"};
+  EXPECT_EQ(compared(base, option).changes, std::vector<std::string>{"a.b=1"});
+  // the same in effect is none
+  option.study.settings = {"x=1", "a.b=1", "a={b = 2}"};
+  base.study.settings = {"a.b=1", "a={b = 2}", "x=1"};
+  EXPECT_TRUE(compared(base, option).changes.empty());
 }
 
 // --- other samples -------------------------------------------------------------------------------

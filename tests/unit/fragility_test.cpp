@@ -360,6 +360,34 @@ TEST(SurrogateIndices, of_lower_bounds_are_not_told) {
   EXPECT_EQ(measurings(answered_of(campaign)).front().censored, 10);
 }
 
+TEST(Measuring, of_lower_bounds_is_not_told) {
+  Campaign campaign =
+      made(100, [](double a, double b, int) { return Made{.peak = 100 + 50 * a + 20 * b}; });
+  const auto peak = [&] { return measurings(answered_of(campaign)).front(); };
+  for (int i = 0; i < 5; ++i) campaign.records[i].responses.censored_peak = true;
+  EXPECT_GT(peak().variance.value, 0.5);  // one in twenty
+  campaign.records[5].responses.censored_peak = true;
+  EXPECT_EQ(peak().censored, 6);
+  EXPECT_TRUE(std::isnan(peak().variance.value));
+  EXPECT_TRUE(std::isnan(peak().width.value));
+  EXPECT_TRUE(std::isnan(peak().is_best));
+  const json s = json::parse(statistics_json(statistics_of(campaign)));
+  EXPECT_TRUE(s["measuring"][0]["variance_share"].is_null());
+}
+
+TEST(Fragility, counts_samples_without_an_answer) {
+  Campaign campaign =
+      made(100, [](double a, double b, int) { return Made{.peak = 100 + 50 * a + 20 * b}; });
+  const auto lost = [&](const char* what) {
+    return json::parse(statistics_json(statistics_of(campaign)))["fragility"][0][what].get<int>();
+  };
+  EXPECT_EQ(lost("lost"), 0);
+  for (int i = 0; i < 40; ++i) campaign.records[i].status = "unstable";
+  campaign.records[50].responses.peak_reaction = kUnset;
+  EXPECT_EQ(lost("n"), 59);
+  EXPECT_EQ(lost("lost"), 41);
+}
+
 TEST(Measuring, names_the_input_that_decides) {
   const Campaign campaign = made(60, [](double a, double b, int i) {
     return Made{.peak = 100 + 10 * a + 60 * b + chance(i)};

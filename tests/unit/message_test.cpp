@@ -36,6 +36,18 @@ TEST(Message, is_said_in_every_language_with_its_numbers) {
       "0,001");
 }
 
+TEST(Message, says_of_no_number_that_it_is_0_where_it_is_not) {
+  const auto said = [](double percent, const char* language) {
+    return text_of({"compare.peak_few", {{"percent", percent}, {"pairs", 3}}}, language)
+        .substr(0, 8);
+  };
+  EXPECT_EQ(said(3.74, "en"), "+3.7 % p");
+  EXPECT_EQ(said(0.021, "en"), "+0.02 % ");
+  EXPECT_EQ(said(-0.0042, "it"), "-0,004 %");
+  EXPECT_EQ(said(0, "en"), "+0.0 % p");
+  EXPECT_EQ(said(1e-12, "en").substr(0, 7), "+0.0000");  // nothing of rounding
+}
+
 TEST(Message, holds_others_and_lists_of_them) {
   const Message part{"part.shows",
                      {{"part", Message{"part.left_pier"}},

@@ -12,6 +12,7 @@
 #include "study/draws/field_factor.h"
 #include "study/draws/sampling.h"
 #include "wythe/error.h"
+#include "wythe/field_notes.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
 #include "wythe/solve.h"
@@ -419,6 +420,30 @@ TEST(random_field, the_limit_load_reads_each_joint) {
   EXPECT_NE(factor(1), factor(2));
 }
 
+TEST(random_field, what_a_cut_leaves_of_its_scatter_is_told) {
+  const std::string normal =
+      "[field.ft]\npath = \"material.joint.tensile_strength\"\nby = \"joint\"\n"
+      "distribution = \"normal\"\ncov = 0.25\n";
+  const auto cov = [&](const std::string& more) {
+    return cov_of(wall_with(normal + more).field.at("ft"));
+  };
+  EXPECT_EQ(cov(""), 0.25);
+  // cut at one deviation on both sides: closed form, 1 - 2 phi(1) / (2 Phi(1) - 1)
+  const double density = std::exp(-0.5) / std::sqrt(2 * 3.14159265358979),
+               inside = std::erf(std::sqrt(0.5));
+  EXPECT_NEAR(cov("lower = 0.75\nupper = 1.25\n"), 0.25 * std::sqrt(1 - 2 * density / inside),
+              1e-4);
+  const auto notes = [&](const std::string& more) {
+    return texts_of(notes_of_fields(wall_with(normal + more)));
+  };
+  EXPECT_TRUE(notes("").empty());
+  EXPECT_TRUE(notes("lower = 0.01\nupper = 1.99\n").empty());  // 4 deviations: nothing that counts
+  EXPECT_EQ(
+      notes("lower = 0.75\nupper = 1.25\n").at(0),
+      "field ft: its bounds leave a scatter (CoV) of 13.5 %; the 25.0 % of the file are of the "
+      "distribution before it is cut");
+}
+
 // --- studies -------------------------------------------------------------------------------------
 
 const std::string kStudyField =
@@ -521,6 +546,20 @@ TEST(random_field, what_a_formula_sets_anew_is_neither_a_variable_nor_a_setting)
   EXPECT_NE(refusal(kField + kFollows, {"material.joint.cohesion=0.9 MPa"}).find(words),
             std::string::npos);
   EXPECT_EQ(refusal(kField + kFollows, {"material.joint.tensile_strength=0.1 MPa"}), "");
+  // a whole table that holds the key
+  const std::string in_table = "its cohesion " + words;
+  std::string joint = kWall.substr(kWall.find("[material.joint]") + 17);
+  joint.resize(joint.find("\n["));
+  std::replace(joint.begin(), joint.end(), '\n', ',');
+  const std::string table = "material.joint={" + joint + "}";
+  EXPECT_EQ(refusal(kField, {table}), "");
+  EXPECT_NE(refusal(kField + kFollows, {table}).find(in_table), std::string::npos);
+  const std::string own = "field.c2={path=\"material.joint.cohesion\", formula=\"1.5 * ft\"}";
+  EXPECT_EQ(refusal(kField + kFollows, {table, own}), "");  // as a sample gives it
+  const std::string option =
+      said(other + "[[variant]]\nname = \"strong\"\nset = ['''" + table + "''']\n");
+  for (const char* part : {"variant \"strong\": ", in_table.c_str(), "study.toml:"})
+    EXPECT_NE(option.find(part), std::string::npos) << option;
 }
 
 TEST(random_field, a_seed_that_each_sample_sets_is_no_setting) {

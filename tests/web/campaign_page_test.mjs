@@ -515,6 +515,33 @@ test("a fragility shows every sample, and its law within the samples alone", asy
   assert.doesNotMatch(await page.locator("#surrogate-indices").textContent(), /indices[._]|undefined|NaN|\{/);
 });
 
+test("the wall of a sample shows its own field", async () => {
+  fs.rmSync(folder("fields"), { recursive: true, force: true });
+  const study = new URL("../../examples/random_field/study.toml", import.meta.url).pathname;
+  run("campaign", study, "--out", folder("fields"), "--samples", "2", "--quiet", "--set", "stage.push.until=0.2 mm", "--set", "field.ft.upper=1.6");
+  run("report", folder("fields"), "--lang", "it");
+  const other = await open(browser, pageOf("fields"));
+  const seen = [];
+  for (const sample of [1, 2]) {
+    await other.locator("#sample-number").fill(String(sample));
+    await other.locator("#sample-number").blur();
+    const choice = other.locator("#sample-wall select").first();
+    const names = await choice.locator("option").allInnerTexts();
+    const values = await choice.locator("option").evaluateAll((all) => all.map((o) => o.value));
+    await choice.selectOption(values[names.indexOf("campo: ft")]);
+    const words = await other.locator("#sample-wall .field-key").innerText();
+    assert.match(words, /tensile_strength, estratto per questa parete; la media data nel modello: 0,\d+/);
+    assert.match(words, /i limiti lasciano una dispersione \(CoV\) del 2\d,\d %; il 30,0 % del file/);
+    seen.push(words.split("material.")[0]);
+    await choice.selectOption(values[names.indexOf("campo: c")]);
+    assert.match(await other.locator("#sample-wall .field-key").innerText(), /segue una formula di altri campi/);
+  }
+  assert.notEqual(seen[0], seen[1]);
+  assert.deepEqual(other.faults, []);
+  await screenshot(other, "campaign_fields");
+  await other.context().close();
+});
+
 test("prints as an appendix of A4 pages", async () => {
   const pdf = await page.pdf({ preferCSSPageSize: true });
   fs.writeFileSync(path.join(folder("campaign"), "report.pdf"), pdf);

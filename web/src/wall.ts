@@ -3,6 +3,7 @@
 // of the blocks are deformable: their corners are nodes of zones, and the last `contacts` of the
 // joints are their edges.
 import type { Bundle, Numbers } from "./bundle";
+import type { Said } from "./texts";
 
 // What deformable blocks are made of.
 export interface Mesh {
@@ -23,7 +24,10 @@ export interface Field {
   name: string;
   path: string;
   unit: string;
-  mean: number; // as the model states it
+  mean: number; // as the model states it; of one that follows a formula, of this wall
+  follows?: boolean;
+  note?: Said; // what a cut leaves of its scatter
+  sample?: number; // of a campaign
   onBlocks: boolean;
   values: Numbers;
   steps: number[]; // bounds of its colours
@@ -42,6 +46,7 @@ export interface Part {
 export interface Wall {
   parts: Part[];
   fields: Field[];
+  allFields: Field[];
   length: number;
   height: number;
   thickness: number;
@@ -95,6 +100,7 @@ function readMesh(bundle: Bundle): Mesh | null {
 }
 
 // Six steps of equal width from the least value to the greatest.
+// In a campaign those of all samples, one sample after the other.
 function readFields(bundle: Bundle): Field[] {
   return (bundle.header.wall.fields ?? []).map((field: Field, i: number): Field => {
     const values = bundle.array(`wall.field_${i}`);
@@ -124,6 +130,7 @@ export function readWall(bundle: Bundle): Wall | null {
   const head = bundle.header.wall;
   if (!head) return null;
   const get = (name: string): Numbers => bundle.array(`wall.${name}`);
+  const fields = readFields(bundle);
   const words = (name: string, list: string[]): string[] => Array.from(get(name), (number) => list[number]);
   const wall = {
     ...head,
@@ -150,7 +157,8 @@ export function readWall(bundle: Bundle): Wall | null {
     supportX: get("support_x"),
     supportY: get("support_y"),
     mesh: readMesh(bundle),
-    fields: readFields(bundle),
+    fields,
+    allFields: fields,
     parts: readParts(head.parts, get("centroid_x"), get("centroid_y")),
   };
   const bounds = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
@@ -324,6 +332,10 @@ type FieldMeasure = `field ${number}`; // number of a field
 export type Measure = "cracks" | "opening" | "slip" | "damage" | "crushing" | "stress" | FieldMeasure;
 type Scalar = Exclude<Measure, "cracks" | "stress" | FieldMeasure>;
 export const isField = (measure: Measure): measure is FieldMeasure => measure.startsWith("field ");
+// A campaign's wall takes the fields of this sample.
+export function takeFields(wall: Wall, sample: number): void {
+  wall.fields = wall.allFields.filter((f) => f.sample === sample);
+}
 export const fieldOf = (wall: Wall, measure: FieldMeasure): Field => wall.fields[Number(measure.slice(6))];
 export const measuresOf = (frames: Frames): Measure[] => [
   "cracks",

@@ -3,7 +3,7 @@ import { atRest, h, later, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { Painter } from "./paths";
-import { num, qty, say } from "./texts";
+import { num, qty, say, sentence } from "./texts";
 import { canvasFor, drawParts, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
 import { makeScene, type Scene } from "./wall3d";
 import {
@@ -157,7 +157,7 @@ export class WallView {
     if (!this.solid) this.stage.replaceChildren(drawWall(this.spec.wall, this.spec.frames, this.look, this.canvas));
   }
   private explain(): void {
-    const what = `${this.look.measure} ${this.look.forces}`;
+    const what = `${this.look.measure} ${this.look.forces} ${this.spec.wall.fields[0]?.sample}`;
     if (what === this.explained) return;
     this.explained = what;
     this.key.replaceChildren(this.legend());
@@ -375,7 +375,10 @@ export class WallView {
       field.onBlocks ? swatch(`block-field r${k + 1}`, "box") : swatch(`joint field r${k + 1}`),
       steps.length > 1 ? `${num(from, 3)}–${num(end(k), 3)}` : num(from, 3),
     ]);
-    const words = say("field.legend", { path: field.path, mean: qty(field.mean, unit, 3) });
+    const words = [
+      say(field.follows ? "field.legend.follows" : "field.legend", { path: field.path, mean: qty(field.mean, unit, 3) }),
+      field.note ? sentence(field.note) : "",
+    ].join(" ");
     return h("div", { class: "field-key" }, h("b", {}, unit), legend([...items, ...extra]), h("p", { class: "soft small" }, words));
   }
 

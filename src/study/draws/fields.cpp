@@ -14,7 +14,6 @@
 #include <optional>
 #include <set>
 
-#include "core/hash.h"
 #include "core/text.h"
 #include "geometry/shape.h"
 #include "model/field_places.h"
@@ -24,6 +23,7 @@
 #include "study/draws/sampling.h"
 #include "units/dimension.h"
 #include "units/quantity_error.h"
+#include "wythe/field_notes.h"
 #include "wythe/study.h"
 
 namespace wythe {
@@ -337,13 +337,14 @@ VariableSpec margin_of(const FieldSpec& field, double mean) {
   return v;
 }
 
-// Mean of a distribution by the trapezoidal rule over the standard normal, exact to rounding for smooth ones.
-double mean_of(const Margin& margin) {
+// Mean of the p-th power of a distribution by the trapezoidal rule over the standard normal, exact to
+// rounding for smooth ones.
+double mean_of(const Margin& margin, int power = 1) {
   constexpr double kStep = 0.0625, kEnd = 8.25;
   double sum = 0, weights = 0;
   for (double z = -kEnd; z <= kEnd; z += kStep) {
-    const double weight = std::exp(-0.5 * z * z);
-    sum += weight * margin.quantile(normal_share(z));
+    const double weight = std::exp(-0.5 * z * z), value = margin.quantile(normal_share(z));
+    sum += weight * (power == 1 ? value : value * value);
     weights += weight;
   }
   return sum / weights;
@@ -479,117 +480,28 @@ void draw_fields(ModelSpec& spec) {
   for (auto& [name, field] : spec.field) field.drawn_for = shape;
 }
 
-int field_seed_of(const StudySpec& study, int sample) {
-  Hash hash;
-  hash.add("fields");
-  hash.add(&study.seed, sizeof study.seed);
-  // i is added, so that no two samples of a study share a seed
-  constexpr std::uint64_t kSeeds = 0x80000000U;
-  return static_cast<int>((hash.value() + static_cast<std::uint64_t>(sample)) % kSeeds);
+std::vector<Message> notes_of_fields(const ModelSpec& spec) {
+  constexpr double kTold = 0.01;  // of the cov that was asked for
+  std::vector<Message> notes;
+  for (const auto& [name, field] : spec.field) {
+    const double cov = cov_of(field);
+    if (field.cov > 0 && std::fabs(cov - field.cov) > kTold * field.cov)
+      notes.push_back(
+          {"field.cut",
+           {{"field", name}, {"cov_percent", 100 * cov}, {"asked_percent", 100 * field.cov}}});
+  }
+  return notes;
 }
 
-namespace {
-
-// Dependents that follow fields joint by joint, as formulas over these fields, sample by sample.
-class Followers {
- public:
-  explicit Followers(const StudySpec& study) : study_(study) {
-    std::vector<std::string> names;
-    for (const VariableSpec& v : study.variable) names.push_back(v.name);
-    for (const DependentSpec& d : study.dependent) names.push_back(d.name);
-    for (const DependentSpec& d : study.dependent) formula_.emplace_back(d.formula, names);
-  }
-
-  // Settings of one sample, whose inputs are `row` in the order of the columns.
-  void append_to(std::vector<std::string>& settings, const SampleTable& samples,
-                 const std::vector<double>& row) const {
-    for (std::size_t d = 0; d < formula_.size(); ++d) {
-      const DependentSpec& dependent = study_.dependent[d];
-      const auto target = field_target(dependent.path);
-      const bool own =
-          std::any_of(study_.field.begin(), study_.field.end(), [&](const StudyField& f) {
-            return f.path == dependent.path || f.name == dependent.name;
-          });
-      if (!target || own || !varies(d, *target)) continue;
-      const std::string at = "field." + dependent.name;
-      settings.push_back(at + ".path=" + dependent.path);
-      settings.push_back(at + ".formula=\"" + text_of(d, *target, samples, row) + '"');
-    }
-  }
-
- private:
-  // Whether `name` is a variable that is the mean of a field over the joints of `target`.
-  [[nodiscard]] bool is_field(const std::string& name, const FieldTarget& target) const {
-    return std::any_of(study_.field.begin(), study_.field.end(), [&](const StudyField& f) {
-      const auto its = field_target(f.path);
-      return !f.follows && f.name == name && its && its->material == target.material &&
-             its->is_density() == target.is_density();
-    });
-  }
-  [[nodiscard]] std::size_t dependent_named(const std::string& name) const {
-    const auto found = std::find_if(study_.dependent.begin(), study_.dependent.end(),
-                                    [&](const DependentSpec& d) { return d.name == name; });
-    return static_cast<std::size_t>(found - study_.dependent.begin());
-  }
-  [[nodiscard]] bool varies(std::size_t d, const FieldTarget& target) const {
-    const std::vector<std::string>& inputs = formula_[d].inputs();
-    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
-      const std::size_t inner = dependent_named(name);
-      return inner < formula_.size() ? varies(inner, target) : is_field(name, target);
-    });
-  }
-  [[nodiscard]] std::string text_of(std::size_t d, const FieldTarget& target,
-                                    const SampleTable& samples,
-                                    const std::vector<double>& row) const {
-    std::map<std::string, std::string> by;
-    for (const std::string& name : formula_[d].inputs()) {
-      const std::size_t inner = dependent_named(name);
-      if (inner < formula_.size() && varies(inner, target))
-        by[name] = "(" + text_of(inner, target, samples, row) + ")";
-      else if (inner < formula_.size() || !is_field(name, target))
-        by[name] = amount_of(name, samples, row);
-    }
-    return formula_[d].replaced(by);
-  }
-  // "(0.000029 m)"; of a unit like "m2.s-1" a product of powers.
-  static std::string amount_of(const std::string& name, const SampleTable& samples,
-                               const std::vector<double>& row) {
-    const auto column = std::find_if(samples.column.begin(), samples.column.end(),
-                                     [&](const InputColumn& c) { return c.name == name; });
-    const double value = row[static_cast<std::size_t>(column - samples.column.begin())];
-    const std::string& unit = column->si_unit;
-    if (unit == "1" || unit.empty()) return fmt::format("({:.17g})", value);
-    if (unit.find('.') == std::string::npos && unit.find('-') == std::string::npos)
-      return fmt::format("({:.17g} {})", value, unit);
-    std::string text = fmt::format("({:.17g}", value);
-    for (std::size_t begin = 0; begin < unit.size();) {
-      const std::size_t end = std::min(unit.find('.', begin), unit.size());
-      const std::string part = unit.substr(begin, end - begin);
-      const std::size_t digit = std::min(part.find_first_of("-0123456789"), part.size());
-      text += fmt::format(" * (1 {})^({})", part.substr(0, digit),
-                          digit < part.size() ? part.substr(digit) : "1");
-      begin = end + 1;
-    }
-    return text + ")";
-  }
-
-  const StudySpec& study_;
-  std::vector<Formula> formula_;
-};
-
-}  // namespace
-
-void set_fields(const StudySpec& study, SampleTable& samples) {
-  samples.field_setting.clear();
-  if (study.field.empty()) return;
-  const Followers followers(study);
-  for (int i = 0; i < samples.n_sample(); ++i) {
-    std::vector<std::string>& settings = samples.field_setting.emplace_back();
-    for (const StudyField& field : study.field)
-      if (!field.follows)
-        settings.push_back(fmt::format("field.{}.seed={}", field.name, field_seed_of(study, i)));
-    followers.append_to(settings, samples, samples.value[static_cast<std::size_t>(i)]);
-  }
+double cov_of(const FieldSpec& field) {
+  if (!field.formula.empty() || !(field.cov > 0)) return field.formula.empty() ? 0 : kUnset;
+  if (!is_set(field.lower) && !is_set(field.upper)) return field.cov;
+  FieldSpec copy = field;
+  FaultList faults;
+  const Margin margin = unit_margin(Field{"", &copy, {}, kUnset, {}}, faults);
+  const double mean = mean_of(margin);
+  return faults.empty() ? std::sqrt(std::max(0.0, mean_of(margin, 2) - mean * mean)) / mean
+                        : kUnset;
 }
 
 }  // namespace wythe

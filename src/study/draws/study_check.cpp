@@ -15,6 +15,7 @@
 #include "study/draws/sampling.h"
 #include "units/quantity_error.h"
 #include "wythe/failure_mode.h"
+#include "wythe/field_notes.h"
 #include "wythe/statistics.h"
 #include "wythe/units.h"
 
@@ -352,9 +353,9 @@ std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
     if (!std::isnan(stage.until)) end = std::max(end, stage.until);
     for (const double target : stage.targets) end = std::max(end, std::fabs(target));
   }
-  if (!(end > 0)) return {};
+  std::vector<Message> notes = notes_of_fields(base);
+  if (!(end > 0)) return notes;
   const double read_at = std::isnan(study.read_modes_at) ? kReadModesAt : study.read_modes_at;
-  std::vector<Message> notes;
   const auto note = [&](const char* code, double at) {
     if (at > end * (1 + 1e-9))
       notes.push_back({code, {{"at_mm", 1e3 * at}, {"end_mm", 1e3 * end}}});

@@ -104,15 +104,14 @@ void refuse_others(const std::vector<ComparedCampaign>& stores) {
 // The study's rows that are not the base's, in words; folders and names aside.
 std::vector<std::string> changes_of(const ComparedCampaign& base, const ComparedCampaign& option) {
   std::vector<std::string> out;
-  const auto lines = [](const std::vector<std::string>& settings) {
-    return std::set<std::string>(settings.begin(), settings.end());
-  };
   const StudySpec &was = base.campaign.study, &is = option.campaign.study;
-  const std::set<std::string> before = lines(was.settings), now = lines(is.settings);
-  for (const std::string& setting : is.settings)
-    if (!before.contains(setting)) out.push_back(setting);
-  for (const std::string& setting : was.settings)
-    if (!now.contains(setting)) out.push_back("without " + setting);
+  const auto before = study::in_effect(was.settings), now = study::in_effect(is.settings);
+  for (const auto& [path, value] : now) {
+    const auto then = before.find(path);
+    if (then == before.end() || then->second != value) out.push_back(path + "=" + value);
+  }
+  for (const auto& [path, value] : before)
+    if (!now.contains(path)) out.push_back("without " + path + "=" + value);
   for (const Fault& fault : study::changes(was, is, option.folder, "in the base")) {
     if (fault.path == "settings" || fault.path == "model" || fault.path == "seed") continue;
     out.push_back(fault.path + " " + fault.problem);
@@ -244,6 +243,20 @@ std::vector<std::string> modes_of_both(const Campaign& base, const Campaign& opt
   return order;
 }
 
+std::vector<ModeShift> groups_of(std::vector<ChangedMode> pairs, std::vector<std::string> modes) {
+  const auto take = [](std::string& mode) {
+    if (mode == "FM-1" || mode == "FM-2") mode = "FM-1 + FM-2";
+    if (mode == "FM-3" || mode == "FM-4") mode = "FM-3 + FM-4";
+  };
+  for (ChangedMode& pair : pairs) take(pair.base), take(pair.option);
+  std::vector<std::string> order;
+  for (std::string& mode : modes) {
+    take(mode);
+    if (std::find(order.begin(), order.end(), mode) == order.end()) order.push_back(mode);
+  }
+  return study::mode_table(pairs, order).shift;
+}
+
 ModeTable modes_of(const Pairs& pairs, const Campaign& base, const Campaign& option) {
   std::vector<ChangedMode> both;
   std::set<std::string> there;
@@ -252,7 +265,19 @@ ModeTable modes_of(const Pairs& pairs, const Campaign& base, const Campaign& opt
     there.insert(both.back().base);
     there.insert(both.back().option);
   }
-  return study::mode_table(both, modes_of_both(base, option, there));
+  ModeTable table = study::mode_table(both, modes_of_both(base, option, there));
+  if (there.contains("FM-1") || there.contains("FM-2") || there.contains("FM-3") ||
+      there.contains("FM-4"))
+    table.group_shift = groups_of(both, table.modes);
+  for (const Pair& pair : pairs.pair) {
+    const FailureMode &was = pair.base->failure_mode, &is = pair.option->failure_mode;
+    const double a = std::fabs(was.read_at), b = std::fabs(is.read_at);
+    if (!study::is_named(was.name) || !study::is_named(is.name)) continue;
+    if (!is_read_early(std::min(a, b), std::max(a, b))) continue;
+    ++table.read_apart;
+    table.changed_apart += was.name != is.name ? 1 : 0;
+  }
+  return table;
 }
 
 // --- in words ------------------------------------------------------------------------------------
@@ -305,6 +330,11 @@ std::vector<Message> notes_of_option(const ComparedCampaign& base, const Compare
   if (read_at(a) != read_at(b))
     notes.push_back({"compare.modes_read_elsewhere",
                      {{"base_mm", 1e3 * read_at(a)}, {"option_mm", 1e3 * read_at(b)}}});
+  else if (found.modes.read_apart > 0)
+    notes.push_back({"compare.modes_read_apart",
+                     {{"pairs", found.modes.read_apart},
+                      {"all", found.modes.pairs - found.modes.unclear},
+                      {"changed", found.modes.changed_apart}}});
   if (a.provenance != b.provenance)
     notes.push_back({"compare.other_program", {{"base", a.provenance}, {"option", b.provenance}}});
   if (a.samples.n_sample() != b.samples.n_sample())

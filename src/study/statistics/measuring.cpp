@@ -1,4 +1,5 @@
-// Which input to measure next, and Sobol indices where a surrogate predicts the response.
+// Which input to measure next, and Sobol indices where a surrogate predicts the response; neither where more than
+// one value in twenty is a lower bound.
 //
 // Both ask how much of a response's variance goes with an input. The first asks the samples directly, by a
 // cubic of the input's ranks; an input that others go along with counts what it says of them. The second
@@ -123,6 +124,10 @@ int bounds_in(const Group& known, const Quantity& quantity) {
   return n;
 }
 
+bool is_censored(int bounds, std::size_t n) {
+  return bounds > kFewCensored * static_cast<double>(n);
+}
+
 double width_of(double variance) { return 1 - std::sqrt(1 - std::clamp(variance, 0.0, 1.0)); }
 
 void take_response(const Answered& samples, const Quantity& quantity, std::vector<Measuring>& all) {
@@ -137,18 +142,20 @@ void take_response(const Answered& samples, const Quantity& quantity, std::vecto
   for (const int k : random_columns(samples.campaign.samples)) {
     const Column input = input_of(known.record, k);
     if (distinct(input) < 2) continue;
-    std::vector<double> values;
-    const Estimate variance = variance_taken(input, response, values);
-    if (std::isnan(variance.value)) continue;
-    replicate.push_back(std::move(values));
-    Measuring& m = made.emplace_back();
+    Measuring m;
     m.quantity = key_of(quantity), m.input = samples.campaign.samples.column[k].name;
     m.n = n, m.censored = censored;
-    m.variance = variance;
-    m.width = {width_of(m.variance.value),
-               {width_of(m.variance.interval.low), width_of(m.variance.interval.high)}};
+    if (!is_censored(censored, response.size())) {
+      std::vector<double> values;
+      m.variance = variance_taken(input, response, values);
+      if (std::isnan(m.variance.value)) continue;
+      replicate.push_back(std::move(values));
+      m.width = {width_of(m.variance.value),
+                 {width_of(m.variance.interval.low), width_of(m.variance.interval.high)}};
+    }
+    made.push_back(std::move(m));
   }
-  for (std::size_t r = 0; !made.empty() && r < replicate.front().size(); ++r) {
+  for (std::size_t r = 0; !replicate.empty() && r < replicate.front().size(); ++r) {
     std::size_t best = 0;
     for (std::size_t k = 1; k < made.size(); ++k)
       if (!(replicate[k][r] <= replicate[best][r])) best = k;
@@ -339,7 +346,7 @@ std::vector<SurrogateIndices> surrogate_indices(const Answered& samples) {
     SurrogateIndices out;
     if (correlated)
       out.verdict = IndexVerdict::kCorrelated;
-    else if (censored > kFewCensored * static_cast<double>(readings.size()))
+    else if (is_censored(censored, readings.size()))
       out.verdict = IndexVerdict::kCensored;
     else
       out = indices_of(inputs, values_of(readings));

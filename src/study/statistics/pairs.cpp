@@ -281,11 +281,12 @@ std::vector<GainAgainstInput> gains(const std::vector<Column>& input,
   return out;
 }
 
+bool is_named(const std::string& mode) { return !mode.empty() && mode != "unclear"; }
+
 ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<std::string>& order) {
   ModeTable table;
   table.modes = order;
   table.pairs = static_cast<int>(pairs.size());
-  const auto is_named = [](const std::string& mode) { return !mode.empty() && mode != "unclear"; };
   table.count.assign(order.size(), std::vector<int>(order.size(), 0));
   const auto place = [&](const std::string& mode) {
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), mode) - order.begin());

@@ -30,6 +30,9 @@ namespace wythe::study {
                                                   const std::vector<std::string>& name,
                                                   const Column& difference);
 
+// Not unclear.
+[[nodiscard]] bool is_named(const std::string& mode);
+
 // Modes of pairs; `order`: names as they are listed.
 [[nodiscard]] ModeTable mode_table(const std::vector<ChangedMode>& pairs,
                                    const std::vector<std::string>& order);

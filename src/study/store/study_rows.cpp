@@ -162,17 +162,6 @@ bool may_change(const std::string& key) {
   return kFree.contains(key);
 }
 
-// Settings in any order, of one path the last: what they do to the model.
-std::map<std::string, std::string> in_effect(const std::string& settings) {
-  std::map<std::string, std::string> last;
-  for (const std::string& line : lines_of(settings)) {
-    const std::size_t equals = std::min(line.find('='), line.size());
-    last[std::string(trimmed(line.substr(0, equals)))] =
-        trimmed(line.substr(std::min(equals + 1, line.size())));
-  }
-  return last;
-}
-
 // A model's lines as TOML means them: without comments, blanks around, and empty lines.
 std::vector<std::string> meaningful_lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -215,6 +204,18 @@ void add_model_changes(const std::string& was, const std::string& is, const std:
 }
 
 }  // namespace
+
+std::map<std::string, std::string> in_effect(const std::vector<std::string>& settings) {
+  std::map<std::string, std::string> last;
+  for (const std::string& line : settings) {
+    const std::size_t equals = std::min(line.find('='), line.size());
+    const std::string path(trimmed(line.substr(0, equals)));
+    // a whole table takes the place of what was set in it
+    std::erase_if(last, [&](const auto& set) { return set.first.starts_with(path + '.'); });
+    last[path] = trimmed(line.substr(std::min(equals + 1, line.size())));
+  }
+  return last;
+}
 
 std::string value_of(const Rows& rows, const std::string& key) {
   for (const auto& [name, value] : rows)
@@ -298,7 +299,7 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
   std::vector<Fault> faults;
   const auto add = [&](const std::string& key, const std::string& old, const std::string& value) {
     if (may_change(key) || key == "model" || old == value) return;
-    if (key == "settings" && in_effect(old) == in_effect(value)) return;
+    if (key == "settings" && in_effect(lines_of(old)) == in_effect(lines_of(value))) return;
     if (key == "blocks") {
       faults.push_back({.file = store,
                         .path = "wall.blocks",

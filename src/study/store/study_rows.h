@@ -2,6 +2,7 @@
 // two. Values are exact: shortest texts that read back to the same bits, SI.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,10 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] StudySpec study_of(const Rows& rows);
 // The value of a key, "" where there is none.
 [[nodiscard]] std::string value_of(const Rows& rows, const std::string& key);
+
+// Settings by path, of one path the last: what they do to the model.
+[[nodiscard]] std::map<std::string, std::string> in_effect(
+    const std::vector<std::string>& settings);
 
 // One fault for everything that makes other samples or other answers: key, was, is. Name, note,
 // file names, the stop rule and the number of samples may change. `then` says when or where it was so.

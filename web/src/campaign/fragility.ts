@@ -220,11 +220,12 @@ class Fragility {
     return [...words, ...this.caution()].join(" ");
   }
   private caution(): string[] {
-    const { unknown, not_slow_enough, repeated, n } = this.event;
+    const { unknown, not_slow_enough, repeated, lost, n } = this.event;
     return [
       unknown > 0 ? say(this.event.mode ? "fragility.unknown.mode" : "fragility.unknown", { n: unknown }) : "",
       not_slow_enough > 0 ? say("fragility.not_slow", { n: not_slow_enough, of: n }) : "",
       repeated > 0 ? say("fragility.repeated", { n: repeated }) : "",
+      lost > 0 ? say("fragility.lost", { n: lost }) : "",
     ].filter((w) => w);
   }
 
@@ -315,41 +316,44 @@ const responseOf = (campaign: Campaign, key: string): string => {
 export function measuring(campaign: Campaign): Child {
   const all = (campaign.statistics.measuring ?? []) as any[];
   // of each response the best few
-  const rows = all.filter((m, i) => all.slice(0, i).filter((o) => o.response === m.response).length < kBest);
-  if (rows.length === 0) return null;
+  const rows = all.filter(
+    (m, i) =>
+      m.variance_share !== null &&
+      all.slice(0, i).filter((o) => o.response === m.response).length < kBest,
+  );
+  if (all.length === 0) return null;
   const censored = rows.filter((m) => m.censored > 0).map((m) => m.response as string);
+  const untold = all.filter((m) => m.variance_share === null).map((m) => m.response as string);
+  const named = (keys: string[]): string => [...new Set(keys)].map((k) => responseOf(campaign, k)).join(", ");
+  const soft = (key: string, of: string[]): Child =>
+    of.length > 0 ? h("p", { class: "soft small" }, say(key, { responses: named(of) })) : null;
   return [
     h("h3", {}, say("measuring.title")),
-    h(
-      "div",
-      { id: "measuring" },
-      sortable(
-        [
-          { head: say("response"), left: true },
-          { head: say("input"), left: true },
-          { head: say("measuring.variance") },
-          { head: say("measuring.width") },
-          { head: say("measuring.best") },
-        ],
-        rows.map((m) => [
-          responseOf(campaign, m.response),
-          m.input,
-          percent(m.variance_share, m.variance_share_interval),
-          percent(m.width_share, m.width_share_interval),
-          { show: num(100 * m.is_best, 2), sort: m.is_best },
-        ]),
-        say("measuring.lead"),
-      ),
-    ),
-    censored.length > 0
+    rows.length > 0
       ? h(
-          "p",
-          { class: "soft small" },
-          say("measuring.censored", {
-            responses: [...new Set(censored)].map((k) => responseOf(campaign, k)).join(", "),
-          }),
+          "div",
+          { id: "measuring" },
+          sortable(
+            [
+              { head: say("response"), left: true },
+              { head: say("input"), left: true },
+              { head: say("measuring.variance") },
+              { head: say("measuring.width") },
+              { head: say("measuring.best") },
+            ],
+            rows.map((m) => [
+              responseOf(campaign, m.response),
+              m.input,
+              percent(m.variance_share, m.variance_share_interval),
+              percent(m.width_share, m.width_share_interval),
+              { show: num(100 * m.is_best, 2), sort: m.is_best },
+            ]),
+            say("measuring.lead"),
+          ),
         )
       : null,
+    soft("measuring.censored", censored),
+    soft("measuring.untold", untold),
   ];
 }
 

@@ -5,7 +5,7 @@ import { aroundPrint } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { table } from "../tables";
 import { num, phrase, qty, say, sentence } from "../texts";
-import { Frames, readWall, type Wall } from "../wall";
+import { Frames, readWall, takeFields, type Wall } from "../wall";
 import { WallView } from "../wallview";
 import { atLeast, modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 
@@ -173,6 +173,7 @@ export class SamplePanel {
       frames = this.framesOf(s);
     if (!this.wall || !this.frames || frames.length === 0)
       return h("p", { class: "note" }, say(all.length > 0 ? "sample.no_wall" : "sample.no_walls"));
+    takeFields(this.wall, s.sample);
     this.view ??= new WallView({
       id: "sample-wall",
       wall: this.wall,

@@ -1,0 +1,18 @@
+// What is to be known of the random fields of a model (wythe/field.h): the scatter that bounds leave them.
+#pragma once
+
+#include <vector>
+
+#include "wythe/message.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe {
+
+// The coefficient of variation that its bounds leave a field; `cov` is of the distribution before they cut it.
+// NaN of one that follows others.
+[[nodiscard]] double cov_of(const FieldSpec& field);
+
+// One for each field whose scatter a cut makes smaller by more than one per cent of it.
+[[nodiscard]] std::vector<Message> notes_of_fields(const ModelSpec& spec);
+
+}  // namespace wythe
