@@ -16,8 +16,8 @@ constexpr int kDelay = 16;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-std::vector<double> law_rows(const Model& m, int lanes) {
-  std::vector<double> rows;
+dynamics::Lines<double> law_rows(const Model& m, int lanes) {
+  dynamics::Lines<double> rows;
   for (const JointMaterial& material : m.materials) {
     const contact::LawConstants<double> c = contact::constants_of(material);
     const double two_GII = c.half_inv_GII > 0 ? 1 / c.half_inv_GII : kNever;

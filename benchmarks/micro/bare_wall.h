@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/passes/tables.h"
 #include "wythe/model.h"
 
 namespace wythe::bench {
@@ -171,7 +172,7 @@ class BareWallsRun {
   std::vector<JointId> joint_of_;  // the model's
   std::vector<std::int32_t> order_;
   std::vector<BareLoad> load_;
-  std::vector<double> law_, hot_, cold_, block_, wall_;
+  dynamics::Lines<double> law_, hot_, cold_, block_, wall_;
   std::vector<unsigned char> busy_;
   BareWalls view_;
 };
@@ -193,9 +194,9 @@ class BareJointsRun {
   std::vector<JointId> joint_of_;  // the model's; -1: nobody
   std::vector<std::int32_t> a_, b_, begin_, middle_, entry_;
   std::vector<BareLoad> load_;
-  std::vector<double> geometry_, law_, hot_, cold_, force_, pose_, place_, velocity_, rate_,
+  dynamics::Lines<double> geometry_, law_, hot_, cold_, force_, pose_, place_, velocity_, rate_,
       weight_;
-  std::vector<double> wall_;
+  dynamics::Lines<double> wall_;
   std::vector<unsigned char> busy_;
   BareJoints view_;
 };

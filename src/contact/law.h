@@ -452,62 +452,6 @@ template <class V, class C, class Real>
   return open * minimum(m.kn, strength * inv_kappa);
 }
 
-// A point that keeps its history: it crushes no further, opens no wider than before, does not slide, and
-// its shear damage does not grow under the present pressure. Where it `rests`, update() gives the same
-// stresses and history, bit for bit; elsewhere, and where something is not a number, it has to be asked.
-template <class Real>
-struct Rest {
-  Real sigma, tau;  // [Pa]
-  bool_of_t<Real> rests, open;
-};
-
-// `closed`: the caller expects no point to be open, which spares most of the work; one that is does not
-// rest.
-template <class V, bool closed, class C, class Real>
-[[nodiscard]] WYTHE_INLINE Rest<Real> at_rest(const LawConstants<C>& m, Real w, Real s,
-                                              const History<Real>& h) {
-  const Real zero(0.0), one(1.0);
-  const Real we = w + h.crush, pressed = m.kn * we;
-  const bool_of_t<Real> is_open = we > zero;
-  const Real tau = m.ks * (s - h.plastic_slip);
-  bool_of_t<Real> rests = zero <= zero;
-  if (choice_of<V>(m).cap) {
-    const Real strength = crush_strength(m, h.crush_path).left;
-    rests = beyond_cap(m, minimum(pressed, zero), tau, strength) <= zero;
-  } else {
-    rests = pressed + m.fc * maximum(zero, one - h.crush * m.inv_p_full) >= zero;
-  }
-  const Real left = tension_left<V>(m, h.kappa);
-  Real sigma = minimum(pressed, zero);
-  if constexpr (closed) {
-    rests = rests & (we <= zero);
-  } else {
-    const Real open = maximum(we, zero);
-    rests = rests & (open <= h.kappa);
-    const Real strength = m.ft * strength_left<V>(m, left, one - h.shear_damage);
-    const Real inv_kappa = one / maximum(h.kappa, Real(1e-30));
-    sigma = sigma + pull<V>(m, open, strength, inv_kappa, h.tension_set);
-    if (choice_of<V>(m).unloading == Unloading::kElastic)
-      rests = rests & (open - strength * m.inv_kn <= h.tension_set);
-  }
-  Yield<Real> yield = yield_of<V>(m, sigma, left, h.kappa);
-  if constexpr (!closed) yield.residual = select(is_open & (left <= zero), zero, yield.residual);
-  rests = rests & (damage_of_slip<V>(m, yield, h.slip) <= h.shear_damage);
-  rests = rests & (magnitude(tau) <= stress_at<V>(m, yield, h.shear_damage));
-  return {sigma, tau, rests, is_open};
-}
-
-// Whether update() took a point from `before` to `now` by changing its history: it may go on doing so.
-template <class Real>
-[[nodiscard]] WYTHE_INLINE bool_of_t<Real> moves(const History<Real>& before,
-                                                 const History<Real>& now) {
-  bool_of_t<Real> moved = now.kappa > before.kappa;
-  moved = moved | (now.crush > before.crush);
-  moved = moved | (now.plastic_slip > before.plastic_slip);
-  moved = moved | (now.plastic_slip < before.plastic_slip);
-  return moved | (now.shear_damage > before.shear_damage);
-}
-
 // One step of the law: from the total opening w and relative slip s [m], with history `h` advanced.
 // What happens only to open, sliding or crushing points is skipped where no lane needs it.
 template <class V, class C, class Real>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/parameters.h"
+#include "contact/short_ways.h"
 #include "core/real.h"
 #include "model/fields.h"
 #include "wythe/reading.h"
@@ -81,29 +82,48 @@ PointMotion contact_motion(const Model& model, const State& s, int c, int k) {
           (1 - share) * m.node_y[p] + share * m.node_y[q] + ey};
 }
 
-// What the law remembers of a point, by the table of fields.
-contact::History<double> history_of(const State& s, PointId p) {
-  contact::History<double> h{};
-  std::size_t k = 0;
-  for (const StateField& field : kStateFields)
-    if (field.entity == Entity::kPoint && !(s.*field.array).empty())
-      h.*contact::kHistory<double>[k++] = (s.*field.array)[p];
-  return h;
+// What the law remembers of each point, by the table of fields.
+class Histories {
+ public:
+  explicit Histories(const State& s) {
+    std::size_t k = 0;
+    for (const StateField& field : kStateFields)
+      if (field.entity == Entity::kPoint && !(s.*field.array).empty())
+        row_[k++] = (s.*field.array).data();
+  }
+  [[nodiscard]] contact::History<double> at(PointId p) const {
+    contact::History<double> h{};
+    for (std::size_t k = 0; k < row_.size() && row_[k] != nullptr; ++k)
+      h.*contact::kHistory<double>[k] = row_[k][p];
+    return h;
+  }
+
+ private:
+  std::array<const double*, contact::kHistory<double>.size()> row_{};
+};
+
+// The law's answer, by its short way where nothing has happened to the point.
+template <class V>
+contact::Answer<double> answer_of(const LawConstants<double>& law, const PointMotion& at,
+                                  contact::History<double>& h) {
+  if (contact::knows_whole<V>(law) && contact::is_whole<V>(law, h)) {
+    const contact::Whole<double> whole = contact::whole_point(law, at.w, at.s);
+    if (whole.stays) return {whole.sigma + 0.0, whole.tau, 0, 0, 0, 0, 0};  // + 0: never -0
+  }
+  return contact::update<V>(law, at.w, at.s, h);
 }
 
-PointReading read_point(const State& s, PointId p, const LawConstants<double>& law,
+PointReading read_point(contact::History<double> h, const LawConstants<double>& law,
                         const PointMotion& at) {
-  contact::History<double> h = history_of(s, p);
-  const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
-    return contact::update<decltype(variant)>(law, at.w, at.s, h);
-  });
   PointReading point;
   point.where = {at.x, at.y};
   point.opening = at.w;
   point.slip = at.s;
-  point.opened = s.kappa[p];
-  point.slid = s.plastic_slip[p];
-  point.crushed = s.crush[p];
+  point.opened = h.kappa;
+  point.slid = h.plastic_slip;
+  point.crushed = h.crush;
+  const contact::Answer<double> now = contact::with_variant(
+      law.choice, [&](auto variant) { return answer_of<decltype(variant)>(law, at, h); });
   point.normal_stress = now.sigma;
   point.shear_stress = now.tau;
   point.damage_tension = now.tension_damage;
@@ -141,6 +161,7 @@ class LawOf {
 
 std::vector<PointReading> read_points(const Model& m, const State& s) {
   LawOf law(m);
+  const Histories history(s);
   const std::vector<SinCos<double>> block = rotations_of(s);
   std::vector<PointReading> points(static_cast<std::size_t>(m.n_history()));
   for (JointId j = 0; j < m.n_joint; ++j) {
@@ -150,7 +171,7 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, j);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = read_point(s, p, law(m.joint_material[j]), face.at(m.point_xi[k]));
+      points[p] = read_point(history.at(p), law(m.joint_material[j]), face.at(m.point_xi[k]));
       points[p].share = m.point_weight[k];
       points[p].place = m.point_xi[k];
     }
@@ -159,7 +180,8 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     const PointRange range = points_of(m, m.n_joint + c);
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
-      points[p] = read_point(s, p, law(m.solids.contact_material[c]), contact_motion(m, s, c, k));
+      points[p] =
+          read_point(history.at(p), law(m.solids.contact_material[c]), contact_motion(m, s, c, k));
       points[p].share = 0.5;
       points[p].place = 2 * k - 1;
     }
@@ -241,8 +263,6 @@ bool is_on_support(const Anatomy& a, Vec3 place) {
 }  // namespace
 
 bool has_slid_off(const Model& model, const std::vector<PointReading>& points, JointId joint) {
-  const JointShape shape = joint_shape(model, joint);
-  if (shape.kind == JointKind::kLintelChain) return false;  // one piece of timber
   double slip = 0;
   bool pressed = false;
   const PointRange range = points_of(model, joint);
@@ -250,8 +270,13 @@ bool has_slid_off(const Model& model, const std::vector<PointReading>& points, J
     slip += points[p].share * points[p].slip;
     pressed = pressed || points[p].opening < 0;
   }
-  const double reach = length(shape.half);  // half the face
-  if (!pressed || std::fabs(slip) <= reach) return false;
+  if (!pressed || slip == 0) return false;
+  const Vec3 half = joint < model.n_joint ? Vec3{model.half_x[joint], model.half_y[joint]}
+                                          : joint_shape(model, joint).half;
+  const double reach = length(half);  // half the face
+  if (std::fabs(slip) <= reach) return false;
+  const JointShape shape = joint_shape(model, joint);
+  if (shape.kind == JointKind::kLintelChain) return false;  // one piece of timber
   if (shape.a != kGroundBlock) return true;
   // into the ground by a hundredth of the face, where the middle of the face is now
   const double deep = 0.02 * reach;

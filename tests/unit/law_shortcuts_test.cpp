@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "contact/parameters.h"
+#include "contact/short_ways.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 
@@ -41,6 +42,7 @@ struct Tally {
   int closed = 0, unchanged = 0, rest = 0;
   int crushed = 0, slid = 0, torn = 0, worn = 0, open = 0;
   int opens = 0, slides = 0, crushes = 0, presses = 0;
+  int whole = 0, drawn = 0, widened = 0;
 };
 
 bool same_bits(double a, double b) {
@@ -120,6 +122,25 @@ class Walker {
       check_busy(w, s, answer, now);
     else
       check_rest(rest, w, answer, now);
+    if (contact::knows_whole<V>(m_) && contact::is_whole<V>(m_, h_)) check_whole(w, s, answer, now);
+  }
+
+  // Zeros may differ in their sign: a face adds its points to 0.
+  void check_whole(double w, double s, const contact::Answer<double>& answer, const History& now) {
+    const contact::Whole<double> whole = contact::whole_point(m_, w, s);
+    const bool slides = now.slip > 0, crushes = now.crush > 0;
+    EXPECT_TRUE(!whole.stays || contact::is_whole<V>(m_, now));
+    EXPECT_TRUE(whole.stays || slides || crushes || w > contact::whole_until(m_)) << w << " " << s;
+    if (!whole.stays) return;
+    EXPECT_EQ(whole.sigma, answer.sigma);
+    EXPECT_EQ(whole.tau, answer.tau);
+    EXPECT_EQ(answer.friction + answer.fracture + answer.crushing, 0);
+    History wider = h_;
+    if (w > wider.kappa) wider.kappa = w;
+    EXPECT_TRUE(same_bits(wider, now));
+    ++tally_.whole;
+    tally_.drawn += w > 0;
+    tally_.widened += now.kappa > h_.kappa;
   }
 
   void check_rest(const contact::Rest<double>& rest, double w,
@@ -195,6 +216,33 @@ TEST_P(EveryVariant, at_rest_has_the_bits_of_update_and_misses_no_rest) {
   // every kind of history comes to rest, and every kind of motion is met
   for (const int met : {t.crushed, t.slid, t.torn, t.worn}) EXPECT_GT(met, 100);
   for (const int met : {t.opens, t.slides, t.crushes, t.presses}) EXPECT_GT(met, 100);
+}
+
+TEST_P(EveryVariant, a_whole_point_is_elastic_with_the_bits_of_update) {
+  const auto [softening, coupling, unloading, cap] = GetParam();
+  const Tally t = walk_variant(softening, coupling, unloading, cap);
+  const bool known = coupling != Coupling::kStiffness && !cap;
+  for (const int met : {t.whole, t.drawn, t.widened}) EXPECT_EQ(met > 30, known) << met;
+}
+
+// Each number of the history alone keeps a point from being whole; so does strength that a dry joint lacks.
+TEST(WholePoint, remembers_nothing_but_how_far_it_has_opened) {
+  const auto law = contact::constants_of(scenes::paper_joint());
+  const auto is_whole = [&](double History::*number, double value) {
+    History h{};
+    h.*number = value;
+    return contact::is_whole<contact::PaperVariant>(law, h);
+  };
+  EXPECT_TRUE(is_whole(&History::kappa, 0));
+  EXPECT_TRUE(is_whole(&History::kappa, 0.999 * law.w0));
+  EXPECT_FALSE(is_whole(&History::kappa, law.w0));
+  EXPECT_FALSE(is_whole(&History::kappa, std::nan("")));
+  for (const auto number :
+       {&History::crush, &History::plastic_slip, &History::slip, &History::shear_damage})
+    EXPECT_FALSE(is_whole(number, 1e-12));
+  EXPECT_FALSE(is_whole(&History::plastic_slip, -1e-12));
+  const auto dry = contact::constants_of(scenes::dry_joint(20e9, 8e9, scenes::degrees(30)));
+  EXPECT_FALSE(contact::is_whole<contact::PaperVariant>(dry, History{}));
 }
 
 std::string name_of(const testing::TestParamInfo<EveryVariant::ParamType>& info) {

@@ -152,7 +152,7 @@ struct LookAt {
     mine.lane = wall;
     double* answer = answers + ask * walls + wall;
     if (ask == kUnbalance) *answer = unbalance_of(mine);
-    if (ask == kKinetic) *answer = kinetic_of(mine, 1.0);
+    if (ask == kKinetic) *answer = kinetic_of(mine, nullptr, nullptr, 1.0);
     if (ask == kShear) *answer = shear_of(mine, aim[wall], aim[walls + wall]);
     if (ask == kDistance) {
       const Furthest found = furthest_of(mine);

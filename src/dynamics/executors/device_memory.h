@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <vector>
+
+#include "dynamics/passes/tables.h"
 
 namespace wythe::dynamics {
 
@@ -56,7 +57,7 @@ class Shared {
   Device& device_;
 
  public:
-  std::vector<T> here;
+  Lines<T> here;
   T* there = nullptr;
 };
 

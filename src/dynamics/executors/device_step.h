@@ -174,6 +174,8 @@ void DeviceExecutor<Device>::put(int lane, const Model& model, State& s) {
   list_stages();
   put_wall(layout_, here_, 0, model, s);
   copy_column(lane, false);
+  const Lines<std::uint8_t> ways(memory_.ways.size() * at(walls_));  // none is known to be whole
+  device_.upload(ways_.there, ways.data(), ways.size());
   ids_.here = memory_.ids;  // blocks that this wall loads or drives
   ids_.send();
   for (std::size_t row = 0; row < device::kAnswers; ++row)
@@ -397,7 +399,7 @@ void DeviceExecutor<Device>::run(Pass pass) {
       using V = decltype(chosen);
       if (pass == kEdges) return run_chunk<Edges<V, A>>(pass, chunk);
       if (chunk.on_ground) return run_chunk<Joints<V, true, 0, A>>(pass, chunk);
-      if (chunk.points == 2) return run_chunk<Joints<V, false, 2, A>>(pass, chunk);
+      if (chunk.at_ends) return run_chunk<Joints<V, false, 2, A>>(pass, chunk);
       run_chunk<Joints<V, false, 0, A>>(pass, chunk);
     });
   }

@@ -60,12 +60,12 @@ void run_pass(const Tables& t, const Chunk& chunk, double* works) {
 
 template <class Access>
 struct PassesOf {
-  // Two and three points of a face, and any number, one by one; a face on the ground is rare.
+  // Points at the two ends of a face, three points, and any number, one by one; a face on the ground is rare.
   static void joints(const Tables& t, const Chunk& chunk, double* works) {
     contact::with_variant(chunk.choice, [&](auto chosen) {
       using V = decltype(chosen);
       if (chunk.on_ground) return run_pass<Joints<V, true, 0, Access>>(t, chunk, works);
-      if (chunk.points == 2) return run_pass<Joints<V, false, 2, Access>>(t, chunk, works);
+      if (chunk.at_ends) return run_pass<Joints<V, false, 2, Access>>(t, chunk, works);
       if (chunk.points == 3) return run_pass<Joints<V, false, 3, Access>>(t, chunk, works);
       run_pass<Joints<V, false, 0, Access>>(t, chunk, works);
     });

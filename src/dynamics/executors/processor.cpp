@@ -34,7 +34,7 @@ class HostWallAccess final : public WallAccess {
 
   [[nodiscard]] double unbalance_ratio() const override { return unbalance_of(view_); }
   [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
-    return kinetic_of(view_, mass_scaling);
+    return kinetic_of(view_, model_.mass.data(), model_.inertia.data(), mass_scaling);
   }
   [[nodiscard]] double base_shear(double px, double py) const override {
     return shear_of(view_, px, py);
@@ -56,6 +56,20 @@ class HostWallAccess final : public WallAccess {
   const Model& model_;
   WallView view_;
 };
+
+// Works that a pass does: terms `first` to `end` - 1.
+struct Terms {
+  int first, end;
+};
+constexpr Terms terms_of(Pass pass) {
+  switch (pass) {
+    case kJoints:
+    case kEdges: return {kFriction, kLoads};
+    case kBlocks:
+    case kNodes: return {kLoads, kTerms};
+    default: return {0, 0};
+  }
+}
 
 // Dead loads of all stages, in their order, on their blocks as they are turned now.
 void place_loads(const Model& model, const State& state, const WallView& wall) {
@@ -142,14 +156,17 @@ void Processor::begin_step() {
 
 void Processor::run_chunk(Pass pass, Bank& bank, std::size_t chunk) {
   constexpr int kMostLanes = 8;
-  double sums[kTerms * kGroup * kMostLanes] = {};
+  double sums[kTerms * kGroup * kMostLanes];
+  const Terms terms = terms_of(pass);
+  const int of_term = kGroup * width_;
+  std::fill(sums + terms.first * of_term, sums + terms.end * of_term, 0.0);
   const Kernel kernel = (width_ == 1 && lanes() == 1 ? kernels_.neighbours : kernels_.walls)[pass];
   kernel(bank.tables, layout_.chunks[pass][chunk], sums);
   double* works = &bank.works[pass][chunk * kTerms * at(width_)];
-  for (int term = 0; term < kTerms; ++term)
+  for (int term = terms.first; term < terms.end; ++term)
     for (int wall = 0; wall < width_; ++wall) {
       double sum = 0;
-      for (int k = 0; k < kGroup; ++k) sum += sums[(term * kGroup + k) * width_ + wall];
+      for (int k = 0; k < kGroup; ++k) sum += sums[term * of_term + k * width_ + wall];
       works[term * width_ + wall] = sum;
     }
 }
@@ -190,8 +207,13 @@ void Processor::end_step() {
         &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
     for (const Pass pass : {kJoints, kEdges, kBlocks, kNodes}) {
       const std::vector<double>& works = bank_of(lane).works[pass];
-      for (std::size_t k = at(lane % width_); k < works.size(); k += at(width_))
-        *ledger[k / at(width_) % kTerms] += works[k];
+      const std::size_t chunk = kTerms * at(width_);
+      for (int term = terms_of(pass).first; term < terms_of(pass).end; ++term) {
+        double sum = *ledger[term];
+        for (std::size_t k = at(term * width_ + lane % width_); k < works.size(); k += chunk)
+          sum += works[k];
+        *ledger[term] = sum;
+      }
     }
     advance_clock(*wall.state, wall.controls);
   }

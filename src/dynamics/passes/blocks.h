@@ -72,12 +72,13 @@ struct Blocks {
     const Real zero(0.0);
     const BlockForce<Real> contact = gather(i);
     const Real heavy = own(i, kHeavyMass);
-    BlockForce<Real> load{zero, zero, zero};
-    if constexpr (special) load = {own(i, kLoadX), own(i, kLoadY), own(i, kLoadM)};
-    load.x = load.x + heavy * gravity_x;
-    load.y = load.y + heavy * gravity_y;
+    BlockForce<Real> load{heavy * gravity_x, heavy * gravity_y, zero};
+    if constexpr (special)
+      load = {own(i, kLoadX) + load.x, own(i, kLoadY) + load.y, own(i, kLoadM)};
     const Real fx = contact.x + load.x, fy = contact.y + load.y;
-    const Real fm = access.shared(t.turn_freedom, i) * (contact.m + load.m);
+    Real moment = contact.m;
+    if constexpr (special) moment = moment + load.m;
+    const Real fm = access.shared(t.turn_freedom, i) * moment;
     const Real rate = own(i, kRate), turn_rate = own(i, kTurnRate);
     const Rows<Real> pose = access.own_rows(t.pose, i);
     Moved<Real> x = accelerate(own(i, kVx), fx, rate, dt, damping);
@@ -86,8 +87,9 @@ struct Blocks {
     const Real theta0 = own(i, kTheta);
     Rows<Real> next{pose.c0 + dt * x.velocity, pose.c1 + dt * y.velocity, zero, zero};
     Real theta = theta0 + dt * r.velocity;
-    const Real loads =
-        dt * (load.x * x.mean_velocity + load.y * y.mean_velocity + load.m * r.mean_velocity);
+    Real power = load.x * x.mean_velocity + load.y * y.mean_velocity;
+    if constexpr (special) power = power + load.m * r.mean_velocity;
+    const Real loads = dt * power;
     const Real damped = x.damping_work + y.damping_work + r.damping_work;
     if constexpr (special) {
       const auto is_free = own(i, kIsFree) > zero;

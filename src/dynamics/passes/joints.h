@@ -17,6 +17,7 @@
 // The half-angle cosines of two blocks multiply to those of the mean angle: no root, no division.
 #pragma once
 
+#include "contact/short_ways.h"
 #include "core/several.h"
 #include "dynamics/passes/access.h"
 
@@ -136,6 +137,15 @@ struct FacePoints {
       });
     });
   }
+  // Two points are those at the ends of the face (Chunk::at_ends).
+  [[nodiscard]] WYTHE_INLINE Points places() const {
+    if constexpr (n == 2) return {Real(-1.0), Several<Real, 1>(Real(1.0))};
+    return of_points(run.xi);
+  }
+  [[nodiscard]] WYTHE_INLINE Points shares(Real area) const {
+    if constexpr (n == 2) return Points(area * Real(0.5));
+    return Points(area) * of_points(run.weight);
+  }
   [[nodiscard]] WYTHE_INLINE Points of_points(const double* number) const {
     Points all;
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
@@ -144,15 +154,15 @@ struct FacePoints {
     return all;
   }
   [[nodiscard]] WYTHE_INLINE Points opening(const FaceJump<Real>& jump) const {
-    return Points(jump.jn) + of_points(run.xi) * Points(jump.dn);
+    return Points(jump.jn) + places() * Points(jump.dn);
   }
   [[nodiscard]] WYTHE_INLINE Points slip(const FaceJump<Real>& jump) const {
     if constexpr (one_slip) return Points(jump.jt);
-    return Points(jump.jt) + of_points(run.xi) * Points(jump.dt);
+    return Points(jump.jt) + places() * Points(jump.dt);
   }
   WYTHE_INLINE void add(Real area, const Points& sigma, const Points& tau,
                         FaceForce<Real>& sum) const {
-    const Points xi = of_points(run.xi), share = Points(area) * of_points(run.weight);
+    const Points xi = places(), share = shares(area);
     const Points fn = sigma * share, ft = tau * share, gn = fn * xi, gt = ft * xi;
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
       sum = {sum.fn + fn.template part<k>(), sum.ft + ft.template part<k>(),
@@ -170,17 +180,35 @@ struct FacePoints {
     rests = rests & now.rests.all_parts();
     open = open | now.open.any_part();
   }
-  // The whole law: the one place where history advances. Whether it did, and whether any is open.
+  // Forces of whole points; whether they stay whole.
+  WYTHE_INLINE void whole(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
+                          bool_of_t<Real>& stays) const {
+    const contact::Whole<Points> now = contact::whole_point(law, opening(jump), slip(jump));
+    add(area, now.sigma, now.tau, sum);
+    stays = stays & now.stays.all_parts();
+  }
+  // How far whole points have opened: all that they remember.
+  WYTHE_INLINE void widen(const FaceJump<Real>& jump) const {
+    const Points w = opening(jump);
+    for_each_part<n>([&](auto k) __attribute__((always_inline)) {
+      const Real now = w.template part<k>();
+      const Real kappa = run.access.own(run.history, first + k * rows());
+      const bool_of_t<Real> wider = now > kappa;
+      if (any(wider)) run.access.keep(select(wider, now, kappa), run.history, first + k * rows());
+    });
+  }
+  // The whole law: the one place where all of the history advances. Whether it did, whether any is open
+  // and whether all are whole.
   WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
-                            JointWork<Real>& work, bool_of_t<Real>& moved,
-                            bool_of_t<Real>& open) const {
+                            JointWork<Real>& work, bool_of_t<Real>& moved, bool_of_t<Real>& open,
+                            bool& whole) const {
     const History before = load();
     History now = before;
     const Points w = opening(jump);
     const contact::Answer<Points> a = contact::update<V>(law, w, slip(jump), now);
     store(now);
     add(area, a.sigma, a.tau, sum);
-    const Points share = Points(area) * of_points(run.weight);
+    const Points share = shares(area);
     const Points friction = a.friction * share, fracture = a.fracture * share,
                  crushing = a.crushing * share;
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
@@ -190,6 +218,8 @@ struct FacePoints {
     });
     moved = moved | contact::moves(before, now).any_part();
     open = open | (w + now.crush > Points(Real(0.0))).any_part();
+    // most have slid
+    whole = whole && !any(now.slip > Points(Real(0.0))) && all(contact::is_whole<V>(law, now));
   }
 };
 
@@ -210,8 +240,9 @@ WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, c
 }
 
 // Which way a face took in the last step, and so the one to try first in the next. It decides what a step
-// takes, never what it gives: each way finds out whether it holds.
-enum Way : std::uint8_t { kClosed, kOpen, kMoving };
+// takes, never what it gives: each way finds out whether it holds. Only kWhole is taken at its word as to the
+// history: a face is kMoving wherever a history comes from outside (put_wall).
+enum Way : std::uint8_t { kMoving, kWhole, kClosed, kOpen };
 
 template <class V, int n, bool one_slip, class Access, class Real>
 WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
@@ -220,12 +251,35 @@ WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdi
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
   bool_of_t<Real> moved = zero > zero, open = zero > zero;
+  bool whole = contact::knows_whole<V>(run.law_at(spot));
   each_points<V, n, one_slip>(
       run, spot, [&](const auto& points) __attribute__((always_inline)) {
-        points.advance(area, jump, sum, work, moved, open);
+        points.advance(area, jump, sum, work, moved, open, whole);
       });
-  run.access.mark(run.way, spot, any(moved) ? kMoving : any(open) ? kOpen : kClosed);
+  run.access.mark(run.way, spot,
+                  whole        ? kWhole
+                  : any(moved) ? kMoving
+                  : any(open)  ? kOpen
+                               : kClosed);
   return sum;
+}
+
+// Forces of a face whose points are whole; false where one does not stay so.
+template <class V, int n, bool one_slip, class Access, class Real>
+[[nodiscard]] WYTHE_INLINE bool whole_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
+                                           Real area, const FaceJump<Real>& jump,
+                                           FaceForce<Real>& sum) {
+  const Real zero(0.0);
+  sum = {zero, zero, zero, zero};
+  bool_of_t<Real> stays = zero <= zero;
+  each_points<V, n, one_slip>(
+      run, spot, [&](const auto& points) __attribute__((always_inline)) {
+        points.whole(area, jump, sum, stays);
+      });
+  if (!all(stays)) return false;
+  each_points<V, n, one_slip>(
+      run, spot, [&](const auto& points) __attribute__((always_inline)) { points.widen(jump); });
+  return true;
 }
 
 // Forces of a face whose points keep their history; false where they do not.
@@ -245,7 +299,8 @@ template <class V, int n, bool one_slip, bool closed, class Access, class Real>
   return true;
 }
 
-// Forces of a face. Two short ways store no history; one that moved in the last step is asked for neither.
+// Forces of a face. Short ways store no history, but for the opening of whole points; a face that moved in
+// the last step is asked for none.
 template <class V, int n, bool one_slip, class Access, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
                                                       std::ptrdiff_t spot, Real area,
@@ -253,6 +308,7 @@ template <class V, int n, bool one_slip, class Access, class Real>
                                                       JointWork<Real>& work) {
   const std::uint8_t way = run.access.marked(run.way, spot);
   FaceForce<Real> sum;
+  if (way == kWhole && whole_face<V, n, one_slip>(run, spot, area, jump, sum)) return sum;
   if (way == kClosed && resting_face<V, n, one_slip, true>(run, spot, area, jump, sum)) return sum;
   if (way == kOpen && resting_face<V, n, one_slip, false>(run, spot, area, jump, sum)) return sum;
   return moving_face<V, n, one_slip>(run, spot, area, jump, work);

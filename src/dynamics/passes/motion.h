@@ -17,7 +17,8 @@ struct Moved {
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Moved<Real> accelerate(Real v, Real force, Real rate, Real dt,
                                                   Real lambda) {
-  const Real damping = Real(-1.0) * lambda * magnitude(force) * sign(v);
+  const Real zero(0.0), drag = lambda * magnitude(force);
+  const Real damping = select(v > zero, zero - drag, select(v < zero, drag, zero));
   const Real v1 = v + rate * (force + damping);
   const Real mean = Real(0.5) * (v + v1);
   return {v1, mean, damping * mean * dt};

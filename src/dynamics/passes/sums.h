@@ -45,11 +45,14 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
 WYTHE_INLINE double kinetic_of(double m, double I, double vx, double vy, double omega) {
   return 0.5 * m * (vx * vx + vy * vy) + 0.5 * I * omega * omega;
 }
-WYTHE_INLINE double kinetic_of(const WallView& wall, double mass_scaling) {
+// `mass`, `inertia`: of its blocks, where they lie closer together than in the tables; or null.
+WYTHE_INLINE double kinetic_of(const WallView& wall, const double* mass, const double* inertia,
+                               double mass_scaling) {
   double energy = 0;
-  for (int i = 0; i < wall.blocks; ++i)
-    energy += kinetic_of(wall.cold(i, kMass), wall.cold(i, kInertia), wall.block(i, kVx),
-                         wall.block(i, kVy), wall.block(i, kOmega));
+  for (int i = 0; i < wall.moving_blocks; ++i)
+    energy += kinetic_of(mass != nullptr ? mass[i] : wall.cold(i, kMass),
+                         inertia != nullptr ? inertia[i] : wall.cold(i, kInertia),
+                         wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega));
   for (int i = 0; i < wall.nodes; ++i)
     energy +=
         kinetic_of(wall.node(i, kNodeMass), 0, wall.node(i, kNodeVx), wall.node(i, kNodeVy), 0);

@@ -74,6 +74,7 @@ std::vector<Chunk> cut_joints(const Model& m, Layout::Kind kind) {
         follow_law(m, m.joint_material[at(j)], chunk);
         chunk.on_ground = j >= m.n_pair;
         chunk.points = m.n_face_point;
+        chunk.at_ends = m.n_face_point == 2 && m.point_xi[0] == -1 && m.point_xi[1] == 1;
       });
 }
 

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <type_traits>
 #include <vector>
 
@@ -131,7 +132,8 @@ struct Chunk {
   std::int32_t rows = 0;            // of history that their law remembers
   std::int32_t history = 0;         // numbers of history before its first group, of one lane
   bool on_ground = false;
-  bool graded = false;  // each group has a law of its own (a field), not one for all
+  bool at_ends = false;  // two points, one at each end of the face
+  bool graded = false;   // each group has a law of its own (a field), not one for all
   contact::LawChoice choice;
 };
 
@@ -217,12 +219,27 @@ struct Layout {
   }
 };
 
+// A vector that begins with a line of the cache, so that eight lanes never lie in two.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>&) {}  // NOLINT: as the standard asks
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  bool operator==(const LineAllocator&) const = default;
+};
+template <class T>
+using Lines = std::vector<T, LineAllocator<T>>;
+
 // The memory of the tables of `walls` walls: what all share and what each has for itself.
 struct Memory {
-  std::vector<double> shared, own;
-  std::vector<std::int32_t> ids;
-  std::vector<ZoneShape> shapes;
-  std::vector<std::uint8_t> ways;
+  Lines<double> shared, own;
+  Lines<std::int32_t> ids;
+  Lines<ZoneShape> shapes;
+  Lines<std::uint8_t> ways;
 };
 
 // visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
@@ -259,7 +276,6 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   own(t.law, n(l.laws) * kLawRows * (l.kind == Layout::kWalls ? 1 : kGroup));
   own(t.block, n(l.blocks) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
-  own(t.pose, 4 * (n(l.blocks) + 1));
   own(t.history, n(l.history));
   own(t.force, 4 * n(l.joints + l.links));
   own(t.link, n(l.links) * kLinkRows);
@@ -268,6 +284,7 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it
   own(t.edge_block_force, 4 * n(l.edges));
   own(t.edge_force, 4 * n(l.edges));
+  own(t.pose, 4 * (n(l.blocks) + 1));
   own(t.wall, n(kWallRows));
   own(t.joint_way, n(l.joints));
   own(t.edge_way, n(l.edges));

@@ -103,6 +103,9 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
   put_laws(l, t, lane, m, l.chunks[kEdges], m.solids.contact_material);
   for (const StateField& field : kStateFields)
     each_number(l, t, m, field, [&](std::size_t i, double* to) { to[lane] = (s.*field.array)[i]; });
+  // no face is known to be whole any more
+  std::fill_n(t.joint_way, l.joints * t.lanes, std::uint8_t{0});
+  std::fill_n(t.edge_way, l.edges * t.lanes, std::uint8_t{0});
   const WallView wall = view_of(l, m, t, lane);
   for (int i = 0; i < m.n_block; ++i) {
     wall.block(i, kHeavyMass) = m.heavy_mass[at(i)];

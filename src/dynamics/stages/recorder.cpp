@@ -307,10 +307,17 @@ void Recorder::note_links(const State& state, double displacement, double reacti
 void Recorder::note_joints(const State& state, double displacement, double reaction) {
   const std::vector<PointReading> points = read_points(model_, state);
   note_slid_off(points, displacement, reaction);
+  struct First {
+    const char* code;
+    bool found;
+  };
+  const auto first = [&](const char* code) { return First{code, has_event(result_, {code})}; };
+  First crushing = first("event.first_crushing"), crack = first("event.first_crack"),
+        full_crack = first("event.first_full_crack");
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
-    const auto mark = [&](const char* code, const PointReading& point) {
-      if (!has_event(result_, {code}))
-        result_.events.push_back({{code}, displacement, reaction, place_of(joint, point)});
+    const auto mark = [&](First& event, const PointReading& point) {
+      if (std::exchange(event.found, true)) return;
+      result_.events.push_back({{event.code}, displacement, reaction, place_of(joint, point)});
     };
     const auto j = static_cast<std::size_t>(joint);
     const auto& m = model_.materials[static_cast<std::size_t>(model_.joint_material[j])];
@@ -318,11 +325,11 @@ void Recorder::note_joints(const State& state, double displacement, double react
     const PointRange range = points_of(model_, joint);
     for (PointId p = range.begin; p < range.end; ++p) {
       const PointReading& point = points[static_cast<std::size_t>(p)];
-      if (point.crushing > 0) mark("event.first_crushing", point);
+      if (point.crushing > 0) mark(crushing, point);
       if (dry) continue;
-      if (point.damage > 0) mark("event.first_crack", point);
+      if (point.damage > 0) mark(crack, point);
       if (point.damage < kThrough) continue;
-      mark("event.first_full_crack", point);
+      mark(full_crack, point);
       double& when = result_.joint_crack_displacement[j];
       if (std::isnan(when)) when = displacement;
     }
