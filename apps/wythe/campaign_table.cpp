@@ -36,6 +36,14 @@ void print_entangled(const std::vector<InputCorrelation>& pairs) {
         pairs.front().a, pairs.front().b, pairs.front().rank);
 }
 
+// Before the table, so that no number is read without it.
+void print_assessment(const CampaignAssessment& a) {
+  if (a.spec.code.empty()) return;
+  const Message said = sentence_of(a);
+  const bool is_signed = a.reason.empty() && said.code != "assessment.unsigned";
+  fmt::print("{}assessment, {}: {}\n", is_signed ? "" : "WARNING ", a.spec.code, text_of(said));
+}
+
 // What must be known before any number: how many pushes were no static ones.
 void print_warning(const Statistics& statistics) {
   std::string counts;
@@ -58,6 +66,7 @@ void print_warning(const Statistics& statistics) {
 
 void print_table(const Campaign& campaign, const Statistics& statistics) {
   print_warning(statistics);
+  print_assessment(statistics.assessment);
   fmt::print("samples {} of {}:", campaign.records.size(), campaign.samples.n_sample());
   const char* between = " ";
   for (const auto& [status, count] : statistics.status) {

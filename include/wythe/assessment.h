@@ -191,11 +191,20 @@ struct JudgedPush {
   double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
   std::string mechanism = {};           // "shear", "flexure", "": not known
   Message barred = {};                  // why the model's stages allow no answer; empty: they do
+  std::vector<Message> cautions = {};   // of the model itself: why numbers are not to be signed
 };
 // Mass and shape at a displacement; called with that of the bilinear curve's yield.
 using ShapeReader = std::function<MassAndShape(double displacement)>;
 [[nodiscard]] CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
                                     const ShapeReader& shape);
+
+// --- a campaign
+
+struct CampaignAssessment;  // wythe/statistics.h
+// Why none of its numbers is to be signed: the first of its notes, as far as they are cautions.
+[[nodiscard]] std::vector<Message> cautions_of(const CampaignAssessment& assessment);
+// These, then what was found or why nothing was, for a reader.
+[[nodiscard]] Message sentence_of(const CampaignAssessment& assessment);
 
 [[nodiscard]] inline bool is_asked(const AssessmentSpec& spec) { return !spec.code.empty(); }
 // Of a run, with what its model file asks for.

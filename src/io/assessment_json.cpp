@@ -166,6 +166,8 @@ Json assessment_json(const CampaignAssessment& a) {
                {"without_answer", a.without_answer},
                {"not_to_be_signed", a.doubtful},
                {"mass", mass_json(a.mass)}};
+  put(json, "sentence", sentence_of(a));
+  put(json, "cautions", cautions_of(a));
   put(json, "reason", a.reason);
   put(json, "notes", a.notes);
   json["limit_states"] = Json::array();

@@ -83,7 +83,8 @@ TEST(CampaignAssessment, has_no_answer_where_samples_do_not_share_mass_and_spect
     statistics.assessment = assess_campaign(campaign, base, model);
     return nlohmann::json::parse(statistics_json(statistics)).at("assessment");
   };
-  for (const char* path : {"material.joint.cohesion", "masonry.masonry_strength", ""}) {
+  for (const char* path : {"material.joint.cohesion", "masonry.masonry_strength", "",
+                           "stage.push.velocity", "stage.push.damping", "stage.push.until"}) {
     Campaign campaign = campaign_of(25);
     campaign.study.variable.emplace_back().path = path;
     EXPECT_EQ(assessed(campaign).at("limit_states").size(), 3u) << path;
@@ -94,6 +95,8 @@ TEST(CampaignAssessment, has_no_answer_where_samples_do_not_share_mass_and_spect
     ASSERT_TRUE(json.contains("reason")) << path;
     EXPECT_NE(json.at("reason").dump().find(path), std::string::npos) << path;
     EXPECT_EQ(json.at("answered"), 0);
+    EXPECT_EQ(json.at("not_to_be_signed"), 25);  // none beside a reason is
+    EXPECT_NE(json.at("sentence").dump().find("has no answer"), std::string::npos);
     EXPECT_EQ(json.at("notes").dump().find("base_mass"), std::string::npos);
   };
   for (const char* path : {"floor.roof.load", "wall.thickness", "wall.unit.density",
@@ -117,6 +120,55 @@ TEST(CampaignAssessment, has_no_answer_where_its_push_has_none) {
   const CampaignAssessment a = assess_campaign(campaign_of(25), base, compile(base));
   EXPECT_TRUE(a.fragility.empty());
   EXPECT_EQ(a.answered, 0);
+}
+
+TEST(Assessment, with_mass_of_floors_that_nothing_counts_is_not_signed) {
+  const auto cautioned = [](const std::string& more, double added_mass) {
+    ModelSpec spec = parse_model(
+        wall_text(kAssessed + std::string("[[floor]]\nname = \"f\"\ny = \"0.75 m\"\n") + more),
+        "wall.toml");
+    spec.assessment.added_mass = added_mass;
+    const Model model = compile(spec);
+    const CodeAssessment a = assess_run(spec, model, {});
+    const bool found = !a.cautions.empty() && says(a.cautions.front(), "floors f");
+    EXPECT_EQ(says(a.sentence, "floors f"), found);
+    EXPECT_EQ(says(sentence_of(assess_campaign(campaign_of(25), spec, model)), "floors f"), found);
+    return found;
+  };
+  // 1 m of wall
+  EXPECT_TRUE(cautioned("mass = \"2000 kg/m\"\n", 0));
+  EXPECT_TRUE(cautioned("mass = \"2000 kg/m\"\n", 300));
+  EXPECT_FALSE(cautioned("mass = \"2000 kg/m\"\n", 2000));
+  EXPECT_TRUE(cautioned("load = \"10 kN/m\"\nmass = \"2000 kg/m\"\n", 900));
+  EXPECT_FALSE(cautioned("load = \"10 kN/m\"\nmass = \"2000 kg/m\"\n", 1000));
+  EXPECT_FALSE(cautioned("load = \"10 kN/m\"\n", 0));
+}
+
+// Samples keep no motions, so the drift of their piers is not known; of one pier it is that of the wall.
+TEST(CampaignAssessment, of_more_than_one_pier_says_first_that_drifts_are_of_the_whole_wall) {
+  const auto assessed = [](const std::string& openings) {
+    std::string text = wall_text(kAssessed);
+    text = "[wall]\nlength = \"3.0 m\"\n" + text.substr(text.find("height = "));
+    const ModelSpec base = parse_model(text + openings, "wall.toml");
+    return assess_campaign(campaign_of(25), base, compile(base));
+  };
+  const CampaignAssessment one = assessed("");
+  EXPECT_TRUE(cautions_of(one).empty());
+  EXPECT_TRUE(says(sentence_of(one), "near collapse: half of the walls carry"))
+      << text_of(sentence_of(one));
+  ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const CampaignAssessment none = assess_campaign(campaign_of(3, 1.9e-3), base, compile(base));
+  EXPECT_EQ(none.doubtful, 3);
+  EXPECT_TRUE(says(sentence_of(none), "no sample has one; the first: the force still rises"))
+      << text_of(sentence_of(none));
+  const CampaignAssessment two = assessed(
+      "[[wall.opening]]\nname = \"o\"\nx = \"1 m\"\ny = \"0 m\"\nwidth = \"1 m\"\n"
+      "height = \"0.5 m\"\n");
+  EXPECT_EQ(two.doubtful, 25);
+  EXPECT_EQ(text_of(sentence_of(two))
+                .find("not to be signed: drifts of the samples are those of the whole"),
+            0u)
+      << text_of(sentence_of(two));
 }
 
 TEST(Assessment, notes_masses_and_spectra_that_are_more_often_a_slip) {

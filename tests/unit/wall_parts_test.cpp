@@ -10,6 +10,7 @@
 
 #include "scenes/mechanism.h"
 #include "scenes/scenes.h"
+#include "study/modes/element_states.h"
 #include "wythe/failure_mode.h"
 #include "wythe/mechanism.h"
 
@@ -331,6 +332,32 @@ TEST(PlainName, three_piers_are_named_by_kind_of_damage) {
   const WallMechanism whole = mechanism_from_state(model, moved(model, rocking));
   EXPECT_EQ(whole.name, "rocking piers");  // two of three
   EXPECT_EQ(text_of(whole.sentence), "the piers rock");
+}
+
+TEST(WallParts, crack_in_the_haunch_of_an_arch_is_one_of_its_spandrel) {
+  ModelSpec spec = facade_spec({}, 20, 24);
+  OpeningSpec o;
+  o.x = 6 * kColumn;
+  o.y = 0;
+  o.width = 8 * kColumn;
+  o.height = 8 * kCourse;
+  o.arch = {.kind = ArchKind::kRound, .depth = 0.25, .voussoirs = 17};
+  spec.wall.opening = {o};
+  const Model model = compile(spec);
+  const study::WallParts parts = study::find_parts(model);
+  ASSERT_EQ(parts.spandrels.size(), 1U);
+  const double crown = parts.spandrels.front().box.y0;
+  // two voussoirs of the left haunch go left: the radial joint above them parts, below the crown's height
+  const auto opens = [&](double x, double y) {
+    const bool is_haunch =
+        x > 5.2 * kColumn && x < 6.4 * kColumn && y > 8 * kCourse && y < crown - 0.7 * kCourse;
+    return Motion{.move_x = is_haunch ? -4e-3 : 0};
+  };
+  double length = 0;
+  for (const ElementState& e : read_elements(model, moved(model, opens)))
+    for (const ElementSign& s : e.signs)
+      if (e.kind == "spandrel" && s.state == study::kDiagonal) length = s.value;
+  EXPECT_GT(length, 0.05);  // of the joint, 0.25 m long, seen from above
 }
 
 // --- mechanism -------------------------------------------------------------------------------

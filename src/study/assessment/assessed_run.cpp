@@ -153,10 +153,32 @@ JudgedPush judged_push(const Model& model) {
   return push;
 }
 
+namespace {
+double counted_mass(const FloorSpec& floor, const Model& model) {  // of its load [kg/m]
+  return floor.load > 0 ? floor.load / model.solve.gravity : 0;
+}
+}  // namespace
+
+std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model) {
+  double left_out = 0;
+  std::vector<Message> names;
+  for (const FloorSpec& floor : spec.floor) {
+    const double counted = counted_mass(floor, model);
+    if (!(floor.mass > 1.001 * counted)) continue;
+    const double width = std::isnan(floor.width) ? model.anatomy.length : floor.width;
+    left_out += (floor.mass - counted) * width;
+    names.push_back(as_text(floor.name));
+  }
+  if (!(left_out > 1.001 * spec.assessment.added_mass)) return {};
+  return {
+      {"assessment.caution.floor_mass",
+       {{"floors", std::move(names)}, {"mass", left_out}, {"added", spec.assessment.added_mass}}}};
+}
+
 std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) {
   std::vector<Message> notes;
   for (const FloorSpec& floor : spec.floor) {
-    const double counted = floor.load > 0 ? floor.load / model.solve.gravity : 0;
+    const double counted = counted_mass(floor, model);
     if (floor.mass > 1.001 * counted)
       notes.push_back({"assessment.note.floor_mass",
                        {{"floor", floor.name}, {"mass", floor.mass}, {"counted", counted}}});
@@ -186,7 +208,8 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
                   .rise = result.rise,
                   .pier_slenderness = of_model.pier_slenderness,
                   .mechanism = study::mechanism_of(result.failure_mode),
-                  .barred = of_model.barred};
+                  .barred = of_model.barred,
+                  .cautions = study::cautions_of_masses(spec, model)};
   if (push.is_horizontal && push.curve_of == StageKind::kPush)
     push.drifts = storey_drifts(spec, model, result);
   push.storeys_known = !push.drifts.empty();

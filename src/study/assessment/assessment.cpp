@@ -386,6 +386,7 @@ class Judge {
 
   void collect_cautions() {
     std::vector<Message>& say = out_.cautions;
+    say = push_.cautions;
     if (push_.judgement != "slow enough" && push_.judgement != "usable")
       say.push_back(push_.judgement == "too fast" ? Message{"assessment.too_fast"}
                                                   : Message{"assessment.rate_unknown"});
@@ -419,19 +420,11 @@ class Judge {
     if (check->scale >= 1) return AssessmentVerdict::kHolds;
     return check->at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
   }
-  [[nodiscard]] static Message state_words(LimitState state) {
-    switch (state) {
-      case LimitState::kDamageLimitation: return {"assessment.damage_limitation"};
-      case LimitState::kLifeSafety: return {"assessment.life_safety"};
-      case LimitState::kNearCollapse: break;
-    }
-    return {"assessment.near_collapse"};
-  }
   [[nodiscard]] Message verdict_in_words() const {
     if (out_.verdict == AssessmentVerdict::kNotKnown)
       return {"assessment.not_known", {{"why", out_.reason}}};
     const LimitStateCheck& check = *out_.asked();
-    const Message state = state_words(check.state);
+    const Message state = study::words_of_state(check.state);
     if (out_.verdict == AssessmentVerdict::kNoDemand)
       return {check.at_least ? "assessment.no_demand_bound" : "assessment.no_demand",
               {{"state", state}, {"displacement_mm", 1e3 * check.displacement}}};
@@ -460,6 +453,15 @@ const LimitStateCheck* CodeAssessment::asked() const {
   for (const LimitStateCheck& check : limit_states)
     if (check.is_asked) return &check;
   return nullptr;
+}
+
+Message study::words_of_state(LimitState state) {
+  switch (state) {
+    case LimitState::kDamageLimitation: return {"assessment.damage_limitation"};
+    case LimitState::kLifeSafety: return {"assessment.life_safety"};
+    case LimitState::kNearCollapse: break;
+  }
+  return {"assessment.near_collapse"};
 }
 
 CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,

@@ -22,6 +22,9 @@ namespace wythe::study {
 [[nodiscard]] JudgedPush judged_push(const Model& model);
 // What the model file says that the masses of the assessment do not follow.
 [[nodiscard]] std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model);
+[[nodiscard]] Message words_of_state(LimitState state);
+// Of these, what makes its numbers unsafe: mass of floors that nothing counts.
+[[nodiscard]] std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model);
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known; of
 // one pier where it is named.
 [[nodiscard]] std::string mechanism_of(const FailureMode& mode, const std::string& pier = "");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/assessment/assessment_parts.h"
+#include "study/modes/wall_parts.h"
 #include "study/statistics/bootstrap.h"
 #include "study/statistics/intervals.h"
 #include "study/statistics/survival.h"
@@ -30,7 +31,8 @@ CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base, 
       .judgement = record.quasi_static.judgement,
       .pier_slenderness = push.pier_slenderness,
       .mechanism = study::mechanism_of(record.failure_mode),
-      .barred = push.barred};
+      .barred = push.barred,
+      .cautions = study::cautions_of_masses(base, model)};
   return assess(base.assessment, of, [&](double) { return mass; });
 }
 
@@ -84,7 +86,12 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
 bool keeps_mass_and_spectrum(const std::string& path) {
   if (path.empty()) return true;  // a number of formulas alone
   const bool is_law = path.starts_with("material.") || path.starts_with("masonry.");
-  return is_law && path.find("density") == std::string::npos;
+  if (is_law) return path.find("density") == std::string::npos;
+  // how a stage is driven, not what it loads
+  if (!path.starts_with("stage.")) return false;
+  constexpr const char* kDriving[] = {".velocity", ".damping", ".ramp", ".until"};
+  return std::any_of(std::begin(kDriving), std::end(kDriving),
+                     [&](const char* key) { return path.ends_with(key); });
 }
 
 // What samples have of their own that their assessment would have to follow; "": nothing.
@@ -104,7 +111,51 @@ Message barred(const Campaign& campaign, const Model& model) {
   return study::judged_push(model).barred;
 }
 
+// What stands before any number of the campaign as a whole. Samples keep no motions: of a wall of more
+// than one pier the drift that counts, a pier's, is not known of them.
+std::vector<Message> cautions_of_samples(const ModelSpec& base, const Model& model) {
+  std::vector<Message> say = study::cautions_of_masses(base, model);
+  if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)
+    say.push_back({"assessment.caution.whole_drift"});
+  return say;
+}
+
 }  // namespace
+
+std::vector<Message> cautions_of(const CampaignAssessment& a) {
+  std::vector<Message> cautions;
+  for (const Message& note : a.notes)
+    if (note.code.starts_with("assessment.caution.")) cautions.push_back(note);
+  return cautions;
+}
+
+Message sentence_of(const CampaignAssessment& a) {
+  if (!a.reason.empty()) return {"assessment.not_known", {{"why", a.reason}}};
+  Message said{"assessment.campaign_without_demand",
+               {{"answered", a.answered}, {"without", a.without_answer}}};
+  for (const PgaFragility& f : a.fragility) {
+    if (!f.is_checked) continue;
+    const Message state = study::words_of_state(value_of(kLimitStateWords, f.limit_state).value());
+    said =
+        std::isfinite(f.median.value)
+            ? Message{"assessment.campaign",
+                      {{"state", state},
+                       {"median_g", f.median.value / kStandardGravity},
+                       {"beta", f.beta},
+                       {"demand_g", f.demand / kStandardGravity},
+                       {"percent", 100 * f.at_demand.value},
+                       {"answered", a.answered},
+                       {"without", a.without_answer}}}
+            : Message{"assessment.campaign_without_median",
+                      {{"state", state}, {"answered", a.answered}, {"without", a.without_answer}}};
+  }
+  std::vector<Message> cautions = cautions_of(a);
+  if (cautions.empty() && a.doubtful > 0)
+    cautions.push_back(
+        {"assessment.caution.samples", {{"doubtful", a.doubtful}, {"answered", a.answered}}});
+  if (cautions.empty()) return said;
+  return {"assessment.unsigned", {{"cautions", std::move(cautions)}, {"verdict", said}}};
+}
 
 CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
                                    const Model& model) {
@@ -116,16 +167,22 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   if (!out.reason.empty()) {
     for (const SampleRecord& record : campaign.records)
       out.without_answer += record.status.empty() ? 0 : 1;
+    out.doubtful = out.without_answer;
     return out;
   }
+  out.notes = cautions_of_samples(base, model);
+  const bool is_barred = !out.notes.empty();
+  std::vector<Message> notes;
+  Message why;  // the first sample without an answer has none
   constexpr std::size_t kStates = std::size(kLimitStateWords);
   std::vector<std::vector<Reading>> readings(kStates);
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;
     const CodeAssessment a = assess_sample(record, base, model, out.mass);
-    if (out.notes.empty()) out.notes = a.notes;
+    if (notes.empty()) notes = a.notes;
     if (a.limit_states.empty() || !is_answered(record)) {
       ++out.without_answer;
+      if (why.empty()) why = a.reason;
       continue;
     }
     ++out.answered;
@@ -135,6 +192,12 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
       readings[static_cast<std::size_t>(check.state)].push_back(
           {check.acceleration, check.at_least});
   }
+  if (is_barred) out.doubtful = out.answered;
+  if (out.answered == 0 && out.without_answer > 0) {
+    out.reason = {"assessment.no_sample_answers", {{"why", why}}};
+    out.doubtful = out.without_answer;
+  }
+  out.notes.insert(out.notes.end(), notes.begin(), notes.end());
   for (Message& note : study::notes_of_masses(base, model)) out.notes.push_back(std::move(note));
   out.notes.push_back({"assessment.note.base_mass"});
   if (std::isnan(base.assessment.record_scatter))

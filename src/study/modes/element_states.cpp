@@ -274,12 +274,13 @@ class SignReader {
     Box masonry = s.box;
     masonry.y0 += s.lintel;
     const double length = masonry.width();
-    const PartedPanel crack = parted(joints_, masonry, Lines::kUpright, parts_, rules_.crack);
+    const Box haunched = with_haunches(s, masonry);
+    const PartedPanel crack = parted(joints_, haunched, Lines::kUpright, parts_, rules_.crack);
     const double needed = std::min(
         crack.to_cross(rules_.spandrel_crossed * masonry.height(), parts_.column / parts_.course),
         kSlender * length);
     const std::vector<LineSum> inner = scan(joints_, masonry, Lines::kLevel, parts_.course);
-    Box ends = masonry;  // with the joints at the jambs
+    Box ends = haunched;  // with the joints at the jambs
     ends.x0 -= 0.5 * parts_.column;
     ends.x1 += 0.5 * parts_.column;
     const std::vector<LineSum> whole = scan(joints_, ends, Lines::kLevel, parts_.course);
@@ -314,6 +315,11 @@ class SignReader {
   }
 
  private:
+  // Over an arch, the masonry beside its crown too: within the opening's width there is no other.
+  static Box with_haunches(const Spandrel& s, Box masonry) {
+    if (!s.is_sill && !(s.lintel > 0)) masonry.y0 -= s.opening;
+    return masonry;
+  }
   // How far a crack has come, and how far it has to come.
   struct Reach {
     double length = 0, needed = 0;  // [m]
