@@ -108,16 +108,46 @@ bool is_annotation(std::string_view type) {
 std::string cure_for(std::string_view type) {
   if (type == "INSERT") return "explode the block reference in the drawing program";
   if (type == "LINE") return "join the lines to a closed polyline (PEDIT, Join)";
-  if (type == "SPLINE" || type == "ARC" || type == "CIRCLE" || type == "ELLIPSE")
-    return "draw it anew as a closed polyline of straight segments";
+  if (type == "ARC")
+    return "join it with its neighbours to a closed polyline (PEDIT, Join), whose arcs are read";
+  if (type == "CIRCLE") return "draw it anew as a closed polyline of two arcs";
+  if (type == "SPLINE" || type == "ELLIPSE")
+    return "draw it anew as a closed polyline of straight segments and arcs";
   return "draw a closed polyline there, or take it out of the file";
 }
 
 struct Vertex {
   std::optional<double> x, y;
-  double bulge = 0;
+  double bulge =
+      0;  // of the segment that begins here: tan(angle / 4), positive to the right of the chord
   int flags = 0;
 };
+
+using Corner = std::array<double, 2>;
+
+// Inner corners of the chords that stand for the arc from a to b, none further from it than kChordError;
+// nothing where they would be more than kMostChords. An arc run backwards has the same corners.
+std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, double bulge) {
+  std::vector<Corner> corners;
+  const double dx = b[0] - a[0], dy = b[1] - a[1], chord = std::hypot(dx, dy);
+  const bool is_straight = std::abs(bulge) < 1 && std::abs(bulge) * chord / 2 <= kChordError;
+  if (is_straight || chord == 0) return corners;  // a trace of rounding is no arc
+  const double angle = 4 * std::atan(bulge),
+               radius = chord * (1 + bulge * bulge) / 4 / std::abs(bulge);
+  const double widest = 2 * std::acos(std::max(0.0, 1 - kChordError / radius));
+  const double count = std::ceil(std::abs(angle) / widest - 1e-9);
+  if (!(count <= kMostChords)) return std::nullopt;
+  // the centre lies on the left of the chord by this share of it
+  const double off = (1 - bulge * bulge) / 4 / bulge;
+  const Corner centre{(a[0] + b[0]) / 2 - off * dy, (a[1] + b[1]) / 2 + off * dx};
+  const auto n = static_cast<int>(count);
+  for (int k = 1; k < n; ++k) {
+    const double turn = angle * k / n, c = std::cos(turn), s = std::sin(turn);
+    const double x = a[0] - centre[0], y = a[1] - centre[1];
+    corners.push_back({centre[0] + c * x - s * y, centre[1] + s * x + c * y});
+  }
+  return corners;
+}
 
 // One entity while its groups come in.
 struct Entity {
@@ -276,11 +306,12 @@ class DrawingReader {
     if (entity.normal <= 0 || std::abs(entity.normal - 1) > 1e-9)
       return leave(entity, "lies in another plane than x and y",
                    "draw the wall in the plane of x and y (FLATTEN)");
+    if (entity.type == "POLYLINE" && (entity.flags & kCurved) != 0)
+      return leave(
+          entity, "is a fitted curve",
+          "draw it anew with straight segments and arcs, the same on both sides of a joint");
     DrawnOutline outline{entity.layer, entity.handle, entity.line, {}};
     for (const Vertex& vertex : entity.vertices) {
-      if (vertex.bulge != 0 || (entity.type == "POLYLINE" && (entity.flags & kCurved) != 0))
-        return leave(entity, "has an arc or a curve in it",
-                     "draw it anew with straight segments, the same ones on both sides of a joint");
       if (!vertex.x || !vertex.y)
         return leave(entity, "has a vertex without x or y", "export it again");
       outline.corners.push_back({*vertex.x / scale_, *vertex.y / scale_});
@@ -294,9 +325,35 @@ class DrawingReader {
     if ((entity.flags & kClosed) == 0 && !returns)
       return leave(entity, "is open", "close it (PEDIT, Close)");
     if (returns) outline.corners.pop_back();
+    if (!lay_arcs(entity, outline)) return;
     if (outline.corners.size() < 3)
       return leave(entity, "has fewer than 3 corners", "draw it anew, or take it out of the file");
     drawing_.outlines.push_back(std::move(outline));
+  }
+
+  // Puts chords in the place of arcs; false where that can't be done.
+  bool lay_arcs(const Entity& entity, DrawnOutline& outline) {
+    std::vector<Corner> corners;
+    for (std::size_t i = 0; i < outline.corners.size(); ++i) {
+      corners.push_back(outline.corners[i]);
+      const Corner& next = outline.corners[(i + 1) % outline.corners.size()];
+      const auto arc = chords_of(corners.back(), next, entity.vertices[i].bulge);
+      if (!arc) {
+        leave(entity, fmt::format("has an arc that needs more than {} chords", kMostChords),
+              "draw it anew, or check the drawing's unit");
+        return false;
+      }
+      chords_ += arc->size();
+      if (chords_ > kMostOfAllChords)
+        refuse(file_, "",
+               fmt::format("its arcs need more than {} chords of {:g} mm off them",
+                           kMostOfAllChords, 1e3 * kChordError),
+               "draw small curves with straight segments, or check the drawing's unit",
+               entity.line);
+      corners.insert(corners.end(), arc->begin(), arc->end());
+    }
+    outline.corners = std::move(corners);
+    return true;
   }
 
   const std::string& file_;
@@ -304,6 +361,7 @@ class DrawingReader {
   double scale_ = 0;           // file units in a metre; 0: not known yet
   std::optional<int> stated_;  // $INSUNITS
   bool has_entities_ = false, in_vertex_ = false;
+  std::size_t chords_ = 0;  // so far
   Drawing drawing_;
 };
 

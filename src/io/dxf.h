@@ -1,7 +1,8 @@
 // Outlines of a drawing: closed polylines of an ASCII DXF file, R12 to 2018, in metres.
 //
 // A file is pairs of lines, a group code and its value. HEADER states the unit ($INSUNITS), ENTITIES holds what was
-// drawn. Polylines of straight segments are read; what else draws a line or an area is told by name with its place.
+// drawn. Polylines are read, their arcs as chords (kChordError); what else draws a line or an area is told by name
+// with its place.
 #pragma once
 
 #include <array>
@@ -13,6 +14,12 @@
 
 namespace wythe::io {
 
+inline constexpr double kChordError =
+    1e-3;                                // between an arc of a polyline and its chords, at most [m]
+inline constexpr int kMostChords = 360;  // of one arc
+inline constexpr int kMostOfAllChords =
+    1'000'000;  // of a drawing: a vertex of 30 bytes may ask for 360 corners
+
 struct DrawnOutline {
   std::string layer;
   std::string handle;  // of the entity, as the drawing program shows it; "" in old files
@@ -20,7 +27,7 @@ struct DrawnOutline {
   std::vector<std::array<double, 2>> corners;  // the first is not repeated [m]
 };
 
-// An entity that is no closed outline of straight segments, and why not.
+// An entity that is no closed outline, and why not.
 struct Unread {
   std::string layer, type, handle, problem, cure;
   int line = 0;

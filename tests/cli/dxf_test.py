@@ -2,6 +2,7 @@
 
 Exit 77 where ezdxf or wythe is absent."""
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -12,6 +13,7 @@ import unittest
 
 try:
     import ezdxf
+    from ezdxf.math import bulge_to_arc
 except ImportError:
     # the distribution's own python has the package where another one comes first in PATH
     if sys.executable != "/usr/bin/python3" and os.path.exists("/usr/bin/python3"):
@@ -135,8 +137,8 @@ class Drawings(unittest.TestCase):
             "3DFACE": lambda s, a: s.add_3dface([(0, 0), (1, 0), (1, 1)], dxfattribs=a),
             "POLYLINE": lambda s, a: s.add_polyline3d([(0, 0, 0), (1, 0, 1), (1, 1, 0)], dxfattribs=a),
             "is open": lambda s, a: s.add_lwpolyline([(0, 0), (1, 0), (1, 1)], dxfattribs=a),
-            "arc or a curve": lambda s, a: s.add_lwpolyline(
-                [(0, 0, 0.5), (1, 0, 0), (1, 1, 0)], format="xyb", close=True, dxfattribs=a),
+            "more than 360 chords": lambda s, a: s.add_lwpolyline(
+                [(0, 0, 0.5), (8e6, 0, 0), (1, 1, 0)], format="xyb", close=True, dxfattribs=a),
             "another plane": lambda s, a: s.add_lwpolyline(
                 [(0, 0), (1, 0), (1, 1)], close=True, dxfattribs={**a, "extrusion": (0, -1, 0)}),
         }
@@ -151,6 +153,51 @@ class Drawings(unittest.TestCase):
                 self.assertEqual(done.returncode, 2, done.stdout)
                 for word in [words, "odd ones", entity.dxf.handle, "stones.dxf:"]:
                     self.assertIn(word, done.stderr)
+
+    def test_arcs_of_a_polyline_are_chords_within_a_millimetre_of_what_another_reader_finds(self):
+        """An arch stone of two arcs on its bed, in R12 and later; the two share the lower arc."""
+        extrados, intrados = [(0, 400, -0.41), (1000, 400, 1e-15)], [(800, 200, 0.2), (200, 200, 0)]
+        lower = [(200, 200, -0.2), (800, 200, 0), (800, 0, 0), (200, 0, 0)]
+        for release in ["R12", "R2010"]:
+            with self.subTest(release):
+                doc = drawing(release)
+                for points in (extrados + intrados, lower):
+                    if release == "R12":
+                        doc.modelspace().add_polyline2d(points, format="xyb", close=True)
+                    else:
+                        doc.modelspace().add_lwpolyline(points, format="xyb", close=True)
+                done = self.stones(doc, 'blocks_unit = "mm"' if release == "R12" else "")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                arch, bed = json.loads((self.at / "out" / "blocks.json").read_text())["blocks"]
+                for points, block in ((extrados + intrados, arch), (lower, bed)):
+                    self.compare_arcs(points, [(1e3 * x, 1e3 * y) for x, y in block["polygon"]])
+                shared = lambda b: sorted((round(x, 9), round(y, 9)) for x, y in b["polygon"]
+                                          if 0.2 <= x <= 0.8 and y >= 0.2 - 1e-9 and y < 0.3)
+                self.assertEqual(shared(arch), shared(bed))
+                self.assertGreater(len(shared(arch)), 4)
+
+    def compare_arcs(self, points, corners):
+        """Every corner lies on the arc that ezdxf makes of the bulge, every chord within 1 mm of it."""
+        found = 0
+        turn = lambda p: sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(p, p[1:] + p[:1])) > 0
+        if turn(points) != turn(corners):
+            corners = corners[::-1]
+        for (x0, y0, bulge), (x1, y1, _) in zip(points, points[1:] + points[:1]):
+            start = min(range(len(corners)), key=lambda i: math.dist(corners[i], (x0, y0)))
+            chain = [corners[start]]
+            while math.dist(chain[-1], (x1, y1)) > 1e-6:
+                chain.append(corners[(start + len(chain)) % len(corners)])
+            found += len(chain) - 1
+            if abs(bulge) < 1e-9:
+                self.assertEqual(len(chain), 2)
+                continue
+            centre, _, _, radius = bulge_to_arc((x0, y0), (x1, y1), bulge)
+            for x, y in chain:
+                self.assertAlmostEqual(math.dist((x, y), centre), radius, places=6)
+            for a, b in zip(chain, chain[1:]):
+                middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
+                self.assertLess(radius - math.dist(middle, centre), 1.0 + 1e-6)
+        self.assertEqual(found, len(corners))
 
     def test_texts_dimensions_and_sheets_are_left_aside(self):
         doc = drawing()
