@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "io/stated_units.h"
 #include "io/toml_reader.h"
 #include "materials/library.h"
 #include "materials/origin.h"
@@ -259,30 +260,31 @@ class Resolver {
   Found masonry(Table& table, const std::string& key) {
     context_.asked.insert(key);
     Found out = masonry_.toml ? value_of(masonry_, key) : Found{};
-    if (!out.known() && !out.spoiled) out = from_wall(key);
+    if (!out.known() && !out.spoiled) out = from_wall(table, key);
     if (out.known() || out.spoiled) return out;
     out = typical(masonry_, table.use, Role::kMasonry, key);
     return out.known() ? out : typical(masonry_, masonry_.use, Role::kMasonry, key);
   }
 
-  // What the wall says of its units; beside mortar their sizes are bare.
-  Found from_wall(const std::string& key) {
-    const bool course = key == "course_height", joint = key == "joint_thickness";
-    if (!course && !joint && key != "unit_length") return {};
-    const auto unit = root_["wall"]["unit"];
-    const char* name = course ? "height" : "length";
-    const auto size = unit[name].value<std::string>();
-    const bool head = unit["mortar"]["head"] && (key == "unit_length" || !unit["mortar"]["bed"]);
-    const auto mortar = unit["mortar"][head ? "head" : "bed"].value<std::string>();
-    if (joint ? !mortar : !size) return {};
-    try {
-      double value = mortar ? parse_quantity(*mortar, "m") : 0;
-      if (joint) return {value, " (wall.unit.mortar)", !kLength.holds(value)};
-      value += parse_quantity(*size, "m");
-      return {value, fmt::format(" (wall.unit.{})", name), !kLength.holds(value)};
-    } catch (const std::invalid_argument&) {
-      return {kUnset, "", true};
-    }
+  // What the storeys that have this material say of their units.
+  Found from_wall(const Table& table, const std::string& key) {
+    const bool is_law = table.role != Role::kMasonry;
+    const std::vector<StatedSize> sizes =
+        stated_sizes(root_, is_law ? table.path.substr(std::string("material.").size()) : "", key);
+    if (sizes.empty()) return {};
+    if (sizes.size() == 1)
+      return {sizes[0].value, fmt::format(" ({})", sizes[0].path), !kLength.holds(sizes[0].value)};
+    const Key& known = masonry_.keys->at(key);
+    context_.fault(
+        table.path, table.toml ? line_of(*table.toml) : 0, "",
+        fmt::format("its rules ask for {}, and storeys that have it differ: {} in {}, {} "
+                    "in {}",
+                    key, brief(sizes[0].value, known), sizes[0].path, brief(sizes[1].value, known),
+                    sizes[1].path),
+        fmt::format("give each storey joints of its own (storey.joint), or {} under "
+                    "[masonry]",
+                    key));
+    return {kUnset, "", true};
   }
 
   UnitType unit_type(const Table& table) {

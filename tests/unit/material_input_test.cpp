@@ -391,5 +391,58 @@ TEST(MaterialInput, the_list_explains_each_material_and_each_rule) {
   EXPECT_THROW((void)materials_text("no_such"), InputError);
 }
 
+// --- rules and storeys ---------------------------------------------------------------------------
+
+const std::string kStoreys = R"(
+[[storey]]
+name = "ground"
+height = "0.645 m"
+[[storey]]
+name = "first"
+height = "0.6 m"
+unit = { height = "100 mm" }
+)";
+
+std::string with_storeys(const std::string& more) {
+  std::string text = kRules;
+  text.replace(text.find("height = \"1.29 m\"\n"), 18, "");
+  return text + kStoreys + more;
+}
+
+TEST(MaterialInput, a_rule_takes_the_course_height_of_the_storey_that_has_its_joints) {
+  const ModelSpec spec = read(with_storeys(
+      "joint = \"upper\"\nunit_joint = \"upper_unit\"\n[material.upper]\nmissing = \"rule\"\n"
+      "[material.upper_unit]\nmissing = \"rule\"\n"));
+  expect_near(spec.material.at("joint").normal_stiffness, 2991e6 / 0.0645);
+  expect_near(spec.material.at("upper").normal_stiffness, 2991e6 / 0.1);
+  const std::string kn = line_of(spec.material.at("upper").origin, "normal_stiffness");
+  EXPECT_TRUE(says(kn, "course_height 100 mm (storey.first.unit.height)")) << kn;
+}
+
+TEST(MaterialInput, a_rule_of_a_joint_in_storeys_of_two_course_heights_is_refused) {
+  const std::string said = faults(with_storeys(""));
+  EXPECT_TRUE(says(said, "material.joint")) << said;
+  EXPECT_TRUE(says(said, "64.5 mm in wall.unit.height, 100 mm in storey.first.unit.height"))
+      << said;
+  EXPECT_TRUE(says(said, "course_height under [masonry]")) << said;
+  const ModelSpec given = read(with_storeys(""), {"masonry.course_height=80 mm"});
+  expect_near(given.material.at("joint").normal_stiffness, 2991e6 / 0.08);
+}
+
+TEST(MaterialInput, a_region_has_the_course_height_of_its_storey) {
+  const std::string region =
+      "joint = \"upper\"\nunit_joint = \"upper_unit\"\n[[region]]\n%s\nx = \"0 m\"\ny = \"0 m\"\n"
+      "width = \"0.5 m\"\nheight = \"0.3 m\"\njoint = \"patch\"\n[material.patch]\n"
+      "missing = \"rule\"\n[material.upper]\nmissing = \"rule\"\n[material.upper_unit]\n"
+      "missing = \"rule\"\n";
+  const auto of = [&](const std::string& storey) {
+    std::string text = region;
+    return with_storeys(text.replace(text.find("%s"), 2, storey));
+  };
+  expect_near(read(of("storey = \"first\"")).material.at("patch").normal_stiffness, 2991e6 / 0.1);
+  EXPECT_TRUE(says(faults(of("")), "material.patch: its rules ask for course_height"))
+      << faults(of(""));
+}
+
 }  // namespace
 }  // namespace wythe::io_tests
