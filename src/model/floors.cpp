@@ -191,10 +191,25 @@ class FloorCompiler {
     return parts;
   }
 
+  // A list with one x twice gives that place two shares of the load, and the others less.
+  void refuse_joists_at_one_place() {
+    constexpr double kOnePlace = 1e-3;  // [m]
+    const std::vector<double>& joists = floor_->joists;
+    for (std::size_t k = 0; k < joists.size(); ++k)
+      for (std::size_t i = 0; i < k; ++i)
+        if (std::fabs(joists[k] - joists[i]) < kOnePlace) {
+          fault(fmt::format(".joists.{}", k), fmt::format("{:g} m", joists[k]),
+                fmt::format("joist {} lies there already", i),
+                "list each joist once; one that carries more is a [[floor]] of its own");
+          break;
+        }
+  }
+
   // A joist over a head joint lies on both blocks.
   std::vector<Part> joists(const std::vector<Edge>& at, double from, double to, double zero) {
     std::vector<Part> parts;
     const std::size_t before = faults_.all().size();
+    refuse_joists_at_one_place();
     const auto n = static_cast<double>(floor_->joists.size());
     for (std::size_t k = 0; k < floor_->joists.size(); ++k) {
       const double x = zero + floor_->joists[k];

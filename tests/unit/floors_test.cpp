@@ -228,6 +228,14 @@ TEST(Floors, what_cannot_carry_them_is_refused_with_its_place_and_cure) {
   expect_refused(wall_with(floor), "floor.0.joists.0", "beside the floor", "0.500 m");
 }
 
+// The place would get two shares, and every other joist less.
+TEST(Floors, two_joists_at_one_place_are_refused) {
+  FloorSpec floor = floor_at(0.66);
+  floor.joists = {0.2, 1.0, 0.2004};
+  expect_refused(wall_with(floor), "floor.0.joists.2 = 0.2004 m", "joist 0 lies there already",
+                 "a [[floor]] of its own");
+}
+
 TEST(Floors, half_said_floors_are_refused) {
   FloorSpec floor = floor_at(0.66, kUnset);
   expect_refused(wall_with(floor), "floor.0", "does nothing", "load = ");
