@@ -33,11 +33,18 @@ using PointId = std::int32_t;  // joint * n_face_point + k
 inline constexpr BlockId kGroundBlock = -1;
 
 // The numbers of roles and kinds stand in VTU files (docs/reference/results.md): they never change.
-enum class BlockRole : std::uint8_t { kMasonry = 0, kLintel = 1, kPlate = 2, kBeam = 3 };
-inline constexpr Word<BlockRole> kBlockRoleWords[] = {{"masonry", BlockRole::kMasonry},
-                                                      {"lintel", BlockRole::kLintel},
-                                                      {"plate", BlockRole::kPlate},
-                                                      {"beam", BlockRole::kBeam}};
+enum class BlockRole : std::uint8_t {
+  kMasonry = 0,
+  kLintel = 1,
+  kPlate = 2,
+  kBeam = 3,
+  kRingBeam = 4,
+  kSill = 5
+};
+inline constexpr Word<BlockRole> kBlockRoleWords[] = {
+    {"masonry", BlockRole::kMasonry},    {"lintel", BlockRole::kLintel},
+    {"plate", BlockRole::kPlate},        {"beam", BlockRole::kBeam},
+    {"ring_beam", BlockRole::kRingBeam}, {"sill", BlockRole::kSill}};
 static_assert(names_all(kBlockRoleWords));
 enum class JointKind : std::uint8_t {
   kBed = 0,
@@ -104,7 +111,9 @@ struct Anatomy {
   std::vector<double> outline_x, outline_y;  // in the wall's axes at the start [m]
   std::vector<JointKind> joint_kind;
   std::vector<double> pier_x0, pier_x1, pier_height;  // [m], left to right
-  std::vector<double> support_x, support_y;           // outlines of fixed blocks
+  std::vector<std::string> storey_name;      // from the ground up; empty without [[storey]]
+  std::vector<double> storey_top;            // [m]
+  std::vector<double> support_x, support_y;  // outlines of fixed blocks
   std::vector<int> support_begin;
   double length = 0, height = 0, thickness = 0;  // of the masonry [m]
   double half_unit = 0, course_height = 0;       // [m], 0 for a blocks file

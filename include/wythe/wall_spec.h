@@ -113,6 +113,15 @@ struct ArchSpec {
   std::string material = "";  // of the voussoirs, for their density; "": the masonry's
 };
 
+// A stone or a chain below an opening, as a lintel above it.
+struct SillSpec {
+  std::string kind;         // "": no sill; a label, as LintelSpec::kind
+  double depth = kUnset;    // structural depth [m]; occupies the nearest whole number of courses
+  double bearing = kUnset;  // how far it reaches into the masonry on each side [m]
+  std::string material;     // key in `material`: density, youngs_modulus, shear_modulus
+  std::string joint = "joint";  // joint material between sill and masonry
+};
+
 struct OpeningSpec {
   std::string name;
   double x = kUnset;       // left jamb from the wall's left end [m]
@@ -122,6 +131,7 @@ struct OpeningSpec {
   LintelSpec lintel;
   ArchSpec arch = {};
   std::string storey = "";  // its name: y counts from the storey's foot; "": from the wall's
+  SillSpec sill = {};
 };
 
 // Thickness of the mortar, for units given by their own size.
@@ -154,6 +164,7 @@ struct StoreySpec {
   std::string bond;           // word of Bond; "": the wall's
   UnitSpec unit;
   MasonryJoints joints = {};
+  std::string fit = "";  // word of Fit; "": the wall's
 };
 
 // A part of the masonry with other materials: a storey, a pier, a box or a polygon.
@@ -166,6 +177,21 @@ struct RegionSpec {
   std::vector<std::array<double, 2>> polygon;  // [m]
   MasonryJoints joints = {};
   double density = kUnset;  // [kg/m^3]
+};
+
+// A beam of concrete, timber or steel within the masonry at one level, as a chain of rigid segments
+// (docs/theory/ring_beams.md).
+struct RingBeamSpec {
+  std::string name;
+  std::string storey;           // its top lies at this storey's top
+  double y = kUnset;            // or the height of its foot above the wall's base [m]
+  double x = kUnset;            // left end [m]; unset: along the whole wall
+  double width = kUnset;        // how much of the wall's length it takes [m]
+  double height = kUnset;       // of its section [m]; occupies the nearest whole number of courses
+  double thickness = kUnset;    // of its section [m]; unset: the wall's
+  std::string material;         // key in `material`: density, youngs_modulus, shear_modulus
+  std::string joint = "joint";  // joint material between it and the masonry below and beside it
+  std::string top_joint = "";   // of what lies on it; "": joint
 };
 
 // What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").
@@ -226,6 +252,11 @@ struct BeamSpec {
   std::string joint = "joint";  // joint material between beam and masonry
 };
 
+// From x on, up to the next step, the wall stands on ground at height y.
+struct FoundationStep {
+  double x = kUnset, y = kUnset;  // [m]
+};
+
 struct WallSpec {
   double length = kUnset;     // [m]
   double height = kUnset;     // [m]
@@ -239,6 +270,7 @@ struct WallSpec {
   std::vector<OpeningSpec> opening;
   BeamSpec beam;
   MasonryJoints joints = {};
+  std::vector<FoundationStep> foundation = {};  // from left to right; empty: level ground at 0
 };
 
 // For blocks files: the joint between two block materials ("ground" is the support).
@@ -398,6 +430,7 @@ struct ModelSpec {
   WallSpec wall;
   std::vector<StoreySpec> storey;
   std::vector<RegionSpec> region;
+  std::vector<RingBeamSpec> ring_beam;
   std::vector<FloorSpec> floor;
   std::vector<TieSpec> tie;
   std::vector<DiaphragmSpec> diaphragm;

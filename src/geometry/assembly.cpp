@@ -14,10 +14,12 @@
 #include "geometry/courses.h"
 #include "geometry/faces.h"
 #include "geometry/fit.h"
+#include "geometry/foundation.h"
 #include "geometry/joints.h"
 #include "geometry/openings.h"
 #include "geometry/polygon.h"
 #include "geometry/regions.h"
+#include "geometry/ring_beams.h"
 #include "geometry/storeys.h"
 #include "geometry/text.h"
 
@@ -29,23 +31,42 @@ ZoneSpec zones_of(const LintelSpec& lintel) {
   return {lintel.zones, lintel.zone_length, lintel.zone_kind, lintel.plane};
 }
 
-void add_segments(const Shape& shape, const PlacedOpening& opening, const Storey& storey,
+// One block a segment; `like` has what they share.
+void add_segments(const std::vector<Rect>& segments, const std::string& id, Block like,
                   std::vector<Block>& blocks) {
-  const std::size_t index = static_cast<std::size_t>(opening.index);
-  if (opening.segment.empty()) return;
-  const std::string& material = shape.wall.opening[index].lintel.material;
-  for (std::size_t k = 0; k < opening.segment.size(); ++k) {
-    Block block;
-    block.id = "lintel" + std::to_string(opening.index) + "_" + std::to_string(k);
-    block.outline = outline_of(opening.segment[k]);
-    block.material = material;
-    block.thickness = storey.thickness;
-    block.role = Role::kLintel;
-    block.storey = storey.index;
-    block.opening = opening.index;
-    block.zone = zones_of(shape.wall.opening[index].lintel);
-    blocks.push_back(block);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    like.id = id + "_" + std::to_string(k);
+    like.outline = outline_of(segments[k]);
+    blocks.push_back(like);
   }
+}
+
+void add_lintel_and_sill(const Shape& shape, const PlacedOpening& opening, const Storey& storey,
+                         std::vector<Block>& blocks) {
+  const OpeningSpec& spec = shape.wall.opening[static_cast<std::size_t>(opening.index)];
+  const std::string number = std::to_string(opening.index);
+  Block block;
+  block.thickness = storey.thickness;
+  block.storey = storey.index;
+  block.opening = opening.index;
+  block.role = Role::kSill;
+  block.material = spec.sill.material;
+  add_segments(opening.sill, "sill" + number, block, blocks);
+  block.role = Role::kLintel;
+  block.material = spec.lintel.material;
+  block.zone = zones_of(spec.lintel);
+  add_segments(opening.segment, "lintel" + number, block, blocks);
+}
+
+void add_ring_beam(const Shape& shape, const PlacedRingBeam& beam, int storey,
+                   std::vector<Block>& blocks) {
+  Block block;
+  block.thickness = beam.thickness;
+  block.storey = storey;
+  block.ring_beam = beam.index;
+  block.role = Role::kRingBeam;
+  block.material = shape.ring_beam[static_cast<std::size_t>(beam.index)].material;
+  add_segments(beam.segment, "ring" + std::to_string(beam.index), block, blocks);
 }
 
 void add_voussoirs(const Shape& shape, const PlacedOpening& opening,
@@ -81,21 +102,39 @@ double narrowest_column(const std::vector<Storey>& storeys) {
   return step;
 }
 
-void lay_blocks(const Shape& shape, const std::vector<Storey>& storeys,
-                const std::vector<PlacedOpening>& openings, Assembly& assembly) {
+// Storeys with their lattices, and what stands on or in them.
+struct Plan {
+  std::vector<Storey> storeys;
+  std::vector<PlacedOpening> openings;
+  std::vector<PlacedRingBeam> ring_beams;
+  std::vector<GroundStep> ground;
+};
+
+void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
+  const auto& [storeys, openings, ring_beams, ground] = plan;
   std::vector<Rect> holes;
   for (const PlacedOpening& opening : openings) holes.push_back(opening.hole);
+  for (const GroundStep& step : ground)
+    if (step.y > 0) holes.push_back(box_of(step));
   Masonry masonry = lay_masonry(storeys, holes);
   assembly.report.masonry_blocks_before_lintels = static_cast<int>(masonry.blocks.size());
+  const std::size_t bare = holes.size();
+  const auto take_place = [&](const std::vector<Rect>& segments) {
+    if (!segments.empty()) holes.push_back(join(segments.front(), segments.back()));
+  };
   for (const PlacedOpening& opening : openings) {
-    if (opening.segment.empty()) continue;
-    holes.push_back(join(opening.segment.front(), opening.segment.back()));
+    take_place(opening.segment);
+    take_place(opening.sill);
   }
-  if (holes.size() > openings.size()) masonry = lay_masonry(storeys, holes);
+  for (const PlacedRingBeam& beam : ring_beams) take_place(beam.segment);
+  if (holes.size() > bare) masonry = lay_masonry(storeys, holes);
   assembly.blocks = std::move(masonry.blocks);
   for (const PlacedOpening& opening : openings)
-    add_segments(shape, opening, storeys[static_cast<std::size_t>(opening.storey)],
-                 assembly.blocks);
+    add_lintel_and_sill(shape, opening, storeys[static_cast<std::size_t>(opening.storey)],
+                        assembly.blocks);
+  for (const PlacedRingBeam& beam : ring_beams)
+    add_ring_beam(shape, beam, storeys[static_cast<std::size_t>(beam.storey)].index,
+                  assembly.blocks);
   for (const PlacedOpening& opening : openings) {
     if (opening.arch.empty()) continue;
     masonry.joined_pieces += cut_masonry(opening.arch, storeys, assembly.blocks);
@@ -126,11 +165,14 @@ std::vector<std::string> shape_keys(const Shape& shape) {
   add("wall.unit.split", wall.unit.split != unset.unit.split);
   add("wall.unit.mortar", !std::isnan(wall.unit.mortar.bed) || !std::isnan(wall.unit.mortar.head));
   add("wall.opening", !wall.opening.empty());
+  add("wall.foundation", !wall.foundation.empty());
+  add("ring_beam", !shape.ring_beam.empty());
   for (const StoreySpec& storey : shape.storey) {
     const UnitSpec& unit = storey.unit;
     const bool sized = !std::isnan(unit.length) || !std::isnan(unit.height) ||
                        !std::isnan(unit.width) || !std::isnan(unit.density);
     add(("storey." + storey.name + ".bond").c_str(), !storey.bond.empty());
+    add(("storey." + storey.name + ".fit").c_str(), !storey.fit.empty());
     add(("storey." + storey.name + ".unit").c_str(), sized);
   }
   return keys;
@@ -158,16 +200,19 @@ void note_unused(const Shape& shape, std::vector<Message>& notes) {
   }
 }
 
-// Storeys with their lattices, and the openings on them.
-struct Plan {
-  std::vector<Storey> storeys;
-  std::vector<PlacedOpening> openings;
-};
-
-Plan plan_wall(const Shape& shape, Fit fit, std::vector<Message>& notes, FaultList& faults) {
+// `cut_all`: as if every storey had fit = "cut".
+Plan plan_wall(const Shape& shape, bool cut_all, std::vector<Message>& notes, FaultList& faults) {
   Plan plan;
-  plan.storeys = plan_storeys(shape, fit, notes, faults);
-  plan.openings = place_openings(shape, plan.storeys, notes, faults);
+  plan.storeys = plan_storeys(shape, cut_all, notes, faults);
+  plan.ring_beams = place_ring_beams(shape, plan.storeys, notes, faults);
+  std::vector<Rect> spanning;
+  for (const PlacedRingBeam& beam : plan.ring_beams)
+    spanning.push_back(join(beam.segment.front(), beam.segment.back()));
+  plan.openings = place_openings(shape, plan.storeys, spanning, notes, faults);
+  const auto is_bare = [](const Storey& s) { return s.lattice.courses.count == 0; };
+  if (std::none_of(plan.storeys.begin(), plan.storeys.end(), is_bare))
+    plan.ground = place_ground(shape, plan.storeys, notes, faults);
+  check_chains(shape, plan.openings, plan.ring_beams, plan.ground, faults);
   return plan;
 }
 
@@ -183,11 +228,11 @@ std::string listed(const Fault& fault) {
 FaultList faults_when_cut(const Shape& shape) {
   FaultList faults;
   std::vector<Message> unsaid;
-  const Plan plan = plan_wall(shape, Fit::kCut, unsaid, faults);
+  const Plan plan = plan_wall(shape, true, unsaid, faults);
   const auto is_bare = [](const Storey& storey) { return storey.lattice.courses.count == 0; };
   if (std::any_of(plan.storeys.begin(), plan.storeys.end(), is_bare)) return faults;
   Assembly laid;
-  lay_blocks(shape, plan.storeys, plan.openings, laid);
+  lay_blocks(shape, plan, laid);
   check_slivers(laid.blocks, plan.storeys, faults);
   return faults;
 }
@@ -204,11 +249,15 @@ void add_plan_faults(const Shape& shape, const FaultList& found, FaultList& faul
     };
   };
   std::vector<Fault> cured, left;
-  if (shape.wall.fit == Fit::kWhole && all.size() >= kMany) {
+  const bool all_follow =
+      std::all_of(shape.storey.begin(), shape.storey.end(),
+                  [](const StoreySpec& s) { return s.fit.empty() || s.fit == "cut"; });
+  if (shape.wall.fit == Fit::kWhole && all_follow && all.size() >= kMany) {
     const FaultList cut = faults_when_cut(shape);
     // A lintel that is not laid yet may leave slivers of its own.
     const auto is_known = [&](const Fault& fault) {
-      return is_among(all)(fault) && fault.path.find(".lintel.") == std::string::npos;
+      return is_among(all)(fault) && fault.path.find(".lintel.") == std::string::npos &&
+             fault.path.find(".sill.") == std::string::npos;
     };
     const bool is_clear = std::all_of(cut.all().begin(), cut.all().end(), is_known);
     for (const Fault& fault : all)
@@ -245,7 +294,8 @@ bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) 
   const std::size_t before = faults.all().size();
   note_planes(stated_storeys(shape.wall, shape.storey), assembly.report.notes);
   FaultList found;
-  const auto [storeys, openings] = plan_wall(shape, shape.wall.fit, assembly.report.notes, found);
+  const Plan plan = plan_wall(shape, false, assembly.report.notes, found);
+  const auto& [storeys, openings, ring_beams, ground] = plan;
   add_plan_faults(shape, found, faults);
   if (faults.all().size() > before) return false;
   const Lattice& lattice = storeys.front().lattice;
@@ -256,7 +306,8 @@ bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) 
   assembly.report.course = lattice.courses.step;
   assembly.report.courses = storeys.back().first_course + storeys.back().lattice.courses.count;
   assembly.piers = find_piers(openings, assembly.length, assembly.height);
-  lay_blocks(shape, storeys, openings, assembly);
+  assembly.ground = ground;
+  lay_blocks(shape, plan, assembly);
   check_slivers(assembly.blocks, storeys, faults);
   assign_regions(shape, storeys, openings, assembly, faults);
   add_caps(shape, {0, 0, assembly.length, assembly.height}, assembly, faults);
@@ -323,7 +374,9 @@ void add_ground(const Shape& shape, Assembly& assembly, std::vector<Contact>& co
                                         [](const Block& b) { return b.role == Role::kSupport; });
   if (has_supports) return;
   const double ground = uses_blocks_file(shape) ? lowest_point(blocks) : 0;
-  const std::vector<Contact> found = find_ground_contacts(blocks, ground);
+  const std::vector<Contact> found = uses_blocks_file(shape)
+                                         ? find_ground_contacts(blocks, ground)
+                                         : find_step_contacts(blocks, assembly.ground);
   contacts.insert(contacts.end(), found.begin(), found.end());
   sort_contacts(contacts, contact_tolerance(blocks));
   if (uses_blocks_file(shape)) {
@@ -368,7 +421,13 @@ double density_of(const Shape& shape, const Block& block) {
   if (block.role == Role::kPlate) return kSteel;
   if (block.role == Role::kBeam && !std::isnan(shape.wall.beam.height))
     return shape.wall.beam.density;
-  if (block.role == Role::kLintel) return shape.material.at(block.material);
+  if (block.role == Role::kRingBeam) {
+    // The weight of the stated section, in courses that may be higher or lower.
+    const Rect laid = bounds(block.outline);
+    return shape.material.at(block.material) *
+           shape.ring_beam[static_cast<std::size_t>(block.ring_beam)].height / (laid.y1 - laid.y0);
+  }
+  if (is_chain(block)) return shape.material.at(block.material);
   if (is_voussoir(block) && block.material != "masonry") return shape.material.at(block.material);
   if (block.region >= 0) {
     const double own = shape.region[static_cast<std::size_t>(block.region)].density;

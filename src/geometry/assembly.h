@@ -19,7 +19,7 @@
 
 namespace wythe::geometry {
 
-enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport };
+enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport, kRingBeam, kSill };
 
 struct Block {
   std::string id;              // "c03u07a" (course, unit, half) or the id in a blocks file
@@ -29,7 +29,8 @@ struct Block {
   Role role = Role::kMasonry;  // kSupport blocks never move
   int course = -1;             // 0 at the bottom, -1 where it has no meaning
   int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
-  int opening = -1;            // segments of a lintel and voussoirs: index of their opening
+  int opening = -1;            // segments of a lintel or sill and voussoirs: index of their opening
+  int ring_beam = -1;          // segments of one: its index in the model's list
   int storey = -1;             // in the model's list; -1: the model has none
   int region = -1;             // the last of the model's list that holds its centroid; -1: none
   ZoneSpec zone;               // deformable where zone.zones > 0
@@ -38,6 +39,11 @@ struct Block {
 // A stone of an arch: masonry that belongs to an opening.
 [[nodiscard]] inline bool is_voussoir(const Block& block) {
   return block.role == Role::kMasonry && block.opening >= 0;
+}
+
+// A segment of a lintel, sill or ring beam.
+[[nodiscard]] inline bool is_chain(const Block& block) {
+  return block.role == Role::kLintel || block.role == Role::kSill || block.role == Role::kRingBeam;
 }
 
 enum class FaceKind {
@@ -86,11 +92,17 @@ struct StoreyBand {
   int first_course = 0, courses = 0;  // 0 courses in a blocks file
 };
 
+// Level ground below a generated wall, from x0 to x1 at height y.
+struct GroundStep {
+  double x0 = 0, x1 = 0, y = 0;  // [m]
+};
+
 struct Assembly {
   std::vector<Block> blocks;
   std::vector<Face> faces;
   std::vector<Pier> piers;  // left to right; the whole wall when it has no opening
   std::vector<StoreyBand> storeys;
+  std::vector<GroundStep> ground;                // of a generated wall, left to right
   double length = 0, height = 0, thickness = 0;  // bounding box of the masonry; of its foot [m]
   double top_thickness = 0;                      // of the topmost masonry [m]
   [[nodiscard]] double thickness_of(const Face& face) const;  // the smaller of its blocks' [m]

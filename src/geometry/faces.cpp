@@ -30,8 +30,8 @@ FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
   const auto either = [&](Role role) { return a.role == role || b.role == role; };
   if (either(Role::kBeam)) return FaceKind::kBeam;
   if (either(Role::kPlate)) return FaceKind::kPlate;
-  const bool both_lintel = a.role == Role::kLintel && b.role == Role::kLintel;
-  if (both_lintel && a.opening == b.opening) return FaceKind::kLintelChain;
+  if (is_chain(a) && a.role == b.role && a.opening == b.opening && a.ring_beam == b.ring_beam)
+    return FaceKind::kLintelChain;
   if (either(Role::kLintel)) return FaceKind::kLintelBond;
   if (are_of_one_arch(a, b)) return FaceKind::kHead;
   return masonry_kind(a, b, contact);
@@ -83,6 +83,18 @@ std::string bond_material(const LintelSpec& lintel, const Block& a, const Contac
   return level && !own.empty() ? own : lintel.bond;
 }
 
+// Of a sill or ring beam, a or b, and what it meets.
+std::string band_material(const Shape& shape, const Block& a, const Block& b,
+                          const Contact& contact) {
+  const Block& band = a.role == Role::kSill || a.role == Role::kRingBeam ? a : b;
+  if (band.role == Role::kSill)
+    return shape.wall.opening[static_cast<std::size_t>(band.opening)].sill.joint;
+  const RingBeamSpec& beam = shape.ring_beam[static_cast<std::size_t>(band.ring_beam)];
+  const Vec2 t = contact.p1 - contact.p0;
+  const bool on_top = &band == &a && std::abs(t.y) <= kAlongAxis * length(t);
+  return on_top && !beam.top_joint.empty() ? beam.top_joint : beam.joint;
+}
+
 // Joints of an arch are its own, or lie like the bed joints around; so do those between arch and masonry.
 std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
   const auto opening = static_cast<std::size_t>(is_voussoir(a) ? a.opening : b.opening);
@@ -94,12 +106,14 @@ std::string pair_material(const Shape& shape, const Block& a, const Block& b, Fa
                           const Contact& contact) {
   const Block& masonry = a.role == Role::kMasonry ? a : b;
   switch (kind) {
-    case FaceKind::kLintelChain: return lintel_between(shape, a, b).material;
+    case FaceKind::kLintelChain: return a.material;
     case FaceKind::kLintelBond:
       return own_joint(shape, bond_material(lintel_between(shape, a, b), a, contact), masonry);
     case FaceKind::kPlate: return own_joint(shape, plate_joint(shape), masonry);
     case FaceKind::kBeam: break;
     default:
+      if (is_chain(a) || is_chain(b))
+        return own_joint(shape, band_material(shape, a, b, contact), masonry);
       if (is_voussoir(a) || is_voussoir(b)) return arch_material(shape, a, b);
   }
   const std::string plain = kind == FaceKind::kBeam
@@ -151,9 +165,10 @@ Need need_of(FaceKind kind, const std::string& material) {
       return {"missing: wall.unit.split needs it for the potential cracks inside the units",
               "add " + table + ", or write wall.unit.split = \"none\""};
     case FaceKind::kLintelChain:
-      return {"missing: the lintel is made of it", "add " + table + " with its density and moduli"};
+      return {"missing: a lintel, sill or ring beam is made of it",
+              "add " + table + " with its density and moduli"};
     case FaceKind::kLintelBond:
-      return {"missing: the lintel meets the masonry through it", "add " + table};
+      return {"missing: a lintel, sill or ring beam meets the masonry through it", "add " + table};
     case FaceKind::kPlate:
       return {"missing: the plates on the piers lie on it",
               "add " + table + ", or name another plate_joint"};
@@ -174,14 +189,23 @@ void refuse_missing(const Shape& shape, const Uses& uses, FaultList& faults) {
   }
 }
 
-void add_lintel_uses(const Shape& shape, Uses& uses) {
+void add_chain_uses(const Shape& shape, Uses& uses) {
   for (const OpeningSpec& opening : shape.wall.opening) {
     if (!opening.arch.joint.empty()) uses.emplace(opening.arch.joint, FaceKind::kHead);
+    if (!opening.sill.kind.empty()) {
+      uses.emplace(opening.sill.material, FaceKind::kLintelChain);
+      uses.emplace(own_joint(shape, opening.sill.joint, {}), FaceKind::kLintelBond);
+    }
     if (opening.lintel.kind.empty()) continue;
     uses.emplace(opening.lintel.material, FaceKind::kLintelChain);
     for (const auto* bond :
          {&opening.lintel.bond, &opening.lintel.bearing_bond, &opening.lintel.top_bond})
       if (!bond->empty()) uses.emplace(own_joint(shape, *bond, {}), FaceKind::kLintelBond);
+  }
+  for (const RingBeamSpec& beam : shape.ring_beam) {
+    uses.emplace(beam.material, FaceKind::kLintelChain);
+    for (const auto* joint : {&beam.joint, &beam.top_joint})
+      if (!joint->empty()) uses.emplace(own_joint(shape, *joint, {}), FaceKind::kLintelBond);
   }
 }
 
@@ -242,7 +266,7 @@ void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultLi
   if (const auto unnamed = uses.find(""); unnamed != uses.end())
     add_fault(faults, "material", "\"\"", need_of(unnamed->second, "").problem,
               "name a [material.*] table there");
-  if (!uses_blocks_file(shape)) add_lintel_uses(shape, uses);
+  if (!uses_blocks_file(shape)) add_chain_uses(shape, uses);
   refuse_missing(shape, uses, faults);
 }
 
@@ -250,7 +274,7 @@ void check_stated_materials(const Shape& shape, FaultList& faults) {
   Uses uses;
   add_masonry_uses(shape, uses);
   for (const ContactRule& rule : shape.contact) uses.emplace(rule.material, FaceKind::kBed);
-  if (!uses_blocks_file(shape)) add_lintel_uses(shape, uses);
+  if (!uses_blocks_file(shape)) add_chain_uses(shape, uses);
   Block top;
   top.storey = static_cast<int>(shape.storey.size()) - 1;
   if (std::isfinite(shape.wall.beam.height))

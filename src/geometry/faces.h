@@ -5,8 +5,10 @@
 //   masonry on masonry                kBed          wall.joint, or joint
 //       each of region, storey, wall in turn; blocks files: the first matching contact rule
 //   voussoir to voussoir of its arch   kHead        arch.joint, or as a bed joint
-//   lintel segment to its neighbour   kLintelChain  the lintel's own material
+//   segment to segment of a lintel,   kLintelChain  its own material
+//       sill or ring beam
 //   lintel to masonry                 kLintelBond   lintel.bond
+//   sill, ring beam to masonry        kBed, kHead   sill.joint, ring_beam.joint, ring_beam.top_joint
 //   under a plate, under the beam     kPlate, kBeam stage.plate_joint, beam.joint
 //   on the ground or on a support     kFoundation   foundation, or as a bed joint where there is none
 //

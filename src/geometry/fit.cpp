@@ -22,6 +22,7 @@ struct AxisAsk {
   const char* step_code;    // its message
   const char* last_code;    // that of the last one of a row or column
   Fit fit;
+  std::string fit_key;  // "wall.fit"
 };
 
 // The extent that `count` steps are measured against: one joint is there or not.
@@ -74,7 +75,7 @@ void refuse_fit(const AxisAsk& ask, FaultList& faults) {
           << "the size by " << percent(change_of(ask, best)) << ", more than 2 %";
   cure << "write " << last_key(ask.size_path) << " = \"" << size(best) << "\" (or " << size(other)
        << "), or a " << ask.extent_name << " of " << extent(below) << " or " << extent(below + 1)
-       << ", or wall.fit = \"cut\"";
+       << ", or " << ask.fit_key << " = \"cut\"";
   add_fault(faults, ask.size_path, millimetres(ask.size_per_step * ask.step - ask.joint),
             problem.str(), cure.str());
 }
@@ -184,12 +185,13 @@ Lattice fit_lattice(const Storey& storey, std::vector<Message>& notes, FaultList
       fit_axis({storey.length, column, 0, storey.head_mortar(), "the wall's", "length",
                 storey.path_of(sized_key), 2, is_header_bond ? "half header" : "half unit",
                 is_header_bond ? "fit.half_header" : "fit.half_unit",
-                is_header_bond ? "fit.last_half_header" : "fit.last_half_unit", storey.fit},
+                is_header_bond ? "fit.last_half_header" : "fit.last_half_unit", storey.fit,
+                storey.path_of("fit")},
                notes, faults);
-  lattice.courses = fit_axis(
-      {storey.height, storey.unit.height, storey.foot, storey.bed_mortar(), whose, "height",
-       storey.path_of("unit.height"), 1, "course", "fit.course", "fit.last_course", storey.fit},
-      notes, faults);
+  lattice.courses = fit_axis({storey.height, storey.unit.height, storey.foot, storey.bed_mortar(),
+                              whose, "height", storey.path_of("unit.height"), 1, "course",
+                              "fit.course", "fit.last_course", storey.fit, storey.path_of("fit")},
+                             notes, faults);
   lattice.stretcher = lattice.header = 2 * lattice.columns.step;
   if (needs_header(storey.bond) && !is_header_bond && lattice.columns.count > 0) {
     lattice.header = fit_header(storey, lattice.columns.step, notes, faults);

@@ -8,17 +8,44 @@
 namespace wythe::geometry {
 namespace {
 
-void check_body(const Shape& shape, int index, FaultList& faults) {
-  const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
-  if (lintel.material.empty()) {
-    add_fault(faults, opening_path(index, "lintel.material"), "", "missing",
-              "name the [material.*] table that holds the lintel's density and moduli");
+// A lintel or a sill: whole columns long, whole courses deep.
+struct Beam {
+  const char* what;  // "lintel", also its table
+  double depth, bearing;
+  const char *depth_changed, *bearing_changed;  // codes of notes
+  [[nodiscard]] std::string path(int opening, const std::string& key) const {
+    return opening_path(opening, what + ("." + key));
+  }
+};
+
+Beam beam_of(const LintelSpec& lintel) {
+  return {"lintel", lintel.depth, lintel.bearing, "lintel.depth_changed", "lintel.bearing_changed"};
+}
+Beam beam_of(const SillSpec& sill) {
+  return {"sill", sill.depth, sill.bearing, "sill.depth_changed", "sill.bearing_changed"};
+}
+
+void check_body(const Shape& shape, const std::string& path, const char* what,
+                const std::string& material, FaultList& faults) {
+  if (material.empty()) {
+    add_fault(faults, path, "", "missing",
+              std::string("name the [material.*] table that holds the ") + what +
+                  "'s density and moduli");
     return;
   }
-  const auto found = shape.material.find(lintel.material);
+  const auto found = shape.material.find(material);
   if (found == shape.material.end()) return;  // reported with the other missing materials
-  (void)is_positive(
-      {"material." + lintel.material + ".density", found->second, "kg/m^3", "500 kg/m^3"}, faults);
+  (void)is_positive({"material." + material + ".density", found->second, "kg/m^3", "500 kg/m^3"},
+                    faults);
+}
+
+bool check_beam(const Shape& shape, int index, const Beam& beam, const std::string& material,
+                FaultList& faults) {
+  check_body(shape, beam.path(index, "material"), beam.what, material, faults);
+  bool given = is_positive({beam.path(index, "depth"), beam.depth, "m", "110 mm"}, faults);
+  // Without bearing it is no longer than the opening: nothing would carry a lintel.
+  given &= is_positive({beam.path(index, "bearing"), beam.bearing, "m", "150 mm"}, faults);
+  return given;
 }
 
 void note_size(const PlacedOpening& opening, const char* code, double stated, double laid,
@@ -48,18 +75,19 @@ double end_of(const Axis& axis, double jamb, int columns) {
   return i < 0 || i > axis.count ? jamb + columns * axis.step : axis.line(i);
 }
 
-bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& opening,
-                 const LintelSpec& lintel, FaultList& faults) {
+bool ends_inside(const Rect& body, const Axis& axis, const PlacedOpening& opening, const Beam& beam,
+                 FaultList& faults) {
   const double margin = 1e-9 * axis.extent;
   if (body.x0 >= -margin && body.x1 <= axis.extent + margin) return true;
   const int left = axis.nearest(opening.hole.x0), right = axis.nearest(opening.hole.x1);
   const int room = std::min(left, axis.count - right);
-  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
-            "the lintel of " + opening.called + " reaches outside the wall: it would span " +
+  const std::string what = beam.what;
+  add_fault(faults, beam.path(opening.index, "bearing"), millimetres(beam.bearing),
+            "the " + what + " of " + opening.called + " reaches outside the wall: it would span " +
                 metres(body.x0) + " to " + metres(body.x1),
             room > 0 ? "write bearing = \"" + millimetres(room * axis.step) + "\""
                      : "leave at least one half unit (" + millimetres(axis.step) +
-                           ") of wall beside the opening, or the lintel out");
+                           ") of wall beside the opening, or the " + what + " out");
   return false;
 }
 
@@ -75,7 +103,19 @@ bool lies_under_top(int bottom, int top, const Axis& courses, const PlacedOpenin
   return false;
 }
 
-// Joints of the chain stand on the column lines; ends shorter than half a column are not cut off.
+bool lies_over_foot(int top, int depth, const Axis& courses, const PlacedOpening& opening,
+                    const SillSpec& sill, FaultList& faults) {
+  if (depth <= top) return true;
+  add_fault(
+      faults, opening_path(opening.index, "sill.depth"), millimetres(sill.depth),
+      "deeper than the masonry of the storey below " + opening.called + " (" +
+          millimetres(top * courses.step) + ")",
+      top > 0 ? "write depth = \"" + millimetres(top * courses.step) + "\"" : "leave the sill out");
+  return false;
+}
+
+}  // namespace
+
 std::vector<Rect> cut_chain(const Rect& body, const Axis& columns) {
   std::vector<double> x{body.x0};
   for (int i = 0; i <= columns.count; ++i) {
@@ -90,32 +130,42 @@ std::vector<Rect> cut_chain(const Rect& body, const Axis& columns) {
   return segments;
 }
 
+namespace {
+
+void note_edge(const PlacedOpening& opening, const char* code, double from, double to,
+               std::vector<Message>& notes) {
+  if (std::abs(to - from) > 1e-9)
+    notes.push_back({code, {{"opening", opening.words}, {"from_m", from}, {"to_m", to}}});
+}
+
 void move_head_to_course(const Axis& courses, PlacedOpening& opening, std::vector<Message>& notes) {
   const int lowest = courses.nearest(opening.hole.y0) + 1;
   const double line = courses.line(std::max(lowest, courses.nearest(opening.hole.y1)));
-  if (std::abs(line - opening.hole.y1) > 1e-9) {
-    notes.push_back({"opening.head_moved",
-                     {{"opening", opening.words}, {"from_m", opening.hole.y1}, {"to_m", line}}});
-  }
+  note_edge(opening, "opening.head_moved", opening.hole.y1, line, notes);
   opening.hole.y1 = line;
 }
 
+void move_foot_to_course(const Axis& courses, PlacedOpening& opening, std::vector<Message>& notes) {
+  int at = courses.nearest(opening.hole.y0);
+  while (at > 0 && courses.line(at) > opening.hole.y1 - courses.step / 2) --at;
+  note_edge(opening, "opening.foot_moved", opening.hole.y0, courses.line(at), notes);
+  opening.hole.y0 = courses.line(at);
+}
+
 // The kind is only a label. An unknown label gets a note, since the user may expect an effect.
-void note_unknown_kind(const LintelSpec& lintel, const PlacedOpening& opening,
-                       std::vector<Message>& notes) {
+void note_unknown_kind(const char* code, const std::string& kind, const std::string& material,
+                       const PlacedOpening& opening, std::vector<Message>& notes) {
   static const std::vector<std::string> kKnown = {"timber", "stone", "concrete", "steel", "brick"};
-  if (std::find(kKnown.begin(), kKnown.end(), lintel.kind) != kKnown.end()) return;
-  notes.push_back(
-      {"lintel.idle_kind",
-       {{"opening", opening.words}, {"kind", lintel.kind}, {"material", lintel.material}}});
+  if (std::find(kKnown.begin(), kKnown.end(), kind) != kKnown.end()) return;
+  notes.push_back({code, {{"opening", opening.words}, {"kind", kind}, {"material", material}}});
 }
 
 bool bears_as_stated(double laid, const Axis& columns, const PlacedOpening& opening,
-                     const LintelSpec& lintel, FaultList& faults) {
-  if (laid <= kBearingFactor * lintel.bearing * (1 + 1e-9)) return true;
-  add_fault(faults, opening_path(opening.index, "lintel.bearing"), millimetres(lintel.bearing),
-            "would become " + millimetres(laid) + ", " + times(laid / lintel.bearing) +
-                " times as long: a lintel bears on whole half units of " +
+                     const Beam& beam, FaultList& faults) {
+  if (laid <= kBearingFactor * beam.bearing * (1 + 1e-9)) return true;
+  add_fault(faults, beam.path(opening.index, "bearing"), millimetres(beam.bearing),
+            "would become " + millimetres(laid) + ", " + times(laid / beam.bearing) +
+                " times as long: a " + beam.what + " bears on whole half units of " +
                 millimetres(columns.step),
             "write bearing = \"" + millimetres(laid) + "\", or smaller units");
   return false;
@@ -130,34 +180,56 @@ int whole_steps(double size, double step) {
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
   const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
   if (lintel.kind.empty()) return false;
-  check_body(shape, index, faults);
-  bool given =
-      is_positive({opening_path(index, "lintel.depth"), lintel.depth, "m", "110 mm"}, faults);
-  // A lintel without bearing is no longer than the opening: nothing would carry it.
-  given &=
-      is_positive({opening_path(index, "lintel.bearing"), lintel.bearing, "m", "150 mm"}, faults);
-  return given;
+  return check_beam(shape, index, beam_of(lintel), lintel.material, faults);
+}
+
+bool check_sill(const Shape& shape, int index, FaultList& faults) {
+  const SillSpec& sill = shape.wall.opening[static_cast<std::size_t>(index)].sill;
+  if (sill.kind.empty()) return false;
+  return check_beam(shape, index, beam_of(sill), sill.material, faults);
 }
 
 void place_lintel(const LintelSpec& lintel, const Lattice& lattice, PlacedOpening& opening,
                   std::vector<Message>& notes, FaultList& faults) {
   const Axis &columns = lattice.columns, &courses = lattice.courses;
+  const Beam beam = beam_of(lintel);
   move_head_to_course(courses, opening, notes);
   const int bottom = courses.nearest(opening.hole.y1);
   const int top = bottom + whole_steps(lintel.depth, courses.step);
   const int bearing = whole_steps(lintel.bearing, columns.step);
   Rect body{end_of(columns, opening.hole.x0, -bearing), opening.hole.y1,
             end_of(columns, opening.hole.x1, bearing), courses.line(top)};
-  bool fits = ends_inside(body, columns, opening, lintel, faults);
+  bool fits = ends_inside(body, columns, opening, beam, faults);
   fits &= lies_under_top(bottom, top, courses, opening, lintel, faults);
-  fits &= bears_as_stated(bearing * columns.step, columns, opening, lintel, faults);
+  fits &= bears_as_stated(bearing * columns.step, columns, opening, beam, faults);
   if (!fits) return;
-  note_unknown_kind(lintel, opening, notes);
+  note_unknown_kind("lintel.idle_kind", lintel.kind, lintel.material, opening, notes);
   note_idle_keys(lintel, opening, notes);
-  note_size(opening, "lintel.depth_changed", lintel.depth, body.y1 - body.y0, notes);
-  note_size(opening, "lintel.bearing_changed", lintel.bearing, body.x1 - opening.hole.x1, notes);
+  note_size(opening, beam.depth_changed, lintel.depth, body.y1 - body.y0, notes);
+  note_size(opening, beam.bearing_changed, lintel.bearing, body.x1 - opening.hole.x1, notes);
   opening.segment =
       lintel.model == LintelModel::kZones ? std::vector<Rect>{body} : cut_chain(body, columns);
+}
+
+void place_sill(const SillSpec& sill, const Lattice& lattice, PlacedOpening& opening,
+                std::vector<Message>& notes, FaultList& faults) {
+  const Axis &columns = lattice.columns, &courses = lattice.courses;
+  const Beam beam = beam_of(sill);
+  move_foot_to_course(courses, opening, notes);
+  const int top = courses.nearest(opening.hole.y0);
+  const int depth = whole_steps(sill.depth, courses.step);
+  const int bearing = whole_steps(sill.bearing, columns.step);
+  const Rect body{end_of(columns, opening.hole.x0, -bearing),
+                  courses.line(std::max(0, top - depth)), end_of(columns, opening.hole.x1, bearing),
+                  opening.hole.y0};
+  bool fits = ends_inside(body, columns, opening, beam, faults);
+  fits &= lies_over_foot(top, depth, courses, opening, sill, faults);
+  fits &= bears_as_stated(bearing * columns.step, columns, opening, beam, faults);
+  if (!fits) return;
+  note_unknown_kind("sill.idle_kind", sill.kind, sill.material, opening, notes);
+  note_size(opening, beam.depth_changed, sill.depth, body.y1 - body.y0, notes);
+  note_size(opening, beam.bearing_changed, sill.bearing, body.x1 - opening.hole.x1, notes);
+  opening.sill = cut_chain(body, columns);
 }
 
 }  // namespace wythe::geometry

@@ -138,13 +138,20 @@ const Storey* storey_of(const OpeningSpec& opening, int i, const std::vector<Sto
   return &storey_at(storeys, opening.y + opening.height / 2);
 }
 
+// What spans an opening, with all its numbers.
+struct Given {
+  bool lintel, arch, sill;
+};
+
 // False where numbers are missing; after other faults the hole is that of their cures.
 bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Storey& storey, double top,
-                bool has_lintel, std::vector<Message>& notes, FaultList& faults) {
+                const Given& has, std::vector<Message>& notes, FaultList& faults) {
   const Axis &columns = storey.lattice.columns, &courses = storey.lattice.courses;
   if (columns.count == 0 || courses.count == 0) return false;
-  const int bearing = has_lintel ? whole_steps(opening.lintel.bearing, columns.step) : 0;
-  const int depth = has_lintel ? whole_steps(opening.lintel.depth, courses.step) : 0;
+  const int depth = has.lintel ? whole_steps(opening.lintel.depth, courses.step) : 0;
+  const int below = has.sill ? whole_steps(opening.sill.depth, courses.step) : 0;
+  const int bearing = std::max(has.lintel ? whole_steps(opening.lintel.bearing, columns.step) : 0,
+                               has.sill ? whole_steps(opening.sill.bearing, columns.step) : 0);
   const double base = opening.storey.empty() ? 0 : storey.foot;
   const auto outside = [](const char* key, double extent) {
     return std::string("outside the wall (wall.") + key + " = " + metres(extent) + ")";
@@ -174,8 +181,8 @@ bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Storey&
   Rect& hole = placed.hole;
   (void)snap_span(level, columns, storey.fit, {bearing, columns.count - bearing}, hole.x0, hole.x1,
                   notes, faults);
-  (void)snap_span(upright, courses, storey.fit, {0, courses.count - depth}, hole.y0, hole.y1, notes,
-                  faults);
+  (void)snap_span(upright, courses, storey.fit, {below, courses.count - depth}, hole.y0, hole.y1,
+                  notes, faults);
   return true;
 }
 
@@ -228,8 +235,16 @@ void check_pairs(const std::vector<PlacedOpening>& openings, FaultList& faults) 
   }
 }
 
-void note_bare_head(const PlacedOpening& opening, double height, std::vector<Message>& notes) {
-  if (!opening.segment.empty() || opening.hole.y1 > height - 1e-9) return;
+void note_bare_head(const PlacedOpening& opening, double height, const std::vector<Rect>& spanning,
+                    std::vector<Message>& notes) {
+  const Rect& hole = opening.hole;
+  const auto spans = [&](const Rect& beam) {
+    return std::abs(beam.y0 - hole.y1) < 1e-9 && beam.x0 < hole.x0 - 1e-9 &&
+           beam.x1 > hole.x1 + 1e-9;
+  };
+  if (!opening.segment.empty() || hole.y1 > height - 1e-9 ||
+      std::any_of(spanning.begin(), spanning.end(), spans))
+    return;
   notes.push_back({"opening.bare_head", {{"opening", opening.words}}});
 }
 
@@ -261,14 +276,15 @@ double lower_adjacent_top(const std::vector<PlacedOpening>& openings, double x0,
 }  // namespace
 
 std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<Storey>& storeys,
+                                          const std::vector<Rect>& spanning,
                                           std::vector<Message>& notes, FaultList& faults) {
   std::vector<PlacedOpening> placed;
   const double top = storeys.back().top();
   for (std::size_t k = 0; k < shape.wall.opening.size(); ++k) {
     const OpeningSpec& opening = shape.wall.opening[k];
     const int i = static_cast<int>(k);
-    const bool lintel_is_given = check_lintel(shape, i, faults);
-    const bool arch_is_given = check_arch(shape, i, faults);
+    const Given given{check_lintel(shape, i, faults), check_arch(shape, i, faults),
+                      check_sill(shape, i, faults)};
     if (!is_given(opening, i, faults)) continue;
     const Storey* storey = storey_of(opening, i, storeys, faults);
     if (storey == nullptr) continue;
@@ -279,11 +295,12 @@ std::vector<PlacedOpening> place_openings(const Shape& shape, const std::vector<
                          .hole = {},
                          .segment = {},
                          .arch = {}};
-    if (!place_hole(opening, result, *storey, top, lintel_is_given, notes, faults)) continue;
-    if (lintel_is_given) place_lintel(opening.lintel, storey->lattice, result, notes, faults);
-    if (arch_is_given) place_arch(opening.arch, *storey, result, notes, faults);
+    if (!place_hole(opening, result, *storey, top, given, notes, faults)) continue;
+    if (given.sill) place_sill(opening.sill, storey->lattice, result, notes, faults);
+    if (given.lintel) place_lintel(opening.lintel, storey->lattice, result, notes, faults);
+    if (given.arch) place_arch(opening.arch, *storey, result, notes, faults);
     if (opening.lintel.kind.empty() && opening.arch.kind == ArchKind::kNone)
-      note_bare_head(result, top, notes);
+      note_bare_head(result, top, spanning, notes);
     placed.push_back(result);
   }
   check_pairs(placed, faults);

@@ -34,10 +34,13 @@ struct PlacedOpening {
   Rect hole;                  // [m]
   std::vector<Rect> segment;  // lintel segments, left to right; empty without lintel
   PlacedArch arch;
+  std::vector<Rect> sill = {};  // its segments; empty without
 };
 
+// `spanning`: ring beams, which carry what lies over an opening right below them.
 [[nodiscard]] std::vector<PlacedOpening> place_openings(const Shape& shape,
                                                         const std::vector<Storey>& storeys,
+                                                        const std::vector<Rect>& spanning,
                                                         std::vector<Message>& notes,
                                                         FaultList& faults);
 

@@ -19,13 +19,17 @@ class Key {
 
   void add(const WallSpec& wall) {
     const auto& [length, height, thickness, bond, fit, blocks, up, supports, unit, opening, beam,
-                 joints] = wall;
-    add_all(length, height, thickness, bond, fit, blocks, up, supports, unit, opening, beam,
-            joints);
+                 joints, foundation] = wall;
+    add_all(length, height, thickness, bond, fit, blocks, up, supports, unit, opening, beam, joints,
+            foundation);
   }
   void add(const StoreySpec& storey) {
-    const auto& [name, height, thickness, bond, unit, joints] = storey;
-    add_all(name, height, thickness, bond, unit, joints);
+    const auto& [name, height, thickness, bond, unit, joints, fit] = storey;
+    add_all(name, height, thickness, bond, unit, joints, fit);
+  }
+  void add(const RingBeamSpec& beam) {
+    const auto& [name, storey, y, x, width, height, thickness, material, joint, top_joint] = beam;
+    add_all(name, storey, y, x, width, height, thickness, material, joint, top_joint);
   }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density] = region;
@@ -101,9 +105,14 @@ class Key {
     add_density(density);
   }
   void add(const OpeningSpec& opening) {
-    const auto& [name, x, y, width, height, lintel, arch, storey] = opening;
-    add_all(name, x, y, width, height, lintel, arch, storey);
+    const auto& [name, x, y, width, height, lintel, arch, storey, sill] = opening;
+    add_all(name, x, y, width, height, lintel, arch, storey, sill);
   }
+  void add(const SillSpec& sill) {
+    const auto& [kind, depth, bearing, material, joint] = sill;
+    add_all(kind, depth, bearing, material, joint);
+  }
+  void add(const FoundationStep& step) { add_all(step.x, step.y); }
   void add(const ArchSpec& arch) {
     const auto& [kind, rise, depth, skewback, voussoirs, joint, material] = arch;
     add_all(kind, rise, depth, skewback, voussoirs, joint, material);
@@ -128,6 +137,7 @@ Shape::Shape(const ModelSpec& spec)
     : wall(spec.wall),
       storey(spec.storey),
       region(spec.region),
+      ring_beam(spec.ring_beam),
       block(spec.block),
       body(spec.body),
       contact(spec.contact) {
@@ -139,8 +149,8 @@ Shape::Shape(const ModelSpec& spec)
 
 std::uint64_t shape_key(const Shape& shape) {
   Key key;
-  const auto& [wall, storey, region, block, body, contact, material, plates] = shape;
-  key.add_all(wall, storey, region, block, body, contact, material, plates);
+  const auto& [wall, storey, region, ring_beam, block, body, contact, material, plates] = shape;
+  key.add_all(wall, storey, region, ring_beam, block, body, contact, material, plates);
   return key.value();
 }
 

@@ -12,24 +12,32 @@ namespace {
 
 double or_else(double value, double otherwise) { return std::isnan(value) ? otherwise : value; }
 
-// False where the text is no word of Bond; "" leaves the value as it is.
-bool take_bond(const std::string& stated, Bond& bond) {
-  for (const Word<Bond>& word : kBondWords)
+// False where the text is none of the words; "" leaves the value as it is.
+template <class E, std::size_t N>
+bool take_word(const std::string& stated, const Word<E> (&words)[N], E& value) {
+  for (const Word<E>& word : words)
     if (word.word == stated) {
-      bond = word.value;
+      value = word.value;
       return true;
     }
   return stated.empty();
 }
 
-void check_bonds(const std::vector<StoreySpec>& storeys, FaultList& faults) {
+template <class E, std::size_t N>
+void check_word(int storey, const char* key, const std::string& stated, const Word<E> (&words)[N],
+                FaultList& faults) {
+  E value{};
+  if (take_word(stated, words, value)) return;
   std::vector<std::string> known;
-  for (const Word<Bond>& word : kBondWords) known.emplace_back(word.word);
+  for (const Word<E>& word : words) known.emplace_back(word.word);
+  add_fault(faults, storey_path(storey, key), "\"" + stated + "\"",
+            "must be one of " + joined(known, ", "), name_advice(stated, known));
+}
+
+void check_words(const std::vector<StoreySpec>& storeys, FaultList& faults) {
   for (std::size_t i = 0; i < storeys.size(); ++i) {
-    Bond bond{};
-    if (take_bond(storeys[i].bond, bond)) continue;
-    add_fault(faults, storey_path(static_cast<int>(i), "bond"), "\"" + storeys[i].bond + "\"",
-              "must be one of " + joined(known, ", "), name_advice(storeys[i].bond, known));
+    check_word(static_cast<int>(i), "bond", storeys[i].bond, kBondWords, faults);
+    check_word(static_cast<int>(i), "fit", storeys[i].fit, kFitWords, faults);
   }
 }
 
@@ -78,7 +86,9 @@ Storey storey_of(const WallSpec& wall, const StoreySpec& stated, int index) {
   storey.height = stated.height;
   storey.own.emplace_back("height");
   take_sizes(stated, storey);
-  (void)take_bond(stated.bond, storey.bond);
+  (void)take_word(stated.bond, kBondWords, storey.bond);
+  (void)take_word(stated.fit, kFitWords, storey.fit);
+  if (!stated.fit.empty()) storey.own.emplace_back("fit");
   storey.unit.split = stated.unit.split;
   return storey;
 }
@@ -179,14 +189,14 @@ std::vector<Storey> stated_storeys(const WallSpec& wall, const std::vector<Store
   return storeys;
 }
 
-std::vector<Storey> plan_storeys(const Shape& shape, Fit fit, std::vector<Message>& notes,
+std::vector<Storey> plan_storeys(const Shape& shape, bool cut_all, std::vector<Message>& notes,
                                  FaultList& faults) {
   check_names(shape.storey, faults);
-  check_bonds(shape.storey, faults);
+  check_words(shape.storey, faults);
   std::vector<Storey> storeys = stated_storeys(shape.wall, shape.storey);
   int course = 0;
   for (Storey& storey : storeys) {
-    storey.fit = fit;
+    if (cut_all) storey.fit = Fit::kCut;
     FaultList found;
     std::vector<Message> said;
     check_body(storey, found);

@@ -41,8 +41,8 @@ struct Storey {
 [[nodiscard]] std::vector<Storey> stated_storeys(const WallSpec& wall,
                                                  const std::vector<StoreySpec>& storey);
 
-// The same with lattices, checked; `fit` stands in for wall.fit.
-[[nodiscard]] std::vector<Storey> plan_storeys(const Shape& shape, Fit fit,
+// The same with lattices, checked; `cut_all`: as if each had fit = "cut".
+[[nodiscard]] std::vector<Storey> plan_storeys(const Shape& shape, bool cut_all,
                                                std::vector<Message>& notes, FaultList& faults);
 
 // The storeys of a blocks file: levels with a thickness from `foot` upwards, without lattices.

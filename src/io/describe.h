@@ -41,81 +41,6 @@ void describe_recipe(Visitor& v, const char* name, const Key& key) {
 // --- wall ----------------------------------------------------------------------------------------
 
 template <class Visitor>
-void describe(Visitor& v, LintelSpec& s) {
-  v.text("kind", s.kind, {.fallback = "no lintel", .example = "timber",
-         .doc = "What it is made of; only a label: timber, stone, concrete, steel, brick. Its "
-                "presence makes the lintel; any other word gets a note."});
-  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "needed with a lintel", .example = "110 mm",
-             .doc = "Structural depth; the lintel occupies the nearest whole number of courses."});
-  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "needed with a lintel", .example = "150 mm",
-             .doc = "Length of support on each side of the opening; becomes whole half units, by a factor "
-                    "of two at most."});
-  v.text("material", s.material, {.fallback = "needed with a lintel", .example = "timber",
-         .doc = "Name of the material with the lintel's density and moduli."});
-  v.text("bond", s.bond, {.example = "joint",
-         .doc = "Name of the joint material between lintel and masonry."});
-  v.text("bearing_bond", s.bearing_bond, {.fallback = "bond", .example = "joint",
-         .doc = "Joint material of the faces the lintel rests on, where it differs."});
-  v.text("top_bond", s.top_bond, {.fallback = "bond", .example = "joint",
-         .doc = "Joint material of the masonry that lies on the lintel, where it differs."});
-  v.choice("model", s.model, kLintelModelWords, {.example = "zones",
-           .doc = "A chain of rigid segments, or one deformable block of zones."});
-  v.integer("zones", s.zones, {.range = kFromOne, .example = "2",
-            .doc = "Zones through the depth, with model = zones."});
-  v.quantity("zone_length", s.zone_length, {.unit = "m", .shown = "mm", .range = kLength,
-             .fallback = "as long as deep", .example = "55 mm",
-             .doc = "Length of a zone along the lintel, fitted to a whole number of zones."});
-  v.choice("zone_kind", s.zone_kind, kZoneKindWords, {.example = "mixed",
-           .doc = "Constant-strain triangles as they are (`cst`, locking), or with one volumetric "
-                  "strain for a whole zone (`mixed`)."});
-  v.choice("plane", s.plane, kPlaneWords, {.example = "stress",
-           .doc = "Plane stress, or plane strain."});
-}
-
-template <class Visitor>
-void describe(Visitor& v, ArchSpec& s) {
-  v.choice("kind", s.kind, kArchKindWords, {.fallback = "no arch", .example = "segmental",
-           .doc = "Its presence makes the arch. `flat`: level, joints inclined to one centre; `segmental`: part of a "
-                  "circle; `round`: half of one."});
-  v.quantity("rise", s.rise, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "needed if segmental",
-             .example = "150 mm",
-             .doc = "Of the intrados above the springing, half the span at most; segmental arches only."});
-  v.quantity("depth", s.depth, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "needed with an arch",
-             .example = "250 mm", .doc = "Of the voussoirs, from intrados to extrados."});
-  v.quantity("skewback", s.skewback, {.unit = "rad", .shown = "deg", .range = kSkewback, .fallback = "needed if flat",
-             .example = "15 deg", .doc = "Angle of the end joints from upright; flat arches only."});
-  v.integer("voussoirs", s.voussoirs, {.range = kFromZero, .fallback = "as many as courses are high",
-            .example = "11", .doc = "Their number; 0: as many as fit along the intrados when each is as wide as a "
-            "course is high, and an odd number, for a keystone."});
-  v.text("joint", s.joint, {.fallback = "as the bed joints around", .example = "joint",
-         .doc = "Name of the joint material between voussoirs."});
-  v.text("material", s.material, {.fallback = "the masonry's", .example = "tuff",
-         .doc = "Name of a material whose density the voussoirs have."});
-}
-
-template <class Visitor>
-void describe(Visitor& v, OpeningSpec& s) {
-  v.text("name", s.name, {.fallback = "none", .example = "door",
-         .doc = "A name for messages and for `--set wall.opening.door.width=...`."});
-  v.text("storey", s.storey, {.fallback = "the whole wall", .example = "ground",
-         .doc = "Name of its storey: y then counts from the storey's foot. An opening lies in one storey."});
-  v.quantity("x", s.x, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
-             .example = "1.70 m", .doc = "Left jamb, from the wall's left end."});
-  v.quantity("y", s.y, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
-             .example = "0.90 m", .doc = "Sill above the wall's base, or its storey's foot; 0 m for a door."});
-  v.quantity("width", s.width, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = kRequired, .example = "1.70 m", .doc = "Clear width."});
-  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength,
-             .fallback = kRequired, .example = "2.64 m", .doc = "Clear height, sill to soffit; under an arch up to its springing."});
-  v.table("lintel", s.lintel, {.in_braces = true, .optional = true, .fallback = "no lintel",
-          .doc = "The lintel over the opening."});
-  v.table("arch", s.arch, {.in_braces = true, .optional = true, .fallback = "no arch",
-          .doc = "An arch of voussoirs over it, in the place of a lintel (docs/theory/conventions.md)."});
-}
-
-template <class Visitor>
 void describe(Visitor& v, BeamSpec& s) {
   v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "no beam", .example = "250 mm",
@@ -153,6 +78,9 @@ void describe(Visitor& v, WallSpec& s) {
   describe_joints(v, s.joints, "joint", "joint, or what that is", "unit");
   v.list("opening", s.opening, {.doc = "One table for each door or window."});
   v.table("beam", s.beam, {.optional = true, .doc = "A loading beam over the whole wall top."});
+  v.list("foundation", s.foundation, {.optional = true,
+         .doc = "Ground in steps, from left to right: the wall begins on each. The lowest is at y = 0 m. Without "
+                "it the ground is level. The soil beside a step does not touch the wall."});
 }
 
 // --- materials -----------------------------------------------------------------------------------
@@ -571,6 +499,8 @@ void describe(Visitor& v, ModelSpec& s) {
   v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs where its centre lies, to "
          "the last region that holds it; a joint to a region where both its blocks do, else to what is listed "
          "before it and around it."});
+  v.list("ring_beam", s.ring_beam, {.optional = true,
+         .doc = "Beams within the masonry, elastic chains along a level (docs/theory/ring_beams.md)."});
   v.list("floor", s.floor, {.optional = true,
          .doc = "Floors and roofs that lie on the wall, one table each: weight at their level."});
   v.list("tie", s.tie, {.optional = true, .doc = "Bars that only pull (docs/theory/links.md)."});

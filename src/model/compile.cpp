@@ -23,6 +23,8 @@ using geometry::Role;
 BlockRole role_of(Role role) {
   switch (role) {
     case Role::kLintel: return BlockRole::kLintel;
+    case Role::kRingBeam: return BlockRole::kRingBeam;
+    case Role::kSill: return BlockRole::kSill;
     case Role::kPlate: return BlockRole::kPlate;
     case Role::kBeam: return BlockRole::kBeam;
     case Role::kMasonry:
@@ -48,6 +50,10 @@ void copy_report(const Assembly& assembly, Anatomy& anatomy) {
     anatomy.pier_x0.push_back(pier.x0);
     anatomy.pier_x1.push_back(pier.x1);
     anatomy.pier_height.push_back(pier.height);
+  }
+  for (const geometry::StoreyBand& storey : assembly.storeys) {
+    anatomy.storey_name.push_back(storey.name);
+    anatomy.storey_top.push_back(storey.top);
   }
   anatomy.length = assembly.length;
   anatomy.height = assembly.height;

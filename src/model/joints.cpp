@@ -105,9 +105,11 @@ class MaterialTable {
     const bool complete = body.youngs_modulus > 0 && body.shear_modulus > 0;
     if (!complete) {
       for (const char* key : {"youngs_modulus", "shear_modulus"})
-        faults_.add({"", "material." + face.material + "." + key, "",
-                     "is missing or not positive; a lintel of segments needs both moduli",
-                     fmt::format("add e.g. {} = \"0.3 GPa\"", key), 0});
+        faults_.add(
+            {"", "material." + face.material + "." + key, "",
+             "is missing or not positive; a chain of segments (lintel, sill, ring beam) needs both "
+             "moduli",
+             fmt::format("add e.g. {} = \"0.3 GPa\"", key), 0});
     }
     chains_.push_back(wanted);
     chains_.back().index = append(fmt::format("{} chain {:.3f} m", face.material, spacing),
@@ -158,11 +160,13 @@ class MaterialTable {
   std::vector<Chain> chains_;
 };
 
-// Structural depth of the lintel a chain face belongs to; the face itself where none is stated.
+// Structural depth of the body a chain face belongs to; the face itself where none is stated.
 double chain_depth(const ModelSpec& spec, const Assembly& assembly, const Face& face) {
-  const int opening = assembly.blocks[static_cast<std::size_t>(face.b)].opening;
-  if (opening < 0) return length_of(face);
-  return spec.wall.opening[static_cast<std::size_t>(opening)].lintel.depth;
+  const geometry::Block& block = assembly.blocks[static_cast<std::size_t>(face.b)];
+  if (block.ring_beam >= 0) return spec.ring_beam[static_cast<std::size_t>(block.ring_beam)].height;
+  if (block.opening < 0) return length_of(face);
+  const OpeningSpec& opening = spec.wall.opening[static_cast<std::size_t>(block.opening)];
+  return block.role == geometry::Role::kSill ? opening.sill.depth : opening.lintel.depth;
 }
 
 bool touches_solid(const Face& face, const BlockMap& map) {

@@ -126,8 +126,26 @@ class StageCompiler {
       load_role(stage, Role::kPlate, s.pier_load, "pier_load");
       return;
     }
+    say_strips(stage);
     for (const geometry::Pier& pier : assembly_.piers)
       press(stage, pier.x0, pier.x1, s.pier_load / (pier.x1 - pier.x0), "pier_load");
+  }
+
+  // Openings above each other at different places leave narrower strips of full height than any storey has
+  // piers; what each strip takes is said.
+  void say_strips(const Stage& stage) {
+    if (assembly_.piers.empty())
+      fault("pier_load", "", "the openings leave no strip of full height to load",
+            "load the wall's top (pressure = ...), or lay [[floor]]s on the storeys");
+    if (assembly_.storeys.size() < 2 || assembly_.piers.empty()) return;
+    std::string strips;
+    for (const geometry::Pier& pier : assembly_.piers)
+      strips += fmt::format("{}{:.3g} to {:.3g} m", strips.empty() ? "" : ", ", pier.x0, pier.x1);
+    model_.anatomy.notes.push_back({"load.strips",
+                                    {{"stage", stage.spec.name},
+                                     {"load_kN", 1e-3 * stage.spec.pier_load},
+                                     {"count", assembly_.piers.size()},
+                                     {"strips", strips}}});
   }
 
   // The load acts downwards at the top centre of every block with that role.

@@ -190,6 +190,8 @@ TEST(Words, go_to_the_page_by_the_number_that_stands_for_them) {
 // other samples from the other.
 TEST(Words, numbers_that_stand_in_files_never_change) {
   EXPECT_EQ(static_cast<int>(BlockRole::kBeam), 3);
+  EXPECT_EQ(static_cast<int>(BlockRole::kRingBeam), 4);
+  EXPECT_EQ(static_cast<int>(BlockRole::kSill), 5);
   EXPECT_EQ(static_cast<int>(JointKind::kFoundation), 3);
   EXPECT_EQ(static_cast<int>(JointKind::kOther), 8);
   EXPECT_EQ(static_cast<int>(Design::kMonteCarlo), 1);

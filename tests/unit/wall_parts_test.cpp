@@ -74,6 +74,44 @@ TEST(WallParts, wall_without_opening_is_one_pier) {
   EXPECT_TRUE(parts.spandrels.empty());
 }
 
+// --- ring beams and steps of the ground ------------------------------------------------------
+
+TEST(WallParts, a_step_of_the_ground_is_no_opening_and_its_pier_stands_on_it) {
+  ModelSpec spec = scenes::plain_wall(16, 8, 1e-3, 0.02);
+  spec.wall.foundation = {{0, 0}, {10 * 0.155, 0.33}};
+  EXPECT_EQ(pier_names(study::find_parts(compile(spec))), std::vector<std::string>{"wall"});
+  spec.wall.opening = {
+      {.name = "door", .x = 0.93, .y = 0, .width = 0.62, .height = 0.66, .lintel = {}}};
+  const study::WallParts parts = study::find_parts(compile(spec));
+  ASSERT_EQ(parts.piers.size(), 2U);
+  EXPECT_NEAR(parts.piers[0].base, 0, kRoundOff);
+  EXPECT_NEAR(parts.piers[1].base, 0.33, kRoundOff);
+}
+
+TEST(WallParts, a_ring_beam_is_no_masonry_of_a_spandrel) {
+  ModelSpec spec = scenes::small_wall();
+  RingBeamSpec ring;
+  ring.y = 0.77;
+  ring.height = 0.11;
+  ring.material = "concrete";
+  spec.material["concrete"] = scenes::paper_joint();
+  spec.material["concrete"].density = 2500;
+  spec.material["concrete"].youngs_modulus = 30e9;
+  spec.material["concrete"].shear_modulus = 12e9;
+  const double head = spec.wall.opening[0].y + spec.wall.opening[0].height;
+  spec.ring_beam = {ring};  // at the top
+  const study::WallParts top = study::find_parts(compile(spec));
+  ASSERT_EQ(top.spandrels.size(), 2U);
+  EXPECT_NEAR(top.spandrels[1].box.y1, 0.77, kRoundOff);
+  EXPECT_EQ(top.spandrels[1].lintel, 0);
+  EXPECT_NEAR(top.wall.y1, 0.88, kRoundOff);
+  spec.ring_beam[0].y = head;  // as a lintel
+  const study::WallParts foot = study::find_parts(compile(spec));
+  ASSERT_EQ(foot.spandrels.size(), 2U);
+  EXPECT_NEAR(foot.spandrels[1].lintel, 0.11, kRoundOff);
+  EXPECT_NEAR(foot.spandrels[1].box.y1, 0.88, kRoundOff);
+}
+
 // Columns and courses of half units.
 struct Hole {
   int column, course, wide = 3, high = 3;

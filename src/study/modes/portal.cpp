@@ -138,9 +138,20 @@ void read_strength(const Model& model, Portal& portal) {
   }
 }
 
-bool has_beam(const Model& model) {
+bool has(const Model& model, BlockRole role) {
   const auto& roles = model.anatomy.block_role;
-  return std::find(roles.begin(), roles.end(), BlockRole::kBeam) != roles.end();
+  return std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+// Foundation joints at more than one height.
+bool stands_on_steps(const Model& model) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    const JointShape joint = joint_shape(model, j);
+    if (joint.a != kGroundBlock) continue;
+    low = std::min(low, joint.centre.y), high = std::max(high, joint.centre.y);
+  }
+  return high - low > 1e-6;
 }
 
 void check_load_point(const Portal& p, FaultList& faults) {
@@ -411,7 +422,13 @@ Portal find_portal(const Model& model) {
   const study::WallParts parts = study::find_parts(model);
   read_opening(parts, study::find_openings(model), portal, faults);
   read_push(model, portal, faults);
-  if (has_beam(model))
+  if (has(model, BlockRole::kRingBeam))
+    add_fault(faults, "ring_beam", "", "a ring beam ties the macro-blocks together",
+              "leave it out for the mechanisms; the limit load of the blocks takes it");
+  if (stands_on_steps(model))
+    add_fault(faults, "wall.foundation", "", "the macro-blocks stand on ground of one level",
+              "leave it out for the mechanisms; the limit load of the blocks takes any ground");
+  if (has(model, BlockRole::kBeam))
     add_fault(faults, "wall.beam", "", "a loading beam ties the macro-blocks together",
               "load the piers with pier_load instead; the limit load of the blocks takes any wall");
   if (model.links.n > 0)

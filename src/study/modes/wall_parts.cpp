@@ -14,7 +14,7 @@ namespace {
 constexpr double kToe = 0.25;   // of a pier's width: the compressed corner
 constexpr double kReach = 2.5;  // columns on either side of a jamb: the connection
 
-bool is_wall(BlockRole role) { return role == BlockRole::kMasonry || role == BlockRole::kLintel; }
+bool is_wall(BlockRole role) { return role != BlockRole::kPlate && role != BlockRole::kBeam; }
 
 // Corners of a block.
 using Outline = std::vector<Vec3>;
@@ -41,6 +41,7 @@ struct Frame {
   Box wall;
   double column = 0, course = 0;
   std::vector<double> xs, ys;  // of all corners, sorted
+  std::vector<Box> ground;     // below each level foundation joint, from the wall's foot up to it
 
   void take(const Box& box) {
     if (xs.empty()) wall = box;
@@ -70,6 +71,12 @@ Frame frame_of(const Model& m) {
     heights.push_back(box.height());
   }
   for (const SolidBody& body : m.solids.bodies) f.take({body.x0, body.x1, body.y0, body.y1});
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const JointShape joint = joint_shape(m, j);
+    const double half = std::fabs(joint.half.x), x = joint.centre.x, y = joint.centre.y;
+    if (joint.a == kGroundBlock && std::fabs(joint.half.y) <= half && y > f.wall.y0 + 1e-6)
+      f.ground.push_back({x - half, x + half, f.wall.y0, y});
+  }
   std::sort(f.xs.begin(), f.xs.end());
   std::sort(f.ys.begin(), f.ys.end());
   f.column = a.half_unit > 0 ? a.half_unit : median(widths);
@@ -103,6 +110,8 @@ class Raster {
     cell_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), kEmpty);
     for (BlockId b = 0; b < block_count(m); ++b)
       if (b >= m.n_block || is_wall(m.anatomy.block_role[b])) paint(outline_of(m, b));
+    for (const Box& g : f.ground)  // a wall on steps has no opening below them
+      paint({{g.x0, g.y0, 0}, {g.x1, g.y0, 0}, {g.x1, g.y1, 0}, {g.x0, g.y1, 0}});
   }
 
   // Holes that do not touch the top.
@@ -353,6 +362,10 @@ class Finder {
     pier.clear_y0 = std::max(a.sill, b.sill), pier.clear_y1 = pier.box.y1;
     if (pier.clear_y1 - pier.clear_y0 < 0.5 * pier.box.height()) pier.clear_y0 = pier.box.y0;
     pier.base = base_of(pier.box, storey);
+    if (pier.base < pier.box.y1) {  // a step may lie higher than the sill beside the pier
+      pier.box.y0 = std::max(pier.box.y0, pier.base);
+      pier.clear_y0 = std::max(pier.clear_y0, pier.base);
+    }
     add_toes(pier);
     const double top = storey + 1 < rows_.size() ? rows_[storey + 1].sill : frame_.wall.y1;
     if (top - pier.box.y1 > 0.5 * frame_.course)
@@ -362,8 +375,18 @@ class Finder {
 
   // The ground below the lowest piers; half way down to the heads of the storey below the others.
   [[nodiscard]] double base_of(const Box& pier, std::size_t storey) const {
-    if (storey == 0) return frame_.wall.y0;
+    if (storey == 0) return ground_below(pier);
     return std::min(pier.y0, 0.5 * (pier.y0 + rows_[storey - 1].head));
+  }
+
+  // Of the lowest ground that the pier stands on; the wall's foot where none is in line with it.
+  [[nodiscard]] double ground_below(const Box& pier) const {
+    double under = 0, lowest = frame_.wall.y1;
+    for (const Box& g : frame_.ground) {
+      const double common = std::min(g.x1, pier.x1) - std::max(g.x0, pier.x0);
+      if (common > 0) under += common, lowest = std::min(lowest, g.y1);
+    }
+    return under > (1 - 1e-6) * pier.width() ? lowest : frame_.wall.y0;
   }
 
   void add_toes(Pier& pier) {
@@ -393,6 +416,7 @@ class Finder {
       sill.is_sill = true;
       parts_.spandrels.push_back(sill);
     }
+    top = foot_of_ring_beam({o.x0, o.x1, o.y1, top});
     if (top - o.y1 < 0.5 * frame_.course) return;
     Spandrel spandrel;
     spandrel.storey = o.storey + 1;
@@ -411,13 +435,30 @@ class Finder {
     return static_cast<int>(parts_.connections.size()) - 1;
   }
 
+  // Where the masonry above an opening ends: below a ring beam at its top.
+  [[nodiscard]] double foot_of_ring_beam(const Box& above) const {
+    double top = above.y1;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      if (model_.anatomy.block_role[static_cast<std::size_t>(b)] != BlockRole::kRingBeam ||
+          !above.holds(model_.centroid_x[static_cast<std::size_t>(b)],
+                       model_.centroid_y[static_cast<std::size_t>(b)]))
+        continue;
+      const Box box = hull_of(outline_of(model_, b));
+      if (box.y1 > above.y1 - 0.5 * frame_.course) top = std::min(top, box.y0);
+    }
+    return top;
+  }
+
   [[nodiscard]] double lintel_depth(const Box& spandrel) const {
     double depth = 0;
     const Anatomy& a = model_.anatomy;
     for (BlockId b = 0; b < model_.n_block; ++b) {
-      if (a.block_role[b] != BlockRole::kLintel) continue;
-      if (spandrel.holds(model_.centroid_x[b], model_.centroid_y[b]))
-        depth = std::max(depth, hull_of(outline_of(model_, b)).y1 - spandrel.y0);
+      const bool is_ring = a.block_role[b] == BlockRole::kRingBeam;
+      if (!is_ring && a.block_role[b] != BlockRole::kLintel) continue;
+      if (!spandrel.holds(model_.centroid_x[b], model_.centroid_y[b])) continue;
+      const Box box = hull_of(outline_of(model_, b));
+      if (is_ring && box.y0 > spandrel.y0 + 0.5 * frame_.course) continue;  // not at its foot
+      depth = std::max(depth, box.y1 - spandrel.y0);
     }
     for (const SolidBody& body : model_.solids.bodies)
       if (spandrel.holds(0.5 * (body.x0 + body.x1), 0.5 * (body.y0 + body.y1)))
