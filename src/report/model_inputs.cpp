@@ -216,6 +216,20 @@ double foot_of(const ModelSpec& spec, const std::string& storey) {
   return 0;
 }
 
+// From the ground up.
+Json storeys_of(const ModelSpec& spec) {
+  Json list = Json::array();
+  double foot = 0;
+  for (const StoreySpec& s : spec.storey) {
+    list.push_back({{"name", s.name},
+                    {"foot", foot},
+                    {"height", s.height},
+                    {"thickness", std::isnan(s.thickness) ? spec.wall.thickness : s.thickness}});
+    foot += s.height;
+  }
+  return list;
+}
+
 Json openings_of(const ModelSpec& spec) {
   Json list = Json::array();
   for (const OpeningSpec& o : spec.wall.opening)
@@ -229,8 +243,88 @@ Json openings_of(const ModelSpec& spec) {
          {"lintel_depth_mm", o.lintel.depth * 1e3},
          {"lintel_bearing_mm", o.lintel.bearing * 1e3},
          {"arch", o.arch.kind == ArchKind::kNone ? "" : word_of(kArchKindWords, o.arch.kind)},
-         {"arch_depth_mm", o.arch.depth * 1e3}});
+         {"arch_depth_mm", o.arch.depth * 1e3},
+         {"sill", o.sill.kind},
+         {"sill_depth_mm", o.sill.depth * 1e3}});
   return list;
+}
+
+// "x = 0.4 m, y = 3.1 m", the block or the beam.
+std::string place_words(const PlaceSpec& at) {
+  if (at.beam) return "beam";
+  return at.block.empty() ? fmt::format("({:.4g} m, {:.4g} m)", at.x, at.y) : at.block;
+}
+
+// What lies on the wall, ties it or holds it: [kind, name, where, rows].
+class Carried {
+ public:
+  Json list = Json::array();
+
+  void add(const char* kind, const std::string& name, std::string where) {
+    list.push_back({{"kind", kind}, {"name", name}, {"where", std::move(where)}});
+    list.back()["rows"] = Json::array();
+  }
+  void number(const char* key, double value, const char* unit, double factor) {
+    if (!std::isnan(value)) list.back()["rows"].push_back(row(key, value * factor, unit));
+  }
+  void word(const char* key, const std::string& value) {
+    list.back()["rows"].push_back({key, value, ""});
+  }
+};
+
+std::string level_words(const std::string& storey, double y) {
+  return storey.empty() ? fmt::format("y = {:.4g} m", y) : storey;
+}
+
+std::string stretch_words(double x, double width) {
+  std::string words;
+  if (!std::isnan(x)) words += fmt::format(", x = {:.4g} m", x);
+  if (!std::isnan(width)) words += fmt::format(", {:.4g} m", width);
+  return words;
+}
+
+void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
+  for (const RingBeamSpec& r : spec.ring_beam) {
+    carried.add("ring_beam", r.name, level_words(r.storey, r.y) + stretch_words(r.x, r.width));
+    carried.number("height", r.height, "mm", 1e3);
+    carried.number("thickness", r.thickness, "mm", 1e3);
+    carried.word("material", r.material);
+  }
+  for (const FloorSpec& f : spec.floor) {
+    carried.add("floor", f.name, level_words(f.storey, f.y) + stretch_words(f.x, f.width));
+    carried.number("line_load", f.load, "kN/m", 1e-3);
+    if (!f.joists.empty()) carried.number("joists", static_cast<double>(f.joists.size()), "", 1);
+    carried.number("bearing", f.bearing, "mm", 1e3);
+    if (f.thrust != 0) carried.number("thrust", f.thrust, "kN", 1e-3);
+    if (f.mass > 0) carried.number("floor_mass", f.mass, "kg/m", 1);
+  }
+}
+
+Json carried_by(const ModelSpec& spec) {
+  Carried carried;
+  add_floors_and_rings(spec, carried);
+  for (const TieSpec& t : spec.tie) {
+    carried.add("tie", t.name, place_words(t.from) + " – " + place_words(t.to));
+    carried.number("area", t.area, "mm²", 1e6);
+    carried.number("youngs_modulus", t.youngs_modulus, "MPa", 1e-6);
+    carried.number("yield_strength", t.yield_strength, "MPa", 1e-6);
+    carried.number("anchor_strength", t.anchor_strength, "kN", 1e-3);
+    if (t.prestress > 0) carried.number("prestress", t.prestress, "MPa", 1e-6);
+  }
+  for (const DiaphragmSpec& d : spec.diaphragm) {
+    carried.add("diaphragm", d.name, level_words(d.storey, d.y));
+    carried.word("diaphragm_kind", std::string(word_of(kDiaphragmKindWords, d.kind)));
+    carried.number("points", static_cast<double>(d.x.size()), "", 1);
+    carried.number("axial_stiffness", d.stiffness, "MN", 1e-6);
+  }
+  for (const SpringSpec& s : spec.spring) {
+    carried.add("spring", s.name, place_words(s.at));
+    carried.word("direction", std::string(word_of(kDirectionWords, s.direction)));
+    carried.number("spring_stiffness", s.stiffness, "kN/mm", 1e-6);
+    carried.number("strength", s.strength, "kN", 1e-3);
+    if (s.pushes_only) carried.word("pushes_only", "yes");
+  }
+  return std::move(carried.list);
 }
 
 // "−x": with a minus sign, not a hyphen.
@@ -297,6 +391,8 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
   const SolveSpec& s = model.solve;
   return {{"wall", wall_rows(spec, model)},
           {"openings", openings_of(spec)},
+          {"storeys", storeys_of(spec)},
+          {"carried", carried_by(spec)},
           {"materials", materials_of(spec.material)},
           {"masonry", masonry_rows(spec.masonry)},
           {"origins", origins_of(spec)},

@@ -28,6 +28,8 @@ svg text.bold{font-weight:600}
 .closed{stroke:var(--closed)}.softening{stroke:var(--closed);stroke-dasharray:2.5 3}
 .crushed{fill:var(--crush);stroke:var(--paper);stroke-width:1}
 .arrow{stroke:var(--ink);stroke-width:2.4;fill:none;stroke-linejoin:round;stroke-linecap:round}
+.link{stroke:var(--curve);stroke-width:2;fill:none}.link.diaphragm{stroke-width:4;opacity:.55}
+.link.slack{stroke-dasharray:5 4}.link-end{fill:var(--curve)}.level{stroke:var(--soft);stroke-width:1}
 .scale{stroke:var(--ink);stroke-width:1.6;fill:none}
 .grid{stroke:var(--hair);stroke-width:1}.axis{stroke:var(--soft);stroke-width:1.2}
 .force{stroke:var(--curve);stroke-width:2.4;fill:none;stroke-linejoin:round}

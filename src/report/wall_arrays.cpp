@@ -118,6 +118,35 @@ void add_joints(Bundle& bundle, const Model& model) {
   add_floats(bundle, "wall.share_1", s.share_1);
 }
 
+// Ties, diaphragms and springs; their ends seen from the centroids, `along` from a to b at the start.
+Json links_of(const Model& model) {
+  const Links& l = model.links;
+  const State rest = initial_state(model);
+  const std::vector<LinkReading> links = read_links(model, rest);
+  const auto arm = [&](BlockId block, const Vec3& end) {
+    if (block == kGroundBlock) return Json{0, 0};
+    const Vec3 from = end - read_block(model, rest, block).start;
+    return Json{from.x, from.y};
+  };
+  Json list = Json::array();
+  for (std::size_t k = 0; k < links.size(); ++k)
+    list.push_back({{"name", l.name[k]},
+                    {"kind", word_of(kLinkKindWords, l.kind[k])},
+                    {"a", l.a[k]},
+                    {"b", l.b[k]},
+                    {"arm_a", arm(l.a[k], links[k].ends[0])},
+                    {"arm_b", arm(l.b[k], links[k].ends[1])},
+                    {"along", {l.span_x[k], l.span_y[k]}}});
+  return list;
+}
+
+Json storeys_of(const Anatomy& a) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < a.storey_top.size(); ++k)
+    list.push_back({{"name", a.storey_name[k]}, {"top", a.storey_top[k]}});
+  return list;
+}
+
 }  // namespace
 
 void add_wall(Bundle& bundle, const Model& model) {
@@ -137,6 +166,8 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["zones"] = s.n_zone;
     wall["contacts"] = s.n_contact;
   }
+  if (model.links.n > 0) wall["links"] = links_of(model);
+  if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
   if (const Stage* push = push_of(model)) {
     wall["push"] = {push->drive_x, push->drive_y};
     wall["load_height"] = push->load_height;
@@ -207,6 +238,8 @@ void FrameArrays::add(const Model& model, const State& state) {
     greater_.push_back(greater);
     smaller_.push_back(smaller);
   }
+  if (model.links.n > 0)
+    for (const LinkReading& link : read_links(model, state)) link_force_.push_back(link.force);
   for (const JointReading& joint : wall.joints) {
     opening_.push_back(std::fmax(0.0, joint.opening));
     slip_.push_back(joint.slip);
@@ -229,6 +262,7 @@ void FrameArrays::write(Bundle& bundle) const {
     bundle.add_rounded("frame.zone_greater", greater_);
     bundle.add_rounded("frame.zone_smaller", smaller_);
   }
+  if (!link_force_.empty()) bundle.add_rounded("frame.link_force", link_force_);
   bundle.add_rounded("frame.opening", opening_);
   bundle.add_rounded("frame.slip", slip_);
   bundle.add("frame.damage", std::span<const std::uint8_t>(damage_));

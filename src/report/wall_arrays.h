@@ -40,6 +40,7 @@ class FrameArrays {
   std::vector<double> compression_, shear_;  // [N]
   std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1
   std::vector<std::uint8_t> damage_, crushing_;
+  std::vector<double> link_force_;  // (n_frame, n_link) tension + [N]
 };
 
 }  // namespace wythe::report

@@ -1,6 +1,6 @@
 // Draws the wall. From back to front: supports and ground, blocks by role (one path for each tint),
 // sound joints (one path for all), cracked joints (one line each, with its numbers as a tooltip),
-// crushed points, push arrow, scale bar.
+// crushed points, links, tops of storeys, push arrow, scale bar.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,9 +89,8 @@ std::string draw_blocks(const Model& model, const State& state, double scale,
     for (const Vec3& p : outline_now(model, state, b, scale)) outline.push_back(canvas(p));
     const BlockRole role = read_block(model, state, b).role;
     const int tint = b < model.n_block ? tint_of(model, b) : 0;
-    std::string& group = role == BlockRole::kMasonry  ? stones[tint]
-                         : role == BlockRole::kLintel ? timber
-                                                      : plates;
+    const bool is_timber = role == BlockRole::kLintel || role == BlockRole::kSill;
+    std::string& group = role == BlockRole::kMasonry ? stones[tint] : is_timber ? timber : plates;
     group += path_data(outline, true);
   }
   std::string out;
@@ -255,6 +254,56 @@ std::string draw_arrows(const Model& model, const State& state, double scale,
   return out;
 }
 
+// A wall across as a coil between the point and a short upright, the neighbour's side.
+std::string coil(Pixel end, double dx, double dy) {
+  constexpr double kStep = 5, kHalf = 5;
+  std::vector<Pixel> points{end};
+  for (int k = 1; k <= 6; ++k) {
+    const double off = k == 6 ? 0 : (k % 2 == 0 ? -kHalf : kHalf);
+    points.push_back({end.x + kStep * k * dx - off * dy, end.y + kStep * k * dy + off * dx});
+  }
+  const Pixel foot = points.back();
+  const Pixel from{foot.x - 9 * dy, foot.y + 9 * dx}, to{foot.x + 9 * dy, foot.y - 9 * dx};
+  return path_data(points, false) + path_data({from, to}, false);
+}
+
+// Ties, diaphragms and springs with their forces as tooltips; what hangs slack is dashed.
+std::string draw_links(const Model& model, const State& state, double scale, const Canvas& canvas) {
+  if (model.links.n == 0) return "";
+  const Links& l = model.links;
+  const std::vector<LinkReading> rest = read_links(model, initial_state(model)),
+                                 now = read_links(model, state);
+  std::string out;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const auto at = [&](int end) {
+      const auto e = static_cast<std::size_t>(end);
+      return canvas(rest[k].ends[e] + scale * (now[k].ends[e] - rest[k].ends[e]));
+    };
+    const bool is_spring = l.kind[k] == LinkKind::kSpring;
+    const std::string shape =
+        is_spring ? coil(at(1), -l.span_x[k], l.span_y[k]) : path_data({at(0), at(1)}, false);
+    std::string css = "link " + std::string(word_of(kLinkKindWords, l.kind[k]));
+    if (l.kind[k] == LinkKind::kTie && !(now[k].force > 0)) css += " slack";
+    out += fmt::format("<path class=\"{}\" d=\"{}\"><title>{}: {:+.1f} kN</title></path>", css,
+                       shape, escaped(l.name[k]), 1e-3 * now[k].force);
+    if (is_spring) continue;
+    out += circle(at(0), 3, "link-end") + circle(at(1), 3, "link-end");
+  }
+  return out;
+}
+
+// Tops of storeys, at the wall's right end.
+std::string draw_storeys(const Model& model, const Canvas& canvas) {
+  std::string out;
+  for (std::size_t k = 0; k < model.anatomy.storey_top.size(); ++k) {
+    const Pixel at = canvas({model.anatomy.length, model.anatomy.storey_top[k], 0});
+    out += path(path_data({{at.x + 2, at.y}, {at.x + 30, at.y}}, false), "level") +
+           label({canvas.width - 3, at.y - 3}, fmt::format("{:.2f} m", model.anatomy.storey_top[k]),
+                 "small", "end");
+  }
+  return out;
+}
+
 std::string draw_scale_bar(const Canvas& canvas) {
   // a round length of a tenth to a quarter of the wall
   const double metres = ticks(0, 0.25 * kWidth / canvas.x.factor, 3)[1];
@@ -293,7 +342,8 @@ WallPicture draw_wall(const Model& model, const State& state, double scale) {
   };
   picture.svg += draw_joints(wall, ends, canvas, picture);
   picture.svg += draw_crushed(wall, ends, canvas, picture);
-  picture.svg += draw_arrows(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
+  picture.svg += draw_links(model, state, scale, canvas) + draw_storeys(model, canvas) +
+                 draw_arrows(model, state, scale, canvas) + draw_scale_bar(canvas) + "</svg>\n";
   return picture;
 }
 

@@ -19,9 +19,12 @@
 #include "report/texts.h"
 #include "report/wall_picture.h"
 #include "scenes/sample_run.h"
+#include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "wythe/error.h"
+#include "wythe/reading.h"
 #include "wythe/report.h"
+#include "wythe/solve.h"
 #include "wythe/statistics.h"
 
 namespace wythe {
@@ -463,6 +466,67 @@ TEST(WallPicture, alone_it_is_a_document_with_its_own_style) {
   EXPECT_EQ(svg.rfind("<?xml", 0), 0u);
   EXPECT_EQ(count(svg, "<style>"), 1);
   EXPECT_EQ(unclosed_tag(svg), "");
+}
+
+// --- what holds a wall -----------------------------------------------------------------------
+
+TEST(ReportLinks, are_drawn_with_their_forces_and_stand_in_the_page_s_data) {
+  ModelSpec spec = scenes::tied(scenes::small_wall());
+  spec.stage.resize(1);
+  StoreySpec storey;
+  storey.name = "<ground>";
+  storey.height = spec.wall.height;
+  spec.storey = {storey};
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  Result result = solve(model, state);
+  result.snapshots = {{"end", 0, 0, state}};
+  const std::string svg = wall_svg(model, state, 1);
+  EXPECT_EQ(unclosed_tag(svg.substr(svg.find("<svg"))), "");
+  EXPECT_EQ(count(svg, "class=\"link tie"), 2);
+  EXPECT_EQ(count(svg, "class=\"link diaphragm"), 2);
+  EXPECT_EQ(count(svg, "class=\"link spring"), 1);
+  EXPECT_EQ(count(wall_svg(model, initial_state(model), 1), "link tie slack"), 2);
+  EXPECT_EQ(count(svg, "link tie slack"), read_links(model, state)[1].force > 0 ? 0 : 1);
+  EXPECT_EQ(count(svg, "class=\"level\""), 1);
+  EXPECT_NE(svg.find("<title>across: +"), std::string::npos);
+  const Json header = header_of(run_data(spec, model, result));
+  ASSERT_EQ(header["wall"]["links"].size(), 5U);
+  EXPECT_EQ(header["wall"]["links"][1]["a"], -1) << "an anchor that does not move";
+  EXPECT_EQ(header["wall"]["storeys"][0]["name"], "<ground>");
+  EXPECT_EQ(header["arrays"]["frame.link_force"]["count"].get<std::size_t>() %
+                header["wall"]["links"].size(),
+            0U);
+  const Json& carried = header["inputs"]["carried"];
+  ASSERT_EQ(carried.size(), 4U);
+  EXPECT_EQ(carried[0]["kind"], "tie");
+  EXPECT_EQ(carried[2]["kind"], "diaphragm");
+  EXPECT_EQ(carried[3]["kind"], "spring");
+}
+
+TEST(ReportInputs, floors_ring_beams_sills_and_storeys_stand_in_the_list) {
+  ModelSpec spec = scenes::small_wall();
+  spec.material["concrete"] = scenes::paper_joint();
+  spec.material["concrete"].density = 2500;
+  spec.material["concrete"].youngs_modulus = 30e9;
+  spec.material["concrete"].shear_modulus = 12e9;
+  RingBeamSpec ring;
+  ring.y = 0.77;
+  ring.height = 0.11;
+  ring.material = "concrete";
+  spec.ring_beam = {ring};
+  FloorSpec floor;
+  floor.y = 0.88;
+  floor.load = 10e3;
+  spec.floor = {floor};
+  const Model model = compile(spec);
+  const Json inputs = model_inputs(spec, model);
+  ASSERT_EQ(inputs["carried"].size(), 2U);
+  EXPECT_EQ(inputs["carried"][0]["kind"], "ring_beam");
+  EXPECT_EQ(inputs["carried"][0]["where"], "y = 0.77 m");
+  EXPECT_EQ(inputs["carried"][1]["rows"][0], Json({"line_load", 10.0, "kN/m"}));
+  const std::string svg = wall_svg(model, initial_state(model), 1);
+  EXPECT_GE(count(svg, "class=\"plate\""), 1);
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ const plain = [
 // One row an opening: a facade has many.
 function openings(list: any[]): Child {
   if (list.length === 0) return null;
+  const sill = (o: any): string =>
+    o.sill ? `; ${say("input.sill_words", { kind: phrase(o.sill), depth: qty(o.sill_depth_mm, "mm", 4) })}` : "";
   const lintel = (o: any): string =>
     o.arch
       ? say("input.arch_words", { kind: phrase(o.arch), depth: qty(o.arch_depth_mm, "mm", 4) })
@@ -48,9 +50,42 @@ function openings(list: any[]): Child {
       num(o.y, 4),
       num(o.width, 4),
       num(o.height, 4),
-      lintel(o),
+      lintel(o) + sill(o),
     ]),
     say("input.openings"),
+  );
+}
+
+// Storeys from the ground up.
+function storeys(list: any[]): Child {
+  if (list.length === 0) return null;
+  return table(
+    [
+      { head: "", left: true },
+      { head: `${say("input.foot")} [m]` },
+      { head: `${say("input.height")} [m]` },
+      { head: `${say("input.thickness")} [m]` },
+    ],
+    list.map((s: any) => [s.name, num(s.foot, 4), num(s.height, 4), num(s.thickness, 3)]),
+    say("input.storeys"),
+  );
+}
+
+// What lies on the wall, ties it or holds it: one row each.
+function carried(list: any[]): Child {
+  if (list.length === 0) return null;
+  return table(
+    [
+      { head: "", left: true },
+      { head: say("input.where"), left: true },
+      { head: "", left: true },
+    ],
+    list.map((c: any) => [
+      [say(`input.${c.kind}`), c.name ? h("span", { class: "soft" }, ` ${c.name}`) : null],
+      c.where,
+      c.rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`).join("; "),
+    ]),
+    say("input.carried"),
   );
 }
 
@@ -122,7 +157,9 @@ export function inputTables(inputs: any, note: string): Child {
         table(plain, rowsOf(inputs.settings), say("input.settings"), "facts"),
       ),
     ),
+    storeys(inputs.storeys ?? []),
     openings(inputs.openings),
+    carried(inputs.carried ?? []),
     materials.names.length > 0
       ? table(
           [{ head: "", left: true }, ...materials.names.map((n: string) => ({ head: n }))],

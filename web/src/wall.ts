@@ -43,7 +43,20 @@ export interface Part {
   blocks: number[]; // whose centroids lie in it
 }
 
+// A tie, diaphragm or spring; `along` from end a to end b at the start, of a spring a unit vector.
+export interface Link {
+  name: string;
+  kind: "tie" | "diaphragm" | "spring";
+  a: number; // block, -1: a point that does not move
+  b: number;
+  arm_a: [number, number];
+  arm_b: [number, number];
+  along: [number, number];
+}
+
 export interface Wall {
+  links: Link[];
+  storeys: { name: string; top: number }[]; // from the ground up [m]
   parts: Part[];
   fields: Field[];
   allFields: Field[];
@@ -63,7 +76,7 @@ export interface Wall {
   centroidX: Numbers;
   centroidY: Numbers;
   blockThickness: Numbers;
-  role: string[]; // "masonry", "lintel", "plate", "beam"
+  role: string[]; // "masonry", "lintel", "plate", "beam", "ring_beam", "sill"
   jointA: Numbers;
   jointB: Numbers;
   kind: string[]; // "bed", "head", ...
@@ -134,6 +147,8 @@ export function readWall(bundle: Bundle): Wall | null {
   const words = (name: string, list: string[]): string[] => Array.from(get(name), (number) => list[number]);
   const wall = {
     ...head,
+    links: head.links ?? [],
+    storeys: head.storeys ?? [],
     push: head.push ?? null,
     driven: head.push ? get("driven") : null,
     pushed: head.pushed ?? (head.push ? [{ end: get("driven").length, length: 1 }] : []),
@@ -201,6 +216,7 @@ export class Frames {
       "eccentricity",
       "zone_greater",
       "zone_smaller",
+      "link_force",
     ])
       if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
     this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
@@ -229,6 +245,7 @@ export class Frames {
       eccentricity: this.hasForces ? joint("eccentricity") : null,
       greater: zones > 0 ? this.slice("zone_greater", frame, zones) : null,
       smaller: zones > 0 ? this.slice("zone_smaller", frame, zones) : null,
+      linkForce: "link_force" in this.arrays ? this.slice("link_force", frame, this.wall.links.length) : null,
     };
   }
 }
@@ -247,6 +264,7 @@ export interface Frame {
   eccentricity: Numbers | null; // [N], [N], -1 to 1
   greater: Numbers | null; // principal stresses of zones, tension positive [Pa]
   smaller: Numbers | null;
+  linkForce: Numbers | null; // tension + [N]
 }
 
 const kQuarter = Math.PI / 2;
@@ -285,6 +303,18 @@ export class Pose {
       ay = this.wall.outlineY[i] - this.wall.centroidY[b];
     return [this.x[b] + this.c[b] * ax - this.s[b] * ay, this.y[b] + this.s[b] * ax + this.c[b] * ay];
   }
+  // Both ends of a link; of a spring both where it holds its block.
+  link(l: Link): [[number, number], [number, number]] {
+    const of = (b: number, [x, y]: [number, number]): [number, number] => [
+      this.x[b] + this.c[b] * x - this.s[b] * y,
+      this.y[b] + this.s[b] * x + this.c[b] * y,
+    ];
+    const end = of(l.b, l.arm_b);
+    if (l.kind === "spring") return [end, end];
+    if (l.a >= 0) return [of(l.a, l.arm_a), end];
+    const { centroidX, centroidY } = this.wall;
+    return [[centroidX[l.b] + l.arm_b[0] - l.along[0], centroidY[l.b] + l.arm_b[1] - l.along[1]], end];
+  }
   node(mesh: Mesh, n: number): [number, number] {
     const { nodeUx, nodeUy } = this.frame;
     return [
@@ -317,6 +347,10 @@ export class Pose {
     ];
   }
 }
+
+// Style of a block that is no masonry, else "".
+export const bodyCss = (role: string): string =>
+  role === "lintel" || role === "sill" ? "timber" : role === "masonry" ? "" : "plate";
 
 // A round magnification at which the largest displacement shows as some 5 % of the wall.
 export function fittingScale(wall: Wall, frames: Frames, frame = frames.count - 1): number {

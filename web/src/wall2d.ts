@@ -5,6 +5,7 @@ import { Paths, type Painter } from "./paths";
 import { qty, say } from "./texts";
 import { ticks } from "./plot";
 import {
+  bodyCss,
   crackOf,
   fieldOf,
   forcesOf,
@@ -65,11 +66,7 @@ function drawBlocks(wall: Wall, pose: Pose, paths: Paths): void {
   for (let b = 0; b < wall.blocks; ++b) {
     const points: [number, number][] = [];
     for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) points.push(pose.corner(b, i));
-    const role = wall.role[b];
-    paths.polygon(
-      role === "lintel" ? "timber" : role === "plate" || role === "beam" ? "plate" : `stone stone${tintOf(b)}`,
-      points,
-    );
+    paths.polygon(bodyCss(wall.role[b]) || `stone stone${tintOf(b)}`, points);
   }
 }
 
@@ -292,6 +289,54 @@ export function drawParts(wall: Wall, frames: Frames, look: Look, canvas: Canvas
   return layer;
 }
 
+// A wall across as a coil between the point and a short upright, the neighbour's side; dx, dy in pixels.
+function coil(x: number, y: number, dx: number, dy: number): string {
+  const at = (along: number, off: number): string =>
+    `${(x + along * dx - off * dy).toFixed(1)} ${(y + along * dy + off * dx).toFixed(1)}`;
+  const turns = [5, -5, 5, -5, 5].map((off, k) => at(5 * (k + 1), off));
+  return `M${at(0, 0)}L${turns.join("L")}L${at(30, 0)}M${at(30, -9)}L${at(30, 9)}`;
+}
+
+// Ties, diaphragms and springs, each with its force to point at; a tie that hangs slack is dashed.
+function drawLinks(wall: Wall, pose: Pose, canvas: Canvas): SVGElement[] {
+  const force = pose.frame.linkForce;
+  return wall.links.map((link, k) => {
+    const [[ax, ay], [bx, by]] = pose.link(link).map(([x, y]) => [canvas.X(x), canvas.Y(y)]);
+    const d =
+      link.kind === "spring"
+        ? coil(bx, by, -link.along[0], link.along[1])
+        : `M${ax.toFixed(1)} ${ay.toFixed(1)}L${bx.toFixed(1)} ${by.toFixed(1)}`;
+    const slack = link.kind === "tie" && force !== null && !(force[k] > 0) ? " slack" : "";
+    const ends =
+      link.kind === "spring" ? [] : [[ax, ay], [bx, by]].map(([cx, cy]) => svg("circle", { cx, cy, r: 3 }));
+    const words = force === null ? link.name : `${link.name}: ${qty(force[k] / 1e3, "kN", 3)}`;
+    return svg(
+      "g",
+      { class: `link ${link.kind}${slack}`, "data-link": link.name },
+      svg("title", {}, words),
+      svg("path", { d }),
+      ...ends,
+    );
+  });
+}
+
+// Tops of storeys, at the wall's right end.
+function drawStoreys(wall: Wall, canvas: Canvas): SVGElement[] {
+  return wall.storeys.flatMap(({ name, top }) => {
+    const x = canvas.X(wall.length),
+      y = canvas.Y(top);
+    return [
+      svg("path", { class: "level", d: `M${x + 2} ${y.toFixed(1)}H${canvas.width - 2}` }),
+      svg(
+        "text",
+        { class: "tick", x: canvas.width - 2, y: (y - 3).toFixed(1), "text-anchor": "end" },
+        svg("title", {}, name),
+        qty(top, "m", 3),
+      ),
+    ];
+  });
+}
+
 function drawScaleBar(canvas: Canvas): SVGElement {
   const metres = ticks([0, (0.25 * canvas.width) / canvas.k], 3)[1];
   const right = canvas.width - 8,
@@ -363,6 +408,7 @@ export function drawWall(
     picture.appendChild(mark);
   }
   if (look.forces) append(picture, drawForces(wall, pose, canvas));
+  append(picture, [...drawLinks(wall, pose, canvas), ...drawStoreys(wall, canvas)]);
   append(picture, [...drawArrows(wall, pose, canvas), drawScaleBar(canvas)]);
   picture.appendChild(drawParts(wall, frames, look, canvas));
   return picture;

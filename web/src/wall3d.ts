@@ -22,6 +22,7 @@ import {
 import { say } from "./texts";
 import type { Look } from "./wall2d";
 import {
+  bodyCss,
   crackOf,
   forcesOf,
   jointStress,
@@ -204,12 +205,9 @@ class WallScene implements Scene {
         [x, y] = pose.corner(b, corner[v]),
         role = this.wall.role[b];
       position.setXYZ(v, x, y, (side[v] * this.wall.blockThickness[b]) / 2);
+      const body = bodyCss(role);
       const c =
-        role === "lintel"
-          ? timber
-          : role === "plate" || role === "beam"
-            ? plate
-            : tints[((Math.imul(b, 2654435761) >>> 13) + b) % 4];
+        body === "timber" ? timber : body === "plate" ? plate : tints[((Math.imul(b, 2654435761) >>> 13) + b) % 4];
       colour.setXYZ(v, c.r, c.g, c.b);
     }
     const outline = edges.getAttribute("position") as BufferAttribute;
