@@ -231,12 +231,13 @@ struct Space {
   std::vector<double> point_share;         // of the face's area; of each face they sum to 1
 
   // read by the pass over blocks (one row per block)
-  std::vector<Vec3> axis_1, axis_2, axis_3;   // principal axes at the start, right-handed
-  std::vector<Vec3> inertia;                  // about them [kg m^2]
-  std::vector<Vec3> centroid;                 // at the start [m]; the supports' follow
+  std::vector<Vec3> axis_1, axis_2, axis_3;  // principal axes at the start, right-handed
+  std::vector<Vec3> inertia;                 // about them [kg m^2]
+  std::vector<Vec3> centroid;                // at the start [m]; the supports' follow
   // names and shapes, for pictures and reports; bodies are the blocks, then the supports
   std::vector<BodySpec> body;
-  std::vector<std::vector<Vec3>> face;  // outline of each joint at the start, anticlockwise about n [m]
+  std::vector<std::vector<Vec3>>
+      face;  // outline of each joint at the start, anticlockwise about n [m]
 };
 
 struct Model {
@@ -320,7 +321,8 @@ struct State {
   std::vector<double> qw, qx, qy, qz;  // [-]
   std::vector<double> lx, ly, lz;      // at the half step [kg m^2/s]
   std::vector<double> plastic_slip_2;  // along t2; plastic_slip is along t1 [m] (n_history)
-  std::vector<double> support_x, support_y, support_z;  // how far a support was driven [m] (n_support)
+  std::vector<double> support_x, support_y,
+      support_z;  // how far a support was driven [m] (n_support)
 
   // written by the pass over links (n_link)
   std::vector<double> link_force;    // tension + [N]

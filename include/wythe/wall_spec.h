@@ -56,12 +56,9 @@ static_assert(names_all(kPlaneWords));
 
 // The last two are for walls in space alone.
 enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ };
-inline constexpr Word<Direction> kDirectionWords[] = {{"+x", Direction::kPlusX},
-                                                      {"-x", Direction::kMinusX},
-                                                      {"+y", Direction::kPlusY},
-                                                      {"-y", Direction::kMinusY},
-                                                      {"+z", Direction::kPlusZ},
-                                                      {"-z", Direction::kMinusZ}};
+inline constexpr Word<Direction> kDirectionWords[] = {
+    {"+x", Direction::kPlusX},  {"-x", Direction::kMinusX}, {"+y", Direction::kPlusY},
+    {"-y", Direction::kMinusY}, {"+z", Direction::kPlusZ},  {"-z", Direction::kMinusZ}};
 static_assert(names_all(kDirectionWords));
 
 // Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
@@ -264,7 +261,7 @@ struct WallSpec {
   Bond bond = Bond::kRunning;
   Fit fit = Fit::kWhole;
   std::string blocks;  // path of a blocks file; then length, height, bond, unit sizes are not used
-  std::string up;      // axis of a file in space that points up, "y" or "z"; "": as its format has it
+  std::string up;  // axis of a file in space that points up, "y" or "z"; "": as its format has it
   std::vector<std::string> supports;  // blocks of such a file that stand still, by id; * at the end
   UnitSpec unit;
   std::vector<OpeningSpec> opening;
@@ -325,8 +322,8 @@ struct StageSpec {
   double fast_below = 2e-4;       // unbalance ratio below which the wall is near balance
   double until = kUnset;          // [m]
   std::vector<double> along;      // in space: any direction, in the place of `direction`
-  PlaceSpec on;      // in space: blocks whose faces the pressure acts on; unset: all
-  std::string face;  // in space: where those faces look, a word of Direction; "": up
+  PlaceSpec on;                   // in space: blocks whose faces the pressure acts on; unset: all
+  std::string face;               // in space: where those faces look, a word of Direction; "": up
   std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
   double stop_below = 0;          // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;
@@ -354,17 +351,17 @@ static_assert(names_all(kPointRuleWords, 1));  // kDefault is not written
 // Local damping in space: of each component in the wall's axes, as in the paper, or of force and moment as
 // vectors, which knows no axes (docs/theory/space.md).
 enum class DampingForm { kVector, kComponents };
-inline constexpr Word<DampingForm> kDampingFormWords[] = {
-    {"vector", DampingForm::kVector}, {"components", DampingForm::kComponents}};
+inline constexpr Word<DampingForm> kDampingFormWords[] = {{"vector", DampingForm::kVector},
+                                                          {"components", DampingForm::kComponents}};
 static_assert(names_all(kDampingFormWords));
 
 struct SolveSpec {
   PointRule point_rule = PointRule::kDefault;
-  int points_per_face = 0;          // 0: as the rule has it; both unstated: lobatto, 3
-  double step_fraction = 0.95;      // of the longest stable step, damping included
-  double damping = 0.8;             // local damping
+  int points_per_face = 0;      // 0: as the rule has it; both unstated: lobatto, 3
+  double step_fraction = 0.95;  // of the longest stable step, damping included
+  double damping = 0.8;         // local damping
   DampingForm damping_form = DampingForm::kVector;  // in space alone
-  double gravity = 9.81;            // [m/s^2]
+  double gravity = 9.81;                            // [m/s^2]
   double settle_ratio = 1e-5;       // a stage has settled below this unbalance ratio
   double settle_limit = 20;         // give up settling after this time [s]
   double mass_scaling = 1;          // density scaling of the gravity and load stages
