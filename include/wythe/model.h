@@ -99,6 +99,8 @@ struct Stage {
   double drive_x = 0, drive_y = 0;  // unit vector of the push
   double drive_z = 0;               // in space
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
+
+  [[nodiscard]] Vec3 drive() const { return {drive_x, drive_y, drive_z}; }
 };
 
 // Names and positions, for pictures, failure modes and reports; the step never reads them.

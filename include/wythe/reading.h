@@ -49,7 +49,7 @@ struct JointShape {
 };
 [[nodiscard]] JointShape joint_shape(const Model& model, JointId joint);
 
-// Corners of a block at the start, anticlockwise [m].
+// Corners of a block at the start, anticlockwise [m]; none in space.
 [[nodiscard]] std::vector<Vec3> outline_of(const Model& model, BlockId block);
 
 // --- where it is now -------------------------------------------------------------------------------
@@ -74,6 +74,13 @@ struct BlockReading {
 [[nodiscard]] Vec3 node_now(const Model& model, const State& state, int node, double scale = 1);
 [[nodiscard]] Vec3 node_moved(const State& state, int node);  // [m]
 
+// Convex parts of a block of a wall in space; n_block + i is support i.
+[[nodiscard]] std::vector<Polyhedron> solid_now(const Model& model, const State& state,
+                                                BlockId block, double scale = 1);
+// The joint's polygon, half way between its two faces, anticlockwise about its normal.
+[[nodiscard]] std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint,
+                                         double scale = 1);
+
 // --- what it does and carries ----------------------------------------------------------------------
 
 // A point of a joint: the law's answer at rest on the present state, with the step's arithmetic; and
@@ -88,6 +95,9 @@ struct PointReading {
   double crushed = 0;                          // shortening by crushing [m]
   double normal_stress = 0, shear_stress = 0;  // tension + [Pa]
   double damage_tension = 0, damage_shear = 0, damage = 0, crushing = 0;  // [-]
+  // in space, where slip and shear_stress are their lengths
+  Vec3 slip_vector;   // [m]
+  Vec3 shear_vector;  // stress on a [Pa]
 };
 // Of all joints, in the order of points_of().
 [[nodiscard]] std::vector<PointReading> read_points(const Model& model, const State& state);
@@ -104,7 +114,12 @@ struct JointReading {
   double compression = 0, shear = 0;            // forces: normal, pressed +; along the face [N]
   double moment = 0;                            // of the compression about the centre [N m]
   double eccentricity = 0;                      // of the compression over half the face, -1 to 1; 0
-                                                // where nothing presses
+      // where nothing presses; in space the larger of both
+      // directions of the face
+  // in space, where shear and moment are their lengths
+  Vec3 slip_vector;    // mean over the area [m]
+  Vec3 shear_vector;   // force on a, along the face [N]
+  Vec3 moment_vector;  // on a about the centre; its part along the normal is the torsion [N m]
 };
 
 struct WallReading {

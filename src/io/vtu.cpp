@@ -20,6 +20,7 @@ static_assert(std::endian::native == std::endian::little, "byte_order below says
 
 constexpr std::uint8_t kVtkLine = 3;
 constexpr std::uint8_t kVtkPolygon = 7;
+constexpr std::uint8_t kVtkPolyhedron = 42;
 
 template <class T>
 constexpr const char* vtk_type();
@@ -62,6 +63,20 @@ struct Mesh {
   std::uint8_t cell_type = kVtkPolygon;
 
   void add_point(const Vec3& p) { add(points, p); }
+  // of polyhedra: each cell's count of faces, then of each face its count and its points
+  std::vector<std::int64_t> faces, face_offsets;
+
+  void add_solid(const Polyhedron& part) {
+    const auto first = static_cast<std::int64_t>(points.size() / 3);
+    for (const Vec3& p : part.vertex) add_point(p);
+    faces.push_back(static_cast<std::int64_t>(part.face.size()));
+    for (const std::vector<std::int32_t>& corners : part.face) {
+      faces.push_back(static_cast<std::int64_t>(corners.size()));
+      for (const std::int32_t corner : corners) faces.push_back(first + corner);
+    }
+    face_offsets.push_back(static_cast<std::int64_t>(faces.size()));
+    close_cell();
+  }
   void close_cell() { offsets.push_back(static_cast<std::int64_t>(points.size() / 3)); }
 };
 
@@ -81,7 +96,10 @@ std::string mesh_vtu(const Mesh& mesh, const State& state, const std::string& ce
                       mesh.offsets.size());
   text += "<Points>\n" + data_array("Points", mesh.points, 3) + "</Points>\n<Cells>\n";
   text += data_array("connectivity", connectivity) + data_array("offsets", mesh.offsets) +
-          data_array("types", types) + "</Cells>\n<CellData>\n" + cell_data;
+          data_array("types", types);
+  if (!mesh.faces.empty())
+    text += data_array("faces", mesh.faces) + data_array("faceoffsets", mesh.face_offsets);
+  text += "</Cells>\n<CellData>\n" + cell_data;
   return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
@@ -121,18 +139,28 @@ std::vector<double> doubles_of(std::string_view packed, const std::string& file,
 
 std::string blocks_vtu(const Model& model, const State& state) {
   Mesh mesh;
+  if (model.in_space()) mesh.cell_type = kVtkPolyhedron;
   std::vector<double> displacement;
   std::vector<BlockReading> blocks;
   std::vector<std::int32_t> role, course, block;
   for (BlockId b = 0; b < model.n_block; ++b) {
     const BlockReading now = read_block(model, state, b);
-    for (const Vec3& p : outline_now(model, state, b)) mesh.add_point(p);
-    mesh.close_cell();
-    add(displacement, 1e3 * now.moved);
-    blocks.push_back(now);
-    role.push_back(static_cast<std::int32_t>(now.role));
-    course.push_back(model.anatomy.block_course[b]);
-    block.push_back(b);
+    std::size_t cells = 1;
+    if (model.in_space()) {
+      const std::vector<Polyhedron> parts = solid_now(model, state, b);
+      for (const Polyhedron& part : parts) mesh.add_solid(part);
+      cells = parts.size();
+    } else {
+      for (const Vec3& p : outline_now(model, state, b)) mesh.add_point(p);
+      mesh.close_cell();
+    }
+    for (; cells > 0; --cells) {
+      add(displacement, 1e3 * now.moved);
+      blocks.push_back(now);
+      role.push_back(static_cast<std::int32_t>(now.role));
+      course.push_back(model.anatomy.block_course[b]);
+      block.push_back(b);
+    }
   }
   return mesh_vtu(mesh, state,
                   data_array("displacement_mm", displacement, 3) +
@@ -142,11 +170,14 @@ std::string blocks_vtu(const Model& model, const State& state) {
 
 std::string joints_vtu(const Model& model, const State& state) {
   Mesh mesh;
-  mesh.cell_type = kVtkLine;
+  mesh.cell_type = model.in_space() ? kVtkPolygon : kVtkLine;
   std::vector<std::int32_t> kind, id;
   const std::vector<JointReading> joints = read_wall(model, state).joints;
   for (const JointReading& joint : joints) {
-    for (const Vec3& p : ends_now(model, state, joint.shape.id)) mesh.add_point(p);
+    if (model.in_space())
+      for (const Vec3& p : face_now(model, state, joint.shape.id)) mesh.add_point(p);
+    else
+      for (const Vec3& p : ends_now(model, state, joint.shape.id)) mesh.add_point(p);
     mesh.close_cell();
     kind.push_back(static_cast<std::int32_t>(joint.shape.kind));
     id.push_back(joint.shape.id < model.n_joint ? joint.shape.id : -1);

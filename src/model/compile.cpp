@@ -12,6 +12,7 @@
 #include "model/parts.h"
 #include "model/point_rule.h"
 #include "model/size.h"
+#include "model/space.h"
 #include "model/step_bound.h"
 
 namespace wythe {
@@ -181,13 +182,28 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
 
 }  // namespace
 
-Model compile(const ModelSpec& spec) { return fill(spec, build(spec)); }
+[[nodiscard]] static geometry::SpaceAssembly build_in_space(const ModelSpec& spec) {
+  FaultList faults;
+  geometry::SpaceAssembly assembly = assemble_space(spec, faults);
+  faults.throw_if_any();
+  return assembly;
+}
 
-Compiler::Compiler(const ModelSpec& spec)
-    : shape_(geometry::shape_key(spec)), assembly_(build(spec)) {}
+Model compile(const ModelSpec& spec) {
+  if (!spec.body.empty()) return compile_space(spec, build_in_space(spec));
+  return fill(spec, build(spec));
+}
+
+Compiler::Compiler(const ModelSpec& spec) : shape_(geometry::shape_key(spec)) {
+  if (spec.body.empty())
+    assembly_ = build(spec);
+  else
+    in_space_ = build_in_space(spec);
+}
 
 Model Compiler::compile(const ModelSpec& spec) const {
   if (geometry::shape_key(spec) != shape_) return wythe::compile(spec);
+  if (!spec.body.empty()) return compile_space(spec, in_space_);
   FaultList faults;
   check_settings(spec, faults);
   faults.throw_if_any();

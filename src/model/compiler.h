@@ -6,6 +6,7 @@
 #pragma once
 
 #include "geometry/assembly.h"
+#include "geometry/joint_faces.h"
 #include "wythe/model.h"
 
 namespace wythe {
@@ -21,6 +22,7 @@ class Compiler {
  private:
   std::uint64_t shape_;
   geometry::Assembly assembly_;
+  geometry::SpaceAssembly in_space_;  // of a wall in space
 };
 
 }  // namespace wythe

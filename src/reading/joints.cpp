@@ -7,6 +7,7 @@
 #include "contact/short_ways.h"
 #include "core/real.h"
 #include "model/fields.h"
+#include "reading/space.h"
 #include "wythe/reading.h"
 
 namespace wythe {
@@ -160,6 +161,7 @@ class LawOf {
 }  // namespace
 
 std::vector<PointReading> read_points(const Model& m, const State& s) {
+  if (m.in_space()) return reading::points_in_space(m, s);
   LawOf law(m);
   const Histories history(s);
   const std::vector<SinCos<double>> block = rotations_of(s);
@@ -237,7 +239,9 @@ WallReading read_wall(const Model& model, const State& state) {
     wall.blocks.push_back(read_block(model, state, b));
   wall.joints.reserve(joint_count(model));
   for (JointId j = 0; j < joint_count(model); ++j)
-    wall.joints.push_back(sum_up(joint_shape(model, j), points_of(model, j), wall.points));
+    wall.joints.push_back(model.in_space()
+                              ? reading::joint_in_space(model, j, wall.points)
+                              : sum_up(joint_shape(model, j), points_of(model, j), wall.points));
   return wall;
 }
 
@@ -263,6 +267,7 @@ bool is_on_support(const Anatomy& a, Vec3 place) {
 }  // namespace
 
 bool has_slid_off(const Model& model, const std::vector<PointReading>& points, JointId joint) {
+  if (model.in_space()) return reading::slid_off_in_space(model, points, joint);
   double slip = 0;
   bool pressed = false;
   const PointRange range = points_of(model, joint);

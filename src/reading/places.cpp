@@ -1,6 +1,7 @@
 // What of blocks and joints never changes, and where they and the nodes of zones are now. The step keeps
 // places of its own; these can be magnified, for pictures.
 #include <algorithm>
+#include <cmath>
 
 #include "wythe/reading.h"
 
@@ -69,6 +70,24 @@ JointShape contact_shape(const Model& model, JointId joint) {
   return shape;
 }
 
+// The rest of the shape in space; half as far along t1 as its points reach.
+JointShape face_in_space(const Model& m, JointId j, JointShape shape) {
+  const Space& s = m.space;
+  if (shape.a >= m.n_block)
+    shape.a = kGroundBlock;
+  else
+    shape.arm_a = s.arm_a[j];
+  shape.arm_b = s.arm_b[j];
+  shape.centre = s.centroid[shape.b] + shape.arm_b;
+  shape.along = s.tangent[j];
+  shape.normal = s.normal[j];
+  double reach = 0;
+  for (auto p = s.point_begin[j]; p < s.point_begin[j + 1]; ++p)
+    reach = std::max(reach, std::fabs(s.point_r1[p]));
+  shape.half = reach * shape.along;
+  return shape;
+}
+
 JointShape face_shape(const Model& m, JointId j) {
   JointShape shape;
   shape.id = j;
@@ -77,6 +96,7 @@ JointShape face_shape(const Model& m, JointId j) {
   shape.b = m.joint_b[j];
   shape.material = m.joint_material[j];
   shape.area = m.area[j];
+  if (m.in_space()) return face_in_space(m, j, shape);
   shape.arm_a = {m.arm_a_x[j], m.arm_a_y[j]};
   shape.arm_b = {m.arm_b_x[j], m.arm_b_y[j]};
   shape.centre = Vec3{m.centroid_x[shape.b], m.centroid_y[shape.b]} + shape.arm_b;
@@ -88,6 +108,7 @@ JointShape face_shape(const Model& m, JointId j) {
 }  // namespace
 
 PointRange points_of(const Model& model, JointId joint) {
+  if (model.in_space()) return {model.space.point_begin[joint], model.space.point_begin[joint + 1]};
   const int per = model.n_face_point, contact = joint - model.n_joint;
   if (contact < 0) return {joint * per, (joint + 1) * per};
   return {model.n_point() + 2 * contact, model.n_point() + 2 * (contact + 1)};
@@ -97,7 +118,7 @@ int joint_count(const Model& model) { return model.n_joint + model.solids.n_cont
 
 JointShape joint_shape(const Model& model, JointId joint) {
   JointShape shape = joint < model.n_joint ? face_shape(model, joint) : contact_shape(model, joint);
-  shape.normal = {-shape.along.y, shape.along.x};
+  if (!model.in_space()) shape.normal = {-shape.along.y, shape.along.x};
   return shape;
 }
 
@@ -107,6 +128,7 @@ int block_count(const Model& model) {
 
 std::vector<Vec3> outline_of(const Model& model, BlockId block) {
   std::vector<Vec3> outline;
+  if (model.in_space()) return outline;
   if (block >= model.n_block) {
     for (const int node : body_of(model, block).rim) outline.push_back(node_at_start(model, node));
     return outline;
@@ -117,6 +139,35 @@ std::vector<Vec3> outline_of(const Model& model, BlockId block) {
   return outline;
 }
 
+namespace {
+
+// The turn of a unit quaternion, by less than a whole one.
+Rotation rotation_of(double w, Vec3 v) {
+  const double sine = length(v);
+  if (sine == 0) return {};
+  const double sense = w < 0 ? -1 : 1;
+  return {2 * sense * std::atan2(sine, sense * w) / sine * v};
+}
+
+// A block, or support n_block + i.
+BlockReading in_space(const Model& model, const State& s, BlockId block) {
+  if (block >= model.n_block) {
+    const int i = block - model.n_block;
+    return {block,
+            BlockRole::kMasonry,
+            model.space.centroid[block],
+            {s.support_x[i], s.support_y[i], s.support_z[i]},
+            {}};
+  }
+  return {block,
+          model.anatomy.block_role[block],
+          model.space.centroid[block],
+          {s.ux[block], s.uy[block], s.uz[block]},
+          rotation_of(s.qw[block], {s.qx[block], s.qy[block], s.qz[block]})};
+}
+
+}  // namespace
+
 BlockReading read_block(const Model& model, const State& state, BlockId block) {
   if (block >= model.n_block) {
     const SolidBody& body = body_of(model, block);
@@ -126,6 +177,7 @@ BlockReading read_block(const Model& model, const State& state, BlockId block) {
             node_moved(state, body.first_node),
             {}};
   }
+  if (model.in_space()) return in_space(model, state, block);
   const BlockId i = block;
   return {block,
           model.anatomy.block_role[i],
@@ -153,11 +205,42 @@ Vec3 node_now(const Model& model, const State& state, int node, double scale) {
   return node_at_start(model, node) + scale * node_moved(state, node);
 }
 
+namespace {
+
+// Where places on a joint's face are now, half way between its two sides.
+std::vector<Vec3> between_faces(const Model& model, const State& state, JointId joint,
+                                std::vector<Vec3> places, double scale) {
+  const BlockReading a = in_space(model, state, model.joint_a[joint]);
+  const BlockReading b = in_space(model, state, model.joint_b[joint]);
+  for (Vec3& p : places) p = 0.5 * (place(a, p - a.start, scale) + place(b, p - b.start, scale));
+  return places;
+}
+
+}  // namespace
+
+std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint, double scale) {
+  return between_faces(model, state, joint, model.space.face[joint], scale);
+}
+
+std::vector<Polyhedron> solid_now(const Model& model, const State& state, BlockId block,
+                                  double scale) {
+  std::vector<Polyhedron> parts = model.space.body[block].part;
+  const BlockReading now = in_space(model, state, block);
+  for (Polyhedron& part : parts)
+    for (Vec3& vertex : part.vertex) vertex = place(now, vertex - now.start, scale);
+  return parts;
+}
+
 std::array<Vec3, 2> ends_now(const Model& model, const State& state, JointId joint, double scale) {
   if (const int contact = joint - model.n_joint; contact >= 0)
     return {contact_now(model, state, contact, 0, scale),
             contact_now(model, state, contact, 1, scale)};
   const JointShape shape = joint_shape(model, joint);
+  if (model.in_space()) {
+    const std::vector<Vec3> ends = between_faces(
+        model, state, joint, {shape.centre - shape.half, shape.centre + shape.half}, scale);
+    return {ends[0], ends[1]};
+  }
   const BlockReading b = read_block(model, state, shape.b);
   std::array<Vec3, 2> ends;
   for (const int side : {0, 1}) {

@@ -202,6 +202,77 @@ ModelSpec tied(ModelSpec spec) {
   return spec;
 }
 
+namespace {
+
+BodySpec prism(const std::string& id, std::vector<std::array<double, 2>> polygon, double from,
+               double to, bool fixed) {
+  double twice = 0;
+  const auto n = static_cast<std::int32_t>(polygon.size());
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto& [x, y] = polygon[k];
+    const auto& [p, q] = polygon[(k + 1) % polygon.size()];
+    twice += x * q - p * y;
+  }
+  if (twice < 0) std::reverse(polygon.begin(), polygon.end());
+  Polyhedron solid;
+  for (const double z : {from, to})
+    for (const auto& [x, y] : polygon) solid.vertex.push_back({x, y, z});
+  std::vector<std::int32_t> back, front;
+  for (std::int32_t k = 0; k < n; ++k) {
+    back.push_back(n - 1 - k);
+    front.push_back(n + k);
+    solid.face.push_back({k, (k + 1) % n, n + (k + 1) % n, n + k});
+  }
+  solid.face.push_back(back);
+  solid.face.push_back(front);
+  BodySpec body;
+  body.id = id;
+  body.part = {solid};
+  body.fixed = fixed;
+  return body;
+}
+
+}  // namespace
+
+BodySpec box(const std::string& id, Vec3 corner, Vec3 size, bool fixed) {
+  const double x = corner.x + size.x, y = corner.y + size.y;
+  return prism(id, {{corner.x, corner.y}, {x, corner.y}, {x, y}, {corner.x, y}}, corner.z,
+               corner.z + size.z, fixed);
+}
+
+ModelSpec in_space(std::vector<BodySpec> bodies, const JointMaterial& joint, double density) {
+  ModelSpec spec;
+  spec.name = "bodies";
+  spec.wall.blocks = "bodies.json";
+  spec.wall.unit.density = density;
+  spec.material["joint"] = joint;
+  spec.body = std::move(bodies);
+  return spec;
+}
+
+ModelSpec prisms(const ModelSpec& plane) {
+  ModelSpec spec = plane;
+  for (const BlockSpec& block : plane.block)
+    spec.body.push_back(prism(block.id, block.polygon, -0.5 * plane.wall.thickness,
+                              0.5 * plane.wall.thickness, block.fixed));
+  spec.block.clear();
+  spec.solve.damping_form = DampingForm::kComponents;
+  return spec;
+}
+
+ModelSpec turned_about_y(ModelSpec spec, double angle) {
+  const Rotation turn{{0, angle, 0}};
+  for (BodySpec& body : spec.body)
+    for (Polyhedron& part : body.part)
+      for (Vec3& v : part.vertex) v = wythe::turned(v, turn);
+  for (StageSpec& stage : spec.stage)
+    if (stage.along.size() == 3) {
+      const Vec3 d = wythe::turned(Vec3{stage.along[0], stage.along[1], stage.along[2]}, turn);
+      stage.along = {d.x, d.y, d.z};
+    }
+  return spec;
+}
+
 StageSpec gravity_stage() {
   StageSpec stage;
   stage.name = "gravity";

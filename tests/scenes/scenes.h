@@ -53,6 +53,18 @@ struct BondSize {
 };
 [[nodiscard]] ModelSpec half_units(const BondSize& size, const JointMaterial& joint);
 
+// --- in space ------------------------------------------------------------------------------------
+
+// A box from its lowest corner.
+[[nodiscard]] BodySpec box(const std::string& id, Vec3 corner, Vec3 size, bool fixed = false);
+// Bodies with one joint material, density 2000 kg/m^3 where none is given; no stage.
+[[nodiscard]] ModelSpec in_space(std::vector<BodySpec> bodies, const JointMaterial& joint,
+                                 double density = 2000);
+// The blocks of an assembly in its plane as prisms of its thickness, with motion in that plane.
+[[nodiscard]] ModelSpec prisms(const ModelSpec& plane);
+// Every body turned about the upright axis, and with it what the stages do.
+[[nodiscard]] ModelSpec turned_about_y(ModelSpec spec, double angle);
+
 // --- walls from a WallSpec -----------------------------------------------------------------------
 
 // 1.24 m x 0.88 m x 0.31 m, window of 2 x 2 half units, joint and unit of Table 1; stages gravity,

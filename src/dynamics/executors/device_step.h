@@ -278,8 +278,8 @@ class DeviceExecutor<Device>::DeviceWallAccess final : public WallAccess {
   [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
     return x_.answer_to(lane_, device::kKinetic) * mass_scaling;
   }
-  [[nodiscard]] double base_shear(double px, double py) const override {
-    x_.aim(lane_, px, py);
+  [[nodiscard]] double base_shear(const Vec3& along) const override {
+    x_.aim(lane_, along.x, along.y);
     return x_.answer_to(lane_, device::kShear);
   }
   [[nodiscard]] BlockId runaway_block() const override {
@@ -289,8 +289,8 @@ class DeviceExecutor<Device>::DeviceWallAccess final : public WallAccess {
     const double distance = x_.answer_to(lane_, device::kDistance);
     return {distance, static_cast<BlockId>(x_.answer_to(lane_, device::kFurthest))};
   }
-  [[nodiscard]] double moved(BlockId i, double px, double py) const override {
-    x_.watch(lane_, i, px, py);
+  [[nodiscard]] double moved(BlockId i, const Vec3& along) const override {
+    x_.watch(lane_, i, along.x, along.y);
     return x_.answer_to(lane_, device::kMoved);
   }
   void choose_driven(const std::vector<BlockId>& blocks) override {

@@ -23,14 +23,14 @@ class WallAccess {
   [[nodiscard]] virtual double unbalance_ratio() const = 0;
   // 1/2 m v^2 + 1/2 I omega^2 at the half step [J].
   [[nodiscard]] virtual double kinetic_energy(double mass_scaling) const = 0;
-  // Sum of the ground's forces against the direction (px, py), + resists [N].
-  [[nodiscard]] virtual double base_shear(double px, double py) const = 0;
+  // Sum of the ground's forces against the direction, + resists [N].
+  [[nodiscard]] virtual double base_shear(const Vec3& along) const = 0;
   // First block whose motion is not finite or faster than 100 m/s, or -1; n_block + i for node i.
   [[nodiscard]] virtual BlockId runaway_block() const = 0;
   // The block (n_block + i: node i) that has moved furthest.
   [[nodiscard]] virtual Furthest furthest_block() const = 0;
-  // How far block i has moved along (px, py) [m].
-  [[nodiscard]] virtual double moved(BlockId i, double px, double py) const = 0;
+  // How far block i has moved along a direction [m].
+  [[nodiscard]] virtual double moved(BlockId i, const Vec3& along) const = 0;
   // Marks the blocks that the drive moves.
   virtual void choose_driven(const std::vector<BlockId>& blocks) = 0;
   // Copies motion and history from where they are into the state's own arrays.
@@ -70,6 +70,10 @@ class Executor {
   virtual void drive() = 0;         // the driven blocks, wall by wall
   virtual void end_step() = 0;      // works into the walls' ledgers, clocks
 };
+
+// This processor for walls in their plane or in space; several threads for one wall only.
+[[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
+                                                      int threads = 1);
 
 // True where the walls can be stepped side by side: one topology.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {

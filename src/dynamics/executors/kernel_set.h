@@ -40,8 +40,8 @@ template <class Access>
 WYTHE_INLINE void keep_work(Access, const NoWork&, double*, int) {}
 
 // The loop of a pass over a chunk.
-template <class P>
-void run_pass(const Tables& t, const Chunk& chunk, double* works) {
+template <class P, class Numbers = Tables>
+void run_pass(const Numbers& t, const Chunk& chunk, double* works) {
   using Access = typename P::Access;
   const Access access{};
   P pass(t, access, chunk);

@@ -41,7 +41,7 @@ LaneSolver::LaneSolver(int width, Make make) : width_(width), make_(std::move(ma
 void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
   auto wall =
       std::make_unique<RunningWall>(RunningWall{ticket, model, state, -1, nullptr, nullptr});
-  wall->alone = std::make_unique<Processor>(model, 1);
+  wall->alone = processor_for(model, 1);
   wall->alone->put(0, model, state);
   wall->run = std::make_unique<WallRun>(model, state, options, wall->alone->access(0));
   walls_.push_back(std::move(wall));
@@ -60,7 +60,7 @@ void LaneSolver::settle_in(RunningWall& wall, int lane) {
     wall.run->move_to(together_->access(lane));
     wall.alone.reset();
   } else if (!wall.alone) {
-    wall.alone = std::make_unique<Processor>(wall.model, 1);
+    wall.alone = processor_for(wall.model, 1);
     wall.alone->put(0, wall.model, wall.state);
     wall.run->move_to(wall.alone->access(0));
   }
@@ -78,7 +78,7 @@ int LaneSolver::lanes_for(int fitting) const {
 
 std::unique_ptr<Executor> LaneSolver::made(const Model& model, int lanes) const {
   if (make_) return make_(model, lanes);
-  return std::make_unique<Processor>(model, lanes);
+  return processor_for(model, lanes);
 }
 
 // As few lanes as hold the walls that are running, and every wall that fits in one of them.

@@ -36,13 +36,13 @@ class HostWallAccess final : public WallAccess {
   [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
     return kinetic_of(view_, model_.mass.data(), model_.inertia.data(), mass_scaling);
   }
-  [[nodiscard]] double base_shear(double px, double py) const override {
-    return shear_of(view_, px, py);
+  [[nodiscard]] double base_shear(const Vec3& along) const override {
+    return shear_of(view_, along.x, along.y);
   }
   [[nodiscard]] BlockId runaway_block() const override { return runaway_of(view_); }
   [[nodiscard]] Furthest furthest_block() const override { return furthest_of(view_); }
-  [[nodiscard]] double moved(BlockId i, double px, double py) const override {
-    return moved_along(view_, i, px, py);
+  [[nodiscard]] double moved(BlockId i, const Vec3& along) const override {
+    return moved_along(view_, i, along.x, along.y);
   }
   void choose_driven(const std::vector<BlockId>& blocks) override {
     dynamics::choose_driven(view_, blocks);

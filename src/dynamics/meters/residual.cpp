@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation.h"
 #include "dynamics/passes/sums.h"
 #include "reading/zones.h"
 
@@ -20,9 +21,27 @@ double recoverable(const JointMaterial& m, const PointReading& point) {
   return normal + 0.5 * tau * tau / m.shear_stiffness;
 }
 
+double kinetic_in_space(const Model& m, const State& s) {
+  double energy = 0;
+  for (std::size_t i = 0; i < s.vx.size(); ++i) {
+    const Quaternion<double> q{s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}};
+    const Vector<double> l = turned_back(q, Vector<double>{s.lx[i], s.ly[i], s.lz[i]});
+    const auto about = [&](const Vec3& axis, double inertia) {
+      const double along = l.x * axis.x + l.y * axis.y + l.z * axis.z;
+      return 0.5 * along * along / inertia;
+    };
+    const Space& w = m.space;
+    energy += 0.5 * m.mass[i] * (s.vx[i] * s.vx[i] + s.vy[i] * s.vy[i] + s.vz[i] * s.vz[i]) +
+              about(w.axis_1[i], w.inertia[i].x) + about(w.axis_2[i], w.inertia[i].y) +
+              about(w.axis_3[i], w.inertia[i].z);
+  }
+  return energy;
+}
+
 // At the half step, without mass scaling [J].
 double kinetic_energy(const Model& m, const State& s) {
   double energy = 0;
+  if (m.in_space()) return kinetic_in_space(m, s);
   for (std::size_t i = 0; i < s.vx.size(); ++i)
     energy += kinetic_of(m.mass[i], m.inertia[i], s.vx[i], s.vy[i], s.omega[i]);
   for (std::size_t i = 0; i < s.node_vx.size(); ++i)

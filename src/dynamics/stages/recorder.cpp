@@ -195,7 +195,7 @@ void Recorder::take_frame(const State& state, double travelled) {
 // reaction. Weights and loads of driven blocks stay in both. Of a tilted wall it is scaled to full
 // weight, as the reaction is: W tan against W sin / cos.
 double Recorder::resisted_by_ground(const WallAccess& access, const State& state) const {
-  const double shear = access.base_shear(stage_.drive_x, stage_.drive_y);
+  const double shear = access.base_shear(stage_.drive());
   if (stage_.spec.kind == StageKind::kTilt) {
     const double down = -state.gravity_y / model_.solve.gravity;
     return down > 0 ? shear / down : shear;
@@ -206,15 +206,17 @@ double Recorder::resisted_by_ground(const WallAccess& access, const State& state
 // Force along the push of the weights of blocks that are not driven, and of the dead loads on them [N].
 double Recorder::dead_along_push(const State& state) const {
   std::vector<bool> driven(static_cast<std::size_t>(model_.n_block), false);
-  for (const BlockId block : stage_.driven) driven[static_cast<std::size_t>(block)] = true;
+  for (const BlockId block : stage_.driven)
+    if (block < model_.n_block) driven[static_cast<std::size_t>(block)] = true;  // else a support
   double mass = 0, force = 0;
   for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.heavy_mass[i];
   for (const double node : model_.solids.node_heavy_mass) mass += node;
-  force = mass * (state.gravity_x * stage_.drive_x + state.gravity_y * stage_.drive_y);
+  const Vec3 along = stage_.drive();
+  force = mass * dot(Vec3{state.gravity_x, state.gravity_y, state.gravity_z}, along);
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
     for (const PointLoad& load : model_.stages[k].loads)
       if (!driven[static_cast<std::size_t>(load.block)])
-        force += state.load_scale[k] * (load.fx * stage_.drive_x + load.fy * stage_.drive_y);
+        force += state.load_scale[k] * dot(Vec3{load.fx, load.fy, load.fz}, along);
   return force;
 }
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "dynamics/executors/processor.h"
+#include "dynamics/executors/executor.h"
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/meters/responses.h"
@@ -151,15 +151,15 @@ Result WallRun::finish() {
 }  // namespace dynamics
 
 Result solve(const Model& model, State& state, const SolveOptions& options, RunRecord so_far) {
-  dynamics::Processor processor(model, 1, std::max(1, options.threads));
-  processor.put(0, model, state);
-  dynamics::WallRun run(model, state, options, processor.access(0), std::move(so_far));
+  const auto processor = dynamics::processor_for(model, 1, std::max(1, options.threads));
+  processor->put(0, model, state);
+  dynamics::WallRun run(model, state, options, processor->access(0), std::move(so_far));
   while (!run.ended()) {
-    processor.set(0, run.next());
-    processor.step();
-    run.look(processor.reaction(0));
+    processor->set(0, run.next());
+    processor->step();
+    run.look(processor->reaction(0));
   }
-  processor.drop(0);
+  processor->drop(0);
   return run.finish();
 }
 
@@ -176,15 +176,15 @@ RunEstimate estimate(const Model& model) {
   constexpr int kTrial = 200;
   constexpr double kTrialSeconds = 0.5;  // of a large wall
   State state = initial_state(model);
-  dynamics::Processor processor(model, 1);
-  processor.put(0, model, state);
+  const auto processor = dynamics::processor_for(model, 1);
+  processor->put(0, model, state);
   dynamics::Controls controls;
   controls.dt = e.time_step;
-  processor.set(0, controls);
+  processor->set(0, controls);
   const auto start = Clock::now();
   int tried = 0;
   while (tried < kTrial && seconds_since(start) < kTrialSeconds) {
-    processor.step();
+    processor->step();
     ++tried;
   }
   e.seconds = seconds_since(start) / tried * steps;

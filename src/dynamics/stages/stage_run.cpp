@@ -165,7 +165,7 @@ class SettlingStage : public StageRun {
   void prepare() override {
     const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
     if (stage_.spec.kind == StageKind::kGravity) {
-      state_.gravity_x = 0;
+      state_.gravity_x = state_.gravity_z = 0;
       state_.gravity_y = -model_.solve.gravity * share;
     }
     if (stage_.spec.kind == StageKind::kLoad || !stage_.loads.empty() ||
@@ -247,7 +247,7 @@ class Push : public StageRun {
     return stage_.control >= 0 ? state_.control_moved : state_.drive_displacement;
   }
   [[nodiscard]] double control_now() const {
-    return wall_.access->moved(stage_.control, stage_.drive_x, stage_.drive_y);
+    return wall_.access->moved(stage_.control, stage_.drive());
   }
   // The path so far: of the driven mean in each step, or of the control point from one furthest point
   // to the next, so that what it trembles does not count.
@@ -360,9 +360,11 @@ class Factor : public StageRun {
     if (tilting_) {
       const SinCos<double> tilt = sin_cos(factor);
       state_.gravity_x = g * tilt.sin * stage_.drive_x;
+      state_.gravity_z = g * tilt.sin * stage_.drive_z;
       state_.gravity_y = -g * tilt.cos;
     } else {
       state_.gravity_x = g * factor * stage_.drive_x;
+      state_.gravity_z = g * factor * stage_.drive_z;
       state_.gravity_y = -g;
     }
     state_.body_factor = factor;

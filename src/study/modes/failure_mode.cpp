@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/modes/in_space.h"
 #include "study/modes/mode_flags.h"
 #include "study/modes/mode_names.h"
 #include "wythe/mechanism.h"
@@ -224,6 +225,12 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
     none.sentence = {"mode.no_state"};
     return none;
   }
+  if (model.in_space()) {
+    FailureMode mode = study::name_in_space(model, read->state);
+    mode.read_at = read->displacement;
+    mode.reading = words_for(model, result, *read, read_at);
+    return mode;
+  }
   const WallParts parts = study::find_parts(model);
   const WallMotion motion = study::read_motion(model, read->state);
   const ModeRules rules = rules_at(model, result, *read, read_at);
@@ -309,6 +316,13 @@ WallMechanism mechanism_from_state(const Model& model, const State& state) {
 WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) return {};
+  if (model.in_space()) {
+    const FailureMode mode = study::name_in_space(model, read->state);
+    WallMechanism mechanism;
+    mechanism.name = mode.name;
+    mechanism.sentence = mode.sentence;
+    return mechanism;
+  }
   const WallParts parts = study::find_parts(model);
   const ModeRules rules = rules_at(model, result, *read, read_at);
   const WallMotion motion = study::read_motion(model, read->state);

@@ -1,0 +1,184 @@
+#include "dynamics/space/executor.h"
+
+#include <algorithm>
+
+#include "dynamics/executors/processor.h"
+
+namespace wythe::dynamics::space {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// Of those that fill no more than the lanes, the widest.
+const KernelSet& kernels_for(int lanes, const KernelSet& most) {
+  const KernelSet* widest = &scalar_kernels();
+  for (const KernelSet* set : kernels_here())
+    if (set->width <= std::min(lanes, most.width)) widest = set;
+  return *widest;
+}
+
+class SpaceWallAccess final : public WallAccess {
+ public:
+  SpaceWallAccess(const WallView& view, const Model& model) : model_(model), view_(view) {}
+
+  [[nodiscard]] double unbalance_ratio() const override {
+    return space::unbalance_of(view_, model_);
+  }
+  [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
+    return space::kinetic_of(view_, mass_scaling);
+  }
+  [[nodiscard]] double base_shear(const Vec3& along) const override {
+    return space::shear_of(view_, model_, along);
+  }
+  [[nodiscard]] BlockId runaway_block() const override { return space::runaway_of(view_); }
+  [[nodiscard]] Furthest furthest_block() const override { return space::furthest_of(view_); }
+  [[nodiscard]] double moved(BlockId i, const Vec3& along) const override {
+    return dot(view_.shift(i), vec(along));
+  }
+  void choose_driven(const std::vector<BlockId>& blocks) override {
+    space::choose_driven(view_, blocks);
+  }
+  void bring_up(State& state) const override { space::read_wall(view_, model_, state); }
+
+ private:
+  const Model& model_;
+  const WallView& view_;
+};
+
+}  // namespace
+
+SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const KernelSet& kernels)
+    : model_(model),
+      kernels_(lanes == 1 ? kernels : kernels_for(lanes, kernels)),
+      width_(lanes == 1 ? 1 : kernels_.width),
+      layout_(model, lanes == 1 ? dynamics::Layout::kNeighbours : dynamics::Layout::kWalls),
+      rest_(initial_state(model)),
+      wall_(at(lanes)),
+      bank_(at(lanes / width_)),
+      workers_(lanes == 1 ? threads : 1) {
+  for (Bank& bank : bank_) {
+    bank.tables = make_tables(layout_, model_, width_, bank.memory);
+    bank.joint_works.resize(layout_.joints.size() * kTerms * at(width_));
+    bank.block_works.resize(layout_.blocks.size() * kTerms * at(width_));
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    Wall& wall = wall_[at(lane)];
+    wall.view = view_of(layout_, model_, bank_[at(lane / width_)].tables, lane % width_);
+    put_wall(wall.view, model_, rest_);
+    set(lane, {});
+  }
+}
+
+void SpaceProcessor::put(int lane, const Model& model, State& state) {
+  Wall& wall = wall_[at(lane)];
+  wall.model = &model;
+  wall.state = &state;
+  put_wall(wall.view, model, state);
+  set(lane, {});
+}
+
+void SpaceProcessor::drop(int lane) {
+  Wall& wall = wall_[at(lane)];
+  read_wall(wall.view, *wall.model, *wall.state);
+  wall.model = nullptr;
+  wall.state = nullptr;
+  put_wall(wall.view, model_, rest_);  // at rest: costs least
+  set(lane, {});
+}
+
+std::unique_ptr<WallAccess> SpaceProcessor::access(int lane) {
+  const Wall& wall = wall_[at(lane)];
+  return std::make_unique<SpaceWallAccess>(wall.view, *wall.model);
+}
+
+void SpaceProcessor::set(int lane, const Controls& controls) {
+  Wall& wall = wall_[at(lane)];
+  const bool same =
+      wall.controls.dt == controls.dt && wall.controls.mass_scaling == controls.mass_scaling;
+  wall.controls = controls;
+  wall.view.of_wall(kStep) = controls.dt;
+  wall.view.of_wall(kLambda) = controls.damping;
+  if (!same || controls.dt == 0) set_rates(wall.view, controls.dt, controls.mass_scaling);
+}
+
+void SpaceProcessor::begin_step() {
+  for (const Wall& wall : wall_) {
+    if (wall.model == nullptr) continue;
+    const State& state = *wall.state;
+    for (const Stage& stage : wall.model->stages)
+      for (const PointLoad& load : stage.loads) clear_load(load, wall.view);
+    for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
+      if (state.load_scale[k] != 0)
+        for (const PointLoad& load : wall.model->stages[k].loads)
+          add_load(load, state.load_scale[k], wall.view);
+    wall.view.of_wall(kGravity) = state.gravity_x;
+    wall.view.of_wall(kGravity + 1) = state.gravity_y;
+    wall.view.of_wall(kGravity + 2) = state.gravity_z;
+  }
+}
+
+void SpaceProcessor::run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const {
+  constexpr int kMostLanes = 8;
+  double sums[kTerms * kGroup * kMostLanes] = {};
+  kernel(bank.tables, chunk, sums);
+  for (int term = 0; term < kTerms; ++term)
+    for (int wall = 0; wall < width_; ++wall) {
+      double sum = 0;
+      for (int k = 0; k < kGroup; ++k) sum += sums[(term * kGroup + k) * width_ + wall];
+      works[term * width_ + wall] = sum;
+    }
+}
+
+void SpaceProcessor::run(Pass pass) {
+  if (pass != kJoints && pass != kBlocks) return;  // no zones yet
+  const bool one = lanes() == 1;
+  const std::vector<Chunk>& chunks = pass == kJoints ? layout_.joints : layout_.blocks;
+  const Kernel kernel = (pass == kJoints ? kernels_.joints : kernels_.blocks)[one ? 0 : 1];
+  for (Bank& bank : bank_) {
+    std::vector<double>& works = pass == kJoints ? bank.joint_works : bank.block_works;
+    workers_.for_each_chunk(static_cast<int>(chunks.size()), [&](int c) {
+      run_chunk(kernel, bank, chunks[at(c)], &works[at(c) * kTerms * at(width_)]);
+    });
+  }
+}
+
+void SpaceProcessor::drive() {
+  for (Wall& wall : wall_) {
+    wall.reaction = 0;
+    if (wall.controls.push == nullptr) continue;
+    State& s = *wall.state;
+    WallWork work{s.work_drive, s.work_damping, s.work_loads};
+    wall.reaction =
+        space::drive(*wall.controls.push, wall.view, wall.controls.drive_velocity, work);
+    s.work_drive = work.drive;
+    s.work_damping = work.damping;
+    s.work_loads = work.loads;
+    s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
+  }
+}
+
+void SpaceProcessor::end_step() {
+  for (int lane = 0; lane < lanes(); ++lane) {
+    const Wall& wall = wall_[at(lane)];
+    if (wall.model == nullptr) continue;
+    double* const ledger[kTerms] = {
+        &wall.state->dissipated_friction, &wall.state->dissipated_fracture,
+        &wall.state->dissipated_crushing, &wall.state->work_loads, &wall.state->work_damping};
+    const Bank& bank = bank_[at(lane / width_)];
+    for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
+      for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
+        *ledger[k / at(width_) % kTerms] += (*works)[k];
+    advance_clock(*wall.state, wall.controls);
+  }
+}
+
+}  // namespace wythe::dynamics::space
+
+namespace wythe::dynamics {
+
+std::unique_ptr<Executor> processor_for(const Model& model, int lanes, int threads) {
+  if (model.in_space()) return std::make_unique<space::SpaceProcessor>(model, lanes, threads);
+  return std::make_unique<Processor>(model, lanes, threads);
+}
+
+}  // namespace wythe::dynamics

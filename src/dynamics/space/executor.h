@@ -1,0 +1,59 @@
+// Walls in space on this processor: one wall, its neighbours in the lanes of packs and its chunks shared by
+// threads; or walls side by side, one a lane. As executors/processor.h for plane walls.
+#pragma once
+
+#include "core/parallel.h"
+#include "dynamics/executors/executor.h"
+#include "dynamics/space/kernels.h"
+#include "dynamics/space/wall.h"
+
+namespace wythe::dynamics::space {
+
+class SpaceProcessor final : public Executor {
+ public:
+  // Lanes 1, 2, 4 or 8; several threads for one wall only.
+  SpaceProcessor(const Model& model, int lanes, int threads = 1,
+                 const KernelSet& kernels = *kernels_here().back());
+
+  [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
+  [[nodiscard]] const Model& model() const override { return model_; }
+  void put(int lane, const Model& model, State& state) override;
+  void drop(int lane) override;
+  [[nodiscard]] std::unique_ptr<WallAccess> access(int lane) override;
+  void set(int lane, const Controls& controls) override;
+  [[nodiscard]] double reaction(int lane) const override {
+    return wall_[static_cast<std::size_t>(lane)].reaction;
+  }
+
+ private:
+  struct Wall {
+    const Model* model = nullptr;  // null: the lane is idle
+    State* state = nullptr;
+    Controls controls;
+    double reaction = 0;
+    WallView view;
+  };
+  // As many walls as one pack takes, with memory of their own.
+  struct Bank {
+    Memory memory;
+    Tables tables;
+    std::vector<double> joint_works, block_works;  // (chunks, kTerms, walls) [J]
+  };
+
+  void begin_step() override;
+  void run(Pass pass) override;
+  void drive() override;
+  void end_step() override;
+  void run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const;
+
+  const Model model_;
+  const KernelSet& kernels_;
+  const int width_;  // walls of a bank
+  const Layout layout_;
+  const State rest_;
+  std::vector<Wall> wall_;
+  std::vector<Bank> bank_;
+  Workers workers_;
+};
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,185 @@
+// Each joint face in space finds its stresses, advances its history and writes its own force. Geometry and
+// forces: contact/face_in_space.h; the law and its ways: as in the plane (passes/joints.h).
+#pragma once
+
+#include "contact/face_in_space.h"
+#include "dynamics/passes/joints.h"
+#include "dynamics/space/tables.h"
+
+namespace wythe::dynamics::space {
+
+template <class Real, class Access>
+[[nodiscard]] WYTHE_INLINE Vector<Real> shared_vector(const Access& access, const double* table,
+                                                      std::ptrdiff_t row) {
+  return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
+}
+
+// Joints of one law, one kind of support and one number of points.
+template <class V, bool on_support, class A>
+struct Joints {
+  using Access = A;
+  using Real = typename Access::Real;
+  using Work = JointWork<Real>;
+  using History = contact::History<Real>;
+
+  const Tables& t;
+  Access access;
+  const Chunk& chunk;
+  double* history;      // from the run's first spot on
+  const double* point;  // the same of its points
+
+  WYTHE_INLINE Joints(const Tables& tables, Access lanes, const Chunk& run)
+      : t(tables),
+        access(lanes),
+        chunk(run),
+        history(tables.history + static_cast<std::ptrdiff_t>(run.history) * lanes.history_lanes()),
+        point(tables.point +
+              static_cast<std::ptrdiff_t>(run.rule) * (Access::one_wall ? kGroup : 1)) {}
+
+  WYTHE_INLINE void take_part(int part) { access.take_part(part); }
+  WYTHE_INLINE void at(std::ptrdiff_t j, Work& work) const {
+    const auto vector = [&](int row) {
+      return shared_vector<Real>(access, t.face, j * kFaceRows + row);
+    };
+    if constexpr (on_support) {
+      const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
+      const contact::SupportFace<Real> face({moved.c0, moved.c1, moved.c2}, pose(t.joint_b, j),
+                                            vector(kArmB), vector(kTangent), vector(kNormal));
+      keep(j, face.loads(ask(j, face.gap(), work)));
+    } else {
+      const contact::PairFace<Real> face(pose(t.joint_a, j), pose(t.joint_b, j), vector(kArmA),
+                                         vector(kArmB), vector(kTangent), vector(kNormal));
+      keep(j, face.loads(ask(j, face.gap(), work)));
+    }
+  }
+
+ private:
+  [[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose(const std::int32_t* id,
+                                                      std::ptrdiff_t j) const {
+    const Rows<Real> shift = access.rows(t.shift, id, j), turn = access.rows(t.turn, id, j);
+    return {{shift.c0, shift.c1, shift.c2}, {shift.c3, {turn.c0, turn.c1, turn.c2}}};
+  }
+  WYTHE_INLINE void keep(std::ptrdiff_t j, const contact::BlockLoads<Real>& l) const {
+    const Real zero(0.0);
+    access.keep_rows({l.f.x, l.f.y, l.f.z, zero}, t.force, j);
+    if constexpr (!on_support)
+      access.keep_rows({l.on_a.x, l.on_a.y, l.on_a.z, zero}, t.moment_a, j);
+    access.keep_rows({l.on_b.x, l.on_b.y, l.on_b.z, zero}, t.moment_b, j);
+  }
+
+  // A point on its way through the law.
+  struct Asked {
+    Real r1, r2, share, w;
+    contact::Shear<Real> shear;
+  };
+  [[nodiscard]] WYTHE_INLINE int remembered() const {
+    return contact::remembered(contact::choice_of<V>(chunk));
+  }
+  [[nodiscard]] WYTHE_INLINE std::ptrdiff_t first(std::ptrdiff_t j, int k, int rows) const {
+    return ((j - chunk.begin) * chunk.points + k) * rows;
+  }
+  WYTHE_INLINE History load(std::ptrdiff_t row, Real& plastic_1, Real& plastic_2) const {
+    History h;
+    for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
+      if (r < remembered())
+        h.*contact::kHistory<Real>[decltype(r)::value] = access.own(history, row + r);
+    });
+    plastic_1 = h.plastic_slip;
+    plastic_2 = access.own(history, row + remembered());
+    h.plastic_slip = Real(0.0);
+    return h;
+  }
+  WYTHE_INLINE void store(std::ptrdiff_t row, History h, Real plastic_1, Real plastic_2) const {
+    h.plastic_slip = plastic_1;
+    for_each_part<kHistoryRows>([&](auto r) __attribute__((always_inline)) {
+      if (r < remembered())
+        access.keep(h.*contact::kHistory<Real>[decltype(r)::value], history, row + r);
+    });
+    access.keep(plastic_2, history, row + remembered());
+  }
+  [[nodiscard]] WYTHE_INLINE Asked asked(std::ptrdiff_t row, Real area,
+                                         const contact::FaceGap<Real>& gap, Real plastic_1,
+                                         Real plastic_2) const {
+    Asked p;
+    p.r1 = access.shared(point, row + kR1);
+    p.r2 = access.shared(point, row + kR2);
+    p.share = area * access.shared(point, row + kShare);
+    p.w = gap.j.z + p.r1 * gap.a.z + p.r2 * gap.b.z;
+    p.shear = contact::shear_of(gap.j.x + p.r1 * gap.a.x + p.r2 * gap.b.x,
+                                gap.j.y + p.r1 * gap.a.y + p.r2 * gap.b.y, plastic_1, plastic_2);
+    return p;
+  }
+  WYTHE_INLINE void add(const Asked& p, Real sigma, Real tau_1, Real tau_2,
+                        contact::FaceLoad<Real>& sum) const {
+    const Vector<Real> f{p.share * tau_1, p.share * tau_2, p.share * sigma};
+    sum.f = sum.f + f;
+    sum.r1 = sum.r1 + p.r1 * f;
+    sum.r2 = sum.r2 + p.r2 * f;
+  }
+
+  // Forces of a face; a face that rests stores no history, one that moved last is not asked whether it does.
+  [[nodiscard]] WYTHE_INLINE contact::FaceLoad<Real> ask(std::ptrdiff_t j,
+                                                         const contact::FaceGap<Real>& gap,
+                                                         Work& work) const {
+    const contact::LawConstants<Real> law =
+        law_of(access, t.law, chunk.law + (chunk.graded ? j - chunk.begin : 0), chunk.choice);
+    const Real area = access.shared(t.face, j * kFaceRows + kFaceArea);
+    const std::uint8_t way = access.marked(t.way, j);
+    contact::FaceLoad<Real> sum;
+    if (way == kClosed && rest<true>(j, law, area, gap, sum)) return sum;
+    if (way == kOpen && rest<false>(j, law, area, gap, sum)) return sum;
+    return advance(j, law, area, gap, work);
+  }
+  template <bool closed>
+  [[nodiscard]] WYTHE_INLINE bool rest(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
+                                       Real area, const contact::FaceGap<Real>& gap,
+                                       contact::FaceLoad<Real>& sum) const {
+    const Real zero(0.0);
+    const Vector<Real> none{zero, zero, zero};
+    sum = {none, none, none};
+    bool_of_t<Real> rests = zero <= zero, open = zero > zero;
+    for (int k = 0; k < chunk.points; ++k) {
+      Real plastic_1, plastic_2;
+      const History h = load(first(j, k, remembered() + 1), plastic_1, plastic_2);
+      const Asked p = asked(first(j, k, kPointRows), area, gap, plastic_1, plastic_2);
+      const contact::Rest<Real> now = contact::at_rest<V, closed>(law, p.w, p.shear.e, h);
+      add(p, now.sigma, law.ks * p.shear.e1, law.ks * p.shear.e2, sum);
+      rests = rests & now.rests;
+      open = open | now.open;
+    }
+    if (!all(rests)) return false;
+    if constexpr (!closed) access.mark(t.way, j, any(open) ? kOpen : kClosed);
+    return true;
+  }
+  // The whole law: the one place where history advances.
+  WYTHE_OUTLINE contact::FaceLoad<Real> advance(std::ptrdiff_t j,
+                                                const contact::LawConstants<Real>& law, Real area,
+                                                const contact::FaceGap<Real>& gap,
+                                                Work& work) const {
+    const Real zero(0.0), one(1.0);
+    const Vector<Real> none{zero, zero, zero};
+    contact::FaceLoad<Real> sum{none, none, none};
+    bool_of_t<Real> moved = zero > zero, open = zero > zero;
+    for (int k = 0; k < chunk.points; ++k) {
+      const std::ptrdiff_t row = first(j, k, remembered() + 1);
+      Real plastic_1, plastic_2;
+      const History before = load(row, plastic_1, plastic_2);
+      History now = before;
+      const Asked p = asked(first(j, k, kPointRows), area, gap, plastic_1, plastic_2);
+      const contact::Answer<Real> a = contact::update<V>(law, p.w, p.shear.e, now);
+      const Real slid = now.plastic_slip *
+                        (one / maximum(p.shear.e, Real(1e-300)));  // share of e that is plastic now
+      const Real slid_1 = slid * p.shear.e1, slid_2 = slid * p.shear.e2;
+      store(row, now, plastic_1 + slid_1, plastic_2 + slid_2);
+      add(p, a.sigma, law.ks * (p.shear.e1 - slid_1), law.ks * (p.shear.e2 - slid_2), sum);
+      work = {work.friction + a.friction * p.share, work.fracture + a.fracture * p.share,
+              work.crushing + a.crushing * p.share};
+      moved = moved | contact::moves(before, now);
+      open = open | (p.w + now.crush > zero);
+    }
+    access.mark(t.way, j, any(moved) ? kMoving : any(open) ? kOpen : kClosed);
+    return sum;
+  }
+};
+
+}  // namespace wythe::dynamics::space

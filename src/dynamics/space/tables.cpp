@@ -1,0 +1,180 @@
+// Lays out the tables of a model in space and fills what all walls share.
+#include "dynamics/space/tables.h"
+
+#include <algorithm>
+
+#include "contact/parameters.h"
+
+namespace wythe::dynamics::space {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+int points_of_face(const Model& m, int j) {
+  return m.space.point_begin[at(j) + 1] - m.space.point_begin[at(j)];
+}
+
+// Runs of joints of one law, one kind of support and one number of points.
+void cut_joints(const Model& m, Layout& l) {
+  const auto fits = [&](int i, int j) {
+    return m.stated(m.joint_material[at(i)]) == m.stated(m.joint_material[at(j)]) &&
+           j != m.n_pair && points_of_face(m, i) == points_of_face(m, j);
+  };
+  for (int j = 0; j < m.n_joint; ++j) {
+    if (l.joints.empty() || l.joints.back().n == kChunk || !fits(j - 1, j)) {
+      Chunk chunk;
+      if (!l.joints.empty()) chunk.begin = l.joints.back().end;
+      chunk.first = j;
+      const std::int32_t material = m.joint_material[at(j)];
+      chunk.material = m.stated(material);
+      chunk.graded = chunk.material != material;
+      chunk.choice = contact::choice_of(m.materials[at(material)]);
+      chunk.on_ground = j >= m.n_pair;
+      chunk.points = points_of_face(m, j);
+      chunk.rows = contact::remembered(chunk.choice) + 1;  // and the second slip
+      l.joints.push_back(chunk);
+    }
+    Chunk& chunk = l.joints.back();
+    ++chunk.n;
+    chunk.end = chunk.begin + (chunk.n + l.group() - 1) / l.group();
+  }
+  for (Chunk& chunk : l.joints) {
+    const std::int32_t spots = chunk.end - chunk.begin;
+    chunk.history = l.history;
+    chunk.rule = l.points;
+    chunk.law = l.laws;
+    l.history += spots * chunk.points * chunk.rows;
+    l.points += spots * chunk.points * kPointRows;
+    l.laws += chunk.graded ? spots : 1;
+    for (int k = 0; k < chunk.n; ++k) l.joint_place.push_back(chunk.begin * l.group() + k);
+  }
+  l.n_joint = l.joints.empty() ? 0 : l.joints.back().end * l.group();
+}
+
+void cut_blocks(const Model& m, Layout& l) {
+  for (int i = 0; i < m.n_block; i += kChunk) {
+    Chunk chunk;
+    if (!l.blocks.empty()) chunk.begin = l.blocks.back().end;
+    chunk.first = i;
+    chunk.n = std::min(kChunk, m.n_block - i);
+    chunk.end = chunk.begin + (chunk.n + l.group() - 1) / l.group();
+    l.blocks.push_back(chunk);
+  }
+  l.n_block = l.blocks.empty() ? 0 : l.blocks.back().end * l.group();
+}
+
+// Points each table into its memory: once to count, once to point.
+struct Placed {
+  double* numbers = nullptr;
+  std::int32_t* ids = nullptr;
+  std::uint8_t* ways = nullptr;
+  std::size_t n_number = 0, n_id = 0, n_way = 0;
+
+  void take(double*& table, std::size_t n) { table = numbers + n_number, n_number += n; }
+  void take(std::int32_t*& table, std::size_t n) { table = ids + n_id, n_id += n; }
+  void take(std::uint8_t*& table, std::size_t n) { table = ways + n_way, n_way += n; }
+};
+
+void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
+  const std::size_t joints = at(l.n_joint), blocks = at(l.n_block), walls = at(t.lanes);
+  const std::size_t group = l.grouped() ? kGroup : 1;
+  to.take(t.face, joints * kFaceRows);
+  to.take(t.point, at(l.points) * group);
+  to.take(t.axes, blocks * kAxisRows);
+  to.take(t.joint_a, joints);
+  to.take(t.joint_b, joints);
+  to.take(t.block_begin, blocks + 1);
+  to.take(t.block_middle, blocks);
+  to.take(t.block_entry, m.block_entry.size());
+  to.take(t.special, blocks);
+  to.take(t.law, at(l.laws) * kLawRows * group * walls);
+  to.take(t.body, blocks * kBodyRows * walls);
+  to.take(t.still, blocks * kStillRows * walls);
+  to.take(t.history, at(l.history) * group * walls);
+  to.take(t.wall, kWallRows * walls);
+  to.take(t.shift, 4 * (blocks + 1) * walls);
+  to.take(t.turn, 4 * (blocks + 1) * walls);
+  to.take(t.support, 4 * at(std::max(1, m.space.n_support)) * walls);
+  for (double** rows : {&t.force, &t.moment_a, &t.moment_b}) to.take(*rows, 4 * joints * walls);
+  to.take(t.way, joints * walls);
+}
+
+void fill_joints(const Layout& l, const Model& m, Tables& t) {
+  std::fill_n(t.joint_b, l.n_joint, t.n_block);
+  for (const Chunk& chunk : l.joints)  // what fills up a group rests: a pose, or support 0
+    std::fill_n(t.joint_a + chunk.begin * l.group(), (chunk.end - chunk.begin) * l.group(),
+                chunk.on_ground ? 0 : t.n_block);
+  for (const Chunk& chunk : l.joints)
+    for (int n = 0; n < chunk.n; ++n) {
+      const int j = chunk.first + n;
+      const std::int32_t spot = l.joint_place[at(j)];
+      t.joint_a[spot] = chunk.on_ground ? m.joint_a[at(j)] - m.n_block : m.joint_a[at(j)];
+      t.joint_b[spot] = m.joint_b[at(j)];
+      const auto put = [&](int row, const Vec3& v) {
+        const double all[3] = {v.x, v.y, v.z};
+        for (int c = 0; c < 3; ++c) t.face[l.number(spot, kFaceRows, row + c, 1)] = all[c];
+      };
+      put(kArmA, m.space.arm_a[at(j)]);
+      put(kArmB, m.space.arm_b[at(j)]);
+      put(kTangent, m.space.tangent[at(j)]);
+      put(kNormal, m.space.normal[at(j)]);
+      t.face[l.number(spot, kFaceRows, kFaceArea, 1)] = m.area[at(j)];
+      for (int k = 0; k < chunk.points; ++k) {
+        const std::size_t p = at(m.space.point_begin[at(j)] + k);
+        const auto row = [&](int r) -> double& {
+          return t.point[l.point_number(chunk, chunk.rule, n, k, kPointRows, r, 1)];
+        };
+        row(kR1) = m.space.point_r1[p];
+        row(kR2) = m.space.point_r2[p];
+        row(kShare) = m.space.point_share[p];
+      }
+    }
+}
+
+void fill_blocks(const Layout& l, const Model& m, Tables& t) {
+  std::int32_t next = 0;
+  for (int i = 0; i < l.n_block; ++i) {
+    t.block_begin[i] = t.block_middle[i] = next;
+    if (i >= m.n_block) continue;
+    const Vec3* axes[3] = {&m.space.axis_1[at(i)], &m.space.axis_2[at(i)], &m.space.axis_3[at(i)]};
+    for (int k = 0; k < 3; ++k) {
+      const double all[3] = {axes[k]->x, axes[k]->y, axes[k]->z};
+      for (int c = 0; c < 3; ++c) t.axes[l.number(i, kAxisRows, 3 * k + c, 1)] = all[c];
+    }
+    auto e = m.block_begin[at(i)];
+    const auto last = m.block_begin[at(i) + 1];
+    for (; e < last && (m.block_entry[at(e)] & 1) == 0; ++e)
+      t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+    t.block_middle[i] = next;
+    for (; e < last; ++e) t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+  }
+  t.block_begin[l.n_block] = next;
+}
+
+}  // namespace
+
+Layout::Layout(const Model& m, dynamics::Layout::Kind of) : kind(of) {
+  cut_joints(m, *this);
+  cut_blocks(m, *this);
+}
+
+Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
+  Tables t;
+  t.lanes = l.grouped() ? 1 : walls;
+  t.n_block = l.n_block;
+  t.damps_components = m.solve.damping_form == DampingForm::kComponents;
+  Placed count;
+  place(l, m, t, count);
+  memory.numbers.assign(count.n_number, 0.0);
+  memory.ids.assign(count.n_id, 0);
+  memory.ways.assign(count.n_way, 0);
+  Placed there{memory.numbers.data(), memory.ids.data(), memory.ways.data()};
+  place(l, m, t, there);
+  fill_joints(l, m, t);
+  fill_blocks(l, m, t);
+  for (std::ptrdiff_t i = 0; i <= t.n_block; ++i)  // no turn: w = 1
+    std::fill_n(t.shift + (4 * i + 3) * t.lanes, t.lanes, 1.0);
+  return t;
+}
+
+}  // namespace wythe::dynamics::space

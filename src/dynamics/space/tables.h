@@ -1,0 +1,97 @@
+// Where the numbers of a step in space lie: tables of rows as in the plane (passes/tables.h), for one wall or
+// for walls side by side. Groups, chunks and ways are the same; the rows are those of bodies and faces.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/passes/tables.h"
+
+namespace wythe::dynamics::space {
+
+// Rows of a joint face: arms to its centre, t1 and n at the start, area.
+enum FaceRow { kArmA, kArmB = 3, kTangent = 6, kNormal = 9, kFaceArea = 12, kFaceRows };
+// Rows of a point: its place on the face, its share of the area.
+enum PointRow { kR1, kR2, kShare, kPointRows };
+// Rows of a body; displacement and turn are rows of four.
+enum BodyRow {
+  kV,                // velocity at the half step
+  kL = 3,            // angular momentum there
+  kMassRate = 6,     // dt / (mass mass_scaling), 0 where nothing moves
+  kInverse,          // 1 / (inertia mass_scaling) about the principal axes
+  kHeavy = 10,       // mass for the weight
+  kFree,             // 0: moved by the drive
+  kLoad,             // dead loads
+  kLoadMoment = 15,  //
+  kBodyRows = 18
+};
+// Rows of a body that only drive and meters read.
+enum StillRow {
+  kBodyMass,
+  kBodyInertia,       // about the principal axes
+  kContact = 4,       // force of its joints: driven blocks alone
+  kTotal = 7,         // with weight and loads
+  kTotalMoment = 10,  //
+  kLacking = 13,      // of blocks driven in a pattern
+  kStillRows
+};
+inline constexpr int kAxisRows = 9;  // three principal axes at the start
+
+struct Tables {
+  std::ptrdiff_t lanes = 1;
+  int n_block = 0;                // number of the resting pose
+  bool damps_components = false;  // local damping of each component in the wall's axes
+
+  // the same for all walls
+  double *face = nullptr, *point = nullptr, *axes = nullptr;
+  std::int32_t *joint_a = nullptr, *joint_b = nullptr;  // poses; on a support a is its number
+  std::int32_t *block_begin = nullptr, *block_middle = nullptr, *block_entry = nullptr;
+  std::int32_t* special =
+      nullptr;  // of a spot: a stage of some wall loads or drives one of its blocks
+
+  // each wall its own
+  double *law = nullptr, *body = nullptr, *still = nullptr, *history = nullptr, *wall = nullptr;
+  double *shift = nullptr, *turn = nullptr;  // rows of four: u and w of the turn; its x, y, z
+  double* support = nullptr;                 // rows of four: how far it was driven
+  double *force = nullptr, *moment_a = nullptr, *moment_b = nullptr;  // rows of four, of joints
+  std::uint8_t* way = nullptr;
+};
+// Numbers of a wall that every step brings along.
+enum WallRow { kStep, kLambda, kGravity, kWallRows = 5 };
+
+struct Layout {
+  Layout(const Model& model, dynamics::Layout::Kind kind);
+
+  dynamics::Layout::Kind kind;
+  std::vector<Chunk> joints, blocks;      // Chunk::rule: the first of its points in `point`
+  std::vector<std::int32_t> joint_place;  // of joint j
+  std::int32_t n_joint = 0, n_block = 0;  // with those that fill up groups
+  std::int32_t history = 0, points = 0, laws = 0;
+
+  [[nodiscard]] bool grouped() const { return kind == dynamics::Layout::kNeighbours; }
+  [[nodiscard]] int group() const { return grouped() ? kGroup : 1; }
+  // Of entity e of a table of `rows`: number of row r.
+  [[nodiscard]] std::ptrdiff_t number(std::ptrdiff_t e, int rows, int row,
+                                      std::ptrdiff_t walls) const {
+    if (!grouped()) return (e * rows + row) * walls;
+    return (e / kGroup * rows + row) * kGroup + e % kGroup;
+  }
+  // Row `row` of `rows` of point k of entity n of a chunk, in a table whose numbers of it begin at `first`.
+  [[nodiscard]] std::ptrdiff_t point_number(const Chunk& chunk, std::ptrdiff_t first, int n, int k,
+                                            int rows, int row, std::ptrdiff_t walls) const {
+    const std::ptrdiff_t number = first + (n / group() * chunk.points + k) * rows + row;
+    return grouped() ? number * kGroup + n % kGroup : number * walls;
+  }
+};
+
+struct Memory {
+  std::vector<double> numbers;
+  std::vector<std::int32_t> ids;
+  std::vector<std::uint8_t> ways;
+};
+
+// Tables filled with what all walls share; every wall at rest and without law.
+[[nodiscard]] Tables make_tables(const Layout& layout, const Model& model, int walls,
+                                 Memory& memory);
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,340 @@
+#include "dynamics/space/wall.h"
+
+#include <algorithm>
+
+#include "contact/parameters.h"
+
+namespace wythe::dynamics::space {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// act(array of the state, entity, number in the tables) for all that a step keeps of a wall.
+template <class S, class Act>
+void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
+  const Layout& l = *w.layout;
+  for (int i = 0; i < m.n_block; ++i) {
+    const std::size_t k = at(i);
+    const auto four = [&](auto& array, double* rows, int c) {
+      act(array[k], w.of_four(rows, i, c));
+    };
+    four(s.ux, w.t.shift, 0), four(s.uy, w.t.shift, 1), four(s.uz, w.t.shift, 2);
+    four(s.qw, w.t.shift, 3);
+    four(s.qx, w.t.turn, 0), four(s.qy, w.t.turn, 1), four(s.qz, w.t.turn, 2);
+    act(s.vx[k], w.body(i, kV)), act(s.vy[k], w.body(i, kV + 1)), act(s.vz[k], w.body(i, kV + 2));
+    act(s.lx[k], w.body(i, kL)), act(s.ly[k], w.body(i, kL + 1)), act(s.lz[k], w.body(i, kL + 2));
+  }
+  for (int i = 0; i < m.space.n_support; ++i) {
+    const std::size_t k = at(i);
+    act(s.support_x[k], w.of_four(w.t.support, i, 0));
+    act(s.support_y[k], w.of_four(w.t.support, i, 1));
+    act(s.support_z[k], w.of_four(w.t.support, i, 2));
+  }
+  for (const Chunk& chunk : l.joints)
+    for (int n = 0; n < chunk.n; ++n)
+      for (int k = 0; k < chunk.points; ++k) {
+        const std::size_t p = at(m.space.point_begin[at(chunk.first + n)] + k);
+        const auto row = [&](int r) -> double& {
+          return w.t.history[l.point_number(chunk, chunk.history, n, k, chunk.rows, r, w.t.lanes) +
+                             w.lane];
+        };
+        for (const StateField& field : kStateFields)
+          if (field.entity == Entity::kPoint && row_of(field.array) + 1 < chunk.rows)
+            act((s.*field.array)[p], row(row_of(field.array)));
+        act(s.plastic_slip_2[p], row(chunk.rows - 1));
+      }
+}
+
+void put_laws(const WallView& w, const Model& m) {
+  const Layout& l = *w.layout;
+  for (const Chunk& chunk : l.joints) {
+    const int entries = chunk.graded ? chunk.end - chunk.begin : 1;
+    for (int n = 0; n < entries * l.group(); ++n) {
+      const int joint = chunk.first + (chunk.graded ? std::min(n, chunk.n - 1) : 0);
+      const contact::LawConstants<double> law =
+          contact::constants_of(m.materials[at(m.joint_material[at(joint)])]);
+      for (int k = 0; k < kLawRows; ++k) {
+        const std::ptrdiff_t number = (chunk.law + n / l.group()) * kLawRows + k;
+        const std::ptrdiff_t place =
+            l.grouped() ? number * kGroup + n % kGroup : number * w.t.lanes;
+        w.t.law[place + w.lane] = law.*contact::kConstants<double>[at(k)];
+      }
+    }
+  }
+}
+
+double length(const Vec& v) { return square_root(dot(v, v)); }
+
+// Forces on block i: of its joints, and with dead loads and gravity.
+Load<double> sum_forces(std::ptrdiff_t i, const WallView& w) {
+  const Load<double> contact = contact_load(w.t, i, w.lane);
+  const Load<double> total{contact.f + (w.body_vector(i, kLoad) + w.body(i, kHeavy) * w.gravity()),
+                           contact.m + w.body_vector(i, kLoadMoment)};
+  w.put_still(contact.f, i, kContact);
+  w.put_still(total.f, i, kTotal);
+  w.put_still(total.m, i, kTotalMoment);
+  return total;
+}
+
+Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& w) {
+  Inertia<double> body;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
+    body.axis[k] = {axis(0), axis(1), axis(2)};
+    body.inverse[k] = w.body(i, kInverse + k);
+  }
+  return body;
+}
+
+// Supports move together; the reaction is what their joints do to them.
+double drive_supports(const Stage& push, const WallView& w, double velocity, WallWork& work) {
+  const Vec p{push.drive_x, push.drive_y, push.drive_z};
+  const double dt = w.of_wall(kStep);
+  double reaction = 0;
+  std::vector<bool> driven(at(std::max(1, w.supports)), false);
+  for (const BlockId id : push.driven) driven[at(id - w.blocks)] = true;
+  for (const Chunk& chunk : w.layout->joints) {
+    if (!chunk.on_ground) continue;
+    for (int n = 0; n < chunk.n; ++n) {
+      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(chunk.begin) * w.layout->group() + n;
+      if (!driven[at(w.t.joint_a[j])]) continue;
+      const Vec f{w.of_four(w.t.force, j, 0), w.of_four(w.t.force, j, 1),
+                  w.of_four(w.t.force, j, 2)};
+      reaction -= dot(f, p);
+    }
+  }
+  for (const BlockId id : push.driven)
+    for (int c = 0; c < 3; ++c) {
+      const double along[3] = {p.x, p.y, p.z};
+      w.of_four(w.t.support, id - w.blocks, c) += dt * velocity * along[c];
+    }
+  work.drive += reaction * velocity * dt;
+  return reaction;
+}
+
+// What the drive leaves free of a block: across the push, and its rotation.
+struct Free {
+  Vec v, mean_v, l, mean_rate;
+  double damping;
+};
+
+Free move_freely(std::ptrdiff_t i, const Stage& push, const WallView& w, const Vec& p) {
+  const double dt = w.of_wall(kStep), lambda = w.of_wall(kLambda), m = w.still(i, kBodyMass);
+  const bool components = w.t.damps_components;
+  const auto across = [&](const Vec& a) { return a - dot(a, p) * p; };
+  Free now{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  if (push.spec.across == Freedom::kFree) {
+    const Vec v0 = across(w.body_vector(i, kV)), f = across(w.still_vector(i, kTotal));
+    const Vec damped = damping_of(f, v0, lambda, components);
+    now.v = v0 + (dt / m) * (f + damped);
+    now.mean_v = 0.5 * (v0 + now.v);
+    now.damping += dt * dot(damped, now.mean_v);
+  }
+  if (push.spec.rotation == Freedom::kFree) {
+    const Quaternion<double> q = w.turn(i);
+    const Inertia<double> body = inertia_of(i, w);
+    const Vec l0 = w.body_vector(i, kL), torque = w.still_vector(i, kTotalMoment);
+    const Vec rate0 = turned(q, body.rate(turned_back(q, l0)));
+    const Vec braked = damping_of(torque, rate0, lambda, components);
+    now.l = l0 + dt * (torque + braked);
+    now.mean_rate = 0.5 * (rate0 + turned(q, body.rate(turned_back(q, now.l))));
+    now.damping += dt * dot(braked, now.mean_rate);
+  }
+  return now;
+}
+
+}  // namespace
+
+WallView view_of(const Layout& layout, const Model& model, const Tables& tables, int lane) {
+  WallView view;
+  view.t = tables;
+  view.layout = &layout;
+  view.lane = lane;
+  view.blocks = model.n_block;
+  view.supports = model.space.n_support;
+  return view;
+}
+
+void put_wall(const WallView& w, const Model& m, const State& s) {
+  put_laws(w, m);
+  each_number(w, m, s, [](double of, double& to) { to = of; });
+  for (int i = 0; i < m.n_block; ++i) {
+    const Vec3& inertia = m.space.inertia[at(i)];
+    w.body(i, kHeavy) = m.heavy_mass[at(i)];
+    w.body(i, kFree) = 1;
+    w.put_body({0, 0, 0}, i, kLoad);
+    w.put_body({0, 0, 0}, i, kLoadMoment);
+    w.still(i, kBodyMass) = m.mass[at(i)];
+    w.put_still(vec(inertia), i, kBodyInertia);
+  }
+  for (const Stage& stage : m.stages) {
+    for (const PointLoad& load : stage.loads) w.special(load.block) = 1;
+    for (const BlockId block : stage.driven)
+      if (block < m.n_block) w.special(block) = 1;
+  }
+}
+
+void read_wall(const WallView& w, const Model& m, State& s) {
+  each_number(w, m, s, [](double& to, double of) { to = of; });
+}
+
+void set_rates(const WallView& w, double dt, double mass_scaling) {
+  const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
+  for (int i = 0; i < w.blocks; ++i) {
+    w.body(i, kMassRate) = over(dt, w.still(i, kBodyMass) * mass_scaling);
+    for (int k = 0; k < 3; ++k)
+      w.body(i, kInverse + k) = over(1, w.still(i, kBodyInertia + k) * mass_scaling);
+  }
+}
+
+void choose_driven(const WallView& w, const std::vector<BlockId>& blocks) {
+  for (int i = 0; i < w.blocks; ++i) {
+    w.body(i, kFree) = 1;
+    w.still(i, kLacking) = 0;
+  }
+  for (const BlockId block : blocks)
+    if (block < w.blocks) w.body(block, kFree) = 0;
+}
+
+void clear_load(const PointLoad& load, const WallView& w) {
+  w.put_body({0, 0, 0}, load.block, kLoad);
+  w.put_body({0, 0, 0}, load.block, kLoadMoment);
+}
+
+void add_load(const PointLoad& load, double scale, const WallView& w) {
+  const Vec f = scale * Vec{load.fx, load.fy, load.fz};
+  const Vec arm = turned(w.turn(load.block), Vec{load.arm_x, load.arm_y, load.arm_z});
+  w.put_body(w.body_vector(load.block, kLoad) + f, load.block, kLoad);
+  w.put_body(w.body_vector(load.block, kLoadMoment) + cross(arm, f), load.block, kLoadMoment);
+}
+
+// As drive_blocks() in the plane (passes/drive.h): forces R r_i in fixed shares, of which only the mean of the
+// velocities with these shares is prescribed; or each block at the prescribed velocity.
+double drive(const Stage& push, const WallView& w, double velocity, WallWork& work) {
+  if (!push.driven.empty() && push.driven.front() >= w.blocks)
+    return drive_supports(push, w, velocity, work);
+  const Vec p{push.drive_x, push.drive_y, push.drive_z};
+  const double dt = w.of_wall(kStep), lambda = w.of_wall(kLambda);
+  const bool spread = push.spec.as != Manner::kEach;
+  const bool is_pattern = push.spec.pattern != Pattern::kNone;
+  double reaction = 0, sum = 0, mobility = 0, squares = 0;
+  for (std::size_t k = 0; k < push.driven.size(); ++k) {
+    const BlockId i = push.driven[k];
+    const double r = push.driven_share[k];
+    sum += r * dot(sum_forces(i, w).f, p);
+    squares += r * r;
+    mobility += r * r / w.still(i, kBodyMass);
+    reaction -= dot(w.still_vector(i, kContact), p);
+  }
+  const double balance = spread ? -sum / squares : 0.0;
+  double missed = 0;
+  for (std::size_t k = 0; k < push.driven.size(); ++k) {
+    const BlockId i = push.driven[k];
+    const double r = push.driven_share[k];
+    const double f = dot(w.still_vector(i, kTotal), p) + r * balance;
+    const double v = dot(w.body_vector(i, kV), p);
+    missed += r * (velocity - accelerate(v, f, dt / w.still(i, kBodyMass), dt, lambda).velocity);
+  }
+  const double correction = missed / (mobility * dt);
+
+  for (std::size_t k = 0; k < push.driven.size(); ++k) {
+    const BlockId i = push.driven[k];
+    const double r = push.driven_share[k], m = w.still(i, kBodyMass);
+    const Vec total = w.still_vector(i, kTotal);
+    const double along_f = dot(total, p), along_v = dot(w.body_vector(i, kV), p);
+    double vp = velocity, force = 0;
+    if (spread) {
+      const double left = along_f + r * balance;
+      const Moved<double> along = accelerate(along_v, left, dt / m, dt, lambda);
+      vp = along.velocity + dt / m * (r * correction);
+      force = r * (balance + correction);
+      work.damping -= lambda * magnitude(left) * sign(along_v) * 0.5 * (along_v + vp) * dt;
+      if (is_pattern) w.still(i, kLacking) = length(left * p + (total - along_f * p));
+    } else {
+      force = m * (vp - along_v) / dt - along_f;
+    }
+    const Free free = move_freely(i, push, w, p);
+    const double mean_p = 0.5 * (along_v + vp);
+    const Vec mean_v = mean_p * p + free.mean_v, load = total - w.still_vector(i, kContact);
+    work.drive += force * mean_p * dt;
+    work.damping += free.damping;
+    work.loads += dt * (dot(load, mean_v) + dot(w.body_vector(i, kLoadMoment), free.mean_rate));
+
+    const Vec v = vp * p + free.v;
+    const Quaternion<double> q = w.turn(i);
+    const Quaternion<double> q1 = spin(q, turned_back(q, free.l), inertia_of(i, w), dt);
+    w.put_body(v, i, kV);
+    w.put_body(free.l, i, kL);
+    const double shift[4] = {v.x * dt, v.y * dt, v.z * dt, q1.w - q.w};
+    for (int c = 0; c < 4; ++c) w.of_four(w.t.shift, i, c) += shift[c];
+    w.of_four(w.t.shift, i, 3) = q1.w;
+    w.of_four(w.t.turn, i, 0) = q1.v.x;
+    w.of_four(w.t.turn, i, 1) = q1.v.y;
+    w.of_four(w.t.turn, i, 2) = q1.v.z;
+  }
+  return reaction;
+}
+
+double unbalance_of(const WallView& w, const Model& m) {
+  double unbalanced = 0, contact = 0;
+  for (int i = 0; i < w.blocks; ++i) {
+    if (!(w.body(i, kFree) > 0)) {
+      unbalanced += w.still(i, kLacking);
+      continue;
+    }
+    const Vec load = w.body_vector(i, kLoad) + w.body(i, kHeavy) * w.gravity();
+    unbalanced += length(contact_load(w.t, i, w.lane).f + load);
+  }
+  for (int j = 0; j < m.n_joint; ++j) {
+    const std::int32_t e = w.layout->joint_place[at(j)];
+    const double sides = j < m.n_pair ? 2.0 : 1.0;
+    contact += sides * length({w.of_four(w.t.force, e, 0), w.of_four(w.t.force, e, 1),
+                               w.of_four(w.t.force, e, 2)});
+  }
+  if (contact > 0) return unbalanced / contact;
+  return unbalanced > 0 ? 1.0 : 0.0;
+}
+
+double kinetic_of(const WallView& w, double mass_scaling) {
+  double energy = 0;
+  for (int i = 0; i < w.blocks; ++i) {
+    const Vec v = w.body_vector(i, kV);
+    const Vec l = turned_back(w.turn(i), w.body_vector(i, kL));
+    const Inertia<double> body = inertia_of(i, w);
+    energy += 0.5 * w.still(i, kBodyMass) * mass_scaling * dot(v, v) + 0.5 * dot(l, body.rate(l));
+  }
+  return energy;
+}
+
+double shear_of(const WallView& w, const Model& m, const Vec3& along) {
+  double sum = 0;  // the force on side a, the support, resists with the opposite sign
+  for (int j = m.n_pair; j < m.n_joint; ++j) {
+    const std::int32_t e = w.layout->joint_place[at(j)];
+    sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
+           w.of_four(w.t.force, e, 2) * along.z;
+  }
+  return sum;
+}
+
+BlockId runaway_of(const WallView& w) {
+  constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
+  const auto finite = [](double x) { return x - x == 0; };
+  for (int i = 0; i < w.blocks; ++i) {
+    const Quaternion<double> q = w.turn(i);
+    if (!(length(w.body_vector(i, kV)) < kFast) || !finite(dot(q.v, q.v) + q.w) ||
+        !finite(length(w.body_vector(i, kL))))
+      return i;
+  }
+  return -1;
+}
+
+Furthest furthest_of(const WallView& w) {
+  Furthest far;
+  for (int i = 0; i < w.blocks; ++i) {
+    const double moved = length(w.shift(i));
+    if (moved > far.distance) far = {moved, i};
+  }
+  return far;
+}
+
+}  // namespace wythe::dynamics::space

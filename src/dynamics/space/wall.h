@@ -1,0 +1,85 @@
+// One wall in space among the tables, seen by what looks at a single wall: loads, drive, meters, copies of its
+// state (as passes/wall.h, drive.h and sums.h in the plane).
+#pragma once
+
+#include "dynamics/passes/drive.h"
+#include "dynamics/passes/sums.h"
+#include "dynamics/space/blocks.h"
+
+namespace wythe::dynamics::space {
+
+using Vec = Vector<double>;
+[[nodiscard]] inline Vec vec(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+struct WallView {
+  Tables t;
+  const Layout* layout = nullptr;
+  std::ptrdiff_t lane = 0;
+  int blocks = 0, supports = 0;
+
+  [[nodiscard]] double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
+    return table[layout->number(e, rows, row, t.lanes) + lane];
+  }
+  [[nodiscard]] double& body(std::ptrdiff_t i, int row) const {
+    return number(t.body, kBodyRows, i, row);
+  }
+  [[nodiscard]] double& still(std::ptrdiff_t i, int row) const {
+    return number(t.still, kStillRows, i, row);
+  }
+  [[nodiscard]] Vec body_vector(std::ptrdiff_t i, int row) const {
+    return {body(i, row), body(i, row + 1), body(i, row + 2)};
+  }
+  [[nodiscard]] Vec still_vector(std::ptrdiff_t i, int row) const {
+    return {still(i, row), still(i, row + 1), still(i, row + 2)};
+  }
+  void put_body(const Vec& v, std::ptrdiff_t i, int row) const {
+    body(i, row) = v.x, body(i, row + 1) = v.y, body(i, row + 2) = v.z;
+  }
+  void put_still(const Vec& v, std::ptrdiff_t i, int row) const {
+    still(i, row) = v.x, still(i, row + 1) = v.y, still(i, row + 2) = v.z;
+  }
+  // Column c of a row of four.
+  [[nodiscard]] double& of_four(double* rows, std::ptrdiff_t e, int c) const {
+    return rows[(4 * e + c) * t.lanes + lane];
+  }
+  [[nodiscard]] Vec shift(std::ptrdiff_t i) const {
+    return {of_four(t.shift, i, 0), of_four(t.shift, i, 1), of_four(t.shift, i, 2)};
+  }
+  [[nodiscard]] Quaternion<double> turn(std::ptrdiff_t i) const {
+    return {of_four(t.shift, i, 3),
+            {of_four(t.turn, i, 0), of_four(t.turn, i, 1), of_four(t.turn, i, 2)}};
+  }
+  [[nodiscard]] double& of_wall(int row) const { return t.wall[row * t.lanes + lane]; }
+  [[nodiscard]] Vec gravity() const {
+    return {of_wall(kGravity), of_wall(kGravity + 1), of_wall(kGravity + 2)};
+  }
+  [[nodiscard]] std::int32_t& special(std::ptrdiff_t i) const {
+    return t.special[layout->grouped() ? i / kGroup : i];
+  }
+};
+
+[[nodiscard]] WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
+                               int lane);
+// A wall takes a lane: what it has for itself and where it is. Its time step is still to be set.
+void put_wall(const WallView& wall, const Model& model, const State& state);
+// Its motion and history, into the state's own arrays.
+void read_wall(const WallView& wall, const Model& model, State& state);
+
+void set_rates(const WallView& wall, double dt, double mass_scaling);
+// Marks the blocks that the drive moves.
+void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);
+void clear_load(const PointLoad& load, const WallView& wall);
+void add_load(const PointLoad& load, double scale, const WallView& wall);
+
+// Moves the driven blocks, or supports, and returns the reaction [N].
+[[nodiscard]] double drive(const Stage& push, const WallView& wall, double velocity,
+                           WallWork& work);
+
+// The meters (sums.h); forces as vectors, so that they know no axes.
+[[nodiscard]] double unbalance_of(const WallView& wall, const Model& model);
+[[nodiscard]] double kinetic_of(const WallView& wall, double mass_scaling);
+[[nodiscard]] double shear_of(const WallView& wall, const Model& model, const Vec3& along);
+[[nodiscard]] BlockId runaway_of(const WallView& wall);
+[[nodiscard]] Furthest furthest_of(const WallView& wall);
+
+}  // namespace wythe::dynamics::space

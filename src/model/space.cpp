@@ -1,0 +1,326 @@
+#include "model/space.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "contact/parameters.h"
+#include "geometry/blocks_file.h"
+#include "model/fields.h"
+#include "model/space_points.h"
+
+namespace wythe {
+namespace {
+
+using geometry::JointFace;
+using geometry::Shape;
+using geometry::SpaceAssembly;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// What a wall in space cannot have yet, named.
+void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
+  const auto refuse = [&](const char* path, bool is_there) {
+    if (is_there)
+      faults.add({"", path, "", "is for walls in their plane; this one is in space",
+                  "leave it out, or write it as blocks of the file", 0});
+  };
+  refuse("storey", !spec.storey.empty());
+  refuse("region", !spec.region.empty());
+  refuse("floor", !spec.floor.empty());
+  refuse("tie", !spec.tie.empty());
+  refuse("diaphragm", !spec.diaphragm.empty());
+  refuse("spring", !spec.spring.empty());
+  refuse("field", !spec.field.empty());
+  refuse("wall.opening", !spec.wall.opening.empty());
+  refuse("wall.beam", std::isfinite(spec.wall.beam.height));
+  refuse("assessment", !spec.assessment.code.empty());
+}
+
+// Materials by name, each checked the first time it is used.
+class Materials {
+ public:
+  Materials(const ModelSpec& spec, Model& model, FaultList& faults)
+      : spec_(spec), model_(model), faults_(faults) {}
+
+  std::int32_t index_of(const std::string& name) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    const auto stated = spec_.material.find(name);
+    const auto index = static_cast<std::int32_t>(model_.materials.size());
+    index_[name] = index;
+    model_.material_names.push_back(name);
+    model_.materials.emplace_back();
+    if (stated == spec_.material.end()) {
+      faults_.add({"", "material." + name, "", "is missing; joints of the wall are made of it",
+                   fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
+      return index;
+    }
+    for (const MaterialFault& fault : check_joint_material(stated->second))
+      faults_.add(
+          {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
+    model_.materials.back() = stated->second;
+    return index;
+  }
+
+ private:
+  const ModelSpec& spec_;
+  Model& model_;
+  FaultList& faults_;
+  std::map<std::string, std::int32_t> index_;
+};
+
+std::string material_of(const Shape& shape, const BodySpec& a, const BodySpec& b) {
+  const std::string plain =
+      a.fixed && shape.material.contains("foundation") ? "foundation" : "joint";
+  const std::string between = geometry::ruled_material(shape, a.material, b.material, plain);
+  return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
+}
+
+// Numbers bodies: free ones first, in their order, then supports.
+std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
+  std::vector<BlockId> id(assembly.body.size());
+  for (std::size_t k = 0; k < id.size(); ++k)
+    if (!assembly.body[k].fixed) id[k] = model.n_block++;
+  for (std::size_t k = 0; k < id.size(); ++k)
+    if (assembly.body[k].fixed) id[k] = model.n_block + model.space.n_support++;
+  return id;
+}
+
+void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& model,
+                 FaultList& faults) {
+  const Shape shape(spec);
+  Space& space = model.space;
+  Anatomy& anatomy = model.anatomy;
+  for (const bool fixed : {false, true})
+    for (std::size_t k = 0; k < assembly.body.size(); ++k) {
+      const BodySpec& body = assembly.body[k];
+      if (body.fixed != fixed) continue;
+      const geometry::SolidMoments& moments = assembly.moments[k];
+      space.body.push_back(body);
+      space.centroid.push_back(moments.centroid);
+      if (fixed) continue;
+      const double density = geometry::density_in_file(shape, body.material);
+      if (!(density > 0))
+        faults.add({"", "wall.blocks." + body.id, "",
+                    fmt::format("has no density: neither material {} nor wall.unit has one",
+                                body.material),
+                    "add e.g. [wall.unit] density = \"1800 kg/m^3\"", 0});
+      const PrincipalAxes axes = principal_axes(moments.inertia);
+      model.mass.push_back(density * moments.volume);
+      model.heavy_mass.push_back(density * moments.volume);
+      space.inertia.push_back(density * axes.moment);
+      space.axis_1.push_back(axes.axis_1);
+      space.axis_2.push_back(axes.axis_2);
+      space.axis_3.push_back(axes.axis_3);
+      model.centroid_x.push_back(moments.centroid.x);
+      model.centroid_y.push_back(moments.centroid.y);
+      anatomy.block_id.push_back(body.id);
+      anatomy.block_role.push_back(BlockRole::kMasonry);
+      anatomy.block_course.push_back(-1);
+    }
+  model.inertia.assign(at(model.n_block), 0.0);  // of turns in the plane: not used
+  model.turn_freedom.assign(at(model.n_block), 1.0);
+}
+
+// The frame of a face: t1 along its longest side, so that it does not hang on where the polygon begins.
+Vec3 tangent_of(const JointFace& face) {
+  Vec3 longest;
+  double most = -1;
+  for (std::size_t k = 0; k < face.polygon.size(); ++k) {
+    const Vec3 side = face.polygon[(k + 1) % face.polygon.size()] - face.polygon[k];
+    if (dot(side, side) > most * (1 + 1e-9)) most = dot(side, side), longest = side;
+  }
+  const Vec3 in_plane = longest - dot(longest, face.normal) * face.normal;
+  return geometry::unit(in_plane);
+}
+
+// A joint before it gets its place.
+struct Placed {
+  const JointFace* face;
+  BlockId a, b;
+  std::int32_t material;
+  Vec3 tangent, normal;
+  FacePoints points;
+  std::vector<Vec3> outline;
+};
+
+Placed placed(const JointFace& face, BlockId a, BlockId b, std::int32_t material,
+              const PointChoice& choice) {
+  Placed joint{&face, a, b, material, tangent_of(face), face.normal, {}, face.polygon};
+  const Vec3 t2 = cross(joint.normal, joint.tangent);
+  std::vector<Vec2> corner;
+  for (const Vec3& p : face.polygon)
+    corner.push_back({dot(p - face.centre, joint.tangent), dot(p - face.centre, t2)});
+  joint.points = points_on(corner, choice);
+  return joint;
+}
+
+void append(const Placed& joint, Model& model) {
+  Space& space = model.space;
+  model.joint_a.push_back(joint.a);
+  model.joint_b.push_back(joint.b);
+  model.joint_material.push_back(joint.material);
+  model.area.push_back(joint.face->area);
+  space.arm_a.push_back(joint.face->centre - space.centroid[at(joint.a)]);
+  space.arm_b.push_back(joint.face->centre - space.centroid[at(joint.b)]);
+  space.tangent.push_back(joint.tangent);
+  space.normal.push_back(joint.normal);
+  space.face.push_back(joint.outline);
+  const FacePoints& p = joint.points;
+  space.point_r1.insert(space.point_r1.end(), p.r1.begin(), p.r1.end());
+  space.point_r2.insert(space.point_r2.end(), p.r2.begin(), p.r2.end());
+  space.point_share.insert(space.point_share.end(), p.share.begin(), p.share.end());
+  space.point_begin.push_back(static_cast<std::int32_t>(space.point_r1.size()));
+  const bool upright = std::fabs(joint.normal.y) < 0.5;
+  model.anatomy.joint_kind.push_back(joint.a >= model.n_block ? JointKind::kFoundation
+                                     : upright                ? JointKind::kHead
+                                                              : JointKind::kBed);
+}
+
+void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
+                 const std::vector<BlockId>& id, Model& model, FaultList& faults) {
+  const Shape shape(spec);
+  Materials materials(spec, model, faults);
+  const PointChoice choice = point_choice(spec.solve);
+  model.solve.point_rule = choice.rule;
+  model.solve.points_per_face = choice.points;
+  std::vector<Placed> joints;
+  for (const JointFace& face : assembly.faces) {
+    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    if (a.fixed && b.fixed) continue;
+    joints.push_back(placed(face, id[at(face.a)], id[at(face.b)],
+                            materials.index_of(material_of(shape, a, b)), choice));
+  }
+  faults.throw_if_any();
+  const auto variant = [&](const Placed& joint) {
+    const contact::LawChoice c = contact::choice_of(model.materials[at(joint.material)]);
+    return std::array{static_cast<int>(c.softening), static_cast<int>(c.coupling),
+                      static_cast<int>(c.unloading), static_cast<int>(c.cap)};
+  };
+  const auto key = [&](const Placed& joint) {
+    return std::tuple(joint.a >= model.n_block, variant(joint), joint.material,
+                      joint.points.r1.size());
+  };
+  std::stable_sort(joints.begin(), joints.end(),
+                   [&](const Placed& p, const Placed& q) { return key(p) < key(q); });
+  model.space.point_begin.push_back(0);
+  for (const Placed& joint : joints) append(joint, model);
+  model.n_joint = static_cast<int>(joints.size());
+  model.n_pair = static_cast<int>(std::count_if(
+      joints.begin(), joints.end(), [&](const Placed& joint) { return joint.a < model.n_block; }));
+}
+
+// Of each block first the joints of which it is side a, then those of which it is b.
+void fill_lists(Model& model) {
+  std::vector<std::vector<std::int32_t>> of(at(model.n_block));
+  for (const bool is_b : {false, true})
+    for (int j = 0; j < model.n_joint; ++j) {
+      const BlockId block = is_b ? model.joint_b[at(j)] : model.joint_a[at(j)];
+      if (block < model.n_block) of[at(block)].push_back(2 * j + (is_b ? 1 : 0));
+    }
+  model.block_begin.push_back(0);
+  for (const std::vector<std::int32_t>& entries : of) {
+    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
+    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
+  }
+}
+
+void measure(const SpaceAssembly& assembly, Model& model) {
+  geometry::Box3 all;
+  double smallest = 1e300;
+  bool first = true;
+  for (const BodySpec& body : assembly.body) {
+    if (body.fixed) continue;
+    const geometry::Box3 box = geometry::box_of(body);
+    all = first ? box : geometry::join(all, box);
+    first = false;
+    smallest = std::fmin(smallest, box.high.y - box.low.y);
+  }
+  Anatomy& anatomy = model.anatomy;
+  anatomy.length = all.high.x - all.low.x;
+  anatomy.height = all.high.y - all.low.y;
+  anatomy.thickness = all.high.z - all.low.z;
+  anatomy.lost_joints = assembly.lost_faces;
+  anatomy.notes = assembly.notes;
+  anatomy.support_begin = {0};
+  anatomy.outline_begin.assign(at(model.n_block) + 1, 0);
+  anatomy.block_thickness.assign(at(model.n_block), anatomy.thickness);
+  if (std::isnan(model.solve.collapse_displacement)) model.solve.collapse_displacement = smallest;
+}
+
+// Smooth start of pushes that state none: a fifth of the push, at most.
+void set_ramps(Model& model) {
+  constexpr double kUsual = 0.05;  // [s]
+  for (Stage& stage : model.stages) {
+    StageSpec& s = stage.spec;
+    if (s.kind != StageKind::kPush || !std::isnan(s.ramp)) continue;
+    const double first = s.targets.empty() ? s.until : std::fabs(s.targets.front());
+    s.ramp = std::fmin(kUsual, 0.2 * first / s.velocity);
+  }
+}
+
+}  // namespace
+
+PrincipalAxes principal_axes(const std::array<double, 6>& inertia) {
+  double m[3][3] = {{inertia[0], inertia[3], inertia[4]},
+                    {inertia[3], inertia[1], inertia[5]},
+                    {inertia[4], inertia[5], inertia[2]}};
+  double v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // columns are axes
+  const double scale = inertia[0] + inertia[1] + inertia[2];
+  for (int sweep = 0; sweep < 12; ++sweep)
+    for (const auto& [p, q] : {std::pair(0, 1), {0, 2}, {1, 2}}) {
+      if (std::fabs(m[p][q]) <= 1e-15 * scale) continue;
+      const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+      const double t = (theta >= 0 ? 1 : -1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
+      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+      for (int k = 0; k < 3; ++k) {
+        const double a = m[k][p], b = m[k][q];
+        m[k][p] = c * a - s * b, m[k][q] = s * a + c * b;
+      }
+      for (int k = 0; k < 3; ++k) {
+        const double a = m[p][k], b = m[q][k];
+        m[p][k] = c * a - s * b, m[q][k] = s * a + c * b;
+      }
+      for (auto& row : v) {
+        const double a = row[p], b = row[q];
+        row[p] = c * a - s * b, row[q] = s * a + c * b;
+      }
+    }
+  const auto axis = [&](int k) { return Vec3{v[0][k], v[1][k], v[2][k]}; };
+  return {{m[0][0], m[1][1], m[2][2]}, axis(0), axis(1), cross(axis(0), axis(1))};
+}
+
+SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
+  refuse_plane_parts(spec, faults);
+  check_points(spec.solve, faults);
+  return geometry::assemble(spec.body, faults);
+}
+
+Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
+  FaultList faults;
+  Model model;
+  model.solve = spec.solve;
+  model.output = spec.output;
+  const std::vector<BlockId> id = number(assembly, model);
+  fill_blocks(spec, assembly, model, faults);
+  if (model.n_block == 0)
+    faults.add({"", "wall.blocks", "", "holds no block that moves", "leave at least one free", 0});
+  faults.throw_if_any();
+  fill_joints(spec, assembly, id, model, faults);
+  fill_lists(model);
+  measure(assembly, model);
+  for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  compile_space_stages(spec, assembly, id, model, faults);
+  faults.throw_if_any();
+  bound_space_step(model);
+  set_ramps(model);
+  model.topology = topology_of(model);
+  return model;
+}
+
+}  // namespace wythe

@@ -1,0 +1,243 @@
+// Stages in the user's words -> loads on bodies and driven bodies, in space.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/space.h"
+
+namespace wythe {
+namespace {
+
+using geometry::OuterFace;
+using geometry::SpaceAssembly;
+
+constexpr double kLoadRamp = 0.1;  // documented default of a load's smooth start [s]
+constexpr double kFacing = 0.5;    // cosine to a direction from which on a face looks that way
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+bool has(double number) { return std::isfinite(number); }
+
+Vec3 vector_of(Direction direction) {
+  switch (direction) {
+    case Direction::kPlusX: return {1, 0, 0};
+    case Direction::kMinusX: return {-1, 0, 0};
+    case Direction::kPlusY: return {0, 1, 0};
+    case Direction::kMinusY: return {0, -1, 0};
+    case Direction::kPlusZ: return {0, 0, 1};
+    case Direction::kMinusZ: return {0, 0, -1};
+  }
+  return {};
+}
+
+bool holds(const Polyhedron& part, Vec3 p, double tolerance) {
+  return std::all_of(part.face.begin(), part.face.end(), [&](const auto& corners) {
+    const geometry::Facet facet = geometry::facet_of(part, corners);
+    return dot(p - facet.centre, facet.normal) <= tolerance;
+  });
+}
+
+class SpaceStages {
+ public:
+  SpaceStages(const ModelSpec& spec, const SpaceAssembly& assembly, const std::vector<BlockId>& id,
+              Model& model, FaultList& faults)
+      : spec_(spec), assembly_(assembly), id_(id), model_(model), faults_(faults) {
+    for (std::size_t k = 0; k < assembly.body.size(); ++k) {
+      const geometry::Box3 box = geometry::box_of(assembly.body[k]);
+      lowest_ = std::fmin(lowest_, box.low.y);
+      box_.push_back(box);
+    }
+  }
+
+  void run() {
+    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
+      path_ = fmt::format("stage.{}", k);
+      Stage stage;
+      stage.spec = spec_.stage[k];
+      StageSpec& s = stage.spec;
+      const bool push = s.kind == StageKind::kPush;
+      if (std::isnan(s.damping)) s.damping = spec_.solve.damping;
+      if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;
+      if (s.as == Manner::kDefault) {
+        if (push) s.as = Manner::kSpreader;
+        if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
+      }
+      set_direction(stage);
+      if (s.kind == StageKind::kLoad) set_loads(stage);
+      if (push) set_driven(stage);
+      refuse_second_factor(s);
+      model_.stages.push_back(std::move(stage));
+    }
+  }
+
+ private:
+  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
+    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  void set_direction(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    Vec3 d = vector_of(s.direction);
+    if (!s.along.empty()) {
+      if (s.along.size() != 3 || !(geometry::norm({s.along[0], s.along[1], s.along[2]}) > 0))
+        return fault("along", "", "must be three numbers that are not all 0",
+                     "write e.g. along = [1, 0, 0.5]");
+      d = geometry::unit({s.along[0], s.along[1], s.along[2]});
+    }
+    stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
+    const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
+    if (tilts && std::fabs(d.y) > 1e-12)
+      fault("direction", "", "a body force or tilt acts sideways",
+            "write a direction without a part upwards");
+  }
+
+  // The load factor of a body force goes on from stage to stage; one is enough.
+  void refuse_second_factor(const StageSpec& s) {
+    if (s.kind != StageKind::kBodyForce && s.kind != StageKind::kTilt) return;
+    if (has_factor_) fault("kind", "", "is a second body force or tilt", "keep one of them");
+    has_factor_ = true;
+  }
+
+  // --- which bodies -----------------------------------------------------------------------------------
+
+  [[nodiscard]] static bool is_named(const BodySpec& body, const std::string& pattern) {
+    if (pattern.ends_with("*")) return body.id.starts_with(pattern.substr(0, pattern.size() - 1));
+    return body.id == pattern;
+  }
+
+  // Bodies of the assembly at a place; all of them where it says nothing.
+  [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const {
+    const bool is_box = has(place.width) || has(place.height) || has(place.depth);
+    const bool is_point = !is_box && (has(place.x) || has(place.y) || has(place.z));
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
+      const Vec3 c = assembly_.moments[k].centroid;
+      const auto within = [](double x, double from, double width) {
+        return !has(from) || (x >= from && (!has(width) || x <= from + width));
+      };
+      const bool matches = !place.block.empty() ? is_named(assembly_.body[k], place.block)
+                           : is_box             ? within(c.x, place.x, place.width) &&
+                                          within(c.y, place.y, place.height) &&
+                                          within(c.z, place.z, place.depth)
+                           : is_point ? holds_point(k, place)
+                                      : true;
+      if (matches) found.push_back(k);
+    }
+    return found;
+  }
+  [[nodiscard]] bool holds_point(std::size_t k, const PlaceSpec& place) const {
+    const Vec3 c = assembly_.moments[k].centroid;
+    const Vec3 p{has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y,
+                 has(place.z) ? place.z : c.z};
+    const double tolerance = 1e-6 * box_[k].longest();
+    return std::any_of(assembly_.body[k].part.begin(), assembly_.body[k].part.end(),
+                       [&](const Polyhedron& part) { return holds(part, p, tolerance); });
+  }
+
+  // --- loads ------------------------------------------------------------------------------------------
+
+  void set_loads(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    for (const auto& [key, load] :
+         {std::pair("pier_load", s.pier_load), {"beam_load", s.beam_load}})
+      if (has(load))
+        fault(key, "", "is for walls in their plane; this one is in space",
+              "write pressure, and face and on for where it acts");
+    if (!has(s.pressure)) return;
+    Vec3 looks{0, 1, 0};
+    if (!s.face.empty()) {
+      const auto* word =
+          std::find_if(std::begin(kDirectionWords), std::end(kDirectionWords),
+                       [&](const auto& candidate) { return s.face == candidate.word; });
+      if (word == std::end(kDirectionWords))
+        return fault("face", s.face, "is no direction", "write +x, -x, +y, -y, +z or -z");
+      looks = vector_of(word->value);
+    }
+    const std::vector<std::size_t> bodies = find(s.on);
+    for (const OuterFace& face : assembly_.outer) {
+      const auto k = at(face.body);
+      if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing) continue;
+      if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
+      const geometry::Facet facet = geometry::measured(face.polygon);
+      const Vec3 arm = facet.centre - assembly_.moments[k].centroid;
+      const Vec3 f = -s.pressure * face.area * face.normal;
+      stage.loads.push_back({id_[k], arm.x, arm.y, f.x, f.y, arm.z, f.z});
+    }
+    if (stage.loads.empty())
+      fault(s.face.empty() ? "pressure" : "face", s.face, "finds no free face to press on",
+            "name another face or other blocks in `on`");
+  }
+
+  // --- pushes -----------------------------------------------------------------------------------------
+
+  void set_driven(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    const bool patterned = s.pattern != Pattern::kNone;
+    if (patterned && s.pattern != Pattern::kMass && s.pattern != Pattern::kArea)
+      return fault("pattern", "", "is for walls in their plane",
+                   "in space write pattern = \"mass\" or \"area\", or `at`");
+    const std::vector<std::size_t> found = find(patterned ? s.on : s.at);
+    const bool fixed = !found.empty() && std::all_of(found.begin(), found.end(), [&](auto k) {
+      return assembly_.body[k].fixed;
+    });
+    double height = 0, total = 0;
+    for (const std::size_t k : found) {
+      if (assembly_.body[k].fixed != fixed) continue;
+      const double share = s.pattern == Pattern::kMass   ? model_.heavy_mass[at(id_[k])]
+                           : s.pattern == Pattern::kArea ? facing_area(k, stage)
+                                                         : 1.0;
+      if (!(share > 0)) continue;
+      stage.driven.push_back(id_[k]);
+      stage.driven_share.push_back(share);
+      height += share * (assembly_.moments[k].centroid.y - lowest_);
+      total += share;
+    }
+    if (stage.driven.empty())
+      return fault(patterned ? "pattern" : "at", "", "finds no block to push",
+                   "name blocks by id, a point in a block, or a box round their centres");
+    for (double& share : stage.driven_share)
+      share *= static_cast<double>(stage.driven.size()) / total;
+    stage.load_height = height / total;
+    if (fixed) stage.spec.as = Manner::kEach;
+    set_control(stage, fixed);
+  }
+
+  // Of a body's free faces, what looks against the push, laid across it [m^2].
+  [[nodiscard]] double facing_area(std::size_t k, const Stage& stage) const {
+    const Vec3 d{stage.drive_x, stage.drive_y, stage.drive_z};
+    double area = 0;
+    for (const OuterFace& face : assembly_.outer)
+      if (at(face.body) == k && -dot(face.normal, d) > kFacing)
+        area -= face.area * dot(face.normal, d);
+    return area;
+  }
+
+  void set_control(Stage& stage, bool fixed) {
+    const PlaceSpec& c = stage.spec.control;
+    if (c.block.empty() && !has(c.x) && !has(c.y) && !has(c.z)) return;
+    const std::vector<std::size_t> found = find(c);
+    if (found.empty() || fixed || assembly_.body[found.front()].fixed)
+      return fault("control", "", fixed ? "cannot steer a support" : "finds no block that moves",
+                   "name a point in a block, or its id; supports are driven as they are");
+    stage.control = id_[found.front()];
+  }
+
+  const ModelSpec& spec_;
+  const SpaceAssembly& assembly_;
+  const std::vector<BlockId>& id_;
+  Model& model_;
+  FaultList& faults_;
+  std::vector<geometry::Box3> box_;
+  double lowest_ = 1e300;
+  std::string path_;
+  bool has_factor_ = false;
+};
+
+}  // namespace
+
+void compile_space_stages(const ModelSpec& spec, const SpaceAssembly& assembly,
+                          const std::vector<BlockId>& id, Model& model, FaultList& faults) {
+  SpaceStages(spec, assembly, id, model, faults).run();
+}
+
+}  // namespace wythe

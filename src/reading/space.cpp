@@ -1,0 +1,186 @@
+#include "reading/space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/face_in_space.h"
+#include "contact/parameters.h"
+#include "model/fields.h"
+
+namespace wythe::reading {
+namespace {
+
+using Vec = Vector<double>;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+Vec vec(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 vec3(const Vec& v) { return {v.x, v.y, v.z}; }
+
+contact::Pose<double> pose_of(const State& s, BlockId block) {
+  const auto i = at(block);
+  return {{s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};
+}
+
+// The gap of joint j, and the frame its components are in.
+struct Gap {
+  contact::FaceGap<double> gap;
+  contact::Frame<double> frame;
+};
+Gap gap_of(const Model& m, const State& s, JointId joint) {
+  const auto j = at(joint);
+  const Space& w = m.space;
+  const contact::Pose<double> b = pose_of(s, m.joint_b[j]);
+  if (const int support = m.joint_a[j] - m.n_block; support >= 0) {
+    const auto k = at(support);
+    const contact::SupportFace<double> face({s.support_x[k], s.support_y[k], s.support_z[k]}, b,
+                                            vec(w.arm_b[j]), vec(w.tangent[j]), vec(w.normal[j]));
+    return {face.gap(), face.frame};
+  }
+  const contact::PairFace<double> face(pose_of(s, m.joint_a[j]), b, vec(w.arm_a[j]),
+                                       vec(w.arm_b[j]), vec(w.tangent[j]), vec(w.normal[j]));
+  return {face.gap(), face.frame};
+}
+
+contact::History<double> history_of(const State& s, std::size_t p) {
+  contact::History<double> h{};
+  for (const StateField& field : kStateFields)
+    if (field.entity == Entity::kPoint && !(s.*field.array).empty())
+      h.*contact::kHistory<double>[at(row_of(field.array))] = (s.*field.array)[p];
+  return h;
+}
+
+PointReading read_point(const State& s, std::size_t p, const contact::LawConstants<double>& law,
+                        const Gap& face, double r1, double r2) {
+  contact::History<double> h = history_of(s, p);
+  const Vec g = face.gap.j + r1 * face.gap.a + r2 * face.gap.b;
+  const contact::Shear<double> shear =
+      contact::shear_of(g.x, g.y, h.plastic_slip, s.plastic_slip_2[p]);
+  h.plastic_slip = 0;
+  const contact::Answer<double> now = contact::with_variant(law.choice, [&](auto variant) {
+    return contact::update<decltype(variant)>(law, g.z, shear.e, h);
+  });
+  PointReading point;
+  point.opening = g.z;
+  point.slip_vector = vec3(g.x * face.frame.t1 + g.y * face.frame.t2);
+  point.slip = length(point.slip_vector);
+  point.opened = s.kappa[p];
+  point.slid = std::hypot(s.plastic_slip[p], s.plastic_slip_2[p]);
+  point.crushed = s.crush[p];
+  point.normal_stress = now.sigma;
+  point.shear_stress = now.tau;
+  if (shear.e > 0)
+    point.shear_vector =
+        now.tau / shear.e * vec3(shear.e1 * face.frame.t1 + shear.e2 * face.frame.t2);
+  point.damage_tension = now.tension_damage;
+  point.damage_shear = h.shear_damage;
+  point.damage = now.damage;
+  point.crushing = contact::crushed_share(law, h);
+  return point;
+}
+
+}  // namespace
+
+std::vector<PointReading> points_in_space(const Model& m, const State& s) {
+  std::vector<PointReading> points(at(m.n_point()));
+  std::int32_t last = -1;
+  contact::LawConstants<double> law{};
+  for (JointId j = 0; j < m.n_joint; ++j) {
+    const std::int32_t material = m.joint_material[at(j)];
+    if (material != last) law = contact::constants_of(m.materials[at(material)]);
+    last = material;
+    const Gap face = gap_of(m, s, j);
+    const JointShape shape = joint_shape(m, j);
+    const double reach = length(shape.half);
+    const BlockReading b = read_block(m, s, shape.b);
+    for (auto p = at(m.space.point_begin[at(j)]); p < at(m.space.point_begin[at(j) + 1]); ++p) {
+      const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
+      points[p] = read_point(s, p, law, face, r1, r2);
+      points[p].share = m.space.point_share[p];
+      points[p].place = reach > 0 ? r1 / reach : 0;
+      const Vec3 arm = shape.arm_b + r1 * shape.along + r2 * cross(shape.normal, shape.along);
+      const double back = shape.a == kGroundBlock ? 0.0 : 0.5;
+      const Vec3 jump = points[p].slip_vector + points[p].opening * vec3(face.frame.n);
+      points[p].where = turned(arm, b.turned, b.start + b.moved) - back * jump;
+    }
+  }
+  return points;
+}
+
+JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointReading>& points) {
+  JointReading joint;
+  joint.shape = joint_shape(m, j);
+  joint.points = points_of(m, j);
+  joint.opening = -1e300;
+  const Vec3 t1 = joint.shape.along, t2 = cross(joint.shape.normal, t1);
+  double reach_1 = 0, reach_2 = 0, about_1 = 0, about_2 = 0;
+  for (auto p = at(joint.points.begin); p < at(joint.points.end); ++p) {
+    const PointReading& point = points[p];
+    const double area = joint.shape.area * point.share;
+    const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
+    joint.where = joint.where + point.share * point.where;
+    joint.opening = std::fmax(joint.opening, point.opening);
+    joint.slip = std::fmax(joint.slip, point.slip);
+    joint.slip_vector = joint.slip_vector + point.share * point.slip_vector;
+    joint.damage_tension = std::fmax(joint.damage_tension, point.damage_tension);
+    joint.damage_shear = std::fmax(joint.damage_shear, point.damage_shear);
+    joint.damage = std::fmax(joint.damage, point.damage);
+    joint.crushing = std::fmax(joint.crushing, point.crushing);
+    joint.normal_stress += point.share * point.normal_stress;
+    joint.compression -= area * point.normal_stress;
+    joint.shear_vector = joint.shear_vector + area * point.shear_vector;
+    const Vec3 force = area * (point.shear_vector + point.normal_stress * joint.shape.normal);
+    joint.moment_vector = joint.moment_vector + cross(r1 * t1 + r2 * t2, force);
+    about_1 -= area * point.normal_stress * r1;
+    about_2 -= area * point.normal_stress * r2;
+    reach_1 = std::fmax(reach_1, std::fabs(r1));
+    reach_2 = std::fmax(reach_2, std::fabs(r2));
+  }
+  joint.shear = length(joint.shear_vector);
+  joint.shear_stress = joint.shear / joint.shape.area;
+  joint.moment = length(joint.moment_vector);
+  if (joint.compression > 0)
+    joint.eccentricity = std::clamp(
+        std::fmax(std::fabs(about_1) / reach_1, std::fabs(about_2) / reach_2) / joint.compression,
+        0.0, 1.0);
+  return joint;
+}
+
+namespace {
+
+// Whether a place lies beyond the box round support `s`, by more than a hundredth of its size.
+bool is_beyond(const Model& m, BlockId s, Vec3 place) {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (const Polyhedron& part : m.space.body[at(s)].part)
+    for (const Vec3& v : part.vertex) {
+      low = {std::fmin(low.x, v.x), std::fmin(low.y, v.y), std::fmin(low.z, v.z)};
+      high = {std::fmax(high.x, v.x), std::fmax(high.y, v.y), std::fmax(high.z, v.z)};
+    }
+  const double near = 0.01 * length(high - low);
+  return place.x < low.x - near || place.x > high.x + near || place.y < low.y - near ||
+         place.y > high.y + near || place.z < low.z - near || place.z > high.z + near;
+}
+
+}  // namespace
+
+bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, JointId j) {
+  const PointRange range = points_of(m, j);
+  const Vec3 t1 = m.space.tangent[at(j)], t2 = cross(m.space.normal[at(j)], t1);
+  Vec3 slip;
+  bool pressed = false;
+  for (auto p = at(range.begin); p < at(range.end); ++p) {
+    slip = slip + points[p].share * points[p].slip_vector;
+    pressed = pressed || points[p].opening < 0;
+  }
+  const double way = length(slip);
+  if (!pressed || way == 0) return false;
+  double reach = 0;  // of the face, the way it slid
+  for (auto p = at(range.begin); p < at(range.end); ++p) {
+    const Vec3 arm = m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
+    reach = std::fmax(reach, std::fabs(dot(arm, slip)) / way);
+  }
+  if (way <= reach) return false;
+  if (m.joint_a[at(j)] < m.n_block) return true;
+  return is_beyond(m, m.joint_a[at(j)], joint_shape(m, j).centre + slip);
+}
+
+}  // namespace wythe::reading

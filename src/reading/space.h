@@ -1,0 +1,15 @@
+// Points and joints of walls in space, read as those of plane walls (joints.cpp).
+#pragma once
+
+#include "wythe/reading.h"
+
+namespace wythe::reading {
+
+[[nodiscard]] std::vector<PointReading> points_in_space(const Model& model, const State& state);
+[[nodiscard]] JointReading joint_in_space(const Model& model, JointId joint,
+                                          const std::vector<PointReading>& points);
+// Whether a joint is pressed and has slid by more than half of its own size; on a support, off the box round it.
+[[nodiscard]] bool slid_off_in_space(const Model& model, const std::vector<PointReading>& points,
+                                     JointId joint);
+
+}  // namespace wythe::reading
