@@ -14,6 +14,7 @@ constexpr std::size_t kMostToml = 4'000'000;   // a model of 1000 openings has 0
 constexpr std::size_t kMostJson = 32'000'000;  // 170 000 blocks; in memory up to 40 times as much
 constexpr std::size_t kMostDxf =
     64'000'000;  // a drawing of 200 000 stones; in memory five times as much
+constexpr std::size_t kMostMesh = 64'000'000;  // a million triangles; 5000 blocks have 2 MB
 constexpr std::size_t kMostCsv = 256'000'000;  // a curve of a million rows has 200 MB
 constexpr std::size_t kMostPacked =
     512'000'000;  // data of a report, unpacked: no browser takes more; a cell of a store

@@ -28,6 +28,14 @@ double thickness_of(const BodySpec& body, const SolidMoments& moments) {
   return surface > 0 ? 6 * moments.volume / surface : 0;
 }
 
+// How far its corners lie off the planes of its faces.
+double warp_of(const BodySpec& body) {
+  double worst = 0;
+  for (const Polyhedron& part : body.part)
+    for (const auto& face : part.face) worst = std::max(worst, facet_of(part, face).warp);
+  return worst;
+}
+
 // A convex part as separating axes see it: corners, and the directions of faces and edges, each once.
 struct Hull {
   std::vector<Vec3> corner, normal, edge;
@@ -102,6 +110,7 @@ class OverlapCheck {
       hulls_.emplace_back();
       for (const Polyhedron& part : assembly.body[i].part) hulls_[i].push_back(hull_of(part));
       thickness_.push_back(thickness_of(assembly.body[i], assembly.moments[i]));
+      warp_.push_back(warp_of(assembly.body[i]));
       boxes_.push_back(box_of(assembly.body[i]));
     }
   }
@@ -110,7 +119,8 @@ class OverlapCheck {
     for (const auto& [i, k] : near_pairs(boxes_, 0)) {
       if (enough(faults_)) return;
       if (assembly_.body[at(i)].fixed && assembly_.body[at(k)].fixed) continue;
-      const double most = kDeepestOverlap * std::min(thickness_[at(i)], thickness_[at(k)]);
+      const double most = kDeepestOverlap * std::min(thickness_[at(i)], thickness_[at(k)]) +
+                          warp_[at(i)] + warp_[at(k)];
       double depth = 0;
       for (const Hull& a : hulls_[at(i)])
         for (const Hull& b : hulls_[at(k)]) depth = std::max(depth, depth_between(a, b, most));
@@ -132,7 +142,7 @@ class OverlapCheck {
   const SpaceAssembly& assembly_;
   FaultList& faults_;
   std::vector<std::vector<Hull>> hulls_;
-  std::vector<double> thickness_;
+  std::vector<double> thickness_, warp_;
   std::vector<Box3> boxes_;
 };
 

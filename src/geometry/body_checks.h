@@ -10,7 +10,7 @@
 namespace wythe::geometry {
 
 // Tolerances of bodies; the thickness of a body is 6 V / A, the side of a cube.
-inline constexpr double kDeepestOverlap = 1e-2;  // of the thickness of the thinner body
+inline constexpr double kDeepestOverlap = 1e-2;  // of the thinner body's thickness, beside warps
 inline constexpr double kThinnestBody = 2e-3;    // thickness as a share of its longest side
 inline constexpr double kTiniestBody = 1e-3;     // longest side as a share of the median body's
 

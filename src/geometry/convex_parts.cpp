@@ -9,6 +9,7 @@
 
 #include "geometry/body_checks.h"
 #include "geometry/mesh_cut.h"
+#include "geometry/pieces.h"
 #include "geometry/polygon_in_space.h"
 #include "geometry/polyhedron.h"
 #include "geometry/text.h"
@@ -51,30 +52,6 @@ bool is_closed(const std::vector<Corners>& faces) {
   });
 }
 
-bool is_before(Vec3 a, Vec3 b) {
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
-}
-
-// Corners at one place become one.
-bool weld(Polyhedron& part) {
-  std::vector<std::int32_t> order(part.vertex.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int32_t>(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return is_before(part.vertex[at(a)], part.vertex[at(b)]); });
-  std::vector<std::int32_t> same(order.size());
-  bool changed = false;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool repeats =
-        i > 0 && !is_before(part.vertex[at(order[i - 1])], part.vertex[at(order[i])]);
-    same[at(order[i])] = repeats ? same[at(order[i - 1])] : order[i];
-    changed = changed || repeats;
-  }
-  for (Corners& face : part.face)
-    for (std::int32_t& i : face) i = same[at(i)];
-  return changed;
-}
-
 // Corners named twice in a row, and faces with fewer than three left.
 void drop_idle(std::vector<Corners>& faces) {
   for (Corners& face : faces) {
@@ -84,14 +61,15 @@ void drop_idle(std::vector<Corners>& faces) {
   std::erase_if(faces, [](const Corners& face) { return face.size() < 3; });
 }
 
-// Faces listed twice, with the same corners in the same turn or against it.
+// Faces listed twice: the same corners in the same turn. The other way round they are those of a neighbour.
 bool drop_repeated(std::vector<Corners>& faces) {
   std::set<Corners> seen;
   const std::size_t before = faces.size();
   std::erase_if(faces, [&](const Corners& face) {
-    Corners sorted = face;
-    std::sort(sorted.begin(), sorted.end());
-    return !seen.insert(std::move(sorted)).second;
+    Corners from_least = face;
+    std::rotate(from_least.begin(), std::min_element(from_least.begin(), from_least.end()),
+                from_least.end());
+    return !seen.insert(std::move(from_least)).second;
   });
   return faces.size() < before;
 }
@@ -134,12 +112,19 @@ bool turn_alike(std::vector<Corners>& faces, bool& changed) {
   return true;
 }
 
-// Pieces of a surface that share no edge.
-std::vector<std::vector<Corners>> pieces_of(const std::vector<Corners>& faces) {
-  const auto edges = edges_of(faces);
-  std::vector<bool> taken(faces.size(), false);
+// Pieces of a closed surface that share no edge; of one that is not, solids as the pieces of a mesh file.
+std::vector<std::vector<Corners>> pieces_of(const Polyhedron& part) {
   std::vector<std::vector<Corners>> pieces;
-  for (std::size_t first = 0; first < faces.size(); ++first) {
+  if (!is_closed(part.face)) {
+    for (const std::vector<int>& solid : solids_of(part.vertex, part.face)) {
+      pieces.emplace_back();
+      for (const int f : solid) pieces.back().push_back(part.face[at(f)]);
+    }
+    return pieces;
+  }
+  const auto edges = edges_of(part.face);
+  std::vector<bool> taken(part.face.size(), false);
+  for (std::size_t first = 0; first < taken.size(); ++first) {
     if (taken[first]) continue;
     std::vector<int> found = {static_cast<int>(first)};
     taken[first] = true;
@@ -153,7 +138,7 @@ std::vector<std::vector<Corners>> pieces_of(const std::vector<Corners>& faces) {
         }
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const Corners face = faces[at(found[i])];
+      const Corners& face = part.face[at(found[i])];
       for (std::size_t k = 0; k < face.size(); ++k) {
         const std::int32_t p = face[k], r = face[(k + 1) % face.size()];
         take({p, r});
@@ -162,7 +147,7 @@ std::vector<std::vector<Corners>> pieces_of(const std::vector<Corners>& faces) {
     }
     std::sort(found.begin(), found.end());
     pieces.emplace_back();
-    for (const int f : found) pieces.back().push_back(faces[at(f)]);
+    for (const int f : found) pieces.back().push_back(part.face[at(f)]);
   }
   return pieces;
 }
@@ -206,9 +191,8 @@ Mesh mesh_of(const Polyhedron& part) {
 
 bool is_flat(const Facet& facet) { return facet.warp <= kFlatFace * std::sqrt(facet.area); }
 
-// Whether the whole surface, with its faces flattened, is convex within the tolerance.
-bool is_convex(const Polyhedron& part) {
-  const double close = kConvexPart * box_of(part.vertex).longest();
+// Whether the whole surface, with its faces flattened, is convex within `close` [m].
+bool is_convex(const Polyhedron& part, double close) {
   for (const Corners& face : part.face) {
     const Facet facet = facet_of(part, face);
     if (facet.area == 0) continue;
@@ -373,16 +357,16 @@ void check_numbers(const Polyhedron& part) {
                       fmt::format("name corners 0 to {}", part.vertex.size() - 1)};
 }
 
-void check_closed(const Polyhedron& part) {
-  const auto edges = edges_of(part.face);
+void check_closed(const std::vector<Vec3>& vertex, const std::vector<Corners>& all) {
+  const auto edges = edges_of(all);
   for (const auto& [edge, faces] : edges) {
-    const std::size_t all = faces.size() + users(edges, {edge.second, edge.first});
-    if (all == 2) continue;
-    const std::string where = shown(part.vertex[at(edge.first)], part.vertex[at(edge.second)]);
-    if (all == 1)
+    const std::size_t users_of = faces.size() + users(edges, {edge.second, edge.first});
+    if (users_of == 2) continue;
+    const std::string where = shown(vertex[at(edge.first)], vertex[at(edge.second)]);
+    if (users_of == 1)
       throw Problem{where, "is open: this edge has one face only",
                     "close the surface; corners at one place must have the same coordinates"};
-    throw Problem{where, fmt::format("touches itself: {} faces meet at this edge", all),
+    throw Problem{where, fmt::format("touches itself: {} faces meet at this edge", users_of),
                   "give each solid as a body or part of its own"};
   }
 }
@@ -419,12 +403,13 @@ class BodyMender {
     Polyhedron part = given;
     drop_idle(part.face);
     repeated_ = drop_repeated(part.face) || repeated_;
-    if (!is_closed(part.face) && weld(part)) {
+    if (!is_closed(part.face)) {
+      weld_corners(part.vertex, part.face);
       drop_idle(part.face);
       repeated_ = drop_repeated(part.face) || repeated_;
     }
-    check_closed(part);
-    for (std::vector<Corners>& faces : pieces_of(part.face)) {
+    for (std::vector<Corners>& faces : pieces_of(part)) {
+      check_closed(part.vertex, faces);
       if (!turn_alike(faces, turned_))
         throw Problem{"", "has a surface with one side only", "give it as a closed solid"};
       pieces_.push_back(with_used_corners(part.vertex, std::move(faces)));
@@ -452,7 +437,8 @@ class BodyMender {
   }
 
   void add_convex(Polyhedron piece, std::vector<Polyhedron>& parts) {
-    if (is_convex(piece)) {
+    const double close = kConvexPart * box_of(piece.vertex).longest();
+    if (is_convex(piece, close)) {
       FaceJoiner(piece, counted(piece.face.size())).run();
       parts.push_back(std::move(piece));
       return;
@@ -463,15 +449,19 @@ class BodyMender {
       throw Problem{shown((*edge)[0], (*edge)[1]), "runs through itself at this edge",
                     "correct the corners, or give the body as several convex parts"};
     std::vector<Mesh> cut;
-    const std::string problem = cut_into_convex(mesh, cut);
+    const auto is_done = [close](const Mesh& own) { return is_convex(part_of(own), close); };
+    const std::string problem = cut_into_convex(mesh, is_done, cut);
     if (!problem.empty())
       throw Problem{"", "is not convex, and " + problem, "give it as several convex parts"};
-    for (const Mesh& own : cut) {
-      Polyhedron part{own.vertex, {}};
-      for (const auto& t : own.triangle) part.face.push_back({t[0], t[1], t[2]});
-      FaceJoiner(part, own.source).run();
-      parts.push_back(std::move(part));
-    }
+    for (const Mesh& own : cut) parts.push_back(part_of(own));
+  }
+
+  // A piece of the cut with its flat neighbours joined.
+  static Polyhedron part_of(const Mesh& mesh) {
+    Polyhedron part{mesh.vertex, {}};
+    for (const auto& t : mesh.triangle) part.face.push_back({t[0], t[1], t[2]});
+    FaceJoiner(part, mesh.source).run();
+    return part;
   }
 
   // Parts that lie in each other count their common volume twice; a hollow listed as a solid does so too.

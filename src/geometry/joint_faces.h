@@ -22,7 +22,7 @@ namespace wythe::geometry {
 
 // Tolerances of faces, each as a share of the size of the smaller face (square root of its area).
 inline constexpr double kParallelFaces = 1e-2;  // sine between the normals
-inline constexpr double kWidestTouch = 1e-3;    // gap or penetration at any corner of the overlap
+inline constexpr double kWidestTouch = 2e-3;    // gap or penetration at any corner of the overlap
 inline constexpr double kWidestMiss =
     1e-2;  // a gap up to here is a lost face, a wider one is meant
 inline constexpr double kSliverFace = 1e-3;   // overlap of less than this share of its area is lost

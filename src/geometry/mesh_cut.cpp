@@ -14,7 +14,8 @@ namespace {
 using Edge = std::pair<int, int>;
 using Triangle = std::array<int, 3>;
 
-constexpr double kMostTrials = 3e8;  // heights computed to find one plane
+constexpr double kMostTrials = 3e8;       // heights computed to find one plane
+constexpr std::size_t kMostPlanes = 100;  // tried one after the other: a cap may touch itself
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -62,21 +63,22 @@ struct Plane {
 
 class PlaneChoice {
  public:
-  explicit PlaneChoice(const Mesh& mesh) : mesh_(mesh), close_(kConvexPart * size_of(mesh)) {
+  PlaneChoice(const Mesh& mesh, double close, bool every_notch) : mesh_(mesh), close_(close) {
     const auto edges = edges_of(mesh);
     for (const auto& [edge, t] : edges) {
       if (edge.first > edge.second) continue;
       const auto other = edges.find({edge.second, edge.first});
       if (other != edges.end()) add_hinge(edge, t, other->second);
     }
+    if (every_notch) deep_ = reflex_;
   }
 
   // Planes from the best to the worst, at most `most`.
   [[nodiscard]] std::vector<Plane> best(std::size_t most) {
-    const double trials = static_cast<double>(reflex_.size() * mesh_.vertex.size()) *
+    const double trials = static_cast<double>(deep_.size() * mesh_.vertex.size()) *
                           static_cast<double>(mesh_.vertex.size() + sharp_.size());
     if (trials > kMostTrials) return {};
-    for (const Hinge& hinge : reflex_)
+    for (const Hinge& hinge : deep_)
       for (std::size_t v = 0; v < mesh_.vertex.size(); ++v) judge(hinge, mesh_.vertex[v]);
     std::stable_sort(judged_.begin(), judged_.end(),
                      [](const Judged& a, const Judged& b) { return a.better_than(b); });
@@ -103,7 +105,9 @@ class PlaneChoice {
     const Hinge hinge{edge, third(a, edge), third(b, edge)};
     sharp_.push_back(edge);
     const Vec3 start = mesh_.vertex[at(edge.first)];
-    if (dot(mesh_.vertex[at(hinge.right)] - start, na) > 0) reflex_.push_back(hinge);
+    const double height = dot(mesh_.vertex[at(hinge.right)] - start, na);
+    if (height > 0) reflex_.push_back(hinge);
+    if (height > 4 * close_) deep_.push_back(hinge);  // 4: what a warped quadrilateral has
   }
 
   [[nodiscard]] int side(double height) const {
@@ -136,7 +140,7 @@ class PlaneChoice {
     Judged judged{plane, 0, 0, std::abs(above - below)};
     for (const Edge& edge : sharp_)
       judged.crossings += sides_[at(edge.first)] * sides_[at(edge.second)] < 0;
-    for (const Hinge& hinge : reflex_)
+    for (const Hinge& hinge : deep_)
       judged.notches += sides_[at(hinge.edge.first)] == 0 && sides_[at(hinge.edge.second)] == 0;
     judged_.push_back(judged);
   }
@@ -144,7 +148,7 @@ class PlaneChoice {
   const Mesh& mesh_;
   double close_;
   std::vector<Edge> sharp_;
-  std::vector<Hinge> reflex_;
+  std::vector<Hinge> reflex_, deep_;
   std::vector<int> sides_;
   std::vector<Judged> judged_;
 };
@@ -153,8 +157,8 @@ class PlaneChoice {
 
 class Cut {
  public:
-  Cut(const Mesh& mesh, const Plane& plane)
-      : mesh_(mesh), plane_(plane), close_(kConvexPart * size_of(mesh)) {
+  Cut(const Mesh& mesh, const Plane& plane, double close)
+      : mesh_(mesh), plane_(plane), close_(close) {
     for (const Vec3 v : mesh.vertex) height_.push_back(plane.height(v));
     all_ = mesh.vertex;
   }
@@ -380,46 +384,64 @@ std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh) {
   return std::nullopt;
 }
 
-double concavity_of(const Mesh& mesh) {
-  double highest = 0;
-  for (const Triangle& t : mesh.triangle) {
-    const Vec3 n = normal_of(mesh, t), a = mesh.vertex[at(t[0])];
-    for (const Vec3 v : mesh.vertex) highest = std::max(highest, dot(v - a, n));
+namespace {
+
+// How planes are looked for: through every notch or deep ones only; corners that count as on one, a share of size.
+struct Search {
+  bool every_notch;
+  double close;
+};
+// The first gives the fewest parts where faces are warped; the others where caps of the first touch themselves.
+constexpr Search kSearches[] = {
+    {false, kConvexPart}, {true, kConvexPart}, {true, kConvexPart / 10}};
+
+// By the best plane that leaves two closed sides.
+bool cut_once(const Mesh& mesh, const Search& search, std::vector<Mesh>& open) {
+  const double close = search.close * size_of(mesh);
+  for (const Plane& plane : PlaneChoice(mesh, close, search.every_notch).best(kMostPlanes)) {
+    Mesh below, above;
+    if (!Cut(mesh, plane, close).run(below, above)) continue;
+    if (volume_of(below) <= 0 || volume_of(above) <= 0) continue;
+    for (Mesh& piece : connected_pieces(above)) open.push_back(std::move(piece));
+    for (Mesh& piece : connected_pieces(below)) open.push_back(std::move(piece));
+    return true;
   }
-  return highest / size_of(mesh);
+  return false;
 }
 
-std::string cut_into_convex(const Mesh& mesh, std::vector<Mesh>& pieces) {
+std::string cut_by(const Search& search, const Mesh& mesh, const IsConvex& is_convex,
+                   std::vector<Mesh>& done) {
   std::vector<Mesh> open = {mesh};
   const double whole = volume_of(mesh);
   double sum = 0;
-  std::vector<Mesh> done;
   while (!open.empty()) {
     const Mesh next = std::move(open.back());
     open.pop_back();
-    if (concavity_of(next) <= kConvexPart) {
+    if (is_convex(next)) {
       sum += volume_of(next);
       done.push_back(next);
-      continue;
-    }
-    if (done.size() + open.size() >= kMostParts)
+    } else if (done.size() + open.size() >= kMostParts) {
       return "takes more than " + std::to_string(kMostParts) + " convex parts";
-    bool is_cut = false;
-    for (const Plane& plane : PlaneChoice(next).best(20)) {
-      Mesh below, above;
-      if (!Cut(next, plane).run(below, above)) continue;
-      if (volume_of(below) <= 0 || volume_of(above) <= 0) continue;
-      for (Mesh& piece : connected_pieces(above)) open.push_back(std::move(piece));
-      for (Mesh& piece : connected_pieces(below)) open.push_back(std::move(piece));
-      is_cut = true;
-      break;
+    } else if (!cut_once(next, search, open)) {
+      return "can't be cut into convex parts by planes through its notches";
     }
-    if (!is_cut) return "can't be cut into convex parts by planes through its notches";
   }
-  if (!(std::abs(sum - whole) <= 1e-6 * whole))
-    return "is not kept whole by cuts into convex parts";
-  for (Mesh& piece : done) pieces.push_back(std::move(piece));
-  return "";
+  return std::abs(sum - whole) <= 1e-6 * whole ? "" : "is not kept whole by cuts into convex parts";
+}
+
+}  // namespace
+
+std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
+                            std::vector<Mesh>& pieces) {
+  std::string problem;
+  for (const Search& search : kSearches) {
+    std::vector<Mesh> done;
+    problem = cut_by(search, mesh, is_convex, done);
+    if (!problem.empty()) continue;
+    for (Mesh& piece : done) pieces.push_back(std::move(piece));
+    break;
+  }
+  return problem;
 }
 
 }  // namespace wythe::geometry

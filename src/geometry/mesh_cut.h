@@ -4,12 +4,13 @@
 //   |   A  /|            through it, and through as many other corners as it can, cuts the solid in two.
 //   |    r--+---+        Corners within kConvexPart of the plane count as on it, so that no slivers arise.
 //   |    :   B  |
-//   +----+------+        Pieces are cut again until none is concave by more than kConvexPart of its size.
+//   +----+------+        Pieces are cut again until the caller takes them for convex.
 //
 // Called by convex_parts.cpp. Idea of cutting at notches: B. Chazelle, SIAM J. Comput. 13 (1984).
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,10 +37,9 @@ inline constexpr std::size_t kMostCorners = 200;
 [[nodiscard]] std::vector<Mesh> connected_pieces(const Mesh& mesh);
 // An edge that runs through a triangle it does not belong to.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh);
-// How far the highest corner lies above a face, as a share of the longest side of the box.
-[[nodiscard]] double concavity_of(const Mesh& mesh);
-
 // Convex pieces; "" or why there are none.
-[[nodiscard]] std::string cut_into_convex(const Mesh& mesh, std::vector<Mesh>& pieces);
+using IsConvex = std::function<bool(const Mesh&)>;
+[[nodiscard]] std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
+                                          std::vector<Mesh>& pieces);
 
 }  // namespace wythe::geometry

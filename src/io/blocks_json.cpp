@@ -1,9 +1,11 @@
-// JSON of blocks -> BlockSpec, in metres.
+// JSON of blocks -> BlockSpec or, in space, BodySpec, in metres.
 //
 //   {"units": "m", "thickness": 0.2, "blocks": [{"id": "b1", "polygon": [[x, y], ...],
 //    "material": "stone", "fixed": false, "beam": false}, ...]}
 //                                                    or "zones": 4, "zone_length": 0.05, "zone_kind":
 //                                                    "mixed", "plane": "stress" of a deformable one
+//                                                    or in space "vertices" and "faces", "parts" of these,
+//                                                    or "z": [z0, z1] beside the polygon
 //   {"units": "m", "blocks_xyxy": [[x0, y0, x1, y1], ...], "loading_beam_xyxy": [x0, y0, x1, y1]}
 #include "io/blocks_json.h"
 
@@ -16,6 +18,7 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "io/bodies_file.h"
 #include "io/describe.h"
 #include "io/dxf.h"
 #include "io/json.h"
@@ -37,10 +40,21 @@ class BlocksReader {
   BlocksReader(ReadContext& context, std::string file, ModelSpec& spec)
       : context_(context), file_(std::move(file)), spec_(spec) {}
 
+  // Bodies stay in the file's units and axes.
+  [[nodiscard]] double units_in_a_metre() const { return scale_; }
+  [[nodiscard]] bool is_compas() const { return is_compas_; }
+  [[nodiscard]] const std::string& up() const { return up_; }
+
   void read(const std::string& text) {
     const Json json = parse_json(text, file_);
+    is_compas_ = io::is_compas(json);
+    if (is_compas_) {
+      up_ = "z";
+      return read_compas(json);
+    }
     if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
     read_units(json);
+    read_up(json);
     read_thickness(json);
     if (json.contains("blocks"))
       read_polygons(json["blocks"]);
@@ -61,6 +75,15 @@ class BlocksReader {
         {.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
   }
 
+  void read_compas(const Json& json) {
+    FaultList faults;
+    spec_.body = compas_bodies(json, file_, faults);
+    for (Fault fault : faults.all()) {
+      fault.path = "wall.blocks";
+      context_.faults.add(std::move(fault));
+    }
+  }
+
   void read_units(const Json& json) {
     const Json units = json.value("units", Json());
     if (units == "mm") scale_ = 1e3;
@@ -68,6 +91,13 @@ class BlocksReader {
     const std::string value = units.is_null() ? "" : short_dump(units);
     refuse("units", value, units.is_null() ? "is missing" : "must be \"m\" or \"mm\"",
            R"(write "units": "m" or "units": "mm")");
+  }
+
+  void read_up(const Json& json) {
+    const Json up = json.value("up", Json("y"));
+    if (up != "y" && up != "z")
+      return refuse("up", short_dump(up), R"(must be "y" or "z")", R"(write "up": "z")");
+    if (spec_.wall.up.empty()) up_ = up.get<std::string>();
   }
 
   void read_thickness(const Json& json) {
@@ -90,7 +120,30 @@ class BlocksReader {
     if (!blocks.is_array() || blocks.empty())
       return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
     for (std::size_t i = 0; i < blocks.size() && !enough(context_.faults); ++i)
-      read_polygon_block(blocks[i], i);
+      if (is_in_space(blocks[i]))
+        read_body_block(blocks[i], i);
+      else
+        read_polygon_block(blocks[i], i);
+    if (!spec_.body.empty() && !spec_.block.empty())
+      refuse(spec_.block.front().id, "", "lies in the plane, beside blocks in space",
+             R"(give every block a depth, e.g. "z": [0, 0.25])");
+  }
+
+  void read_body_block(const Json& json, std::size_t index) {
+    BodySpec body;
+    body.id = "b" + std::to_string(index + 1);
+    read_word(json, "id", body.id, body.id);
+    read_word(json, "material", body.material, body.id);
+    read_flag(json, "fixed", body.fixed, body.id);
+    refuse_unknown(json, body.id, kBodyKeys);
+    read_body_parts(json, body,
+                    [&](const std::string& where, const Json& value, const std::string& problem,
+                        const std::string& cure) {
+                      refuse(body.id + '.' + where, value.is_null() ? "" : short_dump(value),
+                             value.is_null() ? "is missing or null" : problem, cure);
+                    });
+    note_id(body.id);
+    spec_.body.push_back(std::move(body));
   }
 
   void read_polygon_block(const Json& json, std::size_t index) {
@@ -103,7 +156,7 @@ class BlocksReader {
     read_flag(json, "fixed", block.fixed, block.id);
     read_flag(json, "beam", block.beam, block.id);
     read_zones(json, block);
-    refuse_unknown(json, block.id);
+    refuse_unknown(json, block.id, kBlockKeys);
     read_outline(json.value("polygon", Json()), block);
     keep(std::move(block));
   }
@@ -164,14 +217,18 @@ class BlocksReader {
     refuse(id + '.' + name, short_dump(json[name]), "must be one of " + allowed, "");
   }
 
-  void refuse_unknown(const Json& json, const std::string& id) {
-    static const std::vector<std::string> kKnown = {
-        "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
+  inline static const std::vector<std::string> kBlockKeys = {
+      "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
+  inline static const std::vector<std::string> kBodyKeys = {
+      "id", "material", "fixed", "vertices", "faces", "parts", "polygon", "z"};
+
+  void refuse_unknown(const Json& json, const std::string& id,
+                      const std::vector<std::string>& known) {
     for (const auto& item : json.items())
       if (!enough(context_.faults) &&
-          std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end())
+          std::find(known.begin(), known.end(), item.key()) == known.end())
         refuse(id + '.' + item.key(), short_dump(item.value()), "no such key",
-               name_advice(item.key(), kKnown));
+               name_advice(item.key(), known));
   }
 
   void read_outline(const Json& json, BlockSpec& block) {
@@ -225,15 +282,21 @@ class BlocksReader {
   }
 
   void keep(BlockSpec block) {
-    if (!ids_.insert(block.id).second)
-      refuse(block.id, block.id, "two blocks have this id", "give each block an id of its own");
+    note_id(block.id);
     spec_.block.push_back(std::move(block));
+  }
+
+  void note_id(const std::string& id) {
+    if (!ids_.insert(id).second)
+      refuse(id, id, "two blocks have this id", "give each block an id of its own");
   }
 
   ReadContext& context_;
   std::string file_;
   ModelSpec& spec_;
   double scale_ = 1;  // file units in a metre
+  bool is_compas_ = false;
+  std::string up_ = "y";
   std::set<std::string> ids_;
 };
 
@@ -260,13 +323,86 @@ void read_drawn_blocks(ReadContext& context, const std::string& file, const std:
   }
 }
 
-std::string stated_unit(ReadContext& context, const toml::table& root, bool is_drawn) {
-  const toml::node* node = root["wall"]["blocks_unit"].node();
-  if (node == nullptr) return "";
-  if (!is_drawn)
-    context.fault("wall.blocks_unit", line_of(*node), shown(*node),
-                  "has no meaning here: a JSON file states its units", "leave it out");
-  return shown(*node);
+// A fault at a key of [wall] that was given.
+void refuse_key(ReadContext& context, const toml::table& root, const char* key,
+                const std::string& problem, const std::string& cure) {
+  const toml::node* node = root["wall"][key].node();
+  context.fault(std::string("wall.") + key, node ? line_of(*node) : 0, node ? shown(*node) : "",
+                problem, cure);
+}
+
+void refuse_far_bodies(ReadContext& context, const std::string& file, const ModelSpec& spec) {
+  for (const BodySpec& body : spec.body)
+    for (const Polyhedron& part : body.part)
+      for (const Vec3 v : part.vertex) {
+        const bool good =
+            kCoordinate.holds(v.x) && kCoordinate.holds(v.y) && kCoordinate.holds(v.z);
+        if (good || enough(context.faults)) continue;
+        context.faults.add({file, "wall.blocks." + body.id,
+                            fmt::format("{:.4g} {:.4g} {:.4g} m", v.x, v.y, v.z),
+                            "lies farther than 10 km from the origin",
+                            "move the blocks to the origin, or check their unit", 0});
+        break;
+      }
+}
+
+// From the file's units and axes to the wall's; supports by name.
+void settle_bodies(ReadContext& context, const toml::table& root, const std::string& file,
+                   double units_in_a_metre, ModelSpec& spec) {
+  if (spec.wall.up != "y" && spec.wall.up != "z")
+    return refuse_key(context, root, "up", "must be \"y\" or \"z\"", "write up = \"z\"");
+  place(spec.body, units_in_a_metre, spec.wall.up == "z");
+  refuse_far_bodies(context, file, spec);
+  FaultList faults;
+  fix_supports(spec.body, spec.wall.supports, faults);
+  for (const Fault& fault : faults.all()) {
+    const toml::node* node = root["wall"]["supports"].node();
+    context.fault(fault.path, node ? line_of(*node) : 0, fault.value, fault.problem, fault.cure);
+  }
+}
+
+// Meshes and COMPAS files state no unit, and a wall in millimetres read as metres weighs 1e9 times as much.
+double stated_scale(ReadContext& context, const toml::table& root, const std::string& unit) {
+  const double scale = unit.empty() ? 0 : units_in_a_metre(unit);
+  if (scale == 0)
+    refuse_key(context, root, "blocks_unit",
+               unit.empty() ? "is missing: this file states no unit" : "is no unit that is read",
+               "write one of " + drawing_units() + ", e.g. blocks_unit = \"m\"");
+  return scale > 0 ? scale : 1;
+}
+
+void read_meshes(ReadContext& context, const toml::table& root, const std::string& file,
+                 const std::string& unit, ModelSpec& spec) {
+  const double scale = stated_scale(context, root, unit);
+  FaultList faults;
+  spec.body = read_mesh_bodies(file, faults);
+  for (Fault fault : faults.all()) {
+    fault.path = "wall.blocks";
+    context.faults.add(std::move(fault));
+  }
+  if (spec.wall.up.empty()) spec.wall.up = "z";
+  if (faults.empty()) settle_bodies(context, root, file, scale, spec);
+}
+
+void read_json(ReadContext& context, const toml::table& root, const std::string& file,
+               const std::string& unit, ModelSpec& spec, const std::string& text) {
+  const std::size_t before = context.faults.all().size();
+  BlocksReader reader(context, file, spec);
+  reader.read(text.empty() ? read_text(file, kMostJson) : text);
+  if (!unit.empty() && text.empty() && !reader.is_compas())
+    refuse_key(context, root, "blocks_unit", "has no meaning here: a JSON file states its units",
+               "leave it out");
+  if (spec.body.empty()) {
+    for (const char* key : {"up", "supports"})
+      if (root["wall"][key].node() != nullptr)
+        refuse_key(context, root, key, "has no meaning here: the blocks lie in a plane",
+                   "leave it out");
+    return;
+  }
+  const double scale =
+      reader.is_compas() ? stated_scale(context, root, unit) : reader.units_in_a_metre();
+  if (spec.wall.up.empty()) spec.wall.up = reader.up();
+  if (context.faults.all().size() == before) settle_bodies(context, root, file, scale, spec);
 }
 
 }  // namespace
@@ -275,12 +411,15 @@ void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
                  const std::string& text) {
   const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   const bool is_drawn = is_drawing(file);
-  const std::string unit = stated_unit(context, root, is_drawn);
+  const toml::node* stated = root["wall"]["blocks_unit"].node();
+  const std::string unit = stated ? shown(*stated) : "";
   try {
     if (is_drawn && text.empty())
       read_drawn_blocks(context, file, unit, spec);
+    else if (is_mesh_file(file) && text.empty())
+      read_meshes(context, root, file, unit, spec);
     else
-      BlocksReader(context, file, spec).read(text.empty() ? read_text(file, kMostJson) : text);
+      read_json(context, root, file, is_drawn || is_mesh_file(file) ? "" : unit, spec, text);
   } catch (const InputError& error) {
     for (Fault fault : error.faults()) {
       if (fault.path.empty() || !is_drawn) fault.path = "wall.blocks";
@@ -311,6 +450,11 @@ std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) 
   if (std::isfinite(thickness)) file["thickness"] = thickness;
   file["blocks"] = std::move(list);
   return file.dump(1) + "\n";
+}
+
+std::string blocks_text(const ModelSpec& spec, bool with_thickness) {
+  if (!spec.body.empty()) return bodies_text(spec.body, spec.wall.up == "z");
+  return blocks_text(spec.block, with_thickness ? spec.wall.thickness : kUnset);
 }
 
 }  // namespace wythe::io

@@ -252,7 +252,7 @@ std::string read_all(const std::string& path) {
 RunOrder order_of(const ModelSpec& spec, const std::string& model_file) {
   return {.model_file = model_file,
           .model_text = write_model(spec),
-          .blocks = spec.block.empty() ? "" : io::blocks_text(spec.block, spec.wall.thickness),
+          .blocks = spec.block.empty() && spec.body.empty() ? "" : io::blocks_text(spec, true),
           .language = "en"};
 }
 

@@ -27,12 +27,6 @@ struct Unit {
 constexpr Unit kUnits[] = {{"m", 6, 1},    {"mm", 4, 1e3},        {"cm", 5, 1e2},
                            {"dm", 14, 10}, {"in", 1, 1 / 0.0254}, {"ft", 2, 1 / 0.3048}};
 
-std::string unit_names() {
-  std::string names;
-  for (const Unit& unit : kUnits) names += (names.empty() ? "" : ", ") + std::string(unit.name);
-  return names;
-}
-
 struct Group {
   int code = 0;
   std::string_view value;
@@ -166,7 +160,7 @@ class DrawingReader {
     for (const Unit& known : kUnits)
       if (unit == known.name) scale_ = known.metre;
     if (!unit.empty() && scale_ == 0)
-      refuse(file_, unit, "is no unit of a drawing", "write one of " + unit_names());
+      refuse(file_, unit, "is no unit of a drawing", "write one of " + drawing_units());
   }
 
   Drawing read() {
@@ -209,7 +203,7 @@ class DrawingReader {
         file_, none ? "" : fmt::format("$INSUNITS {}", *stated_),
         none ? "does not say its unit ($INSUNITS is missing or 0)" : "has a unit that is not read",
         "say it: wall.blocks_unit = \"mm\" in a model, --unit mm for wythe drawing (" +
-            unit_names() + ")");
+            drawing_units() + ")");
   }
 
   void read_entities() {
@@ -388,6 +382,18 @@ bool same_layer(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+double units_in_a_metre(std::string_view name) {
+  for (const Unit& unit : kUnits)
+    if (name == unit.name) return unit.metre;
+  return 0;
+}
+
+std::string drawing_units() {
+  std::string names;
+  for (const Unit& unit : kUnits) names += (names.empty() ? "" : ", ") + std::string(unit.name);
+  return names;
 }
 
 Drawing read_drawing(const std::string& file, const std::string& unit) {

@@ -46,6 +46,10 @@ struct Drawing {
 // The fault of an entity that a reader needs, "LWPOLYLINE 2F on layer stones".
 [[nodiscard]] Fault fault_of(const Unread& entity, const std::string& file);
 
+// How many of a unit make a metre ("mm": 1000); 0 for a word that is no unit of a drawing or mesh.
+[[nodiscard]] double units_in_a_metre(std::string_view name);
+[[nodiscard]] std::string drawing_units();  // "m, mm, cm, ..."
+
 // Layer names are the same in upper and lower case.
 [[nodiscard]] bool same_layer(std::string_view a, std::string_view b);
 

@@ -123,7 +123,7 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
   for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
     used.stage[k] = model.stages[k].spec;
   if (!used.wall.blocks.empty()) {
-    write_file(inside(folder, "blocks.json"), io::blocks_text(used.block));
+    write_file(inside(folder, "blocks.json"), io::blocks_text(used));
     used.wall.blocks = "blocks.json";
   }
   return write_model(used);
@@ -134,7 +134,7 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
 std::uint64_t spec_hash(const ModelSpec& spec) {
   Hash hash;
   hash.add(write_model(spec));
-  hash.add(io::blocks_text(spec.block));
+  hash.add(io::blocks_text(spec));
   return hash.value();
 }
 

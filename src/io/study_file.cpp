@@ -189,7 +189,7 @@ class StudyReader {
       check_batch(base);
       for (const auto& [name, field] : base.field)
         study_.field.push_back({name, field.path, !field.formula.empty()});
-      if (!base.block.empty()) study_.blocks_text = blocks_text(base.block, base.wall.thickness);
+      if (!base.block.empty() || !base.body.empty()) study_.blocks_text = blocks_text(base, true);
       keys_ = number_keys(std::move(base));
       read_recipes();
     } catch (const InputError& error) {
