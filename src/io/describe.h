@@ -72,8 +72,7 @@ void describe(Visitor& v, WallSpec& s) {
          .doc = "Blocks file (JSON), or a drawing of every stone (DXF), relative to the model file. It replaces "
                 "length, height, bond, the unit's sizes and the openings."});
   describe_recipe(v, "blocks_unit", {.fallback = "what the drawing states", .example = "mm",
-                  .doc = "Unit of a drawing (m, mm, cm, dm, in, ft), where it states none or a wrong one; "
-                         "of a mesh or COMPAS file, which states none, always."});
+                  .doc = "Unit of a mesh or COMPAS file, or of a drawing that states none (m, mm, cm, dm, in, ft)."});
   describe_space(v, s);
   v.table("unit", s.unit, {.optional = true, .doc = "The masonry unit."});
   describe_joints(v, s.joints, "joint", "joint, or what that is", "unit");

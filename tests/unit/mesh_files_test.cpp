@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "core/limits.h"
 #include "geometry/joint_faces.h"
 #include "io/blocks_json.h"
 #include "io/bodies_file.h"
@@ -474,6 +475,18 @@ TEST(MeshFiles, faults_name_their_line) {
   EXPECT_TRUE(
       has(ply_of("ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nend_header\n1 2\n"),
           "ends before"));
+}
+
+TEST_F(BodyFiles, a_file_too_large_or_none_is_refused_before_it_is_read) {
+  for (const std::string name : {"large.obj", "large.ply", "large.stl"}) {
+    write(at(name), "");
+    std::filesystem::resize_file(at(name), kMostMesh + 1);
+    const std::string said = refusal("blocks = \"" + name + "\"\nblocks_unit = \"m\"");
+    EXPECT_TRUE(has(said, "64 MB")) << said;
+  }
+  std::filesystem::create_directory(at("folder.stl"));
+  EXPECT_TRUE(has(refusal("blocks = \"folder.stl\"\nblocks_unit = \"m\""), "folder"));
+  EXPECT_TRUE(has(refusal("blocks = \"gone.stl\"\nblocks_unit = \"m\""), "gone.stl"));
 }
 
 // Damaged files give errors or bodies, never a crash; whatever is read is then assembled too.
