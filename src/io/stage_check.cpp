@@ -128,11 +128,11 @@ void check_pattern(TableReader& reader, const StageSpec& stage) {
   if (stage.as == Manner::kEach)
     reader.refuse("as", "would move all levels alike, and a pattern shares forces",
                   "leave it out, or push at one place");
-  const bool has_levels = stage.pattern != Pattern::kMass;
+  const bool has_levels = stage.pattern != Pattern::kMass && stage.pattern != Pattern::kArea;
   if (has_levels && !reader.has("levels"))
     reader.miss("levels", "is missing, the pattern acts at levels");
   if (!has_levels && reader.has("levels"))
-    reader.refuse("levels", "has no meaning, the pattern mass acts on every block",
+    reader.refuse("levels", "has no meaning, the pattern acts on every block",
                   "leave it out, or write pattern = \"uniform\"");
   const bool has_shares = stage.pattern == Pattern::kGiven;
   if (has_shares && !reader.has("shares"))
@@ -198,16 +198,6 @@ void check_manner(TableReader& reader, const StageSpec& stage) {
     reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
 }
 
-void check_direction(TableReader& reader, const StageSpec& stage) {
-  const bool sideways =
-      stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
-  const bool tilts = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
-  if (tilts && !sideways)
-    reader.refuse("direction",
-                  fmt::format("a {} stage acts sideways", word_of(kStageKindWords, stage.kind)),
-                  "write direction = \"+x\" or \"-x\"");
-}
-
 // What a kind asks beyond its required keys.
 void check_needs(TableReader& reader, const StageSpec& stage) {
   need_keys(reader, stage.kind);
@@ -226,7 +216,6 @@ void finish(TableReader& reader, StageSpec& stage) {
   refuse_foreign_keys(reader, stage.kind);
   check_needs(reader, stage);
   check_manner(reader, stage);
-  check_direction(reader, stage);
 }
 
 }  // namespace wythe::io

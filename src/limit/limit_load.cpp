@@ -136,6 +136,9 @@ Programmes solve_tilted(const Model& model, const LimitOptions& options, const L
 }  // namespace
 
 LimitAnswer limit_load(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
+  if (model.in_space())
+    refuse("wall.blocks", "", "is a wall in space, and limit analysis is for walls in their plane",
+           "run it: a body force that grows gives the load it carries");
   if (!model.solids.bodies.empty()) {
     LimitAnswer answer = limit_load(with_rigid_bodies(model), options, watch);
     keep_first(model, answer);

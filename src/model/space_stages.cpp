@@ -77,18 +77,26 @@ class SpaceStages {
 
   void set_direction(Stage& stage) {
     const StageSpec& s = stage.spec;
-    Vec3 d = vector_of(s.direction);
+    Vec3 d = in_wall(vector_of(s.direction));
     if (!s.along.empty()) {
       if (s.along.size() != 3 || !(geometry::norm({s.along[0], s.along[1], s.along[2]}) > 0))
         return fault("along", "", "must be three numbers that are not all 0",
                      "write e.g. along = [1, 0, 0.5]");
-      d = geometry::unit({s.along[0], s.along[1], s.along[2]});
+      d = in_wall(geometry::unit({s.along[0], s.along[1], s.along[2]}));
     }
     stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
     const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
     if (tilts && std::fabs(d.y) > 1e-12)
       fault("direction", "", "a body force or tilt acts sideways",
             "write a direction without a part upwards");
+  }
+
+  // Places and directions of the model file are in the axes of its blocks file.
+  [[nodiscard]] Vec3 in_wall(Vec3 v) const {
+    return spec_.wall.up == "z" ? Vec3{v.x, v.z, -v.y} : v;
+  }
+  [[nodiscard]] Vec3 in_file(Vec3 v) const {
+    return spec_.wall.up == "z" ? Vec3{v.x, -v.z, v.y} : v;
   }
 
   // The load factor of a body force goes on from stage to stage; one is enough.
@@ -111,7 +119,7 @@ class SpaceStages {
     const bool is_point = !is_box && (has(place.x) || has(place.y) || has(place.z));
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
-      const Vec3 c = assembly_.moments[k].centroid;
+      const Vec3 c = in_file(assembly_.moments[k].centroid);
       const auto within = [](double x, double from, double width) {
         return !has(from) || (x >= from && (!has(width) || x <= from + width));
       };
@@ -126,9 +134,9 @@ class SpaceStages {
     return found;
   }
   [[nodiscard]] bool holds_point(std::size_t k, const PlaceSpec& place) const {
-    const Vec3 c = assembly_.moments[k].centroid;
-    const Vec3 p{has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y,
-                 has(place.z) ? place.z : c.z};
+    const Vec3 c = in_file(assembly_.moments[k].centroid);
+    const Vec3 p = in_wall(
+        {has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y, has(place.z) ? place.z : c.z});
     const double tolerance = 1e-6 * box_[k].longest();
     return std::any_of(assembly_.body[k].part.begin(), assembly_.body[k].part.end(),
                        [&](const Polyhedron& part) { return holds(part, p, tolerance); });
@@ -151,7 +159,7 @@ class SpaceStages {
                        [&](const auto& candidate) { return s.face == candidate.word; });
       if (word == std::end(kDirectionWords))
         return fault("face", s.face, "is no direction", "write +x, -x, +y, -y, +z or -z");
-      looks = vector_of(word->value);
+      looks = in_wall(vector_of(word->value));
     }
     const std::vector<std::size_t> bodies = find(s.on);
     for (const OuterFace& face : assembly_.outer) {

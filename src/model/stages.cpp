@@ -34,6 +34,7 @@ class StageCompiler {
       stage.spec = spec_.stage[k];
       set_defaults(stage);
       set_direction(stage);
+      refuse_space(stage);
       if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
       if (stage.spec.kind == StageKind::kPush) set_driven(stage);
       refuse_second_factor(stage);
@@ -102,6 +103,35 @@ class StageCompiler {
       if (push) s.as = Manner::kSpreader;
       if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
     }
+  }
+
+  // Keys that have a meaning for walls in space alone.
+  void refuse_space(const Stage& stage) {
+    const StageSpec& s = stage.spec;
+    const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
+    if (tilts && stage.drive_x == 0)
+      fault("direction", std::string(word_of(kDirectionWords, s.direction)),
+            fmt::format("a {} stage acts sideways", word_of(kStageKindWords, s.kind)),
+            "write direction = \"+x\" or \"-x\"");
+    else if (stage.drive_z != 0)
+      fault("direction", std::string(word_of(kDirectionWords, s.direction)),
+            "is out of the wall's plane, and this wall is no wall in space",
+            "write +x, -x, +y or -y, or give its blocks a third dimension");
+    const auto refuse = [&](const char* key, bool is_there) {
+      if (is_there)
+        fault(key, "", "is for walls in space, and this one is in its plane",
+              "leave it out, or give the blocks a third dimension");
+    };
+    refuse("along", !s.along.empty());
+    refuse("face", !s.face.empty());
+    refuse("pattern", s.pattern == Pattern::kArea);
+    const auto is_deep = [](const PlaceSpec& p) {
+      return std::isfinite(p.z) || std::isfinite(p.depth);
+    };
+    refuse("at", is_deep(s.at));
+    refuse("control", is_deep(s.control));
+    const PlaceSpec& on = s.on;
+    refuse("on", !on.block.empty() || std::isfinite(on.x) || std::isfinite(on.y) || is_deep(on));
   }
 
   static void set_direction(Stage& stage) {

@@ -41,6 +41,7 @@ std::vector<Region> regions_of(const study::WallParts& parts) {
 }  // namespace
 
 std::vector<Feature> read_features(const Model& model, const Result& result) {
+  if (model.in_space()) return {};
   const std::vector<Region> regions = regions_of(study::find_parts(model));
   std::vector<Feature> features;
   for (const Snapshot& snapshot : result.snapshots) {

@@ -419,6 +419,10 @@ Portal find_portal(const Model& model) {
   if (!model.solids.bodies.empty()) return find_portal(with_rigid_bodies(model));
   FaultList faults;
   Portal portal;
+  if (model.in_space())
+    add_fault(faults, "wall.blocks", "", "is a wall in space, and macro-blocks are for plane walls",
+              "run it: a body force that grows gives the load it carries");
+  faults.throw_if_any();
   const study::WallParts parts = study::find_parts(model);
   read_opening(parts, study::find_openings(model), portal, faults);
   read_push(model, portal, faults);

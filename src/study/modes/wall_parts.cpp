@@ -538,7 +538,9 @@ class Finder {
 
 }  // namespace
 
-WallParts find_parts(const Model& model) { return Finder(model).find(); }
+WallParts find_parts(const Model& model) {
+  return model.in_space() ? WallParts{} : Finder(model).find();
+}
 
 std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& parts) {
   std::vector<std::pair<const Part*, const char*>> all;
@@ -551,6 +553,7 @@ std::vector<std::pair<const Part*, const char*>> all_parts(const WallParts& part
 }
 
 std::vector<Box> find_openings(const Model& model) {
+  if (model.in_space()) return {};
   std::vector<Box> between;
   for (const Opening& o : openings_of(model, frame_of(model)))
     if (!o.at_edge) between.push_back(o);
