@@ -77,7 +77,7 @@ void expect_same(const End& a, const End& b, const std::string& what) {
 }
 
 TEST(SpaceBits, no_instruction_set_and_no_number_of_threads_changes_a_bit) {
-  const Model model = compile(leaves(1, 4e-4));
+  const Model model = compile(leaves(1, 1e-3));
   std::optional<End> first;
   for (const auto* set : dynamics::space::kernels_here())
     for (const int threads : {1, 3}) {

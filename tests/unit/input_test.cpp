@@ -450,7 +450,7 @@ TEST_F(Drawings, what_is_no_outline_is_kept_with_its_place) {
   const std::string corners = "10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n";
   expect_words(unread(polyline(corners, "0")),
                {"f.dxf:5:", "LWPOLYLINE 2F", "layer stones", "is open"});
-  expect_words(unread(polyline("10\n0\n20\n0\n42\n0.5\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"arc"});
+  expect_words(unread("0\nARC\n8\n0\n"), {"ARC"});
   expect_words(unread(polyline("10\n0\n20\n0\n10\n1\n20\n0\n")), {"fewer than 3"});
   expect_words(unread(polyline("10\n0\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"without x or y"});
   expect_words(unread(polyline("10\n1e9\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n")), {"10 km"});

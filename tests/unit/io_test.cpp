@@ -332,9 +332,6 @@ TEST(StageRefused, body_force_tilt_and_hold_without_their_keys) {
   EXPECT_EQ(fault("kind = \"hold\""),
             "model.toml:31: stage.0.duration: is missing, a hold stage needs it; write e.g. "
             "duration = \"1 s\"");
-  EXPECT_EQ(fault("rate = \"0.1 /s\"\nfactor = 0.5\ndirection = \"+y\""),
-            "model.toml:35: stage.0.direction = +y: a body_force stage acts sideways; write "
-            "direction = \"+x\" or \"-x\"");
 }
 
 TEST(StageRefused, two_of_one_name) {

@@ -531,7 +531,7 @@ test("the wall of a sample shows its own field", async () => {
     await choice.selectOption(values[names.indexOf("campo: ft")]);
     const words = await other.locator("#sample-wall .field-key").innerText();
     assert.match(words, /tensile_strength, estratto per questa parete; la media data nel modello: 0,\d+/);
-    assert.match(words, /i limiti lasciano una dispersione \(CoV\) del 2\d,\d %; il 30,0 % del file/);
+    assert.match(words, /i limiti lasciano una dispersione \(CoV\) del 2\d,\d\s%; il 30,0\s% del file/);
     seen.push(words.split("material.")[0]);
     await choice.selectOption(values[names.indexOf("campo: c")]);
     assert.match(await other.locator("#sample-wall .field-key").innerText(), /segue una formula di altri campi/);
