@@ -234,5 +234,34 @@ TEST(PatternInput, what_makes_no_sense_is_refused_at_its_key) {
             "");
 }
 
+TEST(PlaneWall, refuses_what_only_a_wall_in_space_has) {
+  const auto said = [](const StageSpec& stage) {
+    ModelSpec spec = scenes::small_wall();
+    spec.stage.back() = stage;
+    std::string text;
+    try {
+      (void)compile(spec);
+    } catch (const InputError& error) {
+      for (const Fault& fault : error.faults()) text += fault.path + ": " + fault.problem + "\n";
+    }
+    return text;
+  };
+  StageSpec force;
+  force.name = "force";
+  force.kind = StageKind::kBodyForce;
+  force.rate = force.factor = 0.1;
+  force.direction = Direction::kPlusY;
+  EXPECT_NE(said(force).find("stage.2.direction: a body_force stage acts sideways"),
+            std::string::npos)
+      << said(force);
+  StageSpec push = scenes::small_wall().stage.back();
+  push.direction = Direction::kMinusZ;
+  push.at.z = 0.1;
+  push.along = {0, 0, 1};
+  for (const char* words : {"direction: is out of the wall's plane", "along: is for walls in space",
+                            "at: is for walls in space"})
+    EXPECT_NE(said(push).find(words), std::string::npos) << words << "\n" << said(push);
+}
+
 }  // namespace
 }  // namespace wythe
