@@ -30,19 +30,19 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
     act(s.support_y[k], w.of_four(w.t.support, i, 1));
     act(s.support_z[k], w.of_four(w.t.support, i, 2));
   }
-  for (const Chunk& chunk : l.joints)
-    for (int n = 0; n < chunk.n; ++n)
-      for (int k = 0; k < chunk.points; ++k) {
-        const std::size_t p = at(m.space.point_begin[at(chunk.first + n)] + k);
-        const auto row = [&](int r) -> double& {
-          return w.t.history[l.point_number(chunk, chunk.history, n, k, chunk.rows, r, w.t.lanes) +
-                             w.lane];
-        };
-        for (const StateField& field : kStateFields)
-          if (field.entity == Entity::kPoint && row_of(field.array) + 1 < chunk.rows)
-            act((s.*field.array)[p], row(row_of(field.array)));
-        act(s.plastic_slip_2[p], row(chunk.rows - 1));
-      }
+  for (const Chunk& chunk : l.joints) {
+    const auto history = [&](auto& array, int r) {
+      for (int n = 0; n < chunk.n; ++n)
+        for (int k = 0; k < chunk.points; ++k)
+          act(array[at(m.space.point_begin[at(chunk.first + n)] + k)],
+              w.t.history[l.point_number(chunk, chunk.history, n, k, chunk.rows, r, w.t.lanes) +
+                          w.lane]);
+    };
+    for (const StateField& field : kStateFields)
+      if (field.entity == Entity::kPoint && row_of(field.array) + 1 < chunk.rows)
+        history(s.*field.array, row_of(field.array));
+    history(s.plastic_slip_2, chunk.rows - 1);
+  }
 }
 
 void put_laws(const WallView& w, const Model& m) {
