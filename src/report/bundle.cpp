@@ -111,17 +111,29 @@ void Bundle::add(const std::string& name, std::span<const std::uint8_t> values) 
 }
 
 void Bundle::add_rounded(const std::string& name, std::span<const double> values) {
+  add_rounded(name, values, 1);
+  table_[name]["step"] = table_[name]["steps"][0];
+  table_[name].erase("steps");
+}
+
+void Bundle::add_rounded(const std::string& name, std::span<const double> values, int rows) {
   constexpr double kMost = 32767;
-  double largest = 0;
-  for (double v : values)
-    if (std::isfinite(v)) largest = std::max(largest, std::fabs(v));
-  const double step = largest > 0 ? largest / kMost : 1;
+  const std::size_t width = rows > 0 ? values.size() / static_cast<std::size_t>(rows) : 0;
   std::vector<std::int16_t> rounded;
   rounded.reserve(values.size());
-  for (double v : values)
-    rounded.push_back(std::isfinite(v) ? static_cast<std::int16_t>(std::lround(v / step)) : 0);
+  Json steps = Json::array();
+  for (int row = 0; row < rows; ++row) {
+    const auto part = values.subspan(static_cast<std::size_t>(row) * width, width);
+    double largest = 0;
+    for (double v : part)
+      if (std::isfinite(v)) largest = std::max(largest, std::fabs(v));
+    const double step = largest > 0 ? largest / kMost : 1;
+    for (double v : part)
+      rounded.push_back(std::isfinite(v) ? static_cast<std::int16_t>(std::lround(v / step)) : 0);
+    steps.push_back(step);
+  }
   place(name, "int16", rounded.size(), std::as_bytes(std::span(rounded)));
-  table_[name]["step"] = step;
+  table_[name]["steps"] = steps;
 }
 
 std::string Bundle::packed() const {

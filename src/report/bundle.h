@@ -3,7 +3,8 @@
 //   zlib( "WYTHE\0\0" version | header length, uint32 | header, UTF-8 | arrays )     little endian
 //
 // Each array begins at a multiple of 8 bytes from the first one; header.arrays.<name> is {type, at,
-// count} and, where values were rounded, step: value = number * step. web/src/bundle.ts reads it.
+// count} and, where values were rounded, step: value = number * step; or steps, one for each of as many equal
+// parts. web/src/bundle.ts reads it.
 // Deflate because every browser unpacks it (DecompressionStream) and none unpacks zstd.
 #pragma once
 
@@ -26,6 +27,9 @@ class Bundle {
   void add(const std::string& name, std::span<const std::uint8_t> values);
   // To 16 bits: off by at most half of (largest magnitude / 32767); NaN becomes 0.
   void add_rounded(const std::string& name, std::span<const double> values);
+  // The same for each of `rows` equal parts by itself: small values of one row beside large ones of another
+  // stay exact.
+  void add_rounded(const std::string& name, std::span<const double> values, int rows);
   [[nodiscard]] std::string packed() const;
 
  private:

@@ -145,7 +145,16 @@ SampleWall wall_of(const Campaign& campaign, const SampleWalls& walls, int sampl
 }
 
 bool same_shape(const Model& a, const Model& b) {
+  const auto same_corners = [](const BodySpec& one, const BodySpec& other) {
+    const auto same_part = [](const Polyhedron& p, const Polyhedron& q) {
+      return p.face == q.face && std::ranges::equal(p.vertex, q.vertex, [](Vec3 v, Vec3 w) {
+               return v.x == w.x && v.y == w.y && v.z == w.z;
+             });
+    };
+    return std::ranges::equal(one.part, other.part, same_part);
+  };
   return a.joint_a == b.joint_a && a.joint_b == b.joint_b &&
+         std::ranges::equal(a.space.body, b.space.body, same_corners) &&
          a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
 }
 

@@ -25,6 +25,7 @@ using namespace report;
 struct Frame {
   const Snapshot* snapshot;
   std::vector<Json> labels;  // "peak", "20 mm"; none for those between
+  double reaction = 0;       // [N]
 };
 
 Json label_of(const Snapshot& s) {
@@ -32,12 +33,30 @@ Json label_of(const Snapshot& s) {
                              : said(Message{"length.asked", {{"mm", 1e3 * s.asked}}});
 }
 
+// A load that stands still while the wall falls has no frames of its path there: states of the fall, each
+// farther than the one before by this share, under the load that stands.
+constexpr double kFarther = 1.12;
+
+std::vector<Frame> states_of_fall(const Result& result) {
+  std::vector<Frame> fall;
+  if (!is_load_controlled(result) || result.frames.empty()) return fall;
+  const Snapshot& last = result.frames.back();
+  double far = std::fabs(last.displacement);
+  for (const Snapshot& s : result.readings) {
+    if (s.state.time <= last.state.time || std::fabs(s.displacement) < kFarther * far) continue;
+    far = std::fabs(s.displacement);
+    fall.push_back({&s, {}, last.reaction});
+  }
+  return fall;
+}
+
 // Snapshots and frames by time, each state once with all its labels.
 std::vector<Frame> frames_of(const Result& result) {
-  std::vector<Frame> all;
+  std::vector<Frame> all = states_of_fall(result);
   for (const auto* list : {&result.snapshots, &result.frames})
     for (const Snapshot& s : *list)
-      all.push_back({&s, s.label.empty() ? std::vector<Json>{} : std::vector<Json>{label_of(s)}});
+      all.push_back(
+          {&s, s.label.empty() ? std::vector<Json>{} : std::vector<Json>{label_of(s)}, s.reaction});
   std::stable_sort(all.begin(), all.end(), [](const Frame& a, const Frame& b) {
     return a.snapshot->state.time < b.snapshot->state.time;
   });
@@ -74,7 +93,7 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
     arrays.add(model, f.snapshot->state);
     list.push_back({{"labels", f.labels},
                     {"displacement_mm", f.snapshot->displacement * 1e3},
-                    {"reaction_kN", f.snapshot->reaction * 1e-3}});
+                    {"reaction_kN", f.reaction * 1e-3}});
   }
   bundle.header["frames"] = list;
   bundle.header["energy"] = energy_of(model, frames);

@@ -168,6 +168,11 @@ void add_wall(Bundle& bundle, const Model& model) {
   }
   if (model.links.n > 0) wall["links"] = links_of(model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
+  if (model.in_space()) {
+    add_space(bundle, model, wall);
+    bundle.header["wall"] = wall;
+    return;
+  }
   if (const Stage* push = push_of(model)) {
     wall["push"] = {push->drive_x, push->drive_y};
     wall["load_height"] = push->load_height;
@@ -222,6 +227,8 @@ int states_kept(int states, int room, int samples_after) {
 
 void FrameArrays::add(const Model& model, const State& state) {
   ++count_;
+  in_space_ = model.in_space();
+  if (in_space_) return space_.add(model, state);
   const WallReading wall = read_wall(model, state);
   for (const BlockReading& block : wall.blocks) {
     ux_.push_back(block.moved.x);
@@ -253,6 +260,7 @@ void FrameArrays::add(const Model& model, const State& state) {
 }
 
 void FrameArrays::write(Bundle& bundle) const {
+  if (in_space_) return space_.write(bundle, count_);
   bundle.add_rounded("frame.ux", ux_);
   bundle.add_rounded("frame.uy", uy_);
   bundle.add_rounded("frame.theta", turned_);

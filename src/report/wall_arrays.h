@@ -1,5 +1,6 @@
 // A wall and its states as arrays of a page (wall.* and frame.*; web/src/wall.ts reads them).
-// Deformable blocks follow the rigid ones and their contacts the joints, in every array of either.
+// Deformable blocks follow the rigid ones and their contacts the joints, in every array of either. A wall in
+// space has space.* in place of most of wall.* (space_arrays.cpp).
 #pragma once
 
 #include <string>
@@ -21,6 +22,21 @@ void add_fields(Bundle& bundle, const ModelSpec& spec, const Model& model, int s
 // that follows still has room, else the last alone.
 [[nodiscard]] int states_kept(int states, int room, int samples_after);
 
+// Bodies and joint faces of a wall in space. Header: "wall.space", to go into `wall`.
+void add_space(Bundle& bundle, const Model& model, Json& wall);
+
+// States of a wall in space.
+class SpaceFrames {
+ public:
+  void add(const Model& model, const State& state);
+  void write(Bundle& bundle, int count) const;
+
+ private:
+  std::vector<double> moved_, turned_;           // (n_frame, n_body, 3) [m], [rad]
+  std::vector<double> opening_, slip_, stress_;  // (n_frame, n_joint) [m], [m], [Pa]
+  std::vector<std::uint8_t> damage_, crushing_;
+};
+
 // States in the order they are to be shown; every one has the same blocks and joints.
 class FrameArrays {
  public:
@@ -41,6 +57,8 @@ class FrameArrays {
   std::vector<double> eccentricity_;         // of the compression, over half the face, -1 to 1
   std::vector<std::uint8_t> damage_, crushing_;
   std::vector<double> link_force_;  // (n_frame, n_link) tension + [N]
+  bool in_space_ = false;
+  SpaceFrames space_;  // in space these alone
 };
 
 }  // namespace wythe::report

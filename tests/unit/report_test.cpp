@@ -386,6 +386,22 @@ TEST(Bundle, rounding_is_within_half_a_step_and_says_its_step) {
   EXPECT_EQ(header_of(bundle.packed())["arrays"]["zeros"]["at"].get<int>() % 8, 0);
 }
 
+// One step for all would make 1e-6 beside 0.2 a number of two digits.
+TEST(Bundle, rows_are_rounded_each_by_itself) {
+  Bundle bundle;
+  bundle.header["kind"] = "test";
+  bundle.add_rounded("x", std::vector<double>{1e-6, -5e-7, 0, 0, 0.2, 0.1}, 3);
+  const Json place = header_of(bundle.packed())["arrays"]["x"];
+  EXPECT_EQ(place["count"], 6);
+  ASSERT_EQ(place["steps"].size(), 3U);
+  EXPECT_DOUBLE_EQ(place["steps"][0], 1e-6 / 32767);
+  EXPECT_DOUBLE_EQ(place["steps"][1], 1);
+  EXPECT_DOUBLE_EQ(place["steps"][2], 0.2 / 32767);
+  EXPECT_FALSE(place.contains("step"));
+  bundle.add_rounded("none", std::vector<double>{}, 0);
+  EXPECT_EQ(header_of(bundle.packed())["arrays"]["none"]["count"], 0);
+}
+
 TEST(Bundle, shares_become_bytes) {
   EXPECT_EQ(share_byte(0), 0);
   EXPECT_EQ(share_byte(1), 255);

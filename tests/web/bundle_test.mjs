@@ -4,7 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { deflateSync } from "node:zlib";
-import { folder, viewerModule } from "./helpers.mjs";
+import { folder, lastPoints, viewerModule } from "./helpers.mjs";
 import { makeRun } from "./small_study.mjs";
 
 const { fromBase64, unpack } = await viewerModule("bundle");
@@ -94,16 +94,6 @@ test("the engine's own data are read: counts agree with the header", async () =>
   rows.forEach((row, i) => assert.ok(Math.abs(row[3] - reaction[i]) <= 1e-6 * Math.max(1, Math.abs(row[3]))));
 });
 
-// Points of the last state of a run in the engine's VTK files.
-function lastPoints(name, kind) {
-  const files = fs
-    .readdirSync(folder(name))
-    .filter((n) => n.startsWith(`state_${kind}`))
-    .sort();
-  const vtu = fs.readFileSync(path.join(folder(name), files.at(-1)), "utf8");
-  const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
-  return new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
-}
 const unpackRun = (name) => unpack(new Uint8Array(fs.readFileSync(path.join(folder(name), "report.data"))));
 async function lastPose(name) {
   const bundle = await unpackRun(name);

@@ -23,6 +23,19 @@ export function run(...words) {
 export const folder = (name) => path.join(results, name);
 export const pageOf = (name) => pathToFileURL(path.join(folder(name), "report.html")).href;
 
+// --- what the engine wrote beside ----------------------------------------------------------------------
+
+// Points of the last state of a run in the engine's VTK files.
+export function lastPoints(name, kind) {
+  const files = fs
+    .readdirSync(folder(name))
+    .filter((n) => n.startsWith(`state_${kind}`))
+    .sort();
+  const vtu = fs.readFileSync(path.join(folder(name), files.at(-1)), "utf8");
+  const bytes = Buffer.from(/Name="Points"[^>]*>([^<]*)</.exec(vtu)[1], "base64");
+  return new Float64Array(bytes.buffer.slice(bytes.byteOffset + 8, bytes.byteOffset + bytes.length));
+}
+
 // --- browser -----------------------------------------------------------------------------------------
 
 export const browserPath = process.env.CHROMIUM ?? "/usr/bin/chromium";

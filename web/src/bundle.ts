@@ -5,7 +5,8 @@ export interface Place {
   type: "float32" | "int32" | "int16" | "uint8";
   at: number;
   count: number;
-  step?: number;
+  step?: number; // of rounded values
+  steps?: number[]; // or of each of as many equal parts
 }
 
 export class Bundle {
@@ -32,10 +33,19 @@ export class Bundle {
       case "uint8":
         return new Uint8Array(this.bytes, at, place.count);
       case "int16":
-        return Float32Array.from(new Int16Array(this.bytes, at, place.count), (v) => v * (place.step ?? 1));
+        return unrounded(new Int16Array(this.bytes, at, place.count), place.steps ?? [place.step ?? 1]);
     }
     throw new Error(`the data hold ${name} in an unknown form`);
   }
+}
+
+function unrounded(numbers: Int16Array, steps: number[]): Float32Array {
+  const values = new Float32Array(numbers.length),
+    width = numbers.length / Math.max(1, steps.length);
+  steps.forEach((step, row) => {
+    for (let i = row * width; i < (row + 1) * width; ++i) values[i] = numbers[i] * step;
+  });
+  return values;
 }
 
 export function fromBase64(text: string): Uint8Array<ArrayBuffer> {

@@ -14,7 +14,9 @@ import { projectSection, sheetSection } from "./sheet";
 import { table } from "./tables";
 import { asSentence, capital, num, phrase, qty, say, type Said } from "./texts";
 import { Frames, readWall } from "./wall";
-import { WallView, type FrameInfo } from "./wallview";
+import { readSolids, SolidStates } from "./space";
+import { SpaceView } from "./spaceview";
+import { WallView, type FrameInfo, type View } from "./wallview";
 
 function readCurve(bundle: Bundle): Curve {
   const get = (name: string): number[] => Array.from(bundle.array(`curve.${name}`));
@@ -59,7 +61,7 @@ function nearest(distances: number[]): number {
 class RunPage {
   readonly header: any;
   readonly curve: Curve;
-  readonly view: WallView | null;
+  readonly view: View | null;
   private readonly s: any;
   private readonly byFactor: boolean;
   private plot: Plot | null = null;
@@ -73,21 +75,18 @@ class RunPage {
     this.view = this.makeView();
   }
 
-  private makeView(): WallView | null {
-    const wall = readWall(this.bundle);
-    if (!wall || (this.header.frames ?? []).length === 0) return null;
+  private makeView(): View | null {
+    if ((this.header.frames ?? []).length === 0) return null;
     const info: FrameInfo[] = this.header.frames.map((f: any) => ({
       label: labelOf(f.labels),
       displacement: f.displacement_mm,
       reaction: f.reaction_kN,
     }));
-    return new WallView({
-      id: "wall",
-      wall,
-      frames: new Frames(this.bundle, wall),
-      info,
-      onFrame: () => this.moveCursor(),
-    });
+    const onFrame = (): void => this.moveCursor(),
+      solids = readSolids(this.bundle);
+    if (solids) return new SpaceView({ id: "wall", states: new SolidStates(this.bundle, solids), info, onFrame });
+    const wall = readWall(this.bundle);
+    return wall && new WallView({ id: "wall", wall, frames: new Frames(this.bundle, wall), info, onFrame });
   }
 
   // Data of older versions have the sentence in the summary alone.
@@ -360,7 +359,7 @@ class RunPage {
   }
 
   // Pictures of the labelled states, for paper only.
-  private printStates(view: WallView): HTMLElement {
+  private printStates(view: View): HTMLElement {
     const place = h("div", { class: "print-only pictures" });
     aroundPrint(
       () => {
@@ -385,7 +384,7 @@ class RunPage {
   private failure(): Child {
     const mode = this.s.failure_mode;
     if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
-    const elements = new ElementsView(this.bundle, mode, this.view);
+    const elements = new ElementsView(this.bundle, mode, this.view instanceof WallView ? this.view : null);
     const mechanism = this.header.mode?.mechanism;
     return [
       h(

@@ -8,7 +8,7 @@ import { drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { zip, type Curve } from "./run_trust";
 import { table } from "./tables";
 import { capital, num, phrase, qty, say, sentence, type Said } from "./texts";
-import type { WallView } from "./wallview";
+import type { View } from "./wallview";
 
 const kListed = 5, // materials and stages; more are counted
   kNotes = 9,
@@ -19,7 +19,7 @@ const kListed = 5, // materials and stages; more are counted
 export interface SheetSource {
   header: any;
   curve: Curve;
-  view: WallView | null;
+  view: View | null;
 }
 
 // Whether somebody may put a name under the numbers.
@@ -85,7 +85,7 @@ function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
     keyNumbers(),
     pictures(source, wide),
     limitStates(s.assessment),
-    h("div", { class: "a4-pair" }, assumed(source.header), notModelled(s)),
+    h("div", { class: "a4-pair" }, assumed(source.header), notModelled(source.header)),
     foot(s, standing),
   );
 }
@@ -383,9 +383,9 @@ function assumed({ inputs, summary: s }: any): Child {
   );
 }
 
-function notModelled(s: any): Child {
+function notModelled({ summary: s, wall }: any): Child {
   const notes: Said[] = s.assessment?.notes ?? [];
-  const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [say("sheet.out_of_plane"), say("sheet.one_push")];
+  const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(wall?.space ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
   const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
   return h(
     "div",

@@ -417,8 +417,7 @@ export function zoneStress(frame: Frame, z: number): number {
   const [a, b] = [frame.greater[z], frame.smaller[z]];
   return 1e-6 * (Math.abs(a) > Math.abs(b) ? a : b);
 }
-// Bounds of the colour steps of stress [MPa]: 1, 2, 5 times powers of ten, the last within reach of the
-// largest stress of all frames.
+// Bounds of the colour steps of stress [MPa], by the largest of all frames.
 export function stressSteps(wall: Wall, frames: Frames): number[] {
   let largest = 0;
   for (let f = 0; f < frames.count; ++f) {
@@ -427,11 +426,15 @@ export function stressSteps(wall: Wall, frames: Frames): number[] {
     const zones = frame.greater?.length ?? 0;
     for (let z = 0; z < zones; ++z) largest = Math.max(largest, Math.abs(zoneStress(frame, z)));
   }
+  return roundSteps(largest);
+}
+// 1, 2, 5 times powers of ten, the last within reach of the largest.
+export function roundSteps(largest: number, most = 6): number[] {
   const round = [1, 2, 5].flatMap((m) => Array.from({ length: 19 }, (_, i) => m * 10 ** (i - 9)));
   return round
     .sort((a, b) => a - b)
     .filter((v) => v <= 0.8 * largest)
-    .slice(-6);
+    .slice(-most);
 }
 
 // Forces between blocks: through the point where each acts, along it, with its share of the largest.

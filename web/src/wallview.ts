@@ -3,6 +3,7 @@ import { atRest, h, later, svg } from "./dom";
 import { download, standalone, toCsv, toPng } from "./export";
 import { hideTip, legend, pointIn, showTip, swatch } from "./figure";
 import { Painter } from "./paths";
+import { Player } from "./player";
 import { num, qty, say, sentence } from "./texts";
 import { canvasFor, drawParts, drawWall, jointAt, zoneAt, type Canvas, type Look } from "./wall2d";
 import { makeScene, type Scene } from "./wall3d";
@@ -35,33 +36,36 @@ export interface WallViewSpec {
   tallest?: number;
 }
 
-const kScales = [1, 2, 5, 10, 20, 50, 100, 200];
+// What a page needs of a wall, in the plane or in space.
+export interface View {
+  readonly element: HTMLElement;
+  readonly look: { readonly frame: number };
+  readonly spec: { readonly info: FrameInfo[] };
+  show(frame: number, quiet?: boolean): void;
+  picture(frame: number, width: number, tallest: number): HTMLElement; // for paper
+}
 
-const scaleWords = (scale: number): string =>
+export const kScales = [1, 2, 5, 10, 20, 50, 100, 200];
+
+export const scaleWords = (scale: number): string =>
   scale === 1 ? say("wall.to_scale") : say("wall.scaled", { scale: num(scale) });
 
-export class WallView {
+export class WallView implements View {
   readonly element: HTMLElement;
   readonly look: Look;
   private readonly stage = h("div", { class: "stage wall-stage" });
   private readonly key = h("div", { class: "wall-key" });
   private readonly caption = h("output", { class: "wall-caption" });
-  private readonly slider = h("input", { type: "range", min: 0, step: 1, "aria-label": say("wall.time") });
-  private readonly play = h("button", { type: "button", class: "play", "aria-label": say("wall.play") }, "▶");
+  private readonly player = new Player((frame) => this.show(frame));
   private canvas!: Canvas;
   private width = 0;
   private painter: Painter | null = null; // while the wall moves
   private explained = ""; // what the legend is of
-  private timer = 0;
   private scene: Scene | null = null;
   private solid = false;
-  private first = 0; // of the frames to choose from
-  private last: number;
-  private readonly time = h("div", { class: "time" }, this.play, this.slider);
 
   constructor(readonly spec: WallViewSpec) {
     const last = Math.max(0, spec.frames.count - 1);
-    this.last = last;
     this.look = {
       frame: last,
       scale: fittingScale(spec.wall, spec.frames),
@@ -72,11 +76,6 @@ export class WallView {
       stressSteps: stressSteps(spec.wall, spec.frames),
     };
     this.choose(0, last);
-    this.slider.addEventListener("input", () => {
-      this.stop();
-      this.show(Number(this.slider.value));
-    });
-    this.play.addEventListener("click", () => (this.timer ? this.stop() : this.start()));
     this.element = h(
       "figure",
       { id: spec.id, class: "wall-view" },
@@ -84,7 +83,7 @@ export class WallView {
       this.controls(),
       this.stage,
       this.key,
-      this.time,
+      this.player.element,
       this.caption,
     );
     this.stage.addEventListener("pointermove", (e) => this.point(e));
@@ -106,17 +105,10 @@ export class WallView {
   }
   // These frames alone are to be stepped through: the states of one sample, in time.
   choose(first: number, last: number): void {
-    this.stop();
-    this.first = first;
-    this.last = last;
-    this.slider.min = String(first);
-    this.slider.max = String(last);
-    this.slider.value = String(last);
-    this.time.hidden = last <= first;
+    this.player.choose(first, last);
   }
   show(frame: number, quiet = false): void {
-    this.look.frame = Math.min(Math.max(this.first, frame), this.last);
-    this.slider.value = String(this.look.frame);
+    this.look.frame = this.player.put(frame);
     this.redraw(true);
     if (!quiet) this.spec.onFrame?.(this.look.frame);
   }
@@ -138,7 +130,7 @@ export class WallView {
       (w) => w !== "",
     );
     this.caption.textContent = [...words, scaleWords(this.look.scale)].join(" · ");
-    this.slider.setAttribute("aria-valuetext", words.join(", "));
+    this.player.tell(words.join(", "));
     this.explain();
     if (this.solid && this.scene) this.scene.draw(this.look);
     else if (moves) this.paint();
@@ -174,22 +166,6 @@ export class WallView {
     );
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(scale)];
     return h("figure", {}, drawing, h("figcaption", {}, words.filter((w) => w !== "").join(" · ")));
-  }
-
-  private start(): void {
-    if (this.look.frame >= this.last) this.show(this.first);
-    this.play.textContent = "❚❚";
-    this.play.setAttribute("aria-label", say("wall.pause"));
-    this.timer = window.setInterval(() => {
-      if (this.look.frame >= this.last) this.stop();
-      else this.show(this.look.frame + 1);
-    }, 120);
-  }
-  private stop(): void {
-    window.clearInterval(this.timer);
-    this.timer = 0;
-    this.play.textContent = "▶";
-    this.play.setAttribute("aria-label", say("wall.play"));
   }
 
   private tools(): HTMLElement {

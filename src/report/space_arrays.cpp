@@ -1,0 +1,165 @@
+// A wall in space as arrays of a page: bodies and joint faces once, how they move and crack in each state
+// (web/src/space.ts reads them).
+//
+//   space.vertex (3), face and corner lists of convex parts     at the start, seen from `middle`, so that
+//   space.outline (3) of each joint's face                       places far from the origin stay exact
+//   frame.moved, frame.turned (n_frame, n_body, 3)               supports follow the blocks
+#include <algorithm>
+#include <unordered_map>
+
+#include "report/wall_arrays.h"
+#include "wythe/reading.h"
+
+namespace wythe::report {
+namespace {
+
+void put(std::vector<float>& to, const Vec3& v) {
+  to.insert(to.end(), {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+}
+
+std::int32_t count_of(std::size_t n) { return static_cast<std::int32_t>(n); }
+
+// Half way between the ends of the bounds of all that moves.
+Vec3 middle_of(const Model& model) {
+  Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (int b = 0; b < model.n_block; ++b)
+    for (const Polyhedron& part : model.space.body[static_cast<std::size_t>(b)].part)
+      for (const Vec3& v : part.vertex) {
+        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+      }
+  return 0.5 * (low + high);
+}
+
+// Lists within lists: where each begins, in the one below.
+struct Parts {
+  std::vector<std::int32_t> part_begin = {0}, vertex_begin = {0}, face_begin = {0},
+                            corner_begin = {0};
+  std::vector<float> vertex;
+  std::vector<std::int32_t> corner;  // numbers of vertices within their part
+
+  void add(const BodySpec& body, const Vec3& middle) {
+    for (const Polyhedron& part : body.part) {
+      for (const Vec3& v : part.vertex) put(vertex, v - middle);
+      for (const auto& face : part.face) {
+        corner.insert(corner.end(), face.begin(), face.end());
+        corner_begin.push_back(count_of(corner.size()));
+      }
+      vertex_begin.push_back(count_of(vertex.size() / 3));
+      face_begin.push_back(count_of(corner_begin.size() - 1));
+    }
+    part_begin.push_back(count_of(vertex_begin.size() - 1));
+  }
+  void write(Bundle& bundle) const {
+    const auto add_list = [&](const char* name, const std::vector<std::int32_t>& list) {
+      bundle.add(name, std::span<const std::int32_t>(list));
+    };
+    add_list("space.part_begin", part_begin);
+    add_list("space.vertex_begin", vertex_begin);
+    add_list("space.face_begin", face_begin);
+    add_list("space.corner_begin", corner_begin);
+    add_list("space.corner", corner);
+    bundle.add("space.vertex", std::span<const float>(vertex));
+  }
+};
+
+// Names of bodies and of their materials, each material once.
+void add_names(Bundle& bundle, const std::vector<BodySpec>& bodies, Json& space) {
+  std::unordered_map<std::string, std::int32_t> known;
+  std::vector<std::int32_t> material;
+  space["names"] = Json::array(), space["materials"] = Json::array();
+  for (const BodySpec& body : bodies) {
+    space["names"].push_back(body.id);
+    const auto [entry, is_new] = known.try_emplace(body.material, count_of(known.size()));
+    if (is_new) space["materials"].push_back(body.material);
+    material.push_back(entry->second);
+  }
+  bundle.add("space.material", std::span<const std::int32_t>(material));
+}
+
+void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
+  std::vector<std::int32_t> begin = {0};
+  std::vector<float> outline;
+  std::vector<std::uint8_t> kind;
+  for (JointId j = 0; j < model.n_joint; ++j) {
+    for (const Vec3& corner : model.space.face[static_cast<std::size_t>(j)])
+      put(outline, corner - middle);
+    begin.push_back(count_of(outline.size() / 3));
+    kind.push_back(static_cast<std::uint8_t>(joint_shape(model, j).kind));
+  }
+  bundle.add("space.joint_a", std::span<const BlockId>(model.joint_a));
+  bundle.add("space.joint_b", std::span<const BlockId>(model.joint_b));
+  bundle.add("space.kind", std::span<const std::uint8_t>(kind));
+  bundle.add("space.outline_begin", std::span<const std::int32_t>(begin));
+  bundle.add("space.outline", std::span<const float>(outline));
+}
+
+// Which way the last stage drives the wall, and the blocks it drives: none of a load on all of them.
+Json load_of(const Model& model) {
+  for (auto stage = model.stages.rbegin(); stage != model.stages.rend(); ++stage) {
+    const StageKind kind = stage->spec.kind;
+    const bool drives =
+        kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
+    if (drives && dot(stage->drive(), stage->drive()) > 0)
+      return {{"direction", {stage->drive_x, stage->drive_y, stage->drive_z}},
+              {"driven", stage->driven}};
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void add_space(Bundle& bundle, const Model& model, Json& wall) {
+  const Space& s = model.space;
+  const Vec3 middle = middle_of(model);
+  Json space = {{"supports", s.n_support},
+                {"middle", {middle.x, middle.y, middle.z}},
+                {"load", load_of(model)}};
+  add_names(bundle, s.body, space);
+  wall["space"] = space;
+  Parts parts;
+  for (const BodySpec& body : s.body) parts.add(body, middle);
+  parts.write(bundle);
+  std::vector<float> centroid;
+  for (const Vec3& c : s.centroid) put(centroid, c - middle);
+  bundle.add("space.centroid", std::span<const float>(centroid));
+  std::vector<std::uint8_t> role;
+  for (const BlockRole one : model.anatomy.block_role)
+    role.push_back(static_cast<std::uint8_t>(one));
+  bundle.add("space.role", std::span<const std::uint8_t>(role));
+  add_faces(bundle, model, middle);
+}
+
+void SpaceFrames::add(const Model& model, const State& state) {
+  const WallReading wall = read_wall(model, state);
+  const auto put_three = [](std::vector<double>& to, const Vec3& v) {
+    to.insert(to.end(), {v.x, v.y, v.z});
+  };
+  for (const BlockReading& block : wall.blocks) {
+    put_three(moved_, block.moved);
+    put_three(turned_, block.turned.by);
+  }
+  for (std::size_t i = 0; i < state.support_x.size(); ++i) {  // supports do not turn
+    put_three(moved_, {state.support_x[i], state.support_y[i], state.support_z[i]});
+    put_three(turned_, {});
+  }
+  for (const JointReading& joint : wall.joints) {
+    opening_.push_back(std::fmax(0.0, joint.opening));
+    slip_.push_back(joint.slip);
+    stress_.push_back(joint.normal_stress);
+    damage_.push_back(share_byte(joint.damage));
+    crushing_.push_back(share_byte(joint.crushing));
+  }
+}
+
+void SpaceFrames::write(Bundle& bundle, int count) const {
+  bundle.add_rounded("frame.moved", moved_, count);
+  bundle.add_rounded("frame.turned", turned_, count);
+  bundle.add_rounded("frame.opening", opening_, count);
+  bundle.add_rounded("frame.slip", slip_, count);
+  bundle.add_rounded("frame.stress", stress_, count);
+  bundle.add("frame.damage", std::span<const std::uint8_t>(damage_));
+  bundle.add("frame.crushing", std::span<const std::uint8_t>(crushing_));
+}
+
+}  // namespace wythe::report

@@ -1,0 +1,747 @@
+// A wall in space with its controls: how it is looked at, what blocks and joints show, a cut, magnification,
+// time and play, a body that was picked.
+import { h, later } from "./dom";
+import { download, toCsv, type Sheet } from "./export";
+import { hideTip, legend, showTip, swatch } from "./figure";
+import { Player } from "./player";
+import {
+  boundsOf,
+  Camera,
+  crackOfFace,
+  fittingSize,
+  groupOf,
+  Planes,
+  Poses,
+  sizeOf,
+  type Cut,
+  type SolidState,
+  type SolidStates,
+  type Vec,
+} from "./space";
+import { glPicture } from "./space_gl";
+import { beginCanvas, drawOver, PaintedPicture, type Picture, type Rgb, type Scene } from "./space_paint";
+import { num, phrase, qty, say } from "./texts";
+import { kSteps, roundSteps, stepOf } from "./wall";
+import { kScales, scaleWords, type FrameInfo, type View } from "./wallview";
+
+export interface SpaceViewSpec {
+  id: string;
+  states: SolidStates;
+  info: FrameInfo[];
+  onFrame?: (frame: number) => void; // after the slider moved
+}
+
+const kFaces = ["cracks", "opening", "slip", "damage", "crushing", "stress"] as const;
+type OfFaces = (typeof kFaces)[number];
+const kBodies = ["stone", "moved", "turned", "damage", "material", "group"] as const;
+type OfBodies = (typeof kBodies)[number];
+const kGroups = 7; // that have a colour of their own
+const kCutSteps = 200;
+
+const kViews: Record<string, [number, number]> = {
+  front: [0, 0],
+  side: [Math.PI / 2, 0],
+  top: [0, Math.PI / 2],
+  oblique: [0.6, 0.42],
+};
+
+// Colours and widths as the page's style has them, by class.
+class Styles {
+  private readonly known = new Map<string, { fill: Rgb; stroke: Rgb; width: number }>();
+  private readonly dot = h("canvas", { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
+  of(css: string): { fill: Rgb; stroke: Rgb; width: number } {
+    let style = this.known.get(css);
+    if (!style) {
+      const probe = swatch(css, "line");
+      probe.style.position = "absolute";
+      document.body.appendChild(probe);
+      const now = getComputedStyle(probe.firstElementChild!);
+      style = { fill: this.rgb(now.fill), stroke: this.rgb(now.stroke), width: parseFloat(now.strokeWidth) || 1 };
+      probe.remove();
+      this.known.set(css, style);
+    }
+    return style;
+  }
+  variable(name: string): Rgb {
+    return this.rgb(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+  }
+  // Whatever a browser writes of a colour, it paints it.
+  private rgb(colour: string): Rgb {
+    if (colour === "none" || colour === "") return [128, 128, 128];
+    this.dot.fillStyle = colour;
+    this.dot.fillRect(0, 0, 1, 1);
+    const [r, g, b] = this.dot.getImageData(0, 0, 1, 1).data;
+    return [r, g, b];
+  }
+}
+
+export class SpaceView implements View {
+  readonly element: HTMLElement;
+  readonly spec: SpaceViewSpec;
+  readonly look = { frame: 0 };
+  readonly player = new Player(
+    (frame) => this.show(frame),
+    (at) => this.move(at),
+  );
+  private readonly stage = h("div", { class: "stage wall-stage space-stage" });
+  private readonly over = h("canvas", { class: "over", "aria-hidden": "true" });
+  private readonly key = h("div", { class: "wall-key" });
+  private readonly caption = h("output", { class: "wall-caption" });
+  private readonly picked = h("output", { class: "picked-body", "aria-live": "polite" });
+  private readonly camera = new Camera();
+  private readonly planes: Planes;
+  private readonly poses: Poses;
+  private readonly drawn: Picture;
+  private styles = new Styles();
+  private scene: Scene | null = null; // as it was drawn last; null: what it shows has changed
+  private faces: OfFaces = "cracks";
+  private bodies: OfBodies = "stone";
+  private scale: number;
+  private cut: Cut | null = null;
+  private clear = false;
+  private lit = -1;
+  private readonly steps: { moved: number[]; turned: number[]; stress: number[] };
+  private readonly groups: { names: string[]; of: Int32Array };
+  private readonly materials: { names: string[]; of: Int32Array };
+
+  constructor(spec: SpaceViewSpec) {
+    this.spec = spec;
+    const { solids } = spec.states;
+    this.planes = new Planes(solids);
+    this.poses = new Poses(spec.states);
+    const gl = glPicture(solids);
+    this.drawn = gl ?? new PaintedPicture(solids, this.planes);
+    this.player.choose(0, Math.max(0, spec.states.count - 1));
+    this.look.frame = this.player.last;
+    this.scale = fittingSize(spec.states, this.player.last);
+    this.steps = this.stepsOfAll();
+    this.materials = classes(Array.from(solids.material, (m) => solids.materials[m]));
+    this.groups = classes(solids.names.map(groupOf));
+    const canvas = this.drawn.element;
+    canvas.setAttribute("tabindex", "0");
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", `${say("wall.alt")}. ${say("space.turn")}`);
+    canvas.title = say("space.turn");
+    this.stage.append(canvas, this.over);
+    this.element = h(
+      "figure",
+      { id: spec.id, class: "wall-view" },
+      h("div", { class: "figure-head" }, h("h3", {}, say("wall.title")), this.tools()),
+      this.controls(),
+      this.cutControls(),
+      this.stage,
+      gl ? null : h("p", { class: "note small no-webgl", role: "status" }, say("space.no_webgl")),
+      this.picked,
+      this.key,
+      this.player.element,
+      this.caption,
+    );
+    this.listen();
+    this.stand("oblique");
+    window.addEventListener("themechange", () => {
+      this.styles = new Styles();
+      this.redraw();
+    });
+    later(() => {
+      this.fit();
+      new ResizeObserver(() => this.fit()).observe(this.stage);
+    });
+  }
+
+  show(frame: number, quiet = false): void {
+    this.look.frame = this.player.put(frame);
+    this.redraw();
+    if (!quiet) this.spec.onFrame?.(this.look.frame);
+  }
+  choose(first: number, last: number): void {
+    this.player.choose(first, last);
+  }
+
+  // While it plays only places change, until the next stored state.
+  private move(at: number): void {
+    const frame = Math.floor(at);
+    if (frame !== this.look.frame || !this.scene) {
+      this.look.frame = this.player.put(frame);
+      this.spec.onFrame?.(frame);
+      this.tell();
+      this.scene = this.compose(frame, this.styles);
+    }
+    this.poses.set(at, this.scale);
+    this.draw(this.scene);
+  }
+  private fit(): void {
+    const width = Math.max(260, Math.round(this.stage.clientWidth));
+    if (width === this.camera.width) return;
+    const before = this.camera.width;
+    this.camera.width = width;
+    this.camera.height = Math.round(Math.max(280, Math.min(620, 0.72 * width)));
+    if (before <= 1) this.fitAll();
+    else this.camera.zoom *= width / before;
+    this.redraw();
+  }
+  private fitAll(): void {
+    this.camera.fit(...boundsOf(this.spec.states.solids));
+  }
+  // One of the standard views; the oblique one from the side to which the wall moves.
+  private stand(name: string): void {
+    [this.camera.turn, this.camera.tilt] = kViews[name];
+    if (name === "oblique" && this.wayOut() < 0) this.camera.turn += Math.PI;
+    this.fitAll();
+  }
+  private wayOut(): number {
+    const { states } = this.spec;
+    if (states.count === 0) return 0;
+    const { moved } = states.at(states.count - 1);
+    let sum = 0;
+    for (let i = 2; i < 3 * states.solids.free; i += 3) sum += moved[i];
+    return sum;
+  }
+
+  redraw(): void {
+    if (this.camera.width <= 1 || this.spec.states.count === 0) return;
+    this.poses.set(this.look.frame, this.scale);
+    this.scene = this.compose(this.look.frame, this.styles);
+    this.tell();
+    this.key.replaceChildren(this.legend());
+    this.draw(this.scene);
+  }
+  private turned(): void {
+    if (this.scene) this.draw(this.scene);
+  }
+  private draw(scene: Scene): void {
+    scene.cut = this.cut;
+    this.drawn.draw(scene);
+    const to = beginCanvas(this.over, this.camera.width, this.camera.height);
+    this.above(to, scene);
+  }
+  private above(to: CanvasRenderingContext2D, scene: Scene): void {
+    const metres = roundSteps((0.25 * scene.camera.width) / scene.camera.zoom, 1).pop() ?? 1;
+    drawOver(to, this.spec.states.solids, scene, { metres, words: metres < 0.1 ? qty(1e3 * metres, "mm") : qty(metres, "m") });
+  }
+
+  // --- what is shown -------------------------------------------------------------------------------
+
+  private compose(frame: number, styles: Styles): Scene {
+    const state = this.spec.states.at(frame);
+    let farthest = 0;
+    for (let i = 0; i < state.moved.length; ++i) farthest = Math.max(farthest, Math.abs(state.moved[i]));
+    return {
+      camera: this.camera,
+      poses: this.poses,
+      tints: this.tintsOf(state, styles),
+      marks: this.marksOf(state, styles),
+      cut: this.cut,
+      clear: this.clear,
+      farthest: 2 * this.scale * farthest,
+      palette: {
+        paper: styles.variable("paper"),
+        edge: styles.of("mortar").stroke,
+        ink: styles.variable("soft"),
+        load: styles.variable("ink"),
+      },
+    };
+  }
+  private markOf(state: SolidState, j: number): string {
+    switch (this.faces) {
+      case "cracks": {
+        if (state.crushing[j] / 255 >= 0.05) return "crack crush w2";
+        const crack = crackOfFace(state, j);
+        if (crack === "sound") return "";
+        const moved = Math.max(state.opening[j], Math.abs(state.slip[j])) * 1e3;
+        return `crack ${crack} w${crack === "open" || crack === "slip" ? stepOf(moved, [0.2, 1, 3, 10]) : 0}`;
+      }
+      case "stress": {
+        const stress = 1e-6 * state.stress[j],
+          step = stepOf(Math.abs(stress), this.steps.stress);
+        return step > 0 ? `joint stress ${stress > 0 ? "t" : "c"} r${step}` : "";
+      }
+      default: {
+        const step = stepOf(this.valueOf(state, j, this.faces), kSteps[this.faces]);
+        return step > 0 ? `joint ${this.faces} r${step}` : "";
+      }
+    }
+  }
+  private valueOf(state: SolidState, j: number, measure: "opening" | "slip" | "damage" | "crushing"): number {
+    const length = measure === "opening" || measure === "slip";
+    return Math.abs(state[measure][j]) * (length ? 1e3 : 1 / 255);
+  }
+  private marksOf(state: SolidState, styles: Styles): Scene["marks"] {
+    const joints: number[] = [],
+      look: number[] = [];
+    for (let j = 0; j < this.spec.states.solids.joints; ++j) {
+      const css = this.markOf(state, j);
+      if (!css) continue;
+      const { stroke, width } = styles.of(css);
+      joints.push(j);
+      look.push(...stroke, Math.min(255, Math.round((255 * width) / 16)));
+    }
+    return { joints, look: Uint8Array.from(look) };
+  }
+  private tintsOf(state: SolidState, styles: Styles): Uint8Array {
+    const { solids } = this.spec.states;
+    const classOf = this.tintOf(state);
+    const tints = new Uint8Array(4 * 1024 * Math.ceil(Math.max(1, solids.count) / 1024));
+    const lit = styles.variable("focus"),
+      ground = styles.variable("ground");
+    for (let b = 0; b < solids.count; ++b)
+      tints.set(b === this.lit ? lit : b >= solids.free ? ground : styles.of(classOf(b)).fill, 4 * b);
+    return tints;
+  }
+  private tintOf(state: SolidState): (b: number) => string {
+    const plain = "stone1";
+    const ramp = (kind: string, value: (b: number) => number, steps: number[]) => (b: number): string => {
+      const step = stepOf(value(b), steps);
+      return step > 0 ? `block-field ${kind} r${step}` : plain;
+    };
+    const long = (v: ArrayLike<number>, b: number): number => Math.hypot(v[3 * b], v[3 * b + 1], v[3 * b + 2]);
+    switch (this.bodies) {
+      case "moved":
+        return ramp("moved", (b) => 1e3 * long(state.moved, b), this.steps.moved);
+      case "turned":
+        return ramp("turned", (b) => (180 / Math.PI) * long(state.turned, b), this.steps.turned);
+      case "damage": {
+        const worst = this.worstOf(state);
+        return ramp("damaged", (b) => worst[b], kSteps.damage);
+      }
+      case "material":
+        return (b) => groupCss(this.materials.of[b]);
+      case "group":
+        return (b) => groupCss(this.groups.of[b]);
+      default:
+        return (b) => `stone${((Math.imul(b, 2654435761) >>> 13) + b) % 4}`;
+    }
+  }
+  // Of each body the largest damage of its joints.
+  private worstOf(state: SolidState): Float32Array {
+    const { solids } = this.spec.states,
+      worst = new Float32Array(solids.count);
+    for (let j = 0; j < solids.joints; ++j)
+      for (const b of [solids.jointA[j], solids.jointB[j]]) worst[b] = Math.max(worst[b], state.damage[j] / 255);
+    return worst;
+  }
+  private stepsOfAll(): { moved: number[]; turned: number[]; stress: number[] } {
+    const { states } = this.spec,
+      most = { moved: 0, turned: 0, stress: 0 };
+    for (let f = 0; f < states.count; ++f) {
+      const { moved, turned, stress } = states.at(f);
+      for (let i = 0; i < 3 * states.solids.free; i += 3) {
+        most.moved = Math.max(most.moved, Math.hypot(moved[i], moved[i + 1], moved[i + 2]));
+        most.turned = Math.max(most.turned, Math.hypot(turned[i], turned[i + 1], turned[i + 2]));
+      }
+      for (const s of stress) most.stress = Math.max(most.stress, Math.abs(s));
+    }
+    return {
+      moved: roundSteps(1e3 * most.moved),
+      turned: roundSteps((180 / Math.PI) * most.turned),
+      stress: roundSteps(1e-6 * most.stress),
+    };
+  }
+
+  private tell(): void {
+    const info = this.spec.info[this.look.frame];
+    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter((w) => w !== "");
+    this.caption.textContent = [...words, scaleWords(this.scale)].join(" · ");
+    this.player.tell(words.join(", "));
+    this.picked.replaceChildren(...(this.lit >= 0 ? this.bodyLines(this.lit).map((l) => h("span", {}, l)) : []));
+  }
+  private bodyLines(b: number): string[] {
+    const { solids } = this.spec.states,
+      state = this.spec.states.at(this.look.frame);
+    const three = (v: ArrayLike<number>): Vec => [v[3 * b], v[3 * b + 1], v[3 * b + 2]];
+    const moved = three(state.moved),
+      turned = three(state.turned);
+    let open = 0,
+      slid = 0,
+      all = 0;
+    for (let j = 0; j < solids.joints; ++j)
+      if (solids.jointA[j] === b || solids.jointB[j] === b) {
+        const crack = crackOfFace(state, j);
+        ++all;
+        open += crack === "open" ? 1 : 0;
+        slid += crack === "slip" ? 1 : 0;
+      }
+    return [
+      solids.names[b] + (b >= solids.free ? `, ${say("space.support")}` : ""),
+      say("space.moved", {
+        all: qty(1e3 * Math.hypot(...moved), "mm"),
+        x: num(1e3 * moved[0]),
+        y: num(1e3 * moved[1]),
+        z: num(1e3 * moved[2]),
+      }),
+      say("space.turned", { angle: qty((180 / Math.PI) * Math.hypot(...turned), "°") }),
+      say("space.joints", { all, open, slid }),
+      say("space.material", { name: solids.materials[solids.material[b]] }),
+    ];
+  }
+
+  private legend(): HTMLElement {
+    const range = (bounds: number[], unit: string, mark: (i: number) => SVGSVGElement): HTMLElement =>
+      legend(
+        bounds.map((from, i): [SVGSVGElement, string] => [
+          mark(i + 1),
+          i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}${unit}` : `> ${num(from, 4)}${unit}`,
+        ]),
+      );
+    const faces = (): HTMLElement => {
+      if (this.faces === "cracks")
+        return legend([
+          [swatch("crack open w2"), say("crack.open")],
+          [swatch("crack slip w2"), say("crack.slip")],
+          [swatch("crack closed w0"), say("crack.closed")],
+          [swatch("crack softening w0"), say("crack.softening")],
+          [swatch("crack crush w2"), say("crack.crushed.space")],
+        ]);
+      if (this.faces === "stress")
+        return h(
+          "div",
+          { class: "stress-keys" },
+          ...(["c", "t"] as const).map((sign) =>
+            h(
+              "div",
+              { class: "stress-key" },
+              h("b", {}, say(sign === "c" ? "stress.compression" : "stress.tension")),
+              range(this.steps.stress, "\u202fMPa", (i) => swatch(`joint stress ${sign} r${i}`)),
+            ),
+          ),
+        );
+      const measure = this.faces,
+        unit = measure === "opening" || measure === "slip" ? "\u202fmm" : "";
+      return range(kSteps[measure], unit, (i) => swatch(`joint ${measure} r${i}`));
+    };
+    const bodies = (): HTMLElement | null => {
+      const box = (kind: string) => (i: number) => swatch(`block-field ${kind} r${i}`, "box");
+      switch (this.bodies) {
+        case "moved":
+          return range(this.steps.moved, "\u202fmm", box("moved"));
+        case "turned":
+          return range(this.steps.turned, "\u202f°", box("turned"));
+        case "damage":
+          return range(kSteps.damage, "", box("damaged"));
+        case "material":
+          return groupLegend(this.materials.names);
+        case "group":
+          return groupLegend(this.groups.names);
+        default:
+          return null;
+      }
+    };
+    const row = (name: string, what: HTMLElement | null): HTMLElement | null =>
+      what && h("div", { class: "key-row" }, h("b", {}, name), what);
+    return h("div", {}, row(say("space.faces"), faces()), row(say("space.bodies"), bodies()));
+  }
+
+  // --- controls ------------------------------------------------------------------------------------
+
+  private controls(): HTMLElement {
+    const select = <T extends string>(name: string, list: readonly T[], words: (one: T) => string, take: (one: T) => void): HTMLElement => {
+      const made = h("select", {}, list.map((one) => h("option", { value: one }, words(one))));
+      made.addEventListener("change", () => {
+        take(made.value as T);
+        this.redraw();
+      });
+      return h("label", {}, h("span", {}, name), made);
+    };
+    const shown = h("output", {}, `× ${num(this.scale)}`);
+    const scale = h("input", {
+      type: "range",
+      min: 0,
+      max: kScales.length - 1,
+      step: 1,
+      class: "scale",
+      value: Math.max(0, kScales.indexOf(this.scale)),
+      "aria-label": say("wall.scale"),
+    });
+    scale.addEventListener("input", () => {
+      this.scale = kScales[Number(scale.value)];
+      scale.setAttribute("aria-valuetext", `× ${num(this.scale)}`);
+      shown.textContent = `× ${num(this.scale)}`;
+      this.redraw();
+    });
+    const clear = h("input", { type: "checkbox" });
+    clear.addEventListener("change", () => {
+      this.clear = clear.checked;
+      this.redraw();
+    });
+    return h(
+      "div",
+      { class: "controls" },
+      h(
+        "div",
+        { class: "segments", role: "group", "aria-label": say("wall.view") },
+        Object.keys(kViews).map((name) =>
+          h(
+            "button",
+            {
+              type: "button",
+              class: "segment",
+              "data-view": name,
+              onclick: () => {
+                this.stand(name);
+                this.turned();
+              },
+            },
+            say(`view.${name}`),
+          ),
+        ),
+      ),
+      select(say("space.faces"), kFaces, (m) => say(`measure.${m}`), (m) => (this.faces = m)),
+      select(say("space.bodies"), kBodies, (m) => say(`shown.${m}`), (m) => (this.bodies = m)),
+      h("label", {}, h("span", {}, say("wall.scale")), scale, shown),
+      h("label", { class: "check" }, clear, h("span", {}, say("space.clear"))),
+    );
+  }
+
+  private cutControls(): HTMLElement {
+    const { solids } = this.spec.states;
+    const where = h("input", { type: "range", min: 0, max: kCutSteps, value: kCutSteps / 2, class: "cut-at", "aria-label": say("space.cut.at") }),
+      told = h("output", { class: "cut-told" }),
+      other = h("button", { type: "button", class: "segment lone" }, say("space.cut.other"));
+    const which = h(
+      "select",
+      { class: "cut-axis" },
+      ["", "x", "y", "z"].map((name) => h("option", { value: name }, name ? say("space.cut.across", { axis: name }) : say("space.cut.none"))),
+    );
+    const air = 0.02 * sizeOf(solids);
+    const place = (axis: number): number => {
+      const from = solids.low[axis] - air;
+      return from + (Number(where.value) / kCutSteps) * (solids.high[axis] + air - from);
+    };
+    const tell = (): void => {
+      for (const one of [where, other, told]) one.hidden = this.cut === null;
+      if (!this.cut) return;
+      const words = say("space.cut.told", {
+        axis: "xyz"[this.cut.axis],
+        at: qty(this.cut.at + solids.middle[this.cut.axis], "m", 4),
+        n: this.planes.hidden(this.poses, this.cut),
+        all: solids.free,
+      });
+      told.textContent = words;
+      where.setAttribute("aria-valuetext", words);
+    };
+    const update = (sense?: number): void => {
+      const axis = "xyz".indexOf(which.value);
+      // at first what is nearer to the eye goes
+      const toward = this.camera.axes()[2][axis] < 0 ? -1 : 1;
+      this.cut = which.value === "" ? null : { axis, at: place(axis), sense: sense ?? this.cut?.sense ?? toward };
+      tell();
+      this.redraw();
+    };
+    which.addEventListener("change", () => {
+      this.cut = null;
+      update();
+    });
+    where.addEventListener("input", () => update());
+    other.addEventListener("click", () => update(-(this.cut?.sense ?? 1)));
+    tell();
+    return h(
+      "div",
+      { class: "controls" },
+      h("label", {}, h("span", {}, say("space.cut")), which),
+      where,
+      other,
+      told,
+      this.finder(),
+    );
+  }
+
+  // A body by its name, for who does not point.
+  private finder(): HTMLElement {
+    const { names } = this.spec.states.solids;
+    const list = h("datalist", { id: `${this.spec.id}-names` });
+    const field = h("input", { type: "search", class: "find-body", list: list.id, autocomplete: "off", size: 12 });
+    field.addEventListener(
+      "focus",
+      () => list.replaceChildren(...names.slice(0, 400).map((name) => h("option", { value: name }))),
+      { once: true },
+    );
+    field.addEventListener("input", () => this.pick(names.indexOf(field.value.trim())));
+    return h("label", {}, h("span", {}, say("space.find")), field, list);
+  }
+  private pick(body: number): void {
+    if (body === this.lit) return;
+    this.lit = body;
+    this.redraw();
+  }
+
+  private tools(): HTMLElement {
+    const button = (kind: string, act: () => void): HTMLElement =>
+      h(
+        "button",
+        {
+          type: "button",
+          class: "tool",
+          "data-export": kind.toLowerCase(),
+          onclick: act,
+          "aria-label": say("export.as", { what: say("wall.title"), kind }),
+        },
+        kind,
+      );
+    return h(
+      "div",
+      { class: "tools", role: "group", "aria-label": say("export") },
+      button("PNG", () =>
+        this.copyOf(this.scene!, this.camera.width, this.camera.height).toBlob((png) => png && download("wall.png", "image/png", png)),
+      ),
+      button("CSV", () => download("wall.csv", "text/csv", toCsv(this.sheet()))),
+    );
+  }
+  private sheet(): Sheet {
+    const { solids } = this.spec.states,
+      state = this.spec.states.at(this.look.frame);
+    const rows: (string | number)[][] = [];
+    for (let j = 0; j < solids.joints; ++j) {
+      const middle: Vec = [0, 0, 0],
+        corners = solids.outlineBegin[j + 1] - solids.outlineBegin[j];
+      for (let c = solids.outlineBegin[j]; c < solids.outlineBegin[j + 1]; ++c)
+        for (let k = 0; k < 3; ++k) middle[k] += solids.outline[3 * c + k] / corners;
+      rows.push([
+        j,
+        solids.names[solids.jointA[j]],
+        solids.names[solids.jointB[j]],
+        ...middle.map((m, k) => m + solids.middle[k]),
+        solids.area[j],
+        state.opening[j] * 1e3,
+        state.slip[j] * 1e3,
+        state.damage[j] / 255,
+        state.crushing[j] / 255,
+        state.stress[j] * 1e-6,
+      ]);
+    }
+    const head = "joint,block_a,block_b,x_m,y_m,z_m,area_m2,opening_mm,slip_mm,damage,crushing,stress_MPa".split(",");
+    return { head, rows };
+  }
+
+  // --- pictures ------------------------------------------------------------------------------------
+
+  // What is drawn now, with what lies above, on a canvas of its own.
+  private copyOf(scene: Scene, width: number, height: number): HTMLCanvasElement {
+    const canvas = h("canvas", {}),
+      to = beginCanvas(canvas, width, height);
+    this.drawn.draw(scene);
+    to.drawImage(this.drawn.element, 0, 0, width, height);
+    this.above(to, scene);
+    return canvas;
+  }
+  // A figure for paper, with what it shows beneath, in light colours whatever the page has.
+  picture(frame: number, width: number, tallest: number): HTMLElement {
+    const root = document.documentElement,
+      theme = root.dataset.theme,
+      kept = { scale: this.scale, lit: this.lit, faces: this.faces };
+    const info = this.spec.info[frame],
+      camera = Object.assign(new Camera(), { turn: this.camera.turn, tilt: this.camera.tilt, width, height: tallest });
+    camera.fit(...boundsOf(this.spec.states.solids));
+    root.dataset.theme = "light";
+    this.scale = fittingSize(this.spec.states, frame);
+    this.lit = -1;
+    this.faces = "cracks";
+    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(this.scale)];
+    this.poses.set(frame, this.scale);
+    const scene = { ...this.compose(frame, new Styles()), camera };
+    const canvas = this.copyOf(scene, width, tallest);
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", say("wall.alt"));
+    Object.assign(this, kept);
+    if (theme) root.dataset.theme = theme;
+    this.redraw();
+    return h("figure", {}, canvas, h("figcaption", {}, words.filter((w) => w !== "").join(" · ")));
+  }
+
+  // --- pointer and keys ----------------------------------------------------------------------------
+
+  private listen(): void {
+    const canvas = this.drawn.element,
+      pointers = new Map<number, [number, number]>();
+    let pressed: [number, number] | null = null;
+    canvas.addEventListener("pointerdown", (e) => {
+      pointers.set(e.pointerId, [e.clientX, e.clientY]);
+      pressed = pointers.size === 1 ? [e.clientX, e.clientY] : null;
+      canvas.setPointerCapture(e.pointerId);
+      hideTip();
+    });
+    const drop = (e: PointerEvent): void => void pointers.delete(e.pointerId);
+    canvas.addEventListener("pointerup", (e) => {
+      drop(e);
+      if (pressed && Math.hypot(e.clientX - pressed[0], e.clientY - pressed[1]) < 4) this.pick(this.bodyAt(e));
+      pressed = null;
+    });
+    canvas.addEventListener("pointercancel", drop);
+    canvas.addEventListener("pointerleave", hideTip);
+    canvas.addEventListener("pointermove", (e) => {
+      const before = pointers.get(e.pointerId);
+      if (!before) return this.point(e);
+      const other = [...pointers].find(([id]) => id !== e.pointerId)?.[1];
+      const [dx, dy] = [e.clientX - before[0], e.clientY - before[1]];
+      if (other) {
+        this.zoom(
+          Math.max(1, Math.hypot(e.clientX - other[0], e.clientY - other[1])) /
+            Math.max(1, Math.hypot(before[0] - other[0], before[1] - other[1])),
+        );
+        this.shift(dx / 2, dy / 2);
+      } else if (e.shiftKey || (e.buttons & 6) !== 0) this.shift(dx, dy);
+      else this.rotate(-dx * 0.008, dy * 0.008);
+      pointers.set(e.pointerId, [e.clientX, e.clientY]);
+    });
+    canvas.addEventListener("contextmenu", (e) => e.preventDefault());
+    canvas.addEventListener("wheel", (e) => (e.preventDefault(), this.zoom(Math.exp(-e.deltaY * 0.001))), { passive: false });
+    canvas.addEventListener("keydown", (e) => this.press(e));
+  }
+  private press(e: KeyboardEvent): void {
+    const step = 0.12,
+      far = 24;
+    const acts: Record<string, () => void> = {
+      ArrowLeft: () => (e.shiftKey ? this.shift(far, 0) : this.rotate(-step, 0)),
+      ArrowRight: () => (e.shiftKey ? this.shift(-far, 0) : this.rotate(step, 0)),
+      ArrowUp: () => (e.shiftKey ? this.shift(0, far) : this.rotate(0, step)),
+      ArrowDown: () => (e.shiftKey ? this.shift(0, -far) : this.rotate(0, -step)),
+      "+": () => this.zoom(1.1),
+      "-": () => this.zoom(0.9),
+      Escape: () => this.pick(-1),
+      Enter: () => this.pick(this.planes.pick(this.camera, this.poses, this.cut, this.camera.width / 2, this.camera.height / 2)),
+    };
+    if (!acts[e.key]) return;
+    e.preventDefault();
+    acts[e.key]();
+  }
+  private rotate(turn: number, tilt: number): void {
+    this.camera.turn += turn;
+    this.camera.tilt = Math.min(Math.PI / 2, Math.max(-Math.PI / 2, this.camera.tilt + tilt));
+    this.turned();
+  }
+  private zoom(factor: number): void {
+    const least = 0.2 * (this.camera.width / sizeOf(this.spec.states.solids));
+    this.camera.zoom = Math.min(400 * least, Math.max(least, this.camera.zoom * factor));
+    this.turned();
+  }
+  private shift(x: number, y: number): void {
+    this.camera.shift(x, y);
+    this.turned();
+  }
+  private bodyAt(e: PointerEvent): number {
+    const box = this.drawn.element.getBoundingClientRect(),
+      scale = this.camera.width / (box.width || 1);
+    const [x, y] = [(e.clientX - box.left) * scale, (e.clientY - box.top) * scale];
+    return this.planes.pick(this.camera, this.poses, this.cut, x, y);
+  }
+  private point(e: PointerEvent): void {
+    const b = e.pointerType === "mouse" ? this.bodyAt(e) : -1;
+    if (b < 0) return hideTip();
+    showTip(e, this.bodyLines(b).slice(0, 3));
+  }
+}
+
+// Names by how many there are of each; those beyond the last colour share one.
+function classes(names: string[]): { names: string[]; of: Int32Array } {
+  const counts = new Map<string, number>();
+  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
+  const sorted = [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!);
+  const place = new Map(sorted.map((name, i) => [name, i]));
+  return { names: sorted, of: Int32Array.from(names, (name) => place.get(name)!) };
+}
+const groupCss = (group: number): string => `block-group g${group < kGroups ? group + 1 : 0}`;
+function groupLegend(names: string[]): HTMLElement {
+  const items = names
+    .slice(0, kGroups)
+    .map((name, i): [SVGSVGElement, string] => [swatch(groupCss(i), "box"), phrase(name) || say("space.unnamed")]);
+  if (names.length > kGroups) items.push([swatch(groupCss(kGroups), "box"), say("space.others", { n: names.length - kGroups })]);
+  return legend(items);
+}
