@@ -23,6 +23,7 @@ export interface Solids {
   materials: string[];
   material: Numbers; // of each body
   centroid: Numbers;
+  reach: Float32Array; // farthest vertex from the centroid [m]
   partBegin: Numbers;
   vertexBegin: Numbers;
   faceBegin: Numbers;
@@ -54,6 +55,7 @@ export function readSolids(bundle: Bundle): Solids | null {
     materials,
     material: get("material"),
     centroid: get("centroid"),
+    reach: new Float32Array(names.length),
     partBegin: get("part_begin"),
     vertexBegin: get("vertex_begin"),
     faceBegin: get("face_begin"),
@@ -78,6 +80,9 @@ function measure(s: Solids): void {
     s.low[v % 3] = Math.min(s.low[v % 3], s.vertex[v]);
     s.high[v % 3] = Math.max(s.high[v % 3], s.vertex[v]);
   }
+  for (let b = 0; b < s.count; ++b)
+    for (let v = s.vertexBegin[s.partBegin[b]]; v < s.vertexBegin[s.partBegin[b + 1]]; ++v)
+      s.reach[b] = Math.max(s.reach[b], Math.hypot(...armOf(s, b, v)));
   for (let j = 0; j < s.joints; ++j) {
     const sum: Vec = [0, 0, 0],
       from = s.outlineBegin[j];
@@ -90,6 +95,12 @@ function measure(s: Solids): void {
     s.area[j] = Math.hypot(...sum);
   }
 }
+// A vertex, seen from its body's centroid.
+export const armOf = (s: Solids, body: number, v: number): Vec => [
+  s.vertex[3 * v] - s.centroid[3 * body],
+  s.vertex[3 * v + 1] - s.centroid[3 * body + 1],
+  s.vertex[3 * v + 2] - s.centroid[3 * body + 2],
+];
 // Of what is to be seen: all that moves, and of supports what is not far beyond.
 export function boundsOf(s: Solids): [Vec, Vec] {
   const far = 0.15 * sizeOf(s),
@@ -316,28 +327,18 @@ export const isCutAway = (cut: Cut | null, p: Vec): boolean =>
 // Planes of the faces of every part, seen from the body's centroid: outward normal and distance.
 export class Planes {
   readonly of: Float32Array; // four numbers a face
-  private readonly reach: Float32Array; // of each body from its centroid [m]
   constructor(readonly solids: Solids) {
-    const s = solids,
-      faces = s.cornerBegin.length - 1;
-    this.of = new Float32Array(4 * faces);
-    this.reach = new Float32Array(s.count);
+    const s = solids;
+    this.of = new Float32Array(4 * (s.cornerBegin.length - 1));
     for (let b = 0; b < s.count; ++b)
-      for (let part = s.partBegin[b]; part < s.partBegin[b + 1]; ++part) {
-        for (let v = s.vertexBegin[part]; v < s.vertexBegin[part + 1]; ++v)
-          this.reach[b] = Math.max(this.reach[b], Math.hypot(...this.arm(b, v)));
+      for (let part = s.partBegin[b]; part < s.partBegin[b + 1]; ++part)
         for (let f = s.faceBegin[part]; f < s.faceBegin[part + 1]; ++f) this.set(b, part, f);
-      }
-  }
-  private arm(body: number, v: number): Vec {
-    const { vertex, centroid } = this.solids;
-    return [0, 1, 2].map((k) => vertex[3 * v + k] - centroid[3 * body + k]) as Vec;
   }
   // By the sum over all corners: three of them may lie on a line.
   private set(body: number, part: number, f: number): void {
     const s = this.solids,
       n: Vec = [0, 0, 0];
-    const corner = (i: number): Vec => this.arm(body, s.vertexBegin[part] + s.corner[i]);
+    const corner = (i: number): Vec => armOf(s, body, s.vertexBegin[part] + s.corner[i]);
     const from = s.cornerBegin[f],
       end = s.cornerBegin[f + 1];
     for (let i = from; i < end; ++i) {
@@ -357,7 +358,7 @@ export class Planes {
       { data } = poses;
     const away: Vec = [from[0] - data[k], from[1] - data[k + 1], from[2] - data[k + 2]];
     const along = dot(away, way);
-    if (dot(away, away) - along * along > this.reach[body] * this.reach[body]) return Infinity;
+    if (dot(away, away) - along * along > s.reach[body] * s.reach[body]) return Infinity;
     const o = poses.rotated(body, ...away, -1),
       d = poses.rotated(body, ...way, -1);
     let first = Infinity;
@@ -404,6 +405,8 @@ export class Planes {
     const s = this.solids;
     let n = 0;
     for (let b = 0; cut && b < s.free; ++b) {
+      const far = beyondBy(poses, b, cut);
+      if (far <= 0) continue;
       let all = true;
       const last = s.vertexBegin[s.partBegin[b + 1]];
       for (let v = s.vertexBegin[s.partBegin[b]]; v < last && all; ++v)
@@ -415,6 +418,19 @@ export class Planes {
 }
 
 // --- a cut through it --------------------------------------------------------------------------------
+
+// How far the centroid of a body lies beyond a cut.
+const beyondBy = (poses: Poses, body: number, cut: Cut): number =>
+  cut.sense * (poses.data[8 * body + cut.axis] - cut.at);
+
+// False where both bodies of a joint lie wholly on one side of a cut.
+export function mayCross(s: Solids, poses: Poses, j: number, cut: Cut): boolean {
+  const a = s.jointA[j],
+    b = s.jointB[j],
+    far = beyondBy(poses, a, cut),
+    near = beyondBy(poses, b, cut);
+  return far * near < 0 || Math.abs(far) <= s.reach[a] || Math.abs(near) <= s.reach[b];
+}
 
 // Where a polygon crosses a cut: both ends, or null.
 export function crossing(corners: Vec[], cut: Cut): [Vec, Vec] | null {
@@ -440,7 +456,8 @@ export interface SectionLine {
 }
 export function sectionsOf(s: Solids, poses: Poses, cut: Cut): SectionLine[] {
   const all: SectionLine[] = [];
-  for (let body = 0; body < s.count; ++body)
+  for (let body = 0; body < s.count; ++body) {
+    if (Math.abs(beyondBy(poses, body, cut)) > s.reach[body]) continue;
     for (let part = s.partBegin[body]; part < s.partBegin[body + 1]; ++part) {
       const from = s.vertexBegin[part],
         places: Vec[] = [];
@@ -462,5 +479,6 @@ export function sectionsOf(s: Solids, poses: Poses, cut: Cut): SectionLine[] {
       for (const [p, q] of lines) for (let k = 0; k < 3; ++k) centre[k] += (p[k] + q[k]) / (2 * lines.length);
       for (const line of lines) all.push({ body, line, centre });
     }
+  }
   return all;
 }

@@ -25,7 +25,7 @@ import {
   type Side,
   type Texture,
 } from "three";
-import { sectionsOf, sizeOf, type Solids, type Vec } from "./space";
+import { armOf, sectionsOf, sizeOf, type Solids, type Vec } from "./space";
 import { kCapLight, sectionLines, type Marks, type Picture, type Scene } from "./space_paint";
 
 const kRow = 1024; // texels in a row of a texture
@@ -180,10 +180,7 @@ function shapesOf(s: Solids): { blocks: BufferGeometry; edges: BufferGeometry } 
     lineBody: number[] = [];
   for (let b = 0; b < s.count; ++b)
     for (let part = s.partBegin[b]; part < s.partBegin[b + 1]; ++part) {
-      const arm = (i: number): Vec => {
-        const v = 3 * (s.vertexBegin[part] + s.corner[i]);
-        return [0, 1, 2].map((k) => s.vertex[v + k] - s.centroid[3 * b + k]) as Vec;
-      };
+      const arm = (i: number): Vec => armOf(s, b, s.vertexBegin[part] + s.corner[i]);
       for (let f = s.faceBegin[part]; f < s.faceBegin[part + 1]; ++f) {
         const from = s.cornerBegin[f],
           end = s.cornerBegin[f + 1],
@@ -243,27 +240,41 @@ const triangle = (): InstancedBufferGeometry => {
   made.setAttribute("position", new BufferAttribute(Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0]), 3));
   return made;
 };
-// A geometry of instances cannot grow: one that is too small is replaced with one twice as large.
-function fill(of: Mesh, make: () => InstancedBufferGeometry, lists: Record<string, [number[], number]>): void {
-  const count = lists.look[0].length / 4;
-  let geometry = of.geometry as InstancedBufferGeometry;
-  const room = (geometry.getAttribute("look") as InstancedBufferAttribute | undefined)?.count ?? 0;
-  if (room < count) {
-    geometry.dispose();
-    of.geometry = geometry = make();
-    for (const [name, [, size]] of Object.entries(lists)) {
-      const numbers = name === "look" ? new Uint8Array(2 * size * count) : new Float32Array(2 * size * count);
-      geometry.setAttribute(name, new InstancedBufferAttribute(numbers, size, name === "look"));
+// A shape drawn many times: `arrays` hold what differs, `look` a colour and a width. It grows by being made anew.
+class Copies {
+  arrays: Record<string, Float32Array | Uint8Array> = {};
+  private room = 0;
+  constructor(
+    readonly mesh: Mesh,
+    private readonly make: () => InstancedBufferGeometry,
+    private readonly sizes: Record<string, number>,
+  ) {
+    mesh.visible = false;
+  }
+  reserve(room: number): void {
+    if (room <= this.room) return;
+    this.room = 2 * room;
+    const geometry = this.make();
+    for (const [name, size] of Object.entries({ ...this.sizes, look: 4 })) {
+      const isLook = name === "look";
+      this.arrays[name] = isLook ? new Uint8Array(size * this.room) : new Float32Array(size * this.room);
+      geometry.setAttribute(name, new InstancedBufferAttribute(this.arrays[name], size, isLook));
     }
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
   }
-  for (const [name, [values]] of Object.entries(lists)) {
-    const attribute = geometry.getAttribute(name) as InstancedBufferAttribute | undefined;
-    if (!attribute) continue;
-    attribute.array.set(values);
-    attribute.needsUpdate = true;
+  show(count: number): void {
+    const geometry = this.mesh.geometry as InstancedBufferGeometry;
+    for (const [name, size] of Object.entries({ ...this.sizes, look: 4 })) {
+      const attribute = geometry.getAttribute(name) as InstancedBufferAttribute | undefined;
+      if (!attribute || count === 0) continue;
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, size * count);
+      attribute.needsUpdate = true;
+    }
+    geometry.instanceCount = count;
+    this.mesh.visible = count > 0;
   }
-  geometry.instanceCount = count;
-  of.visible = count > 0;
 }
 
 export class GlPicture implements Picture {
@@ -275,10 +286,10 @@ export class GlPicture implements Picture {
   private readonly shared: Uniforms;
   private readonly blocks: Mesh;
   private readonly edges: LineSegments;
-  private readonly sheets: Mesh;
-  private readonly rims: Mesh;
-  private readonly sections: Mesh;
-  private readonly caps: Mesh;
+  private readonly sheets: Copies;
+  private readonly rims: Copies;
+  private readonly sections: Copies;
+  private readonly caps: Copies;
   private readonly materials: RawShaderMaterial[];
   private marks: Marks | null = null;
   private readonly size: number;
@@ -312,17 +323,19 @@ export class GlPicture implements Picture {
     const above = { ...this.shared, lift: { value: 0.004 * this.size } };
     this.blocks = new Mesh(blocks, material(kBlock, kBlockColour, this.shared, FrontSide));
     this.edges = new LineSegments(edges, material(kEdge, kFlat, this.shared, FrontSide));
-    this.sheets = new Mesh(triangle(), material(kSheet, kTinted, this.shared, DoubleSide));
-    this.rims = new Mesh(
-      strip(),
-      material(kStrip("in vec2 ends;", "vec3 p = between(int(ends.x)), q = between(int(ends.y));"), kTinted, above, DoubleSide),
+    const strips = (ends: string, read: string): Mesh =>
+      new Mesh(strip(), material(kStrip(ends, read), kTinted, above, DoubleSide));
+    const triangles = (vertex: string): Mesh =>
+      new Mesh(triangle(), material(vertex, kTinted, this.shared, DoubleSide));
+    this.sheets = new Copies(triangles(kSheet), triangle, { at: 3 });
+    this.caps = new Copies(triangles(kCap), triangle, { from: 3, to: 3, middle: 3 });
+    this.rims = new Copies(
+      strips("in vec2 ends;", "vec3 p = between(int(ends.x)), q = between(int(ends.y));"),
+      strip,
+      { ends: 2 },
     );
-    this.sections = new Mesh(
-      strip(),
-      material(kStrip("in vec3 from, to;", "vec3 p = from, q = to;"), kTinted, above, DoubleSide),
-    );
-    this.caps = new Mesh(triangle(), material(kCap, kTinted, this.shared, DoubleSide));
-    const all = [this.sheets, this.caps, this.blocks, this.edges, this.rims, this.sections];
+    this.sections = new Copies(strips("in vec3 from, to;", "vec3 p = from, q = to;"), strip, { from: 3, to: 3 });
+    const all = [this.sheets.mesh, this.caps.mesh, this.blocks, this.edges, this.rims.mesh, this.sections.mesh];
     all.forEach((one, order) => {
       one.frustumCulled = false;
       one.renderOrder = order;
@@ -382,50 +395,53 @@ export class GlPicture implements Picture {
   }
 
   // Faces that show something: their rims as strips, their areas as sheets between the blocks.
-  private mark({ joints, look }: Marks): void {
+  private mark({ count, joints, look }: Marks): void {
     const { outlineBegin } = this.solids;
-    const ends: number[] = [],
-      rim: number[] = [],
-      at: number[] = [],
-      sheet: number[] = [];
-    joints.forEach((j, m) => {
-      const from = outlineBegin[j],
-        end = outlineBegin[j + 1];
-      for (let c = from; c < end; ++c) {
-        ends.push(c, c + 1 < end ? c + 1 : from);
-        for (let k = 0; k < 4; ++k) rim.push(look[4 * m + k]);
+    let corners = 0;
+    for (let m = 0; m < count; ++m) corners += outlineBegin[joints[m] + 1] - outlineBegin[joints[m]];
+    this.rims.reserve(corners);
+    this.sheets.reserve(corners - 2 * count);
+    const { ends, look: rim } = this.rims.arrays,
+      { at, look: sheet } = this.sheets.arrays;
+    let r = 0,
+      t = 0;
+    for (let m = 0; m < count; ++m) {
+      const from = outlineBegin[joints[m]],
+        end = outlineBegin[joints[m] + 1];
+      for (let c = from; c < end; ++c, ++r) {
+        ends[2 * r] = c;
+        ends[2 * r + 1] = c + 1 < end ? c + 1 : from;
+        for (let k = 0; k < 4; ++k) rim[4 * r + k] = look[4 * m + k];
       }
-      for (let c = from + 1; c + 1 < end; ++c) {
-        at.push(from, c, c + 1);
-        for (let k = 0; k < 4; ++k) sheet.push(look[4 * m + k]);
+      for (let c = from + 1; c + 1 < end; ++c, ++t) {
+        at[3 * t] = from;
+        at[3 * t + 1] = c;
+        at[3 * t + 2] = c + 1;
+        for (let k = 0; k < 4; ++k) sheet[4 * t + k] = look[4 * m + k];
       }
-    });
-    fill(this.rims, strip, { ends: [ends, 2], look: [rim, 4] });
-    fill(this.sheets, triangle, { at: [at, 3], look: [sheet, 4] });
+    }
+    this.rims.show(r);
+    this.sheets.show(t);
   }
 
   // What a cut opens: the bodies it goes through, closed and outlined, and cracks it crosses.
   private section(scene: Scene): void {
-    const from: number[] = [],
-      to: number[] = [],
-      middle: number[] = [],
-      tint: number[] = [];
-    const lines = { from: [] as number[], to: [] as number[], look: [] as number[] };
-    if (scene.cut) {
-      for (const { body, line, centre } of sectionsOf(this.solids, scene.poses, scene.cut)) {
-        from.push(...line[0]), to.push(...line[1]), middle.push(...centre);
-        for (let k = 0; k < 3; ++k) tint.push(kCapLight * scene.tints[4 * body + k]);
-        tint.push(255);
-      }
-      sectionLines(this.solids, scene, scene.cut, ([p, q], look) => {
-        lines.from.push(...p), lines.to.push(...q), lines.look.push(...look);
-      });
-    }
-    const some = scene.cut !== null || this.sections.visible;
-    if (some) fill(this.sections, strip, { from: [lines.from, 3], to: [lines.to, 3], look: [lines.look, 4] });
-    if (some || this.caps.visible)
-      fill(this.caps, triangle, { from: [from, 3], to: [to, 3], middle: [middle, 3], look: [tint, 4] });
-    if (scene.clear) this.caps.visible = false;
+    const { cut, tints } = scene,
+      opened = cut ? sectionsOf(this.solids, scene.poses, cut) : [],
+      lines = cut ? sectionLines(this.solids, scene, cut, opened) : [];
+    this.caps.reserve(opened.length);
+    this.sections.reserve(lines.length);
+    opened.forEach(({ body, line, centre }, i) => {
+      const { from, to, middle, look } = this.caps.arrays;
+      from.set(line[0], 3 * i), to.set(line[1], 3 * i), middle.set(centre, 3 * i);
+      for (let k = 0; k < 3; ++k) look[4 * i + k] = kCapLight * tints[4 * body + k];
+    });
+    lines.forEach(({ line, look }, i) => {
+      const { arrays } = this.sections;
+      arrays.from.set(line[0], 3 * i), arrays.to.set(line[1], 3 * i), arrays.look.set(look, 4 * i);
+    });
+    this.caps.show(scene.clear ? 0 : opened.length);
+    this.sections.show(lines.length);
   }
 }
 const scaleOf = (): number => Math.min(2, window.devicePixelRatio || 1);

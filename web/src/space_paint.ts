@@ -3,11 +3,13 @@
 import {
   crossing,
   isCutAway,
+  mayCross,
   sectionsOf,
   type Camera,
   type Cut,
   type Planes,
   type Poses,
+  type SectionLine,
   type Solids,
   type Vec,
 } from "./space";
@@ -16,7 +18,8 @@ export type Rgb = [number, number, number]; // 0-255
 
 // Joints that show something: red, green, blue and half the width in 255ths of 8 pixels, four numbers each.
 export interface Marks {
-  joints: number[];
+  count: number;
+  joints: Int32Array;
   look: Uint8Array;
 }
 export interface Scene {
@@ -44,13 +47,16 @@ export function sectionLines(
   solids: Solids,
   { poses, marks, palette }: Scene,
   cut: Cut,
-  draw: (line: [Vec, Vec], look: ArrayLike<number> & Iterable<number>) => void,
-): void {
-  for (const { line } of sectionsOf(solids, poses, cut)) draw(line, [...palette.edge, kThin]);
-  marks.joints.forEach((j, m) => {
-    const line = crossing(polygonOf(solids, poses, j), cut);
-    if (line) draw(line, marks.look.subarray(4 * m, 4 * m + 4));
-  });
+  opened: SectionLine[],
+): { line: [Vec, Vec]; look: ArrayLike<number> }[] {
+  const outline = [...palette.edge, kThin],
+    lines: { line: [Vec, Vec]; look: ArrayLike<number> }[] = opened.map(({ line }) => ({ line, look: outline }));
+  for (let m = 0; m < marks.count; ++m) {
+    if (!mayCross(solids, poses, marks.joints[m], cut)) continue;
+    const line = crossing(polygonOf(solids, poses, marks.joints[m]), cut);
+    if (line) lines.push({ line, look: marks.look.subarray(4 * m, 4 * m + 4) });
+  }
+  return lines;
 }
 function polygonOf(solids: Solids, poses: Poses, j: number): Vec[] {
   const corners: Vec[] = [];
@@ -98,15 +104,17 @@ export class PaintedPicture implements Picture {
     const rank = new Int32Array(order.length);
     order.forEach((b, i) => (rank[b] = i));
     const marksOf = new Map<number, number[]>(); // of the body that is painted last
-    scene.marks.joints.forEach((j, m) => {
-      const a = this.solids.jointA[j],
+    for (let m = 0; m < scene.marks.count; ++m) {
+      const j = scene.marks.joints[m],
+        a = this.solids.jointA[j],
         b = this.solids.jointB[j],
         last = rank[a] > rank[b] ? a : b;
       marksOf.set(last, [...(marksOf.get(last) ?? []), m]);
-    });
-    const opened = new Map<number, Vec[][]>(); // triangles of what closes them
+    }
+    const sections = scene.cut ? sectionsOf(this.solids, poses, scene.cut) : [],
+      opened = new Map<number, Vec[][]>(); // triangles of what closes them
     if (scene.cut && scene.cut.sense * camera.axes()[2][scene.cut.axis] > 0)
-      for (const { body, line, centre } of sectionsOf(this.solids, poses, scene.cut))
+      for (const { body, line, centre } of sections)
         opened.set(body, [...(opened.get(body) ?? []), [...line, centre]]);
     for (const b of order) {
       this.body(to, scene, b);
@@ -114,7 +122,8 @@ export class PaintedPicture implements Picture {
       for (const corners of opened.get(b) ?? []) polygon(to, camera, corners, tint, tint);
       for (const m of marksOf.get(b) ?? []) this.mark(to, scene, m);
     }
-    if (scene.cut) sectionLines(this.solids, scene, scene.cut, ([p, q], look) => line(to, camera, p, q, look));
+    if (scene.cut)
+      for (const one of sectionLines(this.solids, scene, scene.cut, sections)) line(to, camera, ...one.line, one.look);
   }
 
   private body(to: CanvasRenderingContext2D, scene: Scene, b: number): void {

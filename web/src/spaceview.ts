@@ -266,16 +266,19 @@ export class SpaceView implements View {
     return Math.abs(state[measure][j]) * (length ? 1e3 : 1 / 255);
   }
   private marksOf(state: SolidState, styles: Styles): Scene["marks"] {
-    const joints: number[] = [],
-      look: number[] = [];
-    for (let j = 0; j < this.spec.states.solids.joints; ++j) {
+    const n = this.spec.states.solids.joints,
+      joints = new Int32Array(n),
+      look = new Uint8Array(4 * n);
+    let count = 0;
+    for (let j = 0; j < n; ++j) {
       const css = this.markOf(state, j);
       if (!css) continue;
       const { stroke, width } = styles.of(css);
-      joints.push(j);
-      look.push(...stroke, Math.min(255, Math.round((255 * width) / 16)));
+      for (let k = 0; k < 3; ++k) look[4 * count + k] = stroke[k];
+      look[4 * count + 3] = Math.min(255, (255 * width) / 16);
+      joints[count++] = j;
     }
-    return { joints, look: Uint8Array.from(look) };
+    return { count, joints, look };
   }
   private tintsOf(state: SolidState, styles: Styles): Uint8Array {
     const { solids } = this.spec.states;
