@@ -272,6 +272,7 @@ function cubes(...x) {
     load: null,
     names: x.map((_, i) => `cube${i}`),
     centroid: Float32Array.from(x.flatMap((at) => [at, 0, 0])),
+    reach: new Float32Array(n).fill(Math.sqrt(0.75)),
     partBegin: upTo(n, 1),
     vertexBegin: upTo(n, 8),
     faceBegin: upTo(n, 6),
