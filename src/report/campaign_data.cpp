@@ -158,6 +158,12 @@ bool same_shape(const Model& a, const Model& b) {
          a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
 }
 
+// Numbers of the page that one state takes.
+double state_numbers(const Model& m) {
+  if (m.in_space()) return 6.0 * (m.n_block + m.space.n_support) + 5.0 * m.n_joint;
+  return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node;
+}
+
 // Numbers of the page that one sample's fields take.
 double field_numbers(const Model& model) {
   double numbers = 0;
@@ -189,9 +195,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
       const double of_fields = field_numbers(first) * (waiting + 1);
       with_fields = of_fields > 0 && of_fields <= 0.5 * kMostWallNumbers;
       const double room = kMostWallNumbers - (with_fields ? of_fields : 0);
-      most = static_cast<int>(room / (3.0 * first.n_block +
-                                      4.0 * (first.n_joint + first.solids.n_contact) +
-                                      2.0 * first.solids.n_node));
+      most = static_cast<int>(room / state_numbers(first));
     }
     // a wall of another shape has no place among these frames
     if (!same_shape(first, model)) continue;

@@ -256,6 +256,39 @@ test("without WebGL it is painted, and the page says so", async () => {
   await flat.close();
 });
 
+test("the page of a campaign in space shows the wall of each sample", async () => {
+  fs.writeFileSync(
+    path.join(folder("inputs"), "space_study.toml"),
+    `[study]
+model = "space.toml"
+samples = 2
+seed = 3
+states = ["2 mm"]
+[variable.kn]
+path = "material.joint.normal_stiffness"
+distribution = "uniform"
+mean = "2 GPa/m"
+cov = 0.2
+`,
+  );
+  fs.rmSync(folder("space_campaign"), { recursive: true, force: true });
+  run("campaign", path.join(folder("inputs"), "space_study.toml"), "--out", folder("space_campaign"), "--quiet");
+  const other = await open(browser, pageOf("space_campaign"));
+  assert.deepEqual(other.faults, []);
+  assert.equal(await other.locator(".warning[role=alert]").count(), 0);
+  await other.locator("#sample-number").fill("2");
+  await other.keyboard.press("Tab");
+  const stage = other.locator("#sample-wall .space-stage");
+  await stage.waitFor();
+  const blank = await stage.screenshot();
+  await other.locator("#sample-wall [data-view=top]").click();
+  assert.ok(!blank.equals(await stage.screenshot()));
+  assert.match(await other.locator("#sample-wall .wall-caption").innerText(), /2/);
+  await screenshot(other, "space_sample_1440_light", "#sample-wall");
+  assert.deepEqual(other.faults, []);
+  await other.context().close();
+});
+
 // --- what needs no page ------------------------------------------------------------------------------
 
 // One unit cube whose centroid is at x.

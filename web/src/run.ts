@@ -13,9 +13,7 @@ import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { projectSection, sheetSection } from "./sheet";
 import { table } from "./tables";
 import { asSentence, capital, num, phrase, qty, say, type Said } from "./texts";
-import { Frames, readWall } from "./wall";
-import { readSolids, SolidStates } from "./space";
-import { SpaceView } from "./spaceview";
+import { viewOf } from "./spaceview";
 import { WallView, type FrameInfo, type View } from "./wallview";
 
 function readCurve(bundle: Bundle): Curve {
@@ -82,11 +80,7 @@ class RunPage {
       displacement: f.displacement_mm,
       reaction: f.reaction_kN,
     }));
-    const onFrame = (): void => this.moveCursor(),
-      solids = readSolids(this.bundle);
-    if (solids) return new SpaceView({ id: "wall", states: new SolidStates(this.bundle, solids), info, onFrame });
-    const wall = readWall(this.bundle);
-    return wall && new WallView({ id: "wall", wall, frames: new Frames(this.bundle, wall), info, onFrame });
+    return viewOf(this.bundle, { id: "wall", info, onFrame: () => this.moveCursor() });
   }
 
   // Data of older versions have the sentence in the summary alone.

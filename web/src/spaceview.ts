@@ -1,5 +1,6 @@
 // A wall in space with its controls: how it is looked at, what blocks and joints show, a cut, magnification,
 // time and play, a body that was picked.
+import type { Bundle } from "./bundle";
 import { h, later } from "./dom";
 import { download, toCsv, type Sheet } from "./export";
 import { hideTip, legend, showTip, swatch } from "./figure";
@@ -12,23 +13,36 @@ import {
   groupOf,
   Planes,
   Poses,
+  readSolids,
   sizeOf,
+  SolidStates,
   type Cut,
   type SolidState,
-  type SolidStates,
   type Vec,
 } from "./space";
 import { glPicture } from "./space_gl";
 import { beginCanvas, drawOver, PaintedPicture, type Picture, type Rgb, type Scene } from "./space_paint";
 import { num, phrase, qty, say } from "./texts";
-import { kSteps, roundSteps, stepOf } from "./wall";
-import { kScales, scaleWords, type FrameInfo, type View } from "./wallview";
+import { Frames, kSteps, readWall, roundSteps, stepOf } from "./wall";
+import { kScales, scaleWords, WallView, type FrameInfo, type View } from "./wallview";
 
 export interface SpaceViewSpec {
   id: string;
   states: SolidStates;
   info: FrameInfo[];
   onFrame?: (frame: number) => void; // after the slider moved
+  tallest?: number;
+}
+
+// The wall of a page, in its plane or in space; null: it has none.
+export function viewOf(
+  bundle: Bundle,
+  spec: Omit<SpaceViewSpec, "states">,
+  wall = readWall(bundle),
+): View | null {
+  const solids = readSolids(bundle);
+  if (solids) return new SpaceView({ ...spec, states: new SolidStates(bundle, solids) });
+  return wall && new WallView({ ...spec, wall, frames: new Frames(bundle, wall) });
 }
 
 const kFaces = ["cracks", "opening", "slip", "damage", "crushing", "stress"] as const;
@@ -174,7 +188,7 @@ export class SpaceView implements View {
     if (width === this.camera.width) return;
     const before = this.camera.width;
     this.camera.width = width;
-    this.camera.height = Math.round(Math.max(280, Math.min(620, 0.72 * width)));
+    this.camera.height = Math.round(Math.max(280, Math.min(this.spec.tallest ?? 620, 0.72 * width)));
     if (before <= 1) this.fitAll();
     else this.camera.zoom *= width / before;
     this.redraw();

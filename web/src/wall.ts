@@ -139,9 +139,10 @@ function readParts(list: Part[] | undefined, x: Numbers, y: Numbers): Part[] {
   });
 }
 
+// null: the page has none, or one in space.
 export function readWall(bundle: Bundle): Wall | null {
   const head = bundle.header.wall;
-  if (!head) return null;
+  if (!head || head.space) return null;
   const get = (name: string): Numbers => bundle.array(`wall.${name}`);
   const fields = readFields(bundle);
   const words = (name: string, list: string[]): string[] => Array.from(get(name), (number) => list[number]);

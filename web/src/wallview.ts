@@ -42,6 +42,7 @@ export interface View {
   readonly look: { readonly frame: number };
   readonly spec: { readonly info: FrameInfo[] };
   show(frame: number, quiet?: boolean): void;
+  choose(first: number, last: number): void; // of all states those to step through
   picture(frame: number, width: number, tallest: number): HTMLElement; // for paper
 }
 

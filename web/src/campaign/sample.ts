@@ -5,24 +5,23 @@ import { aroundPrint } from "../page";
 import { Plot, rangeOf, type Point } from "../plot";
 import { table } from "../tables";
 import { num, phrase, qty, say, sentence } from "../texts";
-import { Frames, readWall, takeFields, type Wall } from "../wall";
-import { WallView } from "../wallview";
+import { viewOf } from "../spaceview";
+import { readWall, takeFields, type Wall } from "../wall";
+import type { View } from "../wallview";
 import { atLeast, modeLabel, reactionAt, type Campaign, type Sample } from "./data";
 
 export class SamplePanel {
   readonly element = h("div", { class: "sample-panel" });
   private readonly body = h("div");
   private readonly number = h("input", { type: "number", min: 1, step: 1, id: "sample-number" });
-  private readonly wall: Wall | null;
-  private readonly frames: Frames | null;
-  private view: WallView | null = null;
+  private readonly wall: Wall | null; // in its plane
+  private view: View | null = null;
   private readonly place = h("div");
   private plot: Plot | null = null;
   private cursor: SVGGElement | null = null;
 
   constructor(private readonly campaign: Campaign) {
     this.wall = readWall(campaign.bundle);
-    this.frames = this.wall ? new Frames(campaign.bundle, this.wall) : null;
     const step = (by: number): void => {
       const all = campaign.samples,
         at = campaign.selected ? all.indexOf(campaign.selected) : -1;
@@ -171,24 +170,10 @@ export class SamplePanel {
   private wallOf(s: Sample): HTMLElement {
     const all = (this.campaign.header.frames ?? []) as any[],
       frames = this.framesOf(s);
-    if (!this.wall || !this.frames || frames.length === 0)
+    if (this.wall) takeFields(this.wall, s.sample);
+    if (frames.length > 0) this.view ??= this.viewOfAll(all);
+    if (!this.view || frames.length === 0)
       return h("p", { class: "note" }, say(all.length > 0 ? "sample.no_wall" : "sample.no_walls"));
-    takeFields(this.wall, s.sample);
-    this.view ??= new WallView({
-      id: "sample-wall",
-      wall: this.wall,
-      frames: this.frames,
-      tallest: 520,
-      info: all.map((f) => ({
-        // "20 mm" says no more than the displacement
-        label: [say("sample.n", { n: f.sample }), f.asked_mm != null ? "" : phrase(f.label ?? "")]
-          .filter((w) => w !== "")
-          .join(", "),
-        displacement: f.displacement_mm,
-        reaction: f.reaction_kN,
-      })),
-      onFrame: () => this.campaign.selected && this.moveCursor(this.campaign.selected),
-    });
     const last = frames[frames.length - 1];
     this.view.choose(frames[0].at, last.at);
     const left = (last.stored ?? frames.length) - frames.length;
@@ -198,6 +183,18 @@ export class SamplePanel {
     );
     this.view.show(last.at);
     return this.place;
+  }
+  private viewOfAll(all: any[]): View | null {
+    const info = all.map((f) => ({
+      // "20 mm" says no more than the displacement
+      label: [say("sample.n", { n: f.sample }), f.asked_mm != null ? "" : phrase(f.label ?? "")]
+        .filter((w) => w !== "")
+        .join(", "),
+      displacement: f.displacement_mm,
+      reaction: f.reaction_kN,
+    }));
+    const onFrame = (): void => void (this.campaign.selected && this.moveCursor(this.campaign.selected));
+    return viewOf(this.campaign.bundle, { id: "sample-wall", tallest: 520, info, onFrame }, this.wall);
   }
   // The wall at every stored state, for paper alone.
   private printStates(): HTMLElement {
