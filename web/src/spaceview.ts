@@ -3,27 +3,26 @@
 import type { Bundle } from "./bundle";
 import { h, later } from "./dom";
 import { download, toCsv, type Sheet } from "./export";
-import { hideTip, legend, showTip, swatch } from "./figure";
+import { hideTip, showTip } from "./figure";
 import { Player } from "./player";
 import {
   boundsOf,
   Camera,
   crackOfFace,
   fittingSize,
-  groupOf,
   Planes,
   Poses,
   readSolids,
   sizeOf,
   SolidStates,
   type Cut,
-  type SolidState,
   type Vec,
 } from "./space";
 import { glPicture } from "./space_gl";
-import { beginCanvas, drawOver, PaintedPicture, type Picture, type Rgb, type Scene } from "./space_paint";
-import { num, phrase, qty, say } from "./texts";
-import { Frames, kSteps, readWall, roundSteps, stepOf } from "./wall";
+import { beginCanvas, drawOver, PaintedPicture, type Picture, type Scene } from "./space_paint";
+import { kBodies, kFaces, Shown, Styles } from "./space_show";
+import { num, qty, say } from "./texts";
+import { Frames, readWall, roundSteps } from "./wall";
 import { kScales, scaleWords, WallView, type FrameInfo, type View } from "./wallview";
 
 export interface SpaceViewSpec {
@@ -45,49 +44,13 @@ export function viewOf(
   return wall && new WallView({ ...spec, wall, frames: new Frames(bundle, wall) });
 }
 
-const kFaces = ["cracks", "opening", "slip", "damage", "crushing", "stress"] as const;
-type OfFaces = (typeof kFaces)[number];
-const kBodies = ["stone", "moved", "turned", "damage", "material", "group"] as const;
-type OfBodies = (typeof kBodies)[number];
-const kGroups = 7; // that have a colour of their own
 const kCutSteps = 200;
-
 const kViews: Record<string, [number, number]> = {
   front: [0, 0],
   side: [Math.PI / 2, 0],
   top: [0, Math.PI / 2],
   oblique: [0.6, 0.42],
 };
-
-// Colours and widths as the page's style has them, by class.
-class Styles {
-  private readonly known = new Map<string, { fill: Rgb; stroke: Rgb; width: number }>();
-  private readonly dot = h("canvas", { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
-  of(css: string): { fill: Rgb; stroke: Rgb; width: number } {
-    let style = this.known.get(css);
-    if (!style) {
-      const probe = swatch(css, "line");
-      probe.style.position = "absolute";
-      document.body.appendChild(probe);
-      const now = getComputedStyle(probe.firstElementChild!);
-      style = { fill: this.rgb(now.fill), stroke: this.rgb(now.stroke), width: parseFloat(now.strokeWidth) || 1 };
-      probe.remove();
-      this.known.set(css, style);
-    }
-    return style;
-  }
-  variable(name: string): Rgb {
-    return this.rgb(getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
-  }
-  // Whatever a browser writes of a colour, it paints it.
-  private rgb(colour: string): Rgb {
-    if (colour === "none" || colour === "") return [128, 128, 128];
-    this.dot.fillStyle = colour;
-    this.dot.fillRect(0, 0, 1, 1);
-    const [r, g, b] = this.dot.getImageData(0, 0, 1, 1).data;
-    return [r, g, b];
-  }
-}
 
 export class SpaceView implements View {
   readonly element: HTMLElement;
@@ -108,15 +71,11 @@ export class SpaceView implements View {
   private readonly drawn: Picture;
   private styles = new Styles();
   private scene: Scene | null = null; // as it was drawn last; null: what it shows has changed
-  private faces: OfFaces = "cracks";
-  private bodies: OfBodies = "stone";
+  private readonly shown: Shown;
   private scale: number;
   private cut: Cut | null = null;
   private clear = false;
   private lit = -1;
-  private readonly steps: { moved: number[]; turned: number[]; stress: number[] };
-  private readonly groups: { names: string[]; of: Int32Array };
-  private readonly materials: { names: string[]; of: Int32Array };
 
   constructor(spec: SpaceViewSpec) {
     this.spec = spec;
@@ -128,9 +87,7 @@ export class SpaceView implements View {
     this.player.choose(0, Math.max(0, spec.states.count - 1));
     this.look.frame = this.player.last;
     this.scale = fittingSize(spec.states, this.player.last);
-    this.steps = this.stepsOfAll();
-    this.materials = classes(Array.from(solids.material, (m) => solids.materials[m]));
-    this.groups = classes(solids.names.map(groupOf));
+    this.shown = new Shown(spec.states);
     const canvas = this.drawn.element;
     canvas.setAttribute("tabindex", "0");
     canvas.setAttribute("role", "img");
@@ -216,7 +173,7 @@ export class SpaceView implements View {
     this.poses.set(this.look.frame, this.scale);
     this.scene = this.compose(this.look.frame, this.styles);
     this.tell();
-    this.key.replaceChildren(this.legend());
+    this.key.replaceChildren(this.shown.legend());
     this.draw(this.scene);
   }
   private turned(): void {
@@ -242,8 +199,8 @@ export class SpaceView implements View {
     return {
       camera: this.camera,
       poses: this.poses,
-      tints: this.tintsOf(state, styles),
-      marks: this.marksOf(state, styles),
+      tints: this.shown.tints(state, styles, this.lit),
+      marks: this.shown.marks(state, styles),
       cut: this.cut,
       clear: this.clear,
       farthest: 2 * this.scale * farthest,
@@ -255,105 +212,6 @@ export class SpaceView implements View {
       },
     };
   }
-  private markOf(state: SolidState, j: number): string {
-    switch (this.faces) {
-      case "cracks": {
-        if (state.crushing[j] / 255 >= 0.05) return "crack crush w2";
-        const crack = crackOfFace(state, j);
-        if (crack === "sound") return "";
-        const moved = Math.max(state.opening[j], Math.abs(state.slip[j])) * 1e3;
-        return `crack ${crack} w${crack === "open" || crack === "slip" ? stepOf(moved, [0.2, 1, 3, 10]) : 0}`;
-      }
-      case "stress": {
-        const stress = 1e-6 * state.stress[j],
-          step = stepOf(Math.abs(stress), this.steps.stress);
-        return step > 0 ? `joint stress ${stress > 0 ? "t" : "c"} r${step}` : "";
-      }
-      default: {
-        const step = stepOf(this.valueOf(state, j, this.faces), kSteps[this.faces]);
-        return step > 0 ? `joint ${this.faces} r${step}` : "";
-      }
-    }
-  }
-  private valueOf(state: SolidState, j: number, measure: "opening" | "slip" | "damage" | "crushing"): number {
-    const length = measure === "opening" || measure === "slip";
-    return Math.abs(state[measure][j]) * (length ? 1e3 : 1 / 255);
-  }
-  private marksOf(state: SolidState, styles: Styles): Scene["marks"] {
-    const n = this.spec.states.solids.joints,
-      joints = new Int32Array(n),
-      look = new Uint8Array(4 * n);
-    let count = 0;
-    for (let j = 0; j < n; ++j) {
-      const css = this.markOf(state, j);
-      if (!css) continue;
-      const { stroke, width } = styles.of(css);
-      for (let k = 0; k < 3; ++k) look[4 * count + k] = stroke[k];
-      look[4 * count + 3] = Math.min(255, (255 * width) / 16);
-      joints[count++] = j;
-    }
-    return { count, joints, look };
-  }
-  private tintsOf(state: SolidState, styles: Styles): Uint8Array {
-    const { solids } = this.spec.states;
-    const classOf = this.tintOf(state);
-    const tints = new Uint8Array(4 * 1024 * Math.ceil(Math.max(1, solids.count) / 1024));
-    const lit = styles.variable("focus"),
-      ground = styles.variable("ground");
-    for (let b = 0; b < solids.count; ++b)
-      tints.set(b === this.lit ? lit : b >= solids.free ? ground : styles.of(classOf(b)).fill, 4 * b);
-    return tints;
-  }
-  private tintOf(state: SolidState): (b: number) => string {
-    const plain = "stone1";
-    const ramp = (kind: string, value: (b: number) => number, steps: number[]) => (b: number): string => {
-      const step = stepOf(value(b), steps);
-      return step > 0 ? `block-field ${kind} r${step}` : plain;
-    };
-    const long = (v: ArrayLike<number>, b: number): number => Math.hypot(v[3 * b], v[3 * b + 1], v[3 * b + 2]);
-    switch (this.bodies) {
-      case "moved":
-        return ramp("moved", (b) => 1e3 * long(state.moved, b), this.steps.moved);
-      case "turned":
-        return ramp("turned", (b) => (180 / Math.PI) * long(state.turned, b), this.steps.turned);
-      case "damage": {
-        const worst = this.worstOf(state);
-        return ramp("damaged", (b) => worst[b], kSteps.damage);
-      }
-      case "material":
-        return (b) => groupCss(this.materials.of[b]);
-      case "group":
-        return (b) => groupCss(this.groups.of[b]);
-      default:
-        return (b) => `stone${((Math.imul(b, 2654435761) >>> 13) + b) % 4}`;
-    }
-  }
-  // Of each body the largest damage of its joints.
-  private worstOf(state: SolidState): Float32Array {
-    const { solids } = this.spec.states,
-      worst = new Float32Array(solids.count);
-    for (let j = 0; j < solids.joints; ++j)
-      for (const b of [solids.jointA[j], solids.jointB[j]]) worst[b] = Math.max(worst[b], state.damage[j] / 255);
-    return worst;
-  }
-  private stepsOfAll(): { moved: number[]; turned: number[]; stress: number[] } {
-    const { states } = this.spec,
-      most = { moved: 0, turned: 0, stress: 0 };
-    for (let f = 0; f < states.count; ++f) {
-      const { moved, turned, stress } = states.at(f);
-      for (let i = 0; i < 3 * states.solids.free; i += 3) {
-        most.moved = Math.max(most.moved, Math.hypot(moved[i], moved[i + 1], moved[i + 2]));
-        most.turned = Math.max(most.turned, Math.hypot(turned[i], turned[i + 1], turned[i + 2]));
-      }
-      for (const s of stress) most.stress = Math.max(most.stress, Math.abs(s));
-    }
-    return {
-      moved: roundSteps(1e3 * most.moved),
-      turned: roundSteps((180 / Math.PI) * most.turned),
-      stress: roundSteps(1e-6 * most.stress),
-    };
-  }
-
   private tell(): void {
     const info = this.spec.info[this.look.frame];
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter((w) => w !== "");
@@ -389,62 +247,6 @@ export class SpaceView implements View {
       say("space.joints", { all, open, slid }),
       say("space.material", { name: solids.materials[solids.material[b]] }),
     ];
-  }
-
-  private legend(): HTMLElement {
-    const range = (bounds: number[], unit: string, mark: (i: number) => SVGSVGElement): HTMLElement =>
-      legend(
-        bounds.map((from, i): [SVGSVGElement, string] => [
-          mark(i + 1),
-          i + 1 < bounds.length ? `${num(from)}–${num(bounds[i + 1])}${unit}` : `> ${num(from, 4)}${unit}`,
-        ]),
-      );
-    const faces = (): HTMLElement => {
-      if (this.faces === "cracks")
-        return legend([
-          [swatch("crack open w2"), say("crack.open")],
-          [swatch("crack slip w2"), say("crack.slip")],
-          [swatch("crack closed w0"), say("crack.closed")],
-          [swatch("crack softening w0"), say("crack.softening")],
-          [swatch("crack crush w2"), say("crack.crushed.space")],
-        ]);
-      if (this.faces === "stress")
-        return h(
-          "div",
-          { class: "stress-keys" },
-          ...(["c", "t"] as const).map((sign) =>
-            h(
-              "div",
-              { class: "stress-key" },
-              h("b", {}, say(sign === "c" ? "stress.compression" : "stress.tension")),
-              range(this.steps.stress, "\u202fMPa", (i) => swatch(`joint stress ${sign} r${i}`)),
-            ),
-          ),
-        );
-      const measure = this.faces,
-        unit = measure === "opening" || measure === "slip" ? "\u202fmm" : "";
-      return range(kSteps[measure], unit, (i) => swatch(`joint ${measure} r${i}`));
-    };
-    const bodies = (): HTMLElement | null => {
-      const box = (kind: string) => (i: number) => swatch(`block-field ${kind} r${i}`, "box");
-      switch (this.bodies) {
-        case "moved":
-          return range(this.steps.moved, "\u202fmm", box("moved"));
-        case "turned":
-          return range(this.steps.turned, "\u202f°", box("turned"));
-        case "damage":
-          return range(kSteps.damage, "", box("damaged"));
-        case "material":
-          return groupLegend(this.materials.names);
-        case "group":
-          return groupLegend(this.groups.names);
-        default:
-          return null;
-      }
-    };
-    const row = (name: string, what: HTMLElement | null): HTMLElement | null =>
-      what && h("div", { class: "key-row" }, h("b", {}, name), what);
-    return h("div", {}, row(say("space.faces"), faces()), row(say("space.bodies"), bodies()));
   }
 
   // --- controls ------------------------------------------------------------------------------------
@@ -501,8 +303,8 @@ export class SpaceView implements View {
           ),
         ),
       ),
-      select(say("space.faces"), kFaces, (m) => say(`measure.${m}`), (m) => (this.faces = m)),
-      select(say("space.bodies"), kBodies, (m) => say(`shown.${m}`), (m) => (this.bodies = m)),
+      select(say("space.faces"), kFaces, (m) => say(`measure.${m}`), (m) => (this.shown.faces = m)),
+      select(say("space.bodies"), kBodies, (m) => say(`shown.${m}`), (m) => (this.shown.bodies = m)),
       h("label", {}, h("span", {}, say("wall.scale")), scale, shown),
       h("label", { class: "check" }, clear, h("span", {}, say("space.clear"))),
     );
@@ -643,14 +445,15 @@ export class SpaceView implements View {
   picture(frame: number, width: number, tallest: number): HTMLElement {
     const root = document.documentElement,
       theme = root.dataset.theme,
-      kept = { scale: this.scale, lit: this.lit, faces: this.faces };
+      kept = { scale: this.scale, lit: this.lit },
+      faces = this.shown.faces;
     const info = this.spec.info[frame],
       camera = Object.assign(new Camera(), { turn: this.camera.turn, tilt: this.camera.tilt, width, height: tallest });
     camera.fit(...boundsOf(this.spec.states.solids));
     root.dataset.theme = "light";
     this.scale = fittingSize(this.spec.states, frame);
     this.lit = -1;
-    this.faces = "cracks";
+    this.shown.faces = "cracks";
     const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(this.scale)];
     this.poses.set(frame, this.scale);
     const scene = { ...this.compose(frame, new Styles()), camera };
@@ -658,6 +461,7 @@ export class SpaceView implements View {
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", say("wall.alt"));
     Object.assign(this, kept);
+    this.shown.faces = faces;
     if (theme) root.dataset.theme = theme;
     this.redraw();
     return h("figure", {}, canvas, h("figcaption", {}, words.filter((w) => w !== "").join(" · ")));
@@ -744,21 +548,4 @@ export class SpaceView implements View {
     if (b < 0) return hideTip();
     showTip(e, this.bodyLines(b).slice(0, 3));
   }
-}
-
-// Names by how many there are of each; those beyond the last colour share one.
-function classes(names: string[]): { names: string[]; of: Int32Array } {
-  const counts = new Map<string, number>();
-  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
-  const sorted = [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!);
-  const place = new Map(sorted.map((name, i) => [name, i]));
-  return { names: sorted, of: Int32Array.from(names, (name) => place.get(name)!) };
-}
-const groupCss = (group: number): string => `block-group g${group < kGroups ? group + 1 : 0}`;
-function groupLegend(names: string[]): HTMLElement {
-  const items = names
-    .slice(0, kGroups)
-    .map((name, i): [SVGSVGElement, string] => [swatch(groupCss(i), "box"), phrase(name) || say("space.unnamed")]);
-  if (names.length > kGroups) items.push([swatch(groupCss(kGroups), "box"), say("space.others", { n: names.length - kGroups })]);
-  return legend(items);
 }
