@@ -1,7 +1,7 @@
 // Four doubles at a time. Compiled with -mavx2; the fused peak needs FMA, which came with AVX2.
 #include <immintrin.h>
 
-#include "bare_packs.h"
+#include "bare_space.h"
 
 namespace wythe::bench {
 namespace {
@@ -22,6 +22,11 @@ namespace {
 
 const BareKernels& bare_avx2() {
   static constexpr BareKernels kSet = bare_kernels<Pack<xsimd::avx2>>("avx2", fused);
+  return kSet;
+}
+
+const SpaceKernels& bare_space_avx2() {
+  static constexpr SpaceKernels kSet = space_kernels<Pack<xsimd::avx2>>("avx2");
   return kSet;
 }
 

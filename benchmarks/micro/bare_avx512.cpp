@@ -1,7 +1,7 @@
 // Eight doubles at a time. Compiled with -mavx512f.
 #include <immintrin.h>
 
-#include "bare_packs.h"
+#include "bare_space.h"
 
 namespace wythe::bench {
 namespace {
@@ -22,6 +22,11 @@ double fused(std::int64_t rounds) {
 
 const BareKernels& bare_avx512() {
   static constexpr BareKernels kSet = bare_kernels<Pack<xsimd::avx512f>>("avx512", fused);
+  return kSet;
+}
+
+const SpaceKernels& bare_space_avx512() {
+  static constexpr SpaceKernels kSet = space_kernels<Pack<xsimd::avx512f>>("avx512");
   return kSet;
 }
 

@@ -16,20 +16,6 @@ constexpr int kDelay = 16;
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
-dynamics::Lines<double> law_rows(const Model& m, int lanes) {
-  dynamics::Lines<double> rows;
-  for (const JointMaterial& material : m.materials) {
-    const contact::LawConstants<double> c = contact::constants_of(material);
-    const double two_GII = c.half_inv_GII > 0 ? 1 / c.half_inv_GII : kNever;
-    for (const double value :
-         {c.kn, c.ks, c.inv_ks, c.inv_kn, c.ft, 1 + c.tension_onset * c.tension_rate,
-          c.tension_rate, c.c_res, c.c_drop, c.tan_res, c.tan_drop, c.half_inv_GII, two_GII, c.fc,
-          c.p_full, c.inv_p_full, c.crush_gain})
-      rows.insert(rows.end(), at(lanes), value);
-  }
-  return rows;
-}
-
 // The history of point p, `lanes` apart.
 void put_point(const Model& m, const State& s, JointId joint, std::size_t p, double* hot,
                double* cold, int lanes) {
@@ -116,6 +102,20 @@ double bytes_of(const Arrays&... arrays) {
 }
 
 }  // namespace
+
+dynamics::Lines<double> law_rows(const Model& m, int lanes) {
+  dynamics::Lines<double> rows;
+  for (const JointMaterial& material : m.materials) {
+    const contact::LawConstants<double> c = contact::constants_of(material);
+    const double two_GII = c.half_inv_GII > 0 ? 1 / c.half_inv_GII : kNever;
+    for (const double value :
+         {c.kn, c.ks, c.inv_ks, c.inv_kn, c.ft, 1 + c.tension_onset * c.tension_rate,
+          c.tension_rate, c.c_res, c.c_drop, c.tan_res, c.tan_drop, c.half_inv_GII, two_GII, c.fc,
+          c.p_full, c.inv_p_full, c.crush_gain})
+      rows.insert(rows.end(), at(lanes), value);
+  }
+  return rows;
+}
 
 std::vector<const BareKernels*> bare_here() {
   std::vector<const BareKernels*> sets{&bare_scalar()};

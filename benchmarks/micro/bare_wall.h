@@ -156,6 +156,9 @@ struct BareStart {
   const std::vector<BlockId>& held;
 };
 
+// The rows of all materials, `lanes` times each.
+[[nodiscard]] dynamics::Lines<double> law_rows(const Model& model, int lanes);
+
 // As many equal walls as the set has lanes.
 class BareWallsRun {
  public:

@@ -17,6 +17,8 @@
 
 #include "cracked.h"
 #include "dynamics/executors/processor.h"
+#include "dynamics/space/executor.h"
+#include "space_wall.h"
 #include "wythe/reading.h"
 #include "wythe/solve.h"
 
@@ -124,6 +126,39 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
          engine_cost(lanes));
 }
 
+// --- walls in space
+
+void report_space(benchmark::State& bench, const SpaceWall& wall, int walls) {
+  const auto done =
+      static_cast<double>(wall.points()) * walls * static_cast<double>(bench.iterations());
+  bench.counters["points_per_second"] = benchmark::Counter(done, benchmark::Counter::kIsRate);
+  bench.SetLabel("state " + wall.hash);
+}
+
+void bare_space(benchmark::State& bench, const SpaceKernels& kernels, bool many) {
+  BareSpaceRun run(space_wall(), kernels, many);
+  for (auto _ : bench) run.step();
+  report_space(bench, space_wall(), many ? kernels.lanes : 1);
+  bench.counters["bytes_per_point"] = run.bytes_per_point();
+}
+
+void engine_space(benchmark::State& bench, const SpaceWall& wall, int lanes,
+                  const dynamics::space::KernelSet& kernels) {
+  std::vector<State> states(static_cast<std::size_t>(lanes), wall.state);
+  dynamics::space::SpaceProcessor processor(wall.model, lanes, 1, kernels);
+  dynamics::Controls controls;
+  controls.dt = wall.dt;
+  controls.damping = 0.8;
+  controls.push = &wall.push();
+  for (int lane = 0; lane < lanes; ++lane) {
+    processor.put(lane, wall.model, states[static_cast<std::size_t>(lane)]);
+    processor.access(lane)->choose_driven(wall.push().driven);
+    processor.set(lane, controls);
+  }
+  for (auto _ : bench) processor.step();
+  report_space(bench, wall, lanes);
+}
+
 // One multiplication and one addition a round and chain.
 void flops(benchmark::State& bench, const BareKernels& kernels, double (*run)(std::int64_t)) {
   constexpr std::int64_t rounds = 100000;
@@ -165,6 +200,20 @@ void add_all() {
   for (const int lanes : {2, 4, 8})
     add("engine_walls/" + std::to_string(lanes), [lanes](auto& b) { engine_walls(b, lanes, 1); });
   add("engine_walls/4_and_4", [](auto& b) { engine_walls(b, 4, 2); });
+  for (const SpaceKernels* set : bare_space_here())
+    for (const bool many : {false, true})
+      if (!many || set->lanes > 1)
+        add(std::string(many ? "bare_space_walls/" : "bare_space_joints/") + set->name,
+            [set, many](auto& b) { bare_space(b, *set, many); });
+  for (const auto* set : dynamics::space::kernels_here()) {
+    add("engine_space_joints/" + std::string(set->name),
+        [set](auto& b) { engine_space(b, space_wall(), 1, *set); });
+    if (set->width > 1)
+      add("engine_space_walls/" + std::string(set->name),
+          [set](auto& b) { engine_space(b, space_wall(), set->width, *set); });
+  }
+  add("engine_space_large",
+      [](auto& b) { engine_space(b, large_wall(), 1, *dynamics::space::kernels_here().back()); });
   // two threads: within a wall; each its own walls
   const BareKernels* widest = bare_here().back();
   const int lanes = dynamics::kernels_in_use().width;
@@ -187,6 +236,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   try {
     check_bare_kernels();
+    check_bare_space();
   } catch (const std::exception& e) {
     fmt::print(stderr, "wythe_bench: {}\n", e.what());
     return 1;

@@ -62,6 +62,7 @@ std::uint64_t topology_of(const Model& model) {
                            static_cast<int>(choice.unloading), static_cast<int>(choice.cap)})
       hash.add(static_cast<double>(word));
   }
+  if (model.in_space()) hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));
   each_model_field(model, [&](const auto& array, Entity, Shared shared, auto name, auto) {
     if (shared != Shared::kTopology) return;
     hash.add(std::string_view(name));

@@ -1,4 +1,4 @@
-// A wall in space stepped by hand, without stages, in any frame: `turned_model` turns bodies, pushes and loads;
+// A wall in space stepped by hand, without stages, in any frame: in_frame() turns bodies and pushes;
 // gravity is what the state says. After run() and step() the state's arrays are up to date; after they were
 // changed by hand, put() hands them over.
 #pragma once

@@ -86,6 +86,12 @@ Inertia<double> inertia_of(std::ptrdiff_t i, const WallView& w) {
   return body;
 }
 
+// Radius of gyration, the mean of all axes: what a moment or a rate of rotation is measured by.
+double radius_of(std::ptrdiff_t i, const WallView& w) {
+  const Vec inertia = w.still_vector(i, kBodyInertia);
+  return square_root((inertia.x + inertia.y + inertia.z) / (3 * w.still(i, kBodyMass)));
+}
+
 // Supports move together; the reaction is what their joints do to them.
 double drive_supports(const Stage& push, const WallView& w, double velocity, WallWork& work) {
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
@@ -249,7 +255,11 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
       vp = along.velocity + dt / m * (r * correction);
       force = r * (balance + correction);
       work.damping -= lambda * magnitude(left) * sign(along_v) * 0.5 * (along_v + vp) * dt;
-      if (is_pattern) w.still(i, kLacking) = length(left * p + (total - along_f * p));
+      if (is_pattern) {
+        w.still(i, kLacking) = length(left * p + (total - along_f * p));
+        if (push.spec.rotation == Freedom::kFree)
+          w.still(i, kLacking) += length(w.still_vector(i, kTotalMoment)) / radius_of(i, w);
+      }
     } else {
       force = m * (vp - along_v) / dt - along_f;
     }
@@ -282,8 +292,10 @@ double unbalance_of(const WallView& w, const Model& m) {
       unbalanced += w.still(i, kLacking);
       continue;
     }
+    const Load<double> contact_now = contact_load(w.t, i, w.lane);
     const Vec load = w.body_vector(i, kLoad) + w.body(i, kHeavy) * w.gravity();
-    unbalanced += length(contact_load(w.t, i, w.lane).f + load);
+    unbalanced += length(contact_now.f + load) +
+                  length(contact_now.m + w.body_vector(i, kLoadMoment)) / radius_of(i, w);
   }
   for (int j = 0; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[at(j)];
@@ -321,8 +333,9 @@ BlockId runaway_of(const WallView& w) {
   const auto finite = [](double x) { return x - x == 0; };
   for (int i = 0; i < w.blocks; ++i) {
     const Quaternion<double> q = w.turn(i);
-    if (!(length(w.body_vector(i, kV)) < kFast) || !finite(dot(q.v, q.v) + q.w) ||
-        !finite(length(w.body_vector(i, kL))))
+    const Vec l = turned_back(q, w.body_vector(i, kL));
+    const double rim = radius_of(i, w) * length(inertia_of(i, w).rate(l));
+    if (!(length(w.body_vector(i, kV)) < kFast) || !finite(dot(q.v, q.v) + q.w) || !(rim < kFast))
       return i;
   }
   return -1;

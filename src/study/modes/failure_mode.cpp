@@ -92,6 +92,29 @@ Message words_for(const Model& model, const Result& result, const Snapshot& s, d
   return {"reading", {{"words", std::move(words)}}};
 }
 
+// The share of its peak that the force has lost where the state is read.
+double force_lost(const Result& result, double read_at) {
+  double peak = 0, now = 0;
+  for (const CurveRow& row : backbone_of(result.curve)) {
+    if (std::fabs(row.displacement) > (1 + kNearly) * std::fabs(read_at)) break;
+    now = row.reaction;
+    peak = std::max(peak, now);
+  }
+  return peak > 0 ? 1 - now / peak : 0.0;
+}
+
+// A force that fell needs a cause: in space too "none" is no name for it.
+FailureMode name_read_in_space(const Model& model, const Result& result, const Snapshot& read) {
+  FailureMode mode = study::name_in_space(model, read.state);
+  if (mode.name != "none" || is_load_controlled(result)) return mode;
+  const double lost = force_lost(result, read.displacement);
+  if (lost < ModeRules{}.drop) return mode;
+  mode.name = "unclear";
+  mode.sentence = {"space.fell",
+                   {{"percent", 100 * lost}, {"share_percent", 100 * mode.evidence[0].value}}};
+  return mode;
+}
+
 // Length of the joints in a state that are pressed where they have no face.
 double length_slid_off(const WallMotion& motion) {
   double length = 0;
@@ -226,7 +249,7 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
     return none;
   }
   if (model.in_space()) {
-    FailureMode mode = study::name_in_space(model, read->state);
+    FailureMode mode = name_read_in_space(model, result, *read);
     mode.read_at = read->displacement;
     mode.reading = words_for(model, result, *read, read_at);
     return mode;
@@ -257,17 +280,6 @@ WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, con
   mechanism.name = "unclear";
   mechanism.sentence = {"mechanism.slid_off", {{"shows", std::move(mechanism.sentence)}}};
   return mechanism;
-}
-
-// The share of its peak that the force has lost where the state is read.
-double force_lost(const Result& result, double read_at) {
-  double peak = 0, now = 0;
-  for (const CurveRow& row : backbone_of(result.curve)) {
-    if (std::fabs(row.displacement) > (1 + kNearly) * std::fabs(read_at)) break;
-    now = row.reaction;
-    peak = std::max(peak, now);
-  }
-  return peak > 0 ? 1 - now / peak : 0.0;
 }
 
 // The part in which a joint lies, the smallest that holds it.
@@ -317,7 +329,7 @@ WallMechanism read_mechanism(const Model& model, const Result& result, double re
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) return {};
   if (model.in_space()) {
-    const FailureMode mode = study::name_in_space(model, read->state);
+    const FailureMode mode = name_read_in_space(model, result, *read);
     WallMechanism mechanism;
     mechanism.name = mode.name;
     mechanism.sentence = mode.sentence;

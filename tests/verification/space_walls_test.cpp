@@ -1,0 +1,205 @@
+// Walls out of their plane against closed forms: a parapet and a wall held at foot and top under pressure, a dry
+// wall that is tilted, and the faces that two cubes share.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "geometry/joint_faces.h"
+#include "record.h"
+#include "scenes/scenes.h"
+#include "scenes/space_rig.h"
+#include "wythe/solve.h"
+
+namespace wythe {
+namespace {
+
+using scenes::box;
+using scenes::Frame;
+using verification::verify;
+
+constexpr double kG = 9.81, kDensity = 2000, kThick = 0.2, kCourse = 0.2;
+
+// A dry wall two units long, stack on stack; where asked held at the top by a prop behind it without friction.
+ModelSpec wall(int courses, bool held) {
+  const double length = 0.8;
+  std::vector<BodySpec> bodies{box("floor", {-1, -0.2, -1}, {3, 0.2, 3}, true)};
+  for (int k = 0; k < courses; ++k)
+    for (int u = 0; u < (k % 2 == 0 ? 2 : 3); ++u) {
+      const double from = k % 2 == 0 ? 0.4 * u : std::max(0.0, 0.4 * u - 0.2);
+      const double to = std::min(length, k % 2 == 0 ? 0.4 * (u + 1) : 0.4 * u + 0.2);
+      bodies.push_back(box("c" + std::to_string(k) + "u" + std::to_string(u),
+                           {from, kCourse * k, 0}, {to - from, kCourse, kThick}));
+    }
+  if (held) {
+    bodies.push_back(box("prop", {-0.1, kCourse * (courses - 1) + 0.5 * kCourse, kThick},
+                         {length + 0.2, 0.5 * kCourse, 0.1}, true));
+    bodies.back().material = "prop";
+  }
+  ModelSpec spec =
+      scenes::in_space(bodies, scenes::dry_joint(2e10, 8e9, std::atan(0.75)), kDensity);
+  spec.material["smooth"] = scenes::dry_joint(2e10, 8e9, 0);
+  spec.contact = {{{"prop", "masonry"}, "smooth"}};
+  spec.stage = {scenes::gravity_stage()};
+  return spec;
+}
+
+StageSpec load(const std::string& name, double pressure, const std::string& face,
+               const std::string& on) {
+  StageSpec stage;
+  stage.name = name;
+  stage.kind = StageKind::kLoad;
+  stage.pressure = pressure;
+  stage.face = face;
+  stage.on.block = on;
+  stage.ramp = 0.5;
+  return stage;
+}
+
+bool stands(ModelSpec spec, double overburden, double pressure, int courses) {
+  if (overburden > 0)
+    spec.stage.push_back(
+        load("overburden", overburden, "+y", "c" + std::to_string(courses - 1) + "*"));
+  spec.stage.push_back(load("wind", pressure, "-z", "c*"));
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state, {});
+  if (result.status == SolveStatus::kCompleted) return true;
+  // it fell, or is on its way: local damping makes a wall a little beyond its capacity fall slowly
+  EXPECT_GT(*std::max_element(state.uz.begin(), state.uz.end()), 0.25 * kThick) << result.reason;
+  return false;
+}
+
+// The capacity lies between 0.97 and 1.03 of the closed form.
+void expect_capacity(const ModelSpec& spec, double overburden, double closed, int courses,
+                     const std::string& what) {
+  const bool carries = stands(spec, overburden, 0.97 * closed, courses),
+             falls = !stands(spec, overburden, 1.03 * closed, courses);
+  verify({"SP22", what, "Pa", closed, 0.03, "carried 0.97 of it and fell at 1.03"},
+         carries && falls ? closed : 0);
+}
+
+TEST(SpaceWalls, a_parapet_carries_the_pressure_of_its_weight_about_the_toe) {
+  // p H^2 / 2 = gamma t H t / 2
+  const int courses = 5;
+  const double high = courses * kCourse;
+  expect_capacity(wall(courses, false), 0, kDensity * kG * kThick * kThick / high, courses,
+                  "parapet under pressure");
+}
+
+TEST(SpaceWalls, a_wall_held_at_foot_and_top_carries_the_pressure_of_its_hinge) {
+  // a hinge between h1 below and h2 above lifts the lower part about its toe, the upper with it and about the
+  // hinge: p H / 2 = gamma t^2 (1 + h2/h1) + q t^2 (1/h1 + 1/(2 h2)); the least over the bed joints
+  const int courses = 10;
+  const double high = courses * kCourse, gamma = kDensity * kG, q = 0.05e6;
+  const double held = high - 0.5 * kCourse;  // the prop's lower edge
+  double least = 1e300;
+  for (int k = 1; k < courses; ++k) {
+    const double h1 = k * kCourse, h2 = held - h1, above = high - h1;
+    // turns 1/h1 below and 1/h2 above for a unit way of the hinge
+    const double lifted = gamma * kThick * (h1 * 0.5 / h1 + above * (1 / h1 + 0.5 / h2)) +
+                          q * kThick * (1 / h1 + 0.5 / h2);
+    // the upper part leans back: its middle, above / 2 over the hinge, goes 1 - above / (2 h2)
+    const double pressed = 0.5 * h1 + above * (1 - 0.5 * above / h2);
+    least = std::min(least, lifted * kThick / pressed);
+  }
+  expect_capacity(wall(courses, true), q, least, courses,
+                  "wall held at foot and top under pressure, 50 kPa on it");
+}
+
+TEST(SpaceWalls, a_dry_wall_falls_at_the_tilt_of_its_thickness_over_its_height) {
+  const int courses = 5;
+  ModelSpec spec = wall(courses, false);
+  StageSpec tilt;
+  tilt.name = "tilt";
+  tilt.kind = StageKind::kTilt;
+  tilt.along = {0, 0, 1};
+  tilt.tilt_rate = 0.02;
+  tilt.tilt_until = 0.6;
+  spec.stage.push_back(tilt);
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  const Result result = solve(model, state, {});
+  EXPECT_EQ(result.status, SolveStatus::kCollapsed);
+  verify({"SP23", "dry wall tilted out of its plane: tangent at collapse", "-",
+          kThick / (courses * kCourse), 2e-2, "joints give; the servo stops short"},
+         result.load_factor);
+}
+
+// --- a wall of half units with a hole, pushed in its plane beyond its peak: prisms free in space, equal points
+
+TEST(SpaceWalls, prisms_pushed_in_their_plane_crack_as_the_plane_wall_does) {
+  ModelSpec plane = scenes::half_units({}, scenes::paper_joint());
+  plane.solve.points_per_face = 2;
+  plane.solve.point_rule = PointRule::kCorners;
+  StageSpec push = scenes::push_stage("r6c0", Direction::kPlusX, 0.01, 2e-3);
+  push.damping = 0.2;
+  plane.stage = {scenes::gravity_stage(), push};
+  const auto peak = [](const ModelSpec& spec) {
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    const Result result = solve(model, state, {});
+    EXPECT_EQ(result.status, SolveStatus::kCompleted) << result.reason;
+    EXPECT_GT(result.energy.fracture, 0);
+    double most = 0;
+    for (const CurveRow& row : result.curve) most = std::max(most, row.reaction);
+    return most;
+  };
+  verify({"SP25", "wall of prisms pushed in its plane: largest force of the plane engine", "N",
+          peak(plane), 5e-3, "the same points; another step"},
+         peak(scenes::prisms(plane)));
+}
+
+// --- the faces that two cubes share, by the coordinates of another code's cases of detection
+
+TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
+  struct Case {
+    const char* what;
+    double turn;   // about the upright axis
+    double along;  // and shifted along both level axes
+    std::size_t corners;
+    double area;
+  };
+  const double a = 0.6, half = 0.3;
+  // a square turned by 45 degrees over its equal leaves a regular octagon: area a^2 (2 sqrt 2 - 2)
+  for (const Case& c :
+       {Case{"aligned", 0, 0, 4, a * a}, Case{"half over", 0, 0.15, 4, 0.45 * 0.45},
+        Case{"turned by 45 degrees", M_PI / 4, 0, 8, a * a * (2 * std::sqrt(2.0) - 2)}}) {
+    BodySpec upper = box("upper", {-half, half, -half}, {a, a, a});
+    const Frame frame =
+        Frame::turned(std::cos(c.turn / 2), 0, std::sin(c.turn / 2), 0, {c.along, 0, c.along});
+    FaultList faults;
+    const geometry::SpaceAssembly assembly = geometry::assemble(
+        {box("lower", {-half, -half, -half}, {a, a, a}, true), frame.body(upper)}, faults);
+    ASSERT_EQ(assembly.faces.size(), 1u) << c.what;
+    EXPECT_EQ(assembly.faces[0].polygon.size(), c.corners) << c.what;
+    verify(
+        {"SP24", std::string("face of two cubes, ") + c.what, "m^2", c.area, 1e-12, "exact clip"},
+        assembly.faces[0].area);
+  }
+  // a cube on two feet has two faces
+  FaultList faults;
+  const geometry::SpaceAssembly feet =
+      geometry::assemble({box("left", {-0.3, -0.2, 0}, {0.2, 0.2, 0.6}, true),
+                          box("right", {0.1, -0.2, 0}, {0.2, 0.2, 0.6}, true),
+                          box("top", {-0.3, 0, 0}, {0.6, 0.6, 0.6})},
+                         faults);
+  EXPECT_EQ(feet.faces.size(), 2u);
+  // edge on face, corner on face, edge on edge: no face in common, so no joint
+  for (const Frame& frame : {Frame::turned(std::cos(M_PI / 8), 0, 0, std::sin(M_PI / 8)),
+                             Frame::turned(0.9, 0.3, 0.1, 0.3)}) {
+    BodySpec tip = frame.body(box("tip", {-half, -half, -half}, {a, a, a}));
+    double low = 1e300;
+    for (const Vec3& v : tip.part[0].vertex) low = std::min(low, v.y);
+    for (Vec3& v : tip.part[0].vertex) v.y += 0 - low;
+    FaultList none;
+    const geometry::SpaceAssembly touching =
+        geometry::assemble({box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true), tip}, none);
+    EXPECT_EQ(touching.faces.size(), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace wythe
