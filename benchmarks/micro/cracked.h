@@ -12,7 +12,7 @@
 namespace wythe::bench {
 
 struct Cracked {
-  Cracked();
+  explicit Cracked(const std::vector<std::string>& more = {});
   [[nodiscard]] BareStart bare() const;
   [[nodiscard]] const Stage& push() const { return model.stages.back(); }
 
@@ -25,6 +25,9 @@ struct Cracked {
 };
 // Made at the first call.
 [[nodiscard]] const Cracked& cracked();
+// The same wall with a field that does not scatter: every joint has a law of its own, and the bits are those of
+// cracked().
+[[nodiscard]] const Cracked& graded();
 
 // Largest difference between a bare kernel's state after 200 steps and the engine's, each array (and
 // the ledger) relative to its largest value. Rounding alone makes 1e-11.

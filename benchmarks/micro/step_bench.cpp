@@ -86,28 +86,28 @@ void bare_joints(benchmark::State& bench, const BareKernels& kernels) {
   report(bench, cracked().model.n_point(), cost);
 }
 
-dynamics::Controls push_controls() {
+dynamics::Controls push_controls(const Cracked& wall) {
   dynamics::Controls controls;
-  controls.dt = cracked().dt;
+  controls.dt = wall.dt;
   controls.damping = 0.2;
-  controls.push = &cracked().push();
+  controls.push = &wall.push();
   return controls;
 }
 
-void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels& kernels) {
-  const Cracked& wall = cracked();
+void engine_joints(benchmark::State& bench, int threads, const dynamics::Kernels& kernels,
+                   const Cracked& wall = cracked()) {
   State s = wall.state;
   dynamics::Processor processor(wall.model, 1, threads, kernels);
   processor.put(0, wall.model, s);
   processor.access(0)->choose_driven(wall.push().driven);
-  processor.set(0, push_controls());
+  processor.set(0, push_controls(wall));
   for (auto _ : bench) processor.step();
   report(bench, wall.model.n_point(), engine_cost(1));
 }
 
 // Walls side by side: the same wall in every lane; where there are several sets, in turn.
-void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
-  const Cracked& wall = cracked();
+void engine_walls(benchmark::State& bench, int lanes, std::size_t sets,
+                  const Cracked& wall = cracked()) {
   std::vector<State> states(sets * static_cast<std::size_t>(lanes), wall.state);
   std::vector<std::unique_ptr<dynamics::Processor>> processors;
   for (std::size_t set = 0; set < sets; ++set) {
@@ -117,7 +117,7 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets) {
       processor.put(lane, wall.model,
                     states[set * static_cast<std::size_t>(lanes) + static_cast<std::size_t>(lane)]);
       processor.access(lane)->choose_driven(wall.push().driven);
-      processor.set(lane, push_controls());
+      processor.set(lane, push_controls(wall));
     }
   }
   for (auto _ : bench)
@@ -214,6 +214,9 @@ void add_all() {
   }
   add("engine_space_large",
       [](auto& b) { engine_space(b, large_wall(), 1, *dynamics::space::kernels_here().back()); });
+  // each joint with a law of its own
+  add("graded_joints", [](auto& b) { engine_joints(b, 1, dynamics::kernels_in_use(), graded()); });
+  add("graded_walls/4", [](auto& b) { engine_walls(b, 4, 1, graded()); });
   // two threads: within a wall; each its own walls
   const BareKernels* widest = bare_here().back();
   const int lanes = dynamics::kernels_in_use().width;

@@ -76,25 +76,27 @@ struct LawConstants {
   Real tan_lift, inv_lift_slip, inv_lift_stress;  // dilatancy: tan psi, where it has faded
   LawChoice choice;
 };
-// Its numbers, in order: how they are copied, and laid out for walls side by side.
+// Its numbers, in order: how they are copied, and laid out for walls side by side. First those that strengths,
+// cohesions and their energies make, which a field varies most; of both parts first what a closed point at
+// rest asks for, so that little memory is read.
 template <class Real, class C = LawConstants<Real>>
-inline constexpr std::array kConstants{&C::kn,
-                                       &C::ks,
-                                       &C::inv_ks,
-                                       &C::inv_kn,
-                                       &C::ft,
-                                       &C::w0,
-                                       &C::ft_over_GI,
-                                       &C::tension_onset,
+inline constexpr std::array kConstants{&C::tension_onset,
                                        &C::tension_rate,
                                        &C::c_res,
                                        &C::c_drop,
+                                       &C::half_inv_GII,
+                                       &C::ft,
+                                       &C::w0,
+                                       &C::ft_over_GI,
+                                       &C::kn,
+                                       &C::ks,
+                                       &C::fc,
+                                       &C::inv_p_full,
                                        &C::tan_res,
                                        &C::tan_drop,
-                                       &C::half_inv_GII,
-                                       &C::fc,
+                                       &C::inv_kn,
+                                       &C::inv_ks,
                                        &C::p_full,
-                                       &C::inv_p_full,
                                        &C::crush_gain,
                                        &C::root_css,
                                        &C::css_ks,
@@ -105,6 +107,8 @@ inline constexpr std::array kConstants{&C::kn,
                                        &C::tan_lift,
                                        &C::inv_lift_slip,
                                        &C::inv_lift_stress};
+inline constexpr int kStrengths = 8;
+static_assert(kConstants<double>[kStrengths] == &LawConstants<double>::kn);
 
 // Committed history of a point; the only memory of the law.
 template <class Real>

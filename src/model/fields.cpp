@@ -9,6 +9,8 @@
 namespace wythe {
 namespace {
 
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
 void add(Hash& hash, const std::vector<double>& numbers) { hash.add(numbers); }
 void add(Hash& hash, const std::vector<std::int32_t>& ids) {
   hash.add(ids.data(), ids.size() * sizeof(std::int32_t));
@@ -51,6 +53,19 @@ std::string state_hash(const State& s) {
   return hash.text();
 }
 
+bool varies_beyond_strengths(const Model& model, std::int32_t stated) {
+  const auto base = contact::constants_of(model.materials[at(stated)]);
+  const auto differs = [&](std::int32_t other) {
+    const auto law = contact::constants_of(model.materials[at(other)]);
+    return std::any_of(contact::kConstants<double>.begin() + contact::kStrengths,
+                       contact::kConstants<double>.end(),
+                       [&](auto number) { return law.*number != base.*number; });
+  };
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.stated_material.size()); ++i)
+    if (i != stated && model.stated(i) == stated && differs(i)) return true;
+  return false;
+}
+
 std::uint64_t topology_of(const Model& model) {
   Hash hash;
   for (const int count : {model.n_block, model.n_pair, model.n_face_point})
@@ -63,6 +78,8 @@ std::uint64_t topology_of(const Model& model) {
       hash.add(static_cast<double>(word));
   }
   if (model.in_space()) hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.stated_material.size()); ++i)
+    if (model.stated(i) == i) hash.add(varies_beyond_strengths(model, i) ? 1.0 : 0.0);
   each_model_field(model, [&](const auto& array, Entity, Shared shared, auto name, auto) {
     if (shared != Shared::kTopology) return;
     hash.add(std::string_view(name));

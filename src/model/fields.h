@@ -230,8 +230,12 @@ void each_model_field(M& m, const Visit& visit) {
 }
 
 // Names what walls must share to be stepped side by side: a hash over the kTopology fields, the number
-// of stages, and the laws that materials follow (not their strengths). compile() keeps it in
+// of stages, the laws that materials follow (not their strengths), and which of them a field varies beyond
+// their strengths. compile() keeps it in
 // Model::topology.
 [[nodiscard]] std::uint64_t topology_of(const Model& model);
+
+// Whether joints of one stated material differ in more than the first contact::kStrengths numbers of their law.
+[[nodiscard]] bool varies_beyond_strengths(const Model& model, std::int32_t stated);
 
 }  // namespace wythe

@@ -11,6 +11,8 @@
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "study/store/record_rows.h"
+#include "wythe/solve.h"
+#include "wythe/study.h"
 
 namespace wythe {
 namespace {
@@ -164,6 +166,31 @@ TEST(Fields, a_topology_is_named_by_what_walls_share_and_by_nothing_else) {
   other = model;
   other.materials.front().tensile_strength *= 2;
   EXPECT_EQ(topology_of(other), model.topology);
+}
+
+// Walls whose fields vary strengths alone keep the other numbers of the law once; so they and walls whose fields
+// vary stiffness too cannot be stepped side by side. Each kind keeps its own numbers, joint by joint.
+TEST(Fields, a_topology_tells_whether_fields_vary_more_than_strengths) {
+  const auto model_with = [](bool stiffness) {
+    ModelSpec spec = scenes::with_fields(scenes::plain_wall(6, 6, 1e-4, 0.02), 3);
+    if (!stiffness) {
+      spec.field.erase("kn");
+      draw_fields(spec);
+    }
+    return compile(spec);
+  };
+  const Model strengths = model_with(false), both = model_with(true);
+  EXPECT_NE(strengths.topology, both.topology);
+  for (const auto& [model, varies] : {std::pair(&strengths, false), {&both, true}}) {
+    int fields = 0;
+    for (int i = 0; i < static_cast<int>(model->materials.size()); ++i)
+      if (model->stated(i) == i && varies_beyond_strengths(*model, i)) ++fields;
+    EXPECT_EQ(fields > 0, varies);
+    Model apart = *model;  // as if each joint had been given a material of its own
+    apart.stated_material.clear();
+    State one = initial_state(*model), other = one;
+    EXPECT_EQ(solve(*model, one, {}).state_hash, solve(apart, other, {}).state_hash);
+  }
 }
 
 }  // namespace

@@ -189,16 +189,18 @@ struct WallLanes {
   WYTHE_INLINE void keep_sum(Real s, double* term, int k) const { L::store(s, term + k * walls()); }
 };
 
-// The numbers of a law, entry `entry` of those from `law` on. What a way through the law does not ask for
-// is not loaded.
+// The numbers of a law: strengths from one row of the table on, the others from another. What a way through
+// the law does not ask for is not loaded.
 template <class Access>
 [[nodiscard]] WYTHE_INLINE contact::LawConstants<typename Access::Real> law_of(
-    Access access, const double* law, std::ptrdiff_t entry, const contact::LawChoice& choice) {
+    Access access, const double* law, std::ptrdiff_t strengths, std::ptrdiff_t others,
+    const contact::LawChoice& choice) {
   using Real = typename Access::Real;
   contact::LawConstants<Real> m;
   for_each_part<kLawRows>([&](auto k) __attribute__((always_inline)) {
-    constexpr auto member = contact::kConstants<Real>[decltype(k)::value];
-    m.*member = access.own(law, entry * kLawRows + k);
+    constexpr int row = decltype(k)::value;
+    constexpr auto member = contact::kConstants<Real>[row];
+    m.*member = access.own(law, row < kStrengths ? strengths + row : others + row - kStrengths);
   });
   m.choice = choice;
   return m;

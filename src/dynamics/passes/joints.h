@@ -72,9 +72,9 @@ template <class Access>
 struct FaceRun {
   using Real = typename Access::Real;
   Access access;
-  const double* law;      // table of laws (tables.h)
-  std::ptrdiff_t entry;   // of the run, in it
-  std::ptrdiff_t graded;  // 1 where each spot has an entry of its own, else 0
+  const double* law;                           // table of laws (tables.h)
+  std::ptrdiff_t strengths, others;            // first rows of the run, in it
+  std::ptrdiff_t strengths_each, others_each;  // rows of a spot's own, 0 where all have the same
   contact::LawChoice choice;
   const double *xi, *weight;  // of the points of a face
   double* history;            // from the run's first spot on
@@ -83,7 +83,8 @@ struct FaceRun {
   int points;
 
   [[nodiscard]] WYTHE_INLINE contact::LawConstants<Real> law_at(std::ptrdiff_t spot) const {
-    return law_of(access, law, entry + graded * (spot - begin), choice);
+    const std::ptrdiff_t k = spot - begin;
+    return law_of(access, law, strengths + strengths_each * k, others + others_each * k, choice);
   }
 };
 template <class Access>
@@ -91,8 +92,10 @@ template <class Access>
                                                     const Chunk& chunk, std::uint8_t* way) {
   return {access,
           t.law,
-          chunk.law,
-          chunk.graded ? 1 : 0,
+          chunk.strengths,
+          chunk.others,
+          chunk.graded ? kStrengths : 0,
+          chunk.graded_others ? kOthers : 0,
           chunk.choice,
           t.point_xi + chunk.rule,
           t.point_weight + chunk.rule,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
+#include "model/fields.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -50,16 +51,20 @@ void place_points(std::vector<Chunk>& chunks, std::int32_t& numbers) {
 }
 
 // The laws of chunks, one behind the other.
-void place_laws(std::vector<Chunk>& chunks, std::int32_t& entries) {
+void place_laws(std::vector<Chunk>& chunks, std::int32_t& rows) {
   for (Chunk& chunk : chunks) {
-    chunk.law = entries;
-    entries += chunk.graded ? chunk.end - chunk.begin : 1;
+    const std::int32_t groups = chunk.end - chunk.begin;
+    chunk.strengths = rows;
+    rows += (chunk.graded ? groups : 1) * kStrengths;
+    chunk.others = rows;
+    rows += (chunk.graded_others ? groups : 1) * kOthers;
   }
 }
 
 void follow_law(const Model& m, std::int32_t material, Chunk& chunk) {
   chunk.material = m.stated(material);
   chunk.graded = chunk.material != material;
+  chunk.graded_others = chunk.graded && varies_beyond_strengths(m, chunk.material);
   chunk.choice = contact::choice_of(m.materials[at(material)]);
 }
 

@@ -118,6 +118,7 @@ static_assert(kLinkDrawn + 1 == fields_of(Entity::kLink) &&
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
+inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
 // Numbers of a wall that every step brings along.
 enum WallRow { kDt, kDamping, kGravityX, kGravityY, kWallRows };
 
@@ -126,14 +127,16 @@ struct Chunk {
   std::int32_t begin = 0, end = 0;  // groups
   std::int32_t first = 0, n = 0;    // entities
   std::int32_t material = 0;        // of joints and edges, as stated; of zones their shape
-  std::int32_t law = 0;             // first entry in the table of laws
+  std::int32_t strengths = 0;       // first row of them in the table of laws
+  std::int32_t others = 0;          // the same of the law's other numbers
   std::int32_t points = 0;          // of a face
   std::int32_t rule = 0;            // where its points stand: into point_xi, point_weight
   std::int32_t rows = 0;            // of history that their law remembers
   std::int32_t history = 0;         // numbers of history before its first group, of one lane
   bool on_ground = false;
-  bool at_ends = false;  // two points, one at each end of the face
-  bool graded = false;   // each group has a law of its own (a field), not one for all
+  bool at_ends = false;        // two points, one at each end of the face
+  bool graded = false;         // each group has strengths of its own (a field), not all the same
+  bool graded_others = false;  // and other numbers
   contact::LawChoice choice;
 };
 
@@ -163,8 +166,8 @@ struct Tables {
   ZoneShape* shapes;
 
   // each wall its own
-  double* law;         // (entries, kLawRows): of a chunk one, or one a group where it is graded; of
-                       // neighbours a number a lane
+  double* law;         // of a chunk kStrengths rows and kOthers, or as many a group where they are
+                       // graded; of neighbours a number a lane
   double* block;       // (n_block, kBlockRows)
   double* cold;        // (n_block, kColdRows)
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
@@ -194,7 +197,7 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
-  std::int32_t laws = 0;  // entries
+  std::int32_t laws = 0;  // rows
   std::size_t entries = 0, edge_entries = 0;
 
   // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
@@ -205,8 +208,10 @@ struct Layout {
   // Number `k` of the law of entity n of a chunk of joints or edges.
   [[nodiscard]] std::ptrdiff_t law_number(const Chunk& chunk, int n, int k, int walls) const {
     const int group = kind == kWalls ? n : n / kGroup;
-    const std::ptrdiff_t entry = chunk.law + (chunk.graded ? group : 0);
-    const std::ptrdiff_t number = entry * kLawRows + k;
+    const std::ptrdiff_t number =
+        k < kStrengths
+            ? chunk.strengths + (chunk.graded ? group : 0) * kStrengths + k
+            : chunk.others + (chunk.graded_others ? group : 0) * kOthers + k - kStrengths;
     return kind == kWalls ? number * walls : number * kGroup + n % kGroup;
   }
   // Row `row` of point k of entity n of a chunk of joints or edges.
@@ -273,7 +278,7 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   visit(t.node_edge_begin, n(l.nodes) + 1);
   visit(t.node_edge_entry, m.solids.contact_entry.size());
   visit(t.shapes, m.solids.shapes.size());
-  own(t.law, n(l.laws) * kLawRows * (l.kind == Layout::kWalls ? 1 : kGroup));
+  own(t.law, n(l.laws) * (l.kind == Layout::kWalls ? 1 : kGroup));
   own(t.block, n(l.blocks) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.history, n(l.history));

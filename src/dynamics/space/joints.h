@@ -121,8 +121,9 @@ struct Joints {
   [[nodiscard]] WYTHE_INLINE contact::FaceLoad<Real> ask(std::ptrdiff_t j,
                                                          const contact::FaceGap<Real>& gap,
                                                          Work& work) const {
+    const std::ptrdiff_t step = chunk.graded ? (j - chunk.begin) * kLawRows : 0;
     const contact::LawConstants<Real> law =
-        law_of(access, t.law, chunk.law + (chunk.graded ? j - chunk.begin : 0), chunk.choice);
+        law_of(access, t.law, chunk.strengths + step, chunk.others + step, chunk.choice);
     const Real area = access.shared(t.face, j * kFaceRows + kFaceArea);
     const std::uint8_t way = access.marked(t.way, j);
     contact::FaceLoad<Real> sum;

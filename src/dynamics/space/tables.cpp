@@ -42,10 +42,11 @@ void cut_joints(const Model& m, Layout& l) {
     const std::int32_t spots = chunk.end - chunk.begin;
     chunk.history = l.history;
     chunk.rule = l.points;
-    chunk.law = l.laws;
+    chunk.strengths = l.laws;
+    chunk.others = l.laws + kStrengths;
     l.history += spots * chunk.points * chunk.rows;
     l.points += spots * chunk.points * kPointRows;
-    l.laws += chunk.graded ? spots : 1;
+    l.laws += (chunk.graded ? spots : 1) * kLawRows;
     for (int k = 0; k < chunk.n; ++k) l.joint_place.push_back(chunk.begin * l.group() + k);
   }
   l.n_joint = l.joints.empty() ? 0 : l.joints.back().end * l.group();
@@ -87,7 +88,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.block_middle, blocks);
   to.take(t.block_entry, m.block_entry.size());
   to.take(t.special, blocks);
-  to.take(t.law, at(l.laws) * kLawRows * group * walls);
+  to.take(t.law, at(l.laws) * group * walls);
   to.take(t.body, blocks * kBodyRows * walls);
   to.take(t.still, blocks * kStillRows * walls);
   to.take(t.history, at(l.history) * group * walls);

@@ -54,7 +54,7 @@ void put_laws(const WallView& w, const Model& m) {
       const contact::LawConstants<double> law =
           contact::constants_of(m.materials[at(m.joint_material[at(joint)])]);
       for (int k = 0; k < kLawRows; ++k) {
-        const std::ptrdiff_t number = (chunk.law + n / l.group()) * kLawRows + k;
+        const std::ptrdiff_t number = chunk.strengths + n / l.group() * kLawRows + k;
         const std::ptrdiff_t place =
             l.grouped() ? number * kGroup + n % kGroup : number * w.t.lanes;
         w.t.law[place + w.lane] = law.*contact::kConstants<double>[at(k)];
