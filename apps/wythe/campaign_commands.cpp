@@ -119,6 +119,7 @@ Statistics write_files(const std::string& folder, const Campaign& campaign,
   write_text(results.path() + "/samples.csv", samples_csv(campaign));
   Statistics statistics = statistics_of(campaign);
   const ModelSpec base = model_builder(campaign.study)({});
+  statistics.project = base.project;
   if (is_asked(base.assessment))
     statistics.assessment = assess_campaign(campaign, base, compile(base));
   write_text(results.path() + "/statistics.json", statistics_json(statistics));

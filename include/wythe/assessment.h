@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/pushed_wall.h"
 #include "wythe/result.h"
 #include "wythe/wall_spec.h"
 
@@ -89,12 +90,6 @@ struct SpectralDemand {
 
 // --- mass and shape ----------------------------------------------------------------------------------
 
-// A part of the moving mass and the share of the control displacement that it goes.
-struct MovingMass {
-  double mass = 0;    // [kg]
-  double height = 0;  // above the wall's lowest point [m]
-  double shape = 0;   // Phi [-]
-};
 struct MassAndShape {
   double blocks = 0, loads = 0, added = 0;  // mass by where it comes from [kg]
   double participating = 0;                 // m* = sum m Phi [kg]
@@ -103,9 +98,9 @@ struct MassAndShape {
   double read_at = kUnset;                  // displacement of that state [m]
   [[nodiscard]] double total() const { return blocks + loads + added; }
 };
-// Phi as the wall stood when its control displacement was `displacement`, between the states kept.
-[[nodiscard]] MassAndShape mass_and_shape(const AssessmentSpec& spec, const Model& model,
-                                          const Result& result, double displacement);
+// Phi as the wall stood when its control displacement was `displacement`, straight between the states
+// read; `read_at` is NaN where they do not reach so far.
+[[nodiscard]] MassAndShape mass_and_shape(const PushedWall& wall, double displacement);
 // Phi grows with height, 1 where the curve's displacement is of.
 [[nodiscard]] MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& model);
 
@@ -165,16 +160,6 @@ struct CodeAssessment {
 };
 
 // What is judged of a push: of a run or of a stored sample.
-struct DriftPoint {
-  double displacement = 0;  // of the curve [m]
-  double drift = 0;         // largest of the storeys [-]
-};
-// Drift across one pier's clear height while the wall was pushed, and how it fails.
-struct PierDrift {
-  std::string mark;                // "P2"
-  std::string mechanism;           // "shear", "flexure", "": not known
-  std::vector<DriftPoint> drifts;  // ascending by displacement
-};
 struct JudgedPush {
   SolveStatus status = SolveStatus::kCompleted;
   StageKind curve_of = StageKind::kPush;
@@ -207,6 +192,9 @@ struct CampaignAssessment;  // wythe/statistics.h
 [[nodiscard]] Message sentence_of(const CampaignAssessment& assessment);
 
 [[nodiscard]] inline bool is_asked(const AssessmentSpec& spec) { return !spec.code.empty(); }
+// What the assessment reads of the states of a run, once; with the masses that `spec` asks to count.
+[[nodiscard]] PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model,
+                                          const Result& result);
 // Of a run, with what its model file asks for.
 [[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
                                         const Result& result);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "wythe/pushed_wall.h"
 #include "wythe/result.h"
 #include "wythe/study.h"
 
@@ -35,6 +36,10 @@ struct SampleRecord {
   EnergyLedger energy;
   RateVerdict quasi_static;
   std::vector<CurveRow> curve;
+  // Of what an assessment asks beside these; read where the model asks for one.
+  PushedWall pushed;
+  std::vector<RisePoint> rise;
+  double overlap_lost = kUnset;  // Validity::overlap_lost [m]
   std::int64_t steps = 0;
   double time_step = 0;     // [s]
   double wall_seconds = 0;  // run time on the clock; not in samples.csv, since it is no result
@@ -117,6 +122,7 @@ struct SampleRun {
   Model model;
   Result result;
   bool retried = false;
+  PushedWall pushed;  // where an assessment is asked for
 };
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                                    const ModelBuilder& build, const SolveOptions& options);

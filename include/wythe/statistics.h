@@ -329,7 +329,10 @@ struct CampaignAssessment {
   std::vector<Message> notes;
   std::vector<PgaFragility> fragility;  // of each limit state; empty without a spectrum
 };
-// Of all samples that ran; `model` is that of `base`, the study's base model.
+// Of one sample that ran; `model` is that of `base`, the study's base model.
+[[nodiscard]] CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
+                                           const Model& model);
+// Of all samples that ran.
 [[nodiscard]] CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
                                                  const Model& model);
 
@@ -365,6 +368,7 @@ struct Statistics {
   std::vector<Measuring> measuring;  // by response, the best first
   std::vector<SurrogateIndices> surrogate_indices;
   CampaignAssessment assessment;  // where the model asks for one; set by assess_campaign()
+  ProjectSpec project;            // of the base model; set by who has it
 };
 
 // A sample counts when its push was completed or ended by collapse and left a curve; all others are

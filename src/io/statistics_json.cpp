@@ -396,6 +396,7 @@ std::string statistics_json(const Statistics& s) {
   json["mode_against_input"] = modes_json(s);
   json["fragility"] = fragility_json(s);
   if (is_asked(s.assessment.spec)) json["assessment"] = assessment_json(s.assessment);
+  add_project(json, s.project);
   json["measuring"] = measuring_json(s);
   json["surrogate_indices"] = surrogate_json(s);
   json["running"] = running_json(s);

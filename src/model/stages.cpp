@@ -296,7 +296,11 @@ class StageCompiler {
   void set_pattern(Stage& stage) {
     const bool all = stage.spec.pattern == Pattern::kMass;
     std::vector<Level> levels = all ? every_block() : levels_of(stage);
-    const auto weighs = [&](std::size_t b) { return mass_of(b) + (all ? floor_mass_on(b) : 0.0); };
+    const std::vector<double> zones = zone_mass_on_blocks();
+    const auto weighs = [&](std::size_t b) {
+      if (!all) return mass_of(b);
+      return mass_of(b) + floor_mass_on(b) + zones[static_cast<std::size_t>(map_[b])];
+    };
     std::vector<double> force;  // of each driven block
     double total = 0, height = 0;
     for (const Level& level : levels) {
@@ -326,8 +330,34 @@ class StageCompiler {
     return floors_lie_ && model_.solve.gravity > 0 ? weight / model_.solve.gravity : 0.0;
   }
 
-  // All rigid blocks as one level: every block by its own mass and that of floors on it. Bodies of
-  // zones take no share.
+  // Loads and pushes act on rigid blocks: the mass of a body of zones goes to those that it touches, by the
+  // areas of its contacts, which hand its force on [kg] (n_block).
+  [[nodiscard]] std::vector<double> zone_mass_on_blocks() const {
+    const Solids& s = model_.solids;
+    std::vector<double> on(static_cast<std::size_t>(model_.n_block) + 1, 0.0);  // the ground last
+    for (const SolidBody& body : s.bodies) {
+      const auto is_of = [&](std::int32_t node) {
+        return node >= body.first_node && node < body.first_node + body.n_node;
+      };
+      double area = 0;
+      for (std::size_t c = 0; c < s.contact_p.size(); ++c)
+        if (is_of(s.contact_p[c])) area += s.contact_area[c];
+      for (std::size_t c = 0; c < s.contact_p.size(); ++c)
+        if (is_of(s.contact_p[c]))
+          on[static_cast<std::size_t>(s.contact_block[c])] +=
+              mass_of_zones(body) * s.contact_area[c] / area;
+    }
+    return on;
+  }
+  [[nodiscard]] double mass_of_zones(const SolidBody& body) const {
+    double mass = 0;
+    for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
+      mass += model_.solids.node_heavy_mass[static_cast<std::size_t>(node)];
+    return mass;
+  }
+
+  // All rigid blocks as one level: every block by its own mass, that of floors on it, and that of zones
+  // beside it.
   [[nodiscard]] std::vector<Level> every_block() const {
     Level all;
     all.share = 1;
@@ -394,6 +424,8 @@ class StageCompiler {
     };
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
       if (map_[b] != kGroundBlock) add(mass_of(b), centroid_of(b).y - bottom);
+    for (const SolidBody& body : model_.solids.bodies)
+      add(mass_of_zones(body), 0.5 * (body.y0 + body.y1) - bottom);
     if (!(model_.solve.gravity > 0)) return;
     for (const Stage& before : model_.stages)
       for (const PointLoad& load : before.loads)

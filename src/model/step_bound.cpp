@@ -244,10 +244,12 @@ void bound_step(Model& m) {
     int raised = 0;
     const double added = raise_light_inertia(m, bound, raised);
     const double all = std::accumulate(m.mass.begin(), m.mass.end(), 0.0);
+    const double of_wall = added / (all - added);
     if (raised > 0)
-      m.anatomy.notes.push_back(
-          {raised == 1 ? "inertia.block_raised" : "inertia.blocks_raised",
-           {{"blocks", raised}, {"of_wall_percent", 100 * added / (all - added)}}});
+      m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.blocks_drag"
+                                 : raised == 1   ? "inertia.block_raised"
+                                                 : "inertia.blocks_raised",
+                                 {{"blocks", raised}, {"of_wall_percent", 100 * of_wall}}});
   }
   if (!bound.empty()) bound_links(m, zones, bound);
   double blocks = 0;

@@ -26,6 +26,11 @@ std::string words_in(const Json& json, const char* key) {
   const Json& value = member(json, key);
   return value.is_string() ? value.get<std::string>() : "";
 }
+// What the engine says, in the page's language; one text is the same in all.
+std::string said_in(const Texts& texts, const Json& json, const char* key) {
+  const Json& said = member(json, key);
+  return said.is_array() ? said.at(texts.place()).get<std::string>() : words_in(json, key);
+}
 
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
 // What makes the numbers doubtful; it comes before any of them. Mild: they may still be used.
@@ -282,10 +287,8 @@ class RunHeadline {
     return texts_.say("parts.damaged", {{"list", list}});
   }
 
-  // What the engine says, in the page's language; one text is the same in all.
   [[nodiscard]] std::string said_in(const Json& json, const char* key) const {
-    const Json& texts = member(json, key);
-    return texts.is_array() ? texts.at(texts_.place()).get<std::string>() : words_in(json, key);
+    return report::said_in(texts_, json, key);
   }
 
   const Json& header_;
@@ -308,7 +311,7 @@ class CampaignHeadline {
       return texts_.say("campaign.no_answer", {{"run", std::to_string(count("run"))}});
     if (without_force_ == count("answered"))
       return cautions() + texts_.say("campaign.no_capacity") + fails();
-    return cautions() + strong() + far() + fails();
+    return cautions() + strong() + far() + fails() + assessed();
   }
 
   [[nodiscard]] std::string warning() const {
@@ -446,6 +449,11 @@ class CampaignHeadline {
     const char* several = is_far_bound() ? "campaign.far.bound" : "campaign.far";
     return " " + texts_.say(n > 1 ? several : "campaign.far.one",
                             {{"mean", bold(texts_.quantity(mean_80(), "mm"))}, {"drift", drift}});
+  }
+  // What a code says of them, where it was asked.
+  [[nodiscard]] std::string assessed() const {
+    const std::string words = said_in(texts_, member(s_, "assessment"), "sentence");
+    return words.empty() ? "" : " " + report::sentence(words);
   }
   [[nodiscard]] std::string fails() const {
     std::vector<std::pair<int, std::string>> counts;

@@ -13,6 +13,7 @@ KINDS = {"pier": ["model.toml"], "portal": ["model.toml"], "facade": ["model.tom
          "study": ["study.toml", "model.toml"]}
 # Enough of each example to see that it goes all the way: a push of half a millimetre.
 SHORT = {"brick_pier": ["--set", "stage.push.until=0.5 mm"], "brick_portal": ["--set", "stage.push.until=0.5 mm"],
+         "ring_beam": ["--set", "stage.push.until=0.5 mm"],
          "brick_facade": ["--set", "stage.push.until=0.2 mm", "--set", "stage.push.velocity=20 mm/s",
                           "--set", "stage.push.fast_velocity=20 mm/s"],
          "arch": ["--set", "stage.push.until=0.5 mm"],

@@ -2,9 +2,12 @@
 // mass and spectrum.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "scenes/small_study.h"
 #include "unit/assessed_wall.h"
+#include "wythe/campaign.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -144,7 +147,206 @@ TEST(Assessment, with_mass_of_floors_that_nothing_counts_is_not_signed) {
   EXPECT_FALSE(cautioned("load = \"10 kN/m\"\n", 0));
 }
 
-// Samples keep no motions, so the drift of their piers is not known; of one pier it is that of the wall.
+// --- samples with drifts of their own
+
+// Two piers beside a door, their mortar random.
+StudySpec facade_study(int samples) {
+  const std::string model = R"([wall]
+length = "1.6 m"
+height = "1.0 m"
+thickness = "0.2 m"
+[wall.unit]
+length = "200 mm"
+height = "100 mm"
+split = "none"
+density = "2000 kg/m^3"
+[[wall.opening]]
+x = "0.6 m"
+y = "0 m"
+width = "0.4 m"
+height = "0.6 m"
+[material.joint]
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+tensile_strength = "0.1 MPa"
+cohesion = "0.1 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+mode_1_energy = "4 N/m"
+mode_2_energy = "40 N/m"
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "floor"
+pressure = "0.1 MPa"
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "0.95 m" }
+velocity = "4 mm/s"
+damping = 0.1
+until = "10 mm"
+[output]
+rows = 200
+[assessment]
+code = "circolare_2019"
+limit_state = "near_collapse"
+added_mass = "900 kg"
+added_height = "0.8 m"
+[assessment.spectrum]
+kind = "en1998"
+ground_acceleration = "2 m/s^2"
+ground = "B"
+)";
+  return parse_study("[study]\nname = \"facade\"\nmodel = \"facade.toml\"\nmodel_text = '''\n" +
+                         model + "'''\nsamples = " + std::to_string(samples) +
+                         "\nseed = 5\n[variable.ft]\npath = "
+                         "\"material.joint.tensile_strength\"\nunit = \"MPa\"\n"
+                         "distribution = \"uniform\"\nlow = \"0.08 MPa\"\n"
+                         "high = \"0.16 MPa\"\n",
+                     "facade_study.toml");
+}
+
+// A store and its base model.
+struct Facade {
+  explicit Facade(const std::string& folder, int samples = 4) : study(facade_study(samples)) {
+    run_campaign(study, model_builder(study), folder, {.jobs = 2});
+    campaign = read_campaign(folder);
+    base = model_builder(study)({});
+    model = compile(base);
+  }
+  StudySpec study;
+  Campaign campaign;
+  ModelSpec base;
+  Model model;
+};
+
+TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
+  const scenes::TemporaryFolder folder;
+  const Facade f(folder / "out");
+  ASSERT_EQ(f.campaign.records.size(), 4U);
+  std::vector<double> accelerations;
+  SolveOptions options;
+  options.frames = 40;
+  for (const SampleRecord& record : f.campaign.records) {
+    const SampleRun run =
+        run_sample(f.study, f.campaign.samples, record.sample, model_builder(f.study), options);
+    ASSERT_GE(run.pushed.piers.size(), 2U);
+    // as `wythe run` of this sample says, with its frames
+    const CodeAssessment own = assess_run(run.spec, run.model, run.result),
+                         stored = assess_sample(record, f.base, f.model);
+    ASSERT_TRUE(own.reason.empty()) << text_of(own.reason);
+    EXPECT_EQ(text_of(stored.sentence), text_of(own.sentence));
+    EXPECT_EQ(stored.mass.participating, own.mass.participating);
+    EXPECT_EQ(stored.mass.participation, own.mass.participation);
+    EXPECT_FALSE(stored.mass.is_linear);
+    ASSERT_EQ(stored.limit_states.size(), own.limit_states.size());
+    for (std::size_t k = 0; k < own.limit_states.size(); ++k) {
+      const LimitStateCheck &a = own.limit_states[k], &b = stored.limit_states[k];
+      EXPECT_EQ(b.displacement, a.displacement);
+      EXPECT_EQ(b.acceleration, a.acceleration);
+      EXPECT_EQ(b.governing, a.governing);
+      EXPECT_EQ(b.at_least, a.at_least);
+      ASSERT_EQ(b.criteria.size(), a.criteria.size());
+      for (std::size_t c = 0; c < a.criteria.size(); ++c)
+        EXPECT_EQ(b.criteria[c].displacement, a.criteria[c].displacement);
+      if (a.is_asked && !a.at_least) accelerations.push_back(a.acceleration);
+    }
+  }
+  const CampaignAssessment all = assess_campaign(f.campaign, f.base, f.model);
+  EXPECT_EQ(all.answered, 4);
+  for (const Message& say : cautions_of(all)) EXPECT_NE(say.code, "assessment.caution.whole_drift");
+  std::sort(accelerations.begin(), accelerations.end());
+  std::vector<double> points;
+  for (const PgaFragility& of : all.fragility)
+    for (const ExceedancePoint& p : of.point)
+      if (of.is_checked) points.push_back(p.value);
+  for (const double a : accelerations)
+    EXPECT_NE(std::find(points.begin(), points.end(), a), points.end()) << a;
+  EXPECT_FALSE(accelerations.empty());
+}
+
+// What ends a wall is its weakest pier, not its mean: a pier that drifts more lowers the answer, and one
+// that never reaches its limit makes it a bound.
+TEST(CampaignAssessment, follows_the_drift_of_each_pier) {
+  const scenes::TemporaryFolder folder;
+  const Facade f(folder / "out", 2);
+  SampleRecord record = f.campaign.records.front();
+  record.failure_mode.elements.clear();  // mechanisms are not known: the lesser limit
+  record.responses.censored_80 = true;   // the fall of the force ends nothing
+  record.responses.displacement_at_80 = record.curve.back().displacement;
+  const auto scaled = [&](double drift) {
+    SampleRecord other = record;
+    for (PierDrift& pier : other.pushed.piers)
+      for (DriftPoint& at : pier.drifts) at.drift = drift * at.displacement;
+    return *assess_sample(other, f.base, f.model).asked();
+  };
+  const LimitStateCheck early = scaled(2), late = scaled(1), never = scaled(1e-3);
+  EXPECT_FALSE(early.at_least);
+  EXPECT_NEAR(early.displacement, 2.5e-3, 1e-9);
+  EXPECT_NEAR(late.displacement, 5e-3, 1e-9);
+  EXPECT_TRUE(never.at_least);
+  EXPECT_LT(early.acceleration, late.acceleration);
+}
+
+TEST(CampaignAssessment, of_an_older_store_is_not_signed_for_what_it_did_not_keep) {
+  const scenes::TemporaryFolder folder;
+  Facade f(folder / "out", 2);
+  f.campaign.records.back().pushed = {};  // one is enough
+  const CampaignAssessment a = assess_campaign(f.campaign, f.base, f.model);
+  EXPECT_EQ(a.doubtful, a.answered);
+  EXPECT_EQ(text_of(sentence_of(a)).find("not to be signed: drifts of the samples"), 0U)
+      << text_of(sentence_of(a));
+}
+
+// --- what a campaign must not vouch for
+
+// Walls that fell before the push, or failed in the computation, carry nothing; the others would speak for them.
+TEST(CampaignAssessment, is_not_signed_where_samples_were_lost) {
+  const ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  Campaign campaign = campaign_of(25);
+  EXPECT_TRUE(cautions_of(assess_campaign(campaign, base, model)).empty());
+  for (const char* status : {"collapsed", "unstable", "not_settled", "refused", "interrupted"}) {
+    Campaign other = campaign;
+    SampleRecord& lost = other.records.emplace_back();
+    lost.sample = 26, lost.status = status;
+    const CampaignAssessment a = assess_campaign(other, base, model);
+    EXPECT_EQ(a.without_answer, 1) << status;
+    EXPECT_EQ(a.doubtful, 25) << status;
+    EXPECT_TRUE(says(sentence_of(a), "not to be signed: 1 of 26 samples have no answer")) << status;
+  }
+  // one of very many is within the whole per cents that are told
+  Campaign many = campaign_of(200);
+  many.records.emplace_back().status = "unstable";
+  EXPECT_TRUE(cautions_of(assess_campaign(many, base, model)).empty());
+}
+
+TEST(CampaignAssessment, is_not_signed_for_a_median_that_no_sample_showed) {
+  const ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  Campaign campaign = campaign_of(30, 4e-3);  // ended early: bounds
+  const Campaign whole = campaign_of(30);
+  for (const int i : {3, 12, 20}) campaign.records[i] = whole.records[i];
+  const CampaignAssessment a = assess_campaign(campaign, base, model);
+  EXPECT_TRUE(says(sentence_of(a), "27 of 30 samples gave lower bounds alone"))
+      << text_of(sentence_of(a));
+  EXPECT_EQ(a.doubtful, 30);
+}
+
+// Pushes both ways are no capacity of one direction.
+TEST(CampaignAssessment, has_no_answer_for_samples_pushed_both_ways) {
+  const ModelSpec base = parse_model(wall_text(kAssessed), "wall.toml");
+  const Model model = compile(base);
+  Campaign campaign = campaign_of(25);
+  for (SampleRecord& record : campaign.records) record.responses.cyclic.sense = 1;
+  EXPECT_EQ(assess_campaign(campaign, base, model).answered, 0);
+  campaign.records.front().responses.cyclic.sense = 0;  // and some of each is not signed
+  EXPECT_TRUE(says(sentence_of(assess_campaign(campaign, base, model)), "24 of 25 samples"));
+}
+
+// Of an older store: the drift of its piers is not known; of one pier it is that of the wall.
 TEST(CampaignAssessment, of_more_than_one_pier_says_first_that_drifts_are_of_the_whole_wall) {
   const auto assessed = [](const std::string& openings) {
     std::string text = wall_text(kAssessed);

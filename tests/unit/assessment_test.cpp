@@ -424,11 +424,12 @@ TEST(CampaignAssessment,
   for (int i = 0; i < 30; i += 3) campaign.records[i] = early.records[i];
   const auto with_bounds = assess_campaign(campaign, base, model);
   EXPECT_EQ(asked_of(with_bounds).censored, 10);
-  for (const SampleRecord& record : rising.records) campaign.records.push_back(record);
   campaign.records[1].quasi_static.judgement = "too fast";
+  EXPECT_EQ(assess_campaign(campaign, base, model).doubtful, 1);
+  for (const SampleRecord& record : rising.records) campaign.records.push_back(record);
   const auto a = assess_campaign(campaign, base, model);
   EXPECT_EQ(a.without_answer, 3);
-  EXPECT_EQ(a.doubtful, 1);
+  EXPECT_EQ(a.doubtful, 30);  // 3 of 33 lost: none is to be signed
   EXPECT_EQ(asked_of(a).n, 30);
   EXPECT_EQ(asked_of(a).median.value, asked_of(with_bounds).median.value);
   // bounds alone tell no median

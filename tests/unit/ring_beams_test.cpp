@@ -453,6 +453,35 @@ TEST(RingBeam, and_steps_of_the_ground_have_no_macro_blocks_and_say_so_by_name) 
               {"wall.foundation", "ground of one level"});
 }
 
+// From 3 % of the wall's mass on, added inertia drags on a push by more than a percent or two
+// (docs/decisions/0009).
+TEST(RingBeam, whose_segments_get_much_inertia_says_that_it_drags) {
+  bool dragged = false, raised = false;
+  for (const auto& [modulus, width] : {std::pair(30e9, kUnset), std::pair(10e9, kUnset),
+                                       std::pair(10e9, 0.4), std::pair(5e9, 0.4)}) {
+    ModelSpec spec = wall();
+    spec.material["concrete"].youngs_modulus = modulus;
+    spec.material["concrete"].shear_modulus = 0.4 * modulus;
+    spec.ring_beam = {ring(0.8)};
+    spec.ring_beam[0].width = width;
+    const Model model = compile(spec);
+    double heavy = 0, mass = 0, said = 0;
+    for (std::size_t i = 0; i < model.mass.size(); ++i)
+      heavy += model.heavy_mass[i], mass += model.mass[i];
+    const double percent = 100 * (mass / heavy - 1);
+    for (const Message& note : model.anatomy.notes) {
+      if (!note.code.starts_with("inertia.block")) continue;
+      EXPECT_EQ(note.code == "inertia.blocks_drag", percent > 3) << modulus;
+      for (const Argument& argument : note.arguments)
+        if (argument.name == "of_wall_percent") said = std::get<double>(argument.value);
+      (percent > 3 ? dragged : raised) = true;
+    }
+    EXPECT_NEAR(said, percent, 1e-9) << modulus;
+  }
+  EXPECT_TRUE(dragged);
+  EXPECT_TRUE(raised);
+}
+
 // Of the masonry's weight and joints, it can only carry more (static theorem).
 TEST(RingBeam, counts_as_rigid_in_the_limit_load_and_is_named) {
   ModelSpec spec = scenes::small_wall();

@@ -303,6 +303,41 @@ test("a deformable lintel shows its zones, and they move", async () => {
   await other.context().close();
 });
 
+test("ties, floors and walls across are drawn where they are, with the force of the state shown", async () => {
+  makeRun("tied", "tied.toml");
+  const csv = csvRows(fs.readFileSync(path.join(folder("tied"), "links.csv")));
+  const tied = await open(browser, pageOf("tied"));
+  const links = (kind) => tied.locator(`#wall svg.wall .link${kind}`);
+  assert.equal(await links(".tie").count(), 2);
+  assert.equal(await links(".diaphragm").count(), 2); // between three points
+  assert.equal(await links(".spring").count(), 1);
+  const told = async () =>
+    await links("").evaluateAll((all) => all.map((e) => [e.dataset.link, e.querySelector("title").textContent]));
+  const force = (text) => Number(text.replace("−", "-").match(/: (-?[\d.]+)/)[1]);
+  const check = async (row) => {
+    for (const [name, title] of await told()) {
+      const at = csv[0].findIndex((cell) => cell.replaceAll('"', "") === `${name} force_kN`);
+      assert.ok(at > 0, name);
+      assert.ok(title.startsWith(`${name}: `) && title.includes("kN"), title);
+      assert.ok(Math.abs(force(title) - Number(row[at])) <= 0.01 * Math.abs(row[at]) + 0.005, `${title}: ${row[at]}`);
+    }
+  };
+  await check(csv[csv.length - 1]);
+  const end = await told();
+  await tied.locator("#wall .time input").focus();
+  await tied.keyboard.press("Home");
+  await check(csv[1]);
+  assert.notDeepEqual(await told(), end);
+  // the tie runs from one pier to the other, level, within the picture
+  const box = await links(".tie").first().boundingBox(),
+    wall = await tied.locator("#wall svg.wall").boundingBox();
+  assert.ok(box.width > 0.4 * wall.width && box.height < 0.1 * wall.height, JSON.stringify(box));
+  assert.ok(box.x > wall.x && box.x + box.width < wall.x + wall.width);
+  await screenshot(tied, "tied_1440", "#push");
+  assert.deepEqual(tied.faults, []);
+  await tied.context().close();
+});
+
 test("energy, ratios, elements and inputs are all there", async () => {
   assert.equal(await page.locator("#energy-chart path.area").count(), 6);
   assert.equal(await page.locator("#ratios path.force, #ratios path.base").count(), 2);

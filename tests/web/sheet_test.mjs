@@ -6,7 +6,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import zlib from "node:zlib";
 import { folder, launch, open, pageOf, pdfPages, root, run, screenshot, shots, violations } from "./helpers.mjs";
-import { input, makeFacade, makeRun, writeInputs } from "./small_study.mjs";
+import { input, makeCampaignOf, makeFacade, makeRun, writeAssessed, writeInputs } from "./small_study.mjs";
 
 let browser;
 before(async () => {
@@ -261,6 +261,55 @@ ground_acceleration = "1.5 m/s^2"
   assert.equal(seen.standing, "yes");
   assert.match(seen.verdict, /^Life safety: met\./);
   assert.match(seen.words, /School <script>[^]*near collapse[^]*Circolare 7\/2019[^]*Signature/);
+});
+
+// --- a campaign ----------------------------------------------------------------------------------------
+
+const kEnglish = /\b(the|of|and|with|is|are|was|were|than|from|at|by|which|slow|wall)\b/;
+
+test("a campaign prints its sheet first, on one page, nothing cut, in English and Italian", async () => {
+  writeAssessed();
+  makeCampaignOf("assessed_study.toml", "sheet_campaign");
+  const seen = await printed("sheet_campaign");
+  assertFits(seen, "sheet_campaign");
+  assert.deepEqual(seen.cut, []);
+  assert.equal(seen.pictures.length, 3); // wall, curves, fragility
+  const order = [/School <script>/, /Town of Pavia/, /life safety: half of the walls carry/i, /mean peak/i, /nearest to the median: sample/,
+    /Curves of 24 samples/, /near collapse/, /95 % interval/, /Assumptions[^]*ft_j: lognormal/, /Not modelled[^]*out-of-plane/, /seed 11/];
+  let at = -1;
+  for (const words of order) {
+    const found = seen.words.slice(at + 1).search(words);
+    assert.ok(found >= 0, `${words} after ${at}: ${seen.words}`);
+    at += found + 1;
+  }
+  run("report", folder("sheet_campaign"), "--lang", "it");
+  const italian = await printed("sheet_campaign");
+  assertFits(italian, "sheet_campaign, Italian");
+  assert.match(italian.words, /committente[^]*Ipotesi[^]*fuori piano/);
+  const given = ["small wall, <script>alert('study')</script>", "Town of Pavia"];
+  assert.deepEqual(italian.words.split("\n").filter((l) => kEnglish.test(l) && !given.includes(l)), []);
+  run("report", folder("sheet_campaign"));
+  for (const width of [390, 1440]) {
+    const page = await open(browser, pageOf("sheet_campaign"), { width });
+    assert.equal(await page.locator("#sheet .a4").count(), 1);
+    assert.deepEqual(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth > 1), false);
+    await screenshot(page, `sheet_campaign_${width}`, "#sheet");
+    assert.deepEqual(await violations(page), []);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  }
+});
+
+test("the sheet of a campaign that is not to be signed has no line for a name", async () => {
+  writeAssessed();
+  // hardly a wall gets to its limit: bounds alone
+  makeCampaignOf("assessed_study.toml", "sheet_campaign_short", "--samples", "8", "--set", 'stage.2.until="1 mm"');
+  const seen = await printed("sheet_campaign_short");
+  assert.equal(seen.pages, 1);
+  assert.ok(["no", "none"].includes(seen.standing), seen.standing);
+  assert.match(seen.verdict, /^(Not to be signed|Nothing to sign)/);
+  assert.doesNotMatch(seen.words, /Signature/);
+  assert.doesNotMatch(seen.words, /undefined|NaN|null|\[object/);
 });
 
 test("in Italian no English is left on the sheet", async () => {

@@ -150,6 +150,32 @@ const kCyclic = changed(kModel, [
   'until = "18 mm"',
   'targets = ["2 mm", "-2 mm", "2 mm", "-2 mm", "6 mm", "-6 mm", "6 mm"]',
 ]);
+// A tie between two blocks, one to a rigid anchor, the points of a floor, a wall across.
+const kTied = `${changed(kModel, ['until = "18 mm"', 'until = "3 mm"'], ['states = ["6 mm", "12 mm"]', 'states = ["1 mm"]'])}
+[[tie]]
+name = "tie <script>alert('tie')</script>"
+from = { x = "0.3 m", y = "1.05 m" }
+to = { x = "1.55 m", y = "1.05 m" }
+area = "100 mm^2"
+youngs_modulus = "200 GPa"
+prestress = "20 MPa"
+[[tie]]
+name = "anchored"
+from = { x = "0.3 m", y = "0.5 m" }
+anchored = true
+to = { x = "-0.4 m", y = "0.5 m" }
+area = "100 mm^2"
+youngs_modulus = "200 GPa"
+[[diaphragm]]
+name = "floor"
+y = "1.2 m"
+x = ["0.2 m", "1.0 m", "1.7 m"]
+stiffness = "50 MN"
+[[spring]]
+name = "neighbour"
+at = { x = "1.8 m", y = "0.8 m" }
+stiffness = "2 kN/mm"
+`;
 // Pushed no farther than that; drawn so that the inputs are correlated.
 const shortModel = (until) =>
   changed(kModel, ['until = "18 mm"', `until = "${until}"`], ['states = ["6 mm", "12 mm"]', ""]);
@@ -174,6 +200,7 @@ export function writeInputs() {
     ["zones.toml", kZones],
     ["typical.toml", kTypical],
     ["cyclic.toml", kCyclic],
+    ["tied.toml", kTied],
     ["rising_model.toml", shortModel("1 mm")], // hardly a wall reaches its peak
     ["rising.toml", shortStudy("rising_model.toml")],
     ["falling_model.toml", shortModel("11 mm")], // some fall to 0.8 of it
@@ -198,6 +225,26 @@ export function makeFacade(name) {
   fs.mkdirSync(folder("inputs"), { recursive: true });
   fs.writeFileSync(path.join(folder("inputs"), "facade.toml"), facadeModel());
   return makeRun(name, "facade.toml");
+}
+
+// Two piers of which a code asks something, by an author; and 24 samples of it.
+export function writeAssessed() {
+  writeInputs();
+  const code = `
+[project]
+title = "School <script>alert('project')</script>"
+client = "Town of Pavia"
+author = "A. Rossi"
+date = "3 May 2027"
+[assessment]
+code = "circolare_2019"
+record_scatter = 0.3
+[assessment.spectrum]
+kind = "en1998"
+ground_acceleration = "1.5 m/s^2"
+`;
+  fs.writeFileSync(input("assessed.toml"), kModel + code);
+  fs.writeFileSync(input("assessed_study.toml"), changed(kStudy, ['model = "model.toml"', 'model = "assessed.toml"']));
 }
 
 export function makeCampaign(name, ...more) {

@@ -56,18 +56,24 @@ function judged(a: any): string {
 
 // What the page already says, in its static head.
 const answer = (): Element | null => document.querySelector("#headline .answer");
-const doubts = (): Doubts => {
+export const doubts = (): Doubts => {
   const all = [...(answer()?.querySelectorAll(".caution") ?? [])];
   return { grave: all.some((e) => !e.classList.contains("mild")), mild: all.length > 0 };
 };
 
-// On a screen only where somebody is named or a code is asked.
+// What a page says of its run or of its campaign.
+const saidOf = (header: any): any => header.summary ?? header.statistics ?? {};
+
 export function sheetSection(source: SheetSource): Section {
+  return sheetOf(source.header, (onPaper) => sheet(source, onPaper));
+}
+// On a screen only where somebody is named or a code is asked.
+export function sheetOf(header: any, draw: (onPaper: boolean) => HTMLElement): Section {
   const place = h("div", {}),
-    asked = Boolean(source.header.summary.project || source.header.summary.assessment);
-  const show = (): void => place.replaceChildren(...(asked ? [sheet(source, false)] : []));
+    asked = Boolean(saidOf(header).project || saidOf(header).assessment);
+  const show = (): void => place.replaceChildren(...(asked ? [draw(false)] : []));
   later(show);
-  aroundPrint(() => place.replaceChildren(sheet(source, true)), show);
+  aroundPrint(() => place.replaceChildren(draw(true)), show);
   return { id: "sheet", title: say("section.sheet"), content: place, paper: !asked, first: true };
 }
 
@@ -81,16 +87,17 @@ function sheet(source: SheetSource, onPaper: boolean): HTMLElement {
     "div",
     { class: "a4", "data-standing": standing },
     head(source.header),
-    verdict(s, standing, first),
+    verdict(standing === "yes" && !["fails", "not shown"].includes(s.assessment?.verdict), first),
     keyNumbers(),
     pictures(source, wide),
     limitStates(s.assessment),
     h("div", { class: "a4-pair" }, assumed(source.header), notModelled(source.header)),
-    foot(s, standing),
+    foot(say("sheet.made", { version: s.provenance?.version ?? "", state: s.state_hash ?? "" }), s, standing),
   );
 }
 
-const titleOf = ({ title, summary }: any): string => summary.project?.title || title || say("untitled.run");
+const titleOf = (header: any): string =>
+  saidOf(header).project?.title || header.title || say(`untitled.${header.kind}`);
 
 // What the head of the sheet may have cut.
 export function projectSection(header: any): Section {
@@ -111,10 +118,10 @@ export function projectSection(header: any): Section {
 
 // --- head ----------------------------------------------------------------------------------------
 
-function factsOf({ title, summary }: any): [string, string][] {
-  const p = summary.project ?? {};
+function factsOf(header: any): [string, string][] {
+  const p = saidOf(header).project ?? {};
   const rows: [string, string | undefined][] = [
-    ["wall", p.title ? title : undefined],
+    ["wall", p.title ? header.title : undefined],
     ["place", p.place],
     ["client", p.client],
     ["author", p.author],
@@ -123,7 +130,7 @@ function factsOf({ title, summary }: any): [string, string][] {
   return rows.filter((row): row is [string, string] => Boolean(row[1]));
 }
 
-function head(header: any): Child {
+export function head(header: any): Child {
   const own = titleOf(header),
     given = factsOf(header);
   return [
@@ -140,10 +147,9 @@ function head(header: any): Child {
   ];
 }
 
-function verdict(s: any, standing: Standing, first: string): Child {
+export function verdict(fine: boolean, first: string): Child {
   const words = [...(answer()?.childNodes ?? [])].map((node) => node.cloneNode(true));
   const stopped = document.querySelector("#headline .warning")?.textContent ?? "";
-  const fine = standing === "yes" && !["fails", "not shown"].includes(s.assessment?.verdict);
   return h(
     "div",
     { class: fine ? "a4-verdict" : "a4-verdict doubtful" },
@@ -157,7 +163,7 @@ function verdict(s: any, standing: Standing, first: string): Child {
   );
 }
 
-function keyNumbers(): Child {
+export function keyNumbers(): Child {
   const cards = [...document.querySelectorAll("#page > .cards .card")];
   if (cards.length === 0) return null;
   return h(
@@ -200,7 +206,7 @@ function frameShown(header: any): number {
   return off.lastIndexOf(Math.min(...off));
 }
 
-const crackKey = (): HTMLElement =>
+export const crackKey = (): HTMLElement =>
   legend([
     [swatch("crack open w2"), say("crack.open.short")],
     [swatch("crack slip w2"), say("crack.slip.short")],
@@ -319,7 +325,7 @@ function limitStates(a: any): Child {
 
 // --- assumptions ---------------------------------------------------------------------------------
 
-function listed(items: Child[], lines = 2): Child {
+export function listed(items: Child[], lines = 2): Child {
   const shown = items.slice(0, kListed),
     more = items.length - shown.length;
   return [
@@ -337,7 +343,7 @@ const kStrengths: [string, string][] = [
   ["density", "ρ"],
 ];
 
-function materialLines({ materials, origins }: any): Child[] {
+export function materialLines({ materials, origins }: any): Child[] {
   return (materials?.names ?? []).map((name: string, i: number) => {
     const values = kStrengths.flatMap(([key, sign]) => {
       const row = materials.rows.find((r: any) => r[0] === key),
@@ -361,7 +367,7 @@ const kOfTheSolver = ["velocity", "fast_velocity", "damping", "duration", "ramp"
 const shown = (value: unknown, unit: string): string =>
   typeof value === "number" ? qty(value, unit, 4) : phrase(String(value ?? "–"));
 
-function stageLines(stages: any[]): Child[] {
+export function stageLines(stages: any[]): Child[] {
   return stages.map((stage) => {
     const rows = stage.rows.filter(([key]: any) => !kOfTheSolver.includes(key));
     const words = rows.map(([key, value, unit]: any) => `${say(`input.${key}`)} ${shown(value, unit)}`);
@@ -384,24 +390,26 @@ function assumed({ inputs, summary: s }: any): Child {
 }
 
 function notModelled({ summary: s, wall }: any): Child {
-  const notes: Said[] = s.assessment?.notes ?? [];
-  const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(wall?.space ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
+  return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(s.assessment, Boolean(wall?.space)));
+}
+export function notModelledList(a: any, inSpace = false): HTMLElement {
+  const notes: Said[] = a?.notes ?? [];
+  const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(inSpace ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
   const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
   return h(
-    "div",
+    "ul",
     {},
-    h("h3", {}, say("sheet.not_modelled")),
-    h("ul", {}, [...own, ...always].slice(0, kNotes).map((text) => h("li", {}, h("div", { class: "cut", style: "--lines:3" }, text)))),
+    [...own, ...always].slice(0, kNotes).map((text) => h("li", {}, h("div", { class: "cut", style: "--lines:3" }, text))),
   );
 }
 
 // A name is put only under what may be signed.
-function foot(s: any, standing: Standing): Child {
+export function foot(made: string, s: any, standing: Standing): Child {
   const author = s.project?.author;
   return h(
     "div",
     { class: "a4-foot" },
-    h("span", {}, say("sheet.made", { version: s.provenance?.version ?? "", state: s.state_hash ?? "" })),
+    h("span", {}, made),
     author && standing !== "none" && standing !== "no" ? h("span", { class: "a4-sign" }, say("sheet.signature")) : null,
   );
 }

@@ -141,6 +141,8 @@ void StageRun::watch(double share) {
         {stage_.spec.name.c_str(), share, state_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
   if (wall_.access->runaway_block() >= 0) return end(runs_away());
+  if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
+    return watch_for_falls();
   const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
   if (furthest.distance > allowed) {
@@ -154,6 +156,26 @@ void StageRun::watch(double share) {
     if (why) reason.arguments.emplace_back("why", *why);
     return end({SolveStatus::kCollapsed, std::move(reason), false});
   }
+}
+
+// A pattern moves a mean of all blocks: the few of a mechanism go many times as far along the push, and are
+// still standing. What has come to pieces falls.
+void StageRun::watch_for_falls() {
+  wall_.access->bring_up(state_);
+  Furthest lowest{0, -1};
+  const auto look = [&](const std::vector<double>& moved, int first) {
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      if (-moved[i] > lowest.distance) lowest = {-moved[i], first + static_cast<BlockId>(i)};
+  };
+  look(state_.uy, 0);
+  look(state_.node_uy, model_.n_block);
+  if (lowest.distance <= model_.solve.collapse_displacement) return;
+  end({SolveStatus::kCollapsed,
+       {"block.fallen",
+        {{"block", name_of(lowest.block)},
+         {"fallen_mm", 1e3 * lowest.distance},
+         {"stage", stage_.spec.name}}},
+       false});
 }
 
 namespace {

@@ -66,6 +66,7 @@ class StageRun {
   void drive(const Stage& push);
   // Every few hundred steps: progress, instability, collapse.
   void watch(double share);
+  void watch_for_falls();
   [[nodiscard]] std::string name_of(BlockId block) const;
 
   WallUnderWay& wall_;

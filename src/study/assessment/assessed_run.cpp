@@ -45,7 +45,7 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
   const std::vector<std::vector<BlockId>> blocks = blocks_at(model, levels);
   std::vector<DriftPoint> out;
   for (const Snapshot* state : study::states_by_displacement(result)) {
-    const std::vector<double> moved = study::moved_at(model, result, state->displacement);
+    const std::vector<double> moved = study::moved_at(model, result, *state);
     double below = 0, at = 0, largest = 0;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       if (blocks[k].empty()) return {};
@@ -77,9 +77,16 @@ std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
     if (element.kind != "pier" || element.rows.empty()) continue;
     PierDrift& pier = out.emplace_back();
     pier.mark = element.mark;
-    pier.mechanism = study::mechanism_of(result.failure_mode, element.element);
+    pier.element = element.element;
     for (const ElementForces::Row& row : element.rows)
       if (row.displacement > 0) pier.drifts.push_back({row.displacement, std::fabs(row.drift)});
+    // each displacement once, ascending: the states of states_by_displacement()
+    std::stable_sort(pier.drifts.begin(), pier.drifts.end(),
+                     [](const auto& a, const auto& b) { return a.displacement < b.displacement; });
+    const auto last =
+        std::unique(pier.drifts.begin(), pier.drifts.end(),
+                    [](const auto& a, const auto& b) { return a.displacement == b.displacement; });
+    pier.drifts.erase(last, pier.drifts.end());
   }
   return out;
 }
@@ -195,6 +202,32 @@ std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) 
 
 }  // namespace study
 
+CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPush push,
+                             const FailureMode& mode, const PushedWall& wall) {
+  push.mechanism = mechanism_of(mode);
+  push.cautions = cautions_of_masses(spec, model);
+  push.drifts = wall.storeys;
+  push.storeys_known = !wall.storeys.empty();
+  push.piers = wall.piers;
+  for (PierDrift& pier : push.piers) pier.mechanism = mechanism_of(mode, pier.element);
+  return assess(spec.assessment, push, [&](double displacement) {
+    const MassAndShape shape = mass_and_shape(wall, displacement);
+    return std::isfinite(shape.read_at) ? shape : mass_and_linear_shape(spec.assessment, model);
+  });
+}
+
+PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Result& result) {
+  PushedWall wall;
+  const JudgedPush push = study::judged_push(model);
+  if (!push.is_horizontal || push.curve_of != StageKind::kPush) return wall;
+  MassAndShape masses;
+  wall.moved = study::moved_masses(spec.assessment, model, result, masses);
+  wall.blocks = masses.blocks, wall.loads = masses.loads, wall.added = masses.added;
+  wall.storeys = storey_drifts(spec, model, result);
+  wall.piers = pier_drifts(model, result);
+  return wall;
+}
+
 CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
   const JudgedPush of_model = study::judged_push(model);
   JudgedPush push{.status = result.status,
@@ -207,17 +240,9 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
                   .overlap_lost = result.validity.overlap_lost,
                   .rise = result.rise,
                   .pier_slenderness = of_model.pier_slenderness,
-                  .mechanism = study::mechanism_of(result.failure_mode),
-                  .barred = of_model.barred,
-                  .cautions = study::cautions_of_masses(spec, model)};
-  if (push.is_horizontal && push.curve_of == StageKind::kPush)
-    push.drifts = storey_drifts(spec, model, result);
-  push.storeys_known = !push.drifts.empty();
-  if (push.is_horizontal && push.curve_of == StageKind::kPush)
-    push.piers = pier_drifts(model, result);
-  CodeAssessment out = assess(spec.assessment, push, [&](double displacement) {
-    return mass_and_shape(spec.assessment, model, result, displacement);
-  });
+                  .barred = of_model.barred};
+  CodeAssessment out = study::judged(spec, model, std::move(push), result.failure_mode,
+                                     read_pushed_wall(spec, model, result));
   for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
   return out;
 }

@@ -11,15 +11,21 @@ namespace wythe::study {
 [[nodiscard]] const Stage* push_of(const Model& model);
 // Lowest point of the moving blocks [m]; heights count from it.
 [[nodiscard]] double foot_of(const Model& model);
-// States kept of a push, each displacement once, ascending, beyond its start.
+// Result::readings of a push, each displacement once, ascending, beyond its start: they depend neither on
+// the states asked for nor on frames, so that a sample is judged as a run of it.
 [[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
-// How far each block went along the push since its start, when the curve's displacement was
-// `displacement`: straight between the states kept [m]. Empty: no state reaches so far.
+// How far each block went along the push from its start to this state [m].
 [[nodiscard]] std::vector<double> moved_at(const Model& model, const Result& result,
-                                           double displacement);
+                                           const Snapshot& state);
+// The sums of PushedWall::moved; `masses` takes blocks, loads and added.
+[[nodiscard]] std::vector<MovedMass> moved_masses(const AssessmentSpec& spec, const Model& model,
+                                                  const Result& result, MassAndShape& masses);
 
 // What a push is by its model alone: its curve and responses are those of none.
 [[nodiscard]] JudgedPush judged_push(const Model& model);
+// A push of this model, a run or a stored sample, and its pushed wall, where that is known.
+[[nodiscard]] CodeAssessment judged(const ModelSpec& spec, const Model& model, JudgedPush push,
+                                    const FailureMode& mode, const PushedWall& wall);
 // What the model file says that the masses of the assessment do not follow.
 [[nodiscard]] std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model);
 [[nodiscard]] Message words_of_state(LimitState state);

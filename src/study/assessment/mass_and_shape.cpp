@@ -23,39 +23,21 @@ double foot_of(const Model& model) {
   return least;
 }
 
-std::vector<double> moved_at(const Model& model, const Result& result, double displacement) {
-  const std::vector<const Snapshot*> states = states_by_displacement(result);
-  if (states.empty() || result.snapshots.empty()) return {};
+std::vector<double> moved_at(const Model& model, const Result& result, const Snapshot& state) {
+  const Stage* push = push_of(model);
   const Snapshot& start = result.snapshots.front();  // "start" of the push
-  const auto n = static_cast<std::size_t>(block_count(model));
-  const auto along = [&](const Snapshot& s) {
-    std::vector<double> moved(n);
-    const Stage* push = push_of(model);
-    for (std::size_t b = 0; b < n; ++b)
-      moved[b] = push->drive_x * (read_block(model, s.state, static_cast<BlockId>(b)).moved.x -
-                                  read_block(model, start.state, static_cast<BlockId>(b)).moved.x);
-    return moved;
-  };
-  std::size_t next = 0;
-  while (next < states.size() && states[next]->displacement < displacement) ++next;
-  if (next == states.size()) return {};
-  std::vector<double> high = along(*states[next]);
-  const double d1 = states[next]->displacement;
-  if (next == 0) {  // straight from the start
-    for (double& u : high) u *= displacement / d1;
-    return high;
-  }
-  const double d0 = states[next - 1]->displacement, share = (displacement - d0) / (d1 - d0);
-  const std::vector<double> low = along(*states[next - 1]);
-  for (std::size_t b = 0; b < n; ++b) high[b] = low[b] + share * (high[b] - low[b]);
-  return high;
+  std::vector<double> moved(static_cast<std::size_t>(block_count(model)));
+  for (std::size_t b = 0; b < moved.size(); ++b)
+    moved[b] = push->drive_x * (read_block(model, state.state, static_cast<BlockId>(b)).moved.x -
+                                read_block(model, start.state, static_cast<BlockId>(b)).moved.x);
+  return moved;
 }
 
 std::vector<const Snapshot*> states_by_displacement(const Result& result) {
   std::vector<const Snapshot*> states;
-  for (const auto* list : {&result.snapshots, &result.readings, &result.frames})
-    for (const Snapshot& s : *list)
-      if (s.displacement > 0) states.push_back(&s);
+  if (result.snapshots.empty()) return states;
+  for (const Snapshot& s : result.readings)
+    if (s.displacement > 0) states.push_back(&s);
   std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
     return a->displacement < b->displacement;
   });
@@ -114,30 +96,20 @@ std::vector<Part> parts_of(const AssessmentSpec& spec, const Model& model, doubl
   return parts;
 }
 
-void sum_up(const std::vector<MovingMass>& masses, MassAndShape& out) {
-  double first = 0, second = 0;
-  for (const MovingMass& m : masses) {
-    first += m.mass * m.shape;
-    second += m.mass * m.shape * m.shape;
-  }
-  out.participating = first;
-  out.participation = second > 0 ? first / second : kUnset;
-}
-
-// Phi at a height between blocks: the mean of those there, weighted by their mass.
-double shape_at(const Model& model, const std::vector<double>& shape, double height) {
+// How far the wall went at a height between blocks: the mean of those there, weighted by their mass.
+double moved_at_height(const Model& model, const std::vector<double>& moved, double height) {
   const double y = study::foot_of(model) + height;
   double mass = 0, sum = 0, nearest = std::numeric_limits<double>::infinity(), at_nearest = 0;
   for (BlockId b = 0; b < block_count(model); ++b) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Vec3& corner : outline_of(model, b))
       low = std::fmin(low, corner.y), high = std::fmax(high, corner.y);
-    const double phi = shape[static_cast<std::size_t>(b)];
+    const double u = moved[static_cast<std::size_t>(b)];
     const double off = std::fmax(0.0, std::fmax(low - y, y - high));
-    if (off < nearest) nearest = off, at_nearest = phi;
+    if (off < nearest) nearest = off, at_nearest = u;
     if (off > 0) continue;
     mass += mass_of(model, b);
-    sum += mass_of(model, b) * phi;
+    sum += mass_of(model, b) * u;
   }
   return mass > 0 ? sum / mass : at_nearest;
 }
@@ -149,32 +121,64 @@ MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& mode
   out.is_linear = true;
   const Stage* push = study::push_of(model);
   if (push == nullptr || !(push->load_height > 0)) return out;
-  std::vector<MovingMass> masses;
-  for (const Part& part : parts_of(spec, model, push->load_height, out))
-    masses.push_back({part.mass, part.height, part.height / push->load_height});
-  sum_up(masses, out);
+  double first = 0, second = 0;
+  for (const Part& part : parts_of(spec, model, push->load_height, out)) {
+    const double phi = part.height / push->load_height;
+    first += part.mass * phi;
+    second += part.mass * phi * phi;
+  }
+  out.participating = first;
+  out.participation = second > 0 ? first / second : kUnset;
   return out;
 }
 
-MassAndShape mass_and_shape(const AssessmentSpec& spec, const Model& model, const Result& result,
-                            double displacement) {
-  MassAndShape out;
-  const Stage* push = study::push_of(model);
-  if (push == nullptr || !(displacement > 0)) return out;
-  std::vector<double> shape = study::moved_at(model, result, displacement);
-  if (shape.empty()) return mass_and_linear_shape(spec, model);
-  for (double& phi : shape) phi /= displacement;
-  out.read_at = displacement;
-  std::vector<MovingMass> masses;
-  for (const Part& part : parts_of(spec, model, push->load_height, out)) {
-    double phi = 1;
-    if (part.block >= 0)
-      phi = shape[static_cast<std::size_t>(part.block)];
-    else if (std::isfinite(spec.added_height))
-      phi = shape_at(model, shape, part.height);
-    masses.push_back({part.mass, part.height, phi});
+std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Model& model,
+                                           const Result& result, MassAndShape& masses) {
+  const Stage* push = push_of(model);
+  const std::vector<Part> parts = parts_of(spec, model, push->load_height, masses);
+  std::vector<MovedMass> out;
+  std::vector<double> before(parts.size(), 0.0);
+  for (const Snapshot* state : states_by_displacement(result)) {
+    const std::vector<double> moved = moved_at(model, result, *state);
+    MovedMass& sum = out.emplace_back();
+    sum.displacement = state->displacement;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Part& part = parts[k];
+      double u = state->displacement;  // goes with the control point
+      if (part.block >= 0)
+        u = moved[static_cast<std::size_t>(part.block)];
+      else if (std::isfinite(spec.added_height))
+        u = moved_at_height(model, moved, part.height);
+      sum.first += part.mass * u;
+      sum.second += part.mass * u * u;
+      sum.mixed += part.mass * u * before[k];
+      before[k] = u;
+    }
   }
-  sum_up(masses, out);
+  return out;
+}
+
+// Every mass goes straight between two states, so that the sums follow from those at both.
+MassAndShape mass_and_shape(const PushedWall& wall, double displacement) {
+  MassAndShape out;
+  out.blocks = wall.blocks, out.loads = wall.loads, out.added = wall.added;
+  MovedMass before;
+  for (const MovedMass& now : wall.moved) {
+    if (now.displacement < displacement) {
+      before = now;
+      continue;
+    }
+    if (!(displacement > 0)) break;
+    const double t =
+        (displacement - before.displacement) / (now.displacement - before.displacement);
+    const double first = before.first + t * (now.first - before.first);
+    const double second =
+        (1 - t) * (1 - t) * before.second + 2 * t * (1 - t) * now.mixed + t * t * now.second;
+    out.read_at = displacement;
+    out.participating = first / displacement;
+    out.participation = second > 0 ? first * displacement / second : kUnset;
+    break;
+  }
   return out;
 }
 

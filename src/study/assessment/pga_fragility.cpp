@@ -18,24 +18,6 @@ using study::Lognormal;
 
 constexpr int kGrid = 60;  // points of a curve
 
-CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base, const Model& model,
-                             const MassAndShape& mass) {
-  JudgedPush push = study::judged_push(model);
-  const JudgedPush of{
-      .status = value_of(kSolveStatusWords, record.status).value_or(SolveStatus::kInterrupted),
-      .curve_of = push.curve_of,
-      .is_horizontal = push.is_horizontal,
-      .is_patterned = push.is_patterned,
-      .curve = record.curve,
-      .responses = record.responses,
-      .judgement = record.quasi_static.judgement,
-      .pier_slenderness = push.pier_slenderness,
-      .mechanism = study::mechanism_of(record.failure_mode),
-      .barred = push.barred,
-      .cautions = study::cautions_of_masses(base, model)};
-  return assess(base.assessment, of, [&](double) { return mass; });
-}
-
 // The band of the curve: 2.5 and 97.5 % of what the replicates give.
 Estimate probability(double x, const Lognormal& fit, const std::vector<Lognormal>& replicates,
                      double record_scatter) {
@@ -105,19 +87,46 @@ std::string own_key(const StudySpec& study) {
   return "";
 }
 
+bool knows_walls(const Campaign& campaign) {
+  return std::all_of(campaign.records.begin(), campaign.records.end(), [](const auto& record) {
+    return !is_answered(record) || record.pushed.is_read();
+  });
+}
+
 Message barred(const Campaign& campaign, const Model& model) {
   if (const std::string path = own_key(campaign.study); !path.empty())
     return {"assessment.samples_differ", {{"path", path}}};
   return study::judged_push(model).barred;
 }
 
-// What stands before any number of the campaign as a whole. Samples keep no motions: of a wall of more
-// than one pier the drift that counts, a pier's, is not known of them.
-std::vector<Message> cautions_of_samples(const ModelSpec& base, const Model& model) {
+// What stands before any number of the campaign as a whole. Samples of an older store have no pushed wall:
+// where there is more than one pier the drift that counts, a pier's, is not known of them.
+std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
+                                         const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);
+  if (knows_walls(campaign)) return say;
   if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)
     say.push_back({"assessment.caution.whole_drift"});
   return say;
+}
+
+// Samples without an answer may all lie on one side: beyond the whole per cents in which probabilities are
+// told, they are said first.
+constexpr double kMostLost = 0.01;
+
+Message lost_samples(const CampaignAssessment& a, const Message& why) {
+  const int all = a.answered + a.without_answer;
+  if (a.answered == 0 || a.without_answer <= kMostLost * all) return {};
+  return {"assessment.caution.lost", {{"without", a.without_answer}, {"all", all}, {"why", why}}};
+}
+
+// A median that none of the samples showed: more than half of them are still standing at the last step.
+Message extrapolated(const CampaignAssessment& a) {
+  for (const PgaFragility& f : a.fragility)
+    if (f.is_checked && std::isfinite(f.median.value) && !f.point.empty() &&
+        f.point.back().probability.value > 0.5)
+      return {"assessment.caution.extrapolated", {{"censored", f.censored}, {"answered", f.n}}};
+  return {};
 }
 
 }  // namespace
@@ -157,11 +166,45 @@ Message sentence_of(const CampaignAssessment& a) {
   return {"assessment.unsigned", {{"cautions", std::move(cautions)}, {"verdict", said}}};
 }
 
+CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
+                             const Model& model) {
+  const JudgedPush push = study::judged_push(model);
+  JudgedPush of{
+      .status = value_of(kSolveStatusWords, record.status).value_or(SolveStatus::kInterrupted),
+      .curve_of = push.curve_of,
+      .is_horizontal = push.is_horizontal,
+      .is_patterned = push.is_patterned,
+      .curve = record.curve,
+      .responses = record.responses,
+      .judgement = record.quasi_static.judgement,
+      .overlap_lost = record.overlap_lost,
+      .rise = record.rise,
+      .pier_slenderness = push.pier_slenderness,
+      .barred = push.barred};
+  return study::judged(base, model, std::move(of), record.failure_mode, record.pushed);
+}
+
+namespace {
+
+// Of each limit state, where there is a spectrum.
+void add_fragility(std::vector<std::vector<Reading>> readings, CampaignAssessment& out) {
+  const ElasticSpectrum spectrum = spectrum_of(out.spec.spectrum);
+  if (!spectrum.is_given()) return;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    PgaFragility& of = out.fragility.emplace_back();
+    of.limit_state = word_of(kLimitStateWords, static_cast<LimitState>(k));
+    of.is_checked = of.limit_state == out.spec.limit_state;
+    of.demand = of.is_checked ? spectrum.peak_ground_acceleration() : kUnset;
+    fit_to(std::move(readings[k]), out.spec.record_scatter, of);
+  }
+}
+
+}  // namespace
+
 CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
                                    const Model& model) {
   CampaignAssessment out;
   out.spec = base.assessment;
-  const ElasticSpectrum spectrum = spectrum_of(base.assessment.spectrum);
   out.mass = mass_and_linear_shape(base.assessment, model);
   out.reason = barred(campaign, model);
   if (!out.reason.empty()) {
@@ -170,15 +213,13 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
     out.doubtful = out.without_answer;
     return out;
   }
-  out.notes = cautions_of_samples(base, model);
-  const bool is_barred = !out.notes.empty();
+  out.notes = cautions_of_samples(campaign, base, model);
   std::vector<Message> notes;
   Message why;  // the first sample without an answer has none
-  constexpr std::size_t kStates = std::size(kLimitStateWords);
-  std::vector<std::vector<Reading>> readings(kStates);
+  std::vector<std::vector<Reading>> readings(std::size(kLimitStateWords));
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;
-    const CodeAssessment a = assess_sample(record, base, model, out.mass);
+    const CodeAssessment a = assess_sample(record, base, model);
     if (notes.empty()) notes = a.notes;
     if (a.limit_states.empty() || !is_answered(record)) {
       ++out.without_answer;
@@ -192,24 +233,20 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
       readings[static_cast<std::size_t>(check.state)].push_back(
           {check.acceleration, check.at_least});
   }
-  if (is_barred) out.doubtful = out.answered;
   if (out.answered == 0 && out.without_answer > 0) {
     out.reason = {"assessment.no_sample_answers", {{"why", why}}};
     out.doubtful = out.without_answer;
   }
+  add_fragility(std::move(readings), out);
+  for (Message& say : std::vector{lost_samples(out, why), extrapolated(out)})
+    if (!say.empty()) out.notes.push_back(std::move(say));
+  if (!out.notes.empty()) out.doubtful = out.answered > 0 ? out.answered : out.without_answer;
   out.notes.insert(out.notes.end(), notes.begin(), notes.end());
   for (Message& note : study::notes_of_masses(base, model)) out.notes.push_back(std::move(note));
-  out.notes.push_back({"assessment.note.base_mass"});
+  out.notes.push_back(
+      {knows_walls(campaign) ? "assessment.note.own_shapes" : "assessment.note.base_mass"});
   if (std::isnan(base.assessment.record_scatter))
     out.notes.push_back({"assessment.note.no_record_scatter"});
-  if (!spectrum.is_given()) return out;
-  for (std::size_t k = 0; k < kStates; ++k) {
-    PgaFragility& of = out.fragility.emplace_back();
-    of.limit_state = word_of(kLimitStateWords, static_cast<LimitState>(k));
-    of.is_checked = of.limit_state == base.assessment.limit_state;
-    of.demand = of.is_checked ? spectrum.peak_ground_acceleration() : kUnset;
-    fit_to(std::move(readings[k]), base.assessment.record_scatter, of);
-  }
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 
@@ -40,6 +41,7 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
   }
   r.failure_mode = name_failure_mode(run.model, r, read_modes_at(spec));
   r.features = read_features(run.model, r);
+  if (is_asked(run.spec.assessment)) run.pushed = read_pushed_wall(run.spec, run.model, r);
 }
 
 }  // namespace
@@ -107,6 +109,9 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.events = r.events;
   record.energy = r.energy;
   record.quasi_static = r.quasi_static;
+  record.overlap_lost = r.validity.overlap_lost;
+  record.pushed = run.pushed;
+  if (run.pushed.is_read()) record.rise = r.rise;
   return record;
 }
 

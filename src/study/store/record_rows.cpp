@@ -1,6 +1,7 @@
 #include "study/store/record_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -8,9 +9,24 @@ namespace wythe::study {
 
 RecordLists lists_of(const SampleRecord& record) {
   const FailureMode& mode = record.failure_mode;
-  RecordLists lists{record.responses.falls, {}, mode.evidence,    mode.flags,
-                    mode.elements,          {}, mode.sensitivity, record.features,
-                    record.events};
+  RecordLists lists{record.responses.falls,
+                    {},
+                    mode.evidence,
+                    mode.flags,
+                    mode.elements,
+                    {},
+                    mode.sensitivity,
+                    record.features,
+                    record.events,
+                    record.rise,
+                    {},
+                    {}};
+  const PushedWall& wall = record.pushed;
+  for (std::size_t i = 0; i < wall.moved.size(); ++i)
+    lists.moved.push_back(
+        {wall.moved[i], i < wall.storeys.size() ? wall.storeys[i].drift : kUnset});
+  for (const PierDrift& pier : wall.piers)
+    for (const DriftPoint& at : pier.drifts) lists.piers.push_back({pier.element, pier.mark, at});
   for (const auto& [name, score] : mode.scores) lists.scores.push_back({name, score});
   for (std::size_t i = 0; i < mode.elements.size(); ++i)
     for (const ElementSign& sign : mode.elements[i].signs)
@@ -33,6 +49,19 @@ void put_lists(RecordLists lists, SampleRecord& record) {
   mode.sensitivity = std::move(lists.readings);
   record.features = std::move(lists.features);
   record.events = std::move(lists.events);
+  record.rise = std::move(lists.rise);
+  PushedWall& wall = record.pushed;
+  for (const MovedRow& row : lists.moved) {
+    wall.moved.push_back(row.mass);
+    if (std::isfinite(row.storey_drift))
+      wall.storeys.push_back({row.mass.displacement, row.storey_drift});
+  }
+  for (const PierRow& row : lists.piers) {
+    if (wall.piers.empty() || wall.piers.back().element != row.element)
+      wall.piers.push_back(
+          {.mark = row.mark, .mechanism = "", .drifts = {}, .element = row.element});
+    wall.piers.back().drifts.push_back(row.at);
+  }
 }
 
 std::string curve_column_names() {

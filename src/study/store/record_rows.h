@@ -42,6 +42,10 @@ void each_answer(Visitor& v, Record& r) {
   each_mode_column(v, r.failure_mode);
   for (const EnergyTerm& term : kEnergyTerms) v(term.stored, r.energy.*term.value);
   each_quasi_static(stored, r.quasi_static);
+  v("overlap_lost_m", r.overlap_lost);
+  v("mass_blocks_kg", r.pushed.blocks);
+  v("mass_loads_kg", r.pushed.loads);
+  v("mass_added_kg", r.pushed.added);
 }
 
 template <class Visitor, class Evidence>
@@ -63,6 +67,16 @@ struct ScoreRow {
   double score = 0;
 };
 
+// A state of the pushed wall, and a pier's drift there.
+struct MovedRow {
+  MovedMass mass;
+  double storey_drift = kUnset;
+};
+struct PierRow {
+  std::string element, mark;
+  DriftPoint at;
+};
+
 // The lists of a record, flattened to rows; maps and nested lists become rows of their own.
 struct RecordLists {
   std::vector<FallTo> falls;
@@ -73,6 +87,9 @@ struct RecordLists {
   std::vector<NameReading> readings;
   std::vector<Feature> features;
   std::vector<Event> events;
+  std::vector<RisePoint> rise;
+  std::vector<MovedRow> moved;
+  std::vector<PierRow> piers;
 };
 [[nodiscard]] RecordLists lists_of(const SampleRecord& record);
 void put_lists(RecordLists lists, SampleRecord& record);
@@ -126,6 +143,23 @@ void each_list(Visitor& v) {
     c("displacement_m", e.displacement);
     c("reaction_N", e.reaction);
     c("place", e.where);
+  });
+  v.list("rise", &RecordLists::rise, [](auto& c, auto& p) {
+    c("displacement_m", p.displacement);
+    c("force_N", p.force);
+  });
+  v.list("moved", &RecordLists::moved, [](auto& c, auto& m) {
+    c("displacement_m", m.mass.displacement);
+    c("first_kg_m", m.mass.first);
+    c("second_kg_m2", m.mass.second);
+    c("mixed_kg_m2", m.mass.mixed);
+    c("storey_drift", m.storey_drift);
+  });
+  v.list("pier_drift", &RecordLists::piers, [](auto& c, auto& p) {
+    c("element", p.element);
+    c("mark", p.mark);
+    c("displacement_m", p.at.displacement);
+    c("drift", p.at.drift);
   });
 }
 

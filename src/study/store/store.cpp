@@ -116,6 +116,16 @@ std::string known_columns(Store& store, const std::string& table, const ColumnNa
   return list;
 }
 
+// Whether a table of the present schema is there; only an older one may lack it.
+bool has_table(Store& store, const std::string& table) {
+  Statement find(store.database(),
+                 "SELECT name FROM sqlite_schema WHERE type = 'table' AND name = ?");
+  find.bind(table);
+  const bool found = find.step();
+  if (!found && store.is_current()) store.database().damaged("table " + table + " is missing");
+  return found;
+}
+
 // Reads one list of the samples in `where`.
 struct ListReader {
   Store& store;
@@ -124,6 +134,7 @@ struct ListReader {
   std::string where;
   template <class Member, class Columns>
   void list(const char* table, std::vector<Member> RecordLists::*members, const Columns& columns) {
+    if (!has_table(store, table)) return;
     ColumnNames names;
     Member any{};
     columns(names, any);
@@ -194,6 +205,28 @@ std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples,
   return curves;
 }
 
+// Its states go on, and each pier was read at each of them: an assessment goes by them.
+template <class Refuse>
+void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
+  double before = 0;
+  for (const MovedRow& row : lists.moved) {
+    const MovedMass& m = row.mass;
+    if (!std::isfinite(m.first) || !std::isfinite(m.second) || !std::isfinite(m.mixed))
+      refuse("its moved masses hold what is not a number");
+    if (!(m.displacement > before)) refuse("its moved masses are not in order");
+    before = m.displacement;
+  }
+  const std::size_t states = lists.moved.size();
+  if (states > 0 ? lists.piers.size() % states != 0 : !lists.piers.empty())
+    refuse("a pier's drift is missing");
+  for (std::size_t i = 0; i < lists.piers.size(); ++i) {
+    const PierRow &row = lists.piers[i], &first = lists.piers[i - i % states];
+    if (!std::isfinite(row.at.drift) || row.element != first.element ||
+        row.at.displacement != lists.moved[i % states].mass.displacement)
+      refuse("a pier's drifts are not those of its states");
+  }
+}
+
 // What an answered sample says must be numbers and places that there are.
 void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
   const auto refuse = [&](const std::string& what) {
@@ -204,6 +237,7 @@ void check_answer(Database& database, const SampleRecord& record, const RecordLi
   for (const CurveRow& row : record.curve)
     if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
       refuse("its curve holds what is not a number");
+  check_pushed_wall(refuse, lists);
   for (const SignRow& row : lists.signs)
     if (row.of_element < 0 || row.of_element >= static_cast<std::int64_t>(lists.elements.size()))
       refuse(

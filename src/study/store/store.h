@@ -19,7 +19,7 @@
 
 namespace wythe::study {
 
-inline constexpr int kSchemaVersion = 4;  // older ones can be read, not written
+inline constexpr int kSchemaVersion = 5;  // older ones can be read, not written
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);

@@ -37,10 +37,29 @@ function steps(samples: any): Point[] {
   return out;
 }
 
+export function drawFragility(f: any, width: number, height: number, yLabel = say("pga.probability")): SVGSVGElement {
+  const x = f.curve.pga_g as number[];
+  const plot = new Plot({
+    width,
+    height,
+    x: [0, x[x.length - 1]],
+    y: [0, 1],
+    xLabel: say("pga.axis"),
+    yLabel,
+    title: say("pga.title", { state: say(`assessment.${f.limit_state}`) }),
+  });
+  const hasBand = (f.curve.low as (number | null)[]).every((v) => v !== null);
+  if (hasBand) plot.band(x, f.curve.low, f.curve.high, "spread curve");
+  plot.line(steps(f.samples), "base");
+  plot.line(zip(x, f.curve.probability), "force");
+  if (f.demand_pga_g !== null && f.probability_at_demand !== null)
+    plot.dot(f.demand_pga_g, f.probability_at_demand, 5, "peak");
+  return plot.svg;
+}
+
 function figure(f: any): Figure {
   const state = say(`assessment.${f.limit_state}`);
   const x = f.curve.pga_g as number[];
-  const hasBand = (f.curve.low as (number | null)[]).every((v) => v !== null);
   return new Figure({
     id: `pga-${f.limit_state}`,
     title: say("pga.title", { state }),
@@ -49,23 +68,7 @@ function figure(f: any): Figure {
       [swatch("force"), say("pga.fit")],
       [swatch("base"), say("pga.samples")],
     ]),
-    draw: (width) => {
-      const plot = new Plot({
-        width,
-        height: Math.max(240, Math.min(340, 0.62 * width)),
-        x: [0, x[x.length - 1]],
-        y: [0, 1],
-        xLabel: say("pga.axis"),
-        yLabel: say("pga.probability"),
-        title: say("pga.title", { state }),
-      });
-      if (hasBand) plot.band(x, f.curve.low, f.curve.high, "spread curve");
-      plot.line(steps(f.samples), "base");
-      plot.line(zip(x, f.curve.probability), "force");
-      if (f.demand_pga_g !== null && f.probability_at_demand !== null)
-        plot.dot(f.demand_pga_g, f.probability_at_demand, 5, "peak");
-      return plot.svg;
-    },
+    draw: (width) => drawFragility(f, width, Math.max(240, Math.min(340, 0.62 * width))),
     sheet: () => ({
       head: ["pga_g", "probability", "low", "high"],
       rows: x.map((v, i) => [v, f.curve.probability[i], f.curve.low[i], f.curve.high[i]]),

@@ -4,6 +4,7 @@ import type { Bundle } from "../bundle";
 import { h, later, type Child } from "../dom";
 import { assumptions, inputTables, provenanceTable } from "../inputs";
 import type { Section } from "../page";
+import { projectSection } from "../sheet";
 import { table } from "../tables";
 import { asSentence, phrase, say, sentence } from "../texts";
 import { pgaFragility } from "./assessment";
@@ -13,6 +14,7 @@ import { fragility, measuring, surrogateIndices } from "./fragility";
 import { entangled, histograms, inputTable, modeBins, scatters, sensitivity, sensitivityTable } from "./inputs";
 import { flags, nameSensitivity } from "./names";
 import { SamplePanel } from "./sample";
+import { campaignSheet } from "./sheet";
 import { driftLimits, exceedance, precision, running, shares, tableThree } from "./statistics";
 
 const kListed = 200;
@@ -93,6 +95,8 @@ export function campaignSections(bundle: Bundle): Section[] {
     several = campaign.answered.length > 1;
   const panel = campaign.samples.length > 0 ? new SamplePanel(campaign) : null;
   const sections: Section[] = [
+    campaignSheet(campaign, panel),
+    projectSection(campaign.header),
     { id: "all-curves", title: say("section.curves"), content: some ? new Curves(campaign).element : null },
     {
       id: "modes",

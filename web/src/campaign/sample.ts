@@ -184,6 +184,15 @@ export class SamplePanel {
     this.view.show(last.at);
     return this.place;
   }
+  // Its wall with its damage, at the state that is nearest to where its mode was read; null: no state is here.
+  pictureOf(s: Sample, width: number, tallest: number): HTMLElement | null {
+    const frames = this.framesOf(s);
+    if (frames.length > 0) this.view ??= this.viewOfAll((this.campaign.header.frames ?? []) as any[]);
+    if (!this.view || frames.length === 0) return null;
+    const off = frames.map((f) => Math.abs(f.displacement_mm - (s.readAt ?? Infinity)));
+    const at = s.readAt === null ? frames[frames.length - 1].at : frames[off.indexOf(Math.min(...off))].at;
+    return this.view.picture(at, width, tallest);
+  }
   private viewOfAll(all: any[]): View | null {
     const info = all.map((f) => ({
       // "20 mm" says no more than the displacement
