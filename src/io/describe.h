@@ -15,6 +15,7 @@
 #include "io/describe_assessment.h"
 #include "io/describe_building.h"
 #include "io/describe_floors.h"
+#include "io/describe_plan.h"
 #include "io/describe_space.h"
 #include "io/key.h"
 #include "wythe/wall_spec.h"
@@ -486,6 +487,13 @@ void describe(Visitor& v, OutputSpec& s) {
                       "peak and end."});
 }
 
+// Tables that are bodies once the file is read (model_file.cpp); visitors of values know nothing of them.
+template <class Visitor>
+void describe_built(Visitor& v) {
+  BuilderSpec built;
+  if constexpr (requires { v.recipe("", Key{}); }) describe(v, built);
+}
+
 template <class Visitor>
 void describe(Visitor& v, ModelSpec& s) {
   v.text("name", s.name, {.fallback = "none", .example = "tuff wall",
@@ -499,6 +507,7 @@ void describe(Visitor& v, ModelSpec& s) {
   v.list("region", s.region, {.doc = "Parts of the masonry with other materials. A block belongs where its centre lies, to "
          "the last region that holds it; a joint to a region where both its blocks do, else to what is listed "
          "before it and around it."});
+  describe_built(v);
   v.list("ring_beam", s.ring_beam, {.optional = true,
          .doc = "Beams within the masonry, elastic chains along a level (docs/theory/ring_beams.md)."});
   v.list("floor", s.floor, {.optional = true,

@@ -1,11 +1,13 @@
 // read_model, parse_model: text -> tree -> overrides -> ModelSpec -> blocks file.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "geometry/builder.h"
 #include "io/blocks_json.h"
 #include "io/model_key.h"
 #include "io/toml_reader.h"
@@ -24,14 +26,15 @@ void finish(TableReader& reader, ContactRule&) {
 
 namespace {
 
-// A storey that does not say how its units split has the wall's way.
-void inherit_split(const TableReader& reader, ModelSpec& model) {
+// A storey or wall that does not say how its units split has the wall's way.
+template <class Table>
+void inherit_split(const TableReader& reader, const char* name, const ModelSpec& model,
+                   std::vector<Table>& tables) {
   for (const TableReader::Entry& entry : reader.entries()) {
-    const toml::array* list =
-        entry.name == "storey" && entry.node ? entry.node->as_array() : nullptr;
-    for (std::size_t i = 0; list && i < model.storey.size(); ++i) {
-      const toml::table* storey = list->get(i)->as_table();
-      if (!(*storey)["unit"]["split"]) model.storey[i].unit.split = model.wall.unit.split;
+    const toml::array* list = entry.name == name && entry.node ? entry.node->as_array() : nullptr;
+    for (std::size_t i = 0; list && i < tables.size(); ++i) {
+      const toml::table* table = list->get(i)->as_table();
+      if (!(*table)["unit"]["split"]) tables[i].unit.split = model.wall.unit.split;
     }
   }
 }
@@ -39,7 +42,7 @@ void inherit_split(const TableReader& reader, ModelSpec& model) {
 }  // namespace
 
 void finish(TableReader& reader, ModelSpec& model) {
-  inherit_split(reader, model);
+  inherit_split(reader, "storey", model, model.storey);
   if (model.stage.empty() && !reader.context().has_fault_at("stage"))
     reader.miss("stage", "is missing, a model needs at least one stage",
                 "write [[stage]] and under it name = \"gravity\"");
@@ -105,6 +108,16 @@ Fault placed(Fault fault, const Places& places) {
   return fault;
 }
 
+// "wall.blocks.front.c03u05a" is plan_wall.front's where the builder laid that block; else as it is.
+std::string built_path(const std::string& path, const Places& places) {
+  const std::string of_file = "wall.blocks.";
+  if (!path.starts_with(of_file)) return path;
+  const std::string id = path.substr(of_file.size()), name = id.substr(0, id.find('.'));
+  for (const char* table : {"plan_wall.", "arch.", "dome."})
+    if (places.contains(table + name)) return table + id;
+  return path;
+}
+
 // The faults of a spec, each with the place of its key.
 [[noreturn]] void throw_placed(const InputError& error, const ModelSpec& spec,
                                const toml::table& root, const ReadContext& context) {
@@ -114,6 +127,7 @@ Fault placed(Fault fault, const Places& places) {
   const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
   std::vector<Fault> faults;
   for (Fault fault : error.faults()) {
+    fault.path = built_path(fault.path, places);
     if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
     faults.push_back(placed(std::move(fault), places));
   }
@@ -148,6 +162,47 @@ void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
   faults.throw_if_any();
 }
 
+// The builder's tables, read without a word: read_table has said what is wrong with them.
+BuilderSpec read_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
+  ReadContext silent{file};
+  TableReader reader(silent, root, "");
+  BuilderSpec built;
+  describe(reader, built);
+  inherit_split(reader, "plan_wall", spec, built.plan_wall);
+  return built;
+}
+
+// Keys of [wall] that say something of a wall in its plane, or of a file.
+void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
+  const WallSpec& wall = spec.wall;
+  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
+    if (stated) faults.add({"", path, "", problem, cure, 0});
+  };
+  refuse("wall.length", !std::isnan(wall.length),
+         "has no meaning here: lines in plan have their own length", "leave it out");
+  refuse("wall.supports", !wall.supports.empty(),
+         "names blocks of a file; the builder lays its own supports", "leave it out");
+  refuse("wall.blocks", !wall.blocks.empty(), "stands beside tables of the builder",
+         "keep one of them: a run of the builder's model writes blocks.json, to which blocks can "
+         "be added");
+  refuse("wall.up", !wall.up.empty() && wall.up != "y" && wall.up != "z", "must be \"y\" or \"z\"",
+         "write up = \"z\"");
+}
+
+// Bodies in the place of a blocks file; what was fitted is noted with the model's remarks.
+void build(const BuilderSpec& built, ModelSpec& spec) {
+  FaultList faults;
+  refuse_idle_keys(spec, faults);
+  std::vector<Message> notes;
+  for (geometry::BuiltBody& body : geometry::build_bodies({built, spec}, notes, faults))
+    spec.body.push_back(std::move(body.body));
+  faults.throw_if_any();
+  spec.wall.blocks = "blocks.json";  // of the run's folder
+  if (spec.wall.up.empty()) spec.wall.up = "y";
+  for (const std::string& note : texts_of(notes))
+    spec.note += (spec.note.empty() ? "" : "; ") + note;
+}
+
 }  // namespace
 }  // namespace io
 
@@ -160,9 +215,11 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);
-  if (!spec.wall.blocks.empty()) io::read_blocks(context, root, spec, blocks);
+  const BuilderSpec built = io::read_builder(file_name, root, spec);
+  if (!spec.wall.blocks.empty() && built.empty()) io::read_blocks(context, root, spec, blocks);
   io::throw_faults(context);
   try {
+    if (!built.empty()) io::build(built, spec);
     io::refuse_idle(spec, context);
     draw_fields(spec);
   } catch (const InputError& error) {

@@ -74,9 +74,38 @@ class Materials {
   std::map<std::string, std::int32_t> index_;
 };
 
-std::string material_of(const Shape& shape, const BodySpec& a, const BodySpec& b) {
-  const std::string plain =
-      a.fixed && shape.material.contains("foundation") ? "foundation" : "joint";
+// "front.c03u05" of the pieces "front.c03u05a" and "front.c03u05b", ".w1" and the like kept: a unit in pieces, as the
+// builders name them; "" for any other body.
+std::string unit_of(const std::string& id) {
+  const auto digits_before = [&](std::size_t end) {
+    std::size_t k = end;
+    while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
+    return k;
+  };
+  const bool in_wythe = id.size() > 3 && id[id.size() - 3] == '.' && id[id.size() - 2] == 'w';
+  const std::size_t end = in_wythe ? id.size() - 3 : id.ends_with(".t") ? id.size() - 2 : id.size();
+  if (end < 5 || id[end - 1] < 'a' || id[end - 1] > 'z') return "";
+  const std::size_t unit = digits_before(end - 1);
+  if (unit == end - 1 || unit == 0 || (id[unit - 1] != 'u' && id[unit - 1] != 't')) return "";
+  const std::size_t course = digits_before(unit - 1);
+  if (course == unit - 1 || course == 0 || id[course - 1] != 'c') return "";
+  return id.substr(0, end - 1) + id.substr(end);
+}
+
+// Joints as a wall's in its plane: level ones, upright ones, crack planes in units.
+std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
+  const MasonryJoints& named = shape.wall.joints;
+  const std::string bed = named.joint.empty() ? "joint" : named.joint;
+  if (a.fixed) return shape.material.contains("foundation") ? "foundation" : bed;
+  const std::string unit = unit_of(a.id);
+  if (!unit.empty() && unit == unit_of(b.id))
+    return named.unit_joint.empty() ? "unit" : named.unit_joint;
+  const bool upright = std::fabs(normal.y) < 0.5;
+  return upright && !named.head_joint.empty() ? named.head_joint : bed;
+}
+
+std::string material_of(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
+  const std::string plain = plain_joint(shape, a, b, normal);
   const std::string between = geometry::ruled_material(shape, a.material, b.material, plain);
   return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
 }
@@ -194,7 +223,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
     const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
     if (a.fixed && b.fixed) continue;
     joints.push_back(placed(face, id[at(face.a)], id[at(face.b)],
-                            materials.index_of(material_of(shape, a, b)), choice));
+                            materials.index_of(material_of(shape, a, b, face.normal)), choice));
   }
   faults.throw_if_any();
   const auto variant = [&](const Placed& joint) {

@@ -1,0 +1,374 @@
+// Where walls along plan lines meet, and which courses go through there.
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "geometry/bond.h"
+#include "geometry/builder.h"
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+constexpr double kSamePlace = 1e-4;   // between points of two lines [m]
+constexpr double kRightAngle = 1e-6;  // cosine between two walls that meet
+constexpr double kLeastLap = 0.25;    // of a half unit: what a tooth reaches beyond the other wall
+
+template <class E, std::size_t N>
+void take_word(const std::string& stated, const Word<E> (&words)[N], const std::string& path,
+               E& value, FaultList& faults) {
+  if (stated.empty()) return;
+  std::vector<std::string> known;
+  for (const Word<E>& word : words) {
+    if (word.word == stated) {
+      value = word.value;
+      return;
+    }
+    known.emplace_back(word.word);
+  }
+  add_fault(faults, path, "\"" + stated + "\"", "must be one of " + joined(known, ", "),
+            name_advice(stated, known));
+}
+
+void take(double own, double& value) {
+  if (!std::isnan(own)) value = own;
+}
+
+// [wall] with what the plan_wall states itself.
+WallSpec inherited(const Site& site, const PlanWallSpec& spec, const std::string& path,
+                   FaultList& faults) {
+  WallSpec wall = site.model.wall;
+  wall.length = kUnset;
+  wall.opening = spec.opening;
+  take(spec.height, wall.height);
+  take(spec.thickness, wall.thickness);
+  take_word(spec.bond, kBondWords, path + ".bond", wall.bond, faults);
+  take_word(spec.fit, kFitWords, path + ".fit", wall.fit, faults);
+  take(spec.unit.length, wall.unit.length);
+  take(spec.unit.height, wall.unit.height);
+  take(spec.unit.width, wall.unit.width);
+  take(spec.unit.density, wall.unit.density);
+  take(spec.unit.mortar.bed, wall.unit.mortar.bed);
+  take(spec.unit.mortar.head, wall.unit.mortar.head);
+  wall.unit.split = spec.unit.split;
+  return wall;
+}
+
+std::string shown(Vec2 p) { return "[" + metres(p.x) + ", " + metres(p.y) + "]"; }
+
+bool check_sizes(const PlanWallSpec& spec, const WallSpec& wall, const std::string& path,
+                 FaultList& faults) {
+  const auto own = [&](const char* key, double value) {
+    return std::isnan(value) ? "wall." + std::string(key) : path + "." + key;
+  };
+  bool good =
+      is_positive({own("thickness", spec.thickness), wall.thickness, "m", "0.25 m"}, faults);
+  good &= is_positive({own("height", spec.height), wall.height, "m", "2.4 m"}, faults);
+  if (spec.wythes < 1 || spec.wythes > 3)
+    add_fault(faults, path + ".wythes", std::to_string(spec.wythes), "must be 1, 2 or 3",
+              "write wythes = 2; more are parts of one unit here");
+  if (!std::isnan(spec.core) && (spec.wythes != 3 || !(spec.core < wall.thickness)))
+    add_fault(faults, path + ".core", metres(spec.core),
+              "is for three wythes, and thinner than the wall",
+              "write wythes = 3, and a core thinner than " + metres(wall.thickness));
+  return good;
+}
+
+// The sides of one table's line.
+void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, FaultList& faults) {
+  const PlanWallSpec& spec = site.spec.plan_wall[static_cast<std::size_t>(index)];
+  const std::string path = "plan_wall." + std::to_string(index);
+  const WallSpec wall = inherited(site, spec, path, faults);
+  const bool sized = check_sizes(spec, wall, path, faults);
+  if (spec.line.size() < 2)
+    return add_fault(faults, path + ".line", "", "needs two points or more",
+                     "write e.g. line = [[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"]]");
+  if (spec.line.size() > 2 && !spec.opening.empty())
+    add_fault(faults, path + ".opening", "",
+              "the line has corners, so x along it is not one wall's",
+              "make a [[plan_wall]] of each straight part, and give its openings to it");
+  if (!sized) return;
+  for (std::size_t k = 0; k + 1 < spec.line.size(); ++k) {
+    StraightWall side;
+    side.index = index;
+    side.path = path;
+    side.name = spec.name + (spec.line.size() > 2 ? "." + std::to_string(k + 1) : "");
+    side.from = {spec.line[k][0], spec.line[k][1]};
+    const Vec2 way = Vec2{spec.line[k + 1][0], spec.line[k + 1][1]} - side.from;
+    side.line = std::hypot(way.x, way.y);
+    if (!(side.line > wall.thickness)) {
+      add_fault(faults, path + ".line", metres(side.line),
+                "is no longer than the wall is thick (" + metres(wall.thickness) + ")",
+                "write a longer line; points are corners of the middle plane");
+      continue;
+    }
+    side.along = {way.x / side.line, way.y / side.line};
+    side.across = {-side.along.y, side.along.x};
+    side.thickness = wall.thickness;
+    side.wall = wall;
+    walls.push_back(side);
+  }
+}
+
+Vec2 point(const StraightWall& wall, int e) {
+  const double s = e == 0 ? 0 : wall.line;
+  return {wall.from.x + s * wall.along.x, wall.from.y + s * wall.along.y};
+}
+
+struct Foot {
+  double along, off;  // of a point: on the line, and off it [m]
+};
+Foot foot_of(const StraightWall& wall, Vec2 p) {
+  const Vec2 d = p - wall.from;
+  return {dot(d, wall.along), dot(d, wall.across)};
+}
+
+class Meetings {
+ public:
+  Meetings(std::vector<StraightWall>& walls, const BuilderSpec& spec, FaultList& faults)
+      : walls_(walls), spec_(spec), faults_(faults) {}
+
+  void find() {
+    for (std::size_t i = 0; i < walls_.size(); ++i)
+      for (std::size_t k = 0; k < walls_.size(); ++k)
+        if (i != k) meet(static_cast<int>(i), static_cast<int>(k));
+    for (StraightWall& wall : walls_) {
+      wall.wall.length = wall.line + wall.end[0].reach + wall.end[1].reach;
+      check_tees(wall);
+    }
+  }
+
+ private:
+  StraightWall& at(int i) { return walls_[static_cast<std::size_t>(i)]; }
+
+  void refuse(const StraightWall& wall, Vec2 p, const std::string& problem,
+              const std::string& cure) {
+    add_fault(faults_, wall.path + ".line", shown(p), problem, cure);
+  }
+
+  bool is_toothed(const StraightWall& a, const StraightWall& b) const {
+    const auto& spec = spec_.plan_wall;
+    return spec[static_cast<std::size_t>(a.index)].meets == Meeting::kToothed &&
+           spec[static_cast<std::size_t>(b.index)].meets == Meeting::kToothed;
+  }
+
+  // Both ends of wall i against wall k; corners are taken once, from the earlier of the two.
+  void meet(int i, int k) {
+    StraightWall &a = at(i), &b = at(k);
+    for (int e = 0; e < 2; ++e) {
+      const Vec2 p = point(a, e);
+      for (int f = 0; f < 2; ++f)
+        if (length(p - point(b, f)) < kSamePlace) {
+          if (i < k) corner(i, e, k, f);
+          return;
+        }
+      const Foot foot = foot_of(b, p);
+      if (foot.along < 0 || foot.along > b.line) continue;
+      if (std::fabs(foot.off) < kSamePlace)
+        tee(i, e, k, foot.along);
+      else if (std::fabs(foot.off) < 0.5 * b.thickness + kSamePlace)
+        refuse(a, p,
+               "ends " + millimetres(std::fabs(foot.off)) + " off the middle plane of " + b.name,
+               "let lines of walls that meet end on each other's line: " +
+                   shown({b.from.x + foot.along * b.along.x, b.from.y + foot.along * b.along.y}));
+    }
+    if (i < k) refuse_crossing(a, b);
+  }
+
+  void refuse_crossing(const StraightWall& a, const StraightWall& b) {
+    const double turn = cross(a.along, b.along);
+    if (std::fabs(turn) < kRightAngle) return;
+    const Vec2 d = b.from - a.from;
+    const double s = cross(d, b.along) / turn, t = cross(d, a.along) / turn;
+    if (s < kSamePlace || s > a.line - kSamePlace || t < kSamePlace || t > b.line - kSamePlace)
+      return;
+    refuse(b, {a.from.x + s * a.along.x, a.from.y + s * a.along.y},
+           "crosses the wall " + a.name + " there", "let one go through, and end two walls on it");
+  }
+
+  bool is_taken(int i, int e, Vec2 p) {
+    if (at(i).end[e].kind == EndKind::kFree) return false;
+    refuse(at(i), p, "more than two walls meet there",
+           "let one wall go through, and end the others on it, apart from each other");
+    return true;
+  }
+
+  bool is_square(int i, int k, Vec2 p) {
+    const double cosine = dot(at(i).along, at(k).along);
+    if (std::fabs(cosine) < kRightAngle) return true;
+    const bool straight = std::fabs(cross(at(i).along, at(k).along)) < kRightAngle;
+    refuse(at(k), p,
+           straight ? "goes straight on from " + at(i).name + ", or back over it"
+                    : "meets " + at(i).name + " at another angle than 90 degrees",
+           straight ? "make them one line" : "draw corners at right angles");
+    return false;
+  }
+
+  void corner(int i, int e, int k, int f) {
+    const Vec2 p = point(at(i), e);
+    if (is_taken(i, e, p) || is_taken(k, f, p) || !is_square(i, k, p)) return;
+    const bool toothed = is_toothed(at(i), at(k));
+    at(i).end[e] = {EndKind::kCorner, k, f, toothed, 0.5 * at(k).thickness, 0};
+    at(k).end[f] = {EndKind::kCorner, i, e, toothed, (toothed ? 0.5 : -0.5) * at(i).thickness, 0};
+  }
+
+  void tee(int i, int e, int k, double along) {
+    const Vec2 p = point(at(i), e);
+    if (is_taken(i, e, p) || !is_square(i, k, p)) return;
+    const bool toothed = is_toothed(at(i), at(k));
+    at(i).end[e] = {EndKind::kTee, k, -1, toothed, (toothed ? 0.5 : -0.5) * at(k).thickness, 0};
+    at(k).tees.push_back({i, e, along});
+  }
+
+  // Two walls may not end on one place from both sides: both would go through in the same courses.
+  void check_tees(const StraightWall& wall) {
+    for (std::size_t p = 0; p < wall.tees.size(); ++p)
+      for (std::size_t q = p + 1; q < wall.tees.size(); ++q) {
+        const StraightWall &a = at(wall.tees[p].other), &b = at(wall.tees[q].other);
+        const double apart = std::fabs(wall.tees[p].at - wall.tees[q].at);
+        if (apart > 0.5 * (a.thickness + b.thickness) - kSamePlace) continue;
+        refuse(b, point(b, wall.tees[q].end), "ends on " + wall.name + " where " + a.name + " does",
+               "move one of them along by " + metres(0.5 * (a.thickness + b.thickness)) +
+                   ", or let one of these go through");
+      }
+  }
+
+  std::vector<StraightWall>& walls_;
+  const BuilderSpec& spec_;
+  FaultList& faults_;
+};
+
+// --- which courses go through -----------------------------------------------------------------------
+
+// Length of the unit at an end of a course of the bond, its halves together [m].
+double end_unit(const StraightWall& wall, int e, int course) {
+  const std::vector<Piece> pieces = lay_course(wall.storeys.front(), course);
+  if (pieces.empty()) return 0;
+  const int unit = e == 0 ? pieces.front().unit : pieces.back().unit;
+  double length = 0;
+  for (const Piece& piece : pieces)
+    if (piece.unit == unit) length += piece.x1 - piece.x0;
+  return length;
+}
+
+// How far head joints of a course stand from the middle of a hole at `x`, at least [m].
+double nearest_joint(const StraightWall& wall, int course, double x) {
+  double least = 1e300;
+  int before = -1;
+  for (const Piece& piece : lay_course(wall.storeys.front(), course)) {
+    if (piece.unit != before) least = std::fmin(least, std::fabs(piece.x0 - x));
+    before = piece.unit;
+  }
+  return least;
+}
+
+// Phases 0 or 1 with the parity of their difference known for some pairs.
+class Phases {
+ public:
+  explicit Phases(std::size_t n) : above_(n), parity_(n, 0) {
+    for (std::size_t i = 0; i < n; ++i) above_[i] = i;
+  }
+  [[nodiscard]] int of(std::size_t i) const {
+    int parity = 0;
+    for (; above_[i] != i; i = above_[i]) parity ^= parity_[i];
+    return parity;
+  }
+  // False where the pair is bound otherwise already.
+  bool bind(std::size_t i, std::size_t k, int parity) {
+    const std::size_t p = root(i), q = root(k);
+    const int between = of(i) ^ of(k);
+    if (p == q) return between == parity;
+    above_[std::max(p, q)] = std::min(p, q);
+    parity_[std::max(p, q)] = between ^ parity;
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::size_t root(std::size_t i) const {
+    while (above_[i] != i) i = above_[i];
+    return i;
+  }
+  std::vector<std::size_t> above_;
+  std::vector<int> parity_;
+};
+
+bool has_courses(const StraightWall& wall) {
+  return !wall.storeys.empty() && wall.storeys.front().lattice.courses.count > 0 &&
+         wall.storeys.front().lattice.columns.count > 0;
+}
+
+// Teeth need courses of one height, and units longer than the other wall is thick.
+bool teeth_fit(const StraightWall& a, int e, const StraightWall& b, FaultList& faults) {
+  const double step_a = a.storeys.front().lattice.courses.step;
+  const double step_b = b.storeys.front().lattice.courses.step;
+  if (std::fabs(step_a - step_b) > 1e-6 * step_a) {
+    add_fault(faults, a.path + ".height", metres(a.wall.height),
+              "its courses of " + millimetres(step_a) + " do not match those of " + b.name + ", " +
+                  millimetres(step_b) + ", where they are toothed",
+              "give both units of one height and heights of whole courses, or write meets = "
+              "\"butted\"");
+    return false;
+  }
+  const double lap = end_unit(a, e, a.end[e].passes) - b.thickness;
+  const double least = kLeastLap * a.storeys.front().lattice.columns.step;
+  if (lap >= least * (1 - 1e-9)) return true;
+  add_fault(faults, a.path + ".unit.length", millimetres(end_unit(a, e, a.end[e].passes)),
+            "the unit at its " + std::string(e == 0 ? "first" : "last") + " end does not lap " +
+                b.name + ", which is " + millimetres(b.thickness) + " thick",
+            "write units longer than " + millimetres(b.thickness + least) +
+                ", a length of whole half units, or meets = \"butted\"");
+  return false;
+}
+
+}  // namespace
+
+std::vector<StraightWall> read_plan(const Site& site, FaultList& faults) {
+  std::vector<StraightWall> walls;
+  for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i)
+    add_sides(site, static_cast<int>(i), walls, faults);
+  Meetings(walls, site.spec, faults).find();
+  return walls;
+}
+
+void match_courses(std::vector<StraightWall>& walls, FaultList& faults) {
+  Phases phases(walls.size());
+  const auto toothed = [&](std::size_t i, int e, EndKind kind) {
+    const WallEnd& end = walls[i].end[e];
+    return end.kind == kind && end.toothed && has_courses(walls[i]) &&
+           has_courses(walls[static_cast<std::size_t>(end.other)]);
+  };
+  for (StraightWall& wall : walls)
+    for (int e = 0; e < 2 && has_courses(wall); ++e)
+      wall.end[e].passes = end_unit(wall, e, 1) > end_unit(wall, e, 0) + 1e-9 ? 1 : 0;
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    for (int e = 0; e < 2; ++e) {
+      const WallEnd& end = walls[i].end[e];
+      const auto k = static_cast<std::size_t>(end.other);
+      if (!toothed(i, e, EndKind::kCorner) || !teeth_fit(walls[i], e, walls[k], faults)) continue;
+      const int parity = 1 ^ end.passes ^ walls[k].end[end.other_end].passes;
+      if (i < k && !phases.bind(i, k, parity))
+        add_fault(faults, walls[k].path + ".line", "",
+                  "its courses do not match those of " + walls[i].name +
+                      " at their corner: both would go through in the same courses",
+                  "make one of the walls of this ring longer or shorter by half a unit, or write "
+                  "meets = \"butted\"");
+    }
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    for (int e = 0; e < 2; ++e) {
+      if (!toothed(i, e, EndKind::kTee)) continue;
+      const WallEnd& end = walls[i].end[e];
+      const auto k = static_cast<std::size_t>(end.other);
+      if (!teeth_fit(walls[i], e, walls[k], faults)) continue;
+      const auto& tees = walls[k].tees;
+      const auto own = std::find_if(tees.begin(), tees.end(), [&](const Tee& t) {
+        return t.other == static_cast<int>(i) && t.end == e;
+      });
+      const double x = own->at - walls[k].begin();
+      // the course that bridges is the one whose head joints stand away from it
+      const int bridges = nearest_joint(walls[k], 1, x) > nearest_joint(walls[k], 0, x) ? 1 : 0;
+      (void)phases.bind(i, k, 1 ^ end.passes ^ bridges);
+    }
+  for (std::size_t i = 0; i < walls.size(); ++i) walls[i].phase = phases.of(i);
+}
+
+}  // namespace wythe::geometry

@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+"""The builder in space from the command line: tables of a model file become walls, vaults and domes that run, and bad
+ones are refused by place, all at once."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+WYTHE = os.environ.get("WYTHE", "build/release/wythe")
+SOURCE = pathlib.Path(os.environ.get("SOURCE", "."))
+
+HEAD = """
+[wall]
+height = "0.6 m"
+thickness = "0.15 m"
+{more}
+[wall.unit]
+length = "300 mm"
+height = "100 mm"
+density = "2000 kg/m^3"
+split = "{split}"
+"""
+TAIL = """
+[material.joint]
+use = "limestone_dry"
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+friction_tan = 0.65
+residual_friction_tan = 0.65
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+"""
+FRONT = """
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["1.125 m", "0 m"]]
+"""
+SIDE = """
+[[plan_wall]]
+name = "side"
+line = [["0 m", "0 m"], ["0 m", "1.125 m"]]
+"""
+ALONE = FRONT.replace("1.125", "1.2")
+
+
+UNIT = """
+[material.unit]
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = 0.65
+residual_friction_tan = 0.65
+compressive_strength = "unlimited"
+"""
+
+
+def wythe(*arguments):
+    return subprocess.run([WYTHE, *map(str, arguments)], capture_output=True, text=True)
+
+
+class Builder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def model(self, body, split="none", more=""):
+        path = self.folder / "model.toml"
+        path.write_text(HEAD.format(split=split, more=more) + body + TAIL, encoding="utf-8")
+        return path
+
+    def run_to(self, name, model, *options):
+        out = self.folder / name
+        ended = wythe("run", model, "--out", out, "--quiet", *options)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return json.loads((out / "summary.json").read_text(encoding="utf-8"))
+
+    def refused(self, model, *words):
+        ended = wythe("check", model)
+        self.assertEqual(ended.returncode, 2, ended.stdout)
+        for word in words:
+            self.assertIn(word, ended.stderr)
+        return ended.stderr
+
+    def test_the_folder_of_a_corner_runs_again_to_the_same_bits(self):
+        first = self.run_to("out", self.model(FRONT + SIDE))
+        # a course of the wall that goes through has 4 units, the other's 3 and a half
+        self.assertEqual(first["blocks"], 6 * (4 + 4))
+        again = self.run_to("again", self.folder / "out" / "model.used.toml")
+        self.assertEqual(again["state_hash"], first["state_hash"])
+
+    def test_z_up_is_the_same_wall(self):
+        summaries = [self.run_to(str(k), self.model(FRONT + SIDE, more=more))
+                     for k, more in enumerate(("", 'up = "z"'))]
+        for key in ("blocks", "joints", "status"):
+            self.assertEqual(summaries[0][key], summaries[1][key])
+
+    def test_a_unit_in_halves_needs_the_material_of_its_crack_plane(self):
+        self.refused(self.model(ALONE, split="middle"), "material.unit")
+        ended = wythe("check", self.model(ALONE + UNIT, split="middle"))
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+
+    def test_faults_are_told_at_once_with_their_lines(self):
+        text = self.refused(self.model("""
+[[plan_wall]]
+name = "a"
+line = [["0 m", "0 m"], ["2 m", "0 m"]]
+wythes = 4
+bonds = "running"
+[[arch]]
+name = "a"
+span = "-2 m"
+"""), "wythes", "bonds", "span")
+        self.assertIn("model.toml:", text)
+        text = self.refused(self.model(FRONT + SIDE.replace('"0 m"], ["0 m", "1.125 m"', '"0.05 m"], ["0 m", "1.125 m"')
+                                       + '[[dome]]\nname = "d"\nspan = "2 m"\n'),
+                            "plan_wall.1.line", "off the middle plane", "dome.0.depth", "dome.0.units")
+        self.assertRegex(text, r"model\.toml:\d+: plan_wall\.1\.line")
+
+    def test_a_wall_in_another_is_told_at_its_table(self):
+        over = ALONE.replace("front", "over").replace('"0 m"]', '"0.1 m"]')
+        text = self.refused(self.model(ALONE + over), "lies in body front.")
+        self.assertRegex(text, r"model\.toml:\d+: plan_wall\.over\.c")
+
+    def test_what_says_nothing_here_is_refused(self):
+        self.refused(self.model(ALONE, more='length = "2 m"'), "wall.length")
+        self.refused(self.model(ALONE, more='up = "x"'), "wall.up")
+        self.refused(self.model(ALONE, more='blocks = "blocks.json"'), "wall.blocks")
+
+    def test_a_stage_finds_blocks_by_the_names_of_the_builder(self):
+        push = '[[stage]]\nname = "push"\nat = {{ block = "{}" }}\ndirection = "-z"\nvelocity = "5 mm/s"\nuntil = "0.2 mm"\n'
+        path = self.model(FRONT + SIDE)
+        text = path.read_text(encoding="utf-8")
+        path.write_text(text + push.format("front.c05*"), encoding="utf-8")
+        self.assertEqual(self.run_to("out", path)["status"], "completed")
+        path.write_text(text + push.format("front.c09*"), encoding="utf-8")
+        self.refused(path, "finds no block")
+
+    def test_a_toothed_corner_stands_more_than_a_butted_one_and_that_as_a_wall_alone(self):
+        example = SOURCE / "examples/corner/model.toml"
+        toothed = self.run_to("toothed", example)
+        butted = self.run_to("butted", example, "--set", "plan_wall.front.meets=butted")
+        self.assertEqual((toothed["status"], butted["status"]), ("collapsed", "collapsed"))
+        self.assertAlmostEqual(butted["load_factor"] / 0.15, 1, delta=0.03)
+        self.assertGreater(toothed["load_factor"], 1.2 * butted["load_factor"])
+
+    def test_the_vault_spreads_and_its_thrust_falls(self):
+        summary = self.run_to("out", SOURCE / "examples/barrel_vault/model.toml",
+                              "--set", 'stage.spread.until="4 mm"')
+        self.assertEqual(summary["status"], "completed")
+
+    def test_the_dome_stands_and_spreads(self):
+        summary = self.run_to("out", SOURCE / "examples/dome/model.toml", "--set", 'stage.spread.until="0.5 mm"')
+        self.assertEqual(summary["status"], "completed")
+
+
+if __name__ == "__main__":
+    unittest.main()
