@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/parameters.h"
 #include "cracked.h"
 #include "dynamics/executors/processor.h"
 #include "dynamics/space/executor.h"
@@ -128,6 +129,18 @@ void engine_walls(benchmark::State& bench, int lanes, std::size_t sets,
 
 // --- walls in space
 
+// Bytes that a step moves: what a wall has for itself, read and where it is written written; what all share.
+double engine_space_bytes(const Model& m, int walls) {
+  const auto np = static_cast<double>(m.space.point_r1.size());
+  const double nj = m.n_joint, nb = m.n_block;
+  const int history = contact::remembered(contact::choice_of(m.materials.front())) + 1;
+  constexpr int kPoint = dynamics::space::kPointRows, kFace = dynamics::space::kFaceRows + 1,
+                kBlock = dynamics::space::kAxisRows + 4;
+  const double own = history * np + 2 * 12 * nj + (2 * (8 + 6) + 12) * nb;
+  const double shared = kPoint * np + kFace * nj + kBlock * nb;
+  return 8 * (own + shared / walls) / np;
+}
+
 void report_space(benchmark::State& bench, const SpaceWall& wall, int walls) {
   const auto done =
       static_cast<double>(wall.points()) * walls * static_cast<double>(bench.iterations());
@@ -157,6 +170,7 @@ void engine_space(benchmark::State& bench, const SpaceWall& wall, int lanes,
   }
   for (auto _ : bench) processor.step();
   report_space(bench, wall, lanes);
+  bench.counters["bytes_per_point"] = engine_space_bytes(wall.model, lanes);
 }
 
 // One multiplication and one addition a round and chain.
@@ -229,7 +243,7 @@ void add_all() {
   add("bare_walls_two_threads", [widest](auto& b) { bare_walls(b, *widest); })
       ->Threads(2)
       ->UseRealTime();
-  for (const int kib : {16, 256, 4096})
+  for (const int kib : {16, 256, 4096, 24576, 262144})
     add("copy/" + std::to_string(kib) + "_KiB", [kib](auto& b) { copy(b, kib); });
 }
 
