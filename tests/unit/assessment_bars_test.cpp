@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/small_study.h"
+#include "study/store/store.h"
 #include "unit/assessed_wall.h"
 #include "wythe/campaign.h"
+#include "wythe/error.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -298,6 +300,39 @@ TEST(CampaignAssessment, of_an_older_store_is_not_signed_for_what_it_did_not_kee
   EXPECT_EQ(a.doubtful, a.answered);
   EXPECT_EQ(text_of(sentence_of(a)).find("not to be signed: drifts of the samples"), 0U)
       << text_of(sentence_of(a));
+}
+
+// Drifts that somebody took away, or put elsewhere, would be drifts of another wall.
+TEST(CampaignAssessment, refuses_a_store_whose_drifts_do_not_belong_together) {
+  const scenes::TemporaryFolder folder;
+  const Facade f(folder / "out", 2);
+  const auto said = [&] {
+    try {
+      (void)read_campaign(folder / "out");
+    } catch (const IoError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto change = [&](const std::string& sql) {
+    study::Database database(study::store_path(folder / "out"), study::Database::Access::kWrite);
+    database.execute(sql);
+  };
+  EXPECT_EQ(said(), "");
+  change("CREATE TABLE kept AS SELECT * FROM pier_drift");
+  change("DELETE FROM pier_drift WHERE sample = 1 AND position = 0");
+  EXPECT_NE(said().find("a pier's drift is missing"), std::string::npos) << said();
+  change("DELETE FROM pier_drift");
+  change("INSERT INTO pier_drift SELECT * FROM kept");
+  EXPECT_EQ(said(), "");
+  change("UPDATE pier_drift SET displacement_m = 0.5 WHERE sample = 2 AND position = 1");
+  EXPECT_NE(said().find("are not those of its states"), std::string::npos) << said();
+  change("DELETE FROM pier_drift WHERE sample = 2");
+  const CampaignAssessment without =
+      assess_campaign(read_campaign(folder / "out"), f.base, f.model);
+  EXPECT_EQ(cautions_of(without).front().code, "assessment.caution.whole_drift");
+  change("UPDATE moved SET displacement_m = 0 WHERE sample = 1 AND position = 1");
+  EXPECT_NE(said().find("are not in order"), std::string::npos) << said();
 }
 
 // --- what a campaign must not vouch for

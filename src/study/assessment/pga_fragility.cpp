@@ -87,9 +87,11 @@ std::string own_key(const StudySpec& study) {
   return "";
 }
 
-bool knows_walls(const Campaign& campaign) {
-  return std::all_of(campaign.records.begin(), campaign.records.end(), [](const auto& record) {
-    return !is_answered(record) || record.pushed.is_read();
+// Whether every sample keeps its wall, with each of its piers.
+bool knows_walls(const Campaign& campaign, const Model& model) {
+  const std::size_t piers = study::find_parts(model).piers.size();
+  return std::all_of(campaign.records.begin(), campaign.records.end(), [&](const auto& record) {
+    return !is_answered(record) || (record.pushed.is_read() && record.pushed.piers.size() == piers);
   });
 }
 
@@ -104,7 +106,7 @@ Message barred(const Campaign& campaign, const Model& model) {
 std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
                                          const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);
-  if (knows_walls(campaign)) return say;
+  if (knows_walls(campaign, model)) return say;
   if (study::find_parts(model).piers.size() > 1 || base.storey.size() > 1)
     say.push_back({"assessment.caution.whole_drift"});
   return say;
@@ -244,7 +246,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   out.notes.insert(out.notes.end(), notes.begin(), notes.end());
   for (Message& note : study::notes_of_masses(base, model)) out.notes.push_back(std::move(note));
   out.notes.push_back(
-      {knows_walls(campaign) ? "assessment.note.own_shapes" : "assessment.note.base_mass"});
+      {knows_walls(campaign, model) ? "assessment.note.own_shapes" : "assessment.note.base_mass"});
   if (std::isnan(base.assessment.record_scatter))
     out.notes.push_back({"assessment.note.no_record_scatter"});
   return out;
