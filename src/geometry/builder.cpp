@@ -32,10 +32,11 @@ void name_all(const std::vector<Table>& tables, const char* key, std::set<std::s
 
 void Site::check_material(const std::string& path, const std::string& name,
                           FaultList& faults) const {
-  if (name.empty() || name == "masonry") return;
   const auto found = model.material.find(name);
   const bool weighs = found != model.material.end() && !std::isnan(found->second.density);
   if (weighs || !std::isnan(model.wall.unit.density)) return;
+  if (name.empty())
+    return (void)is_positive({"wall.unit.density", kUnset, "kg/m^3", "1800 kg/m^3"}, faults);
   add_fault(faults, path, "\"" + name + "\"", "has no density, nor has wall.unit",
             "add [material." + name + "] with its density");
 }

@@ -26,7 +26,7 @@ struct Site {
   const BuilderSpec& spec;
   const ModelSpec& model;
   [[nodiscard]] bool z_up() const { return model.wall.up == "z"; }
-  // The voussoirs' or the masonry's; a fault where it is named and not there.
+  // A material has a density, or the masonry has one.
   void check_material(const std::string& path, const std::string& name, FaultList& faults) const;
 };
 

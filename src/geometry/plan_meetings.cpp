@@ -47,7 +47,8 @@ WallSpec inherited(const Site& site, const PlanWallSpec& spec, const std::string
   take(spec.unit.length, wall.unit.length);
   take(spec.unit.height, wall.unit.height);
   take(spec.unit.width, wall.unit.width);
-  take(spec.unit.density, wall.unit.density);
+  const auto material = site.model.material.find(spec.material);
+  if (material != site.model.material.end()) take(material->second.density, wall.unit.density);
   take(spec.unit.mortar.bed, wall.unit.mortar.bed);
   take(spec.unit.mortar.head, wall.unit.mortar.head);
   wall.unit.split = spec.unit.split;
@@ -80,6 +81,9 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
   const std::string path = "plan_wall." + std::to_string(index);
   const WallSpec wall = inherited(site, spec, path, faults);
   const bool sized = check_sizes(spec, wall, path, faults);
+  if (!std::isnan(spec.unit.density))
+    add_fault(faults, path + ".unit.density", "", "is a material's where walls differ in it",
+              "write material = \"stone\" here, and density under [material.stone]");
   if (spec.line.size() < 2)
     return add_fault(faults, path + ".line", "", "needs two points or more",
                      "write e.g. line = [[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"]]");

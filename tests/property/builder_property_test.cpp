@@ -348,9 +348,28 @@ TEST(Builder, courses_that_do_not_match_are_refused_where_walls_are_toothed) {
                  "plan_wall.3.line", "both would go through");
 }
 
+TEST(Builder, what_has_no_density_is_refused_before_it_is_laid) {
+  BuilderSpec spec = plan({wall("a", {{0, 0}, {3, 0}})});
+  StandingArchSpec arch;
+  arch.name = "v", arch.span = 4, arch.depth = 0.3, arch.width = 3, arch.voussoirs = 7;
+  spec.arch = {arch};
+  const auto faults_with = [&](double density) {
+    ModelSpec model;
+    model.material["stone"].density = density;
+    std::vector<Message> notes;
+    FaultList faults;
+    (void)build_bodies({spec, model}, notes, faults);
+    return faults;
+  };
+  EXPECT_EQ(faults_with(kUnset).all().size(), 2U);
+  spec.plan_wall[0].material = spec.arch[0].material = "stone";
+  EXPECT_TRUE(faults_with(2000).empty()) << told(faults_with(2000));
+  EXPECT_FALSE(faults_with(kUnset).empty());
+}
+
 TEST(Builder, bad_numbers_are_refused_all_at_once) {
   PlanWallSpec a = wall("a", {{0, 0}, {3, 0}});
-  a.wythes = 5, a.bond = "runing";
+  a.wythes = 5, a.bond = "runing", a.unit.density = 1500;
   PlanWallSpec b = wall("a", {{0, 2}});
   BuilderSpec spec = plan({a, b});
   StandingArchSpec arch;
@@ -362,9 +381,10 @@ TEST(Builder, bad_numbers_are_refused_all_at_once) {
   const Built built = build(spec);
   std::set<std::string> paths;
   for (const Fault& fault : built.faults.all()) paths.insert(fault.path);
-  for (const char* path : {"plan_wall.0.wythes", "plan_wall.0.bond", "plan_wall.1.name",
-                           "plan_wall.1.line", "arch.0.voussoirs", "dome.0.name", "dome.0.span",
-                           "dome.0.depth", "dome.0.courses", "dome.0.units"})
+  for (const char* path :
+       {"plan_wall.0.wythes", "plan_wall.0.bond", "plan_wall.0.unit.density", "plan_wall.1.name",
+        "plan_wall.1.line", "arch.0.voussoirs", "dome.0.name", "dome.0.span", "dome.0.depth",
+        "dome.0.courses", "dome.0.units"})
     EXPECT_TRUE(paths.contains(path)) << path << '\n' << told(built.faults);
 }
 
