@@ -59,12 +59,19 @@ struct LimitAnswer {
   double kinematic = 0;  // kinematic theorem: least load that drives a mechanism; equal to `load`
   // joint forces at that load (n_point): compression on each point [N]
   std::vector<double> point_force;
-  std::vector<double> shear_force;  // along t on the block b [N] (n_joint)
-  std::vector<double> link_force;   // of ties, diaphragms and springs, tension + [N] (n_link)
+  std::vector<double>
+      shear_force;  // along t on the block b [N] (n_joint); in space of each point, along t1
+  std::vector<double> shear_force_2;  // in space along t2 (n_point)
+  std::vector<double> link_force;     // of ties, diaphragms and springs, tension + [N] (n_link)
   // collapse mechanism, per unit velocity of the load (n_block) [-], [-], [1/m]
   std::vector<double> vx, vy, omega;
+  std::vector<double> vz, omega_x, omega_y;  // in space; omega is about z
+  // In space a friction circle is a polygon, cut until no shear passes the circle by more than this share: the
+  // load is that of joints whose friction and cohesion are at most that much higher.
+  double friction_excess = 0;
   double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load
-  int rows = 0, columns = 0, cuts = 0;  // size of the static programme; tangents added
+  int rows = 0, columns = 0,
+      cuts = 0;         // size of the static programme; tangents added, in space facets
   double accuracy = 0;  // relative, of the less accurate programme; 0: exact to round-off
   double seconds = 0;
 };

@@ -60,6 +60,7 @@ Model reversed(Model model) {
     if (stage.spec.kind != StageKind::kPush) continue;
     stage.drive_x = -stage.drive_x;
     stage.drive_y = -stage.drive_y;
+    stage.drive_z = -stage.drive_z;
   }
   return model;
 }
@@ -72,12 +73,13 @@ double weight_on_push(const Model& model) {
   if (push == nullptr) return 0;
   double sum = 0;
   for (const BlockId b : push->driven)
-    sum -= model.solve.gravity * model.heavy_mass[static_cast<std::size_t>(b)] * push->drive_y;
+    if (b < model.n_block)  // a support in space weighs on no joint
+      sum -= model.solve.gravity * model.heavy_mass[static_cast<std::size_t>(b)] * push->drive_y;
   for (const Stage& stage : model.stages) {
     if (&stage == push) break;
     for (const PointLoad& load : stage.loads)
       if (std::find(push->driven.begin(), push->driven.end(), load.block) != push->driven.end())
-        sum += load.fx * push->drive_x + load.fy * push->drive_y;
+        sum += dot(Vec3{load.fx, load.fy, load.fz}, push->drive());
   }
   return sum;
 }

@@ -125,6 +125,13 @@ Json limit_json(const NamedLimit& limit) {
   json["velocity_x"] = a.vx;
   json["velocity_y"] = a.vy;
   json["spin_per_m"] = a.omega;
+  if (!a.vz.empty()) {
+    json["velocity_z"] = a.vz;
+    json["spin_x_per_m"] = a.omega_x;
+    json["spin_y_per_m"] = a.omega_y;
+    json["shear_force_2_N"] = a.shear_force_2;
+    json["friction_excess"] = a.friction_excess;
+  }
   json["point_force_N"] = a.point_force;
   json["shear_force_N"] = a.shear_force;
   if (!a.link_force.empty()) json["link_force_N"] = a.link_force;

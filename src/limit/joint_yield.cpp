@@ -9,7 +9,8 @@ double times_area(double strength, double area) {
   return std::isinf(strength) ? strength : strength * area;
 }
 
-// A material without tensile strength is fully damaged from the start: residual values hold.
+}  // namespace
+
 JointYield yield_of_joint(const JointMaterial& m, double area, const LimitOptions& o) {
   const bool bonded = o.strength == JointStrength::kBonded && m.tensile_strength > 0;
   const bool unlimited = std::isinf(m.tensile_strength);
@@ -25,8 +26,6 @@ JointYield yield_of_joint(const JointMaterial& m, double area, const LimitOption
       o.crushing == CrushingChoice::kNone ? kUnlimited : times_area(m.compressive_strength, area);
   return y;
 }
-
-}  // namespace
 
 YieldModel yield_of(const Model& model, const LimitOptions& options, double times) {
   YieldModel yield;

@@ -47,6 +47,9 @@ struct YieldModel {
   [[nodiscard]] std::size_t points() const { return xi.size(); }
 };
 
+// A material without tensile strength is fully damaged from the start: residual values hold. half_length is left 0.
+[[nodiscard]] JointYield yield_of_joint(const JointMaterial& material, double area,
+                                        const LimitOptions& options);
 // `times`: every strength but friction (limit_load.cpp, tilts).
 [[nodiscard]] YieldModel yield_of(const Model& model, const LimitOptions& options,
                                   double times = 1);

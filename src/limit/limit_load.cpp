@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "limit/in_space.h"
 #include "limit/programmes.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
@@ -23,7 +24,16 @@ using namespace limit;
 }
 
 std::string name_of(const Model& model, BlockId block) {
+  if (block == kGroundBlock) return "the ground";
+  if (model.in_space()) return model.space.body[static_cast<std::size_t>(block)].id;
   return model.anatomy.block_id[static_cast<std::size_t>(block)];
+}
+
+std::string joint_text(const Model& model, int joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  return fmt::format("the joint between {} and {} ({})", name_of(model, model.joint_a[j]),
+                     name_of(model, model.joint_b[j]),
+                     model.material_names[static_cast<std::size_t>(model.joint_material[j])]);
 }
 
 bool has_joint(const Model& model, BlockId block) {
@@ -31,10 +41,7 @@ bool has_joint(const Model& model, BlockId block) {
   return model.block_begin[i + 1] > model.block_begin[i];
 }
 
-[[noreturn]] void refuse_unbalanced(const Model& model, const LimitLoads& loads,
-                                    const YieldModel& yield, const Units& units,
-                                    const Watch& watch) {
-  const Unbalanced worst = find_unbalanced(model, loads, yield, units, watch);
+[[noreturn]] void refuse_unbalanced(const Model& model, const Unbalanced& worst) {
   if (worst.block < 0)
     refuse("wall", "", "limit analysis found no state in balance",
            "check the joints' strengths with wythe check");
@@ -45,6 +52,13 @@ bool has_joint(const Model& model, BlockId block) {
          fmt::format("cannot stand under the dead loads alone: {:.3g} kN are left unbalanced",
                      1e-3 * worst.force),
          "support it, give its joints friction or cohesion, or lower the dead loads");
+}
+
+[[noreturn]] void refuse_unlimited(const std::string& carrier) {
+  refuse("stage", "",
+         fmt::format("the load can grow without end: no mechanism exists, {} carries any force",
+                     carrier),
+         "push where blocks can move, give that joint or tie a strength, or count crushing");
 }
 
 // The joint that carries most of a load without limit.
@@ -58,10 +72,7 @@ bool has_joint(const Model& model, BlockId block) {
       const std::size_t at = 1 + static_cast<std::size_t>(j) * stride + k;
       if (at >= answer.ray.size() || std::fabs(answer.ray[at]) <= most) continue;
       most = std::fabs(answer.ray[at]);
-      const BlockId a = model.joint_a[j];
-      between = fmt::format(
-          "the joint between {} and {} ({})", a == kGroundBlock ? "the ground" : name_of(model, a),
-          name_of(model, model.joint_b[j]), model.material_names[model.joint_material[j]]);
+      between = joint_text(model, j);
     }
   }
   for (std::size_t k = 0; k < yield.link.size(); ++k) {
@@ -70,10 +81,7 @@ bool has_joint(const Model& model, BlockId block) {
     most = std::fabs(answer.ray[at]);
     between = model.links.name[k];
   }
-  refuse("stage", "",
-         fmt::format("the load can grow without end: no mechanism exists, {} carries any force",
-                     between),
-         "push where blocks can move, give that joint or tie a strength, or count crushing");
+  refuse_unlimited(between);
 }
 
 // Entries of the model's own blocks and joints; its deformable ones came after them.
@@ -113,48 +121,62 @@ Programmes solve_by_forces(const Model& model, const LimitOptions& options, doub
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
-    refuse_unbalanced(model, p.loads, p.yield, p.units, ask);
+    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded)
     refuse_unlimited(model, p.by_forces, p.yield);
   return p;
 }
 
-Programmes solve_tilted(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
+struct SpaceProgrammes {
+  SpaceLoads loads;
+  SpaceYield yield;
+  Units units;
+  SpaceStaticAnswer by_forces;
+};
+
+SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
+                                         double secant, const LimitWatch& watch) {
+  SpaceProgrammes p{space_loads(model, secant), space_yield(model, options, secant), {}, {}};
+  p.units = units_of(model, p.loads);
+  const Watch ask = watch_from(watch, 0, 0.5);
+  p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
+  if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (p.by_forces.status == ProgrammeStatus::kInfeasible)
+    refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+    refuse_unlimited(p.by_forces.carrier < 0 ? std::string("its joints")
+                                             : joint_text(model, p.by_forces.carrier));
+  return p;
+}
+
+// `solve(secant)` gives the programmes for one factor of the loads that do not turn.
+template <class Solve>
+auto solve_tilted(const Solve& solve) {
   constexpr int kTilts = 60;
   constexpr double kSame = 1e-10;
-  Programmes p = solve_by_forces(model, options, 1, watch);
+  auto p = solve(1.0);
   if (p.loads.stage->spec.kind != StageKind::kTilt) return p;
   for (int i = 0; i < kTilts && p.by_forces.status == ProgrammeStatus::kOptimal; ++i) {
     const double before = p.by_forces.load;
-    p = solve_by_forces(model, options, secant_of(before), watch);
+    p = solve(secant_of(before));
     if (std::fabs(p.by_forces.load - before) <= kSame * secant_of(before)) return p;
   }
   refuse("stage", p.loads.stage->spec.name, "the wall's limit tilt could not be found",
          "use a body force, which needs no second look");
 }
 
-}  // namespace
-
-LimitAnswer limit_load(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
-  if (model.in_space())
-    refuse("wall.blocks", "", "is a wall in space, and limit analysis is for walls in their plane",
-           "run it: a body force that grows gives the load it carries");
-  if (!model.solids.bodies.empty()) {
-    LimitAnswer answer = limit_load(with_rigid_bodies(model), options, watch);
-    keep_first(model, answer);
-    return answer;
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const Programmes p = solve_tilted(model, options, watch);
-  const StaticAnswer& by_forces = p.by_forces;
-  const KinematicAnswer by_motion =
-      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
-  if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
-  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited(model, by_forces, p.yield);
+template <class Static, class Kinematic>
+void check_solved(const Static& by_forces, const Kinematic& by_motion) {
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
     refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
            "look for joints or blocks a thousand times smaller or stronger than the rest");
+}
+
+// What both programmes say of a wall, in the plane or in space.
+template <class Programmes, class Kinematic>
+LimitAnswer answer_of(const LimitOptions& options, const Programmes& p,
+                      const Kinematic& by_motion) {
   LimitAnswer answer;
   answer.options = options;
   answer.is_force = p.loads.is_force;
@@ -162,19 +184,76 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     const double least = 1e-9 * (p.loads.is_force ? p.units.force : 1.0);
     return std::fabs(load) < least ? 0.0 : load;
   };
-  answer.load = without_round_off(by_forces.load);
+  answer.load = without_round_off(p.by_forces.load);
   answer.kinematic = without_round_off(by_motion.load);
-  answer.shear_force = by_forces.shear;
-  answer.point_force = by_forces.point_force;
-  answer.link_force = by_forces.link_force;
+  answer.dissipation = by_motion.dissipation;
+  answer.rows = p.by_forces.rows;
+  answer.columns = p.by_forces.columns;
+  answer.accuracy = std::max(p.by_forces.accuracy, by_motion.accuracy);
+  return answer;
+}
+
+LimitAnswer limit_in_plane(const Model& model, const LimitOptions& options,
+                           const LimitWatch& watch) {
+  const Programmes p =
+      solve_tilted([&](double secant) { return solve_by_forces(model, options, secant, watch); });
+  const KinematicAnswer by_motion =
+      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
+  if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (by_motion.status == ProgrammeStatus::kInfeasible)
+    refuse_unlimited(model, p.by_forces, p.yield);
+  check_solved(p.by_forces, by_motion);
+  LimitAnswer answer = answer_of(options, p, by_motion);
+  answer.shear_force = p.by_forces.shear;
+  answer.point_force = p.by_forces.point_force;
+  answer.link_force = p.by_forces.link_force;
   answer.vx = by_motion.vx;
   answer.vy = by_motion.vy;
   answer.omega = by_motion.omega;
-  answer.dissipation = by_motion.dissipation;
-  answer.rows = by_forces.rows;
-  answer.columns = by_forces.columns;
-  answer.accuracy = std::max(by_forces.accuracy, by_motion.accuracy);
   answer.cuts = static_cast<int>(p.yield.tangent.size());
+  return answer;
+}
+
+LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
+                           const LimitWatch& watch) {
+  if (options.crushing == CrushingChoice::kStressBlock)
+    refuse("crushing", "stress block", "is for walls in their plane",
+           "let each contact point carry its share of fc A");
+  const SpaceProgrammes p = solve_tilted(
+      [&](double secant) { return solve_by_forces_in_space(model, options, secant, watch); });
+  const SpaceKinematicAnswer by_motion =
+      solve_kinematic(model, p.loads, p.yield, p.units, watch_from(watch, 0.5, 1));
+  if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited("some joint");
+  check_solved(p.by_forces, by_motion);
+  LimitAnswer answer = answer_of(options, p, by_motion);
+  answer.point_force = p.by_forces.compression;
+  answer.shear_force = p.by_forces.shear_1;
+  answer.shear_force_2 = p.by_forces.shear_2;
+  answer.friction_excess = p.by_forces.friction_excess;
+  for (std::size_t i = 0; i < by_motion.velocity.size(); ++i) {
+    answer.vx.push_back(by_motion.velocity[i].x);
+    answer.vy.push_back(by_motion.velocity[i].y);
+    answer.vz.push_back(by_motion.velocity[i].z);
+    answer.omega_x.push_back(by_motion.spin[i].x);
+    answer.omega_y.push_back(by_motion.spin[i].y);
+    answer.omega.push_back(by_motion.spin[i].z);
+  }
+  answer.cuts = static_cast<int>(p.yield.facet.size());
+  return answer;
+}
+
+}  // namespace
+
+LimitAnswer limit_load(const Model& model, const LimitOptions& options, const LimitWatch& watch) {
+  if (!model.solids.bodies.empty()) {
+    LimitAnswer answer = limit_load(with_rigid_bodies(model), options, watch);
+    keep_first(model, answer);
+    return answer;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  LimitAnswer answer = model.in_space() ? limit_in_space(model, options, watch)
+                                        : limit_in_plane(model, options, watch);
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;
 }

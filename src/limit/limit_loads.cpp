@@ -190,6 +190,7 @@ LimitLoads limit_loads(const Model& model, double secant) {
 namespace wythe {
 
 Model with_rigid_bodies(Model model) {
+  if (model.solids.bodies.empty()) return model;
   const Solids solids = std::move(model.solids);
   model.solids = {};
   const int first = model.n_block;
@@ -201,6 +202,19 @@ Model with_rigid_bodies(Model model) {
 }
 
 namespace {
+
+// The direction of a stage and its opposite, as the user writes them.
+std::pair<std::string, std::string> ways_of(const StageSpec& spec) {
+  if (spec.along.size() == 3) {
+    const auto text = [&](double sign) {
+      return fmt::format("[{:g}, {:g}, {:g}]", sign * spec.along[0], sign * spec.along[1],
+                         sign * spec.along[2]);
+    };
+    return {text(1), text(-1)};
+  }
+  const std::string way = word_of(kDirectionWords, spec.direction);
+  return {way, (way[0] == '+' ? "-" : "+") + way.substr(1)};
+}
 
 void note_stages(const Model& model, std::vector<Message>& notes) {
   const Stage* grows = limit::growing_stage(model);
@@ -223,10 +237,7 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
   const std::vector<double>& targets = grows->spec.targets;
   const bool forth = std::any_of(targets.begin(), targets.end(), [](double t) { return t > 0; });
   const bool back = std::any_of(targets.begin(), targets.end(), [](double t) { return t < 0; });
-  const std::string axis = grows->drive_x != 0 ? "x" : "y";
-  const bool is_positive = grows->drive_x + grows->drive_y > 0;
-  const std::string along = (is_positive ? "+" : "-") + axis;
-  const std::string against = (is_positive ? "-" : "+") + axis;
+  const auto [along, against] = ways_of(grows->spec);
   if (forth && back)
     notes.push_back({"limit.both_ways",
                      {{"stage", name},
@@ -249,7 +260,9 @@ std::vector<Message> left_aside(const Model& model) {
 }
 
 // Measured: 0.6 s for 5 600 rows, 12 s for 32 000 (docs/decisions/0017).
+// In space: 1 s for 1 200 points, 80 s for 16 600.
 double expected_seconds(const Model& model) {
+  if (model.in_space()) return 80 * std::pow(model.n_point() / 16600.0, 1.6);
   const double rows = 3.0 * model.n_block + 2.0 * (model.n_joint + model.solids.n_contact);
   return 12 * std::pow(rows / 32000, 1.5);
 }

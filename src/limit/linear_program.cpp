@@ -227,7 +227,7 @@ ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
 
 ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
   ray_.clear();
-  const bool inside = rows() > kMany && loaded_rows_ == 0;
+  const bool inside = (prefers_inside_ || rows() > kMany) && loaded_rows_ == 0;
   const ProgrammeStatus status = inside ? solve_inside(watch) : solve_by_vertices(watch);
   if (status != ProgrammeStatus::kFailed) return status;
   return inside ? solve_by_vertices(watch) : solve_inside(watch);

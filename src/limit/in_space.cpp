@@ -1,0 +1,463 @@
+#include "limit/in_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "wythe/error.h"
+
+namespace wythe::limit {
+namespace {
+
+constexpr int kFacets = 8;         // of a friction circle, before it is cut
+constexpr int kRounds = 30;        // of cutting, at most
+constexpr double kCircle = 1e-4;   // a shear may pass its circle by this share
+constexpr double kNothing = 1e-7;  // of the force unit: a circle that small has no say
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+bool is_factor(const Stage& s) {
+  return s.spec.kind == StageKind::kBodyForce || s.spec.kind == StageKind::kTilt;
+}
+
+// Where the stages before the growing one leave gravity; a body force or a tilt stays in force.
+Vec3 gravity_before(const Model& model, const Stage* grows) {
+  const double g = model.solve.gravity;
+  Vec3 gravity;
+  for (const Stage& s : model.stages) {
+    const bool now = &s == grows;
+    if (s.spec.kind == StageKind::kGravity || (now && is_factor(s))) gravity = {0, -g, 0};
+    if (now) break;
+    if (s.spec.kind == StageKind::kBodyForce)
+      gravity = Vec3{0, -g, 0} + g * s.spec.factor * s.drive();
+    if (s.spec.kind == StageKind::kTilt)
+      gravity = g * std::sin(s.spec.tilt_until) * s.drive() +
+                Vec3{0, -g * std::cos(s.spec.tilt_until), 0};
+  }
+  return gravity;
+}
+
+// The arms of a joint's point from the centroids, and its face's axes.
+struct Place {
+  Vec3 arm_a, arm_b, t1, t2, n;
+};
+Place place_of(const Model& m, int joint, int point) {
+  const Space& s = m.space;
+  Place p;
+  p.t1 = s.tangent[at(joint)];
+  p.n = s.normal[at(joint)];
+  p.t2 = cross(p.n, p.t1);
+  const Vec3 r = s.point_r1[at(point)] * p.t1 + s.point_r2[at(point)] * p.t2;
+  p.arm_a = s.arm_a[at(joint)] + r;
+  p.arm_b = s.arm_b[at(joint)] + r;
+  return p;
+}
+
+bool moves(const Model& m, BlockId block) { return block != kGroundBlock && block < m.n_block; }
+
+std::array<double, 6> parts(const Vec3& force, const Vec3& moment, double length) {
+  return {force.x, force.y, force.z, moment.x / length, moment.y / length, moment.z / length};
+}
+
+// Unit vectors across a push.
+std::array<Vec3, 2> across(const Vec3& push) {
+  const Vec3 other = std::fabs(push.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  Vec3 first = cross(push, other);
+  first = first / length(first);
+  return {first, cross(push, first)};
+}
+
+double capacity_of(const Model& m, const JointYield& y, int point, double compression) {
+  return y.cohesion * m.space.point_share[at(point)] + y.friction * compression;
+}
+
+// Columns: load | p, s1, s2 of each point | what holds driven blocks. Rows: balance of each block (force, moment),
+// facets of friction circles.
+class StaticProgramme {
+ public:
+  StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
+      : m_(m), loads_(loads), y_(y), u_(u), balance_(6 * at(m.n_block)) {}
+
+  // `elastic`: unbalanced forces are allowed at a cost, the load is nil.
+  void build(bool elastic) {
+    load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
+    for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
+    add_loads();
+    if (elastic) add_slack();
+    for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
+      const auto wanted = parts(loads_.dead[i].force, loads_.dead[i].moment, u_.length);
+      for (std::size_t c = 0; c < 6; ++c)
+        lp_.add_row(balance_[6 * i + c], -wanted[c] / u_.force, -wanted[c] / u_.force);
+    }
+    if (!sum_.empty()) lp_.add_row(sum_, 0, 0);
+    add_facets();
+  }
+
+  void add_facets() {
+    for (; facets_ < y_.facet.size(); ++facets_) {
+      const Facet& f = y_.facet[facets_];
+      const JointYield& y = y_.joint[at(f.joint)];
+      lp_.add_row({{column(f.point) + 1, f.e1},
+                   {column(f.point) + 2, f.e2},
+                   {column(f.point), -y.friction}},
+                  -kFree, capacity_of(m_, y, f.point, 0) / u_.force);
+    }
+  }
+
+  SpaceStaticAnswer solve(const Watch& watch) {
+    SpaceStaticAnswer answer;
+    answer.status = lp_.solve(watch);
+    answer.accuracy = lp_.accuracy();
+    answer.rows = lp_.rows();
+    answer.columns = lp_.columns();
+    if (answer.status == ProgrammeStatus::kUnbounded) answer.carrier = carrier(lp_.ray());
+    if (answer.status != ProgrammeStatus::kOptimal) return answer;
+    const std::vector<double>& x = lp_.solution();
+    answer.load = x[at(load_)] * (loads_.is_force ? u_.force : 1.0);
+    for (int p = 0; p < m_.n_point(); ++p) {
+      answer.compression.push_back(x[at(column(p))] * u_.force);
+      answer.shear_1.push_back(x[at(column(p) + 1)] * u_.force);
+      answer.shear_2.push_back(x[at(column(p) + 2)] * u_.force);
+    }
+    return answer;
+  }
+
+  // After build(true): the largest unbalanced force.
+  Unbalanced worst(const Watch& watch) {
+    Unbalanced found;
+    if (lp_.solve(watch) != ProgrammeStatus::kOptimal) return found;
+    double total = 0;
+    for (std::size_t row = 0; row < balance_.size(); ++row) {
+      const double lack = lp_.solution()[slack_ + 2 * row] + lp_.solution()[slack_ + 2 * row + 1];
+      total += lack;
+      if (lack * u_.force > found.force) found = {static_cast<BlockId>(row / 6), lack * u_.force};
+    }
+    return total < 1e-6 ? Unbalanced{} : found;
+  }
+
+ private:
+  [[nodiscard]] static int column(int point) { return 1 + 3 * point; }
+
+  [[nodiscard]] int carrier(const std::vector<double>& ray) const {
+    int joint = -1;
+    double most = 0;
+    for (int j = 0; j < m_.n_joint; ++j)
+      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+        for (int c = 0; c < 3; ++c)
+          if (const std::size_t k = at(column(p) + c); k < ray.size() && std::fabs(ray[k]) > most) {
+            most = std::fabs(ray[k]);
+            joint = j;
+          }
+    return joint;
+  }
+
+  void act(BlockId block, int column, const Vec3& force, const Vec3& arm) {
+    if (!moves(m_, block)) return;
+    put(block, column, parts(force, cross(arm, force), u_.length));
+  }
+  void put(BlockId block, int column, const std::array<double, 6>& values) {
+    for (std::size_t c = 0; c < 6; ++c)
+      if (values[c] != 0) balance_[6 * at(block) + c].push_back({column, values[c]});
+  }
+
+  void add_joint(int j) {
+    const JointYield& y = y_.joint[at(j)];
+    for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p) {
+      const double share = m_.space.point_share[at(p)] / u_.force;
+      const Place place = place_of(m_, j, p);
+      const Vec3 ways[] = {place.n, place.t1, place.t2};
+      for (int c = 0; c < 3; ++c) {
+        const int k = c == 0 ? lp_.add_column(-y.tension * share, y.compression * share, 0)
+                             : lp_.add_column(-kFree, kFree, 0);
+        act(m_.joint_b[at(j)], k, ways[c], place.arm_b);
+        act(m_.joint_a[at(j)], k, -1.0 * ways[c], place.arm_a);
+      }
+    }
+  }
+
+  // A unit force and unit couples that a test rig holds a block with.
+  void hold(BlockId block, const Vec3& force, const Vec3& moment) {
+    put(block, lp_.add_column(-kFree, kFree, 0), parts(force, moment, 1));
+  }
+
+  void add_loads() {
+    const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
+    for (int i = 0; i < m_.n_block; ++i) {
+      const BodyForce& g = loads_.growing[at(i)];
+      put(i, load_, parts(scale * g.force, scale * g.moment, u_.length));
+    }
+    if (!loads_.is_force) return;
+    const StageSpec& spec = loads_.stage->spec;
+    std::vector<Entry> sum{{load_, -1.0}};
+    for (const BlockId b : loads_.stage->driven) {
+      if (loads_.together) {
+        const int k = lp_.add_column(-kFree, kFree, 0);
+        put(b, k, parts(loads_.push, {}, 1));
+        sum.push_back({k, 1.0});
+      }
+      if (spec.across == Freedom::kBlocked)
+        for (const Vec3& way : across(loads_.push)) hold(b, way, {});
+      if (spec.rotation == Freedom::kBlocked)
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) hold(b, {}, axis);
+    }
+    if (loads_.together) sum_ = sum;
+  }
+
+  void add_slack() {
+    slack_ = at(lp_.columns());
+    for (std::vector<Entry>& row : balance_)
+      for (const double sign : {1.0, -1.0}) row.push_back({lp_.add_column(0, kFree, 1), sign});
+  }
+
+  const Model& m_;
+  const SpaceLoads& loads_;
+  const SpaceYield& y_;
+  Units u_;
+  LinearProgramme lp_;
+  std::vector<std::vector<Entry>> balance_;  // force and moment rows of each block
+  std::vector<Entry> sum_;
+  int load_ = 0;
+  std::size_t slack_ = 0, facets_ = 0;
+};
+
+// Adds a facet where a shear passes its circle; returns the largest share by which one does. Where the sum of a
+// face's shears is too large too, each of its points gets a facet in that direction: cut one by one, they would
+// pass the excess on to each other.
+double cut_circles(const Model& m, const Units& units, const SpaceStaticAnswer& answer,
+                   SpaceYield& yield) {
+  double most = 0;
+  for (int j = 0; j < m.n_joint; ++j) {
+    const JointYield& y = yield.joint[at(j)];
+    if (std::isinf(y.cohesion)) continue;
+    const int begin = m.space.point_begin[at(j)], end = m.space.point_begin[at(j) + 1];
+    double sum_1 = 0, sum_2 = 0, sum_radius = 0;
+    for (int p = begin; p < end; ++p) {
+      const double s1 = answer.shear_1[at(p)], s2 = answer.shear_2[at(p)], s = std::hypot(s1, s2);
+      const double radius = capacity_of(m, y, p, answer.compression[at(p)]);
+      sum_1 += s1, sum_2 += s2, sum_radius += radius;
+      if (s - radius <= kNothing * units.force) continue;
+      const double share = radius > 0 ? s / radius - 1 : 1.0;
+      most = std::fmax(most, share);
+      if (share > kCircle) yield.facet.push_back({j, p, s1 / s, s2 / s});
+    }
+    const double sum = std::hypot(sum_1, sum_2);
+    if (sum - sum_radius <= std::fmax(kCircle * sum_radius, kNothing * units.force)) continue;
+    for (int p = begin; p < end; ++p) yield.facet.push_back({j, p, sum_1 / sum, sum_2 / sum});
+  }
+  return most;
+}
+
+// Columns: velocity and spin of each block | multipliers >= 0. Rows: at each point slip and opening are what the
+// multipliers make; the load does unit power; what a rig holds stands still.
+class KinematicProgramme {
+ public:
+  KinematicProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
+      : m_(m), loads_(loads), y_(y), u_(u), facets_of_(at(m.n_point())) {
+    for (const Facet& f : y.facet) facets_of_[at(f.point)].push_back(&f);
+  }
+
+  void build() {
+    lp_.prefer_inside();
+    for (const BodyForce& f : loads_.dead)
+      for (const double part : parts(f.force, f.moment, u_.length))
+        lp_.add_column(-kFree, kFree, -part / u_.force);
+    for (int j = 0; j < m_.n_joint; ++j)
+      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+        add_point(j, p);
+    add_unit_power();
+  }
+
+  SpaceKinematicAnswer solve(const Watch& watch) {
+    SpaceKinematicAnswer answer;
+    answer.status = lp_.solve(watch);
+    answer.accuracy = lp_.accuracy();
+    if (answer.status != ProgrammeStatus::kOptimal) return answer;
+    answer.load = lp_.objective() * (loads_.is_force ? u_.force : 1.0);
+    const std::vector<double>& x = lp_.solution();
+    const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
+    for (int i = 0; i < m_.n_block; ++i) {
+      const double* v = &x[6 * at(i)];
+      answer.velocity.push_back(scale * Vec3{v[0], v[1], v[2]});
+      answer.spin.push_back(scale / u_.length * Vec3{v[3], v[4], v[5]});
+    }
+    for (std::size_t k = 0; k < capacity_.size(); ++k)
+      answer.dissipation += capacity_[k] * x[6 * at(m_.n_block) + k];
+    answer.dissipation *= u_.force * scale;
+    return answer;
+  }
+
+ private:
+  int add_multiplier(double capacity) {
+    capacity_.push_back(capacity / u_.force);
+    return lp_.add_column(0, kFree, capacity / u_.force);
+  }
+
+  void add_motion(std::vector<Entry>& row, BlockId block, double sign, const Vec3& way,
+                  const Vec3& arm) const {
+    if (!moves(m_, block)) return;
+    const auto values = parts(way, cross(arm, way), u_.length);
+    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, sign * values[at(c)]});
+  }
+  [[nodiscard]] std::vector<Entry> jump(int j, const Place& place, const Vec3& way) const {
+    std::vector<Entry> row;
+    add_motion(row, m_.joint_b[at(j)], 1, way, place.arm_b);
+    add_motion(row, m_.joint_a[at(j)], -1, way, place.arm_a);
+    return row;
+  }
+
+  void add_point(int j, int p) {
+    const JointYield& y = y_.joint[at(j)];
+    const Place place = place_of(m_, j, p);
+    const double share = m_.space.point_share[at(p)];
+    std::vector<Entry> slip_1 = jump(j, place, place.t1), slip_2 = jump(j, place, place.t2),
+                       opening = jump(j, place, place.n);
+    for (const Facet* f : facets_of_[at(p)]) {
+      const int multiplier = add_multiplier(capacity_of(m_, y, p, 0));
+      slip_1.push_back({multiplier, f->e1});
+      slip_2.push_back({multiplier, f->e2});
+      opening.push_back({multiplier, -y.friction});
+    }
+    if (!std::isinf(y.tension)) opening.push_back({add_multiplier(y.tension * share), -1.0});
+    if (!std::isinf(y.compression)) opening.push_back({add_multiplier(y.compression * share), 1.0});
+    lp_.add_row(slip_1, 0, 0);
+    lp_.add_row(slip_2, 0, 0);
+    lp_.add_row(opening, 0, 0);
+  }
+
+  void stand(BlockId block, const Vec3& velocity, const Vec3& spin, double value) {
+    const auto values = parts(velocity, spin, 1);
+    std::vector<Entry> row;
+    for (int c = 0; c < 6; ++c) row.push_back({6 * block + c, values[at(c)]});
+    lp_.add_row(row, value, value);
+  }
+
+  void add_unit_power() {
+    const double scale = loads_.is_force ? 1.0 : 1.0 / u_.force;
+    if (!loads_.together) {
+      std::vector<Entry> power;
+      for (int i = 0; i < m_.n_block; ++i) {
+        const BodyForce& g = loads_.growing[at(i)];
+        const auto values = parts(scale * g.force, scale * g.moment, u_.length);
+        for (int c = 0; c < 6; ++c) power.push_back({6 * i + c, values[at(c)]});
+      }
+      lp_.add_row(power, 1, 1);
+    }
+    if (!loads_.is_force) return;
+    const StageSpec& spec = loads_.stage->spec;
+    for (const BlockId b : loads_.stage->driven) {
+      if (loads_.together) stand(b, loads_.push, {}, 1);
+      if (spec.across == Freedom::kBlocked)
+        for (const Vec3& way : across(loads_.push)) stand(b, way, {}, 0);
+      if (spec.rotation == Freedom::kBlocked)
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+          stand(b, {}, axis, 0);
+    }
+  }
+
+  const Model& m_;
+  const SpaceLoads& loads_;
+  const SpaceYield& y_;
+  Units u_;
+  LinearProgramme lp_;
+  std::vector<std::vector<const Facet*>> facets_of_;  // of each point
+  std::vector<double> capacity_;                      // of each multiplier, in force units
+};
+
+}  // namespace
+
+SpaceLoads space_loads(const Model& model, double secant) {
+  SpaceLoads loads;
+  const auto refuse = [](std::string problem, std::string cure) {
+    throw InputError({{"", "stage", "", std::move(problem), std::move(cure), 0}});
+  };
+  loads.stage = growing_stage(model);
+  if (loads.stage == nullptr)
+    refuse("no stage has a load that grows", "add a push on blocks, or a body_force stage");
+  const Stage& grows = *loads.stage;
+  loads.is_force = !is_factor(grows);
+  if (loads.is_force && !grows.driven.empty() && grows.driven.front() >= model.n_block)
+    refuse("what grows moves a support, and a limit load needs a force",
+           "run it, or add a push on blocks or a body_force stage");
+  loads.dead.resize(at(model.n_block));
+  loads.growing.resize(at(model.n_block));
+  const Vec3 gravity = gravity_before(model, loads.stage);
+  for (std::size_t i = 0; i < loads.dead.size(); ++i)
+    loads.dead[i].force = model.heavy_mass[i] * gravity;
+  for (const Stage& stage : model.stages) {
+    if (&stage == loads.stage) break;
+    for (const PointLoad& p : stage.loads) {
+      BodyForce& f = loads.dead[at(p.block)];
+      const Vec3 force = secant * Vec3{p.fx, p.fy, p.fz};
+      f.force = f.force + force;
+      f.moment = f.moment + cross(Vec3{p.arm_x, p.arm_y, p.arm_z}, force);
+    }
+  }
+  loads.push = (goes_back(grows) ? -1.0 : 1.0) * grows.drive();
+  if (!loads.is_force) {
+    for (std::size_t i = 0; i < loads.growing.size(); ++i)
+      loads.growing[i].force = model.solve.gravity * model.heavy_mass[i] * grows.drive();
+    return loads;
+  }
+  loads.together = grows.spec.as == Manner::kEach;
+  const auto n = static_cast<double>(grows.driven.size());
+  for (std::size_t k = 0; k < grows.driven.size() && !loads.together; ++k)
+    loads.growing[at(grows.driven[k])].force = (grows.driven_share[k] / n) * loads.push;
+  return loads;
+}
+
+SpaceYield space_yield(const Model& model, const LimitOptions& options, double times) {
+  SpaceYield yield;
+  for (int j = 0; j < model.n_joint; ++j) {
+    const JointMaterial& m = model.materials[at(model.joint_material[at(j)])];
+    yield.joint.push_back(yield_of_joint(m, times * model.area[at(j)], options));
+    if (std::isinf(yield.joint.back().cohesion)) continue;
+    for (int p = model.space.point_begin[at(j)]; p < model.space.point_begin[at(j) + 1]; ++p)
+      for (int k = 0; k < kFacets; ++k) {
+        const double angle = 2 * M_PI * k / kFacets;
+        yield.facet.push_back({j, p, std::cos(angle), std::sin(angle)});
+      }
+  }
+  return yield;
+}
+
+Units units_of(const Model& model, const SpaceLoads& loads) {
+  Units units{0, 0};
+  for (const BodyForce& f : loads.dead) units.force += length(f.force);
+  for (const double area : model.area) units.length += std::sqrt(area);
+  units.force /= std::max(1, model.n_block);
+  units.length /= std::max(1, model.n_joint);
+  if (!(units.force > 0)) units.force = 1000;
+  if (!(units.length > 0)) units.length = 1;
+  return units;
+}
+
+SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, SpaceYield& yield,
+                               const Units& units, const Watch& watch) {
+  StaticProgramme programme(model, loads, yield, units);
+  programme.build(false);
+  SpaceStaticAnswer answer = programme.solve(watch);
+  for (int round = 0; answer.status == ProgrammeStatus::kOptimal; ++round) {
+    answer.friction_excess = cut_circles(model, units, answer, yield);
+    if (answer.friction_excess <= kCircle || round == kRounds) break;
+    programme.add_facets();
+    answer = programme.solve(watch);
+  }
+  return answer;
+}
+
+SpaceKinematicAnswer solve_kinematic(const Model& model, const SpaceLoads& loads,
+                                     const SpaceYield& yield, const Units& units,
+                                     const Watch& watch) {
+  KinematicProgramme programme(model, loads, yield, units);
+  programme.build();
+  return programme.solve(watch);
+}
+
+Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
+                           const Units& units, const Watch& watch) {
+  StaticProgramme programme(model, loads, yield, units);
+  programme.build(true);
+  return programme.worst(watch);
+}
+
+}  // namespace wythe::limit

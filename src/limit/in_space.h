@@ -1,0 +1,73 @@
+// Limit analysis of walls in space: loads, yield surfaces and both programmes (docs/theory/limit_analysis.md).
+//
+// Called by limit_load.cpp. A point of a face carries compression p and shear (s1, s2) on the face's axes:
+//
+//   sliding   e.s <= c A w + mu p   for unit vectors e all round: eight at first, then in the direction of each shear
+//                                   that passes the circle |s| = c A w + mu p, until none does
+//   tension   p >= -ft A w          crushing   p <= fc A w            w: the point's share of the face
+#pragma once
+
+#include <vector>
+
+#include "limit/programmes.h"
+#include "wythe/limit.h"
+#include "wythe/model.h"
+
+namespace wythe::limit {
+
+struct BodyForce {
+  Vec3 force, moment;  // on a centroid [N], [N m]
+};
+
+// What stands still, and what grows: per unit of the load.
+struct SpaceLoads {
+  std::vector<BodyForce> dead, growing;  // (n_block)
+  const Stage* stage = nullptr;
+  Vec3 push;  // unit vector of a push
+  bool is_force = true;
+  bool together = false;  // driven blocks share one velocity, their forces sum up to the load
+};
+// Throws InputError when no stage grows, and when what grows moves a support. `secant`: limit_loads().
+[[nodiscard]] SpaceLoads space_loads(const Model& model, double secant = 1);
+
+// A unit vector on the face of a point: a side of the polygon that stands for its friction circle.
+struct Facet {
+  int joint = 0, point = 0;  // of all points
+  double e1 = 0, e2 = 0;
+};
+struct SpaceYield {
+  std::vector<JointYield> joint;  // (n_joint); half_length is not used
+  std::vector<Facet> facet;       // sorted in the order they were added
+};
+[[nodiscard]] SpaceYield space_yield(const Model& model, const LimitOptions& options,
+                                     double times = 1);
+[[nodiscard]] Units units_of(const Model& model, const SpaceLoads& loads);
+
+struct SpaceStaticAnswer {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0;
+  std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
+  double friction_excess = 0;  // largest share by which a shear passes its circle
+  double accuracy = 0;
+  int carrier = -1;  // of a load without limit: the joint that carries most of it
+  int rows = 0, columns = 0;
+};
+// Adds facets to `yield` where a shear passes its circle.
+[[nodiscard]] SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads,
+                                             SpaceYield& yield, const Units& units,
+                                             const Watch& watch = {});
+
+struct SpaceKinematicAnswer {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0, dissipation = 0, accuracy = 0;
+  std::vector<Vec3> velocity, spin;  // (n_block), per unit velocity of the load [-], [1/m]
+};
+[[nodiscard]] SpaceKinematicAnswer solve_kinematic(const Model& model, const SpaceLoads& loads,
+                                                   const SpaceYield& yield, const Units& units,
+                                                   const Watch& watch = {});
+
+[[nodiscard]] Unbalanced find_unbalanced(const Model& model, const SpaceLoads& loads,
+                                         const SpaceYield& yield, const Units& units,
+                                         const Watch& watch = {});
+
+}  // namespace wythe::limit
