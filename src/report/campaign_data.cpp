@@ -158,12 +158,6 @@ bool same_shape(const Model& a, const Model& b) {
          a.anatomy.outline_x == b.anatomy.outline_x && a.anatomy.outline_y == b.anatomy.outline_y;
 }
 
-// Numbers of the page that one state takes.
-double state_numbers(const Model& m) {
-  if (m.in_space()) return 6.0 * (m.n_block + m.space.n_support) + 5.0 * m.n_joint;
-  return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node;
-}
-
 // Numbers of the page that one sample's fields take.
 double field_numbers(const Model& model) {
   double numbers = 0;

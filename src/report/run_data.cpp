@@ -85,8 +85,21 @@ Json energy_of(const Model& model, const std::vector<Frame>& frames) {
   return rows;
 }
 
+constexpr double kMostNumbers = 12e6;  // of all states: a hundred of 5 000 blocks, some 6 MB
+
+std::vector<Frame> frames_that_fit(const Model& model, const Result& result) {
+  std::vector<Frame> all = frames_of(result), frames;
+  std::vector<bool> labelled;
+  for (const Frame& f : all) labelled.push_back(!f.labels.empty());
+  const double most = std::min(1e6, kMostNumbers / std::max(1.0, state_numbers(model)));
+  const std::vector<bool> shown = states_shown(labelled, static_cast<int>(most));
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (shown[i]) frames.push_back(std::move(all[i]));
+  return frames;
+}
+
 void add_frames(Bundle& bundle, const Model& model, const Result& result) {
-  const std::vector<Frame> frames = frames_of(result);
+  const std::vector<Frame> frames = frames_that_fit(model, result);
   Json list = Json::array();
   FrameArrays arrays(true);
   for (const Frame& f : frames) {

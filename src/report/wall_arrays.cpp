@@ -225,6 +225,25 @@ int states_kept(int states, int room, int samples_after) {
   return std::min({states, room, 1});
 }
 
+double state_numbers(const Model& m) {
+  if (m.in_space()) return 6.0 * (m.n_block + m.space.n_support) + 5.0 * m.n_joint;
+  return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node;
+}
+
+std::vector<bool> states_shown(const std::vector<bool>& labelled, int most) {
+  const auto all = static_cast<int>(labelled.size());
+  const auto named = static_cast<int>(std::count(labelled.begin(), labelled.end(), true));
+  const std::int64_t others = all - named, room = std::clamp(most - named, 0, all - named);
+  std::vector<bool> shown = labelled;
+  std::int64_t seen = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (labelled[i]) continue;
+    shown[i] = (seen + 1) * room / others > seen * room / others;
+    ++seen;
+  }
+  return shown;
+}
+
 void FrameArrays::add(const Model& model, const State& state) {
   ++count_;
   in_space_ = model.in_space();

@@ -17,6 +17,7 @@
 #include "report/said.h"
 #include "report/svg.h"
 #include "report/texts.h"
+#include "report/wall_arrays.h"
 #include "report/wall_picture.h"
 #include "scenes/sample_run.h"
 #include "scenes/scenes.h"
@@ -400,6 +401,21 @@ TEST(Bundle, rows_are_rounded_each_by_itself) {
   EXPECT_FALSE(place.contains("step"));
   bundle.add_rounded("none", std::vector<double>{}, 0);
   EXPECT_EQ(header_of(bundle.packed())["arrays"]["none"]["count"], 0);
+}
+
+TEST(Bundle, states_that_do_not_fit_are_thinned_but_for_those_with_labels) {
+  const auto shown = [](const std::vector<bool>& labelled, int most) {
+    std::string marks;
+    for (const bool one : states_shown(labelled, most)) marks += one ? 'x' : '-';
+    return marks;
+  };
+  const std::vector<bool> run = {true, false, false, false, false, true, false, false, true};
+  EXPECT_EQ(shown(run, 100), "xxxxxxxxx");
+  EXPECT_EQ(shown(run, 9), "xxxxxxxxx");
+  EXPECT_EQ(shown(run, 6), "x-x-xx-xx");
+  EXPECT_EQ(shown(run, 2), "x----x--x");  // what has a label is shown
+  EXPECT_EQ(shown({}, 0), "");
+  EXPECT_EQ(shown({true}, 0), "x");
 }
 
 TEST(Bundle, shares_become_bytes) {

@@ -9,8 +9,6 @@ import {
   FloatType,
   FrontSide,
   GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
   LineSegments,
   Mesh,
   NearestFilter,
@@ -68,13 +66,12 @@ vec3 between(int c) {
 `;
 const kBlock = `${kCommon}
 uniform sampler2D tints;
-in vec3 position, normal;
+in vec3 position;
 in float body;
-out vec3 world, tint, facing;
+out vec3 world, tint;
 void main() {
   int b = int(body);
   world = place(b, position);
-  facing = rotated(texelFetch(poses, texel(2 * b + 1), 0), normal);
   tint = texelFetch(tints, texel(b), 0).rgb;
   gl_Position = seen(world, 0.0);
 }`;
@@ -83,13 +80,14 @@ precision highp float;
 uniform vec3 toward;
 uniform vec4 cut;
 uniform float opacity;
-in vec3 world, tint, facing;
+in vec3 world, tint;
 out vec4 colour;
 void main() {
 #ifdef CUT
   if (dot(cut.xyz, world) > cut.w) discard;
 #endif
-  vec3 n = normalize(facing);
+  vec3 n = normalize(cross(dFdx(world), dFdy(world))); // of a flat face; so its corners are shared
+  n *= sign(dot(n, toward));
   colour = vec4(tint * (0.62 + 0.3 * max(0.0, dot(n, toward)) + 0.14 * n.y), opacity);
 }`;
 const kEdge = `${kCommon}
@@ -112,45 +110,54 @@ void main() {
 #endif
   colour = ink;
 }`;
-// A sheet between two blocks: corner 0, i and i + 1 of its polygon.
-const kSheet = `${kCommon}${kCorners}
-in vec3 position, at;
-in vec4 look;
+// What follows comes as rows of a texture, not as instances: software renderers draw each instance by itself, a
+// hundred times slower.
+const kRows = `
+uniform sampler2D rows;
+vec4 row(int i) { return texelFetch(rows, texel(i), 0); }
+vec3 colour_of(float c) { return vec3(floor(c / 65536.0), mod(floor(c / 256.0), 256.0), mod(c, 256.0)) / 255.0; }
 out vec3 world, tint;
+`;
+// A sheet between two blocks: three corners of its polygon, and its colour.
+const kSheet = `${kCommon}${kCorners}${kRows}
 void main() {
-  world = between(int(position.x > 0.5 ? (position.x > 1.5 ? at.z : at.y) : at.x));
-  tint = look.rgb;
+  vec4 of = row(gl_VertexID / 3);
+  world = between(int(of[gl_VertexID % 3]));
+  tint = colour_of(of.w);
   gl_Position = seen(world, 0.0);
 }`;
 // What closes a body that a cut opens, triangle by triangle.
-const kCap = `${kCommon}
-in vec3 position, from, to, middle;
-in vec4 look;
-out vec3 world, tint;
+const kCap = `${kCommon}${kRows}
 void main() {
-  world = position.x > 0.5 ? (position.x > 1.5 ? to : from) : middle;
-  tint = look.rgb;
+  int item = gl_VertexID / 3;
+  world = row(gl_VertexID).xyz;
+  tint = colour_of(row(3 * item).w);
   gl_Position = seen(world, 0.0);
 }`;
 // A line as wide as it should be, in pixels: WebGL's own are one.
-const kStrip = (ends: string, read: string): string => `${kCommon}${kCorners}
+const kStrip = (read: string): string => `${kCommon}${kCorners}${kRows}
 uniform float lift, zoom;
-in vec3 position;
-${ends}
-in vec4 look;
-out vec3 world, tint;
 void main() {
+  int item = gl_VertexID / 6, k = gl_VertexID % 6;
   ${read}
+  int corner = k < 3 ? k : k == 3 ? 2 : k == 4 ? 1 : 3;
+  float along = float(corner >> 1), side = float(corner & 1) * 2.0 - 1.0;
   vec4 a = seen(p, lift), b = seen(q, lift);
   vec2 pixels = half_size * zoom, way = (b.xy - a.xy) * pixels;
   float far = length(way);
   way = far > 0.01 ? way / far : vec2(1.0, 0.0);
-  float wide = 8.0 * look.a;
-  vec2 off = wide * (position.y * vec2(-way.y, way.x) + 0.8 * (2.0 * position.x - 1.0) * way);
-  world = mix(p, q, position.x);
-  tint = look.rgb;
-  gl_Position = mix(a, b, position.x) + vec4(off / pixels, 0.0, 0.0);
+  vec2 off = wide * (side * vec2(-way.y, way.x) + 0.8 * (2.0 * along - 1.0) * way);
+  world = mix(p, q, along);
+  gl_Position = mix(a, b, along) + vec4(off / pixels, 0.0, 0.0);
 }`;
+const kRim = kStrip(`vec4 of = row(item);
+  vec3 p = between(int(of.x)), q = between(int(of.y));
+  float wide = of.w;
+  tint = colour_of(of.z);`);
+const kSection = kStrip(`vec4 from = row(2 * item), to = row(2 * item + 1);
+  vec3 p = from.xyz, q = to.xyz;
+  float wide = to.w;
+  tint = colour_of(from.w);`);
 // What lies in the plane of a cut stays.
 const kTinted = `
 precision highp float;
@@ -171,48 +178,42 @@ function material(vertex: string, fragment: string, uniforms: Uniforms, side: Si
   return new RawShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, uniforms, side, glslVersion: GLSL3 });
 }
 
-// Triangles of all bodies with a flat normal each, and every edge once a part.
+// Vertices of all bodies, once for their triangles and edges.
 function shapesOf(s: Solids): { blocks: BufferGeometry; edges: BufferGeometry } {
-  const place: number[] = [],
-    normal: number[] = [],
-    body: number[] = [],
-    line: number[] = [],
-    lineBody: number[] = [];
+  const n = s.vertexBegin[s.vertexBegin.length - 1],
+    place = new Float32Array(3 * n),
+    body = new Float32Array(n),
+    triangles: number[] = [],
+    lines: number[] = [];
   for (let b = 0; b < s.count; ++b)
     for (let part = s.partBegin[b]; part < s.partBegin[b + 1]; ++part) {
-      const arm = (i: number): Vec => armOf(s, b, s.vertexBegin[part] + s.corner[i]);
+      const first = s.vertexBegin[part];
+      for (let v = first; v < s.vertexBegin[part + 1]; ++v) {
+        place.set(armOf(s, b, v), 3 * v);
+        body[v] = b;
+      }
       for (let f = s.faceBegin[part]; f < s.faceBegin[part + 1]; ++f) {
         const from = s.cornerBegin[f],
-          end = s.cornerBegin[f + 1],
-          all = Array.from({ length: end - from }, (_, i) => arm(from + i)),
-          n = normalOf(all);
-        for (let i = 1; i + 1 < all.length; ++i)
-          for (const p of [all[0], all[i], all[i + 1]]) place.push(...p), normal.push(...n), body.push(b);
-        for (let i = 0; i < all.length; ++i) {
-          const next = (i + 1) % all.length;
-          // of both faces at an edge the one that runs it upwards
-          if (s.corner[from + i] > s.corner[from + next]) continue;
-          line.push(...all[i], ...all[next]), lineBody.push(b, b);
+          end = s.cornerBegin[f + 1];
+        for (let i = from + 1; i + 1 < end; ++i)
+          triangles.push(first + s.corner[from], first + s.corner[i], first + s.corner[i + 1]);
+        for (let i = from; i < end; ++i) {
+          const p = s.corner[i],
+            q = s.corner[i + 1 < end ? i + 1 : from];
+          if (p < q) lines.push(first + p, first + q); // of both faces at an edge one runs it so
         }
       }
     }
-  const blocks = new BufferGeometry(),
-    edges = new BufferGeometry();
-  blocks.setAttribute("position", new BufferAttribute(Float32Array.from(place), 3));
-  blocks.setAttribute("normal", new BufferAttribute(Float32Array.from(normal), 3));
-  blocks.setAttribute("body", new BufferAttribute(Float32Array.from(body), 1));
-  edges.setAttribute("position", new BufferAttribute(Float32Array.from(line), 3));
-  edges.setAttribute("body", new BufferAttribute(Float32Array.from(lineBody), 1));
-  return { blocks, edges };
-}
-function normalOf(corners: Vec[]): Vec {
-  const n: Vec = [0, 0, 0];
-  corners.forEach((p, i) => {
-    const q = corners[(i + 1) % corners.length];
-    for (let k = 0; k < 3; ++k) n[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
-  });
-  const size = Math.hypot(...n) || 1;
-  return [n[0] / size, n[1] / size, n[2] / size];
+  const of = (index: number[]): BufferGeometry => {
+    const made = new BufferGeometry();
+    made.setAttribute("position", places);
+    made.setAttribute("body", bodies);
+    made.setIndex(index);
+    return made;
+  };
+  const places = new BufferAttribute(place, 3),
+    bodies = new BufferAttribute(body, 1);
+  return { blocks: of(triangles), edges: of(lines) };
 }
 
 // Corners of all joints' polygons, seen from the centroids of both bodies, which are named beside.
@@ -228,54 +229,36 @@ function cornersOf(s: Solids): DataTexture {
   return texture(data, 2 * n);
 }
 
-const strip = (): InstancedBufferGeometry => {
-  const made = new InstancedBufferGeometry();
-  // along, and to which side
-  made.setAttribute("position", new BufferAttribute(Float32Array.from([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
-  made.setIndex([0, 1, 2, 2, 1, 3]);
-  return made;
-};
-const triangle = (): InstancedBufferGeometry => {
-  const made = new InstancedBufferGeometry();
-  made.setAttribute("position", new BufferAttribute(Float32Array.from([0, 0, 0, 1, 0, 0, 2, 0, 0]), 3));
-  return made;
-};
-// A shape drawn many times: `arrays` hold what differs, `look` a colour and a width. It grows by being made anew.
-class Copies {
-  arrays: Record<string, Float32Array | Uint8Array> = {};
+// Items of `texels` rows each, drawn with so many vertices each.
+class Rows {
+  readonly mesh: Mesh;
+  data = new Float32Array();
   private room = 0;
+  private readonly rows: { value: DataTexture | null } = { value: null };
   constructor(
-    readonly mesh: Mesh,
-    private readonly make: () => InstancedBufferGeometry,
-    private readonly sizes: Record<string, number>,
+    vertex: string,
+    uniforms: Uniforms,
+    private readonly texels: number,
+    private readonly vertices: number,
   ) {
-    mesh.visible = false;
+    this.mesh = new Mesh(new BufferGeometry(), material(vertex, kTinted, { ...uniforms, rows: this.rows }, DoubleSide));
+    this.mesh.visible = false;
   }
-  reserve(room: number): void {
-    if (room <= this.room) return;
-    this.room = 2 * room;
-    const geometry = this.make();
-    for (const [name, size] of Object.entries({ ...this.sizes, look: 4 })) {
-      const isLook = name === "look";
-      this.arrays[name] = isLook ? new Uint8Array(size * this.room) : new Float32Array(size * this.room);
-      geometry.setAttribute(name, new InstancedBufferAttribute(this.arrays[name], size, isLook));
-    }
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+  reserve(items: number): void {
+    if (items <= this.room) return;
+    this.room = 2 * items;
+    this.data = new Float32Array(roomFor(this.texels * this.room));
+    this.rows.value?.dispose();
+    this.rows.value = texture(this.data, this.texels * this.room);
   }
-  show(count: number): void {
-    const geometry = this.mesh.geometry as InstancedBufferGeometry;
-    for (const [name, size] of Object.entries({ ...this.sizes, look: 4 })) {
-      const attribute = geometry.getAttribute(name) as InstancedBufferAttribute | undefined;
-      if (!attribute || count === 0) continue;
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, size * count);
-      attribute.needsUpdate = true;
-    }
-    geometry.instanceCount = count;
-    this.mesh.visible = count > 0;
+  show(items: number): void {
+    if (items > 0) this.rows.value!.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, this.vertices * items);
+    this.mesh.visible = items > 0;
   }
 }
+const packed = (look: ArrayLike<number>, i = 0): number => 65536 * look[i] + 256 * look[i + 1] + look[i + 2];
+const wideOf = (look: ArrayLike<number>, i = 0): number => (8 * look[i + 3]) / 255;
 
 export class GlPicture implements Picture {
   readonly element: HTMLCanvasElement;
@@ -286,10 +269,10 @@ export class GlPicture implements Picture {
   private readonly shared: Uniforms;
   private readonly blocks: Mesh;
   private readonly edges: LineSegments;
-  private readonly sheets: Copies;
-  private readonly rims: Copies;
-  private readonly sections: Copies;
-  private readonly caps: Copies;
+  private readonly sheets: Rows;
+  private readonly rims: Rows;
+  private readonly sections: Rows;
+  private readonly caps: Rows;
   private readonly materials: RawShaderMaterial[];
   private marks: Marks | null = null;
   private readonly size: number;
@@ -323,18 +306,10 @@ export class GlPicture implements Picture {
     const above = { ...this.shared, lift: { value: 0.004 * this.size } };
     this.blocks = new Mesh(blocks, material(kBlock, kBlockColour, this.shared, FrontSide));
     this.edges = new LineSegments(edges, material(kEdge, kFlat, this.shared, FrontSide));
-    const strips = (ends: string, read: string): Mesh =>
-      new Mesh(strip(), material(kStrip(ends, read), kTinted, above, DoubleSide));
-    const triangles = (vertex: string): Mesh =>
-      new Mesh(triangle(), material(vertex, kTinted, this.shared, DoubleSide));
-    this.sheets = new Copies(triangles(kSheet), triangle, { at: 3 });
-    this.caps = new Copies(triangles(kCap), triangle, { from: 3, to: 3, middle: 3 });
-    this.rims = new Copies(
-      strips("in vec2 ends;", "vec3 p = between(int(ends.x)), q = between(int(ends.y));"),
-      strip,
-      { ends: 2 },
-    );
-    this.sections = new Copies(strips("in vec3 from, to;", "vec3 p = from, q = to;"), strip, { from: 3, to: 3 });
+    this.sheets = new Rows(kSheet, this.shared, 1, 3);
+    this.caps = new Rows(kCap, this.shared, 3, 3);
+    this.rims = new Rows(kRim, above, 1, 6);
+    this.sections = new Rows(kSection, above, 2, 6);
     const all = [this.sheets.mesh, this.caps.mesh, this.blocks, this.edges, this.rims.mesh, this.sections.mesh];
     all.forEach((one, order) => {
       one.frustumCulled = false;
@@ -401,27 +376,30 @@ export class GlPicture implements Picture {
     for (let m = 0; m < count; ++m) corners += outlineBegin[joints[m] + 1] - outlineBegin[joints[m]];
     this.rims.reserve(corners);
     this.sheets.reserve(corners - 2 * count);
-    const { ends, look: rim } = this.rims.arrays,
-      { at, look: sheet } = this.sheets.arrays;
+    const rim = this.rims.data,
+      sheet = this.sheets.data;
     let r = 0,
       t = 0;
     for (let m = 0; m < count; ++m) {
       const from = outlineBegin[joints[m]],
-        end = outlineBegin[joints[m] + 1];
-      for (let c = from; c < end; ++c, ++r) {
-        ends[2 * r] = c;
-        ends[2 * r + 1] = c + 1 < end ? c + 1 : from;
-        for (let k = 0; k < 4; ++k) rim[4 * r + k] = look[4 * m + k];
+        end = outlineBegin[joints[m] + 1],
+        colour = packed(look, 4 * m),
+        wide = wideOf(look, 4 * m);
+      for (let c = from; c < end; ++c, r += 4) {
+        rim[r] = c;
+        rim[r + 1] = c + 1 < end ? c + 1 : from;
+        rim[r + 2] = colour;
+        rim[r + 3] = wide;
       }
-      for (let c = from + 1; c + 1 < end; ++c, ++t) {
-        at[3 * t] = from;
-        at[3 * t + 1] = c;
-        at[3 * t + 2] = c + 1;
-        for (let k = 0; k < 4; ++k) sheet[4 * t + k] = look[4 * m + k];
+      for (let c = from + 1; c + 1 < end; ++c, t += 4) {
+        sheet[t] = from;
+        sheet[t + 1] = c;
+        sheet[t + 2] = c + 1;
+        sheet[t + 3] = colour;
       }
     }
-    this.rims.show(r);
-    this.sheets.show(t);
+    this.rims.show(r / 4);
+    this.sheets.show(t / 4);
   }
 
   // What a cut opens: the bodies it goes through, closed and outlined, and cracks it crosses.
@@ -431,14 +409,14 @@ export class GlPicture implements Picture {
       lines = cut ? sectionLines(this.solids, scene, cut, opened) : [];
     this.caps.reserve(opened.length);
     this.sections.reserve(lines.length);
+    const caps = this.caps.data,
+      sections = this.sections.data;
     opened.forEach(({ body, line, centre }, i) => {
-      const { from, to, middle, look } = this.caps.arrays;
-      from.set(line[0], 3 * i), to.set(line[1], 3 * i), middle.set(centre, 3 * i);
-      for (let k = 0; k < 3; ++k) look[4 * i + k] = kCapLight * tints[4 * body + k];
+      const tint = [0, 1, 2].map((k) => Math.round(kCapLight * tints[4 * body + k]));
+      [centre, ...line].forEach((place, k) => caps.set([...place, packed(tint)], 12 * i + 4 * k));
     });
-    lines.forEach(({ line, look }, i) => {
-      const { arrays } = this.sections;
-      arrays.from.set(line[0], 3 * i), arrays.to.set(line[1], 3 * i), arrays.look.set(look, 4 * i);
+    lines.forEach(({ line: [p, q], look }, i) => {
+      sections.set([...p, packed(look), ...q, wideOf(look)], 8 * i);
     });
     this.caps.show(scene.clear ? 0 : opened.length);
     this.sections.show(lines.length);
@@ -446,13 +424,18 @@ export class GlPicture implements Picture {
 }
 const scaleOf = (): number => Math.min(2, window.devicePixelRatio || 1);
 
+const kFewBodies = 500; // that a software renderer smooths in time
+
 // null where the browser offers no WebGL.
 export function glPicture(solids: Solids): GlPicture | null {
-  try {
+  const contextOf = (more: WebGLContextAttributes): [HTMLCanvasElement, WebGL2RenderingContext | null] => {
     const canvas = document.createElement("canvas");
-    const context = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: false });
-    if (!context) return null;
-    return new GlPicture(solids, new WebGLRenderer({ canvas, context, antialias: true }));
+    return [canvas, canvas.getContext("webgl2", more)];
+  };
+  try {
+    let [canvas, context] = contextOf({ antialias: true, failIfMajorPerformanceCaveat: true });
+    if (!context) [canvas, context] = contextOf({ antialias: solids.count < kFewBodies });
+    return context && new GlPicture(solids, new WebGLRenderer({ canvas, context }));
   } catch {
     return null;
   }
