@@ -34,6 +34,7 @@ int exit_code(SolveStatus status) {
 void print_model(const ModelSpec& spec, const Model& m) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
+  if (!spec.body.empty() && !spec.note.empty()) fmt::print("note: {}\n", readable(spec.note));
   for (const Message& note : m.anatomy.notes) fmt::print("note: {}\n", readable(text_of(note)));
   for (const Message& note : notes_of_fields(spec))
     fmt::print("note: {}\n", readable(text_of(note)));

@@ -125,6 +125,10 @@ span = "-2 m"
         text = self.refused(self.model(ALONE + over), "lies in body front.")
         self.assertRegex(text, r"model\.toml:\d+: plan_wall\.over\.c")
 
+    def test_what_was_fitted_is_told(self):
+        ended = wythe("check", self.model(ALONE), "--set", "wall.height=0.606 m")
+        self.assertIn("wall front: course 100 mm -> 101 mm", ended.stdout)
+
     def test_what_says_nothing_here_is_refused(self):
         self.refused(self.model(ALONE, more='length = "2 m"'), "wall.length")
         self.refused(self.model(ALONE, more='up = "x"'), "wall.up")
