@@ -220,6 +220,8 @@ int run(const RunArguments& arguments) {
   }
   result.failure_mode = name_failure_mode(model, result);
   result.features = read_features(model, result);
+  if (is_asked(start.from.spec.assessment))
+    result.pushed = read_pushed_wall(start.from.spec, model, result);
   write_run(results->path(), start.from.spec, model, result);
   write_run_report(results->path(), start.from.spec, model, result, start.from.order.language);
   results->commit(hold_for_test);

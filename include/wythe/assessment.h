@@ -195,7 +195,7 @@ struct CampaignAssessment;  // wythe/statistics.h
 // What the assessment reads of the states of a run, once; with the masses that `spec` asks to count.
 [[nodiscard]] PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model,
                                           const Result& result);
-// Of a run, with what its model file asks for.
+// Of a run, with what its model file asks for; from Result::pushed where that was read.
 [[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
                                         const Result& result);
 

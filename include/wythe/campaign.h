@@ -122,7 +122,6 @@ struct SampleRun {
   Model model;
   Result result;
   bool retried = false;
-  PushedWall pushed;  // where an assessment is asked for
 };
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                                    const ModelBuilder& build, const SolveOptions& options);

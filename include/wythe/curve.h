@@ -27,9 +27,16 @@ struct CurveRow {
   double lintel_deflection = 0;
   double lintel_end_rotation = 0;
   double lintel_axial = 0;
+  double head_axial = 0;
 };
 
-enum class ColumnOf { kAnyWall, kLintelOfZones };
+enum class ColumnOf { kAnyWall, kLintelOfZones, kHeldHead };
+// What a wall has beside what every wall has.
+struct ShownColumns {
+  bool lintel_of_zones = false;
+  bool held_head = false;  // a push holds its blocks across: `across = "blocked"`
+  bool operator==(const ShownColumns&) const = default;
+};
 
 struct CurveColumn {
   double CurveRow::*value;
@@ -75,16 +82,23 @@ inline constexpr CurveColumn kCurveColumns[] = {
    "turn of its right end against the left, anticlockwise +"},
   {&CurveRow::lintel_axial, "lintel_axial_kN", "lintel_axial_N", "kN", 1e-3, ColumnOf::kLintelOfZones, "end of window",
    "axial force at its mid-span, tension +"},
+  {&CurveRow::head_axial, "head_axial_kN", "head_axial_N", "kN", 1e-3, ColumnOf::kHeldHead, "end of window",
+   "N at the head: the force across the push that the pushed blocks press into the joints below them, compression +: "
+   "the load on them, and what holding them there adds"},
 };
 // clang-format on
 static_assert(sizeof(CurveRow) == std::size(kCurveColumns) * sizeof(double),
               "every member of a row has its line in kCurveColumns");
 
 // Those that a wall's curve shows.
-[[nodiscard]] inline std::vector<CurveColumn> columns_shown(bool has_lintel_of_zones) {
+[[nodiscard]] inline std::vector<CurveColumn> columns_shown(ShownColumns of) {
+  const auto is_shown = [&](const CurveColumn& column) {
+    if (column.of == ColumnOf::kLintelOfZones) return of.lintel_of_zones;
+    return column.of != ColumnOf::kHeldHead || of.held_head;
+  };
   std::vector<CurveColumn> shown;
   for (const CurveColumn& column : kCurveColumns)
-    if (has_lintel_of_zones || column.of != ColumnOf::kLintelOfZones) shown.push_back(column);
+    if (is_shown(column)) shown.push_back(column);
   return shown;
 }
 

@@ -99,6 +99,9 @@ struct Stage {
   double drive_x = 0, drive_y = 0;  // unit vector of the push
   double drive_z = 0;               // in space
   double load_height = 0;           // height of the driven blocks' mean centroid [m]
+  // From the centroid of the one driven block, the head, to the line of the push, in the head's own axes [m];
+  // unset: through the centroids (docs/theory/integration.md, "The point of contraflexure").
+  double drive_arm = kUnset;
 
   [[nodiscard]] Vec3 drive() const { return {drive_x, drive_y, drive_z}; }
 };

@@ -132,6 +132,9 @@ struct WallReading {
   }
 };
 [[nodiscard]] WallReading read_wall(const Model& model, const State& state);
+// The force of a on b of a joint in the plane, in the wall's axes, as the face lies now: the ground's has not
+// turned, the edge of a deformable block lies as its neighbour [N].
+[[nodiscard]] Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall);
 
 // Whether a joint is pressed and its faces overlap by less than half; `points` of the whole wall.
 [[nodiscard]] bool has_slid_off(const Model& model, const std::vector<PointReading>& points,

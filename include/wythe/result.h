@@ -11,6 +11,7 @@
 #include "wythe/curve.h"
 #include "wythe/message.h"
 #include "wythe/model.h"
+#include "wythe/pushed_wall.h"
 
 namespace wythe {
 
@@ -291,6 +292,7 @@ struct Result {
       joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
   std::vector<Feature> features;
+  PushedWall pushed;  // where an assessment is asked for; set by read_pushed_wall()
   std::vector<Snapshot> snapshots;
   // States for the failure mode, independent of output.states: the first step at each millimetre and
   // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
@@ -313,7 +315,7 @@ struct Result {
 // Options with which the responses of this run are read.
 [[nodiscard]] ResponseOptions reading_of(const Model& model, const Result& result);
 
-// Whether a lintel is made of zones: then the curve has its columns.
-[[nodiscard]] bool has_lintel_of_zones(const Model& model);
+// Which columns the curve of this wall shows.
+[[nodiscard]] ShownColumns columns_of(const Model& model);
 
 }  // namespace wythe

@@ -316,6 +316,9 @@ struct StageSpec {
   std::vector<double> levels;        // their heights [m]
   std::vector<double> shares;        // kGiven: of the force, one a level
   PlaceSpec control;                 // whose displacement the push follows; unset: the driven mean
+  // Height above the wall's foot where the moment of the push is nil, over the wall's height: the line along
+  // which the push acts; unset: through the centroids of what is pushed.
+  double contraflexure = kUnset;
   Direction direction = Direction::kPlusX;
   double velocity = kUnset;       // [m/s]
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity

@@ -6,8 +6,8 @@
 
 namespace wythe::io {
 
-std::string curve_csv(const std::vector<CurveRow>& curve, bool has_lintel) {
-  const std::vector<CurveColumn> columns = columns_shown(has_lintel);
+std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of) {
+  const std::vector<CurveColumn> columns = columns_shown(of);
   std::string text;
   for (const CurveColumn& column : columns)
     text += (text.empty() ? "" : ",") + std::string(column.name);

@@ -9,7 +9,7 @@
 
 namespace wythe::io {
 
-[[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, bool has_lintel = false);
+[[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of = {});
 
 // Force and elongation of each link at the end of each row of the curve.
 [[nodiscard]] std::string links_csv(const std::vector<std::string>& names, const Result& result);

@@ -368,6 +368,12 @@ void describe_push(Visitor& v, StageSpec& s) {
           .example = "{ x = \"0 m\", y = \"6.2 m\" }",
           .doc = "A point (the block there) whose displacement the rows tell and `until` is of. "
                  "`velocity` stays that of the weighted mean, which the forces work on."});
+  v.number("contraflexure", s.contraflexure, {.range = kContraflexure, .kinds = kPushStage,
+           .fallback = "none: pushed through its centroid", .example = "0.75",
+           .doc = "H0 over the wall's height: where above its foot the moment is nil. 0.5: both ends "
+                  "held against turning, in effect; 1: a cantilever. The push acts on an arm of the "
+                  "one block that `at` names, e.g. { beam = true }; the rows tell that block's "
+                  "displacement."});
   v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,

@@ -73,9 +73,9 @@ class Table {
 
 const ExportColumn kSampleNumber{"sample", "", "number of the sample, from 1; of a run 1"};
 
-std::vector<ExportColumn> curve_columns(bool has_lintel) {
+std::vector<ExportColumn> curve_columns(ShownColumns of) {
   std::vector<ExportColumn> columns = {kSampleNumber};
-  for (const CurveColumn& c : columns_shown(has_lintel))
+  for (const CurveColumn& c : columns_shown(of))
     columns.push_back({c.name, c.unit, std::string(c.meaning) + " (" + c.over + ")"});
   return columns;
 }
@@ -315,9 +315,9 @@ Exported export_campaign(const std::string& folder, const std::string& out,
   ModelBuilder build;
   const auto begin = [&](const Campaign& campaign) {
     build = model_builder(campaign.study);
-    const bool has_lintel = has_lintel_of_zones(compile(build({})));
-    shown = columns_shown(has_lintel);
-    curves.emplace(out, kCurves, curve_columns(has_lintel));
+    const ShownColumns of = columns_of(compile(build({})));
+    shown = columns_shown(of);
+    curves.emplace(out, kCurves, curve_columns(of));
   };
   const Campaign campaign =
       read_campaign(folder, [&](const Campaign& head, const SampleRecord& record) {
@@ -383,15 +383,17 @@ std::int64_t export_run_curve(const std::string& folder, const std::string& out,
   const std::string path = folder + "/force_displacement.csv";
   const std::string text = read_text(path, kMostCsv);
   CsvLines lines(text, path);
-  const auto is_head = [&](bool has_lintel) {
-    std::vector<std::string> names;
-    for (const CurveColumn& c : columns_shown(has_lintel)) names.emplace_back(c.name);
-    return names == lines.cells();
+  const auto has = [&](const char* name) {
+    return std::find(lines.cells().begin(), lines.cells().end(), name) != lines.cells().end();
   };
   const bool has_head = lines.next();
-  if (!has_head || (!is_head(false) && !is_head(true)))
+  const ShownColumns of{.lintel_of_zones = has_head && has("lintel_axial_kN"),
+                        .held_head = has_head && has("head_axial_kN")};
+  std::vector<std::string> names;
+  for (const CurveColumn& c : columns_shown(of)) names.emplace_back(c.name);
+  if (!has_head || names != lines.cells())
     throw IoError(path + ": is not a curve of wythe run; run the model again");
-  Table table(out, kCurves, curve_columns(is_head(true)));
+  Table table(out, kCurves, curve_columns(of));
   std::int64_t rows = 0;
   for (; lines.next(); ++rows) {
     std::vector<std::string> cells = {"1"};

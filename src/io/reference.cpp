@@ -156,7 +156,9 @@ std::string curve_table() {
       "| column | unit | definition | over | in the store |\n|---|---|---|---|---|\n";
   for (const CurveColumn& c : kCurveColumns)
     table += fmt::format("| `{}` | {} | {}{} | {} | `{}` |\n", c.name, c.unit,
-                         c.of == ColumnOf::kLintelOfZones ? "only with a lintel of zones: " : "",
+                         c.of == ColumnOf::kLintelOfZones ? "only with a lintel of zones: "
+                         : c.of == ColumnOf::kHeldHead    ? "only with `across = \"blocked\"`: "
+                                                          : "",
                          io::cell(c.meaning), c.over, c.stored);
   return table;
 }

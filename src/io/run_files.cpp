@@ -184,7 +184,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
   fs::create_directories(folder, error);
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
   write_file(inside(folder, "force_displacement.csv"),
-             io::curve_csv(result.curve, has_lintel_of_zones(model)));
+             io::curve_csv(result.curve, columns_of(model)));
   write_file(inside(folder, "elements.csv"),
              element_forces_csv(read_element_forces(model, result)));
   if (model.links.n > 0)

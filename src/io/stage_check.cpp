@@ -164,6 +164,25 @@ void check_control(TableReader& reader, const StageSpec& stage) {
                   "leave it out of a cyclic push, or write until in the place of targets");
 }
 
+// The head turns as the wall lets it, and nothing else says where it is pushed.
+void check_contraflexure(TableReader& reader, const StageSpec& stage) {
+  const char* key = "contraflexure";
+  if (stage.rotation == Freedom::kBlocked)
+    reader.refuse(key, "needs a head that turns, and rotation = \"blocked\" holds it",
+                  "leave one of them out; a head that does not turn finds its own point");
+  if (reader.has("pattern"))
+    reader.refuse(key, "is for a push at one head, and a pattern pushes at several heights",
+                  "leave it out, or push at = { beam = true }");
+  if (stage.as == Manner::kEach)
+    reader.refuse(key, "is for one head, and as = \"each\" moves several blocks alike",
+                  "leave `as` out");
+  if (stage.direction != Direction::kPlusX && stage.direction != Direction::kMinusX)
+    reader.refuse(key, "is a height, and this push is not horizontal",
+                  "write direction = \"+x\" or \"-x\"");
+  if (!stage.targets.empty())
+    reader.refuse(key, "follows a push in one direction", "write until in the place of targets");
+}
+
 void check_push(TableReader& reader, const StageSpec& stage) {
   if (stage.fast_velocity < stage.velocity)
     reader.refuse("fast_velocity", "is slower than velocity",
@@ -184,6 +203,7 @@ void check_push(TableReader& reader, const StageSpec& stage) {
   check_pattern(reader, stage);
   if (reader.has("at") && !place_has_faults(reader, "at")) check_place(reader, stage.at);
   if (reader.has("control")) check_control(reader, stage);
+  if (reader.has("contraflexure")) check_contraflexure(reader, stage);
 }
 
 void check_manner(TableReader& reader, const StageSpec& stage) {

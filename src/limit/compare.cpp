@@ -214,6 +214,7 @@ Message described(const Model& given) {
     push.x += grows->driven_share[k] * model.centroid_x[b] / n;
     push.y += grows->driven_share[k] * model.centroid_y[b] / n;
   }
+  if (std::isfinite(grows->drive_arm)) push.y += grows->drive_arm;
   Message pushed{
       grows->driven.empty() ? "wall.loaded" : "wall.pushed",
       {{"drive_x", to_digits(grows->drive_x, 3)}, {"drive_y", to_digits(grows->drive_y, 3)}}};

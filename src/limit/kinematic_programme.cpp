@@ -152,6 +152,7 @@ class KinematicProgramme {
       const BlockForce& g = loads_.growing[static_cast<std::size_t>(i)];
       power.push_back({3 * i, g.fx * scale});
       power.push_back({3 * i + 1, g.fy * scale});
+      if (g.moment != 0) power.push_back({3 * i + 2, g.moment * scale / u_.length});
     }
     lp_.add_row(power, 1, 1);
   }

@@ -56,6 +56,8 @@ void add_push(const Stage& push, LimitLoads& loads) {
     const auto i = static_cast<std::size_t>(push.driven[k]);
     const double share = push.driven_share[k];
     if (!loads.together) loads.growing[i] = {share * loads.push_x / n, share * loads.push_y / n, 0};
+    // a head is pushed along a line beside its centroid
+    if (std::isfinite(push.drive_arm)) loads.growing[i].moment = -push.drive_arm * loads.push_x;
     if (push.spec.across == Freedom::kBlocked) loads.held_across[i] = 1;
     // a beam kept level stays so, whatever the push says of it
     if (push.spec.rotation == Freedom::kBlocked) loads.held_turn[i] = 1;

@@ -127,6 +127,7 @@ class StaticProgramme {
       const BlockForce& g = loads_.growing[static_cast<std::size_t>(i)];
       put(i, 0, load_, g.fx * scale);
       put(i, 1, load_, g.fy * scale);
+      if (g.moment != 0) put(i, 2, load_, g.moment * scale / u_.length);
     }
     if (!loads_.together) return;
     const Stage& push = *loads_.stage;

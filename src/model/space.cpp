@@ -39,6 +39,9 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("assessment", !spec.assessment.code.empty());
+  for (std::size_t k = 0; k < spec.stage.size(); ++k)
+    refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
+           std::isfinite(spec.stage[k].contraflexure));
 }
 
 // Materials by name, each checked the first time it is used.

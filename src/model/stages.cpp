@@ -281,7 +281,24 @@ class StageCompiler {
     }
     stage.driven_share.assign(stage.driven.size(), 1.0);
     stage.load_height = height / static_cast<double>(stage.driven.size()) - lowest(&Vec2::y);
+    if (std::isfinite(stage.spec.contraflexure)) set_contraflexure(stage);
     set_control(stage);
+  }
+
+  // The line of the push, and the rows those of the head: its arm's end is no point of the wall.
+  void set_contraflexure(Stage& stage) {
+    const auto head = static_cast<std::size_t>(stage.driven.front());
+    const std::string value = fmt::format("{:g}", stage.spec.contraflexure);
+    if (stage.driven.size() > 1)
+      return fault("contraflexure", value,
+                   fmt::format("needs one head, and {} blocks are pushed", stage.driven.size()),
+                   "push a loading beam: [wall.beam], at = { beam = true }; or name one block");
+    if (model_.turn_freedom[head] == 0)
+      return fault("contraflexure", value, "needs a head that turns, and the beam is held level",
+                   "leave wall.beam.rotation = \"blocked\" out");
+    const double height = stage.spec.contraflexure * assembly_.height;
+    stage.drive_arm = lowest(&Vec2::y) + height - model_.centroid_y[head];
+    stage.control = stage.driven.front();
   }
 
   // --- a pattern of forces: shares of blocks, of mean 1 ---------------------------------------------

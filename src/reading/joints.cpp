@@ -245,6 +245,15 @@ WallReading read_wall(const Model& model, const State& state) {
   return wall;
 }
 
+Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall) {
+  const JointShape& shape = joint.shape;
+  const Vec3 force = joint.compression * shape.normal - joint.shear * shape.along;
+  if (shape.a == kGroundBlock) return force;
+  const auto turn = [&](BlockId b) { return wall.blocks[static_cast<std::size_t>(b)].turned.by; };
+  return turned(force,
+                {shape.b >= model.n_block ? turn(shape.a) : 0.5 * (turn(shape.a) + turn(shape.b))});
+}
+
 namespace {
 
 // Whether a place on the ground or on a fixed block still has a face under it. The ground of a wall

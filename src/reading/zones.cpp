@@ -5,6 +5,8 @@
 
 #include "solids/zone.h"
 
+#include "wythe/result.h"
+
 namespace wythe {
 namespace reading {
 namespace {
@@ -107,7 +109,13 @@ LintelMeasures lintel_measures(const Model& model, const State& s) {
 
 }  // namespace reading
 
-bool has_lintel_of_zones(const Model& model) { return reading::first_lintel(model) != nullptr; }
+ShownColumns columns_of(const Model& model) {
+  ShownColumns of{.lintel_of_zones = reading::first_lintel(model) != nullptr};
+  for (const Stage& stage : model.stages)  // the curve is that of the last push
+    if (stage.spec.kind == StageKind::kPush)
+      of.held_head = stage.spec.across == Freedom::kBlocked && !model.in_space();
+  return of;
+}
 
 std::vector<ZoneReading> read_zones(const Model& model, const State& s) {
   const Solids& m = model.solids;

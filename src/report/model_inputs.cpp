@@ -375,6 +375,7 @@ Json stage_of(const Stage& stage) {
   if (!stage.driven.empty()) {
     rows.push_back(row("driven_blocks", static_cast<double>(stage.driven.size()), ""));
     rows.push_back(row("load_height", stage.load_height, "m"));
+    add("contraflexure", s.contraflexure, "", 1);
     if (s.rotation == Freedom::kBlocked)
       rows.push_back({"rotation", word_of(kFreedomWords, s.rotation), ""});
     if (s.across == Freedom::kBlocked)

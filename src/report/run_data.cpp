@@ -113,8 +113,8 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
   arrays.write(bundle);
 }
 
-void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, bool has_lintel) {
-  for (const CurveColumn& column : columns_shown(has_lintel)) {
+void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, ShownColumns of) {
+  for (const CurveColumn& column : columns_shown(of)) {
     std::vector<float> values;
     values.reserve(curve.size());
     for (const CurveRow& row : curve)
@@ -197,7 +197,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   add_wall(bundle, model);
   add_parts(bundle, model, result);
   add_fields(bundle, spec, model);
-  add_curve(bundle, result.curve, has_lintel_of_zones(model));
+  add_curve(bundle, result.curve, columns_of(model));
   add_frames(bundle, model, result);
   return bundle.packed();
 }

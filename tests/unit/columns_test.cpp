@@ -51,7 +51,7 @@ std::vector<std::string> stored_names() { return cells_of(study::curve_column_na
 
 TEST(Columns, csv_has_each_in_its_unit) {
   const std::vector<CurveRow> rows = unlike_rows();
-  std::istringstream csv(io::curve_csv(rows, true));
+  std::istringstream csv(io::curve_csv(rows, {true, true}));
   std::string line;
   std::getline(csv, line);
   const std::vector<std::string> names = cells_of(line);
@@ -105,11 +105,11 @@ TEST(Columns, page_has_each_that_its_wall_shows) {
   result.curve = unlike_rows();
   const report::Json arrays =
       report::header_of(run_data(scenes::sample_spec(), scenes::sample_model(), result))["arrays"];
-  for (const CurveColumn& column : columns_shown(false))
+  for (const CurveColumn& column : columns_shown({}))
     EXPECT_EQ(arrays[std::string("curve.") + column.name].value("count", 0), 3) << column.name;
-  EXPECT_FALSE(has_lintel_of_zones(scenes::sample_model()));
+  EXPECT_EQ(columns_of(scenes::sample_model()), ShownColumns{});
   EXPECT_FALSE(arrays.contains("curve.lintel_axial_kN"));
-  EXPECT_EQ(columns_shown(true).size(), std::size(kCurveColumns));
+  EXPECT_EQ(columns_shown({true, true}).size(), std::size(kCurveColumns));
 }
 
 TEST(Columns, reference_has_each_with_its_unit) {

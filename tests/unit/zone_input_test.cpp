@@ -278,7 +278,7 @@ TEST(ZoneResults, a_limit_that_is_passed_is_said_once_with_its_place) {
 
 TEST(ZoneResults, files_and_pictures_show_the_zones) {
   const Pushed p = pushed(kUnset);
-  const std::string csv = io::curve_csv(p.result.curve, true);
+  const std::string csv = io::curve_csv(p.result.curve, {.lintel_of_zones = true});
   EXPECT_TRUE(has(csv,
                   "work_damping_J,load_factor,lintel_deflection_mm,lintel_end_rotation_mrad,"
                   "lintel_axial_kN\n"));

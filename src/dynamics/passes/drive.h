@@ -10,6 +10,10 @@
 // R is found in two parts so that local damping sees the unbalanced force f_i + R0 r_i, where
 // R0 = -sum r_i f_i / sum r_i^2 leaves nothing along the shares, and the mean velocity is still met
 // exactly. The reaction is the contact force on the blocks.
+//
+// A head is one block that R pushes along a line beside its centroid, by an arm fixed to it. R then turns it
+// too, by c R, and what is prescribed is the velocity of the arm's end, which R works on:
+//               v + c omega = v_0,         R0 = -(f / m + c M / I) / (1 / m + c^2 / I)
 #pragma once
 
 #include "dynamics/passes/blocks.h"
@@ -49,6 +53,8 @@ struct Drive {
   double px, py;  // unit vector of the push
   bool spread, free_across, free_rotation;
   bool is_pattern;  // what its blocks lack of balance is felt by the meters
+  bool has_arm;
+  double arm;  // from the head's centroid to the line of the push, in its own axes [m]
 };
 // The wall's work so far [J].
 struct WallWork {
@@ -68,6 +74,29 @@ WYTHE_INLINE void sum_forces(BlockId i, const WallView& wall) {
   wall.cold(i, kTotalM) = wall.t.turn_freedom[i] * (contact.m + wall.block(i, kLoadM));
 }
 
+// Moment of a unit force along the push about the centroid of the head, turned as it is now [m].
+WYTHE_INLINE double lever_of(const Drive& d, BlockId head, const WallView& wall) {
+  if (!d.has_arm) return 0;
+  const double c = wall.of_four(wall.t.pose, head, 2), s = wall.of_four(wall.t.pose, head, 3);
+  const double x = -(2 * s * c) * d.arm, y = d.arm - 2 * s * s * d.arm;
+  return x * d.py - y * d.px;
+}
+
+// Turns the head under the moment of its joints and R; returns its turn and adds to the work.
+WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correction, double rate,
+                                     BlockId head, const WallView& wall, WallWork& work) {
+  const double dt = wall.of_wall(kDt), lambda = wall.of_wall(kDamping);
+  const double omega = wall.block(head, kOmega);
+  const double left = wall.cold(head, kTotalM) + lever * balance;
+  Moved<double> turn = accelerate(omega, left, rate, dt, lambda);
+  const double damping = -lambda * magnitude(left) * sign(omega);
+  turn.velocity += rate * (lever * correction);
+  turn.mean_velocity = 0.5 * (omega + turn.velocity);
+  turn.damping_work = damping * turn.mean_velocity * dt;
+  work.drive += lever * (balance + correction) * turn.mean_velocity * dt;
+  return turn;
+}
+
 // Moves the driven blocks and returns the reaction [N].
 WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double velocity,
                                  WallWork& work) {
@@ -85,7 +114,14 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
     mobility += r * r / wall.cold(i, kMass);
     reaction -= total(i, kContactX) * px + total(i, kContactY) * py;
   }
-  const double balance = d.spread ? -sum / squares : 0.0;
+  double balance = d.spread ? -sum / squares : 0.0;
+  const BlockId head = d.has_arm ? d.driven[0] : 0;
+  const double lever = lever_of(d, head, wall);
+  if (d.has_arm) {
+    const double inertia = wall.cold(head, kInertia), mass = wall.cold(head, kMass);
+    mobility = 1 / mass + lever * lever / inertia;
+    balance = -(sum / mass + lever * total(head, kTotalM) / inertia) / mobility;
+  }
 
   // Free motion under f_i + R0 r_i; what it misses of the mean velocity is made up in the same shares.
   double missed = 0;
@@ -95,6 +131,13 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
     const double f = total(i, kTotalX) * px + total(i, kTotalY) * py + r * balance;
     const double v = wall.block(i, kVx) * px + wall.block(i, kVy) * py;
     missed += r * (velocity - accelerate(v, f, dt / wall.cold(i, kMass), dt, lambda).velocity);
+  }
+  if (d.has_arm) {
+    const double turned =
+        accelerate(wall.block(head, kOmega), total(head, kTotalM) + lever * balance,
+                   dt / wall.cold(head, kInertia), dt, lambda)
+            .velocity;
+    missed -= lever * turned;
   }
   const double correction = missed / (mobility * dt);
 
@@ -118,7 +161,9 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
     }
     Moved<double> across{0, 0, 0}, turn{0, 0, 0};
     if (d.free_across) across = accelerate(across_v, across_f, dt / m, dt, lambda);
-    if (d.free_rotation)
+    if (d.has_arm)
+      turn = turn_head(lever, balance, correction, dt / wall.cold(i, kInertia), i, wall, work);
+    else if (d.free_rotation)
       turn = accelerate(wall.block(i, kOmega), total(i, kTotalM), dt / wall.cold(i, kInertia), dt,
                         lambda);
 
@@ -153,7 +198,9 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
           push.spec.as != Manner::kEach,
           push.spec.across == Freedom::kFree,
           push.spec.rotation == Freedom::kFree,
-          push.spec.pattern != Pattern::kNone};
+          push.spec.pattern != Pattern::kNone,
+          push.drive_arm == push.drive_arm,  // set
+          push.drive_arm};
 }
 
 // The share of their prestress that links have now.

@@ -92,6 +92,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
     access.bring_up(state);
     if (result_.curve.empty()) {
       result_.curve.push_back({});
+      if (columns_of(model_).held_head) result_.curve.back().head_axial = head_axial(state);
       note_links(state, 0, 0);
     }
     n_.damping_at_start = state.work_damping;
@@ -238,6 +239,20 @@ void Recorder::sample(const WallAccess& access, const State& state, const Contro
   }
 }
 
+// What the joints press on the pushed blocks upwards: of a head the axial force that it gives the wall.
+double Recorder::head_axial(const State& state) const {
+  const auto is_driven = [&](BlockId block) {
+    return std::find(stage_.driven.begin(), stage_.driven.end(), block) != stage_.driven.end();
+  };
+  const WallReading wall = read_wall(model_, state);
+  double up = 0;
+  for (const JointReading& joint : wall.joints) {
+    const bool a = is_driven(joint.shape.a), b = is_driven(joint.shape.b);
+    if (a != b) up += (b ? 1 : -1) * force_of(model_, joint, wall).y;
+  }
+  return up;
+}
+
 void Recorder::close_row(const State& state) {
   CurveRow row;
   row.time = state.time - n_.start_time;
@@ -257,6 +272,7 @@ void Recorder::close_row(const State& state) {
   row.lintel_deflection = lintel.deflection;
   row.lintel_end_rotation = lintel.end_rotation;
   row.lintel_axial = lintel.axial;
+  row.head_axial = columns_of(model_).held_head ? head_axial(state) : 0;
   result_.curve.push_back(row);
   RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
   const double force = displacement_ < 0 ? -row.reaction : row.reaction;

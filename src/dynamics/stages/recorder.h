@@ -54,6 +54,7 @@ class Recorder {
   void note_peak(const State& state);
   [[nodiscard]] double resisted_by_ground(const WallAccess& access, const State& state) const;
   [[nodiscard]] double dead_along_push(const State& state) const;
+  [[nodiscard]] double head_axial(const State& state) const;
 
   const Model& model_;
   const Stage& stage_;

@@ -143,7 +143,10 @@ void StageRun::watch(double share) {
   if (wall_.access->runaway_block() >= 0) return end(runs_away());
   if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
     return watch_for_falls();
-  const double allowed = std::fabs(state_.drive_displacement) + model_.solve.collapse_displacement;
+  // a head is driven by an arm's end, and goes farther than that where the pier turns
+  const double driven =
+      std::fmax(std::fabs(state_.drive_displacement), std::fabs(state_.control_moved));
+  const double allowed = driven + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
   if (furthest.distance > allowed) {
     const bool loads =

@@ -241,8 +241,9 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
                   .rise = result.rise,
                   .pier_slenderness = of_model.pier_slenderness,
                   .barred = of_model.barred};
-  CodeAssessment out = study::judged(spec, model, std::move(push), result.failure_mode,
-                                     read_pushed_wall(spec, model, result));
+  CodeAssessment out = study::judged(
+      spec, model, std::move(push), result.failure_mode,
+      result.pushed.is_read() ? result.pushed : read_pushed_wall(spec, model, result));
   for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
   return out;
 }

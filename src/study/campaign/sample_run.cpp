@@ -41,7 +41,7 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
   }
   r.failure_mode = name_failure_mode(run.model, r, read_modes_at(spec));
   r.features = read_features(run.model, r);
-  if (is_asked(run.spec.assessment)) run.pushed = read_pushed_wall(run.spec, run.model, r);
+  if (is_asked(run.spec.assessment)) r.pushed = read_pushed_wall(run.spec, run.model, r);
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.energy = r.energy;
   record.quasi_static = r.quasi_static;
   record.overlap_lost = r.validity.overlap_lost;
-  record.pushed = run.pushed;
-  if (run.pushed.is_read()) record.rise = r.rise;
+  record.pushed = r.pushed;
+  if (r.pushed.is_read()) record.rise = r.rise;
   return record;
 }
 

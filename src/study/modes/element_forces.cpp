@@ -152,17 +152,6 @@ Element cut_spandrel(const Cutter& cutter, const study::Spandrel& s) {
   return e;
 }
 
-// The force of a on b in the wall's axes, as the face lies now: the ground's has not turned, the edge of
-// a deformable block lies as its neighbour.
-Vec3 force_of(const Model& model, const JointReading& joint, const WallReading& wall) {
-  const JointShape& shape = joint.shape;
-  const Vec3 force = joint.compression * shape.normal - joint.shear * shape.along;
-  if (shape.a == kGroundBlock) return force;
-  const auto turn = [&](BlockId b) { return wall.blocks[static_cast<std::size_t>(b)].turned.by; };
-  return turned(force,
-                {shape.b >= model.n_block ? turn(shape.a) : 0.5 * (turn(shape.a) + turn(shape.b))});
-}
-
 // The force of the upper side on the lower one, of the right on the left.
 ElementEnd forces_at(const Model& model, const Cut& cut, const WallReading& wall) {
   Vec3 force;

@@ -71,6 +71,10 @@ void refuse_what_chains_ignore(const Model& model, const Stage& push, const Port
               cure);
     break;
   }
+  if (std::isfinite(push.drive_arm))
+    add_fault(faults, stage + ".contraflexure", fmt::format("{:g}", push.spec.contraflexure),
+              "macro-blocks are pushed at a point of theirs, and here it is the end of an arm",
+              cure);
   if (push.spec.pattern != Pattern::kNone)
     add_fault(faults, stage + ".pattern", word_of(kPatternWords, push.spec.pattern),
               "macro-blocks are pushed at one point", cure);
