@@ -360,7 +360,7 @@ class StageCompiler {
       for (std::size_t c = 0; c < s.contact_p.size(); ++c)
         if (is_of(s.contact_p[c])) area += s.contact_area[c];
       for (std::size_t c = 0; c < s.contact_p.size(); ++c)
-        if (is_of(s.contact_p[c]))
+        if (is_of(s.contact_p[c]) && s.contact_block[c] <= model_.n_block)  // else a fault is said
           on[static_cast<std::size_t>(s.contact_block[c])] +=
               mass_of_zones(body) * s.contact_area[c] / area;
     }

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "solids/zone.h"
-
-#include "wythe/result.h"
+#include "wythe/curve.h"
 
 namespace wythe {
 namespace reading {

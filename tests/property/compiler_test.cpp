@@ -84,8 +84,8 @@ class Bytes {
     add_all(block, arm_x, arm_y, fx, fy, arm_z, fz);
   }
   void add(const Stage& stage) {
-    const auto& [spec, loads, driven, share, control, x, y, z, load_height] = stage;
-    add_all(spec, loads, driven, share, control, x, y, z, load_height);
+    const auto& [spec, loads, driven, share, control, x, y, z, load_height, arm] = stage;
+    add_all(spec, loads, driven, share, control, x, y, z, load_height, arm);
   }
   void add(const ZoneShape& shape) {
     const auto& [x, y, gx, gy, stiffness, elasticity, share, area, thickness, omega, mass] = shape;

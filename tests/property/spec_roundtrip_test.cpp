@@ -170,6 +170,10 @@ void make_push(StageSpec& stage) {
   if (stage.targets.empty()) set_if_unset(stage.until, 0.05);
   const bool alike = stage.pattern == Pattern::kNone && coin(2);
   stage.as = coin(3) ? Manner::kDefault : alike ? Manner::kEach : Manner::kSpreader;
+  const bool level = stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
+  if (!level || stage.pattern != Pattern::kNone || stage.as == Manner::kEach ||
+      stage.rotation == Freedom::kBlocked || !stage.targets.empty())
+    stage.contraflexure = kUnset;  // is for one head that turns
 }
 
 void make_valid(StageSpec& stage, std::size_t index) {

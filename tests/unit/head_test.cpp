@@ -67,7 +67,7 @@ TEST_P(Contraflexure, is_where_the_moment_is_nil_and_the_base_has_the_shear_time
   const double now =
       height + rig.state.uy[head] + push.drive_arm * (std::cos(rig.state.theta[head]) - 1);
   EXPECT_NEAR(std::fabs(moment_at(rig.model, rig.state, 0)) / (shear * now), 1, 1e-6);
-  // the joint nearest to the point, and one on either side of it: the moment passes through nothing
+  // along the pier; the joint nearest to the point is at most half a course from it
   const double top = kCourse * (kCourses - 1);
   for (const double y : {0.25 * top, 0.5 * top, 0.75 * top, top}) {
     const double moment = std::fabs(moment_at(rig.model, rig.state, y));
@@ -75,7 +75,7 @@ TEST_P(Contraflexure, is_where_the_moment_is_nil_and_the_base_has_the_shear_time
   }
   if (share < 1) {
     const double at = std::round(height / kCourse) * kCourse;
-    EXPECT_LT(std::fabs(moment_at(rig.model, rig.state, at)), 0.03 * shear * now);
+    EXPECT_LE(std::fabs(moment_at(rig.model, rig.state, at)), 0.51 * kCourse * shear);
     EXPECT_LT(moment_at(rig.model, rig.state, 0) * moment_at(rig.model, rig.state, top), 0);
   }
 }

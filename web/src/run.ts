@@ -31,7 +31,7 @@ function readCurve(bundle: Bundle): Curve {
 
 const kManyParts = 12, // of a wall, from which on only those are listed that show something
   kOnPaper = 8, // measures in the printed appendix
-  kNear = 0.25; // short of a threshold, as a share of it, and still near
+  kNear = 0.25; // from a threshold, as a share of it, and still near
 
 // Words for a frame's labels: "peak", "20 mm", "end".
 const labelOf = (labels: Said[]): string => labels.map((l) => phrase(l)).join(", ");
@@ -446,12 +446,13 @@ class RunPage {
         : null,
     );
   }
-  // An appendix: paper has no room for measures far below their thresholds.
+  // An appendix: the measures that could as well have fallen on the other side, nearest first. Paper has no room for
+  // those far from their thresholds.
   private paperMeasures(): Child {
     const all = evidenceOf(this.s.failure_mode);
     const near = all
-      .filter((e) => e.margin >= -kNear)
-      .sort((a, b) => b.margin - a.margin)
+      .filter((e) => Math.abs(e.margin) <= kNear)
+      .sort((a, b) => Math.abs(a.margin) - Math.abs(b.margin))
       .slice(0, kOnPaper);
     if (near.length === 0) return null;
     return [

@@ -97,6 +97,37 @@ WYTHE_INLINE Moved<double> turn_head(double lever, double balance, double correc
   return turn;
 }
 
+// How a driven block moves in a step: along the push its velocity before and after, the force on it [N] and the
+// work of its damping; across it; and its turn.
+struct DrivenMotion {
+  double before, after, force, damping_work;
+  Moved<double> across, turn;
+};
+// Brings a driven block there, and adds to the work.
+WYTHE_INLINE void keep_motion(const Drive& d, BlockId i, const DrivenMotion& now,
+                              const WallView& wall, WallWork& work) {
+  const double px = d.px, py = d.py, dt = wall.of_wall(kDt);
+  const double mean_p = 0.5 * (now.before + now.after);
+  const double mean_x = mean_p * px - now.across.mean_velocity * py;
+  const double mean_y = mean_p * py + now.across.mean_velocity * px;
+  const double load_x = wall.cold(i, kTotalX) - wall.cold(i, kContactX);
+  const double load_y = wall.cold(i, kTotalY) - wall.cold(i, kContactY);
+  work.drive += now.force * mean_p * dt;
+  work.damping += now.damping_work + now.across.damping_work + now.turn.damping_work;
+  work.loads +=
+      dt * (load_x * mean_x + load_y * mean_y + wall.block(i, kLoadM) * now.turn.mean_velocity);
+
+  wall.block(i, kVx) = now.after * px - now.across.velocity * py;
+  wall.block(i, kVy) = now.after * py + now.across.velocity * px;
+  wall.block(i, kOmega) = now.turn.velocity;
+  wall.ux(i) += dt * wall.block(i, kVx);
+  wall.uy(i) += dt * wall.block(i, kVy);
+  wall.block(i, kTheta) += dt * now.turn.velocity;
+  const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
+  wall.of_four(wall.t.pose, i, 2) = half.cos;
+  wall.of_four(wall.t.pose, i, 3) = half.sin;
+}
+
 // Moves the driven blocks and returns the reaction [N].
 WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double velocity,
                                  WallWork& work) {
@@ -167,24 +198,7 @@ WYTHE_INLINE double drive_blocks(const Drive& d, const WallView& wall, double ve
       turn = accelerate(wall.block(i, kOmega), total(i, kTotalM), dt / wall.cold(i, kInertia), dt,
                         lambda);
 
-    const double mean_p = 0.5 * (along_v + vp);
-    const double mean_x = mean_p * px - across.mean_velocity * py;
-    const double mean_y = mean_p * py + across.mean_velocity * px;
-    const double load_x = fx - total(i, kContactX), load_y = fy - total(i, kContactY);
-    work.drive += force * mean_p * dt;
-    work.damping += damped * dt + across.damping_work + turn.damping_work;
-    work.loads +=
-        dt * (load_x * mean_x + load_y * mean_y + wall.block(i, kLoadM) * turn.mean_velocity);
-
-    wall.block(i, kVx) = vp * px - across.velocity * py;
-    wall.block(i, kVy) = vp * py + across.velocity * px;
-    wall.block(i, kOmega) = turn.velocity;
-    wall.ux(i) += dt * wall.block(i, kVx);
-    wall.uy(i) += dt * wall.block(i, kVy);
-    wall.block(i, kTheta) += dt * turn.velocity;
-    const SinCos<double> half = sin_cos(0.5 * wall.block(i, kTheta));
-    wall.of_four(wall.t.pose, i, 2) = half.cos;
-    wall.of_four(wall.t.pose, i, 3) = half.sin;
+    keep_motion(d, i, {along_v, vp, force, damped * dt, across, turn}, wall, work);
   }
   return reaction;
 }
