@@ -387,6 +387,11 @@ class StageCompiler {
     const StageSpec& s = stage.spec;
     const double bottom = lowest(&Vec2::y);
     std::vector<Level> levels;
+    if (s.pattern == Pattern::kGiven && s.shares.size() != s.levels.size()) {
+      fault("shares", "", fmt::format("are {} for {} levels", s.shares.size(), s.levels.size()),
+            "write one share for each level");
+      return {};
+    }
     for (std::size_t k = 0; k < s.levels.size(); ++k) {
       Level level;
       level.height = s.levels[k];
