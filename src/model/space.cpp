@@ -1,12 +1,14 @@
 #include "model/space.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "contact/parameters.h"
 #include "geometry/blocks_file.h"
@@ -38,10 +40,22 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   refuse("field", !spec.field.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
+  refuse("wall.foundation", !spec.wall.foundation.empty());
   refuse("assessment", !spec.assessment.code.empty());
   for (std::size_t k = 0; k < spec.stage.size(); ++k)
     refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
            std::isfinite(spec.stage[k].contraflexure));
+}
+
+// A rule for two kinds of block of which the wall has none changes nothing, and nobody would see it.
+void refuse_unknown_contacts(const ModelSpec& spec, FaultList& faults) {
+  std::set<std::string> kinds{"ground"};
+  for (const BodySpec& body : spec.body) kinds.insert(body.material);
+  for (std::size_t k = 0; k < spec.contact.size(); ++k)
+    for (const std::string& name : spec.contact[k].between)
+      if (!kinds.contains(name))
+        faults.add({"", fmt::format("contact.{}.between", k), name, "is no material of a block",
+                    fmt::format("write two of {}", fmt::join(kinds, ", ")), 0});
 }
 
 // Materials by name, each checked the first time it is used.
@@ -329,6 +343,7 @@ PrincipalAxes principal_axes(const std::array<double, 6>& inertia) {
 
 SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
   refuse_plane_parts(spec, faults);
+  refuse_unknown_contacts(spec, faults);
   check_points(spec.solve, faults);
   return geometry::assemble(spec.body, faults);
 }

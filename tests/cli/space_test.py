@@ -200,6 +200,13 @@ class Space(unittest.TestCase):
         self.assertEqual(ended.returncode, 2, ended.stdout)
         self.assertIn("macro-blocks are for plane walls", ended.stderr)
 
+    def test_a_contact_of_blocks_that_the_wall_has_not_is_refused(self):
+        contact = '[[contact]]\nbetween = ["mason", "ground"]\nmaterial = "joint"\n'
+        ended = wythe("check", self.model(MODEL.format(direction="+x") + contact))
+        self.assertEqual(ended.returncode, 2, ended.stdout)
+        self.assertIn("mason", ended.stderr)
+        self.assertIn("write two of ground, masonry", ended.stderr)
+
     def test_the_example_runs(self):
         ended = wythe("check", SOURCE / "examples/wall_with_returns/model.toml")
         self.assertEqual(ended.returncode, 0, ended.stderr)

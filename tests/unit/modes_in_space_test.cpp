@@ -47,9 +47,10 @@ struct Wall {
   State state;
 
   explicit Wall(bool with_return = false, const Frame& seen = {})
+      : Wall(bodies(with_return), seen) {}
+  Wall(const std::vector<BodySpec>& all, const Frame& seen)
       : frame(seen),
-        model(compile(
-            scenes::in_frame(scenes::in_space(bodies(with_return), scenes::paper_joint()), seen))),
+        model(compile(scenes::in_frame(scenes::in_space(all, scenes::paper_joint()), seen))),
         state(initial_state(model)) {}
 
   // Blocks of which `takes` says yes at their centroid turn by `turn` about `about`, then shift.
@@ -92,6 +93,22 @@ TEST_P(ModesInSpace, a_wall_that_turns_about_its_foot_overturns_however_far) {
     EXPECT_EQ(mode.name, "overturning") << degrees;
     EXPECT_NEAR(mode.sentence.number("degrees"), degrees, 0.01 * degrees);
     EXPECT_GT(mode.scores.at("one piece"), 0.99);
+  }
+}
+
+// A pillar's centre is where its own turn moves nothing; its corners tell.
+TEST_P(ModesInSpace, a_single_stone_that_topples_does_not_slide) {
+  for (const int stones : {1, 3}) {
+    std::vector<BodySpec> pillar{box("floor", {-1, -0.2, -1}, {3, 0.2, 3}, true)};
+    for (int k = 0; k < stones; ++k)
+      pillar.push_back(
+          box("s" + std::to_string(k), {0, 3.0 * k / stones, 0}, {0.5, 3.0 / stones, 0.5}));
+    const auto all = [](Vec3) { return true; };
+    EXPECT_NE(Wall(pillar, frame()).move(all, {0, 0, -2 * kDegree}, {0.5, 0, 0}).name(), "sliding")
+        << stones;
+    EXPECT_NE(Wall(pillar, frame()).move(all, {2 * kDegree, 0, 0}, {0, 0, 0.5}).name(), "sliding")
+        << stones;
+    EXPECT_EQ(Wall(pillar, frame()).move(all, {}, {}, {0.05, 0, 0}).name(), "sliding") << stones;
   }
 }
 

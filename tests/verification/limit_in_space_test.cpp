@@ -204,6 +204,15 @@ TEST(LimitInSpace, what_has_no_limit_load_is_refused_by_name) {
   ModelSpec pressed = spec;
   pressed.stage.back() = scenes::push_stage("b", Direction::kMinusY, 2e-3, 1e-3);
   EXPECT_TRUE(has(fault_of(pressed), "between floor and b")) << fault_of(pressed);
+  // dead loads that topple it: it stands only where the force holds it up, and so has no strength
+  ModelSpec pushed_over = block_on_slab({1, 2, 0.4}, 0.65, {0, 0, 1});
+  StageSpec wind;
+  wind.name = "wind";
+  wind.kind = StageKind::kLoad;
+  wind.pressure = 5e3, wind.face = "+z";
+  pushed_over.stage.insert(pushed_over.stage.begin() + 1, wind);
+  EXPECT_TRUE(has(fault_of(pushed_over), "cannot stand under the dead loads alone"))
+      << fault_of(pushed_over);
   ModelSpec flying = spec;
   flying.body.push_back(box("kite", {1, 1, 1}, {0.1, 0.1, 0.1}));
   EXPECT_TRUE(has(fault_of(flying), "kite")) << fault_of(flying);

@@ -41,7 +41,7 @@ ModelSpec wall(int courses, bool held) {
   ModelSpec spec =
       scenes::in_space(bodies, scenes::dry_joint(2e10, 8e9, std::atan(0.75)), kDensity);
   spec.material["smooth"] = scenes::dry_joint(2e10, 8e9, 0);
-  spec.contact = {{{"prop", "masonry"}, "smooth"}};
+  if (bodies.back().id == "prop") spec.contact = {{{"prop", "masonry"}, "smooth"}};
   spec.stage = {scenes::gravity_stage()};
   return spec;
 }

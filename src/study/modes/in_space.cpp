@@ -18,7 +18,7 @@ constexpr double kStandsFor =
 constexpr double kSomeWall = 0.02;  // of the wall, by mass: what is more than a loose stone
 constexpr double kRigid = 0.15;     // of the motion: what rigid pieces may leave unexplained
 constexpr double kTurns =
-    0.5;  // of the shift: what the turn moves the furthest block, from which a piece turns
+    0.5;  // of the shift: what the turn moves the furthest corner, from which a piece turns
 constexpr double kMain = 2.0 / 3;   // of what moves, by mass: a piece that drags the others along
 constexpr double kOffPlane = 0.15;  // of the motion: what may leave the wall's plane
 constexpr double kThin = 0.1;       // thickness over length, squared: what has a plane
@@ -35,6 +35,7 @@ struct Moved {
   double mass;
   double radius;  // of gyration, for its own turn [m]
   Vec3 longest;   // its longest side's direction where that lies level; 0 where none does
+  const BodySpec* body = nullptr;
 };
 
 // What moves as one: its centre, a shift and a turn; how much of the motion that leaves out.
@@ -119,7 +120,10 @@ void fit(Piece& piece) {
     const Vec3 own = vector_of(b.turned);
     piece.all += b.mass * (dot(b.moved, b.moved) + b.radius * b.radius * dot(own, own));
     piece.missed += missed(piece, b);
-    furthest = std::fmax(furthest, length(told(piece, b).by_turn) + b.radius * length(piece.turn));
+    for (const Polyhedron& part : b.body->part)
+      for (const Vec3& corner : part.vertex)
+        furthest =
+            std::fmax(furthest, length(vec3(swing(piece.turned, vec(corner - piece.centre)))));
   }
   piece.turns = furthest >= kTurns * length(piece.shift) && furthest > 0;
 }
@@ -150,7 +154,8 @@ std::vector<Moved> read_blocks(const Model& model, const State& state) {
                       {state.qw[k], {state.qx[k], state.qy[k], state.qz[k]}},
                       mass,
                       std::sqrt((i.x + i.y + i.z) / (3 * mass)),
-                      is_long ? axis : Vec3{}});
+                      is_long ? axis : Vec3{},
+                      &space.body[k]});
   }
   return blocks;
 }

@@ -425,7 +425,7 @@ Portal find_portal(const Model& model) {
   Portal portal;
   if (model.in_space())
     add_fault(faults, "wall.blocks", "", "is a wall in space, and macro-blocks are for plane walls",
-              "run it: a body force that grows gives the load it carries");
+              "read the limit loads instead");
   faults.throw_if_any();
   const study::WallParts parts = study::find_parts(model);
   read_opening(parts, study::find_openings(model), portal, faults);
