@@ -68,6 +68,14 @@ bool check_sizes(const PlanWallSpec& spec, const WallSpec& wall, const std::stri
   if (spec.wythes < 1 || spec.wythes > 3)
     add_fault(faults, path + ".wythes", std::to_string(spec.wythes), "must be 1, 2 or 3",
               "write wythes = 2; more are parts of one unit here");
+  if (spec.through_courses > 0 && spec.wythes == 1)
+    add_fault(faults, path + ".through_courses", std::to_string(spec.through_courses),
+              "is for two or three wythes, and this wall has one",
+              "leave it out, or write wythes = 2");
+  if (!std::isnan(spec.through_spacing) && spec.through_courses < 1)
+    add_fault(faults, path + ".through_spacing", metres(spec.through_spacing),
+              "says how far apart through-stones are, and no course has any",
+              "add through_courses = 3, or leave it out");
   if (!std::isnan(spec.core) && (spec.wythes != 3 || !(spec.core < wall.thickness)))
     add_fault(faults, path + ".core", metres(spec.core),
               "is for three wythes, and thinner than the wall",

@@ -290,6 +290,12 @@ class WallBuilder {
                               "as an opening or its "
                               "end leaves no room for a unit that bridges them",
                               bare_teeth_)));
+    const auto is_tied = [&](const Block& block) { return is_through(block); };
+    if (spec_.through_courses > 0 && std::none_of(blocks_.begin(), blocks_.end(), is_tied))
+      notes.push_back(
+          as_text(fmt::format("no through-stone stands in this wall: it has {} courses, and "
+                              "through_courses = {} and through_spacing leave no place for one",
+                              courses().count, spec_.through_courses)));
     if (masonry.joined_pieces > 0)
       notes.push_back({"fit.joined_pieces",
                        {{"pieces", masonry.joined_pieces},

@@ -129,6 +129,15 @@ span = "-2 m"
         ended = wythe("check", self.model(ALONE), "--set", "wall.height=0.606 m")
         self.assertIn("wall front: course 100 mm -> 101 mm", ended.stdout)
 
+    def test_through_stones_that_are_not_there_are_told(self):
+        self.refused(self.model(ALONE + "through_courses = 2\n"), "through_courses", "this wall has one")
+        self.refused(self.model(ALONE + 'wythes = 2\nthrough_spacing = "0.9 m"\n'), "no course has any")
+        for more, there in (("through_courses = 20", False), ("through_courses = 3", True),
+                            ('through_courses = 3\nthrough_spacing = "9 m"', False)):
+            ended = wythe("check", self.model(ALONE + "wythes = 2\n" + more + "\n"))
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            self.assertEqual("no through-stone stands" in ended.stdout + ended.stderr, not there, ended.stdout)
+
     def test_what_says_nothing_here_is_refused(self):
         self.refused(self.model(ALONE, more='length = "2 m"'), "wall.length")
         self.refused(self.model(ALONE, more='up = "x"'), "wall.up")
