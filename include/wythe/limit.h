@@ -44,6 +44,9 @@ inline constexpr Word<CrushingChoice> kCrushingChoiceWords[] = {
     {"stress block", CrushingChoice::kStressBlock}};
 static_assert(names_all(kCrushingChoiceWords));
 
+// What a shear may pass its friction circle by [-].
+inline constexpr double kFrictionCircle = 1e-4;
+
 struct LimitOptions {
   JointStrength strength = JointStrength::kDry;
   FrictionChoice friction = FrictionChoice::kPeak;
@@ -68,8 +71,8 @@ struct LimitAnswer {
   std::vector<double> vz, omega_x, omega_y;  // in space; omega is about z
   // In space a friction circle is a polygon, cut until no shear passes the circle by more than this share: the
   // load is that of joints whose friction and cohesion are at most that much higher.
-  double friction_excess = 0;
-  double dissipation = 0;  // of the joints in that mechanism, per unit velocity of the load
+  double friction_excess = 0;  // above kFrictionCircle a note says so (notes_on)
+  double dissipation = 0;      // of the joints in that mechanism, per unit velocity of the load
   int rows = 0, columns = 0,
       cuts = 0;         // size of the static programme; tangents added, in space facets
   double accuracy = 0;  // relative, of the less accurate programme; 0: exact to round-off

@@ -264,6 +264,10 @@ std::vector<Message> notes_on(const Model& model, const SecondOpinion& opinion) 
                         {"infinite_kN", 1e-3 * infinite}}});
     }
   }
+  for (const NamedLimit& limit : opinion.limits)
+    if (limit.answer.friction_excess > kFrictionCircle)
+      notes.push_back({"limit.friction_circles",
+                       {{"case", limit.name}, {"percent", 100 * limit.answer.friction_excess}}});
   const Message here = described(model);
   std::vector<Message> others;
   for (const ComparedRun& run : opinion.comparison.runs)

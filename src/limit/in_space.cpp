@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kFacets = 8;         // of a friction circle, before it is cut
 constexpr int kRounds = 30;        // of cutting, at most
-constexpr double kCircle = 1e-4;   // a shear may pass its circle by this share
 constexpr double kNothing = 1e-7;  // of the force unit: a circle that small has no say
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -238,10 +237,11 @@ double cut_circles(const Model& m, const Units& units, const SpaceStaticAnswer& 
       if (s - radius <= kNothing * units.force) continue;
       const double share = radius > 0 ? s / radius - 1 : 1.0;
       most = std::fmax(most, share);
-      if (share > kCircle) yield.facet.push_back({j, p, s1 / s, s2 / s});
+      if (share > kFrictionCircle) yield.facet.push_back({j, p, s1 / s, s2 / s});
     }
     const double sum = std::hypot(sum_1, sum_2);
-    if (sum - sum_radius <= std::fmax(kCircle * sum_radius, kNothing * units.force)) continue;
+    if (sum - sum_radius <= std::fmax(kFrictionCircle * sum_radius, kNothing * units.force))
+      continue;
     for (int p = begin; p < end; ++p) yield.facet.push_back({j, p, sum_1 / sum, sum_2 / sum});
   }
   return most;
@@ -438,7 +438,7 @@ SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, Spac
   SpaceStaticAnswer answer = programme.solve(watch);
   for (int round = 0; answer.status == ProgrammeStatus::kOptimal; ++round) {
     answer.friction_excess = cut_circles(model, units, answer, yield);
-    if (answer.friction_excess <= kCircle || round == kRounds) break;
+    if (answer.friction_excess <= kFrictionCircle || round == kRounds) break;
     programme.add_facets();
     answer = programme.solve(watch);
   }

@@ -165,6 +165,12 @@ auto solve_tilted(const Solve& solve) {
          "use a body force, which needs no second look");
 }
 
+// At rest a tilted wall has its loads and strengths as they are, not those over the cosine of its limit tilt.
+template <class Programmes>
+bool is_tilt(const Programmes& p) {
+  return p.loads.stage->spec.kind == StageKind::kTilt;
+}
+
 // Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
 // stand while the growing load holds it up.
 void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
@@ -215,8 +221,10 @@ LimitAnswer limit_in_plane(const Model& model, const LimitOptions& options,
   if (by_motion.status == ProgrammeStatus::kInfeasible)
     refuse_unlimited(model, p.by_forces, p.yield);
   check_solved(p.by_forces, by_motion);
-  check_it_stands_alone(model,
-                        find_unbalanced(model, p.loads, p.yield, p.units, watch_from(watch, 1, 1)));
+  const Watch ask = watch_from(watch, 1, 1);
+  check_it_stands_alone(model, is_tilt(p) ? find_unbalanced(model, limit_loads(model),
+                                                            yield_of(model, options), p.units, ask)
+                                          : find_unbalanced(model, p.loads, p.yield, p.units, ask));
   LimitAnswer answer = answer_of(options, p, by_motion);
   answer.shear_force = p.by_forces.shear;
   answer.point_force = p.by_forces.point_force;
@@ -240,8 +248,11 @@ LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
   if (by_motion.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (by_motion.status == ProgrammeStatus::kInfeasible) refuse_unlimited("some joint");
   check_solved(p.by_forces, by_motion);
-  check_it_stands_alone(model,
-                        find_unbalanced(model, p.loads, p.yield, p.units, watch_from(watch, 1, 1)));
+  const Watch ask = watch_from(watch, 1, 1);
+  check_it_stands_alone(model, is_tilt(p)
+                                   ? find_unbalanced(model, space_loads(model),
+                                                     space_yield(model, options), p.units, ask)
+                                   : find_unbalanced(model, p.loads, p.yield, p.units, ask));
   LimitAnswer answer = answer_of(options, p, by_motion);
   answer.point_force = p.by_forces.compression;
   answer.shear_force = p.by_forces.shear_1;

@@ -166,6 +166,32 @@ TEST(LimitInSpace, a_tilt_is_the_angle_whose_tangent_a_body_force_has) {
   EXPECT_NEAR(answer_of(spec).load, force, 1e-6);
 }
 
+// At no tilt the wind is carried; over the cosine of the limit tilt it would not be.
+TEST(LimitInSpace, a_tilted_wall_stands_at_rest_under_the_loads_it_has_there) {
+  ModelSpec spec = block_on_slab({0.4, 0.4, 0.4}, 2, {0, 0, 1});
+  StageSpec wind;
+  wind.name = "wind";
+  wind.kind = StageKind::kLoad;
+  const double weight = kDensity * 0.4 * 0.4 * 0.4 * kG;
+  wind.pressure = 0.5 * weight / (0.4 * 0.4), wind.face = "+z";  // towards -z, it falls at 1
+  spec.stage.insert(spec.stage.begin() + 1, wind);
+  spec.stage.back().kind = StageKind::kTilt;
+  spec.stage.back().tilt_until = 1.5;
+  // sin t - 0.5 = cos t: the wind keeps its direction beside a weight that turns
+  const double t = M_PI / 4 + std::asin(0.5 / std::sqrt(2.0));
+  EXPECT_NEAR(answer_of(spec).load, std::tan(t), 1e-4 * std::tan(t));
+}
+
+TEST(LimitInSpace, circles_that_were_not_reached_are_noted) {
+  const Model model = compile(block_on_slab({0.4, 0.1, 0.2}, 0.6, {1, 0, 0}));
+  SecondOpinion opinion;
+  opinion.limits.push_back({"dry", {}});
+  EXPECT_TRUE(notes_on(model, opinion).empty());
+  opinion.limits.back().answer.friction_excess = 0.03;
+  ASSERT_EQ(notes_on(model, opinion).size(), 1u);
+  EXPECT_EQ(notes_on(model, opinion).front().code, "limit.friction_circles");
+}
+
 TEST(LimitInSpace, a_push_on_a_block_is_a_force) {
   ModelSpec spec = block_on_slab({0.4, 0.1, 0.2}, 0.6, {1, 0, 0});
   spec.stage.back() = scenes::push_stage("b", Direction::kPlusX, 2e-3, 1e-3);
