@@ -24,6 +24,7 @@ struct ModeRules {
   double spandrel_crossed = 1;  // share of a spandrel's depth a diagonal crack crosses [-]
   double rocking = 0.5;         // share of a pier's foot that is open when it rocks [-]
   double crushing = 0.05;       // share of the compressive strength a crushed toe has lost [-]
+  double broken_off = 0.02;     // share of the masonry that came off in one piece [-]
   double growth = 8e-3;         // flag: growth of a pier's width [m]
   double drop = 0.2;            // flag: sudden fall of the reaction, of the peak [-]
   double doubt = 0.15;          // a measure this near its threshold, as a share of it, is in doubt

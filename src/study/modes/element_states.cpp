@@ -253,7 +253,9 @@ class SignReader {
     return element(
         kWholeWall, "wall",
         {sign(kSliding, "slip all along its beds", slips.above, rules_.sliding, "mm"),
-         sign(kBaseSliding, "slip all along the foundation", slips.below, rules_.sliding, "mm")});
+         sign(kBaseSliding, "slip all along the foundation", slips.below, rules_.sliding, "mm"),
+         sign(kBreaking, "masonry that came off in one piece", largest_piece(), rules_.broken_off,
+              "share")});
   }
 
   [[nodiscard]] ElementState top_joint() const {
@@ -319,6 +321,10 @@ class SignReader {
   static Box with_haunches(const Spandrel& s, Box masonry) {
     if (!s.is_sill && !(s.lintel > 0)) masonry.y0 -= s.opening;
     return masonry;
+  }
+  [[nodiscard]] double largest_piece() const {
+    const std::vector<Piece> pieces = broken_off(motion_, rules_);
+    return pieces.empty() ? 0.0 : pieces.front().share;
   }
   // How far a crack has come, and how far it has to come.
   struct Reach {
@@ -387,6 +393,15 @@ double width_growth(const Pier& pier, const WallParts& parts,
   for (const LineSum& line : scan(joints, shaft_of(pier), Lines::kLevel, parts.course))
     growth = std::max(growth, line.opening);
   return growth;
+}
+
+std::vector<Piece> broken_off(const WallMotion& motion, const ModeRules& rules) {
+  constexpr double kHalf = 0.5;  // it may hang on at a hinge
+  std::vector<Piece> pieces = pieces_off(motion, rules.crack, rules.sliding);
+  std::erase_if(pieces, [&](const Piece& p) {
+    return p.torn < kHalf || p.share < (1 - rules.doubt) * rules.broken_off;
+  });
+  return pieces;
 }
 
 ElementStates element_states(const WallParts& parts, const WallMotion& motion,

@@ -14,6 +14,7 @@
 //                         connection
 //   sliding at the base   pier, wall  slip all across the foundation                 sliding
 //   sliding               top joint   slip all along plates or beam                  sliding
+//   breaking away         wall        share of the largest piece that came off       broken_off
 //   toe crushing          toe         strength lost by a joint                       crushing
 //
 // Called by failure_mode.cpp; the reasons are in docs/theory/failure_modes.md.
@@ -34,6 +35,7 @@ inline constexpr const char* kBaseSliding = "sliding at the base";
 inline constexpr const char* kRocking = "rocking";
 inline constexpr const char* kCrushing = "toe crushing";
 inline constexpr const char* kFlexural = "flexural crack";
+inline constexpr const char* kBreaking = "breaking away";
 
 // Names of the elements that lie outside WallParts.
 inline constexpr const char* kWholeWall = "whole wall";
@@ -49,6 +51,11 @@ inline constexpr const char* kTopJoint = "top joint";
 // Growth of a pier's width at its most parted course, now [m].
 [[nodiscard]] double width_growth(const Pier& pier, const WallParts& parts,
                                   const std::vector<JointMotion>& joints);
+
+// Pieces that have left the rest of the wall by `sliding`, along a crack for half of their outline at least:
+// what bends away along many small ones has not broken off. No loose stones: each is broken_off of the masonry or
+// more, as far as `doubt`. The heaviest first.
+[[nodiscard]] std::vector<Piece> broken_off(const WallMotion& motion, const ModeRules& rules);
 
 // How surely each sign holds, from 0 to 1: the mean over crack widths from half to twice the rule's
 // of a ramp from `doubt` below the threshold to as much above. By element, then sign, as in

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 
 #include "wythe/reading.h"
 
@@ -80,6 +83,94 @@ RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen)
   }
   if (inertia > 0) fit.turn = turn / inertia;
   return fit;
+}
+
+namespace {
+
+bool is_masonry(const BlockMotion& b) {
+  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam;
+}
+
+// Ways of all blocks against the rigid motion of the half or more of the wall that is nearest to rigid: fitted
+// again and again to the blocks within `parted` of the last fit, or to the nearer half.
+std::vector<double> ways_against_the_rest(const std::vector<BlockMotion>& blocks, double parted) {
+  constexpr int kFits = 30;
+  std::vector<double> ways(blocks.size(), 0.0), before;
+  double within = std::numeric_limits<double>::infinity();
+  for (int fit = 0; fit < kFits && ways != before; ++fit) {
+    before = ways;
+    const RigidMotion rest = fitted(blocks, [&](const BlockMotion& b) {
+      return is_masonry(b) && before[static_cast<std::size_t>(&b - blocks.data())] <= within;
+    });
+    std::vector<double> masonry;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const BlockMotion& m = blocks[b];
+      ways[b] = length(m.moved - rest.moved - cross(rest.turn, m.at - rest.at));
+      if (is_masonry(m)) masonry.push_back(ways[b]);
+    }
+    if (masonry.empty()) break;
+    const auto middle = masonry.begin() + static_cast<std::ptrdiff_t>(masonry.size() / 2);
+    std::nth_element(masonry.begin(), middle, masonry.end());
+    within = std::max(parted, *middle);
+  }
+  return ways;
+}
+
+}  // namespace
+
+std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double parted) {
+  const std::vector<BlockMotion>& blocks = motion.blocks;
+  const std::vector<double> ways = ways_against_the_rest(blocks, parted);
+  std::vector<std::size_t> root(blocks.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto root_of = [&](std::size_t b) {
+    while (root[b] != b) b = root[b] = root[root[b]];
+    return b;
+  };
+  const auto is_off = [&](BlockId b) {
+    return b >= 0 && is_masonry(blocks[static_cast<std::size_t>(b)]) &&
+           ways[static_cast<std::size_t>(b)] >= parted;
+  };
+  for (const JointMotion& j : motion.joints) {
+    if (!is_off(j.a) || !is_off(j.b) || std::hypot(j.opening, j.slip) >= parted) continue;
+    const std::size_t a = root_of(static_cast<std::size_t>(j.a)),
+                      b = root_of(static_cast<std::size_t>(j.b));
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::map<std::size_t, Piece> by_root;
+  double all = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (!is_masonry(blocks[b])) continue;
+    all += blocks[b].mass;
+    if (!is_off(static_cast<BlockId>(b))) continue;
+    Piece& piece = by_root[root_of(b)];
+    piece.blocks.push_back(b);
+    piece.share += blocks[b].mass;
+    piece.way += blocks[b].mass * ways[b];
+  }
+  std::map<std::size_t, double> around;
+  for (const JointMotion& j : motion.joints) {
+    const auto side = [&](BlockId b) {
+      return is_off(b) ? by_root.find(root_of(static_cast<std::size_t>(b))) : by_root.end();
+    };
+    const auto a = side(j.a), b = side(j.b);
+    if (a == b) continue;
+    for (const auto& piece : {a, b}) {
+      if (piece == by_root.end()) continue;
+      around[piece->first] += j.length();
+      if (std::hypot(j.widest, j.slip) >= crack) piece->second.torn += j.length();
+    }
+  }
+  std::vector<Piece> pieces;
+  for (auto& [of, piece] : by_root) {
+    piece.torn = around[of] > 0 ? piece.torn / around[of] : 0.0;
+    piece.way /= piece.share;
+    piece.share /= all;
+    pieces.push_back(std::move(piece));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& a, const Piece& b) { return a.share > b.share; });
+  return pieces;
 }
 
 double LineSum::movement() const { return std::hypot(opened, slip); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace wythe::study {
 namespace {
@@ -88,7 +89,7 @@ class Reader {
     if (name == "top sliding") return {"mode.top_sliding"};
     if (name == "one pier in shear") return {"mechanism.one_pier"};
     if (name == kWeak) return {"mechanism.spandrels"};
-    if (name == kPartial) return {"mechanism.partial", {{"parts", failed_parts()}}};
+    if (name == kPartial) return partial();
     const How* how = of_piers(name);
     if (how == nullptr)
       return is_damaged() ? Message{"mechanism.cracks"} : Message{"mechanism.none"};
@@ -120,30 +121,63 @@ class Reader {
     return length > 0 ? ramp(sheared / length, kHalf, wall_.rules) : 0.0;
   }
 
-  // The truth that a pier or spandrel has failed at all.
+  // The truth that a pier or spandrel has failed at all, or that a piece of the wall came off.
   [[nodiscard]] double surest_part() const {
-    double most = 0;
+    double most = truth(wall_.elements, wall_.truths, kWholeWall, kBreaking);
     for (const Pier& p : wall_.parts.piers)
       most = std::max({most, truth_of(p, true), sure(p, kRocking)});
     for (const Spandrel& s : wall_.parts.spandrels)
       if (!s.is_sill) most = std::max(most, truth_of(s, false));
     return most;
   }
-  // Their names, the first few.
-  [[nodiscard]] std::vector<Message> failed_parts() const {
+  [[nodiscard]] Message partial() const {
+    std::vector<Message> failed = parts_with([&](const Part& part, bool is_pier) {
+      return std::max(truth_of(part, is_pier), is_pier ? sure(part, kRocking) : 0.0);
+    });
+    if (!failed.empty()) return {"mechanism.partial", {{"parts", std::move(failed)}}};
+    return broken_pieces();
+  }
+  // What came off in pieces: how much, how far, with which piers, spandrels and nodes.
+  [[nodiscard]] Message broken_pieces() const {
+    const std::vector<BlockMotion>& blocks = wall_.motion.blocks;
+    std::set<std::size_t> off;
+    double share = 0, way = 0;
+    for (const Piece& piece : broken_off(wall_.motion, wall_.rules)) {
+      off.insert(piece.blocks.begin(), piece.blocks.end());
+      share += piece.share;
+      way = std::max(way, piece.way);
+    }
+    const auto share_off = [&](const Part& part) {
+      double all = 0, gone = 0;
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (!part.box.holds(blocks[b].at.x, blocks[b].at.y)) continue;
+        all += blocks[b].mass;
+        if (off.contains(b)) gone += blocks[b].mass;
+      }
+      return all > 0 ? gone / all : 0.0;
+    };
+    std::vector<Message> with = parts_with([&](const Part& part, bool) { return share_off(part); });
+    Message words{with.empty() ? "mechanism.breaks_away" : "mechanism.breaks_away_with",
+                  {{"percent", 100 * share}, {"mm", 1e3 * way}}};
+    if (!with.empty()) words.arguments.emplace_back("parts", std::move(with));
+    return words;
+  }
+  // Names of the piers and spandrels with a measure above a half, the first few.
+  template <class Measure>
+  [[nodiscard]] std::vector<Message> parts_with(const Measure& measure) const {
     constexpr std::size_t kListed = 4;
     std::vector<Message> names;
     std::size_t more = 0;
-    const auto add = [&](const Part& part, double failed) {
-      if (failed <= kHalf) return;
+    const auto add = [&](const Part& part, bool is_pier) {
+      if (measure(part, is_pier) <= kHalf) return;
       if (names.size() < kListed)
         names.push_back(wall_.parts.words.at(part.name));
       else
         ++more;
     };
-    for (const Pier& p : wall_.parts.piers) add(p, std::max(truth_of(p, true), sure(p, kRocking)));
+    for (const Pier& p : wall_.parts.piers) add(p, true);
     for (const Spandrel& s : wall_.parts.spandrels)
-      if (!s.is_sill) add(s, truth_of(s, false));
+      if (!s.is_sill) add(s, false);
     if (more > 0) names.push_back({"mechanism.more_parts", {{"number", more}}});
     return names;
   }

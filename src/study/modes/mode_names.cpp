@@ -27,6 +27,7 @@ namespace {
 struct Words {
   const char *name, *code, *sentence;
 };
+constexpr const char* kPartOff = "part breaking away";
 constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {"FM-2", "", "mode.fm_2"},
                             {"FM-3", "", "mode.fm_3"},
@@ -39,6 +40,7 @@ constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {"pier shear", "damage.pier_shear", ""},
                             {"spandrel shear", "damage.spandrel_shear", ""},
                             {"pier rocking", "damage.pier_rocking", ""},
+                            {kPartOff, "damage.breaking_away", ""},
                             {"flexural cracks", "damage.flexural_cracks", ""},
                             {"shear", "damage.shear", ""},
                             {"sliding at the top", "damage.sliding_at_top", ""},
@@ -48,6 +50,7 @@ constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
                             {kRocking, "sign.rocking", ""},
                             {kCrushing, "sign.crushing", ""},
                             {kFlexural, "sign.flexural", ""},
+                            {kBreaking, "sign.breaking_away", ""},
                             {kWholeWall, "part.whole_wall", ""},
                             {kTopJoint, "part.top_joint", ""}};
 
@@ -223,6 +226,7 @@ class Namer {
     add("base sliding", "sliding at the base", surest("pier", kBaseSliding));
     if (has_top_joint()) add("top sliding", "sliding at the top", surest("top joint", kSliding));
     add("pier rocking", "rocking", surest("pier", kRocking));
+    if (!bare) add(kPartOff, "", surest("wall", kBreaking));
     add("toe crushing", "toe crushing", surest("toe", kCrushing));
     add("flexural cracks", "flexural cracks",
         std::max({surest("pier", kFlexural), surest("connection", kFlexural),
@@ -259,7 +263,8 @@ class Namer {
   [[nodiscard]] Kinds composed(double least) const {
     Kinds kinds;
     for (const auto& [kind, sure] : ranked_) {
-      const bool is_lesser = kind == "toe crushing" || kind == "flexural cracks";
+      const bool is_lesser =
+          kind == kPartOff || kind == "toe crushing" || kind == "flexural cracks";
       if (sure >= least && kinds.size() < 2 && !(is_lesser && !kinds.empty()))
         kinds.push_back(kind);
     }
