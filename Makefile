@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test bench docs web format check install clean
+.PHONY: all help setup build demo test bench docs site web format check install clean
 all: build
 
 help:            ## this list
@@ -36,9 +36,14 @@ bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>
 	@cmake --build --preset $(PRESET) --target wythe_bench wythe_cli
 	tools/bench run --build $(BUILD)
 
-docs: configure  ## write docs/reference from the specs' descriptions
-	@cmake --build --preset $(PRESET) --target wythe_reference
+docs: configure  ## write docs/reference from the specs' descriptions and the program's help
+	@cmake --build --preset $(PRESET) --target wythe_reference wythe_cli
 	$(BUILD)/wythe_reference docs/reference
+	tools/command_line $(BUILD)/wythe docs/reference/command_line.md
+
+site:            ## build/site: these pages as a site, offline; needs the packages of deps/site.txt
+	@tools/setup deps/site.txt
+	@tools/site
 
 web: setup       ## build the report viewer: src/report/assets/viewer.html
 	@cd web && npm ci --no-audit --no-fund && npm run build

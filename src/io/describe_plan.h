@@ -30,7 +30,7 @@ void describe(Visitor& v, PlanWallSpec& s) {
   v.quantity("core", s.core, {.unit = "m", .shown = "m", .range = kLength, .fallback = "a third of the thickness",
              .example = "0.2 m", .doc = "Thickness of the core of three wythes."});
   v.integer("through_courses", s.through_courses, {.range = kFromZero, .fallback = "none", .example = "3",
-            .doc = "Through-stones tie the wythes in every so-manieth course."});
+            .doc = "Every how many courses through-stones tie the wythes together."});
   v.quantity("through_spacing", s.through_spacing, {.unit = "m", .shown = "m", .range = kLength,
              .fallback = "every unit of these courses", .example = "0.9 m",
              .doc = "Distance of through-stones along their course, to whole units."});
