@@ -204,14 +204,16 @@ struct Links {
   int n = 0;
   std::vector<BlockId> a, b;  // a is kGroundBlock at an anchor
   std::vector<double> arm_a_x, arm_a_y, arm_b_x,
-      arm_b_y;                         // ends seen from the centroids [m]; 0 of the ground
-  std::vector<double> span_x, span_y;  // from a to b at the start [m]; of a spring a unit vector
-  std::vector<double> follows;         // 1: its line turns with its ends; 0: keeps its direction
-  std::vector<double> stiffness;       // [N/m]
-  std::vector<double> tension;         // force at which it yields, 0: hangs slack [N]
-  std::vector<double> compression;     // the same when pressed, as a positive number [N]
-  std::vector<double> prestress;       // force drawn in along with the stage set_by [N]
-  std::vector<std::string> name;       // different from each other
+      arm_b_y;                           // ends seen from the centroids [m]; 0 of the ground
+  std::vector<double> arm_a_z, arm_b_z;  // the same; 0 in the plane
+  std::vector<double> span_x, span_y,
+      span_z;                       // from a to b at the start [m]; of a spring a unit vector
+  std::vector<double> follows;      // 1: its line turns with its ends; 0: keeps its direction
+  std::vector<double> stiffness;    // [N/m]
+  std::vector<double> tension;      // force at which it yields, 0: hangs slack [N]
+  std::vector<double> compression;  // the same when pressed, as a positive number [N]
+  std::vector<double> prestress;    // force drawn in along with the stage set_by [N]
+  std::vector<std::string> name;    // different from each other
   std::vector<LinkKind> kind;
   int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
 };

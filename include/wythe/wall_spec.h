@@ -203,6 +203,7 @@ struct FloorSpec {
   double bearing = kUnset;     // depth of the bearing, from the inner face [m]
   double thrust = 0;           // horizontal force of a roof on the wall, +x to the right [N]
   double mass = 0;             // that moves with the wall as inertia [kg/m]
+  PlaceSpec from, to;  // in space: the ends of the line it lies on, in the place of y, x, width
 };
 
 // A tie: a bar that only pulls, between two points of the wall, or from one to a rigid anchor.
@@ -228,6 +229,7 @@ struct DiaphragmSpec {
   std::string storey;         // at whose top it lies
   double y = kUnset;          // or its height [m]
   std::vector<double> x;      // of the connected points [m], at least two
+  std::vector<double> z;      // in space: theirs too [m]
   double stiffness = kUnset;  // axial, E A of the strip that acts [N]; elastic
 };
 
@@ -327,6 +329,9 @@ struct StageSpec {
   std::vector<double> along;      // in space: any direction, in the place of `direction`
   PlaceSpec on;                   // in space: blocks whose faces the pressure acts on; unset: all
   std::string face;               // in space: where those faces look, a word of Direction; "": up
+  double force = kUnset;          // in space: load at the point `at` [N]
+  double line_load = kUnset;      // in space: load along the line `from` - `to` [N/m]
+  PlaceSpec from, to;             //
   std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
   double stop_below = 0;          // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;

@@ -104,8 +104,8 @@ class Bytes {
             cc, dd);
   }
   void add(const Links& links) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = links;
-    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = links;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
   }
   void add(const Vec3& v) { add_all(v.x, v.y, v.z); }
   void add(const Polyhedron& part) {
