@@ -523,7 +523,7 @@ TEST(Mechanism, corner_that_hangs_on_at_a_hinge_breaks_away_and_masonry_that_ben
     return x > 23 * kColumn ? Motion{.pivot_x = 27 * kColumn, .turn = -4e-3} : Motion{};
   };
   const double gone = 1 - 3.3e-3 / (4e-3 * 16 * kCourse);  // of its height: by the way that counts
-  EXPECT_NEAR(broken(hinge), 64.0 / 396 * gone, 0.01);      // 64 of the wall's 396 blocks
+  EXPECT_NEAR(broken(hinge), 64.0 / 396 * gone, 0.01);     // 64 of the wall's 396 blocks
   // the same end leans out with no crack: each column a little more than the one before
   const auto bends = [](double x, double y) {
     const double c = x / kColumn;
