@@ -321,8 +321,10 @@ struct PgaFragility {
   std::vector<FragilityPoint> curve;   // probability against acceleration [m/s^2]
 };
 struct CampaignAssessment {
-  AssessmentSpec spec;                   // of the base model
-  MassAndShape mass;                     // of the base model, with a linear shape
+  AssessmentSpec spec;  // of the base model
+  // Of the sample in the middle by its participating mass; where none answers, of the base model with a
+  // linear shape.
+  MassAndShape mass;
   int answered = 0, without_answer = 0;  // samples that ran
   int doubtful = 0;                      // of those answered: not to be signed, but for bounds
   Message reason;                        // why there are no numbers; empty: there may be

@@ -228,7 +228,7 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
   const scenes::TemporaryFolder folder;
   const Facade f(folder / "out");
   ASSERT_EQ(f.campaign.records.size(), 4U);
-  std::vector<double> accelerations;
+  std::vector<double> accelerations, masses;
   SolveOptions options;
   options.frames = 40;
   for (const SampleRecord& record : f.campaign.records) {
@@ -245,6 +245,7 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
     EXPECT_EQ(stored.mass.participating, own.mass.participating);
     EXPECT_EQ(stored.mass.participation, own.mass.participation);
     EXPECT_FALSE(stored.mass.is_linear);
+    masses.push_back(own.mass.participating);
     ASSERT_EQ(stored.limit_states.size(), own.limit_states.size());
     for (std::size_t k = 0; k < own.limit_states.size(); ++k) {
       const LimitStateCheck &a = own.limit_states[k], &b = stored.limit_states[k];
@@ -260,6 +261,10 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
   }
   const CampaignAssessment all = assess_campaign(f.campaign, f.base, f.model);
   EXPECT_EQ(all.answered, 4);
+  std::sort(masses.begin(), masses.end());
+  EXPECT_EQ(all.mass.participating,
+            masses[1]);  // of the sample in the middle, not a linear shape's
+  EXPECT_FALSE(all.mass.is_linear);
   for (const Message& say : cautions_of(all)) EXPECT_NE(say.code, "assessment.caution.whole_drift");
   std::sort(accelerations.begin(), accelerations.end());
   std::vector<double> points;

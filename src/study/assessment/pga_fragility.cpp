@@ -201,6 +201,14 @@ void add_fragility(std::vector<std::vector<Reading>> readings, CampaignAssessmen
   }
 }
 
+// That of the sample in the middle, by the mass that takes part.
+MassAndShape middle_of(std::vector<MassAndShape> masses) {
+  std::stable_sort(masses.begin(), masses.end(), [](const MassAndShape& a, const MassAndShape& b) {
+    return a.participating < b.participating;
+  });
+  return masses[(masses.size() - 1) / 2];
+}
+
 }  // namespace
 
 CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
@@ -218,6 +226,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
   out.notes = cautions_of_samples(campaign, base, model);
   std::vector<Message> notes;
   Message why;  // the first sample without an answer has none
+  std::vector<MassAndShape> masses;
   std::vector<std::vector<Reading>> readings(std::size(kLimitStateWords));
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;
@@ -229,6 +238,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
       continue;
     }
     ++out.answered;
+    masses.push_back(a.mass);
     const LimitStateCheck* asked = a.asked();
     out.doubtful += a.may_be_signed || (a.cautions.size() == 1 && asked->at_least) ? 0 : 1;
     for (const LimitStateCheck& check : a.limit_states)
@@ -239,6 +249,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
     out.reason = {"assessment.no_sample_answers", {{"why", why}}};
     out.doubtful = out.without_answer;
   }
+  if (!masses.empty()) out.mass = middle_of(std::move(masses));
   add_fragility(std::move(readings), out);
   for (Message& say : std::vector{lost_samples(out, why), extrapolated(out)})
     if (!say.empty()) out.notes.push_back(std::move(say));
