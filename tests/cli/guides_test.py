@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Tutorials, how-to's and the pages of the examples as a reader follows them: every command runs, and what it prints is what the page says.
+
+A page is followed from top to bottom in an empty folder. A fence of commands is run as a shell script. A comment above a fence says
+how the test treats it; a reader does not see it:
+
+  <!-- test: file pier.toml -->                 the fence is this file
+  <!-- test: adds house/model.toml -->          the fence is added to this file
+  <!-- test: said -->                           the last commands printed these lines; their numbers within 2 %
+  <!-- test: short --samples 2 -->              the runs and campaigns below take these options too, because they take minutes
+  <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page supposes its results
+  <!-- test: exit 3 -->                         the commands below end with this code
+  <!-- test: needs pandas -->                   run where this Python module is installed
+  <!-- test: not run: it needs a graphics card -->   with the reason
+"""
+import importlib.util
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+WYTHE = str(pathlib.Path(os.environ.get("WYTHE", "build/release/wythe")).resolve())
+SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
+PAGES = [*sorted((SOURCE / "docs/tutorial").glob("*.md")), *sorted((SOURCE / "docs/howto").glob("*.md")),
+         *sorted((SOURCE / "examples").glob("*/README.md"))]
+FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
+MARK = re.compile(r"<!-- test: (file|adds|said|short|first|exit|needs|not run:) ?(.*?) ?-->")
+COMMAND = re.compile(r"(?:build/(?:release|gpu)/)?wythe |make |cmake |python3 |[a-z]+=")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+# Stands in the place of the program: gives the options of `short` to what takes long, in the place of those of the same name.
+STAND_IN = """#!%s
+import os, shlex, sys
+words, short = sys.argv[1:], shlex.split(os.environ["SHORT"])
+if words[:1] in (["run"], ["campaign"]) and words[1:2] != ["--resume"]:
+    for option in short:
+        if option.startswith("--") and option != "--set" and option in words:
+            del words[words.index(option):words.index(option) + 2]
+    words += ["--quiet", *short]
+os.execv("%s", ["wythe", *words])
+""" % (sys.executable, WYTHE)
+
+
+def fences(text):
+    """(marks, language, text) of each fence."""
+    for match in FENCE.finditer(text):
+        yield dict(MARK.findall(match.group(1))), match.group(2), match.group(3)
+
+
+def is_commands(text):
+    lines = [l for l in re.sub(r"\\\n", "", text).splitlines() if l.strip()]
+    return bool(lines) and all(COMMAND.match(l) for l in lines)
+
+
+def same_line(stated, printed):
+    """Whether a line of a page is a printed one: its words, and its numbers within 2 %. It may end early."""
+    if NUMBER.sub("#", stated.rstrip(" .…")) != NUMBER.sub("#", printed)[:len(NUMBER.sub("#", stated.rstrip(" .…")))]:
+        return False
+    pairs = zip(NUMBER.findall(stated), NUMBER.findall(printed))
+    return all(abs(float(a) - float(b)) <= 0.02 * abs(float(b)) for a, b in pairs)
+
+
+class Reader:
+    """Follows a page in a folder of its own."""
+
+    def __init__(self, folder):
+        self.folder, self.short, self.printed = pathlib.Path(folder), "", ""
+        for name in ("examples", "validation"):
+            (self.folder / name).symlink_to(SOURCE / name)
+        (self.folder / "build/release").mkdir(parents=True)
+        stand_in = self.folder / "build/release/wythe"
+        stand_in.write_text(STAND_IN)
+        stand_in.chmod(0o755)
+
+    def run(self, script, expected=0):
+        path = f"{self.folder / 'build/release'}{os.pathsep}{os.environ['PATH']}"
+        done = subprocess.run(["bash", "-eu"], input=script, cwd=self.folder, text=True, check=False, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, env=dict(os.environ, PATH=path, SHORT=self.short))
+        self.printed = done.stdout
+        return "" if done.returncode == expected else f"ended with {done.returncode}, not {expected}:\n{script}\n{done.stdout}{done.stderr}"
+
+    def follow(self, marks, language, text):
+        """What is wrong with a fence, or nothing."""
+        if "not run:" in marks:
+            return "" if marks["not run:"] else "not run, and no reason"
+        if "needs" in marks and importlib.util.find_spec(marks["needs"]) is None:
+            print(f"not run: a fence that needs {marks['needs']}, which is not installed")
+            return ""
+        self.short = marks.get("short", "")
+        if "file" in marks or "adds" in marks:
+            path = self.folder / (marks.get("file") or marks["adds"])
+            path.write_text((path.read_text() + "\n" if "adds" in marks else "") + text)
+            return ""
+        if "said" in marks:
+            missing = [l for l in text.splitlines() if l.strip() and not any(same_line(l, p) for p in self.printed.splitlines())]
+            return "not printed: " + "\n".join(missing) + "\nbut:\n" + self.printed if missing else ""
+        if language == "toml":
+            tomllib.loads(text)
+            return ""
+        if language == "python":
+            return self.run(f"{sys.executable} - <<'END'\n{text}END\n")
+        if language or not is_commands(text):
+            return ""
+        return (self.run(marks["first"]) if "first" in marks else "") or self.run(text, int(marks.get("exit", 0)))
+
+
+class Guides(unittest.TestCase):
+    maxDiff = None
+
+    def test_every_command_of_every_page_runs(self):
+        only = os.environ.get("PAGE", "")
+        for page in PAGES:
+            if only not in str(page):
+                continue
+            with self.subTest(str(page.relative_to(SOURCE))), tempfile.TemporaryDirectory() as folder:
+                reader = Reader(folder)
+                for marks, language, text in fences(page.read_text(encoding="utf-8")):
+                    self.assertEqual(reader.follow(marks, language, text), "")
+
+    def test_every_mark_is_one_that_the_test_knows(self):
+        for page in PAGES:
+            text = page.read_text(encoding="utf-8")
+            known = sum(m.group(1).count("<!-- test:") for m in FENCE.finditer(text))
+            self.assertEqual(text.count("<!-- test:"), known, f"{page}: a mark that stands above no fence")
+            self.assertEqual(text.count("<!-- test:"), len(MARK.findall(text)), f"{page}: a mark that the test does not know")
+
+    def test_tutorials_and_howtos_have_commands(self):
+        for page in PAGES:
+            found = [text for marks, _, text in fences(page.read_text(encoding="utf-8")) if is_commands(text)]
+            self.assertTrue(found, page)
+
+
+class Follows(unittest.TestCase):
+    """The reader sees what does not work."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.reader = Reader(folder.name)
+
+    def fault(self, page):
+        return "".join(self.reader.follow(*fence) for fence in fences(page))
+
+    def test_a_command_that_fails_is_seen(self):
+        self.assertIn("ended with 2", self.fault("```\nwythe check nothing.toml\n```\n"))
+        self.assertIn("ended with", self.fault("```\nwythe check nothing.toml\nwythe --version\n```\n"))
+        self.assertEqual(self.fault("<!-- test: exit 2 -->\n```\nwythe check nothing.toml\n```\n"), "")
+
+    def test_an_option_that_the_program_does_not_have_is_seen(self):
+        self.assertNotEqual(self.fault("```\nwythe check examples/brick_pier/model.toml --fast\n```\n"), "")
+
+    def test_a_file_of_the_page_is_used(self):
+        self.assertIn("ended with 2", self.fault("<!-- test: file a.toml -->\n```toml\nname = 'x'\n```\n```\nwythe check a.toml\n```\n"))
+
+    def test_other_words_and_other_numbers_than_printed_are_seen(self):
+        for stated, good in [("peak 10.1 kN at 2 mm", True), ("peak 10.1 kN", True), ("peak 10.1 kN ...", True), ("peak 10.3 kN", False),
+                             ("peek 10.1 kN", False), ("peak none", False)]:
+            self.reader.printed = "status completed\npeak 10.0 kN at 2.00 mm\n"
+            self.assertEqual(self.fault(f"<!-- test: said -->\n```\n{stated}\n```\n") == "", good, stated)
+
+    def test_what_is_not_run_has_a_reason(self):
+        self.assertNotEqual(self.fault("<!-- test: not run: -->\n```\nwythe x\n```\n"), "")
+
+    def test_a_toml_fence_that_is_none_is_seen(self):
+        with self.assertRaises(tomllib.TOMLDecodeError):
+            self.fault("```toml\nname = \n```\n")
+
+
+if __name__ == "__main__":
+    if shutil.which("bash") is None:
+        print("bash is not installed")
+        sys.exit(77)
+    unittest.main()
