@@ -10,7 +10,9 @@ html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False
 html_show_copyright = False
+html_show_search_summary = False  # a page from a file may not fetch others
 html_use_index = False
+smartquotes = False  # "60 s" and --out are to be typed as they stand
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#9a4a1c", "color-brand-content": "#8a4218"},
     "dark_css_variables": {"color-brand-primary": "#e8a06a", "color-brand-content": "#e8a06a"},

@@ -1,19 +1,24 @@
-// The theme's script, as Debian packs it, asks for a module that a page from a file may not load, so it never runs.
-// This one stands in its place and does what is needed: the button that goes from the system's colours to dark and light.
-document.documentElement.classList.remove("no-js");
-addEventListener("DOMContentLoaded", () => {
-  const show = (theme) => {
-    document.body.dataset.theme = theme;
-    try {
-      localStorage.setItem("theme", theme);
-    } catch {
-      // a browser that keeps nothing for files: the choice holds for this page
-    }
-  };
-  for (const button of document.getElementsByClassName("theme-toggle"))
-    button.addEventListener("click", () => {
-      const system = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-      const now = document.body.dataset.theme === "auto" ? system : document.body.dataset.theme;
-      show(now === "dark" ? "light" : "dark");
-    });
-});
+// In the place of the theme's script, which Debian packs as a module that a page from a file may not load. It follows the
+// system's light or dark until somebody presses the button, and keeps what was pressed.
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const root = document.documentElement;
+root.classList.remove("no-js");
+const kept = (theme) => {
+  try {
+    if (theme) localStorage.setItem("theme", theme);
+    return localStorage.getItem("theme");
+  } catch {
+    return theme; // a browser that keeps nothing for files: the choice holds for this page
+  }
+};
+const show = (theme) => {
+  document.body.dataset.theme = theme ?? (dark.matches ? "dark" : "light");
+};
+show(kept());
+dark.addEventListener("change", () => show(kept()));
+for (const button of document.getElementsByClassName("theme-toggle"))
+  button.addEventListener("click", () => {
+    const theme = document.body.dataset.theme === "dark" ? "light" : "dark";
+    kept(theme);
+    show(theme);
+  });

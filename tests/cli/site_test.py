@@ -85,6 +85,12 @@ class Checks(unittest.TestCase):
         for text in ('<script src="https://example.org/x.js">', '<link rel="stylesheet" href="//example.org/x.css">'):
             self.assertIn("without a network", "".join(self.faults(a=text)))
 
+    def test_styles_that_ask_for_a_file_elsewhere_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            style = pathlib.Path(folder) / "a.css"
+            style.write_text("@import url(/javascript/a.css); p { background: url('data:x') }")
+            self.assertEqual(list(TOOL.faults_of_links(pathlib.Path(folder))), ["a.css: /javascript/a.css: no such file"])
+
     def test_a_misspelt_word_is_found_in_prose_alone(self):
         known = {"wythe"}
         good = "# A wall\nwythe pushes `wrongg` walls\n```\nwrongg\n```\n[see](wrongg.md)\n"
