@@ -2,6 +2,8 @@
 import csv
 import os
 
+from kept_text import kept_text
+
 HEAD = """# Sensitivity of the tuff wall
 
 Which choices change the result for the tuff wall, and by how much? The model is `examples/tuff_wall/model.toml` (Table 1 of the
@@ -82,10 +84,7 @@ def write_page(out, page):
     lines = table([dict(r, variant=r["variant"] if g == "base" else f"{g}: {r['variant']}")
                    for g in groups for r in rows if r["group"] == g], base)
     parts += [lines, "", rate_section(rows), ""]
-    notes = os.path.join(os.path.dirname(page), "sensitivity_notes.md")
-    if os.path.exists(notes):
-        with open(notes) as file:
-            parts += [file.read().rstrip(), ""]
+    parts += [kept_text(page).rstrip(), ""]
     hashes = ["## Hashes", "", "| variant | state hash | overrides |", "|---|---|---|"]
     hashes += [f"| {r['group']}: {r['variant']} | `{r['state_hash']}` | {r['overrides'].replace('|', '/')} |" for r in rows]
     with open(page, "w") as file:
