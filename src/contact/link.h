@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/real.h"
+#include "core/rotation.h"
 
 namespace wythe::contact {
 
@@ -39,6 +40,29 @@ WYTHE_INLINE LinkLine link_line(double span_x, double span_y, bool follows, cons
   const double start = square_root(span_x * span_x + span_y * span_y);
   const double now = square_root(x * x + y * y);
   return {(2 * along + dx * dx + dy * dy) / (start + now), x / now, y / now};
+}
+
+// The same in space.
+struct SpaceLinkEnd {
+  Vector<double> arm, moved;
+};
+WYTHE_INLINE SpaceLinkEnd link_end(const Vector<double>& u, const Quaternion<double>& q,
+                                   const Vector<double>& arm) {
+  const Vector<double> swung = swing(q, arm);
+  return {arm + swung, u + swung};
+}
+struct SpaceLinkLine {
+  double elongation;
+  Vector<double> axis;
+};
+WYTHE_INLINE SpaceLinkLine link_line(const Vector<double>& span, bool follows,
+                                     const SpaceLinkEnd& a, const SpaceLinkEnd& b) {
+  const Vector<double> d = b.moved - a.moved;
+  const double along = dot(span, d);
+  if (!follows) return {along, span};
+  const Vector<double> line = span + d;
+  const double start = square_root(dot(span, span)), now = square_root(dot(line, line));
+  return {(2 * along + dot(d, d)) / (start + now), (1 / now) * line};
 }
 
 struct LinkLimits {

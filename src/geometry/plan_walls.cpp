@@ -123,7 +123,11 @@ class WallBuilder {
     if (!found.empty()) return {};
     add_ground();
     for (const Block& block : blocks_) add_solids(block);
-    for (const PlacedOpening& opening : openings) add_spanning(opening);
+    for (const PlacedOpening& opening : openings) {
+      if (!opening.segment.empty() && !bends(spec_.opening[at(opening.index)].lintel))
+        notes.push_back({"lintel.rigid", {{"opening", opening.words}, {"wall", wall_.name}}});
+      add_spanning(opening);
+    }
     return std::move(bodies_);
   }
 
@@ -154,7 +158,9 @@ class WallBuilder {
       const LintelSpec& lintel = opening.lintel;
       const auto refuse = [&](const char* key, const std::string& value, const char* cure) {
         add_fault(faults, opening_path(index, key), "\"" + value + "\"",
-                  "is for walls in their plane; in space a lintel is one rigid block", cure);
+                  "is for walls in their plane; in space a lintel is a chain of segments, or one "
+                  "rigid block",
+                  cure);
       };
       if (lintel.model == LintelModel::kZones) refuse("lintel.model", "zones", "leave it out");
       constexpr const char* kContact =
@@ -440,7 +446,15 @@ class WallBuilder {
     }
   }
 
-  // Lintels and sills are one rigid block each; voussoirs stand for themselves.
+  // Whether the lintel bends: a chain of segments where its material has both moduli (model/space.cpp), else one
+  // rigid block.
+  [[nodiscard]] bool bends(const LintelSpec& lintel) const {
+    const auto body = site_.model.material.find(lintel.material);
+    return body != site_.model.material.end() && body->second.youngs_modulus > 0 &&
+           body->second.shear_modulus > 0;
+  }
+
+  // A sill is one rigid block; voussoirs stand for themselves.
   void add_spanning(const PlacedOpening& opening) {
     const OpeningSpec& spec = spec_.opening[at(opening.index)];
     const double half = wall_.thickness / 2;
@@ -450,9 +464,12 @@ class WallBuilder {
            prism(outline, -half, half), -1);
     };
     const std::string number = std::to_string(opening.index);
-    if (!opening.segment.empty())
+    if (!opening.segment.empty() && !bends(spec.lintel))
       add("lintel" + number, spec.lintel.material,
           outline_of(join(opening.segment.front(), opening.segment.back())));
+    for (std::size_t k = 0; k < opening.segment.size() && bends(spec.lintel); ++k)
+      add(fmt::format("lintel{}.s{}", number, k), spec.lintel.material,
+          outline_of(opening.segment[k]));
     if (!opening.sill.empty())
       add("sill" + number, spec.sill.material,
           outline_of(join(opening.sill.front(), opening.sill.back())));

@@ -343,10 +343,10 @@ void describe_load(Visitor& v, StageSpec& s) {
 
 template <class Visitor>
 void describe_push(Visitor& v, StageSpec& s) {
-  v.table("at", s.at, {.kinds = kPushStage, .in_braces = true, .optional = true,
-          .fallback = "required, or pattern",
+  v.table("at", s.at, {.kinds = kPushStage | kLoadStage, .in_braces = true, .optional = true,
+          .fallback = "required, or pattern; of a load needed by force",
           .example = "{ x = \"0 m\", y = \"3.12 m\", courses = 3 }",
-          .doc = "The blocks that are pushed: a point, a box, one block or the beam."});
+          .doc = "The blocks that are pushed: a point, a box, one block or the beam. In space: where a force acts."});
   v.choice("pattern", s.pattern, kPatternWords, {.kinds = kPushStage, .fallback = "none: pushes `at`",
            .example = "mass_height",
            .doc = "Forces at several places in fixed shares, in the place of `at`. At `levels`: "

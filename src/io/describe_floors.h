@@ -68,6 +68,12 @@ void describe(Visitor& v, FloorSpec& s) {
                     "knows no eccentricity across the wall."});
   v.quantity("thrust", s.thrust, {.unit = "N", .shown = "kN", .range = kAnyValue, .example = "8 kN",
              .doc = "Horizontal force of a roof on the wall, in its plane, to the right; shared as the load."});
+  v.table("from", s.from, {.in_braces = true, .optional = true, .fallback = "in space: needed",
+          .example = "{ x = \"0 m\", y = \"2.7 m\", z = \"0.1 m\" }",
+          .doc = "In space: one end of the line it lies on, at the height of a bed joint. The line says how far "
+                 "from the middle of the wall it bears; joists count from here."});
+  v.table("to", s.to, {.in_braces = true, .optional = true, .fallback = "in space: needed",
+          .example = "{ x = \"4 m\", y = \"2.7 m\", z = \"0.1 m\" }", .doc = "The other end."});
   v.quantity("mass", s.mass, {.unit = "kg/m", .shown = "kg/m", .range = kNotNegative,
              .example = "1200 kg/m",
              .doc = "Inertia a length of wall that moves with the blocks. Not needed for weight or for "
@@ -118,6 +124,9 @@ void describe(Visitor& v, DiaphragmSpec& s) {
   v.quantities("x", s.x, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = kRequired,
                .example = "[\"0.2 m\", \"2.4 m\", \"4.6 m\"]",
                .doc = "The connected points, from left to right, each on a block of its own."});
+  v.quantities("z", s.z, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "in space: needed",
+               .example = "[\"0 m\", \"0 m\", \"3 m\"]",
+               .doc = "In space: the third coordinate of each point; bars run from each to the next."});
   v.quantity("stiffness", s.stiffness, {.unit = "N", .shown = "MN", .range = kPositive,
              .fallback = "needed by elastic", .example = "300 MN",
              .doc = "Axial stiffness E A of the strip that acts; over the distance of two points."});

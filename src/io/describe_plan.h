@@ -46,7 +46,8 @@ void describe(Visitor& v, PlanWallSpec& s) {
          .doc = "The same of the core of three wythes."});
   v.list("opening", s.opening, {.optional = true,
          .doc = "As wall.opening; x counts from the wall's outer end at the first point of its line, corners included. "
-                "A lintel or sill is one rigid block."});
+                "A lintel is a chain of segments that bends where its material has youngs_modulus and shear_modulus, else "
+                "one rigid block; a sill is one."});
 }
 
 template <class Visitor, class Spec>

@@ -20,9 +20,21 @@ void describe_space(Visitor& v, WallSpec& s) {
 
 template <class Visitor>
 void describe_space(Visitor& v, StageSpec& s, Kinds directed, Kinds load) {
-  v.numbers("along", s.along, {.kinds = directed, .fallback = "direction",
+  v.numbers("along", s.along, {.kinds = directed | load, .fallback = "direction; of force and line_load: downwards",
             .example = "[1, 0, 0.5]",
             .doc = "In space: any direction as a vector, in the place of `direction`."});
+  v.quantity("force", s.force, {.unit = "N", .shown = "kN", .range = kNotNegative, .kinds = load,
+             .fallback = "one of the loads, or floors", .example = "20 kN",
+             .doc = "In space: a load at one point, `at`: a point of a block, or a block's centroid. It keeps its "
+                    "direction and goes along with its block."});
+  v.quantity("line_load", s.line_load, {.unit = "N/m", .shown = "kN/m", .range = kNotNegative, .kinds = load,
+             .fallback = "one of the loads, or floors", .example = "12 kN/m",
+             .doc = "In space: a load along the line from `from` to `to`, on the faces of blocks that look "
+                    "against it there."});
+  v.table("from", s.from, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
+          .example = "{ x = \"0 m\", y = \"2.7 m\", z = \"0 m\" }", .doc = "In space: one end of that line."});
+  v.table("to", s.to, {.kinds = load, .in_braces = true, .optional = true, .fallback = "needed by line_load",
+          .example = "{ x = \"4 m\", y = \"2.7 m\", z = \"0 m\" }", .doc = "The other end."});
   v.table("on", s.on, {.kinds = load, .in_braces = true, .optional = true, .fallback = "every block",
           .example = "{ block = \"leaf*\" }",
           .doc = "In space: the blocks whose free faces the pressure acts on."});

@@ -43,9 +43,10 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
   const Kinds told = told_kinds(reader);
   if (told == 0) {
     if (stage.name == "gravity") return true;
-    reader.miss("kind", "can't be told, the stage has no key of any one kind",
-                "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load "
-                "or floors (load), rate (body_force), tilt_rate (tilt), duration (hold)");
+    reader.miss(
+        "kind", "can't be told, the stage has no key of any one kind",
+        "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load, "
+        "force, line_load or floors (load), rate (body_force), tilt_rate (tilt), duration (hold)");
     return false;
   }
   if (!is_one_kind(told)) {
@@ -79,14 +80,36 @@ void need_keys(TableReader& reader, StageKind kind) {
 
 void check_load(TableReader& reader, const StageSpec& stage) {
   const auto is_given = [&](const char* name) { return reader.has(name); };
-  const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load"};
+  const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load", "force",
+                                                    "line_load"};
   const auto given = std::count_if(loads.begin(), loads.end(), is_given) + (stage.floors ? 1 : 0);
   if (given == 0)
-    reader.refuse_table("a load stage needs pier_load, pressure, beam_load or floors = true",
-                        "write e.g. pier_load = \"200 kN\"");
+    reader.refuse_table(
+        "a load stage needs pier_load, pressure, beam_load, force, line_load or floors = true",
+        "write e.g. pier_load = \"200 kN\"");
   if (given > 1)
-    reader.refuse_table("has more than one of pier_load, pressure, beam_load and floors",
-                        "make them separate stages");
+    reader.refuse_table(
+        "has more than one of pier_load, pressure, beam_load, force, line_load and floors",
+        "make them separate stages");
+  const auto place = [&](const char* key, const char* load) {
+    if (is_given(key) && !is_given(load))
+      reader.refuse(key, fmt::format("says where {} acts, and there is none", load),
+                    "leave it out");
+    if (!is_given(key) && is_given(load))
+      reader.miss(
+          key, fmt::format("is missing, {} needs it", load),
+          fmt::format("write e.g. {} = {{ x = \"0 m\", y = \"2.7 m\", z = \"0 m\" }}", key));
+  };
+  place("at", "force");
+  place("from", "line_load");
+  place("to", "line_load");
+  for (const char* key : {"along", "on", "face"})
+    if (const bool of_force = is_given("force") || is_given("line_load");
+        is_given(key) && of_force == (std::string_view(key) != "along"))
+      reader.refuse(key,
+                    of_force ? "chooses faces for a pressure, and there is none"
+                             : "has no say: only force and line_load have a direction",
+                    "leave it out");
 }
 
 void check_place(TableReader& reader, const PlaceSpec& at) {

@@ -70,7 +70,18 @@ double capacity_of(const Model& m, const JointYield& y, int point, double compre
   return y.cohesion * m.space.point_share[at(point)] + y.friction * compression;
 }
 
-// Columns: load | p, s1, s2 of each point | what holds driven blocks. Rows: balance of each block (force, moment),
+// Where the line of link k goes, from a to b, and its ends seen from the centroids.
+struct LinkPlace {
+  Vec3 way, arm_a, arm_b;
+};
+LinkPlace link_place(const Links& l, std::size_t k) {
+  const Vec3 span{l.span_x[k], l.span_y[k], l.span_z[k]};
+  return {span / length(span),
+          {l.arm_a_x[k], l.arm_a_y[k], l.arm_a_z[k]},
+          {l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]}};
+}
+
+// Columns: load | p, s1, s2 of each point | forces of links | what holds driven blocks. Rows: balance of each block (force, moment),
 // facets of friction circles.
 class StaticProgramme {
  public:
@@ -81,6 +92,7 @@ class StaticProgramme {
   void build(bool elastic) {
     load_ = lp_.add_column(elastic ? 0 : -kFree, elastic ? 0 : kFree, elastic ? 0 : -1);
     for (int j = 0; j < m_.n_joint; ++j) add_joint(j);
+    for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_loads();
     if (elastic) add_slack();
     for (std::size_t i = 0; i < loads_.dead.size(); ++i) {
@@ -118,6 +130,8 @@ class StaticProgramme {
       answer.shear_1.push_back(x[at(column(p) + 1)] * u_.force);
       answer.shear_2.push_back(x[at(column(p) + 2)] * u_.force);
     }
+    for (std::size_t k = 0; k < y_.link.size(); ++k)
+      answer.link_force.push_back(x[at(column(m_.n_point())) + k] * u_.force);
     return answer;
   }
 
@@ -147,6 +161,12 @@ class StaticProgramme {
             most = std::fabs(ray[k]);
             joint = j;
           }
+    for (std::size_t i = 0; i < y_.link.size(); ++i)
+      if (const std::size_t k = at(column(m_.n_point())) + i;
+          k < ray.size() && std::fabs(ray[k]) > most) {
+        most = std::fabs(ray[k]);
+        joint = m_.n_joint + static_cast<int>(i);
+      }
     return joint;
   }
 
@@ -172,6 +192,15 @@ class StaticProgramme {
         act(m_.joint_a[at(j)], k, -1.0 * ways[c], place.arm_a);
       }
     }
+  }
+
+  // Right behind the columns of the points.
+  void add_link(std::size_t k) {
+    const LinkPlace link = link_place(m_.links, k);
+    const int column =
+        lp_.add_column(-y_.link[k].compression / u_.force, y_.link[k].tension / u_.force, 0);
+    act(m_.links.a[k], column, link.way, link.arm_a);
+    act(m_.links.b[k], column, -1.0 * link.way, link.arm_b);
   }
 
   // A unit force and unit couples that a test rig holds a block with.
@@ -264,6 +293,7 @@ class KinematicProgramme {
     for (int j = 0; j < m_.n_joint; ++j)
       for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
         add_point(j, p);
+    for (std::size_t k = 0; k < y_.link.size(); ++k) add_link(k);
     add_unit_power();
   }
 
@@ -322,6 +352,18 @@ class KinematicProgramme {
     lp_.add_row(slip_1, 0, 0);
     lp_.add_row(slip_2, 0, 0);
     lp_.add_row(opening, 0, 0);
+  }
+
+  // A link lengthens or shortens at what it bears; where it bears no end, not at all.
+  void add_link(std::size_t k) {
+    const LinkPlace link = link_place(m_.links, k);
+    std::vector<Entry> row;
+    add_motion(row, m_.links.b[k], 1, link.way, link.arm_b);
+    add_motion(row, m_.links.a[k], -1, link.way, link.arm_a);
+    if (!std::isinf(y_.link[k].tension)) row.push_back({add_multiplier(y_.link[k].tension), -1.0});
+    if (!std::isinf(y_.link[k].compression))
+      row.push_back({add_multiplier(y_.link[k].compression), 1.0});
+    lp_.add_row(row, 0, 0);
   }
 
   void stand(BlockId block, const Vec3& velocity, const Vec3& spin, double value) {
@@ -407,6 +449,8 @@ SpaceLoads space_loads(const Model& model, double secant) {
 
 SpaceYield space_yield(const Model& model, const LimitOptions& options, double times) {
   SpaceYield yield;
+  for (std::size_t k = 0; k < model.links.a.size(); ++k)
+    yield.link.push_back({times * model.links.tension[k], times * model.links.compression[k]});
   for (int j = 0; j < model.n_joint; ++j) {
     const JointMaterial& m = model.materials[at(model.joint_material[at(j)])];
     yield.joint.push_back(yield_of_joint(m, times * model.area[at(j)], options));

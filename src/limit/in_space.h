@@ -37,6 +37,7 @@ struct Facet {
 };
 struct SpaceYield {
   std::vector<JointYield> joint;  // (n_joint); half_length is not used
+  std::vector<LinkYield> link;    // (n_link)
   std::vector<Facet> facet;       // sorted in the order they were added
 };
 [[nodiscard]] SpaceYield space_yield(const Model& model, const LimitOptions& options,
@@ -47,9 +48,11 @@ struct SpaceStaticAnswer {
   ProgrammeStatus status = ProgrammeStatus::kFailed;
   double load = 0;
   std::vector<double> compression, shear_1, shear_2;  // (n_point) [N]
+  std::vector<double> link_force;                     // (n_link), tension + [N]
   double friction_excess = 0;  // largest share by which a shear passes its circle
   double accuracy = 0;
-  int carrier = -1;  // of a load without limit: the joint that carries most of it
+  int carrier =
+      -1;  // of a load without limit: the joint that carries most of it, links after joints
   int rows = 0, columns = 0;
 };
 // Adds facets to `yield` where a shear passes its circle.

@@ -134,6 +134,13 @@ struct SpaceProgrammes {
   SpaceStaticAnswer by_forces;
 };
 
+// What carries most of a load without limit: a joint or, after those, a link.
+std::string carrier_text(const Model& model, int carrier) {
+  if (carrier < 0) return "its joints";
+  if (carrier < model.n_joint) return joint_text(model, carrier);
+  return model.links.name[static_cast<std::size_t>(carrier - model.n_joint)];
+}
+
 SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
                                          double secant, const LimitWatch& watch) {
   SpaceProgrammes p{space_loads(model, secant), space_yield(model, options, secant), {}, {}};
@@ -144,8 +151,7 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
   if (p.by_forces.status == ProgrammeStatus::kUnbounded)
-    refuse_unlimited(p.by_forces.carrier < 0 ? std::string("its joints")
-                                             : joint_text(model, p.by_forces.carrier));
+    refuse_unlimited(carrier_text(model, p.by_forces.carrier));
   return p;
 }
 
@@ -257,6 +263,7 @@ LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
   answer.point_force = p.by_forces.compression;
   answer.shear_force = p.by_forces.shear_1;
   answer.shear_force_2 = p.by_forces.shear_2;
+  answer.link_force = p.by_forces.link_force;
   answer.friction_excess = p.by_forces.friction_excess;
   for (std::size_t i = 0; i < by_motion.velocity.size(); ++i) {
     answer.vx.push_back(by_motion.velocity[i].x);

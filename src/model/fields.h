@@ -147,7 +147,7 @@ enum class Shared {
 };
 
 // visit(array, entity, shared, name, unit) for every array of the model that a step reads. M: Model or
-// const Model.
+// const Model. As long as a kernel may be: it is a table, a line a field.
 template <class M, class Visit>
 void each_model_field(M& m, const Visit& visit) {
   using E = Entity;
@@ -222,6 +222,9 @@ void each_model_field(M& m, const Visit& visit) {
   visit(l.arm_b_y, E::kLink, kOwn, "link_arm_b_y", "m");
   visit(l.span_x, E::kLink, kOwn, "link_span_x", "m");
   visit(l.span_y, E::kLink, kOwn, "link_span_y", "m");
+  visit(l.arm_a_z, E::kLink, kOwn, "link_arm_a_z", "m");
+  visit(l.arm_b_z, E::kLink, kOwn, "link_arm_b_z", "m");
+  visit(l.span_z, E::kLink, kOwn, "link_span_z", "m");
   visit(l.follows, E::kLink, kOwn, "link_follows", "1");
   visit(l.stiffness, E::kLink, kOwn, "link_stiffness", "N/m");
   visit(l.tension, E::kLink, kOwn, "link_tension", "N");

@@ -84,6 +84,13 @@ class FloorCompiler {
   bool check_numbers() {
     const FloorSpec& f = *floor_;
     const std::size_t before = faults_.all().size();
+    const auto is_stated = [](const PlaceSpec& p) {
+      return std::isfinite(p.x) || std::isfinite(p.y) || std::isfinite(p.z) || !p.block.empty();
+    };
+    if (is_stated(f.from) || is_stated(f.to))
+      fault(is_stated(f.from) ? ".from" : ".to", "",
+            "is for walls in space, and this one is in its plane",
+            "write y or storey, x and width");
     if (std::isfinite(f.y) == !f.storey.empty())
       fault("", "", f.storey.empty() ? "has no level" : "has two levels",
             "write the storey on whose top it lies, or the height y of its bearing");

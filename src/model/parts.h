@@ -45,6 +45,8 @@ void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
 // ties, diaphragms and springs.
 void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults);
+// The load stage that asks for the floors, or the first gravity stage; the number of stages where none is to.
+[[nodiscard]] std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults);
 // stages with loads and driven blocks.
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults);

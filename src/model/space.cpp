@@ -13,6 +13,7 @@
 #include "contact/parameters.h"
 #include "geometry/blocks_file.h"
 #include "model/fields.h"
+#include "model/space_places.h"
 #include "model/space_points.h"
 
 namespace wythe {
@@ -33,10 +34,6 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   };
   refuse("storey", !spec.storey.empty());
   refuse("region", !spec.region.empty());
-  refuse("floor", !spec.floor.empty());
-  refuse("tie", !spec.tie.empty());
-  refuse("diaphragm", !spec.diaphragm.empty());
-  refuse("spring", !spec.spring.empty());
   refuse("field", !spec.field.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
@@ -84,6 +81,16 @@ class Materials {
     return index;
   }
 
+  // A law that follows from a body's moduli.
+  std::int32_t derived(const std::string& name, const JointMaterial& law) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    index_[name] = static_cast<std::int32_t>(model_.materials.size());
+    model_.material_names.push_back(name);
+    model_.materials.push_back(law);
+    return index_[name];
+  }
+
  private:
   const ModelSpec& spec_;
   Model& model_;
@@ -107,6 +114,23 @@ std::string unit_of(const std::string& id) {
   const std::size_t course = digits_before(unit - 1);
   if (course == unit - 1 || course == 0 || id[course - 1] != 'c') return "";
   return id.substr(0, end - 1) + id.substr(end);
+}
+
+// "front.lintel0" of its segments "front.lintel0.s3", as the builders name them; "" for any other body.
+std::string chain_of(const std::string& id) {
+  const auto digits_before = [&](std::size_t end) {
+    std::size_t k = end;
+    while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
+    return k;
+  };
+  const std::size_t segment = digits_before(id.size());
+  if (segment == id.size() || segment < 2 || id.compare(segment - 2, 2, ".s") != 0) return "";
+  const std::size_t end = segment - 2, number = digits_before(end);
+  constexpr std::string_view kLintel = ".lintel";
+  if (number == end || number < kLintel.size() ||
+      id.compare(number - kLintel.size(), kLintel.size(), kLintel) != 0)
+    return "";
+  return id.substr(0, end);
 }
 
 // Joints as a wall's in its plane: level ones, upright ones, crack planes in units.
@@ -166,7 +190,8 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& mo
       model.centroid_x.push_back(moments.centroid.x);
       model.centroid_y.push_back(moments.centroid.y);
       anatomy.block_id.push_back(body.id);
-      anatomy.block_role.push_back(BlockRole::kMasonry);
+      anatomy.block_role.push_back(chain_of(body.id).empty() ? BlockRole::kMasonry
+                                                             : BlockRole::kLintel);
       anatomy.block_course.push_back(-1);
     }
   model.inertia.assign(at(model.n_block), 0.0);  // of turns in the plane: not used
@@ -193,11 +218,13 @@ struct Placed {
   Vec3 tangent, normal;
   FacePoints points;
   std::vector<Vec3> outline;
+  double area;
+  bool of_chain = false;
 };
 
 Placed placed(const JointFace& face, BlockId a, BlockId b, std::int32_t material,
               const PointChoice& choice) {
-  Placed joint{&face, a, b, material, tangent_of(face), face.normal, {}, face.polygon};
+  Placed joint{&face, a, b, material, tangent_of(face), face.normal, {}, face.polygon, face.area};
   const Vec3 t2 = cross(joint.normal, joint.tangent);
   std::vector<Vec2> corner;
   for (const Vec3& p : face.polygon)
@@ -211,7 +238,7 @@ void append(const Placed& joint, Model& model) {
   model.joint_a.push_back(joint.a);
   model.joint_b.push_back(joint.b);
   model.joint_material.push_back(joint.material);
-  model.area.push_back(joint.face->area);
+  model.area.push_back(joint.area);
   space.arm_a.push_back(joint.face->centre - space.centroid[at(joint.a)]);
   space.arm_b.push_back(joint.face->centre - space.centroid[at(joint.b)]);
   space.tangent.push_back(joint.tangent);
@@ -223,9 +250,51 @@ void append(const Placed& joint, Model& model) {
   space.point_share.insert(space.point_share.end(), p.share.begin(), p.share.end());
   space.point_begin.push_back(static_cast<std::int32_t>(space.point_r1.size()));
   const bool upright = std::fabs(joint.normal.y) < 0.5;
-  model.anatomy.joint_kind.push_back(joint.a >= model.n_block ? JointKind::kFoundation
-                                     : upright                ? JointKind::kHead
-                                                              : JointKind::kBed);
+  model.anatomy.joint_kind.push_back(joint.of_chain             ? JointKind::kLintelChain
+                                     : joint.a >= model.n_block ? JointKind::kFoundation
+                                     : upright                  ? JointKind::kHead
+                                                                : JointKind::kBed);
+}
+
+// Torsion constant of a rectangle a x b [m^4]; Roark's polynomial, within 0.2 %.
+double torsion_constant(double a, double b) {
+  if (a < b) std::swap(a, b);
+  const double r = b / a, r4 = r * r * r * r;
+  return a * b * b * b * (1.0 / 3 - 0.21 * r * (1 - r4 / 12));
+}
+
+// The section between two segments of a lintel, spacing l apart, as two joints with half the area each
+// (docs/theory/space.md, "A lintel that bends"): four points at h/sqrt(6) either way, and one at the centre. With
+// kn = E/l in both the chain has the EA and, about both axes, the EI of the beam; ks is chosen so that both together
+// have its 5/6 GA and the four alone its GJ.
+std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const JointMaterial& body,
+                                   double spacing, Materials& materials) {
+  const Vec3 t2 = cross(joint.normal, joint.tangent);
+  double half_1 = 0, half_2 = 0;
+  for (const Vec3& p : joint.outline) {
+    half_1 = std::fmax(half_1, std::fabs(dot(p - joint.face->centre, joint.tangent)));
+    half_2 = std::fmax(half_2, std::fabs(dot(p - joint.face->centre, t2)));
+  }
+  const double h1 = 2 * half_1, h2 = 2 * half_2, area = joint.area;
+  JointMaterial rim;
+  rim.normal_stiffness = body.youngs_modulus / spacing;
+  rim.shear_stiffness =
+      12 * body.shear_modulus * torsion_constant(h1, h2) / (spacing * area * (h1 * h1 + h2 * h2));
+  rim.tensile_strength = rim.cohesion = rim.residual_cohesion = kUnlimited;
+  rim.friction_angle = rim.residual_friction_angle = 0;
+  rim.compressive_strength = kUnlimited;
+  JointMaterial core = rim;
+  core.shear_stiffness = 2 * 5.0 / 6 * body.shear_modulus / spacing - rim.shear_stiffness;
+  joint.area = area / 2;
+  joint.of_chain = true;
+  const double c1 = h1 / std::sqrt(6.0), c2 = h2 / std::sqrt(6.0);
+  std::array<Placed, 2> both{joint, joint};
+  both[0].points = {{-c1, c1, c1, -c1}, {-c2, -c2, c2, c2}, {0.25, 0.25, 0.25, 0.25}};
+  both[1].points = {{0.0}, {0.0}, {1.0}};
+  const std::string name = fmt::format("{} chain {:.4f} x {:.4f} / {:.4f} m", of, h1, h2, spacing);
+  both[0].material = materials.derived(name + ", rim", rim);
+  both[1].material = materials.derived(name + ", core", core);
+  return both;
 }
 
 void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
@@ -239,6 +308,25 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   for (const JointFace& face : assembly.faces) {
     const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
     if (a.fixed && b.fixed) continue;
+    if (const std::string chain = chain_of(a.id); !chain.empty() && chain == chain_of(b.id)) {
+      const auto body = spec.material.find(a.material);
+      if (body == spec.material.end() || !(body->second.youngs_modulus > 0) ||
+          !(body->second.shear_modulus > 0)) {
+        faults.add({"", "material." + a.material, "",
+                    "has no youngs_modulus and shear_modulus, and " + chain +
+                        " bends as a chain of segments",
+                    "write both, or its segments as one block", 0});
+        continue;
+      }
+      const double spacing = std::fabs(
+          dot(assembly.moments[at(face.b)].centroid - assembly.moments[at(face.a)].centroid,
+              face.normal));
+      Placed joint = placed(face, id[at(face.a)], id[at(face.b)], 0, choice);
+      for (const Placed& half :
+           chain_joints(std::move(joint), a.material, body->second, spacing, materials))
+        joints.push_back(half);
+      continue;
+    }
     joints.push_back(placed(face, id[at(face.a)], id[at(face.b)],
                             materials.index_of(material_of(shape, a, b, face.normal)), choice));
   }
@@ -362,7 +450,9 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_lists(model);
   measure(assembly, model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
-  compile_space_stages(spec, assembly, id, model, faults);
+  const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
+  compile_links(spec, assembly, id, model, faults);
+  compile_space_stages(spec, assembly, id, floors, model, faults);
   faults.throw_if_any();
   bound_space_step(model);
   set_ramps(model);

@@ -17,7 +17,11 @@ namespace wythe {
 // Stages with loads and driven bodies; `id` gives each body of the assembly its number: blocks first, then
 // supports.
 void compile_space_stages(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
-                          const std::vector<BlockId>& id, Model& model, FaultList& faults);
+                          const std::vector<BlockId>& id, const std::vector<PointLoad>& floors,
+                          Model& model, FaultList& faults);
+// Ties, diaphragms and springs between bodies (links.cpp).
+void compile_links(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                   const std::vector<BlockId>& id, Model& model, FaultList& faults);
 // omega_max and stiffest_block: twice the largest eigenvalue of each block's own 6 x 6 stiffness over its inertia
 // (docs/theory/space.md, "The longest step").
 void bound_space_step(Model& model);

@@ -41,16 +41,27 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, Vec3 arm) {
   return sum;
 }
 
-double own_bound(const Model& m, std::size_t i) {
-  const Space& s = m.space;
-  Matrix6 k = Matrix6::Zero();
-  for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
-    const auto entry = m.block_entry[at(e)];
-    const auto j = at(entry >> 1);
-    const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
-    k += share * own_stiffness(m, j, (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
+// Direction and moment of link k at one of its ends, of unit tension.
+Vector6 link_row(const Model& m, std::size_t k, bool is_b) {
+  const Links& l = m.links;
+  const Vec3 span{l.span_x[k], l.span_y[k], l.span_z[k]};
+  const Vec3 arm = is_b ? Vec3{l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]}
+                        : Vec3{l.arm_a_x[k], l.arm_a_y[k], l.arm_a_z[k]};
+  return row(geometry::unit(span), arm);
+}
+
+// visit(link, block, row) for both ends of every link but those in the ground.
+template <class Visit>
+void each_link_end(const Model& m, const Visit& visit) {
+  for (std::size_t k = 0; k < m.links.a.size(); ++k) {
+    if (m.links.a[k] != kGroundBlock) visit(k, at(m.links.a[k]), link_row(m, k, false));
+    visit(k, at(m.links.b[k]), link_row(m, k, true));
   }
-  // to the block's principal axes, each scaled by the root of its inertia
+}
+
+// The block's principal axes as columns, each over the root of its inertia: M^(-1/2).
+Matrix6 to_unit_mass(const Model& m, std::size_t i) {
+  const Space& s = m.space;
   Matrix6 turn = Matrix6::Zero();
   const Vec3 axes[3] = {s.axis_1[i], s.axis_2[i], s.axis_3[i]};
   const double inertia[3] = {s.inertia[i].x, s.inertia[i].y, s.inertia[i].z};
@@ -61,20 +72,98 @@ double own_bound(const Model& m, std::size_t i) {
     turn(4, 3 + a) = scale * axes[a].y;
     turn(5, 3 + a) = scale * axes[a].z;
   }
+  return turn;
+}
+
+double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
+  const Space& s = m.space;
+  Matrix6 k = links;
+  for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
+    const auto entry = m.block_entry[at(e)];
+    const auto j = at(entry >> 1);
+    const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
+    k += share * own_stiffness(m, j, (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
+  }
+  const Matrix6 turn = to_unit_mass(m, i);
   const Matrix6 scaled = turn.transpose() * k * turn;
   return Eigen::SelfAdjointEigenSolver<Matrix6>(scaled, Eigen::EigenvaluesOnly)
       .eigenvalues()
       .maxCoeff();
 }
 
+// Segments of lintels that would rule the step get the inertia that brings their bound down to the masonry's; weights
+// stay, and a note says how much (docs/decisions/0009).
+void raise_light_inertia(Model& m, std::vector<double>& bound) {
+  constexpr double kMuch = 0.03;
+  double masonry = 0, all = 0, added = 0, raised = 0;
+  for (std::size_t i = 0; i < bound.size(); ++i) {
+    all += m.mass[i];
+    if (m.anatomy.block_role[i] == BlockRole::kMasonry) masonry = std::fmax(masonry, bound[i]);
+  }
+  for (std::size_t i = 0; i < bound.size() && masonry > 0; ++i) {
+    if (m.anatomy.block_role[i] != BlockRole::kLintel || !(bound[i] > masonry)) continue;
+    const double factor = bound[i] / masonry;
+    added += (factor - 1) * m.mass[i];
+    m.mass[i] *= factor;
+    m.space.inertia[i] = factor * m.space.inertia[i];
+    bound[i] = masonry;
+    ++raised;
+  }
+  if (raised > 0)
+    m.anatomy.notes.push_back({added / all > kMuch ? "inertia.blocks_drag"
+                               : raised == 1       ? "inertia.block_raised"
+                                                   : "inertia.blocks_raised",
+                               {{"blocks", raised}, {"of_wall_percent", 100 * added / all}}});
+}
+
+// Links without a stiffness are rigid diaphragms: as stiff as raises the squared frequency of their ends by a tenth
+// of the wall's, and no more (docs/theory/links.md, 9.5).
+void set_rigid_links(Model& m, double bound) {
+  constexpr double kShare = 0.1;
+  std::vector<double> least(m.links.a.size(), 1e300);
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Vector6& row) {
+    const double mobility = (to_unit_mass(m, i).transpose() * row).squaredNorm();
+    least[k] = std::fmin(least[k], kShare * bound / (2 * mobility));
+  });
+  for (std::size_t k = 0; k < least.size(); ++k)
+    if (std::isnan(m.links.stiffness[k])) {
+      m.links.stiffness[k] = least[k];
+      m.anatomy.notes.push_back(
+          {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
+    }
+}
+
+// Takes the links into the bounds of their blocks; says when one of them rules the step.
+double bound_links(Model& m, double before) {
+  set_rigid_links(m, before);
+  std::vector<Matrix6> sum(at(m.n_block), Matrix6::Zero());
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Vector6& row) {
+    const double share = m.links.a[k] == kGroundBlock ? 1.0 : 2.0;
+    sum[i] += share * m.links.stiffness[k] * row * row.transpose();
+  });
+  std::size_t worst = 0;
+  double most = before;
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Vector6&) {
+    const double bound = own_bound(m, i, sum[i]);
+    if (bound > most) most = bound, worst = k, m.stiffest_block = static_cast<BlockId>(i);
+  });
+  constexpr double kMuchShorter = 1.1;
+  if (const double times = std::sqrt(most / before); times > kMuchShorter)
+    m.anatomy.notes.push_back(
+        {"step.ruled_by_link", {{"link", m.links.name[worst]}, {"times", times}}});
+  return most;
+}
+
 }  // namespace
 
 void bound_space_step(Model& m) {
+  std::vector<double> bound;
+  for (int i = 0; i < m.n_block; ++i) bound.push_back(own_bound(m, at(i), Matrix6::Zero()));
+  if (m.solve.raise_light_inertia) raise_light_inertia(m, bound);
   double most = 0;
-  for (int i = 0; i < m.n_block; ++i) {
-    const double bound = own_bound(m, at(i));
-    if (bound > most) most = bound, m.stiffest_block = i;
-  }
+  for (int i = 0; i < m.n_block; ++i)
+    if (bound[at(i)] > most) most = bound[at(i)], m.stiffest_block = i;
+  if (m.links.n > 0) most = bound_links(m, most);
   m.omega_max = std::sqrt(most);
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/parts.h"
 #include "model/space.h"
+#include "model/space_places.h"
 
 namespace wythe {
 namespace {
@@ -30,26 +32,23 @@ Vec3 vector_of(Direction direction) {
   return {};
 }
 
-bool holds(const Polyhedron& part, Vec3 p, double tolerance) {
-  return std::all_of(part.face.begin(), part.face.end(), [&](const auto& corners) {
-    const geometry::Facet facet = geometry::facet_of(part, corners);
-    return dot(p - facet.centre, facet.normal) <= tolerance;
-  });
-}
-
 class SpaceStages {
  public:
   SpaceStages(const ModelSpec& spec, const SpaceAssembly& assembly, const std::vector<BlockId>& id,
-              Model& model, FaultList& faults)
-      : spec_(spec), assembly_(assembly), id_(id), model_(model), faults_(faults) {
-    for (std::size_t k = 0; k < assembly.body.size(); ++k) {
-      const geometry::Box3 box = geometry::box_of(assembly.body[k]);
-      lowest_ = std::fmin(lowest_, box.low.y);
-      box_.push_back(box);
-    }
+              const std::vector<PointLoad>& floors, Model& model, FaultList& faults)
+      : spec_(spec),
+        assembly_(assembly),
+        id_(id),
+        floors_(floors),
+        model_(model),
+        faults_(faults),
+        places_(spec, assembly) {
+    for (std::size_t k = 0; k < assembly.body.size(); ++k)
+      lowest_ = std::fmin(lowest_, places_.box(k).low.y);
   }
 
   void run() {
+    const std::size_t sets_floors = stage_of_floors(spec_, faults_);
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
@@ -66,6 +65,8 @@ class SpaceStages {
       if (s.kind == StageKind::kLoad) set_loads(stage);
       if (push) set_driven(stage);
       refuse_second_factor(s);
+      if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
+      floors_lie_ = floors_lie_ || k == sets_floors;
       model_.stages.push_back(std::move(stage));
     }
   }
@@ -77,12 +78,12 @@ class SpaceStages {
 
   void set_direction(Stage& stage) {
     const StageSpec& s = stage.spec;
-    Vec3 d = in_wall(vector_of(s.direction));
+    Vec3 d = places_.in_wall(vector_of(s.direction));
     if (!s.along.empty()) {
       if (s.along.size() != 3 || !(geometry::norm({s.along[0], s.along[1], s.along[2]}) > 0))
         return fault("along", "", "must be three numbers that are not all 0",
                      "write e.g. along = [1, 0, 0.5]");
-      d = in_wall(geometry::unit({s.along[0], s.along[1], s.along[2]}));
+      d = places_.in_wall(geometry::unit({s.along[0], s.along[1], s.along[2]}));
     }
     stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
     const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
@@ -91,55 +92,11 @@ class SpaceStages {
             "write a direction without a part upwards");
   }
 
-  // Places and directions of the model file are in the axes of its blocks file.
-  [[nodiscard]] Vec3 in_wall(Vec3 v) const {
-    return spec_.wall.up == "z" ? Vec3{v.x, v.z, -v.y} : v;
-  }
-  [[nodiscard]] Vec3 in_file(Vec3 v) const {
-    return spec_.wall.up == "z" ? Vec3{v.x, -v.z, v.y} : v;
-  }
-
   // The load factor of a body force goes on from stage to stage; one is enough.
   void refuse_second_factor(const StageSpec& s) {
     if (s.kind != StageKind::kBodyForce && s.kind != StageKind::kTilt) return;
     if (has_factor_) fault("kind", "", "is a second body force or tilt", "keep one of them");
     has_factor_ = true;
-  }
-
-  // --- which bodies -----------------------------------------------------------------------------------
-
-  [[nodiscard]] static bool is_named(const BodySpec& body, const std::string& pattern) {
-    if (pattern.ends_with("*")) return body.id.starts_with(pattern.substr(0, pattern.size() - 1));
-    return body.id == pattern;
-  }
-
-  // Bodies of the assembly at a place; all of them where it says nothing.
-  [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const {
-    const bool is_box = has(place.width) || has(place.height) || has(place.depth);
-    const bool is_point = !is_box && (has(place.x) || has(place.y) || has(place.z));
-    std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
-      const Vec3 c = in_file(assembly_.moments[k].centroid);
-      const auto within = [](double x, double from, double width) {
-        return !has(from) || (x >= from && (!has(width) || x <= from + width));
-      };
-      const bool matches = !place.block.empty() ? is_named(assembly_.body[k], place.block)
-                           : is_box             ? within(c.x, place.x, place.width) &&
-                                          within(c.y, place.y, place.height) &&
-                                          within(c.z, place.z, place.depth)
-                           : is_point ? holds_point(k, place)
-                                      : true;
-      if (matches) found.push_back(k);
-    }
-    return found;
-  }
-  [[nodiscard]] bool holds_point(std::size_t k, const PlaceSpec& place) const {
-    const Vec3 c = in_file(assembly_.moments[k].centroid);
-    const Vec3 p = in_wall(
-        {has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y, has(place.z) ? place.z : c.z});
-    const double tolerance = 1e-6 * box_[k].longest();
-    return std::any_of(assembly_.body[k].part.begin(), assembly_.body[k].part.end(),
-                       [&](const Polyhedron& part) { return holds(part, p, tolerance); });
   }
 
   // --- loads ------------------------------------------------------------------------------------------
@@ -151,6 +108,8 @@ class SpaceStages {
       if (has(load))
         fault(key, "", "is for walls in their plane; this one is in space",
               "write pressure, and face and on for where it acts");
+    if (has(s.force) || has(s.line_load))
+      stage.loads = stated_loads(s, places_, assembly_, id_, path_, faults_);
     if (!has(s.pressure)) return;
     Vec3 looks{0, 1, 0};
     if (!s.face.empty()) {
@@ -159,9 +118,9 @@ class SpaceStages {
                        [&](const auto& candidate) { return s.face == candidate.word; });
       if (word == std::end(kDirectionWords))
         return fault("face", s.face, "is no direction", "write +x, -x, +y, -y, +z or -z");
-      looks = in_wall(vector_of(word->value));
+      looks = places_.in_wall(vector_of(word->value));
     }
-    const std::vector<std::size_t> bodies = find(s.on);
+    const std::vector<std::size_t> bodies = places_.find(s.on);
     for (const OuterFace& face : assembly_.outer) {
       const auto k = at(face.body);
       if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing) continue;
@@ -184,14 +143,14 @@ class SpaceStages {
     if (patterned && s.pattern != Pattern::kMass && s.pattern != Pattern::kArea)
       return fault("pattern", "", "is for walls in their plane",
                    "in space write pattern = \"mass\" or \"area\", or `at`");
-    const std::vector<std::size_t> found = find(patterned ? s.on : s.at);
+    const std::vector<std::size_t> found = places_.find(patterned ? s.on : s.at);
     const bool fixed = !found.empty() && std::all_of(found.begin(), found.end(), [&](auto k) {
       return assembly_.body[k].fixed;
     });
     double height = 0, total = 0;
     for (const std::size_t k : found) {
       if (assembly_.body[k].fixed != fixed) continue;
-      const double share = s.pattern == Pattern::kMass   ? model_.heavy_mass[at(id_[k])]
+      const double share = s.pattern == Pattern::kMass   ? mass_on(k)
                            : s.pattern == Pattern::kArea ? facing_area(k, stage)
                                                          : 1.0;
       if (!(share > 0)) continue;
@@ -210,6 +169,16 @@ class SpaceStages {
     set_control(stage, fixed);
   }
 
+  // A body's own mass and that of the floors that lie on it already [kg].
+  [[nodiscard]] double mass_on(std::size_t k) const {
+    if (assembly_.body[k].fixed) return 0;
+    double weight = 0;
+    if (floors_lie_)
+      for (const PointLoad& load : floors_) weight -= load.block == id_[k] ? load.fy : 0.0;
+    const double g = model_.solve.gravity;
+    return model_.heavy_mass[at(id_[k])] + (g > 0 ? weight / g : 0.0);
+  }
+
   // Of a body's free faces, what looks against the push, laid across it [m^2].
   [[nodiscard]] double facing_area(std::size_t k, const Stage& stage) const {
     const Vec3 d{stage.drive_x, stage.drive_y, stage.drive_z};
@@ -223,7 +192,7 @@ class SpaceStages {
   void set_control(Stage& stage, bool fixed) {
     const PlaceSpec& c = stage.spec.control;
     if (c.block.empty() && !has(c.x) && !has(c.y) && !has(c.z)) return;
-    const std::vector<std::size_t> found = find(c);
+    const std::vector<std::size_t> found = places_.find(c);
     if (found.empty() || fixed || assembly_.body[found.front()].fixed)
       return fault("control", "", fixed ? "cannot steer a support" : "finds no block that moves",
                    "name a point in a block, or its id; supports are driven as they are");
@@ -233,19 +202,21 @@ class SpaceStages {
   const ModelSpec& spec_;
   const SpaceAssembly& assembly_;
   const std::vector<BlockId>& id_;
+  const std::vector<PointLoad>& floors_;
   Model& model_;
   FaultList& faults_;
-  std::vector<geometry::Box3> box_;
+  SpacePlaces places_;
   double lowest_ = 1e300;
   std::string path_;
-  bool has_factor_ = false;
+  bool has_factor_ = false, floors_lie_ = false;
 };
 
 }  // namespace
 
 void compile_space_stages(const ModelSpec& spec, const SpaceAssembly& assembly,
-                          const std::vector<BlockId>& id, Model& model, FaultList& faults) {
-  SpaceStages(spec, assembly, id, model, faults).run();
+                          const std::vector<BlockId>& id, const std::vector<PointLoad>& floors,
+                          Model& model, FaultList& faults) {
+  SpaceStages(spec, assembly, id, floors, model, faults).run();
 }
 
 }  // namespace wythe

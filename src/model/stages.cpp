@@ -15,6 +15,10 @@ using geometry::Role;
 // Documented default of a load's smooth start [s]; docs/theory/integration.md says why.
 constexpr double kLoadRamp = 0.1;
 
+bool drives(StageKind kind) {
+  return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
+}
+
 class StageCompiler {
  public:
   StageCompiler(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
@@ -27,7 +31,7 @@ class StageCompiler {
         faults_(faults) {}
 
   void run() {
-    const std::size_t sets_floors = stage_of_floors();
+    const std::size_t sets_floors = stage_of_floors(spec_, faults_);
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
@@ -47,41 +51,6 @@ class StageCompiler {
  private:
   void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
-  }
-
-  static bool drives(StageKind kind) {
-    return kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
-  }
-
-  // The load stage that asks for them, or the first gravity stage.
-  std::size_t stage_of_floors() {
-    const std::size_t none = spec_.stage.size();
-    std::size_t gravity = none, asked = none;
-    for (std::size_t k = 0; k < none; ++k) {
-      path_ = fmt::format("stage.{}", k);
-      const StageSpec& s = spec_.stage[k];
-      if (s.kind == StageKind::kGravity) gravity = std::min(gravity, k);
-      if (!s.floors) continue;
-      if (spec_.floor.empty())
-        fault("floors", "", "there is no floor to set on the wall",
-              "write [[floor]] tables, or leave floors out");
-      if (asked < none)
-        fault("floors", "", "the floors lie on the wall already",
-              "let one stage set them, all together");
-      asked = std::min(asked, k);
-    }
-    const std::size_t found = asked < none ? asked : gravity;
-    if (found == none && !spec_.floor.empty())
-      faults_.add({"", "floor.0", "", "no stage sets it on the wall",
-                   "add a gravity stage, or a load stage with floors = true", 0});
-    for (std::size_t k = 0; k < found && found < none && !spec_.floor.empty(); ++k) {
-      if (!drives(spec_.stage[k].kind)) continue;
-      path_ = fmt::format("stage.{}", found);
-      fault("floors", "", fmt::format("would lie on the wall only after stage.{} has moved it", k),
-            "put the stage that sets them before it");
-      break;
-    }
-    return found;
   }
 
   // A second body force or tilt would have to take the first one back on its way.
@@ -130,6 +99,8 @@ class StageCompiler {
     };
     refuse("at", is_deep(s.at));
     refuse("control", is_deep(s.control));
+    for (const auto& [key, load] : {std::pair("force", s.force), {"line_load", s.line_load}})
+      refuse(key, std::isfinite(load));
     const PlaceSpec& on = s.on;
     refuse("on", !on.block.empty() || std::isfinite(on.x) || std::isfinite(on.y) || is_deep(on));
   }
@@ -574,6 +545,36 @@ class StageCompiler {
 };
 
 }  // namespace
+
+std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults) {
+  const std::size_t none = spec.stage.size();
+  std::size_t gravity = none, asked = none;
+  const auto fault = [&](std::size_t k, std::string problem, std::string cure) {
+    faults.add({"", fmt::format("stage.{}.floors", k), "", std::move(problem), std::move(cure), 0});
+  };
+  for (std::size_t k = 0; k < none; ++k) {
+    const StageSpec& s = spec.stage[k];
+    if (s.kind == StageKind::kGravity) gravity = std::min(gravity, k);
+    if (!s.floors) continue;
+    if (spec.floor.empty())
+      fault(k, "there is no floor to set on the wall",
+            "write [[floor]] tables, or leave floors out");
+    if (asked < none)
+      fault(k, "the floors lie on the wall already", "let one stage set them, all together");
+    asked = std::min(asked, k);
+  }
+  const std::size_t found = asked < none ? asked : gravity;
+  if (found == none && !spec.floor.empty())
+    faults.add({"", "floor.0", "", "no stage sets it on the wall",
+                "add a gravity stage, or a load stage with floors = true", 0});
+  for (std::size_t k = 0; k < found && found < none && !spec.floor.empty(); ++k) {
+    if (!drives(spec.stage[k].kind)) continue;
+    fault(found, fmt::format("would lie on the wall only after stage.{} has moved it", k),
+          "put the stage that sets them before it");
+    break;
+  }
+  return found;
+}
 
 void compile_stages(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults) {

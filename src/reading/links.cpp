@@ -12,12 +12,42 @@ contact::LinkEnd end_in(const State& s, BlockId block, double arm_x, double arm_
   return contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y);
 }
 
+contact::SpaceLinkEnd end_in_space(const State& s, BlockId block, const Vector<double>& arm) {
+  if (block == kGroundBlock) return {{0, 0, 0}, {0, 0, 0}};
+  const auto i = static_cast<std::size_t>(block);
+  return contact::link_end({s.ux[i], s.uy[i], s.uz[i]}, {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}},
+                           arm);
+}
+
+LinkReading link_in_space(const Model& m, const State& s, std::size_t k) {
+  const Links& l = m.links;
+  const Vector<double> span{l.span_x[k], l.span_y[k], l.span_z[k]};
+  const contact::SpaceLinkEnd a =
+      end_in_space(s, l.a[k], {l.arm_a_x[k], l.arm_a_y[k], l.arm_a_z[k]});
+  const contact::SpaceLinkEnd b =
+      end_in_space(s, l.b[k], {l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]});
+  const contact::SpaceLinkLine line = contact::link_line(span, l.follows[k] > 0, a, b);
+  const contact::LinkPull pull =
+      contact::link_pull({l.stiffness[k], l.tension[k], l.compression[k]}, line.elongation,
+                         s.link_plastic[k], s.link_drawn[k]);
+  const Vec3 c = m.space.centroid[static_cast<std::size_t>(l.b[k])];
+  const Vec3 end =
+      c + Vec3{l.arm_b_x[k], l.arm_b_y[k], l.arm_b_z[k]} + Vec3{b.moved.x, b.moved.y, b.moved.z};
+  const Vector<double> gone = span + (b.moved - a.moved);
+  const Vec3 start = l.follows[k] > 0 ? end - Vec3{gone.x, gone.y, gone.z} : end;
+  return {l.stiffness[k], pull.force, line.elongation, s.link_plastic[k] + pull.flow, {start, end}};
+}
+
 }  // namespace
 
 std::vector<LinkReading> read_links(const Model& m, const State& s) {
   const Links& l = m.links;
   std::vector<LinkReading> links(l.a.size());
   for (std::size_t k = 0; k < links.size(); ++k) {
+    if (m.in_space()) {
+      links[k] = link_in_space(m, s, k);
+      continue;
+    }
     const contact::LinkEnd a = end_in(s, l.a[k], l.arm_a_x[k], l.arm_a_y[k]);
     const contact::LinkEnd b = end_in(s, l.b[k], l.arm_b_x[k], l.arm_b_y[k]);
     const contact::LinkLine line =

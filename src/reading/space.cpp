@@ -138,10 +138,12 @@ JointReading joint_in_space(const Model& m, JointId j, const std::vector<PointRe
   joint.shear = length(joint.shear_vector);
   joint.shear_stress = joint.shear / joint.shape.area;
   joint.moment = length(joint.moment_vector);
+  const auto off = [&](double about, double reach) {
+    return reach > 0 ? std::fabs(about) / reach / joint.compression : 0.0;
+  };
   if (joint.compression > 0)
-    joint.eccentricity = std::clamp(
-        std::fmax(std::fabs(about_1) / reach_1, std::fabs(about_2) / reach_2) / joint.compression,
-        0.0, 1.0);
+    joint.eccentricity =
+        std::clamp(std::fmax(off(about_1, reach_1), off(about_2, reach_2)), 0.0, 1.0);
   return joint;
 }
 

@@ -354,6 +354,8 @@ Json stage_of(const Stage& stage) {
   add("pier_load", s.pier_load, "kN", 1e-3);
   add("pressure", s.pressure, "MPa", 1e-6);
   add("beam_load", s.beam_load, "kN", 1e-3);
+  add("force", s.force, "kN", 1e-3);
+  add("line_load", s.line_load, "kN/m", 1e-3);
   if (s.kind == StageKind::kGravity || s.floors) add("floors", weight_of(stage), "kN", 1e-3);
   add("velocity", s.velocity, "mm/s", 1e3);
   add("fast_velocity", s.fast_velocity, "mm/s", 1e3);

@@ -166,7 +166,7 @@ void add_wall(Bundle& bundle, const Model& model) {
     wall["bodies"] = bodies, wall["nodes"] = s.n_node, wall["zones"] = s.n_zone;
     wall["contacts"] = s.n_contact;
   }
-  if (model.links.n > 0) wall["links"] = links_of(model);
+  if (model.links.n > 0 && !model.in_space()) wall["links"] = links_of(model);
   if (!a.storey_top.empty()) wall["storeys"] = storeys_of(a);
   if (model.in_space()) {
     add_space(bundle, model, wall);

@@ -37,6 +37,17 @@ ModelSpec leaves(double strength = 1, double until = 2e-3) {
   StageSpec push = scenes::push_stage("l0c5*", Direction::kPlusX, 0.05, until);
   push.along = {0.3, 0, 1};
   spec.stage = {scenes::gravity_stage(), push};
+  TieSpec tie;  // that yields on the way
+  tie.from.block = "l0c4u1";
+  tie.to.x = 0.4, tie.to.y = 0.5, tie.to.z = -1;
+  tie.anchored = true;
+  tie.area = 1e-5, tie.youngs_modulus = 200e9, tie.yield_strength = 30e6, tie.prestress = 5e6;
+  spec.tie = {tie};
+  FloorSpec floor;
+  floor.load = 2e3;
+  floor.from.x = 0.1, floor.from.y = 0.6, floor.from.z = 0.2;
+  floor.to.x = 0.9, floor.to.y = 0.6, floor.to.z = 0.2;
+  spec.floor = {floor};
   return spec;
 }
 

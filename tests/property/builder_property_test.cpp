@@ -44,10 +44,11 @@ struct Built {
   double all = 0;
 };
 
-Built build(const BuilderSpec& spec) {
+Built build(const BuilderSpec& spec, double moduli = kUnset) {
   ModelSpec model;
   model.wall.unit.density = 2000;
   model.material["timber"].density = 600;
+  model.material["timber"].youngs_modulus = model.material["timber"].shear_modulus = moduli;
   Built b;
   b.body = build_bodies({spec, model}, b.notes, b.faults);
   if (!b.faults.empty()) return b;
@@ -238,6 +239,27 @@ TEST(Builder, an_opening_takes_its_volume_and_its_lintel_is_one_block) {
       EXPECT_NEAR(b.assembly.moments[k].volume, 0.9 * 0.1 * kThick, 1e-12);
     }
   EXPECT_EQ(lintels, 1);
+}
+
+TEST(Builder, a_lintel_whose_material_has_moduli_is_a_chain_that_bends) {
+  BuilderSpec spec = plan({wall("a", {{0, 0}, {3, 0}})});
+  OpeningSpec door;
+  door.x = 1.2, door.y = 0, door.width = 0.6, door.height = 0.8;
+  door.lintel.kind = "timber", door.lintel.material = "timber";
+  door.lintel.depth = 0.1, door.lintel.bearing = 0.15;
+  spec.plan_wall[0].opening = {door};
+  const auto lintel_of = [](const Built& b) {
+    double volume = 0;
+    int segments = 0;
+    for (std::size_t k = 0; k < b.assembly.body.size(); ++k)
+      if (b.assembly.body[k].id.starts_with("a.lintel0.s"))
+        ++segments, volume += b.assembly.moments[k].volume;
+    return std::pair(segments, volume);
+  };
+  EXPECT_EQ(lintel_of(build(spec)).first, 0);
+  const auto [segments, volume] = lintel_of(build(spec, 10e9));
+  EXPECT_EQ(segments, 6);
+  EXPECT_NEAR(volume, 0.9 * 0.1 * kThick, 1e-12);
 }
 
 // --- vaults -----------------------------------------------------------------------------------------

@@ -122,14 +122,26 @@ void set_if_unset(double& value, double otherwise) {
 
 void make_one_load(StageSpec& stage) {
   const double load = std::abs(any_bits());
-  stage.pier_load = stage.pressure = stage.beam_load = kUnset;
+  PlaceSpec point, far;
+  point.x = -0.0, point.y = 0.7, point.z = 1.0 / 3;
+  far.x = 1.0 / 3, far.y = 0.7, far.z = -0.0;
+  stage.pier_load = stage.pressure = stage.beam_load = stage.force = stage.line_load = kUnset;
+  stage.at = stage.from = stage.to = {};
+  stage.along.clear();
   if (stage.floors) {
     stage.as = Manner::kDefault;
     return;
   }
-  double* const loads[] = {&stage.pier_load, &stage.pressure, &stage.beam_load};
-  const std::size_t which = *rc::gen::inRange<std::size_t>(0, 3);
+  double* const loads[] = {&stage.pier_load, &stage.pressure, &stage.beam_load, &stage.force,
+                           &stage.line_load};
+  const std::size_t which = *rc::gen::inRange<std::size_t>(0, 5);
   *loads[which] = load;
+  if (which > 2) {
+    stage.as = Manner::kDefault, stage.on = {}, stage.face.clear();
+    if (coin(2)) stage.along = {1.0 / 3, -0.0, 1};
+  }
+  if (which == 3) stage.at = point;
+  if (which == 4) stage.from = point, stage.to = far;
   if (stage.as != Manner::kDefault)
     stage.as = which == 0 && coin(2) ? Manner::kPlate : Manner::kPressure;
 }

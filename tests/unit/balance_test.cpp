@@ -159,6 +159,73 @@ TEST(Verdict, a_curve_of_one_row_knows_nothing) {
   EXPECT_EQ(r.peak_reason.code, "balance.too_few_rows");
 }
 
+// Supports that give way to a wall, which presses on them with `force` all the way; `others` feel a share of it.
+struct Drive {
+  double others = 1;       // of the driven supports' force
+  double damped = 0;       // of the force, over the way
+  double kinetic = 0.001;  // kinetic energy / work so far
+  double unbalance = 1e-5;
+  double from = 0, to = 4;  // where on the way this is so
+};
+RateVerdict driven(const Drive& d) {
+  Result result;
+  for (int i = 0; i <= 200; ++i) {
+    CurveRow row;
+    row.displacement = 0.02 * i;
+    const bool here = row.displacement >= d.from && row.displacement <= d.to;
+    row.reaction = -(100 + 20 * std::exp(-row.displacement));
+    row.base_shear = row.reaction * (here ? d.others : 1);
+    row.kinetic_ratio = here ? d.kinetic : 0.001;
+    row.unbalance_ratio = here ? d.unbalance : 1e-5;
+    const CurveRow before = result.curve.empty() ? CurveRow{} : result.curve.back();
+    row.work_drive = before.work_drive + 0.02 * row.reaction;
+    row.work_damping = before.work_damping + 0.02 * (here ? d.damped : 0) * 100;
+    result.curve.push_back(row);
+  }
+  result.responses = read_responses(result.curve);
+  return dynamics::judge_quasi_static(result, true);
+}
+
+TEST(SupportVerdict, supports_that_give_way_slowly_are_slow_enough) {
+  const RateVerdict q = driven({});
+  EXPECT_EQ(q.judgement, "slow enough");
+  EXPECT_EQ(q.verdict.code, "rate.supports_slow_enough");
+  EXPECT_NEAR(q.lift, 0.02, 1e-12);
+}
+
+TEST(SupportVerdict, drag_between_the_supports_is_said) {
+  EXPECT_EQ(driven({.others = 1.015}).judgement, "slow enough");
+  EXPECT_EQ(driven({.others = 1.05}).judgement, "usable");
+  EXPECT_EQ(driven({.others = 1.1}).judgement, "too fast");
+  EXPECT_EQ(driven({.others = 0}).verdict.code, "rate.supports_far_too_fast");
+  EXPECT_EQ(driven({.others = -1}).verdict.code, "rate.supports_far_too_fast");
+  EXPECT_EQ(driven({.damped = 0.1}).judgement, "too fast");
+}
+
+TEST(SupportVerdict, a_fifth_of_the_way_is_enough_to_be_too_fast_and_a_snap_is_not) {
+  EXPECT_EQ(driven({.others = 1.2, .from = 1.61, .to = 2.4}).judgement, "too fast");
+  EXPECT_EQ(driven({.others = 3, .damped = 40, .from = 2, .to = 2.1}).judgement, "slow enough");
+}
+
+TEST(SupportVerdict, motion_and_unbalance_have_a_veto) {
+  EXPECT_EQ(driven({.kinetic = 0.08}).judgement, "too fast");
+  EXPECT_EQ(driven({.unbalance = 0.01}).judgement, "too fast");
+}
+
+TEST(SupportVerdict, a_jolt_at_the_start_does_not_hide_the_drag_behind_it) {
+  // were the jolt the measure, a tenth of what follows would be little beside it
+  Result result;
+  for (int i = 0; i <= 200; ++i) {
+    CurveRow row;
+    row.displacement = 0.02 * i;
+    row.reaction = i > 0 && i < 5 ? -5000 : -100;
+    row.base_shear = -110;
+    row.work_drive = -2 * i;
+    result.curve.push_back(row);
+  }
+  EXPECT_EQ(dynamics::judge_quasi_static(result, true).judgement, "too fast");
+}
+
 TEST(Verdict, no_curve_is_no_push) {
   EXPECT_EQ(dynamics::judge_quasi_static({}).judgement, "no push");
 }

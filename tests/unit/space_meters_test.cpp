@@ -6,6 +6,7 @@
 #include "dynamics/executors/executor.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
+#include "wythe/solve.h"
 
 namespace wythe {
 namespace {
@@ -55,6 +56,57 @@ TEST(SpaceMeters, walls_that_are_damped_otherwise_do_not_go_side_by_side) {
   const Model a = compile(block_on_floor()), b = compile(components);
   EXPECT_FALSE(dynamics::fit_together(a, b));
   EXPECT_TRUE(dynamics::fit_together(a, compile(block_on_floor())));
+}
+
+// --- supports that are driven: the verdict on their rate
+
+// Two stones and a wedge between them: it spreads them apart by its weight.
+ModelSpec wedge_between(double velocity, double until) {
+  const std::vector<Vec2> left{{-0.5, 0}, {0, 0}, {-0.15, 0.3}, {-0.5, 0.3}},
+      right{{0.4, 0}, {0.9, 0}, {0.9, 0.3}, {0.55, 0.3}},
+      wedge{{0, 0}, {0.4, 0}, {0.55, 0.3}, {-0.15, 0.3}};
+  ModelSpec spec =
+      scenes::in_space({scenes::body_of("left", scenes::prism_part(left, 0, 0.3), true),
+                        scenes::body_of("right", scenes::prism_part(right, 0, 0.3), true),
+                        scenes::body_of("wedge", scenes::prism_part(wedge, 0, 0.3))},
+                       scenes::dry_joint(1e9, 4e8, std::atan(0.3)), 2000);
+  spec.stage = {scenes::gravity_stage(),
+                scenes::push_stage("right", Direction::kPlusX, velocity, until)};
+  spec.stage[1].damping = 0.7;
+  return spec;
+}
+Result ran(const ModelSpec& spec) {
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  return solve(model, state);
+}
+
+TEST(SupportRate, the_other_supports_say_whether_a_spread_is_slow_enough) {
+  const Result slow = ran(wedge_between(0.001, 2e-3));
+  EXPECT_EQ(slow.quasi_static.judgement, "slow enough") << text_of(slow.quasi_static.verdict);
+  EXPECT_LT(slow.curve.back().reaction, -100);  // the wedge pushes the way its support goes
+  for (std::size_t k = slow.curve.size() / 2; k < slow.curve.size(); ++k)
+    EXPECT_NEAR(slow.curve[k].base_shear, slow.curve[k].reaction,
+                0.02 * std::fabs(slow.curve[k].reaction));
+  EXPECT_TRUE(warning_of(slow).empty());
+  const Result fast = ran(wedge_between(0.5, 50e-3));
+  EXPECT_EQ(fast.quasi_static.judgement, "too fast") << text_of(fast.quasi_static.verdict);
+}
+
+TEST(SupportRate, a_settlement_of_all_supports_is_slow_until_it_is_not) {
+  ModelSpec spec = wedge_between(0.002, 4e-3);
+  spec.stage[1].direction = Direction::kMinusY;
+  spec.body[0].id = "support left", spec.body[1].id = "support right";
+  spec.stage[1].at = {};
+  spec.stage[1].at.block = "support*";
+  const Result slow = ran(spec);
+  EXPECT_EQ(slow.quasi_static.judgement, "slow enough") << text_of(slow.quasi_static.verdict);
+  const double weight = 2000 * 9.81 * 0.3 * 0.3 * 0.55;
+  EXPECT_NEAR(slow.curve.back().reaction, -weight, 1e-3 * weight);
+  EXPECT_NEAR(slow.curve.back().base_shear, -weight, 1e-6 * weight);
+  spec.stage[1].velocity = 3, spec.stage[1].until = 0.3;  // the ground drops from under it
+  const Result fast = ran(spec);
+  EXPECT_EQ(fast.quasi_static.judgement, "too fast") << text_of(fast.quasi_static.verdict);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "record.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
+#include "wythe/limit.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -152,6 +153,91 @@ TEST(SpaceWalls, prisms_pushed_in_their_plane_crack_as_the_plane_wall_does) {
          peak(scenes::prisms(plane)));
 }
 
+// --- two-way bending by virtual work: a wall that leans on props along both sides and stands on its foot, top free,
+// under pressure. Plastic joints: tension ft, cohesion c, no friction, no crushing.
+
+struct Panel {
+  double length = 1.6, height = 0.8, prop = 0.1, l = 0.2, h = 0.1, t = 0.1;
+  double ft = 0, c = 0.15e6, weight = 1800 * kG;
+};
+
+// Mean of sqrt(s^2 + z^2) over a patch of [-a, a] x [0, t], times its area: the cohesion of a face that twists about a
+// corner line.
+double twist(double a, double t) {
+  constexpr int n = 400;
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) sum += std::hypot(a * (2 * (i + 0.5) / n - 1), t * (k + 0.5) / n);
+  return sum * 2 * a * t / (n * n);
+}
+
+// Two side panels turn about the props by 1, one at the foot by 1/G; between them cracks in steps with the slope of the
+// bond, G = 2h/l, and where they meet below the top one upright crack. All hinge at the face that is pressed, and turn
+// about the middle of each step: an upper bound, in the form of the codes (work of each crack line over the volume
+// that the panels sweep).
+double pressure_of_cracks(const Panel& p) {
+  const double slope = 2 * p.h / p.l, reach = p.length / 2 - p.prop, meet = slope * reach;
+  const double side = 1, foot = side / slope, half = p.t * p.t / 2;
+  const double bed = twist(p.l / 4, p.t), head = twist(p.h / 2, p.t);
+  const double step = p.ft * foot * p.l / 2 * half + p.c * side * bed + p.ft * side * p.h * half +
+                      p.c * foot * head;
+  const double upright = p.ft * half + p.c * p.t * p.l / 4 + p.c * bed / p.h;  // of a height
+  const double of_foot = p.ft * foot * half * 2 * reach;
+  const double below = reach * meet, beside = p.length * p.height - below;
+  const double lifted = p.weight * p.t * foot * p.t * (below / 2 + beside);
+  constexpr int n = 400;
+  double swept = 0;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double x = (i + 0.5) / n * p.length / 2, y = (k + 0.5) / n * p.height;
+      const bool turns = x < p.prop || y > slope * (x - p.prop);
+      swept += turns ? side * (x - p.prop) : foot * y;
+    }
+  swept *= p.length * p.height / (n * n);
+  return (2 * reach / (p.l / 2) * step + upright * 2 * side * (p.height - meet) + of_foot +
+          lifted) /
+         swept;
+}
+
+ModelSpec propped(const Panel& p) {
+  std::vector<BodySpec> bodies{box("floor", {-0.3, -0.2, -0.3}, {2.2, 0.2, 0.6}, true)};
+  for (const double x : {0.0, p.length - p.prop}) {
+    bodies.push_back(box(x > 0 ? "right" : "left", {x, 0, p.t}, {p.prop, p.height, 0.1}, true));
+    bodies.back().material = "prop";
+  }
+  for (int c = 0; c < 8; ++c)
+    for (int u = 0; u < (c % 2 == 0 ? 8 : 9); ++u) {
+      const double from = std::max(0.0, p.l * (c % 2 == 0 ? u : u - 0.5)),
+                   to = std::min(p.length, p.l * (c % 2 == 0 ? u + 1 : u + 0.5));
+      bodies.push_back(box("c" + std::to_string(c) + "u" + std::to_string(u), {from, p.h * c, 0},
+                           {to - from, p.h, p.t}));
+    }
+  JointMaterial joint = scenes::dry_joint(2e10, 8e9, 0);
+  joint.tensile_strength = p.ft, joint.cohesion = p.c, joint.residual_cohesion = p.c;
+  joint.mode_1_energy = 10, joint.mode_2_energy = 50;
+  ModelSpec spec = scenes::in_space(bodies, joint, 1800);
+  spec.material["smooth"] = scenes::dry_joint(2e10, 8e9, 0);
+  spec.contact = {{{"prop", "masonry"}, "smooth"}};
+  StageSpec wind = scenes::push_stage("", Direction::kPlusZ, 2e-3, 5e-3);
+  wind.pattern = Pattern::kArea;
+  spec.stage = {scenes::gravity_stage(), wind};
+  return spec;
+}
+
+TEST(SpaceWalls, two_way_bending_is_what_the_work_of_its_crack_lines_says) {
+  Panel bonded;
+  bonded.ft = 0.1e6;
+  const double area = bonded.length * bonded.height;
+  const LimitAnswer answer =
+      limit_load(compile(propped(bonded)), {.strength = JointStrength::kBonded});
+  const double hand = pressure_of_cracks(bonded);
+  verify({"SP26", "wall on props and its foot, two-way bending: pressure by virtual work", "Pa",
+          hand, 0.12, "straight crack lines are an upper bound; the joints find a lower one"},
+         answer.load / area);
+  EXPECT_LT(answer.load / area, hand);
+  EXPECT_NEAR(answer.kinematic, answer.load, 1e-6 * answer.load);
+}
+
 // --- the faces that two cubes share, by the coordinates of another code's cases of detection
 
 TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
@@ -178,6 +264,25 @@ TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
     verify(
         {"SP24", std::string("face of two cubes, ") + c.what, "m^2", c.area, 1e-12, "exact clip"},
         assembly.faces[0].area);
+  }
+  // turned by 1 rad and 37.5 mm off the middle either way: an octagon without symmetry, each corner of it published
+  // by another code to five digits
+  const double octagon[8][2] = {{-0.3, -0.22547}, {-0.3, 0.10893}, {-0.17731, 0.3},
+                                {-0.00788, 0.3},  {0.3, 0.10231},  {0.3, -0.06712},
+                                {0.15047, -0.3},  {-0.18393, -0.3}};
+  const Frame askew = Frame::turned(std::cos(0.5), 0, std::sin(0.5), 0, {-0.0375, 0, 0.0375});
+  FaultList none;
+  const geometry::SpaceAssembly turned =
+      geometry::assemble({box("lower", {-half, -half, -half}, {a, a, a}, true),
+                          askew.body(box("upper", {-half, half, -half}, {a, a, a}))},
+                         none);
+  ASSERT_EQ(turned.faces.size(), 1u);
+  ASSERT_EQ(turned.faces[0].polygon.size(), 8u);
+  for (const auto& [x, y] : octagon) {
+    double nearest = 1e300;
+    for (const Vec3& p : turned.faces[0].polygon)
+      nearest = std::min(nearest, std::hypot(p.x - x, -p.z - y));
+    EXPECT_LT(nearest, 1e-5) << "corner (" << x << ", " << y << ")";
   }
   // a cube on two feet has two faces
   FaultList faults;

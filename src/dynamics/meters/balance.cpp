@@ -155,9 +155,104 @@ RateVerdict of_a_load(const Result& result) {
   return q;
 }
 
+double median(std::vector<double> of) {
+  if (of.empty()) return 0;
+  const auto middle = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
+  std::nth_element(of.begin(), middle, of.end());
+  return *middle;
+}
+
+// Supports that are driven, over the worst fifth of their way: in balance what they feel is what the other supports
+// feel, whichever way it goes. The force that a slow drive needs lies between both, so the gap counts once; a snap
+// stands in a row or two of a fifth, which the median passes over.
+RateVerdict of_supports(const Curve& curve) {
+  constexpr int kParts = 5;
+  RateVerdict q;
+  double largest = 0;  // force that both feel: a jolt at the start is felt by one side alone
+  for (const CurveRow& row : curve)
+    if (row.reaction * row.base_shear > 0)
+      largest = std::max(largest, std::min(std::fabs(row.reaction), std::fabs(row.base_shear)));
+  double way = 0;
+  for (const CurveRow& row : curve) way = std::max(way, std::fabs(row.displacement));
+  for (int part = 0; part < kParts; ++part) {
+    std::vector<double> gap, damping, unbalance, kinetic;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const double at = std::fabs(curve[i].displacement) / way * kParts;
+      if (at <= part || at > part + 1) continue;
+      const double moved = std::fabs(curve[i].displacement - curve[i - 1].displacement);
+      gap.push_back(std::fabs(curve[i].reaction - curve[i].base_shear) / largest);
+      if (moved > 0)
+        damping.push_back((curve[i].work_damping - curve[i - 1].work_damping) / (moved * largest));
+      unbalance.push_back(curve[i].unbalance_ratio);
+      kinetic.push_back(curve[i].kinetic_ratio);
+    }
+    const auto worst = [](double& most, double now) {
+      if (std::isnan(now) || now > most) most = now;  // not a number stays one
+    };
+    worst(q.shear_gap, median(gap));
+    worst(q.damping_share, median(damping));
+    worst(q.unbalance_ratio_mean, median(unbalance));
+    if (part > 0) worst(q.kinetic_ratio_mean, median(kinetic));  // the start sets it in motion
+    for (const double u : unbalance) q.unbalance_ratio_max = std::max(q.unbalance_ratio_max, u);
+    for (const double k : kinetic) q.kinetic_ratio_max = std::max(q.kinetic_ratio_max, k);
+  }
+  const double drag = std::max(q.shear_gap, q.damping_share);
+  q.lift = kScatter + drag;
+  const Message why =
+      q.kinetic_ratio_mean > kKinetic ? share("meter.supports_motion", q.kinetic_ratio_mean)
+      : q.unbalance_ratio_mean > kUnbalance
+          ? share("meter.supports_unbalance", q.unbalance_ratio_mean)
+      : q.shear_gap >= q.damping_share ? share("meter.supports_gap", q.shear_gap)
+                                       : share("meter.supports_damping", q.damping_share);
+  const bool vetoed = q.kinetic_ratio_mean > kKinetic || q.unbalance_ratio_mean > kUnbalance;
+  const double lift = 100 * q.lift;
+  if (!(largest > 0) || !(q.lift <= kKnown)) {
+    q.judgement = "too fast";
+    q.verdict = {"rate.supports_far_too_fast"};
+    q.lift = kUnset;
+  } else if (vetoed || q.lift > kUsable) {
+    q.judgement = "too fast";
+    q.verdict = {"rate.supports_too_fast", {{"lift_percent", lift}, {"why", why}}};
+  } else if (q.lift > kSlow) {
+    q.judgement = "usable";
+    q.verdict = {"rate.supports_usable", {{"lift_percent", lift}, {"why", why}}};
+  } else {
+    q.judgement = "slow enough";
+    q.verdict = {"rate.supports_slow_enough", {{"lift_percent", lift}}};
+  }
+  return q;
+}
+
+// The one of two verdicts that trusts a run less.
+const RateVerdict& worse(const RateVerdict& a, const RateVerdict& b) {
+  const auto rank = [](const RateVerdict& q) {
+    return q.judgement == "slow enough" ? 0 : q.judgement == "usable" ? 1 : 2;
+  };
+  if (rank(a) != rank(b)) return rank(a) > rank(b) ? a : b;
+  return !(a.lift < b.lift) ? a : b;
+}
+
+// Of a push, at the largest force in balance.
+RateVerdict of_a_push(const Curve& curve) {
+  RateVerdict q;
+  const auto peak = largest_in_balance(curve);
+  if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
+    read_meters(curve, *peak, q);
+    q.beyond = force_beyond(curve, curve[*peak].reaction);
+    judge(q);
+    return q;
+  }
+  q.unbalance_ratio_mean = q.unbalance_ratio_max = q.kinetic_ratio_mean = q.kinetic_ratio_max =
+      kUnset;
+  q.shear_gap = q.damping_share = q.beyond = q.lift = kUnset;
+  q.judgement = "too fast";
+  q.verdict = {"rate.no_balance", {{"why", why_out_of_balance(curve)}}};
+  return q;
+}
+
 }  // namespace
 
-RateVerdict judge_quasi_static(const Result& result) {
+RateVerdict judge_quasi_static(const Result& result, bool supports) {
   const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
   RateVerdict q;
   q.verdict = {"rate.no_push"};
@@ -167,19 +262,11 @@ RateVerdict judge_quasi_static(const Result& result) {
     q.judgement = "unknown";
     q.verdict = {"rate.unknown", {{"why", Message{kTooFewRows}}}};
     q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
+  } else if (curve.size() >= kFewestRows && supports) {
+    q = of_supports(curve);
+    if (largest_in_balance(curve)) q = worse(q, of_a_push(curve));  // a capacity is read there
   } else if (curve.size() >= kFewestRows) {
-    const auto peak = largest_in_balance(curve);
-    if (peak && force_beyond(curve, curve[*peak].reaction) <= kKnown) {
-      read_meters(curve, *peak, q);
-      q.beyond = force_beyond(curve, curve[*peak].reaction);
-      judge(q);
-    } else {
-      q.unbalance_ratio_mean = q.unbalance_ratio_max = q.kinetic_ratio_mean = q.kinetic_ratio_max =
-          kUnset;
-      q.shear_gap = q.damping_share = q.beyond = q.lift = kUnset;
-      q.judgement = "too fast";
-      q.verdict = {"rate.no_balance", {{"why", why_out_of_balance(curve)}}};
-    }
+    q = of_a_push(curve);
   }
   if (result.energy.gap_ratio > kLedger && q.judgement != "no push") {
     q.judgement = "unknown";

@@ -37,8 +37,10 @@ inline constexpr double kKnown = 0.25;
 // Why a curve has no force in balance.
 [[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
 
-// The verdict on the rate, from curve, responses and energy of a run.
-[[nodiscard]] RateVerdict judge_quasi_static(const Result& result);
+// The verdict on the rate, from curve, responses and energy of a run. `supports`: the curve is of supports that a
+// stage drives. They may give way to the wall as well as press on it, and no peak sums their way up: the whole
+// way is judged (docs/theory/integration.md, 4.12a).
+[[nodiscard]] RateVerdict judge_quasi_static(const Result& result, bool supports = false);
 
 // Files of older versions hold the verdict in words only, which begin with the judgement.
 [[nodiscard]] std::string judgement_of_older(const std::string& verdict);

@@ -104,13 +104,18 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
 void SpaceProcessor::begin_step() {
   for (const Wall& wall : wall_) {
     if (wall.model == nullptr) continue;
-    const State& state = *wall.state;
+    State& state = *wall.state;
     for (const Stage& stage : wall.model->stages)
       for (const PointLoad& load : stage.loads) clear_load(load, wall.view);
     for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
       if (state.load_scale[k] != 0)
         for (const PointLoad& load : wall.model->stages[k].loads)
           add_load(load, state.load_scale[k], wall.view);
+    if (wall.view.links > 0 && wall.controls.dt > 0) {
+      const LinkWork work = pull_links(wall.view, links_set(*wall.model, state));
+      state.dissipated_friction += work.dissipated;
+      state.work_loads += work.tensioned;
+    }
     wall.view.of_wall(kGravity) = state.gravity_x;
     wall.view.of_wall(kGravity + 1) = state.gravity_y;
     wall.view.of_wall(kGravity + 2) = state.gravity_z;

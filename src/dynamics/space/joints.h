@@ -14,6 +14,21 @@ template <class Real, class Access>
   return {access.shared(table, row), access.shared(table, row + 1), access.shared(table, row + 2)};
 }
 
+// Whether a point to which nothing has happened (contact/short_ways.h) stays so; its shear (s1, s2) is held against
+// the strength by squares, a little on the strict side, so that no root is taken and update() never slides where
+// this holds.
+template <class C, class Real>
+[[nodiscard]] WYTHE_INLINE bool_of_t<Real> stays_whole(const contact::LawConstants<C>& m, Real w,
+                                                       Real s1, Real s2) {
+  const Real sigma = m.kn * w, sn = Real(0.0) - sigma;
+  const Real strength = (m.c_res + sn * m.tan_res) + (m.c_drop + sn * m.tan_drop);
+  const Real t1 = m.ks * s1, t2 = m.ks * s2;
+  bool_of_t<Real> stays = w <= Real(contact::whole_until(m));
+  stays = stays & (strength > Real(0.0));
+  stays = stays & (t1 * t1 + t2 * t2 < strength * strength * Real(1 - 1e-12));
+  return stays & (sigma + m.fc >= Real(0.0));
+}
+
 // Joints of one law, one kind of support and one number of points.
 template <class V, bool on_support, class A>
 struct Joints {
@@ -127,9 +142,38 @@ struct Joints {
     const Real area = access.shared(t.face, j * kFaceRows + kFaceArea);
     const std::uint8_t way = access.marked(t.way, j);
     contact::FaceLoad<Real> sum;
+    if (way == kWhole && whole(j, law, area, gap, sum)) return sum;
     if (way == kClosed && rest<true>(j, law, area, gap, sum)) return sum;
     if (way == kOpen && rest<false>(j, law, area, gap, sum)) return sum;
     return advance(j, law, area, gap, work);
+  }
+  // Points to which nothing has happened (contact/short_ways.h): no history is read, and none kept but how far they
+  // opened. False where one does not stay so.
+  [[nodiscard]] WYTHE_INLINE bool whole(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
+                                        Real area, const contact::FaceGap<Real>& gap,
+                                        contact::FaceLoad<Real>& sum) const {
+    const Real zero(0.0);
+    const Vector<Real> none{zero, zero, zero};
+    sum = {none, none, none};
+    bool_of_t<Real> stays = zero <= zero, opened = zero > zero;
+    for (int k = 0; k < chunk.points; ++k) {
+      const Asked p = asked(first(j, k, kPointRows), area, gap, zero, zero);
+      stays = stays & stays_whole(law, p.w, p.shear.e1, p.shear.e2);
+      opened = opened | (p.w > zero);
+      add(p, law.kn * p.w, law.ks * p.shear.e1, law.ks * p.shear.e2, sum);
+    }
+    if (!all(stays)) return false;
+    if (any(opened)) widen(j, gap);
+    return true;
+  }
+  WYTHE_INLINE void widen(std::ptrdiff_t j, const contact::FaceGap<Real>& gap) const {
+    for (int k = 0; k < chunk.points; ++k) {
+      const std::ptrdiff_t at = first(j, k, kPointRows), row = first(j, k, remembered() + 1);
+      const Real w = gap.j.z + access.shared(point, at + kR1) * gap.a.z +
+                     access.shared(point, at + kR2) * gap.b.z;
+      const Real kappa = access.own(history, row);
+      access.keep(select(w > kappa, w, kappa), history, row);
+    }
   }
   template <bool closed>
   [[nodiscard]] WYTHE_INLINE bool rest(std::ptrdiff_t j, const contact::LawConstants<Real>& law,
@@ -161,6 +205,7 @@ struct Joints {
     const Vector<Real> none{zero, zero, zero};
     contact::FaceLoad<Real> sum{none, none, none};
     bool_of_t<Real> moved = zero > zero, open = zero > zero;
+    bool is_whole = contact::knows_whole<V>(law);
     for (int k = 0; k < chunk.points; ++k) {
       const std::ptrdiff_t row = first(j, k, remembered() + 1);
       Real plastic_1, plastic_2;
@@ -177,8 +222,11 @@ struct Joints {
               work.crushing + a.crushing * p.share};
       moved = moved | contact::moves(before, now);
       open = open | (p.w + now.crush > zero);
+      const bool_of_t<Real> had_slid =
+          (magnitude(plastic_1) > zero) | (magnitude(plastic_2) > zero);
+      is_whole = is_whole && !any(had_slid) && all(contact::is_whole<V>(law, now));
     }
-    access.mark(t.way, j, any(moved) ? kMoving : any(open) ? kOpen : kClosed);
+    access.mark(t.way, j, is_whole ? kWhole : any(moved) ? kMoving : any(open) ? kOpen : kClosed);
     return sum;
   }
 };

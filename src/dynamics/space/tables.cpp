@@ -86,7 +86,9 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.joint_b, joints);
   to.take(t.block_begin, blocks + 1);
   to.take(t.block_middle, blocks);
-  to.take(t.block_entry, m.block_entry.size());
+  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link));
+  to.take(t.link_a, at(l.n_link));
+  to.take(t.link_b, at(l.n_link));
   to.take(t.special, blocks);
   to.take(t.law, at(l.laws) * group * walls);
   to.take(t.body, blocks * kBodyRows * walls);
@@ -96,7 +98,9 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.shift, 4 * (blocks + 1) * walls);
   to.take(t.turn, 4 * (blocks + 1) * walls);
   to.take(t.support, 4 * at(std::max(1, m.space.n_support)) * walls);
-  for (double** rows : {&t.force, &t.moment_a, &t.moment_b}) to.take(*rows, 4 * joints * walls);
+  to.take(t.link, at(l.n_link) * kSpaceLinkRows * walls);
+  for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
+    to.take(*rows, 4 * (joints + at(l.n_link)) * walls);
   to.take(t.way, joints * walls);
 }
 
@@ -132,8 +136,13 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
     }
 }
 
+// Of each block its joints in the model's order, then its links: those of which it is side a, then b.
 void fill_blocks(const Layout& l, const Model& m, Tables& t) {
   std::int32_t next = 0;
+  const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
+    for (int k = 0; k < l.n_link; ++k)
+      if (side[at(k)] == block) t.block_entry[next++] = l.n_joint + k;
+  };
   for (int i = 0; i < l.n_block; ++i) {
     t.block_begin[i] = t.block_middle[i] = next;
     if (i >= m.n_block) continue;
@@ -146,8 +155,15 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
     const auto last = m.block_begin[at(i) + 1];
     for (; e < last && (m.block_entry[at(e)] & 1) == 0; ++e)
       t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+    add_links(m.links.a, i);
     t.block_middle[i] = next;
     for (; e < last; ++e) t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
+    add_links(m.links.b, i);
+  }
+  for (int k = 0; k < l.n_link; ++k) {
+    const BlockId a = m.links.a[at(k)];
+    t.link_a[k] = a == kGroundBlock ? l.n_block : a;
+    t.link_b[k] = m.links.b[at(k)];
   }
   t.block_begin[l.n_block] = next;
 }
@@ -155,6 +171,7 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
 }  // namespace
 
 Layout::Layout(const Model& m, dynamics::Layout::Kind of) : kind(of) {
+  n_link = m.links.n;
   cut_joints(m, *this);
   cut_blocks(m, *this);
 }

@@ -35,6 +35,10 @@ enum StillRow {
   kLacking = 13,      // of blocks driven in a pattern
   kStillRows
 };
+// Last of the four of a support: 1 while a stage drives it.
+inline constexpr int kDriven = 3;
+// Rows of a link: those of the plane, and the third components.
+enum LinkRow { kLinkArmAZ = kLinkRows, kLinkArmBZ, kLinkSpanZ, kSpaceLinkRows };
 inline constexpr int kAxisRows = 9;  // three principal axes at the start
 
 struct Tables {
@@ -46,14 +50,17 @@ struct Tables {
   double *face = nullptr, *point = nullptr, *axes = nullptr;
   std::int32_t *joint_a = nullptr, *joint_b = nullptr;  // poses; on a support a is its number
   std::int32_t *block_begin = nullptr, *block_middle = nullptr, *block_entry = nullptr;
+  std::int32_t *link_a = nullptr, *link_b = nullptr;  // poses of the two ends
   std::int32_t* special =
       nullptr;  // of a spot: a stage of some wall loads or drives one of its blocks
 
   // each wall its own
   double *law = nullptr, *body = nullptr, *still = nullptr, *history = nullptr, *wall = nullptr;
   double *shift = nullptr, *turn = nullptr;  // rows of four: u and w of the turn; its x, y, z
-  double* support = nullptr;                 // rows of four: how far it was driven
-  double *force = nullptr, *moment_a = nullptr, *moment_b = nullptr;  // rows of four, of joints
+  double* support = nullptr;                 // rows of four: how far it was driven, and kDriven
+  double* link = nullptr;                    // (links, kSpaceLinkRows)
+  double *force = nullptr, *moment_a = nullptr,
+         *moment_b = nullptr;  // rows of four: of joints, then of links
   std::uint8_t* way = nullptr;
 };
 // Numbers of a wall that every step brings along.
@@ -66,6 +73,7 @@ struct Layout {
   std::vector<Chunk> joints, blocks;      // Chunk::rule: the first of its points in `point`
   std::vector<std::int32_t> joint_place;  // of joint j
   std::int32_t n_joint = 0, n_block = 0;  // with those that fill up groups
+  std::int32_t n_link = 0;
   std::int32_t history = 0, points = 0, laws = 0;
 
   [[nodiscard]] bool grouped() const { return kind == dynamics::Layout::kNeighbours; }

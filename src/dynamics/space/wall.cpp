@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/link.h"
 #include "contact/parameters.h"
 
 namespace wythe::dynamics::space {
@@ -29,6 +30,11 @@ void each_number(const WallView& w, const Model& m, S& s, const Act& act) {
     act(s.support_x[k], w.of_four(w.t.support, i, 0));
     act(s.support_y[k], w.of_four(w.t.support, i, 1));
     act(s.support_z[k], w.of_four(w.t.support, i, 2));
+  }
+  for (int k = 0; k < w.links; ++k) {
+    act(s.link_force[at(k)], w.link(k, kLinkForce));
+    act(s.link_plastic[at(k)], w.link(k, kLinkPlastic));
+    act(s.link_drawn[at(k)], w.link(k, kLinkDrawn));
   }
   for (const Chunk& chunk : l.joints) {
     const auto history = [&](auto& array, int r) {
@@ -61,6 +67,25 @@ void put_laws(const WallView& w, const Model& m) {
       }
     }
   }
+}
+
+void put_links(const WallView& w, const Links& links) {
+  const std::pair<int, const std::vector<double>*> rows[] = {{kLinkStiffness, &links.stiffness},
+                                                             {kLinkTension, &links.tension},
+                                                             {kLinkCompression, &links.compression},
+                                                             {kLinkPrestress, &links.prestress},
+                                                             {kLinkArmAX, &links.arm_a_x},
+                                                             {kLinkArmAY, &links.arm_a_y},
+                                                             {kLinkArmAZ, &links.arm_a_z},
+                                                             {kLinkArmBX, &links.arm_b_x},
+                                                             {kLinkArmBY, &links.arm_b_y},
+                                                             {kLinkArmBZ, &links.arm_b_z},
+                                                             {kLinkSpanX, &links.span_x},
+                                                             {kLinkSpanY, &links.span_y},
+                                                             {kLinkSpanZ, &links.span_z},
+                                                             {kLinkFollows, &links.follows}};
+  for (int k = 0; k < w.links; ++k)
+    for (const auto& [row, of] : rows) w.link(k, row) = (*of)[at(k)];
 }
 
 double length(const Vec& v) { return square_root(dot(v, v)); }
@@ -97,13 +122,11 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
   const double dt = w.of_wall(kStep);
   double reaction = 0;
-  std::vector<bool> driven(at(std::max(1, w.supports)), false);
-  for (const BlockId id : push.driven) driven[at(id - w.blocks)] = true;
   for (const Chunk& chunk : w.layout->joints) {
     if (!chunk.on_ground) continue;
     for (int n = 0; n < chunk.n; ++n) {
       const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(chunk.begin) * w.layout->group() + n;
-      if (!driven[at(w.t.joint_a[j])]) continue;
+      if (!w.is_driven_support(w.t.joint_a[j])) continue;
       const Vec f{w.of_four(w.t.force, j, 0), w.of_four(w.t.force, j, 1),
                   w.of_four(w.t.force, j, 2)};
       reaction -= dot(f, p);
@@ -158,11 +181,15 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
   view.lane = lane;
   view.blocks = model.n_block;
   view.supports = model.space.n_support;
+  view.links = layout.n_link;
   return view;
 }
 
 void put_wall(const WallView& w, const Model& m, const State& s) {
+  // a history from outside: no face may be taken at its word to be whole (passes/joints.h)
+  std::fill_n(w.t.way, static_cast<std::ptrdiff_t>(w.layout->n_joint) * w.t.lanes, std::uint8_t{0});
   put_laws(w, m);
+  put_links(w, m.links);
   each_number(w, m, s, [](double of, double& to) { to = of; });
   for (int i = 0; i < m.n_block; ++i) {
     const Vec3& inertia = m.space.inertia[at(i)];
@@ -198,8 +225,12 @@ void choose_driven(const WallView& w, const std::vector<BlockId>& blocks) {
     w.body(i, kFree) = 1;
     w.still(i, kLacking) = 0;
   }
+  for (int i = 0; i < w.supports; ++i) w.of_four(w.t.support, i, kDriven) = 0;
   for (const BlockId block : blocks)
-    if (block < w.blocks) w.body(block, kFree) = 0;
+    if (block < w.blocks)
+      w.body(block, kFree) = 0;
+    else
+      w.of_four(w.t.support, block - w.blocks, kDriven) = 1;
 }
 
 void clear_load(const PointLoad& load, const WallView& w) {
@@ -212,6 +243,41 @@ void add_load(const PointLoad& load, double scale, const WallView& w) {
   const Vec arm = turned(w.turn(load.block), Vec{load.arm_x, load.arm_y, load.arm_z});
   w.put_body(w.body_vector(load.block, kLoad) + f, load.block, kLoad);
   w.put_body(w.body_vector(load.block, kLoadMoment) + cross(arm, f), load.block, kLoadMoment);
+}
+
+// As pull_links() in the plane (passes/links.h); the forces lie behind those of the joints.
+LinkWork pull_links(const WallView& w, double set) {
+  LinkWork work;
+  for (int k = 0; k < w.links; ++k) {
+    const auto of = [&](int row) { return w.link(k, row); };
+    const std::int32_t ia = w.t.link_a[k], ib = w.t.link_b[k];
+    const contact::SpaceLinkEnd a = contact::link_end(
+        w.shift(ia), w.turn(ia), Vec{of(kLinkArmAX), of(kLinkArmAY), of(kLinkArmAZ)});
+    const contact::SpaceLinkEnd b = contact::link_end(
+        w.shift(ib), w.turn(ib), Vec{of(kLinkArmBX), of(kLinkArmBY), of(kLinkArmBZ)});
+    const contact::SpaceLinkLine line = contact::link_line(
+        Vec{of(kLinkSpanX), of(kLinkSpanY), of(kLinkSpanZ)}, of(kLinkFollows) > 0, a, b);
+    const double drawn = set * of(kLinkPrestress) / of(kLinkStiffness), before = of(kLinkForce);
+    const contact::LinkPull pull =
+        contact::link_pull({of(kLinkStiffness), of(kLinkTension), of(kLinkCompression)},
+                           line.elongation, of(kLinkPlastic), drawn);
+    const double mean = 0.5 * (before + pull.force);
+    work.dissipated += mean * pull.flow;
+    work.tensioned += mean * (drawn - of(kLinkDrawn));
+    w.link(k, kLinkForce) = pull.force;
+    w.link(k, kLinkPlastic) = of(kLinkPlastic) + pull.flow;
+    w.link(k, kLinkDrawn) = drawn;
+    const Vec f = pull.force * line.axis;
+    const Vec on_a = cross(a.arm, f), on_b = Vec{0, 0, 0} - cross(b.arm, f);
+    const std::ptrdiff_t row = w.layout->n_joint + k;
+    for (const auto& [rows, v] :
+         {std::pair(w.t.force, f), {w.t.moment_a, on_a}, {w.t.moment_b, on_b}}) {
+      w.of_four(rows, row, 0) = v.x;
+      w.of_four(rows, row, 1) = v.y;
+      w.of_four(rows, row, 2) = v.z;
+    }
+  }
+  return work;
 }
 
 // As drive_blocks() in the plane (passes/drive.h): forces R r_i in fixed shares, of which only the mean of the
@@ -303,6 +369,10 @@ double unbalance_of(const WallView& w, const Model& m) {
     contact += sides * length({w.of_four(w.t.force, e, 0), w.of_four(w.t.force, e, 1),
                                w.of_four(w.t.force, e, 2)});
   }
+  for (int k = 0; k < w.links; ++k) {
+    const double sides = w.t.link_a[k] == w.t.n_block ? 1.0 : 2.0;
+    contact += sides * magnitude(w.link(k, kLinkForce));
+  }
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }
@@ -322,8 +392,15 @@ double shear_of(const WallView& w, const Model& m, const Vec3& along) {
   double sum = 0;  // the force on side a, the support, resists with the opposite sign
   for (int j = m.n_pair; j < m.n_joint; ++j) {
     const std::int32_t e = w.layout->joint_place[at(j)];
+    if (w.is_driven_support(w.t.joint_a[e])) continue;
     sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
            w.of_four(w.t.force, e, 2) * along.z;
+  }
+  for (int k = 0; k < w.links; ++k) {
+    const std::ptrdiff_t e = w.layout->n_joint + k;
+    if (w.t.link_a[k] == w.t.n_block)
+      sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
+             w.of_four(w.t.force, e, 2) * along.z;
   }
   return sum;
 }

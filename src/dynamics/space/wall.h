@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/passes/drive.h"
+#include "dynamics/passes/links.h"
 #include "dynamics/passes/sums.h"
 #include "dynamics/space/blocks.h"
 
@@ -15,7 +16,7 @@ struct WallView {
   Tables t;
   const Layout* layout = nullptr;
   std::ptrdiff_t lane = 0;
-  int blocks = 0, supports = 0;
+  int blocks = 0, supports = 0, links = 0;
 
   [[nodiscard]] double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
     return table[layout->number(e, rows, row, t.lanes) + lane];
@@ -25,6 +26,9 @@ struct WallView {
   }
   [[nodiscard]] double& still(std::ptrdiff_t i, int row) const {
     return number(t.still, kStillRows, i, row);
+  }
+  [[nodiscard]] double& link(std::ptrdiff_t k, int row) const {
+    return t.link[(k * kSpaceLinkRows + row) * t.lanes + lane];
   }
   [[nodiscard]] Vec body_vector(std::ptrdiff_t i, int row) const {
     return {body(i, row), body(i, row + 1), body(i, row + 2)};
@@ -41,6 +45,9 @@ struct WallView {
   // Column c of a row of four.
   [[nodiscard]] double& of_four(double* rows, std::ptrdiff_t e, int c) const {
     return rows[(4 * e + c) * t.lanes + lane];
+  }
+  [[nodiscard]] bool is_driven_support(std::int32_t support) const {
+    return of_four(t.support, support, kDriven) > 0;
   }
   [[nodiscard]] Vec shift(std::ptrdiff_t i) const {
     return {of_four(t.shift, i, 0), of_four(t.shift, i, 1), of_four(t.shift, i, 2)};
@@ -71,6 +78,9 @@ void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);
 void clear_load(const PointLoad& load, const WallView& wall);
 void add_load(const PointLoad& load, double scale, const WallView& wall);
 
+// Forces of all links where the blocks are now; `set`: share of their prestress in force.
+[[nodiscard]] LinkWork pull_links(const WallView& wall, double set);
+
 // Moves the driven blocks, or supports, and returns the reaction [N].
 [[nodiscard]] double drive(const Stage& push, const WallView& wall, double velocity,
                            WallWork& work);
@@ -78,6 +88,7 @@ void add_load(const PointLoad& load, double scale, const WallView& wall);
 // The meters (sums.h); forces as vectors, so that they know no axes.
 [[nodiscard]] double unbalance_of(const WallView& wall, const Model& model);
 [[nodiscard]] double kinetic_of(const WallView& wall, double mass_scaling);
+// Of the supports that no stage drives: what a drive of the others is held against.
 [[nodiscard]] double shear_of(const WallView& wall, const Model& model, const Vec3& along);
 [[nodiscard]] BlockId runaway_of(const WallView& wall);
 [[nodiscard]] Furthest furthest_of(const WallView& wall);

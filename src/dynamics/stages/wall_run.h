@@ -31,6 +31,7 @@ class WallRun {
   Result finish();
 
  private:
+  [[nodiscard]] bool drives_supports() const;
   void start_stages();
   void close_stage();
   void heed_caller();
