@@ -153,23 +153,23 @@ TEST(SpaceStatics, a_lintel_bends_about_both_axes_stretches_and_twists_as_a_beam
   for (const Frame& frame : frames()) {
     const auto load = [&](Vec3 f, Vec3 m) { return load_chain(frame, f, m, chain_of_segments()); };
     const double shear = n * l / (5.0 / 6 * kShear * area);
-    verify({"SP23", "lintel in space: force along x, deflection", "m",
+    verify({"SP27", "lintel in space: force along x, deflection", "m",
             force * (shear + square * l / about_z), 1e-4, why},
            load({force, 0, 0}, {}).moved.x);
-    verify({"SP23", "lintel in space: force along z, deflection", "m",
+    verify({"SP27", "lintel in space: force along z, deflection", "m",
             force * (shear + square * l / about_x), 1e-4, why},
            load({0, 0, force}, {}).moved.z);
     const Tip y = load({0, force, 0}, {0, moment, 0});
-    verify({"SP23", "lintel in space: stretch", "m", force * n * l / (kE * area), 1e-4, why},
+    verify({"SP27", "lintel in space: stretch", "m", force * n * l / (kE * area), 1e-4, why},
            y.moved.y);
-    verify({"SP23", "lintel in space: twist", "rad", moment * n * l / (kShear * torsion), 3e-3,
+    verify({"SP27", "lintel in space: twist", "rad", moment * n * l / (kShear * torsion), 3e-3,
             "torsion constant by a polynomial, within 0.2 %"},
            y.turned.y);
     const Tip m = load({}, {moment, 0, moment});
-    verify({"SP23", "lintel in space: moment about x, turn", "rad", moment * n * l / about_x, 1e-4,
+    verify({"SP27", "lintel in space: moment about x, turn", "rad", moment * n * l / about_x, 1e-4,
             why},
            m.turned.x);
-    verify({"SP23", "lintel in space: moment about z, turn", "rad", moment * n * l / about_z, 1e-4,
+    verify({"SP27", "lintel in space: moment about z, turn", "rad", moment * n * l / about_z, 1e-4,
             why},
            m.turned.z);
   }

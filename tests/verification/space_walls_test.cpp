@@ -284,6 +284,14 @@ TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
       nearest = std::min(nearest, std::hypot(p.x - x, -p.z - y));
     EXPECT_LT(nearest, 1e-5) << "corner (" << x << ", " << y << ")";
   }
+  double published = 0;
+  for (int k = 0; k < 8; ++k) {
+    const auto &p = octagon[k], &q = octagon[(k + 7) % 8];
+    published += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+  }
+  verify({"SP24", "face of two cubes, turned by 1 rad and 37.5 mm off", "m^2", published, 5e-5,
+          "corners published to five digits"},
+         turned.faces[0].area);
   // a cube on two feet has two faces
   FaultList faults;
   const geometry::SpaceAssembly feet =
