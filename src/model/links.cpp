@@ -170,9 +170,9 @@ class SpaceSite {
                   fmt::format("must be as many as x, {}", d.x.size()),
                   "write the third coordinate of each point", 0});
     std::vector<PlaceSpec> points(std::min(d.x.size(), d.z.size()));
-    for (std::size_t k = 0; k < points.size(); ++k) {  // y is the height, whatever the file's axes
-      const Vec3 at = places_.in_file({d.x[k], d.y, d.z[k]});
-      points[k].x = at.x, points[k].y = at.y, points[k].z = at.z;
+    for (std::size_t k = 0; k < points.size(); ++k) {  // y is the height, z the other level axis
+      const bool up = places_.z_up();
+      points[k].x = d.x[k], points[k].y = up ? d.z[k] : d.y, points[k].z = up ? d.y : d.z[k];
     }
     return points;
   }

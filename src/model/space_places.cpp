@@ -41,8 +41,8 @@ SpacePlaces::SpacePlaces(const ModelSpec& spec, const SpaceAssembly& assembly)
   for (const BodySpec& body : assembly.body) box_.push_back(geometry::box_of(body));
 }
 
-Vec3 SpacePlaces::in_wall(Vec3 v) const { return spec_.wall.up == "z" ? Vec3{v.x, v.z, -v.y} : v; }
-Vec3 SpacePlaces::in_file(Vec3 v) const { return spec_.wall.up == "z" ? Vec3{v.x, -v.z, v.y} : v; }
+Vec3 SpacePlaces::in_wall(Vec3 v) const { return z_up() ? Vec3{v.x, v.z, -v.y} : v; }
+Vec3 SpacePlaces::in_file(Vec3 v) const { return z_up() ? Vec3{v.x, -v.z, v.y} : v; }
 
 std::vector<std::size_t> SpacePlaces::find(const PlaceSpec& place) const {
   const bool is_box = has(place.width) || has(place.height) || has(place.depth);

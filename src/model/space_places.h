@@ -18,6 +18,7 @@ class SpacePlaces {
  public:
   SpacePlaces(const ModelSpec& spec, const geometry::SpaceAssembly& assembly);
 
+  [[nodiscard]] bool z_up() const { return spec_.wall.up == "z"; }
   [[nodiscard]] Vec3 in_wall(Vec3 in_file) const;
   [[nodiscard]] Vec3 in_file(Vec3 in_wall) const;
   [[nodiscard]] const geometry::Box3& box(std::size_t body) const { return box_[body]; }

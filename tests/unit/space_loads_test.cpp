@@ -425,6 +425,44 @@ TEST(SpaceLinks, a_rigid_diaphragm_takes_the_other_wall_along) {
   EXPECT_NE(faults_of(spec).find("diaphragm.0.z"), std::string::npos) << faults_of(spec);
 }
 
+// Places of a model file are in the axes of its blocks file: the same wall with z up, whose bodies reading has turned.
+TEST(SpaceLinks, places_mean_the_same_with_z_up) {
+  ModelSpec y_up = two_courses();
+  DiaphragmSpec bar;
+  bar.y = 0.5, bar.x = {0.2, 1.0}, bar.z = {0.1, 0.2};
+  bar.stiffness = 1e6;
+  y_up.diaphragm = {bar};
+  y_up.tie = {tie_between(at(0.6, 0.45, 0.3), at(0.6, 0.45, 2), true)};
+  SpringSpec spring;
+  spring.at = at(0.2, 0.5, 0.3);
+  spring.stiffness = 1e6;
+  spring.direction = Direction::kPlusZ;
+  y_up.spring = {spring};
+  y_up.stage.push_back(load_stage("line"));
+  y_up.stage.back().line_load = 1e3;
+  y_up.stage.back().from = at(0, 0.6, 0.1);
+  y_up.stage.back().to = at(1.2, 0.6, 0.2);
+  ModelSpec z_up = y_up;
+  z_up.wall.up = "z";
+  const auto turned = [](PlaceSpec& p) { p = at(p.x, -p.z, p.y); };
+  z_up.diaphragm[0].z = {-0.1, -0.2};
+  turned(z_up.tie[0].from), turned(z_up.tie[0].to), turned(z_up.spring[0].at);
+  z_up.spring[0].direction = Direction::kMinusY;
+  turned(z_up.stage[1].from), turned(z_up.stage[1].to);
+  const Model a = compile(y_up), b = compile(z_up);
+  ASSERT_EQ(a.links.n, 3);
+  for (const auto array :
+       {&Links::arm_a_x, &Links::arm_a_y, &Links::arm_a_z, &Links::arm_b_x, &Links::arm_b_y,
+        &Links::arm_b_z, &Links::span_x, &Links::span_y, &Links::span_z})
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR((a.links.*array)[k], (b.links.*array)[k], 1e-12);
+  ASSERT_EQ(a.stages[1].loads.size(), b.stages[1].loads.size());
+  for (std::size_t k = 0; k < a.stages[1].loads.size(); ++k) {
+    EXPECT_NEAR(a.stages[1].loads[k].arm_z, b.stages[1].loads[k].arm_z, 1e-12);
+    EXPECT_NEAR(a.stages[1].loads[k].fy, b.stages[1].loads[k].fy, 1e-9);
+  }
+}
+
 TEST(SpaceLinks, ends_that_hold_nothing_are_refused_by_name) {
   ModelSpec spec = two_courses();
   spec.tie = {tie_between(block("ground"), block("c1u1"), false)};
