@@ -127,6 +127,9 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
              r.reason.empty() ? "" : ": " + readable(text_of(r.reason)));
+  if (const Message shaken = shaken_sentence(r); !shaken.empty())
+    fmt::print("{}\nenergy: {:.2f} % of it does not balance\n", text_of(shaken),
+               1e2 * r.energy.gap_ratio);
   if (!r.curve.empty()) {
     if (is_load_controlled(r))
       print_load(r);

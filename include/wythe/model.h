@@ -20,6 +20,7 @@
 
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
+#include "wythe/ground_motion.h"
 #include "wythe/message.h"
 #include "wythe/vector.h"
 #include "wythe/wall_spec.h"
@@ -87,6 +88,20 @@ struct PointLoad {
   double arm_z = 0, fz = 0;     // in space
 };
 
+// A point of a block whose motion is told over time.
+struct WatchedPoint {
+  std::string name;
+  BlockId block = 0;
+  Vec3 arm;           // from the centroid, in the block's own axes [m]
+  double height = 0;  // above the lowest point of the wall [m]
+};
+
+// Dashpots at closed points, one row per joint, and what they mean for the step (docs/theory/dynamics.md).
+struct Dashpots {
+  std::vector<double> normal, shear;  // stress per rate [Pa s/m]; empty: none
+  double rate = 0;                    // bound on the highest eigenvalue of M^-1 C [1/s]
+};
+
 // One stage, ready to run: blocks, newtons, metres and seconds in place of words.
 struct Stage {
   StageSpec spec;  // with all defaults written in
@@ -102,6 +117,12 @@ struct Stage {
   // From the centroid of the one driven block, the head, to the line of the push, in the head's own axes [m];
   // unset: through the centroids (docs/theory/integration.md, "The point of contraflexure").
   double drive_arm = kUnset;
+  // A shake: the motion of the base by its components; along the drive, how the driven blocks or supports
+  // move against it; inertia that weights do not tell of (floors, plates).
+  std::vector<GroundMotion> base;
+  GroundMotion driven_motion;
+  std::vector<PointLoad> carried;  // block, and in fx the mass [kg]
+  Dashpots dashpots;
 
   [[nodiscard]] Vec3 drive() const { return {drive_x, drive_y, drive_z}; }
 };
@@ -284,6 +305,7 @@ struct Model {
   std::vector<std::string> material_names;
   std::vector<std::int32_t> stated_material;  // of each, see stated(); empty without fields
   std::vector<Stage> stages;
+  std::vector<WatchedPoint> watched;  // the first is the control point of a shake
   SolveSpec solve;
   OutputSpec output;
   Anatomy anatomy;

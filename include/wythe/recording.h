@@ -51,6 +51,12 @@ struct RecordingNumbers {
   // The open window of Result::rise.
   double rise_from = 0, rise_weight = 0, rise_sum = 0;
   double rise_shear_weight = 0, rise_shear_sum = 0;
+
+  // Of a shake: when its first step began [s], -1 before it; the open row.
+  double shake_start = -1;
+  double base_x = 0, base_y = 0, base_z = 0;  // sums of the ground's force on the wall [N]
+  std::int64_t base_samples = 0;
+  std::int64_t shake_rows = 0, shake_frames = 0;
 };
 
 // One side of the start, along the push or against it; forces and distances as of a push there.

@@ -12,6 +12,7 @@
 #include "wythe/message.h"
 #include "wythe/model.h"
 #include "wythe/pushed_wall.h"
+#include "wythe/shaking.h"
 
 namespace wythe {
 
@@ -292,7 +293,9 @@ struct Result {
       joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)
   FailureMode failure_mode;
   std::vector<Feature> features;
-  PushedWall pushed;  // where an assessment is asked for; set by read_pushed_wall()
+  ShakeHistory history;   // rows of all shakes
+  ShakeReadings shaking;  // what they say
+  PushedWall pushed;      // where an assessment is asked for; set by read_pushed_wall()
   std::vector<Snapshot> snapshots;
   // States for the failure mode, independent of output.states: the first step at each millimetre and
   // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").

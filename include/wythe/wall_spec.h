@@ -278,10 +278,11 @@ struct ContactRule {
   std::string material;              // joint material
 };
 
-enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold };
+enum class StageKind { kGravity, kLoad, kPush, kBodyForce, kTilt, kHold, kShake };
 inline constexpr Word<StageKind> kStageKindWords[] = {
     {"gravity", StageKind::kGravity},      {"load", StageKind::kLoad}, {"push", StageKind::kPush},
-    {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold}};
+    {"body_force", StageKind::kBodyForce}, {"tilt", StageKind::kTilt}, {"hold", StageKind::kHold},
+    {"shake", StageKind::kShake}};
 static_assert(names_all(kStageKindWords));
 // How a stage acts on the wall. Load: kPressure or kPlate. Push: kSpreader or kEach.
 enum class Manner { kDefault, kPressure, kPlate, kSpreader, kEach };
@@ -300,6 +301,58 @@ inline constexpr Word<Pattern> kPatternWords[] = {{"given", Pattern::kGiven},
                                                   {"mass", Pattern::kMass},
                                                   {"area", Pattern::kArea}};
 static_assert(names_all(kPatternWords, 1));  // kNone is not written
+
+// Unit of the numbers of a record.
+enum class RecordUnit { kNone, kGravity, kMetres, kCentimetres };
+inline constexpr Word<RecordUnit> kRecordUnitWords[] = {{"g", RecordUnit::kGravity},
+                                                        {"m/s2", RecordUnit::kMetres},
+                                                        {"cm/s2", RecordUnit::kCentimetres}};
+static_assert(names_all(kRecordUnitWords, 1));  // kNone is not written
+enum class PulseShape { kNone, kHalfCycle, kCycle, kRicker };
+inline constexpr Word<PulseShape> kPulseShapeWords[] = {{"half_cycle", PulseShape::kHalfCycle},
+                                                        {"cycle", PulseShape::kCycle},
+                                                        {"ricker", PulseShape::kRicker}};
+static_assert(names_all(kPulseShapeWords, 1));  // kNone is not written
+
+// One component of an earthquake: an acceleration over time from a file, from lists or of a pulse
+// (docs/theory/dynamics.md).
+struct RecordSpec {
+  std::string file;    // CSV or AT2, relative to the model file
+  std::string column;  // of a CSV: its head or number; "": the second, or the only
+  RecordUnit unit = RecordUnit::kNone;
+  double step = kUnset;               // of numbers without times [s]
+  std::vector<double> times;          // [s]
+  std::vector<double> accelerations;  // in `unit`
+  PulseShape pulse = PulseShape::kNone;
+  double amplitude = kUnset;  // of a pulse [m/s^2]
+  double period = kUnset;     // of a pulse [s]
+  Direction direction = Direction::kPlusX;
+  PlaceSpec at;      // supports or blocks that move so; unset: the base
+  std::string hash;  // of the numbers of a file, as a run writes it; "": not compared
+  std::vector<double> read_times, read_accelerations;  // of the file [s], [m/s^2]; not keys
+};
+
+// All components of a shake by one factor: as given, or so that the first one gets a stated peak or spectral
+// acceleration.
+struct ScaleSpec {
+  double factor = kUnset;
+  double pga = kUnset;      // [m/s^2]
+  double sa = kUnset;       // pseudo-acceleration at `period` [m/s^2]
+  double period = kUnset;   // [s]
+  double damping = kUnset;  // of critical; unset: 0.05
+};
+
+// A fraction of critical damping at one frequency.
+struct ViscousSpec {
+  double fraction = kUnset;
+  double frequency = kUnset;  // [Hz]
+};
+
+// A point whose motion is told over time.
+struct HistorySpec {
+  std::string name;
+  PlaceSpec at;
+};
 
 struct StageSpec {
   std::string name;
@@ -346,6 +399,14 @@ struct StageSpec {
   double duration = kUnset;  // [s]
   // load
   bool floors = false;  // sets every [[floor]] on the wall; without such a stage gravity does
+  // shake
+  std::vector<RecordSpec> record;
+  ScaleSpec scale;
+  double free_vibration = 0;    // after the record [s]
+  double interval = kUnset;     // between rows of the history [s]
+  ViscousSpec mass_damping;     // on the motion against the base
+  ViscousSpec joint_damping;    // of closed points, in proportion to their stiffness
+  double restitution = kUnset;  // of a block that falls flat on another; unset: elastic
 };
 
 // Where the contact points of a face stand and what area each takes (model/point_rule.h).
@@ -445,6 +506,7 @@ struct ModelSpec {
   std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;
+  std::vector<HistorySpec> history;
   SolveSpec solve;
   AssessmentSpec assessment;
   OutputSpec output;

@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 3;
+constexpr std::uint32_t kFormat = 4;
 
 struct Head {
   char magic[16];
@@ -160,7 +160,7 @@ void walk_result(A& archive, const Model& model, R& result) {
   const auto plain = [&](auto& item) { archive(item); };
   auto curve_of = static_cast<std::int64_t>(result.curve_of);
   archive(curve_of);
-  archive.require(curve_of >= 0 && curve_of <= static_cast<std::int64_t>(StageKind::kHold),
+  archive.require(curve_of >= 0 && curve_of <= static_cast<std::int64_t>(StageKind::kShake),
                   "its curve is of no stage");
   if constexpr (A::kReads) result.curve_of = static_cast<StageKind>(curve_of);
   archive.list(result.curve, plain);
@@ -193,6 +193,11 @@ void walk_result(A& archive, const Model& model, R& result) {
     archive(unbalance_ratio);
     archive(settled);
   });
+  auto& [points, rows, motion] = result.history;
+  archive.list(points, plain);
+  archive.list(rows, plain);
+  archive.list(motion, plain);
+  archive.require(motion.size() == rows.size() * points.size(), "it has rows of other points");
   archive(result.load_factor);
   archive(result.wall_seconds);
   walk_states(archive, model, result.snapshots);

@@ -12,6 +12,8 @@ namespace wythe::io {
 [[nodiscard]] std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of = {});
 
 // Force and elongation of each link at the end of each row of the curve.
+// Rows of the shakes; the third direction of walls in space alone.
+[[nodiscard]] std::string history_csv(const ShakeHistory& history, bool in_space);
 [[nodiscard]] std::string links_csv(const std::vector<std::string>& names, const Result& result);
 
 }  // namespace wythe::io

@@ -16,6 +16,7 @@
 #include "io/describe_building.h"
 #include "io/describe_floors.h"
 #include "io/describe_plan.h"
+#include "io/describe_shaking.h"
 #include "io/describe_space.h"
 #include "io/key.h"
 #include "wythe/wall_spec.h"
@@ -27,6 +28,7 @@ inline constexpr Kinds kPushStage = kind_bit(StageKind::kPush);
 inline constexpr Kinds kBodyForceStage = kind_bit(StageKind::kBodyForce);
 inline constexpr Kinds kTiltStage = kind_bit(StageKind::kTilt);
 inline constexpr Kinds kHoldStage = kind_bit(StageKind::kHold);
+inline constexpr Kinds kShakeStage = kind_bit(StageKind::kShake);
 inline constexpr Kinds kDirectedStage = kPushStage | kBodyForceStage | kTiltStage;
 inline constexpr Kinds kRampedStage = kind_bit(StageKind::kGravity) | kLoadStage | kDirectedStage;
 
@@ -397,10 +399,10 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",
            .doc = "End early when the reaction stays below this share of its peak; 0: never."});
-  v.choice("rotation", s.rotation, kFreedomWords, {.kinds = kPushStage, .example = "blocked",
-           .doc = "Whether the pushed blocks may turn."});
-  v.choice("across", s.across, kFreedomWords, {.kinds = kPushStage, .example = "blocked",
-           .doc = "Whether the pushed blocks may move across the push."});
+  v.choice("rotation", s.rotation, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
+           .doc = "Whether the pushed blocks, or those with a record of their own, may turn."});
+  v.choice("across", s.across, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
+           .doc = "Whether they may move across the push, or across their record."});
 }
 
 template <class Visitor>
@@ -431,12 +433,13 @@ void describe(Visitor& v, StageSpec& s) {
   v.quantity("ramp", s.ramp, {.unit = "s", .shown = "s", .range = kNotNegative,
              .kinds = kRampedStage, .fallback = "push: 8 first periods of the wall; 0.1 s otherwise",
              .example = "0.1 s", .doc = "Duration of the smooth start."});
-  v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping",
+  v.number("damping", s.damping, {.range = kBelowOne, .fallback = "solve.damping; 0 in a shake",
            .example = "0.8", .doc = "Local damping in this stage."});
   describe_load(v, s);
   describe_push(v, s);
   describe_other_drives(v, s);
   describe_space(v, s, kDirectedStage, kLoadStage);
+  describe_shaking(v, s, kShakeStage);
 }
 
 // --- settings ------------------------------------------------------------------------------------
@@ -534,6 +537,9 @@ void describe(Visitor& v, ModelSpec& s) {
         "(docs/theory/fields.md)."});
   v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});
   v.list("stage", s.stage, {.doc = "What is done to the wall, stage after stage. At least one."});
+  v.list("history", s.history, {.optional = true,
+         .doc = "Points whose motion a shake tells, in `history.csv` and the summary; the first is its control "
+                "point. Without any, the highest block."});
   v.table("solve", s.solve, {.doc = "Numerical settings; the defaults suit a push-over."});
   v.table("assessment", s.assessment, {.optional = true,
           .doc = "What a code asks of the wall, and what it has (docs/theory/assessment.md)."});

@@ -10,6 +10,7 @@
 #include "geometry/builder.h"
 #include "io/blocks_json.h"
 #include "io/model_key.h"
+#include "io/record_file.h"
 #include "io/toml_reader.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
@@ -52,6 +53,14 @@ void finish(TableReader& reader, ModelSpec& model) {
     if (!name.empty() && !names.insert(name).second)
       reader.refuse_member("stage", i, "name", "two stages have this name",
                            "give each stage a name of its own");
+  }
+  names.clear();
+  for (std::size_t i = 0; i < model.history.size(); ++i) {
+    const std::string& name = model.history[i].name;
+    if (name.empty() || !names.insert(name).second)
+      reader.refuse_member("history", i, "name",
+                           name.empty() ? "is missing" : "two points have this name",
+                           "give each point a name of its own");
   }
 }
 
@@ -217,6 +226,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::read_table(context, root, "", spec);
   const BuilderSpec built = io::read_builder(file_name, root, spec);
   if (!spec.wall.blocks.empty() && built.empty()) io::read_blocks(context, root, spec, blocks);
+  io::read_records(context, spec);
   io::throw_faults(context);
   try {
     if (!built.empty()) io::build(built, spec);

@@ -3,6 +3,7 @@
 //   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
 //   state_zones_NN.vtu (with deformable blocks)
 //   links.csv (with ties, diaphragms or springs)
+//   history.csv, record_N.csv (of shakes)
 //   run.pvd                  summary.json, written last
 //   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include "core/limits.h"
 #include "io/blocks_json.h"
 #include "io/curve_csv.h"
+#include "io/record_file.h"
 #include "io/vtu.h"
 #include "wythe/checkpoint.h"
 #include "wythe/element_forces.h"
@@ -32,8 +34,9 @@ std::string inside(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
-// state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu
-bool is_state(const std::string& name) {
+// state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu; record_1.csv
+bool is_numbered(const std::string& name) {
+  if (name.starts_with("record_") && name.ends_with(".csv")) return true;
   for (const char* begin : {"state_blocks_", "state_joints_", "state_zones_"})
     if (name.starts_with(begin) && name.ends_with(".vtu")) return true;
   return false;
@@ -42,10 +45,10 @@ bool is_state(const std::string& name) {
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
   for (const char* file :
-       {"force_displacement.csv", "elements.csv", "links.csv", "summary.json", "run.pvd",
-        "report.html", "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
+       {"force_displacement.csv", "elements.csv", "links.csv", "history.csv", "summary.json",
+        "run.pvd", "report.html", "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
     if (name == file) return true;
-  return is_state(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
+  return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
 
 // Hours of computing that a new run or campaign would throw away.
@@ -126,6 +129,16 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
     write_file(inside(folder, "blocks.json"), io::blocks_text(used));
     used.wall.blocks = "blocks.json";
   }
+  int records = 0;
+  for (StageSpec& stage : used.stage)
+    for (RecordSpec& record : stage.record) {
+      if (record.file.empty()) continue;
+      record.file = fmt::format("record_{}.csv", ++records);
+      write_file(inside(folder, record.file), io::record_text(record));
+      record.column.clear();
+      record.unit = RecordUnit::kMetres;
+      record.step = kUnset;
+    }
   return write_model(used);
 }
 
@@ -135,6 +148,11 @@ std::uint64_t spec_hash(const ModelSpec& spec) {
   Hash hash;
   hash.add(write_model(spec));
   hash.add(io::blocks_text(spec));
+  for (const StageSpec& stage : spec.stage)
+    for (const RecordSpec& record : stage.record) {
+      hash.add(record.read_times);
+      hash.add(record.read_accelerations);
+    }
   return hash.value();
 }
 
@@ -187,6 +205,8 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
              io::curve_csv(result.curve, columns_of(model)));
   write_file(inside(folder, "elements.csv"),
              element_forces_csv(read_element_forces(model, result)));
+  if (result.shaking.was_shaken)
+    write_file(inside(folder, "history.csv"), io::history_csv(result.history, model.in_space()));
   if (model.links.n > 0)
     write_file(inside(folder, "links.csv"), io::links_csv(model.links.name, result));
   write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));

@@ -46,7 +46,8 @@ bool tell_kind(TableReader& reader, StageSpec& stage) {
     reader.miss(
         "kind", "can't be told, the stage has no key of any one kind",
         "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load, "
-        "force, line_load or floors (load), rate (body_force), tilt_rate (tilt), duration (hold)");
+        "force, line_load or floors (load), rate (body_force), tilt_rate (tilt), duration (hold), "
+        "record (shake)");
     return false;
   }
   if (!is_one_kind(told)) {
@@ -241,11 +242,30 @@ void check_manner(TableReader& reader, const StageSpec& stage) {
     reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
 }
 
+void check_shake(TableReader& reader, const StageSpec& stage) {
+  const auto is_set = [](double number) { return number == number; };
+  const ScaleSpec& scale = stage.scale;
+  const int ways = (is_set(scale.factor) ? 1 : 0) + (is_set(scale.pga) ? 1 : 0) +
+                   (is_set(scale.sa) || is_set(scale.period) ? 1 : 0);
+  const bool half = is_set(scale.sa) != is_set(scale.period);
+  if (reader.has("scale") && (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
+    reader.refuse("scale", "must be one of factor, pga, or sa with its period (and damping)",
+                  "write e.g. scale = { sa = \"5 m/s^2\", period = \"0.3 s\" }");
+  const auto check_fraction = [&](const char* key, const ViscousSpec& viscous) {
+    if (reader.has(key) && (!is_set(viscous.fraction) || !is_set(viscous.frequency)))
+      reader.refuse(key, "needs a fraction and the frequency where it is met",
+                    fmt::format("write {} = {{ fraction = 0.02, frequency = \"4 Hz\" }}", key));
+  };
+  check_fraction("mass_damping", stage.mass_damping);
+  check_fraction("joint_damping", stage.joint_damping);
+}
+
 // What a kind asks beyond its required keys.
 void check_needs(TableReader& reader, const StageSpec& stage) {
   need_keys(reader, stage.kind);
   if (stage.kind == StageKind::kLoad) check_load(reader, stage);
   if (stage.kind == StageKind::kPush) check_push(reader, stage);
+  if (stage.kind == StageKind::kShake) check_shake(reader, stage);
 }
 
 }  // namespace

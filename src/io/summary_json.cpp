@@ -1,6 +1,7 @@
 // summary.json of a run: the numbers an engineer quotes, with their evidence and their provenance.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -275,7 +276,73 @@ Json tested_range_json(const TestedRange& range) {
   return json;
 }
 
+Json vector_json(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Json shaking_json(const Model& model, const ShakeReadings& r) {
+  Json records = Json::array(), points = Json::array();
+  for (const AppliedRecord& a : r.record)
+    records.push_back({{"record", a.source},
+                       {"hash", a.hash},
+                       {"along", vector_json(a.along)},
+                       {"of", a.of_base ? "base" : "driven, against the base"},
+                       {"factor", a.factor},
+                       {"pga_g", a.peak_acceleration / 9.80665},
+                       {"pgv_mm_per_s", 1e3 * a.peak_velocity},
+                       {"arias_m_per_s", a.arias},
+                       {"duration_s", a.duration},
+                       {"final_velocity_mm_per_s", 1e3 * a.final_velocity},
+                       {"final_displacement_mm", 1e3 * a.final_displacement}});
+  for (std::size_t k = 0; k < r.motion.size(); ++k)
+    points.push_back({{"name", r.motion[k].point},
+                      {"height_m", model.watched[k].height},
+                      {"peak_displacement_mm", 1e3 * r.motion[k].peak},
+                      {"peak_at_s", r.motion[k].at},
+                      {"residual_displacement_mm", 1e3 * r.motion[k].residual}});
+  Json damping = Json::array();
+  for (const Stage& stage : model.stages) {
+    const StageSpec& s = stage.spec;
+    if (s.kind != StageKind::kShake) continue;
+    damping.push_back({{"stage", s.name}, {"local", s.damping}});
+    Json& json = damping.back();
+    for (const auto& [name, viscous] :
+         {std::pair("mass", s.mass_damping), {"joints", s.joint_damping}})
+      if (std::isfinite(viscous.fraction))
+        json[name] = {{"fraction", viscous.fraction}, {"frequency_Hz", viscous.frequency}};
+    if (std::isfinite(s.restitution)) json["restitution"] = s.restitution;
+  }
+  return {{"collapsed", r.collapsed},
+          {"collapse_time_s", r.collapsed ? Json(r.collapse_time) : Json()},
+          {"peak_drift_percent", 1e2 * r.peak_drift},
+          {"residual_drift_percent", 1e2 * r.residual_drift},
+          {"peak_base_shear_kN", 1e-3 * r.peak_base_shear},
+          {"largest_opening_mm", 1e3 * r.largest_opening},
+          {"largest_slip_mm", 1e3 * r.largest_slip},
+          {"points", points},
+          {"records", records},
+          {"damping", damping}};
+}
+
 }  // namespace
+
+// By the largest record of the base; a second motion is told with the records.
+Message shaken_sentence(const Result& result) {
+  const ShakeReadings& r = result.shaking;
+  if (!r.was_shaken || r.motion.empty()) return {};
+  double peak = 0;
+  for (const AppliedRecord& a : r.record) peak = std::max(peak, a.peak_acceleration);
+  if (r.collapsed)
+    return {"shaken.collapsed", {{"pga_g", peak / 9.80665}, {"time_s", r.collapse_time}}};
+  const bool whole = result.status == SolveStatus::kCompleted;
+  Message said{whole ? "shaken.stands" : "shaken.cut",
+               {{"pga_g", peak / 9.80665},
+                {"point", r.motion.front().point},
+                {"peak_mm", 1e3 * r.motion.front().peak},
+                {"drift_percent", 1e2 * r.peak_drift},
+                {"residual_mm", 1e3 * r.motion.front().residual},
+                {"shear_kN", 1e-3 * r.peak_base_shear}}};
+  if (result.validity.holds()) return said;
+  return {"shaken.slid_off", {{"what", std::move(said)}, {"joints", result.validity.joints}}};
+}
 
 std::string summary_json(const Model& model, const Result& result) {
   return summary_json({}, model, result);
@@ -291,6 +358,10 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   if (is_asked(spec.assessment))
     json["assessment"] = io::assessment_json(assess_run(spec, model, result));
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
+  if (result.shaking.was_shaken) {
+    json["shaking"] = shaking_json(model, result.shaking);
+    io::put(json["shaking"], "sentence", shaken_sentence(result));
+  }
   json["curve_of"] = word_of(kStageKindWords, result.curve_of);
   json["load_factor"] = result.load_factor;
   if (result.curve_of == StageKind::kTilt)

@@ -91,6 +91,8 @@ class TableReader {
   void list(const char* name, std::vector<T>& values, const Key& key) {
     const toml::node* node = find(name, key);
     if (!node) return;
+    if (const toml::table* only = key.in_braces ? node->as_table() : nullptr)
+      return read_table(context_, *only, under(below(name), "0"), values.emplace_back());
     const toml::array* array = as_list_of_tables(*node, name);
     for (std::size_t i = 0; array && i < array->size() && !enough(context_.faults); ++i) {
       const std::string path = under(below(name), std::to_string(i));

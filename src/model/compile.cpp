@@ -11,6 +11,7 @@
 #include "model/fields.h"
 #include "model/parts.h"
 #include "model/point_rule.h"
+#include "model/shaking.h"
 #include "model/size.h"
 #include "model/space.h"
 #include "model/step_bound.h"
@@ -142,6 +143,22 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
 
 namespace {
 
+// Records whose samples lie far apart for this wall.
+void note_coarse_records(Model& model) {
+  constexpr double kFewest = 5;  // samples of a period
+  for (const Stage& stage : model.stages)
+    for (const GroundMotion& motion : stage.base) {
+      const double step = motion.duration() / static_cast<double>(motion.time.size() - 1);
+      const double period = first_period(model, motion.along.x, motion.along.y);
+      if (!(step * kFewest > period) || motion.time.size() < 3) continue;
+      model.anatomy.notes.push_back({"shake.coarse",
+                                     {{"stage", stage.spec.name},
+                                      {"record", motion.source},
+                                      {"step_ms", 1e3 * step},
+                                      {"period_ms", 1e3 * period}}});
+    }
+}
+
 Assembly build(const ModelSpec& spec) {
   FaultList faults;
   check_settings(spec, faults);
@@ -167,12 +184,16 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
                 "leave at least one rigid block: loads and pushes act on those", 0});
   faults.throw_if_any();
   compile_joints(spec, assembly, map, fields, model, faults);
+  const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
   compile_links(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, floors, model, faults);
   faults.throw_if_any();
+  carry_floors(bare, model);
   fields.describe(spec, assembly, map, model);
   bound_step(model);
+  set_dashpots(model);
+  note_coarse_records(model);
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;

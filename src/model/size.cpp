@@ -83,6 +83,20 @@ double push_path(const StageSpec& stage) {
   return path;
 }
 
+// The longest record, and what is watched after it.
+double shake_seconds(const StageSpec& stage) {
+  double longest = 0;
+  for (const RecordSpec& r : stage.record) {
+    const std::vector<double>& times = r.file.empty() ? r.times : r.read_times;
+    if (!times.empty()) longest = std::max(longest, times.back() - times.front());
+    if (times.empty() && !r.accelerations.empty())
+      longest =
+          std::max(longest, static_cast<double>(r.accelerations.size() - 1) * or_else(r.step, 0));
+    if (r.pulse != PulseShape::kNone) longest = std::max(longest, 3 * or_else(r.period, 0));
+  }
+  return longest + stage.free_vibration;
+}
+
 // Time step of the stiffest joint between two units [s]: 2 / omega with omega^2 = 2 K / m.
 double step_of(const ModelSpec& spec) {
   constexpr double kUsual = 3e-5;  // of a wall whose sizes are not stated
@@ -175,6 +189,7 @@ Pace pace_of(const StageSpec& stage) {
     case StageKind::kTilt:
       return at_rate(or_else(stage.tilt_until, 0), stage.tilt_rate, "tilt_rate");
     case StageKind::kHold: return {0, or_else(stage.duration, 0), "duration"};
+    case StageKind::kShake: return {0, shake_seconds(stage), "record"};
   }
   return {0, ramp + kSeconds, "ramp"};
 }

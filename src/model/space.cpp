@@ -1,5 +1,7 @@
 #include "model/space.h"
 
+#include "model/shaking.h"
+
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -450,11 +452,14 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_lists(model);
   measure(assembly, model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
   compile_links(spec, assembly, id, model, faults);
   compile_space_stages(spec, assembly, id, floors, model, faults);
   faults.throw_if_any();
+  carry_floors(bare, model);
   bound_space_step(model);
+  set_dashpots(model);
   set_ramps(model);
   model.topology = topology_of(model);
   return model;

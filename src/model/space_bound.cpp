@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/shaking.h"
 #include "model/space.h"
 
 namespace wythe {
@@ -21,9 +22,13 @@ Vector6 row(Vec3 direction, Vec3 arm) {
   return r;
 }
 
+// Stress per displacement, or per rate of it, normal to a joint and along it.
+struct Springs {
+  double normal, shear;
+};
+
 // Stiffness that joint j gives to a block whose centroid sees the face at `arm`.
-Matrix6 own_stiffness(const Model& m, std::size_t j, Vec3 arm) {
-  const JointMaterial& law = m.materials[at(m.joint_material[j])];
+Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec3 arm) {
   const Space& s = m.space;
   const Vec3 t1 = s.tangent[j], n = s.normal[j], t2 = cross(n, t1);
   Matrix6 sum = Matrix6::Zero();
@@ -34,9 +39,9 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, Vec3 arm) {
       const Vector6 r = row(direction, to);
       sum += area * stiffness * r * r.transpose();
     };
-    spring(n, law.normal_stiffness);
-    spring(t1, law.shear_stiffness);
-    spring(t2, law.shear_stiffness);
+    spring(n, springs.normal);
+    spring(t1, springs.shear);
+    spring(t2, springs.shear);
   }
   return sum;
 }
@@ -75,20 +80,28 @@ Matrix6 to_unit_mass(const Model& m, std::size_t i) {
   return turn;
 }
 
-double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
+// Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
+template <class SpringsAt>
+double highest_eigenvalue(const Model& m, std::size_t i, Matrix6 k, const SpringsAt& springs_at) {
   const Space& s = m.space;
-  Matrix6 k = links;
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[at(e)];
     const auto j = at(entry >> 1);
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
-    k += share * own_stiffness(m, j, (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
+    k += share * own_stiffness(m, j, springs_at(j), (entry & 1) != 0 ? s.arm_b[j] : s.arm_a[j]);
   }
   const Matrix6 turn = to_unit_mass(m, i);
   const Matrix6 scaled = turn.transpose() * k * turn;
   return Eigen::SelfAdjointEigenSolver<Matrix6>(scaled, Eigen::EigenvaluesOnly)
       .eigenvalues()
       .maxCoeff();
+}
+
+double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
+  return highest_eigenvalue(m, i, links, [&](std::size_t j) {
+    const JointMaterial& law = m.materials[at(m.joint_material[j])];
+    return Springs{law.normal_stiffness, law.shear_stiffness};
+  });
 }
 
 // Segments of lintels that would rule the step get the inertia that brings their bound down to the masonry's; weights
@@ -155,6 +168,15 @@ double bound_links(Model& m, double before) {
 }
 
 }  // namespace
+
+double dashpot_rate_in_space(const Model& m, const Dashpots& dashpots) {
+  double most = 0;
+  for (int i = 0; i < m.n_block; ++i)
+    most = std::fmax(most, highest_eigenvalue(m, at(i), Matrix6::Zero(), [&](std::size_t j) {
+                       return Springs{dashpots.normal[j], dashpots.shear[j]};
+                     }));
+  return most;
+}
 
 void bound_space_step(Model& m) {
   std::vector<double> bound;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/parts.h"
+#include "model/shaking.h"
 #include "model/space.h"
 #include "model/space_places.h"
 
@@ -19,18 +20,6 @@ constexpr double kFacing = 0.5;    // cosine to a direction from which on a face
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 bool has(double number) { return std::isfinite(number); }
-
-Vec3 vector_of(Direction direction) {
-  switch (direction) {
-    case Direction::kPlusX: return {1, 0, 0};
-    case Direction::kMinusX: return {-1, 0, 0};
-    case Direction::kPlusY: return {0, 1, 0};
-    case Direction::kMinusY: return {0, -1, 0};
-    case Direction::kPlusZ: return {0, 0, 1};
-    case Direction::kMinusZ: return {0, 0, -1};
-  }
-  return {};
-}
 
 class SpaceStages {
  public:
@@ -55,7 +44,8 @@ class SpaceStages {
       stage.spec = spec_.stage[k];
       StageSpec& s = stage.spec;
       const bool push = s.kind == StageKind::kPush;
-      if (std::isnan(s.damping)) s.damping = spec_.solve.damping;
+      if (std::isnan(s.damping))
+        s.damping = s.kind == StageKind::kShake ? 0.0 : spec_.solve.damping;
       if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;
       if (s.as == Manner::kDefault) {
         if (push) s.as = Manner::kSpreader;
@@ -64,11 +54,13 @@ class SpaceStages {
       set_direction(stage);
       if (s.kind == StageKind::kLoad) set_loads(stage);
       if (push) set_driven(stage);
+      if (s.kind == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(s);
       if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
       floors_lie_ = floors_lie_ || k == sets_floors;
       model_.stages.push_back(std::move(stage));
     }
+    compile_watched(spec_.history, places(), model_, faults_);
   }
 
  private:
@@ -90,6 +82,27 @@ class SpaceStages {
     if (tilts && std::fabs(d.y) > 1e-12)
       fault("direction", "", "a body force or tilt acts sideways",
             "write a direction without a part upwards");
+  }
+
+  // What shakes and histories name.
+  [[nodiscard]] WallPlaces places() const {
+    WallPlaces places;
+    places.axis = [this](Direction direction) { return places_.in_wall(vector_of(direction)); };
+    places.blocks = [this](const PlaceSpec& place) {
+      std::vector<BlockId> ids;
+      for (const std::size_t k : places_.find(place)) ids.push_back(id_[k]);
+      return ids;
+    };
+    places.point = [this](const PlaceSpec& p, BlockId block) {
+      const Vec3 c = places_.in_file(model_.space.centroid[at(block)]);
+      return places_.in_wall({has(p.x) && !has(p.width) ? p.x : c.x,
+                              has(p.y) && !has(p.height) ? p.y : c.y,
+                              has(p.z) && !has(p.depth) ? p.z : c.z});
+    };
+    places.lowest = 1e300;  // of what moves: the supports are the base
+    for (std::size_t k = 0; k < assembly_.body.size(); ++k)
+      if (!assembly_.body[k].fixed) places.lowest = std::fmin(places.lowest, places_.box(k).low.y);
+    return places;
   }
 
   // The load factor of a body force goes on from stage to stage; one is enough.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/parts.h"
+#include "model/shaking.h"
 
 namespace wythe {
 namespace {
@@ -41,11 +42,14 @@ class StageCompiler {
       refuse_space(stage);
       if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
       if (stage.spec.kind == StageKind::kPush) set_driven(stage);
+      if (stage.spec.kind == StageKind::kShake)
+        compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(stage);
       if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
       floors_lie_ = floors_lie_ || k == sets_floors;
       model_.stages.push_back(std::move(stage));
     }
+    compile_watched(spec_.history, places(), model_, faults_);
   }
 
  private:
@@ -65,7 +69,7 @@ class StageCompiler {
 
   void set_defaults(Stage& stage) const {
     StageSpec& s = stage.spec;
-    if (std::isnan(s.damping)) s.damping = model_.solve.damping;
+    if (std::isnan(s.damping)) s.damping = s.kind == StageKind::kShake ? 0.0 : model_.solve.damping;
     const bool push = s.kind == StageKind::kPush;
     if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;  // of a push: set_push_ramps
     if (s.as == Manner::kDefault) {
@@ -106,14 +110,32 @@ class StageCompiler {
   }
 
   static void set_direction(Stage& stage) {
-    switch (stage.spec.direction) {
-      case Direction::kPlusX: stage.drive_x = 1; break;
-      case Direction::kMinusX: stage.drive_x = -1; break;
-      case Direction::kPlusY: stage.drive_y = 1; break;
-      case Direction::kMinusY: stage.drive_y = -1; break;
-      case Direction::kPlusZ: stage.drive_z = 1; break;
-      case Direction::kMinusZ: stage.drive_z = -1; break;
-    }
+    const Vec3 d = vector_of(stage.spec.direction);
+    stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
+  }
+
+  // What shakes and histories name.
+  [[nodiscard]] WallPlaces places() {
+    WallPlaces places;
+    places.axis = vector_of;
+    places.blocks = [this](const PlaceSpec& at) {
+      std::vector<BlockId> ids;
+      for (const std::size_t b : blocks_at(at))
+        if (map_[b] >= 0) ids.push_back(map_[b]);
+      return ids;
+    };
+    places.point = [this](const PlaceSpec& at, BlockId block) {
+      const auto i = static_cast<std::size_t>(block);
+      const bool point = std::isfinite(at.x) && std::isfinite(at.y) && !std::isfinite(at.width);
+      return point ? Vec3{at.x, at.y, 0} : Vec3{model_.centroid_x[i], model_.centroid_y[i], 0};
+    };
+    places.lowest = lowest(&Vec2::y);
+    return places;
+  }
+  std::vector<std::size_t> blocks_at(const PlaceSpec& at) {
+    if (at.beam || !at.block.empty()) return named_blocks(at);
+    if (std::isfinite(at.width) && std::isfinite(at.height)) return blocks_in_box(at);
+    return blocks_at_point(at);
   }
 
   void set_loads(Stage& stage) {
@@ -230,13 +252,7 @@ class StageCompiler {
       set_control(stage);
       return;
     }
-    std::vector<std::size_t> found;
-    if (at.beam || !at.block.empty())
-      found = named_blocks(at);
-    else if (std::isfinite(at.width) && std::isfinite(at.height))
-      found = blocks_in_box(at);
-    else
-      found = blocks_at_point(at);
+    const std::vector<std::size_t> found = blocks_at(at);
     double height = 0;
     for (const std::size_t b : found) {
       if (map_[b] == kGroundBlock) continue;

@@ -7,27 +7,36 @@
 #include <numeric>
 #include <vector>
 
+#include "model/shaking.h"
+
 namespace wythe {
 namespace {
 
+// Stress per displacement, or per rate of it, normal to a joint and along it.
+struct Springs {
+  double normal, shear;
+};
+Springs springs_of(const JointMaterial& material) {
+  return {material.normal_stiffness, material.shear_stiffness};
+}
+
 // Stiffness of one point at (rx, ry) from a block's centroid, in (ux, uy, theta).
-Eigen::Matrix3d point_stiffness(const JointMaterial& material, double area, double tx, double ty,
+Eigen::Matrix3d point_stiffness(const Springs& springs, double area, double tx, double ty,
                                 double rx, double ry) {
   const Eigen::Vector3d n(-ty, tx, rx * tx + ry * ty);
   const Eigen::Vector3d t(tx, ty, rx * ty - ry * tx);
-  return area * (material.normal_stiffness * n * n.transpose() +
-                 material.shear_stiffness * t * t.transpose());
+  return area * (springs.normal * n * n.transpose() + springs.shear * t * t.transpose());
 }
 
 // Stiffness that joint j's points give to a block whose face centre is at `arm`, in (ux, uy, theta).
-Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, double arm_x, double arm_y) {
-  const JointMaterial& material = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, const Springs& springs, double arm_x,
+                              double arm_y) {
   const double tx = m.tangent_x[j], ty = m.tangent_y[j];
   Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
   for (std::size_t p = 0; p < m.point_xi.size(); ++p) {
     const double rx = arm_x + m.point_xi[p] * m.half_x[j];
     const double ry = arm_y + m.point_xi[p] * m.half_y[j];
-    k += point_stiffness(material, m.area[j] * m.point_weight[p], tx, ty, rx, ry);
+    k += point_stiffness(springs, m.area[j] * m.point_weight[p], tx, ty, rx, ry);
   }
   return k;
 }
@@ -38,7 +47,8 @@ std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
   std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block) + 1,
                                    Eigen::Matrix3d::Zero());
   for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
-    const auto& material = m.materials[static_cast<std::size_t>(s.contact_material[c])];
+    const Springs material =
+        springs_of(m.materials[static_cast<std::size_t>(s.contact_material[c])]);
     const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
     const double half = 0.5 * s.contact_area[c];
     sum[static_cast<std::size_t>(s.contact_block[c])] +=
@@ -119,16 +129,16 @@ std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
   return sum;
 }
 
-// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
-double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
-                 const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
-  Eigen::Matrix3d k = 2.0 * zones + more;
+// Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
+template <class SpringsAt>
+double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
+                          const SpringsAt& springs_at) {
   for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
     const auto entry = m.block_entry[static_cast<std::size_t>(e)];
     const auto j = static_cast<std::size_t>(entry >> 1);
     const bool is_b = (entry & 1) != 0;
     const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
-    k += share * own_stiffness(m, j, is_b ? m.arm_b_x[j] : m.arm_a_x[j],
+    k += share * own_stiffness(m, j, springs_at(j), is_b ? m.arm_b_x[j] : m.arm_a_x[j],
                                is_b ? m.arm_b_y[j] : m.arm_a_y[j]);
   }
   const double im = 1 / std::sqrt(m.mass[i]), ii = 1 / std::sqrt(m.inertia[i]);
@@ -137,6 +147,14 @@ double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled, Eigen::EigenvaluesOnly)
       .eigenvalues()
       .maxCoeff();
+}
+
+// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
+double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
+                 const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
+  return highest_eigenvalue(m, i, 2.0 * zones + more, [&](std::size_t j) {
+    return springs_of(m.materials[static_cast<std::size_t>(m.joint_material[j])]);
+  });
 }
 
 // Blocks that are not masonry and would rule the step get the inertia that brings their bound down
@@ -234,6 +252,15 @@ void bound_nodes(Model& m, double blocks) {
 }
 
 }  // namespace
+
+double dashpot_rate(const Model& m, const Dashpots& dashpots) {
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
+    most = std::max(most, highest_eigenvalue(m, i, Eigen::Matrix3d::Zero(), [&](std::size_t j) {
+                      return Springs{dashpots.normal[j], dashpots.shear[j]};
+                    }));
+  return most;
+}
 
 void bound_step(Model& m) {
   std::vector<double> bound;

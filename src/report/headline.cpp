@@ -166,6 +166,8 @@ class RunHeadline {
       return texts_.say("run.no_capacity",
                         {{"reason", why_no_capacity()}, {"raw", kilonewtons(raw_peak())}}) +
              mode();
+    const std::string shaken = said_in(member(s_, "shaking"), "sentence");
+    if (!(peak() > 0) && !shaken.empty()) return report::sentence(shaken);
     if (!(peak() > 0)) {
       const bool fell = words_in(s_, "status") == "collapsed";
       return (fell ? caution(texts_.say("run.fell")) : "") +

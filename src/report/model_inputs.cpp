@@ -369,6 +369,16 @@ Json stage_of(const Stage& stage) {
   add("load_factor_until", s.factor, "", 1);
   add("tilt_rate", s.tilt_rate, "°/s", kDegree);
   add("tilt_until", s.tilt_until, "°", kDegree);
+  for (const GroundMotion& motion : stage.base) {
+    rows.push_back({"record", motion.source, ""});
+    add("record_peak", peak_acceleration(motion) / 9.80665, "g", 1);
+    add("record_factor", motion.factor, "", 1);
+  }
+  add("mass_damping", s.mass_damping.fraction, "%", 1e2);
+  add("mass_damping_at", s.mass_damping.frequency, "Hz", 1);
+  add("joint_damping", s.joint_damping.fraction, "%", 1e2);
+  add("joint_damping_at", s.joint_damping.frequency, "Hz", 1);
+  add("restitution", s.restitution, "", 1);
   if (s.stop_below > 0) add("stop_below", s.stop_below, "", 1);
   add("duration", s.duration, "s", 1);
   add("ramp", s.ramp, "s", 1);

@@ -107,6 +107,8 @@ void add_frames(Bundle& bundle, const Model& model, const Result& result) {
     list.push_back({{"labels", f.labels},
                     {"displacement_mm", f.snapshot->displacement * 1e3},
                     {"reaction_kN", f.reaction * 1e-3}});
+    if (result.shaking.was_shaken && result.curve.empty())  // since the shaking began
+      list.back()["time_s"] = f.snapshot->state.time - result.snapshots.front().state.time;
   }
   bundle.header["frames"] = list;
   bundle.header["energy"] = energy_of(model, frames);
@@ -121,6 +123,29 @@ void add_curve(Bundle& bundle, const std::vector<CurveRow>& curve, ShownColumns 
       values.push_back(static_cast<float>(row.*column.value * column.to_unit));
     bundle.add(fmt::format("curve.{}", column.name), std::span<const float>(values));
   }
+}
+
+// The history of the first point along the first record, and the base's.
+void add_shaking(Bundle& bundle, const Model& model, const Result& result) {
+  const ShakeHistory& h = result.history;
+  if (h.row.empty() || model.watched.empty() || result.shaking.record.empty()) return;
+  const auto& along = result.shaking.record.front().along;
+  const auto on = [&](const std::array<double, 3>& v) {
+    return v[0] * along[0] + v[1] * along[1] + v[2] * along[2];
+  };
+  std::map<std::string, std::vector<float>> columns;
+  for (std::size_t k = 0; k < h.row.size(); ++k) {
+    const auto put = [&](const char* name, double value) {
+      columns[name].push_back(static_cast<float>(value));
+    };
+    put("time_s", h.row[k].time);
+    put("acceleration_g", on(h.row[k].base_acceleration) / 9.80665);
+    put("base_shear_kN", 1e-3 * on(h.row[k].base_force));
+    put("displacement_mm", 1e3 * on(h.motion[k * h.point.size()]));
+    put("opening_mm", 1e3 * h.row[k].opening);
+  }
+  for (const auto& [name, values] : columns)
+    bundle.add("shake." + name, std::span<const float>(values));
 }
 
 // Where piers, spandrels, nodes, toes stand, and what piers and spandrels carried: an array a quantity, all
@@ -198,6 +223,7 @@ std::string run_data(const ModelSpec& spec, const Model& model, const Result& re
   add_parts(bundle, model, result);
   add_fields(bundle, spec, model);
   add_curve(bundle, result.curve, columns_of(model));
+  add_shaking(bundle, model, result);
   add_frames(bundle, model, result);
   return bundle.packed();
 }

@@ -168,6 +168,21 @@ TEST(Lanes, walls_with_deformable_lintels_too) {
                                       compile(scenes::lintel_wall(LintelModel::kZones, 0.05e-3))));
 }
 
+TEST(Lanes, shaken_walls_too) {
+  for (const bool in_space : {false, true})
+    for (const int width : {2, 8}) {
+      std::vector<std::unique_ptr<Wall>> walls;
+      for (const double amplitude : {8.0, 4.0, 12.0, 6.0, 10.0}) {
+        ModelSpec spec = scenes::half_units({5, 6, 2, 2, 1}, scenes::paper_joint());
+        spec.stage = {scenes::gravity_stage(), scenes::shake_stage(amplitude, 0.02)};
+        walls.push_back(std::make_unique<Wall>(in_space ? scenes::prisms(spec) : spec, 1));
+      }
+      ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+      EXPECT_NE(walls[0]->alone, walls[1]->alone);
+      solve_together(walls, width);
+    }
+}
+
 TEST(Lanes, walls_with_ties_too) {
   for (const int width : {2, 4, 8}) {
     std::vector<std::unique_ptr<Wall>> walls;

@@ -84,8 +84,22 @@ class Bytes {
     add_all(block, arm_x, arm_y, fx, fy, arm_z, fz);
   }
   void add(const Stage& stage) {
-    const auto& [spec, loads, driven, share, control, x, y, z, load_height, arm] = stage;
-    add_all(spec, loads, driven, share, control, x, y, z, load_height, arm);
+    const auto& [spec, loads, driven, share, control, x, y, z, load_height, arm, base, motion,
+                 carried, dashpots] = stage;
+    add_all(spec, loads, driven, share, control, x, y, z, load_height, arm, base, motion, carried,
+            dashpots);
+  }
+  void add(const GroundMotion& motion) {
+    const auto& [along, time, acceleration, velocity, displacement, source, factor] = motion;
+    add_all(along, time, acceleration, velocity, displacement, source, factor);
+  }
+  void add(const Dashpots& dashpots) {
+    const auto& [normal, shear, rate] = dashpots;
+    add_all(normal, shear, rate);
+  }
+  void add(const WatchedPoint& point) {
+    const auto& [name, block, arm, height] = point;
+    add_all(name, block, arm, height);
   }
   void add(const ZoneShape& shape) {
     const auto& [x, y, gx, gy, stiffness, elasticity, share, area, thickness, omega, mass] = shape;
@@ -136,12 +150,12 @@ class Bytes {
 // The bytes of each member of a model, in their order.
 std::vector<std::string> bytes_of(const Model& model) {
   const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo] = model;
+               cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp] = model;
   const auto each = [](const auto&... members) {
     return std::vector<std::string>{Bytes::of(members)...};
   };
   return each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z, aa, bb,
-              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo);
+              cc, dd, ee, ff, gg, hh, ii, jj, kk, ll, mm, nn, oo, pp);
 }
 
 // A model's bytes, or the words of its refusal.
@@ -325,7 +339,7 @@ TEST(Compiler,
       }
     // the claim is about both: assemblies that were kept and others
     EXPECT_GT(kept, keys * kWays / 5) << name;
-    EXPECT_LT(kept, keys * kWays * 19 / 20) << name;
+    EXPECT_LT(kept, keys * kWays * 24 / 25) << name;  // most keys are of stages and materials
     EXPECT_GT(models, keys * kWays / 5) << name;
   }
 }

@@ -53,7 +53,7 @@ struct End {
 // What a wall is in the middle of.
 std::set<std::string> middle_of(const Model& model, const State& state, const RunRecord& record) {
   const StageSpec& stage = model.stages[static_cast<std::size_t>(state.stage)].spec;
-  const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold"};
+  const char* kinds[] = {"gravity", "load", "push", "body force", "tilt", "hold", "shake"};
   std::set<std::string> found = {kinds[static_cast<int>(stage.kind)]};
   const bool settles = stage.kind == StageKind::kGravity || stage.kind == StageKind::kLoad;
   if (settles) found.insert(state.stage_time < stage.ramp ? "ramp" : "settling");
@@ -146,6 +146,13 @@ TEST(Restart, in_a_hold_after_a_push_gives_the_same_result) {
   hold.duration = 0.02;
   spec.stage.push_back(hold);
   expect_invisible(spec, kPiece, {"push", "hold"});
+}
+
+TEST(Restart, a_shaken_wall_in_pieces_gives_the_same_result) {
+  ModelSpec spec = scenes::small_wall();
+  spec.stage.back() = scenes::shake_stage(8, 0.02);
+  spec.stage.back().free_vibration = 0.01;
+  expect_invisible(spec, kPiece, {"gravity", "shake"});
 }
 
 TEST(Restart, a_wall_with_a_lintel_of_zones_in_pieces_gives_the_same_result) {

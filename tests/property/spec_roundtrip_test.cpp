@@ -99,8 +99,9 @@ class Draw {
     if (!foreign(key) && (!key.optional || !coin(3))) describe(*this, value);
   }
   template <class T>
-  void list(const char*, std::vector<T>& values, const Key&) {
-    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) describe(*this, values.emplace_back());
+  void list(const char*, std::vector<T>& values, const Key& key) {
+    for (int i = foreign(key) ? 0 : *rc::gen::inRange(0, 4); i > 0; --i)
+      describe(*this, values.emplace_back());
   }
   template <class T>
   void map(const char*, std::map<std::string, T>& values, const Key&) {
@@ -188,6 +189,30 @@ void make_push(StageSpec& stage) {
     stage.contraflexure = kUnset;  // is for one head that turns
 }
 
+// A pulse in each of some directions, and one of the ways to scale them.
+void make_shake(StageSpec& stage) {
+  if (stage.record.empty()) stage.record.emplace_back();
+  for (RecordSpec& record : stage.record) {
+    if (record.pulse == PulseShape::kNone) record.pulse = PulseShape::kRicker;
+    set_if_unset(record.amplitude, 1.0 / 3), set_if_unset(record.period, 0.1);
+    record.file.clear(), record.accelerations.clear();
+    make_place(record.at);
+  }
+  const bool by_factor = coin(2);
+  stage.scale.pga = kUnset;
+  if (by_factor) {
+    stage.scale = {};
+    stage.scale.factor = -0.0;
+  } else {
+    stage.scale.factor = kUnset;
+    set_if_unset(stage.scale.sa, 1.0 / 3), set_if_unset(stage.scale.period, 0.1);
+  }
+  for (ViscousSpec* viscous : {&stage.mass_damping, &stage.joint_damping}) {
+    if (std::isnan(viscous->fraction) && std::isnan(viscous->frequency)) continue;
+    set_if_unset(viscous->fraction, 0.05), set_if_unset(viscous->frequency, 1.0 / 3);
+  }
+}
+
 void make_valid(StageSpec& stage, std::size_t index) {
   stage.name += std::to_string(index);
   const bool has_direction = stage.kind == StageKind::kBodyForce || stage.kind == StageKind::kTilt;
@@ -203,6 +228,7 @@ void make_valid(StageSpec& stage, std::size_t index) {
       set_if_unset(stage.tilt_rate, 0.1), set_if_unset(stage.tilt_until, 0.3);
       break;
     case StageKind::kHold: set_if_unset(stage.duration, 1.0 / 3); break;
+    case StageKind::kShake: make_shake(stage); break;
   }
 }
 
@@ -264,6 +290,8 @@ ModelSpec any_spec() {
   for (std::size_t i = 0; i < spec.stage.size(); ++i) make_valid(spec.stage[i], i);
   for (auto& [name, material] : spec.material) make_valid(material);
   make_valid(spec.assessment);
+  for (std::size_t i = 0; i < spec.history.size(); ++i)
+    spec.history[i].name += std::to_string(i), make_place(spec.history[i].at);
   for (ContactRule& rule : spec.contact)
     if (rule.material.empty()) rule.material = "joint";
   return spec;

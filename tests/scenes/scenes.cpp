@@ -280,6 +280,21 @@ StageSpec gravity_stage() {
   return stage;
 }
 
+StageSpec shake_stage(double amplitude, double period) {
+  StageSpec shake;
+  shake.name = "quake";
+  shake.kind = StageKind::kShake;
+  RecordSpec record;
+  record.pulse = PulseShape::kCycle;
+  record.amplitude = amplitude;
+  record.period = period;
+  shake.record = {record};
+  shake.restitution = 0.5;
+  shake.mass_damping = {0.02, 10};
+  shake.interval = 2e-3;
+  return shake;
+}
+
 StageSpec push_stage(const std::string& block, Direction direction, double velocity, double until) {
   StageSpec stage;
   stage.name = "push";

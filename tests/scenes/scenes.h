@@ -85,6 +85,9 @@ struct BondSize {
 [[nodiscard]] StageSpec push_stage(const std::string& block, Direction direction, double velocity,
                                    double until);
 
+// A whole sine of the base along +x, with damping of every kind.
+[[nodiscard]] StageSpec shake_stage(double amplitude, double period);
+
 // --- changes to an assembly ----------------------------------------------------------------------
 
 // Tensile strength, friction and stiffness of the joint material `joint` differ from joint to joint.

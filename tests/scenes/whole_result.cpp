@@ -104,6 +104,12 @@ std::string whole(const Result& r) {
                         event.is_beyond_limit) +
             bits({event.displacement, event.reaction}) + "\n";
   text += "cracked" + bits(r.joint_crack_displacement) + "\n";
+  for (const ShakeRow& row : r.history.row)
+    text += "shake" +
+            bits({row.time, row.base_acceleration[0], row.base_displacement[0], row.base_force[0],
+                  row.base_force[1], row.drift, row.opening, row.slip, row.kinetic}) +
+            "\n";
+  for (const PointMotion& u : r.history.motion) text += "moved" + bits({u[0], u[1], u[2]}) + "\n";
   return text + states("snapshot", r.snapshots) + states("reading", r.readings) +
          states("frame", r.frames);
 }

@@ -8,6 +8,7 @@ import { aroundPrint, type Section } from "./page";
 import { Plot, rangeOf, type Point } from "./plot";
 import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { ElementsView } from "./run_elements";
+import { isShaken, shakeHistory, shakeSection } from "./run_shake";
 import { cyclesSection, drawEnvelopes, signOf, waysOf } from "./run_cyclic";
 import { energySection, trustSection, zip, type Curve } from "./run_trust";
 import { projectSection, sheetSection } from "./sheet";
@@ -76,7 +77,7 @@ class RunPage {
   private makeView(): View | null {
     if ((this.header.frames ?? []).length === 0) return null;
     const info: FrameInfo[] = this.header.frames.map((f: any) => ({
-      label: labelOf(f.labels),
+      label: labelOf(f.labels) || (typeof f.time_s === "number" ? qty(f.time_s, "s") : ""),
       displacement: f.displacement_mm,
       reaction: f.reaction_kN,
     }));
@@ -94,9 +95,10 @@ class RunPage {
   sections(): Section[] {
     return [
       sheetSection(this),
-      { id: "push", title: say("section.push"), content: this.push() },
+      { id: "push", title: say(this.isPushed() ? "section.push" : "section.shake"), content: this.push() },
       { id: "assessment", title: say("section.assessment"), content: assessmentSection(this.s, this.curve) },
       cyclesSection(this.s),
+      shakeSection(this.bundle),
       { id: "failure", title: say("section.failure"), content: this.failure() },
       { id: "energy", title: say("section.energy"), content: energySection(this.header) },
       { id: "trust", title: say("section.trust"), content: trustSection(this.s, this.curve) },
@@ -113,11 +115,16 @@ class RunPage {
 
   // --- curve and wall ------------------------------------------------------------------------------
 
+  private isPushed(): boolean {
+    return this.curve.displacement.length > 1 || !isShaken(this.bundle);
+  }
   private push(): Child {
     const curve =
       this.curve.displacement.length > 1
         ? this.curveFigure().element
-        : h("p", { class: "note" }, say("run.no_curve"));
+        : isShaken(this.bundle)
+          ? shakeHistory(this.bundle)
+          : h("p", { class: "note" }, say("run.no_curve"));
     const wall = this.view?.element ?? h("p", { class: "note" }, say("run.no_states"));
     return [
       h("div", { class: "hero" }, curve, wall),

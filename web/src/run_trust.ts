@@ -45,7 +45,9 @@ export function energySection(header: any): Child {
     rows.map((r) => r),
     say("energy.table"),
   );
-  if (frames.length < 3) return [h("p", { class: "soft" }, say("energy.lead")), list];
+  // a shake goes to and fro: over its displacement works are no picture
+  const overTime = frames.some((f) => typeof f.time_s === "number");
+  if (frames.length < 3 || overTime) return [h("p", { class: "soft" }, say("energy.lead")), list];
   // dissipated since the start of the push, stored as it is above the start
   const from = ledger[0];
   const series = kParts.map((part) => ledger.map((l) => Math.max(0, l[part] - from[part])));

@@ -67,6 +67,7 @@ class Executor {
  protected:
   virtual void begin_step() = 0;    // dead loads follow their blocks; what the step brings along
   virtual void run(Pass pass) = 0;  // a pass over all its chunks
+  virtual void brake() {}           // dashpots of shaken walls
   virtual void drive() = 0;         // the driven blocks, wall by wall
   virtual void end_step() = 0;      // works into the walls' ledgers, clocks
 };

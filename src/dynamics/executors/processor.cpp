@@ -11,6 +11,7 @@ void Executor::step() {
   run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
+  brake();       //          dashpots of shaken walls                           passes/dashpots.h
   run(kBlocks);  //          central differences with local damping, poses      passes/blocks.h
   run(kNodes);   //          the same for nodes                                 passes/solids.h
   drive();       //          the driven blocks, and their reaction              passes/drive.h
@@ -73,13 +74,19 @@ constexpr Terms terms_of(Pass pass) {
 
 // Dead loads of all stages, in their order, on their blocks as they are turned now.
 void place_loads(const Model& model, const State& state, const WallView& wall) {
-  for (const Stage& stage : model.stages)
+  for (const Stage& stage : model.stages) {
     for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
+    for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall);
+  }
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const double scale = state.load_scale[k];
     if (scale == 0) continue;
     for (const PointLoad& load : model.stages[k].loads) add_load(load, scale, wall);
   }
+  const auto now = static_cast<std::size_t>(state.stage);
+  if (now >= model.stages.size()) return;
+  for (const PointLoad& mass : model.stages[now].carried)
+    add_carried(mass, state.gravity_x, state.gravity_y + model.solve.gravity, wall);
 }
 
 // Links pull where the blocks are now; what they take goes into the ledger.
@@ -117,6 +124,7 @@ void Processor::put(int lane, const Model& model, State& state) {
   Wall& wall = wall_[at(lane)];
   wall.model = &model;
   wall.state = &state;
+  wall.brakes = {};
   put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
   set(lane, {});
 }
@@ -149,8 +157,19 @@ void Processor::begin_step() {
     if (wall.model == nullptr) continue;
     place_loads(*wall.model, *wall.state, wall.view);
     if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
+    if (wall.controls.mass_damping > 0)
+      wall.state->work_damping +=
+          damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
     wall.view.of_wall(kGravityX) = wall.state->gravity_x;
     wall.view.of_wall(kGravityY) = wall.state->gravity_y;
+  }
+}
+
+void Processor::brake() {
+  for (Wall& wall : wall_) {
+    if (wall.model == nullptr || wall.controls.dashpots == nullptr) continue;
+    prepare_brakes(*wall.model, wall.brakes);
+    brake_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.brakes);
   }
 }
 
@@ -215,6 +234,9 @@ void Processor::end_step() {
         *ledger[term] = sum;
       }
     }
+    if (wall.controls.dashpots != nullptr)
+      wall.state->work_damping +=
+          braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/kernels.h"
+#include "dynamics/passes/dashpots.h"
 
 namespace wythe::dynamics {
 
@@ -40,6 +41,7 @@ class Processor final : public Executor {
     Controls controls;
     double reaction = 0;
     WallView view;
+    Brakes brakes;
   };
   // As many walls as one pack takes, with memory of their own.
   struct Bank {
@@ -50,6 +52,7 @@ class Processor final : public Executor {
 
   void begin_step() override;
   void run(Pass pass) override;
+  void brake() override;
   void drive() override;
   void end_step() override;
   void run_chunk(Pass pass, Bank& bank, std::size_t chunk);

@@ -256,6 +256,8 @@ RateVerdict judge_quasi_static(const Result& result, bool supports) {
   const Curve curve = is_load_controlled(result) ? result.curve : backbone_of(result.curve);
   RateVerdict q;
   q.verdict = {"rate.no_push"};
+  if (result.shaking.was_shaken && result.curve.empty())
+    q.verdict = {"rate.shaken", {{"gap_percent", 100 * result.energy.gap_ratio}}};
   if (is_load_controlled(result)) {
     q = of_a_load(result);
   } else if (curve.size() > 1 && curve.size() < kFewestRows) {

@@ -23,11 +23,13 @@ namespace wythe::dynamics {
 
 // What the stage asks of this step; set by stage_run.cpp, constant within the step.
 struct Controls {
-  double dt = 0;                // [s]
-  double damping = 0;           // local damping lambda [-]
-  double mass_scaling = 1;      // inertia only; weights stay
-  const Stage* push = nullptr;  // null when nothing is driven
-  double drive_velocity = 0;    // along the push [m/s]
+  double dt = 0;                       // [s]
+  double damping = 0;                  // local damping lambda [-]
+  double mass_scaling = 1;             // inertia only; weights stay
+  const Stage* push = nullptr;         // null when nothing is driven
+  double drive_velocity = 0;           // along the push [m/s]
+  double mass_damping = 0;             // alpha of a shake: velocities fall as exp(-alpha t) [1/s]
+  const Dashpots* dashpots = nullptr;  // of a shake; null: none
 };
 
 // The load on its turned block, times `scale`.
@@ -43,6 +45,12 @@ WYTHE_INLINE void add_load(const PointLoad& load, double scale, const WallView& 
 }
 WYTHE_INLINE void clear_load(BlockId i, const WallView& wall) {
   wall.block(i, kLoadX) = wall.block(i, kLoadY) = wall.block(i, kLoadM) = 0;
+}
+
+// What the base does to mass that is no weight of its block; gravity holds the base's acceleration already.
+WYTHE_INLINE void add_carried(const PointLoad& mass, double ax, double ay, const WallView& wall) {
+  wall.block(mass.block, kLoadX) += mass.fx * ax;
+  wall.block(mass.block, kLoadY) += mass.fx * ay;
 }
 
 // Who is driven, and how.

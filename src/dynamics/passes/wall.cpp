@@ -116,6 +116,7 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
   }
   for (const Stage& stage : m.stages) {
     for (const PointLoad& load : stage.loads) wall.special(load.block) = 1;
+    for (const PointLoad& mass : stage.carried) wall.special(mass.block) = 1;
     for (const BlockId block : stage.driven) wall.special(block) = 1;
   }
   for (int i = 0; i < m.solids.n_node; ++i) {

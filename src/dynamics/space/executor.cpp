@@ -73,6 +73,7 @@ void SpaceProcessor::put(int lane, const Model& model, State& state) {
   Wall& wall = wall_[at(lane)];
   wall.model = &model;
   wall.state = &state;
+  wall.brakes = {};
   put_wall(wall.view, model, state);
   set(lane, {});
 }
@@ -105,8 +106,10 @@ void SpaceProcessor::begin_step() {
   for (const Wall& wall : wall_) {
     if (wall.model == nullptr) continue;
     State& state = *wall.state;
-    for (const Stage& stage : wall.model->stages)
+    for (const Stage& stage : wall.model->stages) {
       for (const PointLoad& load : stage.loads) clear_load(load, wall.view);
+      for (const PointLoad& mass : stage.carried) clear_load(mass, wall.view);
+    }
     for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
       if (state.load_scale[k] != 0)
         for (const PointLoad& load : wall.model->stages[k].loads)
@@ -116,10 +119,20 @@ void SpaceProcessor::begin_step() {
       state.dissipated_friction += work.dissipated;
       state.work_loads += work.tensioned;
     }
+    add_carried(wall.view, *wall.model, state);
+    if (wall.controls.mass_damping > 0)
+      wall.state->work_damping +=
+          damp_by_mass(wall.view, wall.controls.mass_damping, wall.controls.dt);
     wall.view.of_wall(kGravity) = state.gravity_x;
     wall.view.of_wall(kGravity + 1) = state.gravity_y;
     wall.view.of_wall(kGravity + 2) = state.gravity_z;
   }
+}
+
+void SpaceProcessor::brake() {
+  for (Wall& wall : wall_)
+    if (wall.model != nullptr && wall.controls.dashpots != nullptr)
+      brake_joints(wall.view, *wall.model, wall.controls, wall.brakes);
 }
 
 void SpaceProcessor::run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const {
@@ -173,6 +186,9 @@ void SpaceProcessor::end_step() {
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
       for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
         *ledger[k / at(width_) % kTerms] += (*works)[k];
+    if (wall.controls.dashpots != nullptr)
+      wall.state->work_damping +=
+          braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);
     advance_clock(*wall.state, wall.controls);
   }
 }

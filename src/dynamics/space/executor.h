@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
+#include "dynamics/space/dashpots.h"
 #include "dynamics/space/kernels.h"
 #include "dynamics/space/wall.h"
 
@@ -32,6 +33,7 @@ class SpaceProcessor final : public Executor {
     Controls controls;
     double reaction = 0;
     WallView view;
+    Brakes brakes;
   };
   // As many walls as one pack takes, with memory of their own.
   struct Bank {
@@ -42,6 +44,7 @@ class SpaceProcessor final : public Executor {
 
   void begin_step() override;
   void run(Pass pass) override;
+  void brake() override;
   void drive() override;
   void end_step() override;
   void run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const;

@@ -202,6 +202,7 @@ void put_wall(const WallView& w, const Model& m, const State& s) {
   }
   for (const Stage& stage : m.stages) {
     for (const PointLoad& load : stage.loads) w.special(load.block) = 1;
+    for (const PointLoad& mass : stage.carried) w.special(mass.block) = 1;
     for (const BlockId block : stage.driven)
       if (block < m.n_block) w.special(block) = 1;
   }

@@ -9,6 +9,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/meters/responses.h"
+#include "dynamics/stages/shake.h"
 #include "dynamics/stages/wall_run.h"
 #include "model/size.h"
 
@@ -149,6 +150,7 @@ bool WallRun::drives_supports() const {
 Result WallRun::finish() {
   Result& result = record_.result;
   result.responses = read_responses(result.curve, reading_of(model_, result));
+  read_shaking(model_, result);
   result.quasi_static = judge_quasi_static(result, drives_supports());
   result.top_displacement = top_displacement(model_, state_);
   result.steps = state_.step;
@@ -190,6 +192,8 @@ RunEstimate estimate(const Model& model) {
   processor->put(0, model, state);
   dynamics::Controls controls;
   controls.dt = e.time_step;
+  for (const Stage& stage : model.stages)
+    if (!stage.dashpots.normal.empty()) controls.dashpots = &stage.dashpots;
   processor->set(0, controls);
   const auto start = Clock::now();
   int tried = 0;

@@ -6,6 +6,7 @@
 #include "core/real.h"
 #include "dynamics/meters/residual.h"
 #include "dynamics/stages/recorder.h"
+#include "dynamics/stages/shake.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -25,9 +26,18 @@ double stage_mass_scaling(const Model& model, const Stage& stage) {
   return quasi_static ? model.solve.mass_scaling : 1.0;
 }
 
+// Dashpots act by the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. Impacts ask for
+// no more than half the longest step (docs/theory/dynamics.md, "The step").
 double stage_time_step(const Model& model, const Stage& stage) {
-  return model.solve.step_fraction * 2.0 / model.omega_max *
-         std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
+  constexpr double kOfImpacts = 0.5;
+  const double fraction = stage.spec.kind == StageKind::kShake
+                              ? std::min(model.solve.step_fraction, kOfImpacts)
+                              : model.solve.step_fraction;
+  const double step = fraction * 2.0 / model.omega_max *
+                      std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
+  if (stage.dashpots.rate == 0) return step;
+  const double xi = 0.5 * stage.dashpots.rate / model.omega_max;
+  return step * (std::sqrt(1 + xi * xi) - xi);
 }
 
 double driven_path(const Stage& stage) {
@@ -132,15 +142,20 @@ StageEnd StageRun::runs_away() const {
   return {falls ? SolveStatus::kCollapsed : SolveStatus::kUnstable, std::move(reason), false};
 }
 
-// Instability, and collapse: a block farther off than the push can have brought it.
-void StageRun::watch(double share) {
+void StageRun::watch_motion(double share) {
   const SolveOptions& options = wall_.options;
-  if (state_.step % kWatchEvery != 0 || ended_) return;
   if (options.progress)
     options.progress(
         {stage_.spec.name.c_str(), share, state_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
-  if (wall_.access->runaway_block() >= 0) return end(runs_away());
+  if (wall_.access->runaway_block() >= 0) end(runs_away());
+}
+
+// Instability, and collapse: a block farther off than the push can have brought it.
+void StageRun::watch(double share) {
+  if (state_.step % kWatchEvery != 0 || ended_) return;
+  watch_motion(share);
+  if (ended_) return;
   if (controls_.push != nullptr && stage_.spec.pattern != Pattern::kNone && stage_.drive().y == 0)
     return watch_for_falls();
   // a head is driven by an arm's end, and goes farther than that where the pier turns
@@ -458,6 +473,7 @@ std::unique_ptr<StageRun> StageRun::start(WallUnderWay& wall, const Stage& stage
     case StageKind::kBodyForce:
     case StageKind::kTilt: return std::make_unique<Factor>(wall, stage);
     case StageKind::kHold: return std::make_unique<Hold>(wall, stage);
+    case StageKind::kShake: return make_shake(wall, stage);
   }
   return nullptr;
 }

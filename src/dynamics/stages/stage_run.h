@@ -8,6 +8,7 @@
 //   body force      lambda grows only while the unbalance is below settle_ratio: the largest carried
 //   tilt            the same with the direction of gravity
 //   hold            nothing new for a duration
+//   shake           the base moves by its records (shake.cpp)
 //
 // A stage keeps nothing from step to step but what is in State and Recording: made anew from them in the
 // middle, it goes on with the same bits.
@@ -66,6 +67,7 @@ class StageRun {
   void drive(const Stage& push);
   // Every few hundred steps: progress, instability, collapse.
   void watch(double share);
+  void watch_motion(double share);  // progress and instability alone
   void watch_for_falls();
   [[nodiscard]] std::string name_of(BlockId block) const;
 

@@ -59,6 +59,15 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
 StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
   const ModelSpec base = build({});
   const Model model = compile(base);
+  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
+    return stage.spec.kind == StageKind::kShake;
+  });
+  if (options.device == Device::kGpu && shakes)
+    throw InputError({{.file = "--device",
+                       .path = "",
+                       .value = "gpu",
+                       .problem = "does not take stages that shake the wall",
+                       .cure = "leave --device out"}});
   if (options.device == Device::kGpu) static_cast<void>(dynamics::gpu_walls(model, 2));
   StoreHead head;
   head.shard = fmt::format("{}/{}", options.shard, options.shards);

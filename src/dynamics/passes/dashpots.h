@@ -1,0 +1,208 @@
+// Dashpots at the closed points of joints, and damping in proportion to mass (docs/theory/dynamics.md). Only
+// shakes that ask for them have any, so they are taken one by one after the joints, as links are before them,
+// and add to the forces that blocks gather.
+//
+//   at a point with  w_e < 0:   sigma += c_n dw/dt, so that it only presses;  tau += c_s ds/dt within friction
+//
+// Rates are those of the half step before: the step is bounded for that (stage_time_step). A force works on
+// the mean of the velocities before and after, so its work is counted once both are known.
+#pragma once
+
+#include <vector>
+
+#include "contact/parameters.h"
+#include "dynamics/passes/joints.h"
+#include "dynamics/passes/wall.h"
+
+namespace wythe::dynamics {
+
+// Viscous stresses of a point whose elastic ones are known, both limited to what a closed joint can bear.
+struct PointRate {
+  double opening, slip_1, slip_2;  // [m/s]
+};
+struct PointStress {
+  double normal, shear_1, shear_2;  // [Pa]
+};
+[[nodiscard]] WYTHE_INLINE PointStress brake_point(const PointStress& elastic,
+                                                   const PointRate& rate, double c_normal,
+                                                   double c_shear, double friction) {
+  if (!(elastic.normal < 0)) return {0, 0, 0};
+  const double normal = minimum(c_normal * rate.opening, -elastic.normal);
+  const double x = elastic.shear_1, y = elastic.shear_2;
+  const double u = c_shear * rate.slip_1, v = c_shear * rate.slip_2;
+  const double wanted = square_root(u * u + v * v);
+  const double left = -friction * (elastic.normal + normal) - square_root(x * x + y * y);
+  const double share = wanted > 0 ? clip(left / wanted, 0.0, 1.0) : 0.0;
+  return {normal, share * u, share * v};
+}
+
+// What a wall's dashpots need beside its tables: velocities before the step, forces on the blocks; nothing of
+// it outlives a step.
+struct Brakes {
+  std::vector<double> friction;               // of each joint's law
+  std::vector<std::array<double, 3>> before;  // velocities of blocks
+  std::vector<std::array<double, 4>> force;   // of joints: fx, fy on a, moments on a and b
+};
+
+inline void prepare_brakes(const Model& m, Brakes& brakes) {
+  if (!brakes.friction.empty()) return;
+  for (const std::int32_t material : m.joint_material)
+    brakes.friction.push_back(
+        contact::constants_of(m.materials[static_cast<std::size_t>(material)]).tan_res);
+  brakes.before.resize(static_cast<std::size_t>(m.n_block));
+  brakes.force.resize(static_cast<std::size_t>(m.n_joint));
+}
+
+// One joint as its two blocks move it.
+struct BrakedJoint {
+  double tx, ty, reach;                     // tangent now, half length along it
+  double jn, jt, dn, dt;                    // jump (joints.h)
+  double rate_n, rate_t, grows_n, grows_t;  // and their rates
+  double arm_ax, arm_ay, arm_bx, arm_by;    // levers of the force
+  double couple_n, couple_t;                // moment of the sums of xi f
+};
+
+inline BrakedJoint braked_joint(const WallView& wall, const Model& m, std::size_t j,
+                                const Brakes& brakes) {
+  struct Side {
+    Rows<double> pose;
+    std::array<double, 3> v;
+  };
+  const auto side = [&](BlockId block) -> Side {
+    if (block == kGroundBlock) return {{0, 0, 1, 0}, {0, 0, 0}};
+    const auto of = [&](int c) { return wall.of_four(wall.t.pose, block, c); };
+    return {{of(0), of(1), of(2), of(3)}, brakes.before[static_cast<std::size_t>(block)]};
+  };
+  const bool on_ground = m.joint_a[j] == kGroundBlock;
+  const Side a = side(m.joint_a[j]), b = side(m.joint_b[j]);
+  const auto fa = face_motion(a.pose, turn_of(a.pose), m.arm_a_x[j], m.arm_a_y[j]);
+  const auto fb = face_motion(b.pose, turn_of(b.pose), m.arm_b_x[j], m.arm_b_y[j]);
+  const double reach = m.half_x[j] * m.tangent_x[j] + m.half_y[j] * m.tangent_y[j];
+  const double tx0 = m.tangent_x[j], ty0 = m.tangent_y[j];
+  const double rx = b.v[0] - b.v[2] * fb.arm_y - (on_ground ? 0 : a.v[0] - a.v[2] * fa.arm_y);
+  const double ry = b.v[1] + b.v[2] * fb.arm_x - (on_ground ? 0 : a.v[1] + a.v[2] * fa.arm_x);
+  if (on_ground) {
+    const Turn<double> turn = turn_of(b.pose);
+    const double cosine = 1 + turn.drop;
+    return {tx0,
+            ty0,
+            reach,
+            fb.move_y * tx0 - fb.move_x * ty0,
+            fb.move_x * tx0 + fb.move_y * ty0,
+            reach * turn.sine,
+            reach * turn.drop,
+            ry * tx0 - rx * ty0,
+            rx * tx0 + ry * ty0,
+            reach * cosine * b.v[2],
+            -reach * turn.sine * b.v[2],
+            0,
+            0,
+            fb.arm_x,
+            fb.arm_y,
+            reach * cosine,
+            -reach * turn.sine};
+  }
+  const double cc = a.pose.c2 * b.pose.c2, ss = a.pose.c3 * b.pose.c3;
+  const double sc = a.pose.c3 * b.pose.c2, cs = a.pose.c2 * b.pose.c3;
+  const double cosine = cc - ss, sine = sc + cs;
+  const double tx = cosine * tx0 - sine * ty0, ty = sine * tx0 + cosine * ty0;
+  const double jx = fb.move_x - fa.move_x, jy = fb.move_y - fa.move_y;
+  const double jn = jy * tx - jx * ty, jt = jx * tx + jy * ty;
+  const double spin = 0.5 * (a.v[2] + b.v[2]);
+  return {tx,
+          ty,
+          reach,
+          jn,
+          jt,
+          2 * reach * (cs - sc),
+          0,
+          (ry * tx - rx * ty) - spin * jt,
+          (rx * tx + ry * ty) + spin * jn,
+          reach * (cc + ss) * (b.v[2] - a.v[2]),
+          0,
+          fa.arm_x + 0.5 * jx,
+          fa.arm_y + 0.5 * jy,
+          fb.arm_x - 0.5 * jx,
+          fb.arm_y - 0.5 * jy,
+          reach * (cc + ss),
+          0};
+}
+
+// Viscous forces of all joints, added to those of the law.
+inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
+                         const Dashpots& dashpots, Brakes& brakes) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  for (int i = 0; i < m.n_block; ++i)
+    brakes.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
+  for (const Chunk& chunk : l.chunks[kJoints]) {
+    for (int n = 0; n < chunk.n; ++n) {
+      const std::size_t j = at(chunk.first + n);
+      const JointMaterial& law = m.materials[at(m.joint_material[j])];
+      const BrakedJoint joint = braked_joint(wall, m, j, brakes);
+      double fn = 0, ft = 0, gn = 0, gt = 0;
+      for (int k = 0; k < chunk.points; ++k) {
+        const double xi = m.point_xi[at(k)], share = m.area[j] * m.point_weight[at(k)];
+        const auto history = [&](int row) {
+          return wall.t.history[l.point_number(chunk, n, k, row, static_cast<int>(wall.t.lanes)) +
+                                wall.lane];
+        };
+        const double w = joint.jn + xi * joint.dn + history(1);
+        const double s = joint.jt + xi * joint.dt - history(2);
+        const PointStress viscous =
+            brake_point({law.normal_stiffness * w, law.shear_stiffness * s, 0},
+                        {joint.rate_n + xi * joint.grows_n, joint.rate_t + xi * joint.grows_t, 0},
+                        dashpots.normal[j], dashpots.shear[j], brakes.friction[j]);
+        fn += share * viscous.normal, gn += share * viscous.normal * xi;
+        ft += share * viscous.shear_1, gt += share * viscous.shear_1 * xi;
+      }
+      const double fx = ft * joint.tx - fn * joint.ty, fy = ft * joint.ty + fn * joint.tx;
+      const double couple = joint.couple_n * gn + joint.couple_t * gt;
+      const bool on_ground = m.joint_a[j] == kGroundBlock;
+      brakes.force[j] = {fx, fy, on_ground ? 0 : (joint.arm_ax * fy - joint.arm_ay * fx) + couple,
+                         (joint.arm_by * fx - joint.arm_bx * fy) - couple};
+      for (int c = 0; c < 4; ++c)
+        wall.of_four(wall.t.force, l.joint_place[j], c) += brakes.force[j][at(c)];
+    }
+  }
+}
+
+// What the dashpots took in the step that is over [J].
+inline double braking_work(const WallView& wall, const Model& m, const Brakes& brakes, double dt) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  double power = 0;
+  const auto add = [&](BlockId block, double sense, double fx, double fy, double moment) {
+    const std::array<double, 3>& v = brakes.before[at(block)];
+    power += 0.5 * (sense * fx * (v[0] + wall.block(block, kVx)) +
+                    sense * fy * (v[1] + wall.block(block, kVy)) +
+                    moment * (v[2] + wall.block(block, kOmega)));
+  };
+  for (std::size_t j = 0; j < brakes.force.size(); ++j) {
+    const auto& [fx, fy, on_a, on_b] = brakes.force[j];
+    if (m.joint_a[j] != kGroundBlock) add(m.joint_a[j], 1, fx, fy, on_a);
+    add(m.joint_b[j], -1, fx, fy, on_b);
+  }
+  return dt * power;
+}
+
+// Velocities fall as exp(-alpha t): the work of that in a step [J].
+inline double damp_by_mass(const WallView& wall, double alpha, double dt) {
+  const double kept = (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
+  double energy = 0;
+  for (int i = 0; i < wall.blocks; ++i) {
+    if (!(wall.block(i, kIsFree) > 0)) continue;
+    double& vx = wall.block(i, kVx);
+    double& vy = wall.block(i, kVy);
+    double& omega = wall.block(i, kOmega);
+    energy += wall.cold(i, kMass) * (vx * vx + vy * vy) + wall.cold(i, kInertia) * omega * omega;
+    vx *= kept, vy *= kept, omega *= kept;
+  }
+  for (int i = 0; i < wall.nodes; ++i) {
+    double& vx = wall.node(i, kNodeVx);
+    double& vy = wall.node(i, kNodeVy);
+    energy += wall.node(i, kNodeMass) * (vx * vx + vy * vy);
+    vx *= kept, vy *= kept;
+  }
+  return 0.5 * energy * (kept * kept - 1);
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,181 @@
+// Dashpots at the closed points of faces in space, and damping in proportion to mass: as passes/dashpots.h.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "contact/parameters.h"
+#include "dynamics/passes/dashpots.h"
+#include "dynamics/space/wall.h"
+
+namespace wythe::dynamics::space {
+
+struct Brakes {
+  struct Twist {
+    Vec v, rate;
+  };
+  std::vector<double> friction;                   // of each joint's law
+  std::vector<Twist> before;                      // of blocks
+  std::vector<contact::BlockLoads<double>> load;  // of joints
+  std::vector<Vec> support;                       // velocities
+};
+
+inline Brakes::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
+  Inertia<double> body;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = [&](int c) { return w.t.axes[w.layout->number(i, kAxisRows, 3 * k + c, 1)]; };
+    body.axis[k] = {axis(0), axis(1), axis(2)};
+    body.inverse[k] = w.body(i, kInverse + k);
+  }
+  const Quaternion<double> q = w.turn(i);
+  return {w.body_vector(i, kV), turned(q, body.rate(turned_back(q, w.body_vector(i, kL))))};
+}
+
+inline void prepare_brakes(const WallView& w, const Model& m, const Controls& controls,
+                           Brakes& brakes) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  if (brakes.friction.empty())
+    for (const std::int32_t material : m.joint_material)
+      brakes.friction.push_back(contact::constants_of(m.materials[at(material)]).tan_res);
+  brakes.load.resize(at(m.n_joint));
+  brakes.before.resize(at(m.n_block));
+  for (int i = 0; i < m.n_block; ++i) brakes.before[at(i)] = twist_of(i, w);
+  brakes.support.assign(at(m.space.n_support), {0, 0, 0});
+  if (controls.push == nullptr) return;
+  for (const BlockId id : controls.push->driven)
+    if (id >= m.n_block)
+      brakes.support[at(id - m.n_block)] = controls.drive_velocity * vec(controls.push->drive());
+}
+
+// Viscous forces of a face whose gap and the gap's rate are known.
+template <class Face>
+contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<double>& rate,
+                                       const Chunk& chunk, int n, const WallView& w, const Model& m,
+                                       const Dashpots& dashpots, double friction) {
+  const auto j = static_cast<std::size_t>(chunk.first + n);
+  const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+  const contact::FaceGap<double> gap = face.gap();
+  contact::FaceLoad<double> sum{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+  for (int k = 0; k < chunk.points; ++k) {
+    const auto p = static_cast<std::size_t>(m.space.point_begin[j] + k);
+    const auto history = [&](int row) {
+      return w.t
+          .history[w.layout->point_number(chunk, chunk.history, n, k, chunk.rows, row, w.t.lanes) +
+                   w.lane];
+    };
+    const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
+    const double share = m.area[j] * m.space.point_share[p];
+    const Vec g = gap.j + r1 * gap.a + r2 * gap.b, v = rate.j + r1 * rate.a + r2 * rate.b;
+    const PointStress viscous = brake_point(
+        {law.normal_stiffness * (g.z + history(1)), law.shear_stiffness * (g.x - history(2)),
+         law.shear_stiffness * (g.y - history(chunk.rows - 1))},
+        {v.z, v.x, v.y}, dashpots.normal[j], dashpots.shear[j], friction);
+    const Vec f = share * Vec{viscous.shear_1, viscous.shear_2, viscous.normal};
+    sum.f = sum.f + f;
+    sum.r1 = sum.r1 + r1 * f;
+    sum.r2 = sum.r2 + r2 * f;
+  }
+  return face.loads(sum);
+}
+
+inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const WallView& w,
+                                               const Model& m, const Dashpots& dashpots,
+                                               const Brakes& brakes) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  const std::size_t j = at(chunk.first + n);
+  const Space& s = m.space;
+  const auto pose = [&](BlockId i) { return contact::Pose<double>{w.shift(i), w.turn(i)}; };
+  const BlockId a = m.joint_a[j], b = m.joint_b[j];
+  const Brakes::Twist& tb = brakes.before[at(b)];
+  if (static_cast<int>(j) >= m.n_pair) {
+    const auto support = [&](int c) { return w.of_four(w.t.support, a - m.n_block, c); };
+    const contact::SupportFace<double> face({support(0), support(1), support(2)}, pose(b),
+                                            vec(s.arm_b[j]), vec(s.tangent[j]), vec(s.normal[j]));
+    // t1 and t2 of the block turn with it
+    const auto turns = [&](const Vec& grown, const Vec& unit) {
+      return face.frame.in(cross(tb.rate, face.frame.out(grown) + unit));
+    };
+    const Vec jump = tb.v + cross(tb.rate, face.arm_b) - brakes.support[at(a - m.n_block)];
+    return brake_face(face,
+                      {face.frame.in(jump), turns(face.grown_1, face.frame.t1),
+                       turns(face.grown_2, face.frame.t2)},
+                      chunk, n, w, m, dashpots, brakes.friction[j]);
+  }
+  const Brakes::Twist& ta = brakes.before[at(a)];
+  const contact::PairFace<double> face(pose(a), pose(b), vec(s.arm_a[j]), vec(s.arm_b[j]),
+                                       vec(s.tangent[j]), vec(s.normal[j]));
+  const Vec mean = 0.5 * (ta.rate + tb.rate);
+  const Vec jump = (tb.v + cross(tb.rate, face.arm_b)) - (ta.v + cross(ta.rate, face.arm_a)) -
+                   cross(mean, face.jump);
+  const Vec d = face.frame.in(tb.rate - ta.rate);
+  return brake_face(face, {face.frame.in(jump), {0, d.z, -d.y}, {-d.z, 0, d.x}}, chunk, n, w, m,
+                    dashpots, brakes.friction[j]);
+}
+
+// Viscous forces of all joints, added to those of the law.
+inline void brake_joints(const WallView& w, const Model& m, const Controls& controls,
+                         Brakes& brakes) {
+  prepare_brakes(w, m, controls, brakes);
+  for (const Chunk& chunk : w.layout->joints)
+    for (int n = 0; n < chunk.n; ++n) {
+      const auto j = static_cast<std::size_t>(chunk.first + n);
+      const contact::BlockLoads<double> l = brake_joint(chunk, n, w, m, *controls.dashpots, brakes);
+      brakes.load[j] = l;
+      const std::int32_t e = w.layout->joint_place[j];
+      const auto add = [&](double* rows, const Vec& v) {
+        w.of_four(rows, e, 0) += v.x, w.of_four(rows, e, 1) += v.y, w.of_four(rows, e, 2) += v.z;
+      };
+      add(w.t.force, l.f);
+      if (static_cast<int>(j) < m.n_pair) add(w.t.moment_a, l.on_a);
+      add(w.t.moment_b, l.on_b);
+    }
+}
+
+// What the dashpots took in the step that is over [J].
+inline double braking_work(const WallView& w, const Model& m, const Brakes& brakes, double dt) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  std::vector<Load<double>> on(at(m.n_block), Load<double>{{0, 0, 0}, {0, 0, 0}});
+  double power = 0;
+  for (std::size_t j = 0; j < brakes.load.size(); ++j) {
+    const contact::BlockLoads<double>& l = brakes.load[j];
+    Load<double>& b = on[at(m.joint_b[j])];
+    b = {b.f - l.f, b.m + l.on_b};
+    if (static_cast<int>(j) >= m.n_pair) {
+      power += dot(l.f, brakes.support[at(m.joint_a[j] - m.n_block)]);
+      continue;
+    }
+    Load<double>& a = on[at(m.joint_a[j])];
+    a = {a.f + l.f, a.m + l.on_a};
+  }
+  for (int i = 0; i < m.n_block; ++i) {
+    const Brakes::Twist now = twist_of(i, w), &before = brakes.before[at(i)];
+    power += 0.5 * (dot(on[at(i)].f, before.v + now.v) + dot(on[at(i)].m, before.rate + now.rate));
+  }
+  return dt * power;
+}
+
+// What the base does to mass that is no weight of its block; gravity holds the base's acceleration already.
+inline void add_carried(const WallView& w, const Model& m, const State& s) {
+  const auto now = static_cast<std::size_t>(s.stage);
+  if (now >= m.stages.size()) return;
+  const Vec base{s.gravity_x, s.gravity_y + m.solve.gravity, s.gravity_z};
+  for (const PointLoad& mass : m.stages[now].carried)
+    w.put_body(w.body_vector(mass.block, kLoad) + mass.fx * base, mass.block, kLoad);
+}
+
+// Velocities fall as exp(-alpha t): the work of that in a step [J].
+inline double damp_by_mass(const WallView& w, double alpha, double dt) {
+  const double kept = (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
+  double energy = 0;
+  for (int i = 0; i < w.blocks; ++i) {
+    if (!(w.body(i, kFree) > 0)) continue;
+    const Brakes::Twist twist = twist_of(i, w);
+    const Vec l = w.body_vector(i, kL);
+    energy += w.still(i, kBodyMass) * dot(twist.v, twist.v) + dot(l, twist.rate);
+    w.put_body(kept * twist.v, i, kV);
+    w.put_body(kept * l, i, kL);
+  }
+  return 0.5 * energy * (kept * kept - 1);
+}
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,278 @@
+#include "dynamics/stages/shake.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/shaking.h"
+#include "wythe/reading.h"
+
+namespace wythe::dynamics {
+namespace {
+
+constexpr int kForceEvery = 8;      // steps between samples of the ground's force
+constexpr double kMostTilt = 1.05;  // of a block [rad]: past it no block of a wall comes back
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// alpha with which velocities fall [1/s].
+double decay_of(const ViscousSpec& viscous) {
+  return 2 * viscous.fraction * 2 * M_PI * viscous.frequency;
+}
+
+// A wall's point against the base, and how far it is turned [rad].
+Vec3 motion_of(const Model& m, const State& s, const WatchedPoint& point) {
+  const std::size_t i = at(point.block);
+  if (!m.in_space()) {
+    const Vec3 tip = turned(point.arm, Rotation{{0, 0, s.theta[i]}});
+    return Vec3{s.ux[i], s.uy[i], 0} + tip - point.arm;
+  }
+  const Vec3 v{s.qx[i], s.qy[i], s.qz[i]}, half = cross(v, point.arm) + s.qw[i] * point.arm;
+  return Vec3{s.ux[i], s.uy[i], s.uz[i]} + 2.0 * cross(v, half);
+}
+double tilt_of(const Model& m, const State& s, std::size_t i) {
+  if (!m.in_space()) return std::fabs(s.theta[i]);
+  return 2 * std::acos(std::min(1.0, std::fabs(s.qw[i])));
+}
+
+class Shake final : public StageRun {
+ public:
+  Shake(WallUnderWay& wall, const Stage& stage)
+      : StageRun(wall, stage),
+        n_(wall.record.recording.numbers),
+        result_(wall.record.result),
+        duration_(shake_duration(stage)),
+        interval_(shake_interval(stage)) {
+    if (!stage.driven_motion.empty()) drive(stage);
+    if (std::isfinite(stage.spec.mass_damping.fraction))
+      controls_.mass_damping = decay_of(stage.spec.mass_damping);
+    if (!stage.dashpots.normal.empty()) controls_.dashpots = &stage.dashpots;
+    if (state_.stage_time == 0) begin();
+    if (!(state_.stage_time < duration_)) end({});
+  }
+
+  // The mean acceleration of the base over the step, from its exact velocity: so a free block has the exact
+  // velocity of the base at every half step.
+  void prepare() override {
+    const double t = state_.stage_time, dt = controls_.dt;
+    Vec3 base{};
+    for (const GroundMotion& motion : stage_.base)
+      base = base + ((motion.velocity_at(t + 0.5 * dt) - motion.velocity_at(t - 0.5 * dt)) / dt) *
+                        motion.along;
+    state_.gravity_x = -base.x;
+    state_.gravity_y = -model_.solve.gravity - base.y;
+    state_.gravity_z = -base.z;
+    const GroundMotion& driven = stage_.driven_motion;
+    if (!driven.empty())
+      controls_.drive_velocity = (driven.displacement_at(t + dt) - driven.displacement_at(t)) / dt;
+  }
+
+  void look(double) override {
+    if (state_.step % kForceEvery == 0) sample();
+    if (state_.stage_time >= static_cast<double>(rows_in_stage()) * interval_) take_row();
+    if (state_.step % kWatchEvery == 0) watch_fallen();
+    if (!ended() && !(state_.stage_time < duration_)) end({});
+  }
+
+ private:
+  void begin() {
+    state_.drive_displacement = 0;
+    ShakeHistory& h = result_.history;
+    if (h.row.empty())
+      for (const WatchedPoint& point : model_.watched) h.point.push_back(point.name);
+    if (n_.shake_start < 0)  // a push between two shakes forgets it
+      n_.shake_start = state_.time - (h.row.empty() ? 0 : h.row.back().time);
+    n_.shake_rows = static_cast<std::int64_t>(result_.history.row.size());
+    n_.shake_frames = 0;
+    wall_.access->bring_up(state_);
+    keep_state("start of " + stage_.spec.name);
+    sample();
+    take_row();
+  }
+
+  [[nodiscard]] std::int64_t rows_in_stage() const {
+    return static_cast<std::int64_t>(result_.history.row.size()) - n_.shake_rows;
+  }
+
+  void sample() {
+    n_.base_x += wall_.access->base_shear({1, 0, 0});
+    n_.base_y -= wall_.access->base_shear({0, 1, 0});
+    if (model_.in_space()) n_.base_z += wall_.access->base_shear({0, 0, 1});
+    ++n_.base_samples;
+  }
+
+  void take_row() {
+    wall_.access->bring_up(state_);
+    ShakeRow row;
+    row.time = state_.time - n_.shake_start;
+    for (const GroundMotion& motion : stage_.base) {
+      const Vec3 a = motion.acceleration_at(state_.stage_time) * motion.along;
+      const Vec3 u = motion.displacement_at(state_.stage_time) * motion.along;
+      row.base_acceleration[0] += a.x, row.base_acceleration[1] += a.y;
+      row.base_acceleration[2] += a.z;
+      row.base_displacement[0] += u.x, row.base_displacement[1] += u.y;
+      row.base_displacement[2] += u.z;
+    }
+    const double samples = static_cast<double>(std::max<std::int64_t>(1, n_.base_samples));
+    row.base_force = {n_.base_x / samples, n_.base_y / samples, n_.base_z / samples};
+    n_.base_x = n_.base_y = n_.base_z = 0;
+    n_.base_samples = 0;
+    const std::vector<PointReading> points = read_points(model_, state_);
+    note_slid_off(points);
+    for (const PointReading& point : points) {
+      row.opening = std::max(row.opening, point.opening);
+      row.slip = std::max(row.slip, std::fabs(point.slip));
+    }
+    row.kinetic = wall_.access->kinetic_energy(1);
+    for (const WatchedPoint& point : model_.watched) {
+      const Vec3 u = motion_of(model_, state_, point);
+      result_.history.motion.push_back({u.x, u.y, u.z});
+      if (&point == model_.watched.data() && point.height > 0)
+        row.drift = std::hypot(u.x, u.z) / point.height;
+    }
+    result_.history.row.push_back(row);
+    take_frame();
+  }
+
+  // Contacts are those of the start: what has left its face stands on nothing.
+  void note_slid_off(const std::vector<PointReading>& points) {
+    int joints = 0;
+    JointId first = -1;
+    for (JointId j = 0; j < model_.n_joint; ++j)
+      if (has_slid_off(model_, points, j) && joints++ == 0) first = j;
+    Validity& validity = result_.validity;
+    if (joints > 0 && validity.joints == 0) {
+      const PointReading& point = points[at(points_of(model_, first).begin)];
+      validity.overlap_lost = std::fabs(control_now());
+      validity.where = {
+          "place.joint",
+          {{"joint", Message{word_of(kJointKindCodes, model_.anatomy.joint_kind[at(first)])}},
+           {"x_m", std::round(1e2 * point.where.x) / 1e2 + 0.0},
+           {"y_m", std::round(1e2 * point.where.y) / 1e2 + 0.0}}};
+    }
+    validity.joints = std::max(validity.joints, joints);
+  }
+
+  void take_frame() {
+    const int frames = wall_.options.frames;
+    const double due = duration_ * static_cast<double>(n_.shake_frames + 1) / (frames + 1);
+    if (n_.shake_frames >= frames || state_.stage_time < due) return;
+    ++n_.shake_frames;
+    result_.frames.push_back({"", control_now(), base_now(), state_});
+  }
+  void keep_state(const std::string& label) {
+    result_.snapshots.push_back({label, control_now(), base_now(), state_});
+  }
+  // Horizontal way of the first point along the first record, and the ground's force that way.
+  [[nodiscard]] Vec3 way() const {
+    return stage_.base.empty() ? stage_.drive() : stage_.base.front().along;
+  }
+  [[nodiscard]] double control_now() const {
+    return model_.watched.empty() ? 0
+                                  : dot(motion_of(model_, state_, model_.watched.front()), way());
+  }
+  [[nodiscard]] double base_now() const {
+    if (result_.history.row.empty()) return 0;
+    const auto& f = result_.history.row.back().base_force;
+    return dot(Vec3{f[0], f[1], f[2]}, way());
+  }
+
+  // A wall that rocks moves far and stands: what has fallen, or lies, has not.
+  void watch_fallen() {
+    watch_motion(state_.stage_time / duration_);
+    if (ended()) return;
+    watch_for_falls();
+    for (std::size_t i = 0; i < state_.ux.size() && !ended(); ++i)
+      if (tilt_of(model_, state_, i) > kMostTilt)
+        end({SolveStatus::kCollapsed,
+             {"block.toppled",
+              {{"block", name_of(static_cast<BlockId>(i))},
+               {"tilt_degrees", 180 / M_PI * tilt_of(model_, state_, i)},
+               {"time_s", state_.stage_time},
+               {"stage", stage_.spec.name}}},
+             false});
+  }
+
+  void finish(StageEnd& how) override {
+    wall_.access->bring_up(state_);
+    keep_state("end");
+    state_.gravity_x = state_.gravity_z = 0;
+    state_.gravity_y = -model_.solve.gravity;
+    if (how.status == SolveStatus::kCollapsed) {
+      result_.shaking.collapsed = true;
+      result_.shaking.collapse_time = state_.time - n_.shake_start;
+    }
+    controls_.push = nullptr;
+  }
+
+  RecordingNumbers& n_;
+  Result& result_;
+  double duration_, interval_;
+};
+
+AppliedRecord applied(const GroundMotion& m, bool of_base) {
+  return {m.source,
+          record_hash(m.time, m.acceleration),
+          {m.along.x, m.along.y, m.along.z},
+          of_base,
+          m.factor,
+          peak_acceleration(m),
+          peak_velocity(m),
+          arias_intensity(m),
+          m.duration(),
+          m.velocity.back(),
+          m.displacement.back()};
+}
+
+}  // namespace
+
+double shake_duration(const Stage& stage) {
+  double longest = stage.driven_motion.duration();
+  for (const GroundMotion& motion : stage.base) longest = std::max(longest, motion.duration());
+  return longest + stage.spec.free_vibration;
+}
+
+double shake_interval(const Stage& stage) {
+  constexpr double kUsual = 5e-3, kMostRows = 4000;
+  if (std::isfinite(stage.spec.interval)) return stage.spec.interval;
+  return std::max(kUsual, shake_duration(stage) / kMostRows);
+}
+
+std::unique_ptr<StageRun> make_shake(WallUnderWay& wall, const Stage& stage) {
+  return std::make_unique<Shake>(wall, stage);
+}
+
+void read_shaking(const Model& model, Result& result) {
+  const ShakeHistory& h = result.history;
+  ShakeReadings& r = result.shaking;
+  if (h.row.empty()) return;
+  r.was_shaken = true;
+  for (const Stage& stage : model.stages) {
+    for (const GroundMotion& motion : stage.base) r.record.push_back(applied(motion, true));
+    if (!stage.driven_motion.empty()) r.record.push_back(applied(stage.driven_motion, false));
+  }
+  const std::size_t rows = h.row.size(), points = h.point.size();
+  const std::size_t tail = rows - std::max<std::size_t>(1, rows / 10);
+  for (std::size_t p = 0; p < points; ++p) {
+    PeakMotion peak{h.point[p], 0, 0, 0};
+    Vec3 mean{};
+    for (std::size_t k = 0; k < rows; ++k) {
+      const PointMotion& u = h.motion[k * points + p];
+      const double way = std::hypot(u[0], u[2]);
+      if (way > peak.peak) peak.peak = way, peak.at = h.row[k].time;
+      if (k >= tail) mean = mean + Vec3{u[0], 0, u[2]};
+    }
+    peak.residual = length(mean) / static_cast<double>(rows - tail);
+    r.motion.push_back(peak);
+  }
+  for (const ShakeRow& row : h.row) {
+    r.peak_base_shear =
+        std::max(r.peak_base_shear, std::hypot(row.base_force[0], row.base_force[2]));
+    r.largest_opening = std::max(r.largest_opening, row.opening);
+    r.largest_slip = std::max(r.largest_slip, row.slip);
+    r.peak_drift = std::max(r.peak_drift, row.drift);
+  }
+  if (!model.watched.empty() && model.watched.front().height > 0)
+    r.residual_drift = r.motion.front().residual / model.watched.front().height;
+}
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,369 @@
+#include "model/shaking.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hash.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;  // of what is told in g [m/s^2]
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+bool is_set(double number) { return !std::isnan(number); }
+bool says_something(const PlaceSpec& p) {
+  return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() || p.beam;
+}
+
+double in_metres(RecordUnit unit, double gravity) {
+  switch (unit) {
+    case RecordUnit::kGravity: return gravity;
+    case RecordUnit::kCentimetres: return 1e-2;
+    default: return 1;
+  }
+}
+
+// A pulse as samples; linear between them it is off by less than 1e-4 of its amplitude.
+GroundMotion pulse_motion(const RecordSpec& r) {
+  constexpr double kSamples = 400;     // a period
+  constexpr double kHalfRicker = 1.5;  // periods before its crest: there less than 1e-8 is left
+  const double turns = r.pulse == PulseShape::kHalfCycle ? 0.5
+                       : r.pulse == PulseShape::kCycle   ? 1.0
+                                                         : 2 * kHalfRicker;
+  std::vector<double> time, acceleration;
+  for (double k = 0; k <= turns * kSamples; ++k) {
+    const double x = k / kSamples;
+    const double z = M_PI * M_PI * (x - kHalfRicker) * (x - kHalfRicker);
+    const double shape = r.pulse == PulseShape::kRicker       ? (1 - 2 * z) * std::exp(-z)
+                         : 2 * k == kSamples || k == kSamples ? 0.0
+                                                              : std::sin(2 * M_PI * x);
+    time.push_back(x * r.period);
+    acceleration.push_back(r.amplitude * shape);
+  }
+  return ground_motion(std::move(time), std::move(acceleration));
+}
+
+// The samples of a record that is no pulse, in m/s^2; faults are said where it is read.
+GroundMotion table_motion(const RecordSpec& r, double gravity) {
+  std::vector<double> time = r.read_times, acceleration = r.read_accelerations;
+  if (r.file.empty()) {
+    time = r.times;
+    for (const double a : r.accelerations) acceleration.push_back(a * in_metres(r.unit, gravity));
+    for (std::size_t k = 0; r.times.empty() && k < acceleration.size(); ++k)
+      time.push_back(static_cast<double>(k) * r.step);
+  }
+  const double start = time.empty() ? 0.0 : time.front();
+  for (double& t : time) t -= start;
+  return ground_motion(std::move(time), std::move(acceleration));
+}
+
+class ShakeCompiler {
+ public:
+  ShakeCompiler(const std::string& path, const WallPlaces& places, Model& model, Stage& stage,
+                FaultList& faults)
+      : path_(path), places_(places), model_(model), stage_(stage), faults_(faults) {}
+
+  void run() {
+    const StageSpec& s = stage_.spec;
+    stage_.drive_x = stage_.drive_y = stage_.drive_z = 0;
+    std::vector<GroundMotion> motions;
+    for (std::size_t k = 0; k < s.record.size(); ++k) {
+      if (!is_sound(s.record[k], k)) return;
+      GroundMotion motion = s.record[k].pulse == PulseShape::kNone
+                                ? table_motion(s.record[k], model_.solve.gravity)
+                                : pulse_motion(s.record[k]);
+      motion.along = places_.axis(s.record[k].direction);
+      if (!model_.in_space() && motion.along.z != 0)
+        return fault(key_of(k, "direction"),
+                     std::string(word_of(kDirectionWords, s.record[k].direction)),
+                     "is out of the wall's plane, and this wall is no wall in space",
+                     "write +x, -x, +y or -y, or give its blocks a third dimension");
+      motion.source = !s.record[k].file.empty() ? s.record[k].file
+                      : s.record[k].pulse != PulseShape::kNone
+                          ? std::string(word_of(kPulseShapeWords, s.record[k].pulse))
+                          : "table";
+      motions.push_back(std::move(motion));
+    }
+    const bool weighs = std::any_of(model_.stages.begin(), model_.stages.end(), [](const Stage& b) {
+      return b.spec.kind == StageKind::kGravity;
+    });
+    if (!weighs && model_.solve.gravity > 0)
+      fault("record", "", "shakes a wall that does not carry its weight yet",
+            "put a gravity stage before it");
+    if (motions.empty()) return fault("record", "", "is missing", "write [[stage.record]]");
+    const double factor = common_factor(motions.front());
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      weigh(motions[k], k);
+      GroundMotion motion = scaled(std::move(motions[k]), factor);
+      look_at(motion, k);
+      if (says_something(s.record[k].at))
+        drive(std::move(motion), k);
+      else
+        add_to_base(std::move(motion), k);
+    }
+    relate();
+    limit_rows();
+  }
+
+ private:
+  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
+    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+  static std::string key_of(std::size_t k, const char* name) {
+    return fmt::format("record.{}.{}", k, name);
+  }
+
+  void limit_rows() {
+    constexpr double kMostRows = 1e6;
+    double longest = stage_.driven_motion.duration();
+    for (const GroundMotion& m : stage_.base) longest = std::max(longest, m.duration());
+    longest += stage_.spec.free_vibration;
+    if (stage_.spec.interval * kMostRows < longest)
+      fault("interval", fmt::format("{:g} s", stage_.spec.interval),
+            fmt::format("makes {:.3g} rows, at most a million are kept",
+                        longest / stage_.spec.interval),
+            "write a longer one");
+  }
+
+  // What models made by programs may lack; files are checked where they are read.
+  bool is_sound(const RecordSpec& r, std::size_t k) {
+    const std::size_t before = faults_.all().size();
+    if (r.pulse != PulseShape::kNone) {
+      if (!(r.period > 0) || !is_set(r.amplitude))
+        fault(key_of(k, "pulse"), std::string(word_of(kPulseShapeWords, r.pulse)),
+              "needs an amplitude and a period",
+              "write amplitude = \"3 m/s^2\", period = \"0.5 s\"");
+      return faults_.all().size() == before;
+    }
+    const bool listed = r.file.empty();
+    const std::vector<double>& times = listed ? r.times : r.read_times;
+    const std::vector<double>& values = listed ? r.accelerations : r.read_accelerations;
+    const char* const name = listed ? "accelerations" : "file";
+    if (values.size() < 2)
+      fault(key_of(k, name), "", "holds fewer than two accelerations", "give the whole record");
+    if (listed && r.unit == RecordUnit::kNone)
+      fault(key_of(k, "unit"), "", "is missing: no acceleration without its unit",
+            "write unit = \"g\", \"m/s2\" or \"cm/s2\"");
+    if (times.empty() && !(r.step > 0))
+      fault(key_of(k, "step"), "", "is missing, and no times are given",
+            "write step = \"0.005 s\", or times");
+    if (!times.empty() && times.size() != values.size())
+      fault(key_of(k, "times"), fmt::format("{}", times.size()),
+            fmt::format("are not as many as accelerations, {}", values.size()),
+            "write one time for each");
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (!(times[i] > times[i - 1])) {
+        fault(key_of(k, "times"), fmt::format("{:g} s after {:g} s", times[i], times[i - 1]),
+              "do not rise", "sort them, and write each time once");
+        break;
+      }
+    return faults_.all().size() == before;
+  }
+
+  double common_factor(const GroundMotion& first) {
+    const ScaleSpec& s = stage_.spec.scale;
+    if (is_set(s.factor)) return s.factor;
+    if (is_set(s.pga)) return s.pga / peak_acceleration(first);
+    if (!is_set(s.sa)) return 1;
+    const double damping = is_set(s.damping) ? s.damping : 0.05;
+    return s.sa / pseudo_acceleration(first, s.period, damping);
+  }
+
+  void note(const char* code, std::vector<Argument> arguments) {
+    model_.anatomy.notes.push_back({code, std::move(arguments)});
+  }
+
+  // A unit that is ten or a hundred times off shows by the size of the numbers.
+  void weigh(const GroundMotion& m, std::size_t k) {
+    constexpr double kMost = 5, kLeast = 1e-4;  // [g]: no record lies beyond
+    const double pga = peak_acceleration(m) / kStandardGravity;
+    if (stage_.spec.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
+    fault(key_of(k, "unit"), fmt::format("{:.3g} g", pga),
+          "is the peak acceleration with this unit, and no earthquake's",
+          pga > kMost ? "numbers like these are often cm/s2" : "numbers like these are often g");
+  }
+
+  // What is applied, and a baseline that drifts.
+  void look_at(const GroundMotion& m, std::size_t k) {
+    constexpr double kMost = 20;     // [g]: beyond lies a slip of the scale
+    constexpr double kDrift = 0.05;  // of the largest velocity left at the end
+    const double pga = peak_acceleration(m) / kStandardGravity;
+    if (!(pga <= kMost))
+      fault(stage_.spec.record[k].pulse == PulseShape::kNone ? "scale" : key_of(k, "amplitude"),
+            fmt::format("{:.3g} g", pga), "is the peak acceleration that follows",
+            "write a smaller one");
+    note("shake.record", {{"stage", stage_.spec.name},
+                          {"record", m.source},
+                          {"pga_g", pga},
+                          {"pgv_mm_per_s", 1e3 * peak_velocity(m)},
+                          {"duration_s", m.duration()},
+                          {"factor", m.factor}});
+    const double left = std::fabs(m.velocity.back()), most = peak_velocity(m);
+    if (left > kDrift * most)
+      note("shake.baseline", {{"stage", stage_.spec.name},
+                              {"record", m.source},
+                              {"velocity_mm_per_s", 1e3 * m.velocity.back()},
+                              {"percent", 100 * left / most},
+                              {"displacement_mm", 1e3 * m.displacement.back()}});
+  }
+
+  void add_to_base(GroundMotion motion, std::size_t k) {
+    for (const GroundMotion& other : stage_.base)
+      if (std::fabs(dot(other.along, motion.along)) > 0.5)
+        return fault(key_of(k, "direction"),
+                     std::string(word_of(kDirectionWords, stage_.spec.record[k].direction)),
+                     "has a record already", "give each direction one record");
+    stage_.base.push_back(std::move(motion));
+  }
+
+  // All that moves otherwise than the base moves as one, along one direction.
+  void drive(GroundMotion motion, std::size_t k) {
+    if (!stage_.driven_motion.empty())
+      return fault(key_of(k, "at"), "", "is a second motion beside that of the base",
+                   "move one group of blocks or supports, along one direction");
+    stage_.driven = places_.blocks(stage_.spec.record[k].at);
+    const auto support = [&](BlockId id) { return id >= model_.n_block; };
+    const auto supports = std::count_if(stage_.driven.begin(), stage_.driven.end(), support);
+    if (stage_.driven.empty() ||
+        (supports > 0 && supports < static_cast<std::ptrdiff_t>(stage_.driven.size())))
+      return fault(key_of(k, "at"), "",
+                   stage_.driven.empty() ? "finds nothing that could move"
+                                         : "finds both supports and blocks",
+                   "name blocks by id, a point in a block, or a box round their centres");
+    stage_.driven_share.assign(stage_.driven.size(), 1.0);
+    stage_.spec.as = Manner::kEach;
+    stage_.drive_x = motion.along.x, stage_.drive_y = motion.along.y;
+    stage_.drive_z = motion.along.z;
+    stage_.driven_motion = std::move(motion);
+  }
+
+  // Against the base, in whose frame the wall is computed.
+  void relate() {
+    if (stage_.driven_motion.empty()) return;
+    for (const GroundMotion& base : stage_.base)
+      stage_.driven_motion =
+          combined(stage_.driven_motion, base, -dot(base.along, stage_.driven_motion.along));
+  }
+
+  const std::string& path_;
+  const WallPlaces& places_;
+  Model& model_;
+  Stage& stage_;
+  FaultList& faults_;
+};
+
+double mass_between(const Model& m, std::size_t joint) {
+  const double b = m.mass[at(m.joint_b[joint])];
+  if (static_cast<int>(joint) >= m.n_pair) return b;
+  const double a = m.mass[at(m.joint_a[joint])];
+  return a * b / (a + b);
+}
+
+}  // namespace
+
+Vec3 vector_of(Direction direction) {
+  switch (direction) {
+    case Direction::kPlusX: return {1, 0, 0};
+    case Direction::kMinusX: return {-1, 0, 0};
+    case Direction::kPlusY: return {0, 1, 0};
+    case Direction::kMinusY: return {0, -1, 0};
+    case Direction::kPlusZ: return {0, 0, 1};
+    case Direction::kMinusZ: return {0, 0, -1};
+  }
+  return {};
+}
+
+void compile_shake(const std::string& path, const WallPlaces& places, Model& model, Stage& stage,
+                   FaultList& faults) {
+  ShakeCompiler(path, places, model, stage, faults).run();
+}
+
+void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& places,
+                     Model& model, FaultList& faults) {
+  const auto centroid = [&](BlockId i) {
+    return Vec3{model.centroid_x[at(i)], model.centroid_y[at(i)],
+                model.in_space() ? model.space.centroid[at(i)].z : 0.0};
+  };
+  for (std::size_t k = 0; k < history.size(); ++k) {
+    const std::vector<BlockId> found = places.blocks(history[k].at);
+    if (found.empty() || found.front() >= model.n_block) {
+      faults.add({"", fmt::format("history.{}.at", k), history[k].at.block,
+                  "finds no block that moves", "name a point in a block, or its id", 0});
+      continue;
+    }
+    const BlockId block = found.front();
+    const Vec3 point = places.point(history[k].at, block), middle = centroid(block);
+    model.watched.push_back({history[k].name, block, point - middle, point.y - places.lowest});
+  }
+  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(),
+                                  [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
+  if (!history.empty() || !shakes || model.n_block == 0) return;
+  const auto top = std::max_element(model.centroid_y.begin(), model.centroid_y.end());
+  const auto block = static_cast<BlockId>(top - model.centroid_y.begin());
+  model.watched.push_back({"top", block, {}, centroid(block).y - places.lowest});
+}
+
+void carry_floors(const std::vector<double>& bare, Model& model) {
+  for (Stage& stage : model.stages)
+    for (std::size_t i = 0; stage.spec.kind == StageKind::kShake && i < bare.size(); ++i)
+      if (model.mass[i] > bare[i])
+        stage.carried.push_back({static_cast<BlockId>(i), 0, 0, model.mass[i] - bare[i], 0});
+}
+
+double fraction_of_restitution(double restitution) {
+  constexpr double kMost = 2;  // 0.3 % of the energy comes back: as good as none
+  const auto comes_back = [](double xi) {
+    if (xi < 1) {
+      const double psi = std::asin(xi);
+      return std::exp(-std::tan(psi) * (M_PI - 2 * psi));
+    }
+    const double root = std::sqrt(xi * xi - 1);
+    return root == 0 ? std::exp(-2.0) : std::exp(-xi / root * std::log((xi + root) / (xi - root)));
+  };
+  if (restitution <= comes_back(kMost)) return kMost;
+  double low = 0, high = kMost;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (comes_back(middle) > restitution ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+void set_dashpots(Model& m) {
+  for (Stage& stage : m.stages) {
+    const StageSpec& s = stage.spec;
+    const bool bounces = is_set(s.restitution) && s.restitution < 1;
+    if (s.kind != StageKind::kShake || (!bounces && !is_set(s.joint_damping.fraction))) continue;
+    const double impact = bounces ? 2 * fraction_of_restitution(s.restitution) : 0.0;
+    const double proportional = is_set(s.joint_damping.fraction)
+                                    ? s.joint_damping.fraction / (M_PI * s.joint_damping.frequency)
+                                    : 0.0;
+    Dashpots& d = stage.dashpots;
+    for (std::size_t j = 0; j < at(m.n_joint); ++j) {
+      const JointMaterial& law = m.materials[at(m.joint_material[j])];
+      const double share = mass_between(m, j) / m.area[j];
+      const auto dashpot = [&](double stiffness) {
+        return proportional * stiffness + impact * std::sqrt(stiffness * share);
+      };
+      d.normal.push_back(dashpot(law.normal_stiffness));
+      d.shear.push_back(dashpot(law.shear_stiffness));
+    }
+    d.rate = m.in_space() ? dashpot_rate_in_space(m, d) : dashpot_rate(m, d);
+    const double xi = 0.5 * d.rate / m.omega_max;
+    m.anatomy.notes.push_back(
+        {"shake.dashpots", {{"stage", s.name}, {"times", 1 / (std::sqrt(1 + xi * xi) - xi)}}});
+  }
+}
+
+std::string record_hash(const std::vector<double>& times,
+                        const std::vector<double>& accelerations) {
+  Hash hash;
+  hash.add(times);
+  hash.add(accelerations);
+  return hash.text();
+}
+
+}  // namespace wythe

@@ -1,0 +1,373 @@
+// Records, pulses and spectra; the files of records and their faults; what a shake asks and tells.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "model/shaking.h"
+#include "scenes/scenes.h"
+#include "unit/io_helpers.h"
+#include "wythe/solve.h"
+
+namespace wythe {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- motions ----------------------------------------------------------------------------------------------
+
+TEST(GroundMotion, integrates_what_is_linear_between_samples_exactly) {
+  // a = t up to 1 s, then down to 0 at 3 s
+  const GroundMotion m = ground_motion({0, 1, 3}, {0, 1, 0});
+  EXPECT_DOUBLE_EQ(m.velocity_at(1), 0.5);
+  EXPECT_DOUBLE_EQ(m.displacement_at(1), 1.0 / 6);
+  EXPECT_DOUBLE_EQ(m.velocity_at(3), 1.5);
+  // 1/6 + 1/2 2 + integral over 2 s of (s - s^2/4) = 1/6 + 1 + 2 - 2/3
+  EXPECT_DOUBLE_EQ(m.displacement_at(3), 1.0 / 6 + 1 + 2 - 2.0 / 3);
+  EXPECT_DOUBLE_EQ(m.acceleration_at(2), 0.5);
+  EXPECT_DOUBLE_EQ(m.velocity_at(5), 1.5);
+  EXPECT_DOUBLE_EQ(m.displacement_at(5), m.displacement_at(3) + 3);
+  EXPECT_EQ(m.acceleration_at(5), 0);
+  EXPECT_EQ(m.velocity_at(-1), 0);
+}
+
+TEST(GroundMotion, finds_the_peak_velocity_between_samples) {
+  const GroundMotion m = ground_motion({0, 1}, {1, -1});  // v = t - t^2
+  EXPECT_DOUBLE_EQ(peak_velocity(m), 0.25);
+  EXPECT_EQ(m.velocity.back(), 0);
+}
+
+TEST(GroundMotion, has_the_arias_intensity_of_its_squares) {
+  const GroundMotion m = ground_motion({0, 2}, {3, 3});
+  EXPECT_NEAR(arias_intensity(m), M_PI / (2 * 9.80665) * 18, 1e-12);
+}
+
+// A step of the acceleration: u = a (1 - cos wt)/w^2, damped a (1 + exp(-pi xi/root)).
+TEST(GroundMotion, spectra_are_those_of_closed_forms) {
+  const GroundMotion step = ground_motion({0, 5}, {2, 2});
+  const double w = 2 * M_PI / 0.7;
+  EXPECT_NEAR(spectral_displacement(step, 0.7, 0), 2 * 2 / (w * w), 2e-5 * 4 / (w * w));
+  const double xi = 0.05, over = std::exp(-M_PI * xi / std::sqrt(1 - xi * xi));
+  EXPECT_NEAR(spectral_displacement(step, 0.7, xi), 2 * (1 + over) / (w * w), 1e-3 / (w * w));
+  // a stiff one follows the ground, a soft one stands still
+  const GroundMotion hat = ground_motion({0, 0.25, 0.5, 0.75, 1}, {0, 3, 0, -3, 0});
+  EXPECT_NEAR(pseudo_acceleration(hat, 0.01, 0.05), 3, 0.03);
+  EXPECT_NEAR(spectral_displacement(hat, 1e3, 0.05), std::fabs(hat.displacement.back()),
+              0.02 * hat.displacement.back());
+}
+
+TEST(GroundMotion, the_sum_of_two_has_the_samples_of_both) {
+  const GroundMotion a = ground_motion({0, 2}, {0, 2}), b = ground_motion({0, 1, 2}, {0, 1, 0});
+  const GroundMotion sum = combined(a, b, -1);
+  EXPECT_EQ(sum.time, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(sum.acceleration, (std::vector<double>{0, 0, 2}));
+  EXPECT_NEAR(sum.displacement_at(2), a.displacement_at(2) - b.displacement_at(2), 1e-15);
+}
+
+TEST(GroundMotion, restitution_and_fraction_belong_together) {
+  EXPECT_NEAR(fraction_of_restitution(1), 0, 1e-12);
+  EXPECT_NEAR(fraction_of_restitution(std::exp(-2.0)), 1, 1e-6);
+  // psi = 30 degrees: exp(-tan 30 (pi - pi/3))
+  EXPECT_NEAR(fraction_of_restitution(std::exp(-std::tan(M_PI / 6) * 2 * M_PI / 3)), 0.5, 1e-9);
+  EXPECT_EQ(fraction_of_restitution(0), 2);
+}
+
+// --- files ------------------------------------------------------------------------------------------------
+
+class RecordFile : public ::testing::Test {
+ protected:
+  RecordFile() {
+    fs::create_directories(folder_);
+    model_ = io_tests::kModel.substr(0, io_tests::kModel.find("[[stage]]\nname = \"push\""));
+    const std::string density = "density = \"1250 kg/m^3\"\n";
+    model_.insert(model_.find(density) + density.size(), "split = \"none\"\n");
+    const std::string timber = "density = \"600 kg/m^3\"\n";
+    model_.insert(model_.find(timber) + timber.size(),
+                  "youngs_modulus = \"10 GPa\"\nshear_modulus = \"0.6 GPa\"\n");
+  }
+  ~RecordFile() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  // The model with a shake of these lines.
+  [[nodiscard]] ModelSpec parse(const std::string& lines) const {
+    return parse_model(model_ + "[[stage]]\nname = \"quake\"\n" + lines,
+                       (folder_ / "model.toml").string());
+  }
+  [[nodiscard]] std::string refusal(const std::string& lines) const {
+    try {
+      const ModelSpec spec = parse(lines);
+      static_cast<void>(compile(spec));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+  static void says(const std::string& text, std::initializer_list<const char*> words) {
+    for (const char* word : words)
+      EXPECT_NE(text.find(word), std::string::npos) << "\"" << word << "\" is not in:\n" << text;
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("wythe_records_" + std::to_string(getpid()));
+  std::string model_;
+};
+
+const char* const kCsv = "# made up\ntime_s,ns,ew\n0,0,0.1\n0.01,0.2,0.1\n0.02,-0.1,0.1\n";
+
+TEST_F(RecordFile, csv_is_read_by_its_head) {
+  write("a.csv", kCsv);
+  const ModelSpec spec =
+      parse("record = { file = \"a.csv\", unit = \"g\", column = \"ns\", direction = \"-x\" }\n");
+  ASSERT_EQ(spec.stage.back().record.size(), 1U);
+  const RecordSpec& r = spec.stage.back().record.front();
+  EXPECT_EQ(spec.stage.back().kind, StageKind::kShake);
+  EXPECT_EQ(r.read_times, (std::vector<double>{0, 0.01, 0.02}));
+  EXPECT_DOUBLE_EQ(r.read_accelerations[1], 0.2 * 9.81);
+  const Model model = compile(spec);
+  EXPECT_EQ(model.stages.back().base.front().along.x, -1);
+  EXPECT_EQ(model.stages.back().spec.damping, 0);  // no local damping unless asked for
+}
+
+TEST_F(RecordFile, at2_is_read_by_its_head) {
+  write("a.AT2",
+        "PEER NGA\nsomewhere\nACCELERATION TIME SERIES IN UNITS OF G\n"
+        "NPTS=      5, DT=   .0050 SEC,\n  .1E-01  -.2\n .3 .4\n .5\n");
+  const ModelSpec spec = parse("record = [{ file = \"a.AT2\", unit = \"g\" }]\n");
+  const RecordSpec& r = spec.stage.back().record.front();
+  ASSERT_EQ(r.read_times.size(), 5U);
+  EXPECT_DOUBLE_EQ(r.read_times[4], 0.02);
+  EXPECT_DOUBLE_EQ(r.read_accelerations[1], -0.2 * 9.81);
+}
+
+TEST_F(RecordFile, faults_are_named_with_their_lines) {
+  write("a.csv", kCsv);
+  says(refusal("record = { file = \"a.csv\" }\n"), {"unit", "without its unit"});
+  says(refusal("record = { file = \"b.csv\", unit = \"g\" }\n"), {"b.csv", "folder of the model"});
+  says(refusal("record = { file = \"a.csv\", unit = \"g\", column = \"up\" }\n"), {"up", "ns, ew"});
+  write("c.csv", "time_s,a\n0,0\n0.01,x\n0.02,\n0.02,1\n0.01,1\n");
+  says(refusal("record = { file = \"c.csv\", unit = \"g\" }\n"),
+       {"c.csv:3", "is no number", "c.csv:4", "times do not rise"});
+  std::string gap = "time_s,a\n";
+  for (int k = 0; k < 40; ++k)
+    if (k != 20 && k != 21) gap += fmt::format("{},0.1\n", 0.01 * k);
+  write("d.csv", gap);
+  says(refusal("record = { file = \"d.csv\", unit = \"g\" }\n"), {"0.19 s to 0.22 s", "missing"});
+  write("e.AT2", "a\nb\nACCELERATION IN UNITS OF G\nNPTS= 6, DT= .005 SEC\n1 2 3\n");
+  says(refusal("record = { file = \"e.AT2\", unit = \"cm/s2\" }\n"),
+       {"states another", "3 numbers", "missing"});
+}
+
+TEST_F(RecordFile, a_wrong_unit_shows_by_its_size) {
+  write("a.csv", "time_s,a\n0,0\n0.01,180\n0.02,-240\n0.03,0\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"m/s2\" }\n"), {"24.5 g", "cm/s2"});
+  EXPECT_EQ(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), "accepted");
+  write("b.csv", "time_s,a\n0,0\n0.01,0.0002\n0.02,0\n");
+  says(refusal("record = { file = \"b.csv\", unit = \"m/s2\" }\n"), {"unit", "often g"});
+}
+
+TEST_F(RecordFile, a_changed_file_is_refused_where_its_hash_is_stated) {
+  write("a.csv", kCsv);
+  const std::string was =
+      parse("record = { file = \"a.csv\", unit = \"g\" }\n").stage.back().record.front().hash;
+  ASSERT_EQ(was.size(), 16U);
+  const std::string lines = "record = { file = \"a.csv\", unit = \"g\", hash = \"" + was + "\" }\n";
+  EXPECT_EQ(refusal(lines), "accepted");
+  write("a.csv", "time_s,ns\n0,0\n0.01,0.3\n0.02,-0.1\n");
+  says(refusal(lines), {was.c_str(), "another"});
+}
+
+TEST_F(RecordFile, a_shake_says_what_it_lacks) {
+  says(refusal("free_vibration = \"1 s\"\n"), {"record", "missing"});
+  says(refusal("record = { unit = \"g\" }\n"), {"nothing of the motion"});
+  says(refusal("record = { pulse = \"cycle\" }\n"), {"amplitude", "period"});
+  says(refusal("record = { pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"1 s\", "
+               "direction = \"+z\" }\n"),
+       {"out of the wall's plane"});
+  says(refusal("record = [{ pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"1 s\" },"
+               "{ pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"1 s\", direction = \"-x\" "
+               "}]\n"),
+       {"has a record already"});
+  const std::string pulse =
+      "record = { pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"1 s\" }\n";
+  says(refusal(pulse + "scale = { pga = \"1 m/s^2\", factor = 2 }\n"), {"one of factor, pga"});
+  says(refusal(pulse + "scale = { sa = \"1 m/s^2\" }\n"), {"with its period"});
+  says(refusal(pulse + "mass_damping = { fraction = 0.02 }\n"), {"frequency"});
+  says(refusal(pulse + "velocity = \"1 mm/s\"\n"), {"several kinds"});
+}
+
+TEST_F(RecordFile, all_components_are_scaled_by_the_first) {
+  const std::string records =
+      "record = [{ pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"0.5 s\" },"
+      "{ pulse = \"ricker\", amplitude = \"0.5 m/s^2\", period = \"0.5 s\", direction = \"+y\" "
+      "}]\n";
+  const Model by_pga = compile(parse(records + "scale = { pga = \"3 m/s^2\" }\n"));
+  EXPECT_NEAR(peak_acceleration(by_pga.stages.back().base[0]), 3, 1e-12);
+  EXPECT_NEAR(peak_acceleration(by_pga.stages.back().base[1]), 1.5, 1e-12);
+  const Model by_sa =
+      compile(parse(records + "scale = { sa = \"4 m/s^2\", period = \"0.3 s\" }\n"));
+  EXPECT_NEAR(pseudo_acceleration(by_sa.stages.back().base[0], 0.3, 0.05), 4, 1e-9);
+}
+
+// --- runs -------------------------------------------------------------------------------------------------
+
+StageSpec shaken_by(PulseShape shape, double amplitude, double period) {
+  StageSpec shake;
+  shake.name = "quake";
+  shake.kind = StageKind::kShake;
+  RecordSpec record;
+  record.pulse = shape;
+  record.amplitude = amplitude;
+  record.period = period;
+  shake.record = {record};
+  return shake;
+}
+
+Result shaken(const ModelSpec& spec) {
+  const Model model = compile(spec);
+  State state = initial_state(model);
+  return solve(model, state);
+}
+
+ModelSpec lone_block(double width, double height, double friction) {
+  ModelSpec spec = scenes::block_on_ground(
+      width, height, scenes::dry_joint(1e10, 4e9, std::atan(friction)), 0.3, 2000);
+  spec.stage = {scenes::gravity_stage()};
+  return spec;
+}
+
+// A block that nothing holds stays where it is while the base moves under it: -D against the base.
+TEST(Shake, without_friction_the_base_slides_away_under_the_block) {
+  ModelSpec spec = lone_block(1, 0.2, 1e-9);
+  StageSpec shake = shaken_by(PulseShape::kCycle, 2, 0.5);
+  shake.free_vibration = 0.1;
+  spec.stage.push_back(shake);
+  const Result r = shaken(spec);
+  ASSERT_EQ(r.status, SolveStatus::kCompleted) << r.reason;
+  const double way = 2 * 0.5 * 0.5 / (2 * M_PI);  // of a whole sine: A T^2 / 2 pi
+  const ShakeRow& last = r.history.row.back();
+  EXPECT_NEAR(last.base_displacement[0], way, 2e-4 * way);
+  EXPECT_NEAR(r.history.motion.back()[0], -last.base_displacement[0], 1e-7);
+  EXPECT_LT(r.energy.gap_ratio, 1e-3);
+}
+
+// Newmark's block: it slides from mu g on; way of a rigid block under a rectangular pulse.
+TEST(Shake, a_block_slides_as_newmark_says) {
+  constexpr double kMu = 0.2, kG = 9.81, kA = 4, kT = 0.2;
+  ModelSpec spec = lone_block(2, 0.1, kMu);
+  StageSpec shake = shaken_by(PulseShape::kNone, 0, 0);
+  RecordSpec& record = shake.record.front();
+  record.unit = RecordUnit::kMetres;
+  record.times = {0, 1e-6, kT, kT + 1e-6};
+  record.accelerations = {0, kA, kA, 0};
+  shake.free_vibration = 0.5;
+  spec.stage.push_back(shake);
+  const Result r = shaken(spec);
+  ASSERT_EQ(r.status, SolveStatus::kCompleted) << r.reason;
+  const double wanted = -0.5 * kA * kT * kT * (kA / (kMu * kG) - 1);
+  EXPECT_NEAR(r.history.motion.back()[0], wanted, 5e-3 * std::fabs(wanted));
+  EXPECT_NEAR(r.shaking.largest_slip, -wanted, 5e-3 * std::fabs(wanted));
+  EXPECT_NEAR(r.shaking.motion.front().residual, -wanted, 5e-3 * std::fabs(wanted));
+  // the ground feels no more than friction
+  EXPECT_NEAR(r.shaking.peak_base_shear, kMu * 2000 * 0.2 * 0.3 * kG,
+              0.05 * kMu * 2000 * 0.06 * kG);
+}
+
+TEST(Shake, a_toppled_block_is_a_collapse_and_a_rocking_one_is_not) {
+  ModelSpec spec = lone_block(0.3, 1.2, 2);
+  spec.solve.point_rule = PointRule::kCorners;
+  spec.solve.points_per_face = 2;
+  StageSpec shake = shaken_by(PulseShape::kHalfCycle, 4, 0.8);
+  shake.restitution = 0.2;
+  shake.free_vibration = 3;
+  spec.stage.push_back(shake);
+  const Result rocks = shaken(spec);
+  EXPECT_EQ(rocks.status, SolveStatus::kCompleted) << rocks.reason;
+  EXPECT_FALSE(rocks.shaking.collapsed);
+  EXPECT_GT(rocks.shaking.motion.front().peak, 1e-3);
+  spec.stage.back().record.front().amplitude = 12;
+  const Result falls = shaken(spec);
+  EXPECT_EQ(falls.status, SolveStatus::kCollapsed);
+  EXPECT_EQ(falls.reason.code, "block.toppled");
+  EXPECT_TRUE(falls.shaking.collapsed);
+}
+
+TEST(Shake, a_mirrored_record_mirrors_the_answer) {
+  ModelSpec spec = lone_block(0.3, 1.2, 2);
+  StageSpec shake = shaken_by(PulseShape::kCycle, 5, 0.6);
+  shake.restitution = 0.3;
+  shake.free_vibration = 0.5;
+  spec.stage.push_back(shake);
+  const Result one = shaken(spec);
+  spec.stage.back().scale.factor = -1;
+  const Result other = shaken(spec);
+  ASSERT_EQ(one.history.row.size(), other.history.row.size());
+  double most = 0;
+  for (std::size_t k = 0; k < one.history.motion.size(); ++k) {
+    EXPECT_NEAR(one.history.motion[k][0], -other.history.motion[k][0], 1e-9);
+    most = std::fmax(most, std::fabs(one.history.motion[k][0]));
+  }
+  EXPECT_GT(most, 1e-3);
+}
+
+// The base moved under the wall, or the wall computed in the base's frame: the same motion against the base.
+TEST(Shake, moving_supports_are_the_frame_of_the_base) {
+  const auto model = [](bool supports) {
+    ModelSpec spec = scenes::in_space({scenes::box("floor", {-1, -0.2, -1}, {2, 0.2, 2}, true),
+                                       scenes::box("a", {-0.2, 0, -0.15}, {0.4, 0.3, 0.3}),
+                                       scenes::box("b", {-0.2, 0.3, -0.15}, {0.4, 0.3, 0.3})},
+                                      scenes::dry_joint(1e9, 4e8, std::atan(0.3)));
+    StageSpec shake = shaken_by(PulseShape::kCycle, 4, 0.3);
+    if (supports) shake.record.front().at.block = "floor";
+    shake.record.front().direction = Direction::kPlusZ;
+    shake.free_vibration = 0.1;
+    spec.stage = {scenes::gravity_stage(), shake};
+    return spec;
+  };
+  const Result frame = shaken(model(false)), moved = shaken(model(true));
+  ASSERT_EQ(frame.history.row.size(), moved.history.row.size());
+  const GroundMotion base = compile(model(false)).stages.back().base.front();
+  double most = 0;
+  for (std::size_t k = 0; k < frame.history.row.size(); ++k) {
+    const double wanted =
+        frame.history.motion[k][2] + base.displacement_at(frame.history.row[k].time);
+    EXPECT_NEAR(moved.history.motion[k][2], wanted, 2e-5);
+    most = std::fmax(most, std::fabs(frame.history.motion[k][2]));
+  }
+  EXPECT_GT(most, 1e-3);
+  EXPECT_LT(frame.energy.gap_ratio, 1e-2);
+}
+
+TEST(Shake, in_space_as_in_the_plane) {
+  std::vector<BlockSpec> blocks{scenes::rectangle("floor", -0.5, -0.2, 1.3, 0.2)};
+  blocks.front().fixed = true;
+  for (int k = 0; k < 3; ++k)
+    blocks.push_back(scenes::rectangle("b" + std::to_string(k), 0, 0.2 * k, 0.3, 0.2));
+  ModelSpec plane =
+      scenes::assembly(blocks, scenes::dry_joint(1e9, 4e8, std::atan(0.6)), 0.3, 2000);
+  plane.solve.point_rule = PointRule::kCorners;
+  plane.solve.points_per_face = 2;
+  StageSpec shake = shaken_by(PulseShape::kCycle, 6, 0.4);
+  shake.restitution = 0.5;
+  shake.mass_damping = {0.02, 10};
+  plane.stage = {scenes::gravity_stage(), shake};
+  plane.solve.damping_form = DampingForm::kComponents;
+  const Result flat = shaken(plane), space = shaken(scenes::prisms(plane));
+  ASSERT_EQ(flat.status, SolveStatus::kCompleted) << flat.reason;
+  const std::size_t rows = std::min(flat.history.row.size(), space.history.row.size());
+  double most = 0;
+  for (std::size_t k = 0; k < rows; ++k) {
+    most = std::fmax(most, std::fabs(flat.history.motion[k][0]));
+    EXPECT_NEAR(flat.history.motion[k][0], space.history.motion[k][0], 1e-4) << k;
+  }
+  EXPECT_GT(most, 2e-3);
+  EXPECT_LT(flat.energy.gap_ratio, 1e-2);
+  EXPECT_LT(space.energy.gap_ratio, 1e-2);
+}
+
+}  // namespace
+}  // namespace wythe
