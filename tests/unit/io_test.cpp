@@ -246,10 +246,9 @@ TEST(StageRefused, kind_that_cannot_be_told) {
 }
 
 TEST(StageRefused, keys_of_several_kinds) {
-  EXPECT_EQ(
-      fault_of("velocity =", "pressure = \"1 MPa\"\nvelocity ="),
-      "model.toml:36: stage.2: has keys of several kinds: pressure (load), at (push), velocity "
-      "(push), until (push); make them separate stages");
+  EXPECT_EQ(fault_of("velocity =", "pressure = \"1 MPa\"\nvelocity ="),
+            "model.toml:36: stage.2: has keys of several kinds: pressure (load), velocity "
+            "(push), until (push); make them separate stages");
 }
 
 TEST(StageRefused, key_of_another_kind) {
@@ -293,15 +292,15 @@ TEST(StageRefused, place_with_half_a_point) {
 
 TEST(StageRefused, load_without_load_and_with_two) {
   const std::string none = fault_of("pier_load = \"200 kN\"", "kind = \"load\"");
-  EXPECT_EQ(
-      none,
-      "model.toml:33: stage.1: a load stage needs pier_load, pressure, beam_load or floors = true; "
-      "write e.g. pier_load = \"200 kN\"");
+  EXPECT_EQ(none,
+            "model.toml:33: stage.1: a load stage needs pier_load, pressure, beam_load, force, "
+            "line_load or floors = true; "
+            "write e.g. pier_load = \"200 kN\"");
   const std::string two = fault_of("pier_load =", "pressure = \"1 MPa\"\npier_load =");
-  EXPECT_EQ(
-      two,
-      "model.toml:33: stage.1: has more than one of pier_load, pressure, beam_load and floors; "
-      "make them separate stages");
+  EXPECT_EQ(two,
+            "model.toml:33: stage.1: has more than one of pier_load, pressure, beam_load, force, "
+            "line_load and floors; "
+            "make them separate stages");
 }
 
 TEST(StageRefused, manner_of_another_kind) {
