@@ -143,7 +143,9 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
     if (!r.validity.holds())
       fmt::print(
           "warning: from {:.2f} mm on {} compressed joint{} lost more than half of the contact "
-          "face; results that depend on them are not reliable. The first: {}\n",
+          "face; results that depend on them are not reliable: they still stand on each other. "
+          "Write "
+          "contacts = \"free\" in [solve] to see them fall. The first: {}\n",
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
@@ -155,6 +157,10 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
         fmt::print("warning: {} from {:.2f} mm on: {}\n", text_of(e.name), 1e3 * e.displacement,
                    text_of(e.where));
   }
+  if (r.debris.blocks > 0)
+    fmt::print("debris {} block{}, {:.3g} m3, {:.0f} kg, up to {:.2f} m outside the wall\n",
+               r.debris.blocks, r.debris.blocks == 1 ? "" : "s", r.debris.volume, r.debris.mass,
+               r.debris.reach);
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);
   fmt::print("report {}/report.html\n", out);

@@ -20,11 +20,13 @@
 
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
+#include "wythe/free_contacts.h"
 #include "wythe/ground_motion.h"
 #include "wythe/message.h"
 #include "wythe/vector.h"
 #include "wythe/wall_spec.h"
 #include "wythe/words.h"
+#include "wythe/zone_shape.h"
 
 namespace wythe {
 
@@ -148,22 +150,6 @@ struct Anatomy {
   int lost_joints = 0;
   std::vector<DrawnField> fields;  // what varies within the wall
   std::vector<Message> notes;      // what the builder fitted or left out
-};
-
-// Data that zones of one shape and material have in common (src/solids). A triangle is a zone whose
-// last two corners are one node.
-struct ZoneShape {
-  double x[4] = {}, y[4] = {};            // corners seen from their mean, anticlockwise [m]
-  double grad_x[4] = {}, grad_y[4] = {};  // gradient of each corner's share, in the middle [1/m]
-  double stiffness[8][8] = {};            // corner forces per displacement [N/m], thickness in it;
-                                          // order x1 y1 x2 y2 ...
-  double elasticity[3][3] = {};           // mean stresses x, y, xy per strain [Pa]
-  double share[4] = {};                   // of the mass, at each corner [-]
-  double area = 0;                        // [m^2]
-  double thickness = 0;                   // [m]
-  double omega_squared = 0;  // highest circular frequency of one free zone, squared [1/s^2]
-  double mass = 0;           // [kg]
-  bool operator==(const ZoneShape&) const = default;
 };
 
 // One deformable block: columns x rows zones, counted from the lower left, or triangles.
@@ -293,9 +279,10 @@ struct Model {
   std::vector<double> turn_freedom;            // 1, or 0 where rotation is blocked (n_block)
   std::vector<double> centroid_x, centroid_y;  // at the start [m] (n_block)
 
-  Solids solids;  // deformable blocks; empty in a wall of rigid ones
-  Links links;    // ties, diaphragms and springs
-  Space space;    // walls in space
+  Solids solids;    // deformable blocks; empty in a wall of rigid ones
+  Links links;      // ties, diaphragms and springs
+  Space space;      // walls in space
+  FreeShapes free;  // what free contacts see; empty without them
 
   // read once per run
   double omega_max = 0;        // bound on the highest circular frequency [1/s]
@@ -358,6 +345,11 @@ struct State {
   std::vector<double> link_plastic;  // elongation that stays [m]
   std::vector<double> link_drawn;    // elongation drawn in by prestress so far [m]
 
+  // written by the pass over free contacts, sorted by bodies, parts and features; empty without them
+  std::vector<FreeContact> free_contacts;
+  std::vector<HandOver> hand_overs;
+  std::vector<double> handed_over;  // 1: a joint that gave way to free contact (n_joint)
+
   // written by drive
   int stage = 0;                        // index into Model::stages
   std::int64_t step = 0;                // in all
@@ -384,6 +376,7 @@ struct State {
   // energy ledger, since the start [J]
   double work_loads = 0, work_drive = 0, work_damping = 0;
   double dissipated_friction = 0, dissipated_fracture = 0, dissipated_crushing = 0;
+  double lost_in_hand_over = 0;  // taken by hand-overs of contacts
 };
 
 // Builds the model; throws InputError with every fault found.

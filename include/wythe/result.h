@@ -157,6 +157,7 @@ struct EnergyLedger {
   double kinetic = 0, elastic = 0;                  // stored [J]
   double friction = 0, fracture = 0, crushing = 0;  // dissipated in joints [J]
   double damping = 0;                               // taken by local damping [J]
+  double hand_over = 0;                             // taken by hand-overs of contacts [J]
   double gap = 0;                                   // input - stored - dissipated [J]
   double gap_ratio = 0;                             // |gap| / (|loads| + |drive| + elastic)
 };
@@ -288,6 +289,7 @@ struct Result {
   EnergyLedger energy;
   RateVerdict quasi_static;
   Validity validity;
+  Debris debris;  // where contacts are free
   std::vector<Event> events;
   std::vector<double>
       joint_crack_displacement;  // where damage first reached 1 [m], NaN never (n_joint)

@@ -13,6 +13,7 @@
 #include "wythe/body.h"
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
+#include "wythe/free_contacts.h"
 #include "wythe/masonry.h"
 #include "wythe/words.h"
 
@@ -397,6 +398,7 @@ struct StageSpec {
   double tilt_until = kUnset;  // [rad]
   // hold
   double duration = kUnset;  // [s]
+  bool release = false;      // lets go of what a push before it holds
   // load
   bool floors = false;  // sets every [[floor]] on the wall; without such a stage gravity does
   // shake
@@ -435,7 +437,10 @@ struct SolveSpec {
   double settle_limit = 20;         // give up settling after this time [s]
   double mass_scaling = 1;          // density scaling of the gravity and load stages
   bool raise_light_inertia = true;  // of lintels, plates, beams that would shorten the time step
-  double collapse_displacement = kUnset;  // [m]; unset: the smallest block height
+  double collapse_displacement = kUnset;  // [m]; unset: the smallest block height; unlimited where
+                                          // contacts are free
+  Contacts contacts = Contacts::kJoints;
+  double ground = kUnset;  // height of level ground that blocks fall on, for free contacts [m]
 };
 
 // Heads and who answers for the sheet that is handed over.

@@ -180,4 +180,82 @@ double overlap_area(const Polygon& a, const Polygon& b) {
   return area;
 }
 
+namespace {
+
+// Sine of the turn at a corner that counts as none.
+constexpr double kStraight = 1e-9;
+
+double turn_at(const Polygon& outline, std::size_t i) {
+  const Triangle t = corner(outline, i);
+  const Vec2 before = t[1] - t[0], after = t[2] - t[1];
+  return cross(before, after) / (length(before) * length(after));
+}
+
+Polygon without_straight_corners(Polygon outline) {
+  for (std::size_t i = outline.size(); i-- > 0 && outline.size() > 3;)
+    if (std::abs(turn_at(outline, i)) <= kStraight)
+      outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(i));
+  return outline;
+}
+
+bool is_convex(const Polygon& outline) {
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    if (turn_at(outline, i) < -kStraight) return false;
+  return true;
+}
+
+// Both polygons as one, along the edge that they share; empty where they share none.
+Polygon joined(const Polygon& a, const Polygon& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2 p = a[i], q = a[(i + 1) % a.size()];
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (!same_point(b[k], q) || !same_point(b[(k + 1) % b.size()], p)) continue;
+      Polygon both;
+      for (std::size_t n = 0; n < a.size(); ++n) both.push_back(a[(i + 1 + n) % a.size()]);
+      for (std::size_t n = 2; n < b.size(); ++n) both.push_back(b[(k + n) % b.size()]);
+      return both;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Polygon> convex_parts(const Polygon& outline) {
+  const Polygon clean = without_straight_corners(outline);
+  if (is_convex(clean)) return {clean};
+  std::vector<Polygon> parts;
+  for (const Triangle& t : triangles_of(clean)) parts.emplace_back(t.begin(), t.end());
+  // triangles joined again while they stay convex
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t k = i + 1; k < parts.size();) {
+      const Polygon both = joined(parts[i], parts[k]);
+      if (both.empty() || !is_convex(both)) {
+        ++k;
+        continue;
+      }
+      parts[i] = both;
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+      k = i + 1;
+    }
+  for (Polygon& part : parts) part = without_straight_corners(part);
+  return parts;
+}
+
+Polygon bevelled(const Polygon& convex, double bevel) {
+  constexpr double kMostOfEdge = 0.25;
+  Polygon cut;
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    const Triangle t = corner(convex, i);
+    const auto towards = [&](Vec2 other) {
+      const Vec2 edge = other - t[1];
+      const double share = std::min(kMostOfEdge, bevel / length(edge));
+      return Vec2{t[1].x + share * edge.x, t[1].y + share * edge.y};
+    };
+    cut.push_back(towards(t[0]));
+    cut.push_back(towards(t[2]));
+  }
+  return cut;
+}
+
 }  // namespace wythe::geometry

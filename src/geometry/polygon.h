@@ -33,4 +33,10 @@ struct Rect {
 // may run back over each other where the outline is not convex: its moments are right.
 [[nodiscard]] Polygon part_inside(const Polygon& outline, const Polygon& convex);
 
+// Convex polygons that make up a simple anticlockwise outline, itself where it is convex. Corners on a
+// straight line are left out.
+[[nodiscard]] std::vector<Polygon> convex_parts(const Polygon& outline);
+// A convex polygon whose corners are cut off by `bevel` along both edges, by less where an edge is short.
+[[nodiscard]] Polygon bevelled(const Polygon& convex, double bevel);
+
 }  // namespace wythe::geometry

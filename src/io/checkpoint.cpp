@@ -96,11 +96,44 @@ constexpr std::tuple kStateNumbers{&State::stage,
                                    &State::work_damping,
                                    &State::dissipated_friction,
                                    &State::dissipated_fracture,
-                                   &State::dissipated_crushing};
-constexpr std::size_t kStateArrays = kStateFields.size() + 1;  // and load_scale
+                                   &State::dissipated_crushing,
+                                   &State::lost_in_hand_over};
+constexpr std::size_t kStateArrays =
+    kStateFields.size() + 3;  // and load_scale, free_contacts, hand_overs
 static_assert(sizeof(State) == kStateArrays * sizeof(std::vector<double>) +
                                    std::tuple_size_v<decltype(kStateNumbers)> * sizeof(double),
               "a member of State is missing here or in the table of fields");
+
+// Two bodies that may touch, parts that they have, and an edge of one.
+bool are_bodies(const Model& model, std::int32_t a, std::int32_t b) {
+  return a >= 0 && a < b && a < model.n_block && b < model.n_block + model.free.n_fixed;
+}
+bool is_contact_of(const Model& model, const FreeContact& c) {
+  const FreeShapes& f = model.free;
+  const auto part = [&](std::int32_t body, std::int32_t number) {
+    const auto i = static_cast<std::size_t>(body);
+    return number >= 0 && number < f.part_begin[i + 1] - f.part_begin[i] ? f.part_begin[i] + number
+                                                                         : -1;
+  };
+  const std::int32_t a = part(c.a, c.part_a), b = part(c.b, c.part_b);
+  if (a < 0 || b < 0 || f.corner_begin.empty()) return a >= 0 && b >= 0;
+  const auto i = static_cast<std::size_t>(c.feature < 0 ? b : a);
+  const std::int32_t edge = c.feature < 0 ? -1 - c.feature : c.feature;
+  return edge < f.corner_begin[i + 1] - f.corner_begin[i];
+}
+
+template <class A, class S>
+void walk_free_contacts(A& archive, const Model& model, S& state) {
+  archive.list(state.free_contacts, [&](auto& c) {
+    archive(c);
+    archive.require(are_bodies(model, c.a, c.b) && is_contact_of(model, c),
+                    "it has a free contact of other blocks");
+  });
+  archive.list(state.hand_overs, [&](auto& h) {
+    archive(h);
+    archive.require(are_bodies(model, h.a, h.b), "it has a hand-over of other blocks");
+  });
+}
 
 template <class A, class S>
 void walk_state(A& archive, const Model& model, S& state) {
@@ -108,6 +141,7 @@ void walk_state(A& archive, const Model& model, S& state) {
   for (const StateField& field : kStateFields)
     archive.array(state.*field.array, count_of(model, field));
   archive.array(state.load_scale, model.stages.size());
+  walk_free_contacts(archive, model, state);
   const auto stage = static_cast<std::size_t>(state.stage);
   archive.require(state.stage >= 0 && stage < model.stages.size(), "it is in no stage");
   const std::size_t targets = model.stages[stage].spec.targets.size();

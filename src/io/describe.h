@@ -421,6 +421,8 @@ void describe_other_drives(Visitor& v, StageSpec& s) {
   v.quantity("duration", s.duration, {.unit = "s", .shown = "s", .range = kPositive,
              .kinds = kHoldStage, .fallback = kRequired, .example = "1 s",
              .doc = "How long loads and pushed blocks are held."});
+  v.flag("release", s.release, {.kinds = kHoldStage, .example = "true",
+         .doc = "Lets go of the blocks that a push before it moved; loads stay."});
 }
 
 template <class Visitor>
@@ -478,8 +480,17 @@ void describe(Visitor& v, SolveSpec& s) {
          .doc = "Lintels, plates and beams whose own stable step is shorter than the masonry's get "
                 "more inertia, but not weight, until it is as long; a note says how much."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
-             .range = kPositive, .fallback = "the smallest block height", .example = "110 mm",
-             .doc = "Collapse: a block has moved this far beyond the push."});
+             .range = kPositive,
+             .fallback = "the smallest block height; with free contacts the run goes on",
+             .example = "110 mm", .doc = "Collapse: a block has moved this far beyond the push."});
+  v.choice("contacts", s.contacts, kContactsWords, {.example = "free",
+           .doc = "`joints`: blocks touch where their faces touched at the start, and nowhere else; enough "
+                  "up to the peak and some way beyond. `free`: new contacts are found as blocks move, and "
+                  "joints that are broken and displaced give way to them; for collapse and debris "
+                  "(docs/theory/contacts.md). Costs more time a step."});
+  v.quantity("ground", s.ground, {.unit = "m", .shown = "m", .range = kCoordinate,
+             .fallback = "the foot of a built wall; none below bodies of a file",
+             .example = "0 m", .doc = "Height of level ground on which blocks land; for free contacts."});
 }
 
 template <class Visitor>

@@ -371,6 +371,13 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   json["tested_range"] = tested_range_json(compare_with_tests(model, result));
   json["features"] = features_json(result.features);
   json["energy_J"] = energy_json(result.energy);
+  if (model.free.any()) {
+    json["energy_J"]["hand_over"] = result.energy.hand_over;
+    json["debris"] = {{"blocks", result.debris.blocks},
+                      {"volume_m3", result.debris.volume},
+                      {"mass_kg", result.debris.mass},
+                      {"reach_m", result.debris.reach}};
+  }
   study::each_quasi_static(Answers{json}, result.quasi_static);
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
                       {"joints", result.validity.joints}};

@@ -172,7 +172,8 @@ std::string joints_vtu(const Model& model, const State& state) {
   Mesh mesh;
   mesh.cell_type = model.in_space() ? kVtkPolygon : kVtkLine;
   std::vector<std::int32_t> kind, id;
-  const std::vector<JointReading> joints = read_wall(model, state).joints;
+  std::vector<JointReading> joints = read_wall(model, state).joints;
+  std::erase_if(joints, [](const JointReading& joint) { return joint.handed_over; });
   for (const JointReading& joint : joints) {
     if (model.in_space())
       for (const Vec3& p : face_now(model, state, joint.shape.id)) mesh.add_point(p);

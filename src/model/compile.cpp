@@ -137,7 +137,9 @@ BlockMap compile_blocks(const ModelSpec& spec, const Assembly& assembly, const F
     anatomy.outline_begin.push_back(static_cast<int>(anatomy.outline_x.size()));
     if (block.role == Role::kMasonry) smallest = std::min(smallest, height_of(block));
   }
-  if (std::isnan(model.solve.collapse_displacement)) model.solve.collapse_displacement = smallest;
+  if (std::isnan(model.solve.collapse_displacement))
+    model.solve.collapse_displacement =
+        spec.solve.contacts == Contacts::kFree ? std::numeric_limits<double>::infinity() : smallest;
   return map;
 }
 
@@ -184,6 +186,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
                 "leave at least one rigid block: loads and pushes act on those", 0});
   faults.throw_if_any();
   compile_joints(spec, assembly, map, fields, model, faults);
+  compile_free(spec, assembly, model, faults);
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
   compile_links(spec, assembly, map, model, faults);

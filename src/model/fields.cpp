@@ -50,6 +50,16 @@ State initial_state(const Model& model) {
 std::string state_hash(const State& s) {
   Hash hash;
   for (const StateField& field : kStateFields) hash.add(s.*field.array);
+  for (const FreeContact& c : s.free_contacts) {
+    hash.add(&c, 6 * sizeof(std::int32_t));
+    for (const double number : {c.area, c.slip_x, c.slip_y, c.slip_z}) hash.add(number);
+  }
+  for (const HandOver& h : s.hand_overs) {
+    hash.add(&h, 2 * sizeof(std::int32_t));
+    for (const double number :
+         {h.share, h.pressed, h.force_x, h.force_y, h.force_z, h.moment_x, h.moment_y, h.moment_z})
+      hash.add(number);
+  }
   return hash.text();
 }
 
@@ -78,6 +88,7 @@ std::uint64_t topology_of(const Model& model) {
       hash.add(static_cast<double>(word));
   }
   if (model.in_space()) hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));
+  if (model.free.any()) hash.add(std::string_view("free contacts"));
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(model.stated_material.size()); ++i)
     if (model.stated(i) == i) hash.add(varies_beyond_strengths(model, i) ? 1.0 : 0.0);
   each_model_field(model, [&](const auto& array, Entity, Shared shared, auto name, auto) {

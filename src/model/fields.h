@@ -33,6 +33,7 @@ enum class Entity {
   kBody,
   kFacePoint,
   kSupport,
+  kHandedOver,  // joints of a wall with free contacts
   kOther
 };
 
@@ -48,6 +49,7 @@ enum class Entity {
     case Entity::kBody: return m.in_space() ? static_cast<std::size_t>(m.n_block) : 0;
     case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
     case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
+    case Entity::kHandedOver: return m.free.any() ? static_cast<std::size_t>(m.n_joint) : 0;
     case Entity::kOther: break;
   }
   return 0;
@@ -118,6 +120,8 @@ inline constexpr std::array kStateFields{
                "displacement of a support along y"},
     StateField{&State::support_z, Entity::kSupport, true, "support_z", "m",
                "displacement of a support along z"},
+    StateField{&State::handed_over, Entity::kHandedOver, true, "handed_over", "1",
+               "1: a joint that gave way to free contact; of no length in walls without such"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.

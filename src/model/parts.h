@@ -42,6 +42,9 @@ void compile_contacts(const geometry::Assembly& assembly, const BlockMap& map,
                                                     const geometry::Assembly& assembly,
                                                     const BlockMap& map, Model& model,
                                                     FaultList& faults);
+// shapes of free contacts, where they are asked for; needs blocks and joints.
+void compile_free(const ModelSpec& spec, const geometry::Assembly& assembly, Model& model,
+                  FaultList& faults);
 // ties, diaphragms and springs.
 void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                    Model& model, FaultList& faults);

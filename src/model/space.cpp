@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -15,6 +16,7 @@
 #include "contact/parameters.h"
 #include "geometry/blocks_file.h"
 #include "model/fields.h"
+#include "model/free_shapes.h"
 #include "model/space_places.h"
 #include "model/space_points.h"
 
@@ -386,7 +388,10 @@ void measure(const SpaceAssembly& assembly, Model& model) {
   anatomy.support_begin = {0};
   anatomy.outline_begin.assign(at(model.n_block) + 1, 0);
   anatomy.block_thickness.assign(at(model.n_block), anatomy.thickness);
-  if (std::isnan(model.solve.collapse_displacement)) model.solve.collapse_displacement = smallest;
+  if (std::isnan(model.solve.collapse_displacement))
+    model.solve.collapse_displacement = model.solve.contacts == Contacts::kFree
+                                            ? std::numeric_limits<double>::infinity()
+                                            : smallest;
 }
 
 // Smooth start of pushes that state none: a fifth of the push, at most.
@@ -451,6 +456,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   fill_joints(spec, assembly, id, model, faults);
   fill_lists(model);
   measure(assembly, model);
+  compile_free_in_space(spec, model, faults);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "model/free_shapes.h"
 #include "model/shaking.h"
 #include "model/space.h"
 
@@ -44,6 +45,53 @@ Matrix6 own_stiffness(const Model& m, std::size_t j, const Springs& springs, Vec
     spring(t2, springs.shear);
   }
   return sum;
+}
+
+// Stiffness that free contacts can give to a block: on all of its facets that no joint covers, with the
+// stiffest material of its joints. Zero where there are none.
+Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::size_t i) {
+  Matrix6 sum = Matrix6::Zero();
+  const JointMaterial& own = m.materials[at(m.free.material[i])];
+  double kn = own.normal_stiffness, ks = own.shear_stiffness;
+  const auto each_joint = [&](const auto& visit) {
+    for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e)
+      visit(at(m.block_entry[at(e)] >> 1), (m.block_entry[at(e)] & 1) != 0);
+  };
+  each_joint([&](std::size_t j, bool) {
+    const JointMaterial& other = m.materials[at(m.joint_material[j])];
+    kn = std::fmax(kn, other.normal_stiffness);
+    ks = std::fmax(ks, other.shear_stiffness);
+  });
+  const auto vec3 = [](const contact::Vec& v) { return Vec3{v.x, v.y, v.z}; };
+  for (auto part = m.free.part_begin[i]; part < m.free.part_begin[i + 1]; ++part)
+    for (auto f = parts.facet_begin[at(part)]; f < parts.facet_begin[at(part) + 1]; ++f) {
+      const contact::Facet& facet = parts.facet[at(f)];
+      const Vec3 x = vec3(facet.x), y = vec3(facet.y), z = vec3(facet.z);
+      double area = 0, covered = 0;
+      Matrix6 all = Matrix6::Zero();
+      // triangles, exactly: a third of each at the middle of each side
+      for (auto c = facet.begin + 1; c + 1 < facet.end; ++c) {
+        const Vec3 corner[3] = {vec3(parts.corner[at(facet.begin)]), vec3(parts.corner[at(c)]),
+                                vec3(parts.corner[at(c + 1)])};
+        const double of = 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
+        area += of;
+        for (int k = 0; k < 3; ++k) {
+          const Vec3 middle = 0.5 * (corner[k] + corner[(k + 1) % 3]);
+          for (const auto& [direction, stiffness] : {std::pair(z, kn), {x, ks}, {y, ks}}) {
+            const Vector6 r = row(direction, middle);
+            all += of / 3 * stiffness * r * r.transpose();
+          }
+        }
+      }
+      each_joint([&](std::size_t j, bool is_b) {
+        const Vec3 arm = is_b ? m.space.arm_b[j] : m.space.arm_a[j];
+        const bool parallel = std::fabs(dot(m.space.normal[j], z)) > 0.999;
+        const double off = dot(arm - vec3(facet.origin), z);
+        if (parallel && std::fabs(off) < 0.05 * std::sqrt(area)) covered += m.area[j];
+      });
+      sum += std::fmax(0.0, 1 - covered / area) * all;
+    }
+  return 2 * sum;
 }
 
 // Direction and moment of link k at one of its ends, of unit tension.
@@ -147,9 +195,9 @@ void set_rigid_links(Model& m, double bound) {
 }
 
 // Takes the links into the bounds of their blocks; says when one of them rules the step.
-double bound_links(Model& m, double before) {
+double bound_links(Model& m, const std::vector<Matrix6>& free, double before) {
   set_rigid_links(m, before);
-  std::vector<Matrix6> sum(at(m.n_block), Matrix6::Zero());
+  std::vector<Matrix6> sum = free;
   each_link_end(m, [&](std::size_t k, std::size_t i, const Vector6& row) {
     const double share = m.links.a[k] == kGroundBlock ? 1.0 : 2.0;
     sum[i] += share * m.links.stiffness[k] * row * row.transpose();
@@ -180,12 +228,17 @@ double dashpot_rate_in_space(const Model& m, const Dashpots& dashpots) {
 
 void bound_space_step(Model& m) {
   std::vector<double> bound;
-  for (int i = 0; i < m.n_block; ++i) bound.push_back(own_bound(m, at(i), Matrix6::Zero()));
+  std::vector<Matrix6> free(at(m.n_block), Matrix6::Zero());
+  if (m.free.any()) {
+    const contact::SpaceParts parts = free_parts(m);
+    for (int i = 0; i < m.n_block; ++i) free[at(i)] = free_stiffness(m, parts, at(i));
+  }
+  for (int i = 0; i < m.n_block; ++i) bound.push_back(own_bound(m, at(i), free[at(i)]));
   if (m.solve.raise_light_inertia) raise_light_inertia(m, bound);
   double most = 0;
   for (int i = 0; i < m.n_block; ++i)
     if (bound[at(i)] > most) most = bound[at(i)], m.stiffest_block = i;
-  if (m.links.n > 0) most = bound_links(m, most);
+  if (m.links.n > 0) most = bound_links(m, free, most);
   m.omega_max = std::sqrt(most);
 }
 

@@ -129,6 +129,52 @@ std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
   return sum;
 }
 
+// Stiffness that free contacts can give to a block: on all of its sides that no joint covers, with the stiffest
+// material of its joints. Zero where there are none.
+Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  if (!m.free.any()) return k;
+  const Anatomy& a = m.anatomy;
+  const JointMaterial& own = m.materials[static_cast<std::size_t>(m.free.material[i])];
+  JointMaterial law;
+  law.normal_stiffness = own.normal_stiffness;
+  law.shear_stiffness = own.shear_stiffness;
+  const auto joints = [&](const auto& visit) {
+    for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
+      const auto entry = m.block_entry[static_cast<std::size_t>(e)];
+      visit(static_cast<std::size_t>(entry >> 1), (entry & 1) != 0);
+    }
+  };
+  joints([&](std::size_t j, bool) {
+    if (a.joint_kind[j] == JointKind::kLintelChain) return;
+    const auto& other = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    law.normal_stiffness = std::max(law.normal_stiffness, other.normal_stiffness);
+    law.shear_stiffness = std::max(law.shear_stiffness, other.shear_stiffness);
+  });
+  const int from = a.outline_begin[i], to = a.outline_begin[i + 1];
+  for (int v = from; v < to; ++v) {
+    const auto p = static_cast<std::size_t>(v),
+               q = static_cast<std::size_t>(v + 1 == to ? from : v + 1);
+    const double ex = a.outline_x[q] - a.outline_x[p], ey = a.outline_y[q] - a.outline_y[p];
+    const double length = std::hypot(ex, ey), tx = ex / length, ty = ey / length;
+    const double px = a.outline_x[p] - m.centroid_x[i], py = a.outline_y[p] - m.centroid_y[i];
+    double covered = 0;
+    joints([&](std::size_t j, bool is_b) {
+      const double rx = (is_b ? m.arm_b_x[j] : m.arm_a_x[j]) - px;
+      const double ry = (is_b ? m.arm_b_y[j] : m.arm_a_y[j]) - py;
+      const bool parallel = std::fabs(tx * m.tangent_y[j] - ty * m.tangent_x[j]) < 1e-3;
+      const double along = tx * rx + ty * ry;
+      if (parallel && std::fabs(tx * ry - ty * rx) < 1e-2 * length && along > 0 && along < length)
+        covered += 2 * std::hypot(m.half_x[j], m.half_y[j]);
+    });
+    const double area = std::max(0.0, length - covered) * a.block_thickness[i];
+    // two points of Gauss integrate a whole side exactly
+    for (const double share : {0.21132486540518712, 0.7886751345948129})
+      k += point_stiffness(springs_of(law), 0.5 * area, tx, ty, px + share * ex, py + share * ey);
+  }
+  return 2 * k;
+}
+
 // Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
 template <class SpringsAt>
 double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
@@ -152,7 +198,7 @@ double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
 // Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
 double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
                  const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
-  return highest_eigenvalue(m, i, 2.0 * zones + more, [&](std::size_t j) {
+  return highest_eigenvalue(m, i, 2.0 * zones + more + free_stiffness(m, i), [&](std::size_t j) {
     return springs_of(m.materials[static_cast<std::size_t>(m.joint_material[j])]);
   });
 }

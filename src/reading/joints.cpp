@@ -174,6 +174,8 @@ std::vector<PointReading> read_points(const Model& m, const State& s) {
     for (PointId p = range.begin; p < range.end; ++p) {
       const int k = p - range.begin;
       points[p] = read_point(history.at(p), law(m.joint_material[j]), face.at(m.point_xi[k]));
+      if (!s.handed_over.empty() && s.handed_over[j] != 0)  // a free contact has its place
+        points[p].normal_stress = points[p].shear_stress = 0;
       points[p].share = m.point_weight[k];
       points[p].place = m.point_xi[k];
     }
@@ -242,6 +244,8 @@ WallReading read_wall(const Model& model, const State& state) {
     wall.joints.push_back(model.in_space()
                               ? reading::joint_in_space(model, j, wall.points)
                               : sum_up(joint_shape(model, j), points_of(model, j), wall.points));
+  for (std::size_t j = 0; j < state.handed_over.size(); ++j)
+    wall.joints[j].handed_over = state.handed_over[j] != 0;
   return wall;
 }
 

@@ -95,6 +95,10 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     for (auto p = at(m.space.point_begin[at(j)]); p < at(m.space.point_begin[at(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
       points[p] = read_point(s, p, law, face, r1, r2);
+      if (!s.handed_over.empty() && s.handed_over[at(j)] != 0) {  // a free contact has its place
+        points[p].normal_stress = points[p].shear_stress = 0;
+        points[p].shear_vector = {};
+      }
       points[p].share = m.space.point_share[p];
       points[p].place = reach > 0 ? r1 / reach : 0;
       const Vec3 arm = shape.arm_b + r1 * shape.along + r2 * cross(shape.normal, shape.along);

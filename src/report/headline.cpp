@@ -38,6 +38,11 @@ std::string caution(const std::string& text, const char* mild = "") {
   return "<strong class=\"caution" + std::string(mild) + "\">" + text + "</strong> ";
 }
 
+// What a code says of a run or campaign, where it was asked.
+std::string assessed_in(const Texts& texts, const Json& summary) {
+  const std::string words = said_in(texts, member(summary, "assessment"), "sentence");
+  return words.empty() ? "" : " " + report::sentence(words);
+}
 constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
 constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
 constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
@@ -56,7 +61,7 @@ class RunHeadline {
       : header_(header), s_(header.at("summary")), texts_(texts) {}
 
   [[nodiscard]] std::string sentence() const {
-    return cautions() + answer() + assessed() + tests();
+    return cautions() + answer() + fallen() + assessed_in(texts_, s_) + tests();
   }
 
   [[nodiscard]] std::string warning() const {
@@ -137,21 +142,25 @@ class RunHeadline {
     if (judgement == "unknown" && !(gap > kGap)) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
       add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
-    // blocks that slid off each other before the peak
-    const double lost = number_in(member(s_, "validity"), "overlap_lost_at_mm");
-    if (std::fabs(lost) <= std::fabs(number_in(s_, "displacement_at_peak_mm")))
-      add(texts_.say("run.slid_off", {{"at", texts_.quantity(lost, "mm")}}));
+    if (const double at = lost(false); std::isfinite(at))
+      add(texts_.say("run.slid_off", {{"at", texts_.quantity(at, "mm")}}));
     return words;
   }
-
-  // What a code says of it, where it was asked.
-  [[nodiscard]] std::string assessed() const {
-    const std::string words = said_in(member(s_, "assessment"), "sentence");
-    return words.empty() ? "" : " " + report::sentence(words);
+  [[nodiscard]] double lost(bool late) const {  // where blocks slid off, before the peak or late
+    const double at = number_in(member(s_, "validity"), "overlap_lost_at_mm");
+    const double peak_at = number_in(s_, "displacement_at_peak_mm");
+    return late == (std::fabs(at) > std::fabs(peak_at)) ? at : kUnset;
   }
-
-  // In what the run leaves the range of tested walls, or how these came out.
-  [[nodiscard]] std::string tests() const {
+  [[nodiscard]] std::string fallen() const {
+    if (const double at = lost(true); std::isfinite(at))
+      return " " + texts_.say("run.slid_off_later", {{"at", texts_.quantity(at, "mm")}});
+    const auto of = [&](const char* key) { return number_in(member(s_, "debris"), key); };
+    if (!(of("blocks") > 0)) return "";
+    return " " + texts_.say("run.debris", {{"blocks", texts_.number(of("blocks"))},
+                                           {"volume", texts_.quantity(of("volume_m3"), "m³")},
+                                           {"reach", texts_.quantity(of("reach_m"), "m", 2)}});
+  }
+  [[nodiscard]] std::string tests() const {  // how far tested walls support it
     const std::string note = said_in(member(s_, "tested_range"), "note");
     return note.empty() ? "" : " " + texts_.say("run.tests", {{"note", escaped(note)}});
   }
@@ -313,7 +322,7 @@ class CampaignHeadline {
       return texts_.say("campaign.no_answer", {{"run", std::to_string(count("run"))}});
     if (without_force_ == count("answered"))
       return cautions() + texts_.say("campaign.no_capacity") + fails();
-    return cautions() + strong() + far() + fails() + assessed();
+    return cautions() + strong() + far() + fails() + assessed_in(texts_, s_);
   }
 
   [[nodiscard]] std::string warning() const {
@@ -451,11 +460,6 @@ class CampaignHeadline {
     const char* several = is_far_bound() ? "campaign.far.bound" : "campaign.far";
     return " " + texts_.say(n > 1 ? several : "campaign.far.one",
                             {{"mean", bold(texts_.quantity(mean_80(), "mm"))}, {"drift", drift}});
-  }
-  // What a code says of them, where it was asked.
-  [[nodiscard]] std::string assessed() const {
-    const std::string words = said_in(texts_, member(s_, "assessment"), "sentence");
-    return words.empty() ? "" : " " + report::sentence(words);
   }
   [[nodiscard]] std::string fails() const {
     std::vector<std::pair<int, std::string>> counts;

@@ -144,10 +144,11 @@ void SpaceFrames::add(const Model& model, const State& state) {
     put_three(turned_, {});
   }
   for (const JointReading& joint : wall.joints) {
-    opening_.push_back(std::fmax(0.0, joint.opening));
-    slip_.push_back(joint.slip);
+    const bool shown = !joint.handed_over;  // as in the plane (wall_arrays.cpp)
+    opening_.push_back(shown ? std::fmax(0.0, joint.opening) : 0.0);
+    slip_.push_back(shown ? joint.slip : 0.0);
     stress_.push_back(joint.normal_stress);
-    damage_.push_back(share_byte(joint.damage));
+    damage_.push_back(shown ? share_byte(joint.damage) : std::uint8_t{0});
     crushing_.push_back(share_byte(joint.crushing));
   }
 }

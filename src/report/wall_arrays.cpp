@@ -267,9 +267,11 @@ void FrameArrays::add(const Model& model, const State& state) {
   if (model.links.n > 0)
     for (const LinkReading& link : read_links(model, state)) link_force_.push_back(link.force);
   for (const JointReading& joint : wall.joints) {
-    opening_.push_back(std::fmax(0.0, joint.opening));
-    slip_.push_back(joint.slip);
-    damage_.push_back(share_byte(joint.damage));
+    // a joint between blocks that have left each other is no crack to be drawn: the page sees an opening of -1
+    const bool shown = !joint.handed_over;
+    opening_.push_back(shown ? std::fmax(0.0, joint.opening) : -1.0);
+    slip_.push_back(shown ? joint.slip : 0.0);
+    damage_.push_back(shown ? share_byte(joint.damage) : std::uint8_t{0});
     crushing_.push_back(share_byte(joint.crushing));
     if (!with_forces_) continue;
     compression_.push_back(joint.compression);

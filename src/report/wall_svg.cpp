@@ -185,6 +185,7 @@ std::string draw_joints(const WallReading& wall, const Ends& ends_of, const Canv
                         WallPicture& picture) {
   std::string mortar, split, cracks;
   for (const JointReading& joint : wall.joints) {
+    if (joint.handed_over) continue;  // between blocks that have left each other
     const auto ends = ends_of(joint);
     const Pixel from = canvas(ends[0]), to = canvas(ends[1]);
     if (joint.damage > 0.01)
@@ -202,7 +203,7 @@ std::string draw_crushed(const WallReading& wall, const Ends& ends_of, const Can
   std::string out;
   for (const JointReading& joint : wall.joints) {
     for (const PointReading& point : wall.points_of(joint)) {
-      if (!(point.crushing >= kCrushMark)) continue;
+      if (joint.handed_over || !(point.crushing >= kCrushMark)) continue;
       const auto ends = ends_of(joint);
       const double share = 0.5 + 0.46 * point.place;  // a little inside the end of the face
       out += circle(canvas(ends[0] + share * (ends[1] - ends[0])),

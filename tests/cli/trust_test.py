@@ -41,6 +41,31 @@ class Trust(Base):
         page = (self.folder / "out" / "report.html").read_text(errors="replace")
         self.assertIn("How far tests support this: ", page)
 
+    def test_blocks_pushed_off_their_neighbours_still_stand_there_and_the_run_says_so(self):
+        far = ("stage.push.until=257 mm", "stage.push.velocity=0.5 m/s", "solve.collapse_displacement=2 m",
+               "output.rows=60")
+        summary, told = self.summary_of(DRY, *far)
+        self.assertGreater(summary["validity"]["joints"], 0)
+        self.assertLess(abs(summary["validity"]["overlap_lost_at_mm"]), 257)
+        self.assertIn("lost more than half of the contact face", told)
+        self.assertIn('contacts = "free"', told)
+        page = (self.folder / "out" / "report.html").read_text(errors="replace")
+        self.assertRegex(page, "[Bb]locks (have )?slid off each other")
+        # with free contacts nothing stands on nothing, and what falls is counted
+        summary, told = self.summary_of(DRY, *far, "solve.contacts=free", folder="free")
+        self.assertEqual(summary["validity"]["joints"], 0)
+        self.assertNotIn("lost more than half", told)
+        self.assertIn("debris", summary)
+        self.assertLess(summary["energy_J"]["gap_ratio"], 0.02)
+
+    def test_ground_without_free_contacts_or_above_the_wall_is_refused(self):
+        for more, said in ((["--set", "solve.ground=0 m"], 'contacts = "free"'),
+                           (["--set", "solve.contacts=free", "--set", "solve.ground=50 mm"], "inside the ground")):
+            done = wythe("check", self.model(DRY), *more)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn("solve.ground", done.stderr)
+            self.assertIn(said, done.stderr)
+
     def test_the_jolt_at_the_start_is_no_strength(self):
         summary, _ = self.summary_of(DRY)
         self.assertGreater(summary["peak_raw_kN"], 0.66)

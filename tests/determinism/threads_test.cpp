@@ -1,9 +1,11 @@
 // One wall, any number of threads, any run: the same bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "dynamics/passes/tables.h"
+#include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "wythe/solve.h"
@@ -48,6 +50,28 @@ TEST(Determinism, threads_do_not_change_a_bit) {
     EXPECT_EQ(many.result.energy.damping, one.result.energy.damping) << threads << " threads";
     EXPECT_EQ(many.result.responses.work_total, one.result.responses.work_total);
   }
+}
+
+// Several chunks of pairs that may touch, and joints that give way, as the wall is torn apart.
+TEST(Determinism, threads_do_not_change_a_bit_of_free_contacts) {
+  ModelSpec spec = scenes::half_units({24, 20, 3, 3, 0}, scenes::dry_joint(5e9, 2e9, 0.5));
+  spec.solve.contacts = Contacts::kFree;
+  const auto torn = [&](int threads) {
+    scenes::Rig rig(compile(spec), threads);
+    rig.state.gravity_y = -9.81;
+    for (std::size_t i = 0; i < rig.state.vx.size(); ++i) {
+      rig.state.vx[i] = 2.0 * static_cast<double>(i * 7919 % 13) / 13 - 1;
+      rig.state.omega[i] = 8 * (static_cast<double>(i * 104729 % 11) - 5);
+    }
+    rig.controls.damping = 0;
+    rig.run(300 * rig.controls.dt);
+    EXPECT_GT(rig.processor.free_contacts()->candidates(), 512);
+    EXPECT_GT(rig.state.free_contacts.size(), 5U);
+    EXPECT_GT(std::count(rig.state.handed_over.begin(), rig.state.handed_over.end(), 1.0), 2);
+    return std::pair(state_hash(rig.state), rig.energy().hand_over);
+  };
+  const auto one = torn(1);
+  EXPECT_EQ(torn(3), one);
 }
 
 // 32 x 12 zones: several chunks of zones and of nodes.

@@ -2,6 +2,7 @@
 // stage.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -122,6 +123,19 @@ TEST(Restart, settling_loading_and_pushing_in_pieces_gives_the_same_result) {
   spec.solve.settle_ratio = 1e-9;  // takes longer than the ramps
   expect_invisible(spec, kPiece,
                    {"gravity", "load", "push", "ramp", "settling", "held load", "row"});
+}
+
+// Joints give way, blocks slide off and land: all of it can be cut.
+TEST(Restart, free_contacts_that_come_and_go_give_the_same_result) {
+  const ModelSpec spec = scenes::falling_portal(0.06);
+  const End whole = run(spec, 0), pieced = run(spec, 997);
+  ASSERT_EQ(whole.result.status, SolveStatus::kCompleted) << whole.result.reason;
+  EXPECT_EQ(pieced.hash, whole.hash);
+  EXPECT_EQ(pieced.whole, whole.whole);
+  EXPECT_EQ(run(spec, 20011, Through::kFiles).whole, whole.whole);
+  const State& end = whole.result.readings.back().state;
+  EXPECT_GT(std::count(end.handed_over.begin(), end.handed_over.end(), 1.0), 3);
+  EXPECT_FALSE(end.free_contacts.empty());
 }
 
 TEST(Restart, at_any_step_of_a_stage_gives_the_same_result) {

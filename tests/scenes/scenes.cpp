@@ -1,5 +1,7 @@
 #include "scenes/scenes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -164,6 +166,33 @@ ModelSpec small_wall(double until, double velocity, double pier_load) {
 ModelSpec plain_wall(int columns, int courses, double until, double velocity) {
   ModelSpec spec = bonded_wall(columns, courses);
   spec.stage.push_back(push_at((courses - 0.5) * 0.11, velocity, until));
+  return spec;
+}
+
+ModelSpec falling_portal(double until) {
+  std::vector<BlockSpec> blocks{rectangle("sill", -0.5, -0.1, 2, 0.1)};
+  blocks.back().fixed = true;
+  constexpr double kHigh = 0.15;
+  for (int course = 0; course < 5; ++course)
+    for (const int pier : {0, 1})
+      for (const int half : {0, 1})
+        blocks.push_back(rectangle(fmt::format("p{}c{}h{}", pier, course, half),
+                                   0.7 * pier + 0.15 * half, kHigh * course, 0.15, kHigh));
+  for (const int stone : {0, 1})
+    blocks.push_back(rectangle(fmt::format("top{}", stone), 0.5 * stone, 5 * kHigh, 0.5, kHigh));
+  ModelSpec spec = assembly(std::move(blocks), dry_joint(2e9, 1e9, degrees(30)), 0.3, 2000);
+  spec.solve.contacts = Contacts::kFree;
+  StageSpec fall;
+  fall.name = "fall";
+  fall.kind = StageKind::kHold;
+  fall.duration = 0.4;
+  fall.release = true;
+  fall.damping = 0.05;
+  StageSpec push = push_stage("p0c4h0", Direction::kPlusX, 0.4, until);
+  push.ramp = 0.02;
+  push.damping = 0.2;
+  spec.stage = {gravity_stage(), push, fall};
+  spec.output.rows = 50;
   return spec;
 }
 

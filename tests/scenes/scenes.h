@@ -73,6 +73,9 @@ struct BondSize {
                                    double pier_load = 20e3);
 // The same with columns x courses half units and no opening.
 [[nodiscard]] ModelSpec plain_wall(int columns, int courses, double until, double velocity);
+// Two dry piers of five courses and a lintel of dry stones over them, with free contacts, pushed by `until` [m]
+// and let go: it comes down.
+[[nodiscard]] ModelSpec falling_portal(double until);
 // examples/tuff_wall/model.toml under WYTHE_SOURCE_DIR, pushed to `until` [m].
 [[nodiscard]] ModelSpec tuff_wall(const std::string& source_dir, double until);
 

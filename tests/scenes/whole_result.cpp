@@ -70,10 +70,26 @@ std::string whole(const State& s) {
   return fmt::format("{} {} {} {} load scales{}", state_hash(s), s.stage, s.step, s.target,
                      bits(s.load_scale)) +
          fmt::format(" {}", s.stage_first_step) +
-         bits({s.time, s.stage_time, s.gravity_x, s.gravity_y, s.body_factor, s.load_factor,
-               s.balance, s.drive_displacement, s.travelled, s.turn_time, s.pace, s.last_growth,
-               s.moved_then, s.work_loads, s.work_drive, s.work_damping, s.dissipated_friction,
-               s.dissipated_fracture, s.dissipated_crushing});
+         bits({s.time,
+               s.stage_time,
+               s.gravity_x,
+               s.gravity_y,
+               s.body_factor,
+               s.load_factor,
+               s.balance,
+               s.drive_displacement,
+               s.travelled,
+               s.turn_time,
+               s.pace,
+               s.last_growth,
+               s.moved_then,
+               s.work_loads,
+               s.work_drive,
+               s.work_damping,
+               s.dissipated_friction,
+               s.dissipated_fracture,
+               s.dissipated_crushing,
+               s.lost_in_hand_over});
 }
 
 std::string whole(const Result& r) {
@@ -92,7 +108,7 @@ std::string whole(const Result& r) {
   const EnergyLedger& e = r.energy;
   text += "energy" +
           bits({e.loads, e.drive, e.kinetic, e.elastic, e.friction, e.fracture, e.crushing,
-                e.damping, e.gap}) +
+                e.damping, e.gap, e.hand_over}) +
           "\n";
   text += fmt::format("{} {}", r.quasi_static.judgement, text_of(r.quasi_static.verdict)) +
           bits({r.quasi_static.shear_gap, r.quasi_static.damping_share, r.quasi_static.lift}) +

@@ -116,7 +116,17 @@ TEST(Headline, blocks_that_slid_off_before_the_peak_are_said_first) {
   };
   EXPECT_EQ(said("1.5").rfind("Blocks slid off each other at 1.5\u202fmm", 0), 0u) << said("1.5");
   EXPECT_EQ(said("7").rfind("The wall resists", 0), 0u);
+  EXPECT_NE(said("7").find("From 7\u202fmm on blocks have slid off each other"), std::string::npos);
   EXPECT_EQ(said("null").rfind("The wall resists", 0), 0u);
+  EXPECT_EQ(said("null").find("slid off"), std::string::npos);
+}
+
+TEST(Headline, what_fell_is_counted) {
+  const std::string fell = answer_of(run_head(
+      pushed(R"(, "debris": {"blocks": 12, "volume_m3": 0.31, "mass_kg": 560, "reach_m": 0.42})")));
+  EXPECT_NE(fell.find("12 blocks fell"), std::string::npos) << fell;
+  EXPECT_EQ(answer_of(run_head(pushed(R"(, "debris": {"blocks": 0})"))).find("fell,"),
+            std::string::npos);
 }
 
 TEST(Headline, a_load_that_grew_says_its_factor_and_tilt_whatever_else_was_read) {

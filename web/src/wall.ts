@@ -222,6 +222,24 @@ export class Frames {
       if (bundle.has(`frame.${name}`)) this.arrays[name] = bundle.array(`frame.${name}`);
     this.hasForces = "compression" in this.arrays && this.arrays.compression.length > 0;
     this.hasZoneStress = "zone_greater" in this.arrays && this.arrays.zone_greater.length > 0;
+    if (this.count > 0) this.makeRoom();
+  }
+  // Blocks that fell must be seen: the view grows to where the last frame has them, by no more than the wall's
+  // own size, or a single one far away would shrink it to a dot.
+  private makeRoom(): void {
+    const { wall } = this,
+      { bounds } = wall,
+      { x0, x1, y0, y1 } = bounds;
+    const most = Math.max(x1 - x0, y1 - y0),
+      pose = new Pose(wall, this.at(this.count - 1), 1);
+    for (let b = 0; b < wall.blocks; ++b)
+      for (let i = wall.outlineBegin[b]; i < wall.outlineBegin[b + 1]; ++i) {
+        const [x, y] = pose.corner(b, i);
+        bounds.x0 = Math.min(bounds.x0, Math.max(x, x0 - most));
+        bounds.x1 = Math.max(bounds.x1, Math.min(x, x1 + most));
+        bounds.y0 = Math.min(bounds.y0, Math.max(y, y0 - most));
+        bounds.y1 = Math.max(bounds.y1, Math.min(y, y1 + most));
+      }
   }
   private slice(name: string, frame: number, n: number): Numbers {
     return this.arrays[name].subarray(frame * n, (frame + 1) * n);

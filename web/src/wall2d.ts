@@ -16,6 +16,7 @@ import {
   stepOf,
   valueOf,
   zoneStress,
+  type Frame,
   type Frames,
   type Measure,
   type Part,
@@ -118,9 +119,13 @@ function drawGround(wall: Wall, canvas: Canvas, paths: Paths): void {
   }
 }
 
+// A joint whose blocks have left each other (wall_arrays.cpp).
+const gaveWay = (frame: Frame, j: number): boolean => frame.opening[j] < 0;
+
 function drawJoints(wall: Wall, frames: Frames, pose: Pose, look: Look, paths: Paths): void {
   const frame = frames.at(look.frame);
   for (let j = 0; j < wall.joints; ++j) {
+    if (gaveWay(frame, j)) continue;
     const ends: [[number, number], [number, number]] = [pose.joint(j, -1), pose.joint(j, 1)];
     const quiet = wall.kind[j] === "split" ? "split" : "mortar";
     if (look.measure === "cracks") {
@@ -453,6 +458,7 @@ export function jointAt(
   let best = 9,
     found = -1;
   for (let j = 0; j < wall.joints; ++j) {
+    if (gaveWay(pose.frame, j)) continue;
     const a = pose.joint(j, -1),
       b = pose.joint(j, 1);
     const ax = canvas.X(a[0]),

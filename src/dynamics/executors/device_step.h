@@ -125,8 +125,7 @@ DeviceExecutor<Device>::DeviceExecutor(const Model& model, int walls, Device dev
       walls_here_(at(walls)) {
   there_.lanes = walls;
   there_.n_block = layout_.blocks;
-  point_tables(layout_, model_, there_, shared_.there, own_.there, ids_.there, shapes_.there,
-               ways_.there);
+  point_tables(layout_, there_, shared_.there, own_.there, ids_.there, shapes_.there, ways_.there);
   shared_.here = memory_.shared;
   ids_.here = memory_.ids;
   shapes_.here = memory_.shapes;

@@ -67,6 +67,7 @@ class Executor {
  protected:
   virtual void begin_step() = 0;    // dead loads follow their blocks; what the step brings along
   virtual void run(Pass pass) = 0;  // a pass over all its chunks
+  virtual void meet() {}            // contacts that come and go
   virtual void brake() {}           // dashpots of shaken walls
   virtual void drive() = 0;         // the driven blocks, wall by wall
   virtual void end_step() = 0;      // works into the walls' ledgers, clocks
@@ -76,9 +77,9 @@ class Executor {
 [[nodiscard]] std::unique_ptr<Executor> processor_for(const Model& model, int lanes,
                                                       int threads = 1);
 
-// True where the walls can be stepped side by side: one topology.
+// True where the walls can be stepped side by side: one topology, and contacts that stay what they are.
 [[nodiscard]] inline bool fit_together(const Model& a, const Model& b) {
-  return a.topology == b.topology;
+  return a.topology == b.topology && !a.free.any() && !b.free.any();
 }
 
 }  // namespace wythe::dynamics

@@ -12,6 +12,7 @@ void Executor::step() {
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
   brake();       //          dashpots of shaken walls                           passes/dashpots.h
+  meet();  //          free contacts, and joints that give way to them    passes/free_contacts.h
   run(kBlocks);  //          central differences with local damping, poses      passes/blocks.h
   run(kNodes);   //          the same for nodes                                 passes/solids.h
   drive();       //          the driven blocks, and their reaction              passes/drive.h
@@ -31,7 +32,7 @@ const Kernels& kernels_for(int lanes, const Kernels& most) {
 class HostWallAccess final : public WallAccess {
  public:
   HostWallAccess(const Processor& processor, const Model& model, int lane)
-      : processor_(processor), model_(model), view_(processor.view(lane)) {}
+      : processor_(processor), model_(model), lane_(lane), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override { return unbalance_of(view_); }
   [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
@@ -48,13 +49,12 @@ class HostWallAccess final : public WallAccess {
   void choose_driven(const std::vector<BlockId>& blocks) override {
     dynamics::choose_driven(view_, blocks);
   }
-  void bring_up(State& state) const override {
-    read_wall(processor_.layout(), view_.t, static_cast<int>(view_.lane), model_, state);
-  }
+  void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
 
  private:
   const Processor& processor_;
   const Model& model_;
+  int lane_;
   WallView view_;
 };
 
@@ -118,6 +118,7 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
     put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
     set(lane, {});
   }
+  if (model_.free.any() && lanes == 1) free_.emplace(model_, layout_);
 }
 
 void Processor::put(int lane, const Model& model, State& state) {
@@ -126,12 +127,13 @@ void Processor::put(int lane, const Model& model, State& state) {
   wall.state = &state;
   wall.brakes = {};
   put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
+  if (free_) free_->put(state, wall.view);
   set(lane, {});
 }
 
 void Processor::drop(int lane) {
   Wall& wall = wall_[at(lane)];
-  read_wall(layout_, bank_of(lane).tables, lane % width_, *wall.model, *wall.state);
+  bring_up(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
   put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);  // at rest: costs least
@@ -201,6 +203,17 @@ void Processor::run(Pass pass) {
   }
 }
 
+void Processor::bring_up(int lane, State& state) const {
+  const Wall& wall = wall_[at(lane)];
+  read_wall(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
+  if (free_) free_->bring_up(state);
+}
+
+void Processor::meet() {
+  if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
+  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].view, workers_);
+}
+
 void Processor::drive() {
   for (int lane = 0; lane < lanes(); ++lane) {
     Wall& wall = wall_[at(lane)];
@@ -234,6 +247,7 @@ void Processor::end_step() {
         *ledger[term] = sum;
       }
     }
+    if (free_) free_->moved(wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
           braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);

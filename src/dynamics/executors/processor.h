@@ -8,12 +8,14 @@
 //   one.access(0)->bring_up(state);
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/kernels.h"
 #include "dynamics/passes/dashpots.h"
+#include "dynamics/passes/plane_bodies.h"
 
 namespace wythe::dynamics {
 
@@ -33,6 +35,11 @@ class Processor final : public Executor {
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
+  // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
+  void bring_up(int lane, State& state) const;
+  [[nodiscard]] const FreeContacts<PlaneBodies>* free_contacts() const {
+    return free_ ? &*free_ : nullptr;
+  }
 
  private:
   struct Wall {
@@ -53,6 +60,7 @@ class Processor final : public Executor {
   void begin_step() override;
   void run(Pass pass) override;
   void brake() override;
+  void meet() override;
   void drive() override;
   void end_step() override;
   void run_chunk(Pass pass, Bank& bank, std::size_t chunk);
@@ -67,6 +75,7 @@ class Processor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
+  std::optional<FreeContacts<PlaneBodies>> free_;  // of one wall alone
   Workers workers_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/rotation.h"
 #include "dynamics/passes/sums.h"
+#include "reading/free_contacts.h"
 #include "reading/zones.h"
 
 namespace wythe::dynamics {
@@ -65,7 +66,7 @@ double elastic_energy(const Model& model, const State& state) {
   }
   for (const LinkReading& link : read_links(model, state))
     energy += 0.5 * link.force * link.force / link.stiffness;
-  return energy + reading::strain_energy(model, state);
+  return energy + reading::strain_energy(model, state) + reading::free_energy(model, state);
 }
 
 EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scaling) {
@@ -78,8 +79,9 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   e.fracture = s.dissipated_fracture;
   e.crushing = s.dissipated_crushing;
   e.damping = -s.work_damping;
-  e.gap =
-      e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing - e.damping;
+  e.hand_over = s.lost_in_hand_over;
+  e.gap = e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing -
+          e.damping - e.hand_over;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
   e.gap_ratio = scale == 0 ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
   return e;

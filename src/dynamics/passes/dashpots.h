@@ -137,6 +137,9 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
   for (const Chunk& chunk : l.chunks[kJoints]) {
     for (int n = 0; n < chunk.n; ++n) {
       const std::size_t j = at(chunk.first + n);
+      brakes.force[j] = {0, 0, 0, 0};
+      if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0)
+        continue;  // a free contact has its place
       const JointMaterial& law = m.materials[at(m.joint_material[j])];
       const BrakedJoint joint = braked_joint(wall, m, j, brakes);
       double fn = 0, ft = 0, gn = 0, gt = 0;

@@ -11,6 +11,16 @@ namespace {
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
+// The rows are those of the table of fields.
+static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
+              kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
+              kNodeVy == row_of(&State::node_vy));
+static_assert(kLinkDrawn + 1 == fields_of(Entity::kLink) &&
+              kLinkForce == row_of(&State::link_force) &&
+              kLinkPlastic == row_of(&State::link_plastic) &&
+              kLinkDrawn == row_of(&State::link_drawn));
+static_assert(kHistoryRows == fields_of(Entity::kPoint));
+
 // Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i - 1, i), and gives each
 // its groups. A chunk of neighbours begins a group of its own.
 template <class Fits, class Describe>
@@ -199,6 +209,7 @@ class Filler {
       for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
         add(m_.block_entry[at(e)]);
       add_links(m_.links.a, i);
+      if (l_.frees > 0) t_.block_entry[next++] = l_.joints + l_.links + i;
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
       add_links(m_.links.b, i);
@@ -259,7 +270,12 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   history *= kind == kWalls ? 1 : kGroup;
   place_laws(chunks[kJoints], laws);
   place_laws(chunks[kEdges], laws);
-  entries = m.block_entry.size() + 2 * m.links.a.size();
+  rule_points = m.point_xi.size();
+  zone_entries = s.zone_entry.size();
+  contact_entries = s.contact_entry.size();
+  shapes = s.shapes.size();
+  frees = m.free.any() ? blocks + 1 : 0;
+  entries = m.block_entry.size() + 2 * m.links.a.size() + (frees > 0 ? at(m.n_block) : 0);
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));
 }
@@ -280,13 +296,13 @@ Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {
     using T = std::remove_cvref_t<decltype(*table)>;
     (std::is_same_v<T, double> ? own : ways) += n * lanes;
   };
-  each_table(l, m, t, count, count_own);
+  each_table(l, t, count, count_own);
   memory.shared.assign(shared, 0.0);
   memory.own.assign(own, 0.0);
   memory.ids.assign(ids, 0);
   memory.shapes.resize(m.solids.shapes.size());
   memory.ways.assign(ways, 0);
-  point_tables(l, m, t, memory.shared.data(), memory.own.data(), memory.ids.data(),
+  point_tables(l, t, memory.shared.data(), memory.own.data(), memory.ids.data(),
                memory.shapes.data(), memory.ways.data());
   Filler(l, m, t).fill();
   return t;

@@ -19,7 +19,11 @@
 #include <vector>
 
 #include "contact/law.h"
-#include "model/fields.h"
+#include "wythe/zone_shape.h"
+
+namespace wythe {
+struct Model;  // kernels do not know it
+}
 
 namespace wythe::dynamics {
 
@@ -90,9 +94,6 @@ enum NodeRow {
   kNodeMass,
   kNodeRows
 };
-static_assert(kNodeVy + 1 == fields_of(Entity::kNode) && kNodeUx == row_of(&State::node_ux) &&
-              kNodeUy == row_of(&State::node_uy) && kNodeVx == row_of(&State::node_vx) &&
-              kNodeVy == row_of(&State::node_vy));
 // Rows of a link: what it remembers, its law, where it is.
 enum LinkRowName {
   kLinkForce,
@@ -111,12 +112,7 @@ enum LinkRowName {
   kLinkFollows,
   kLinkRows
 };
-static_assert(kLinkDrawn + 1 == fields_of(Entity::kLink) &&
-              kLinkForce == row_of(&State::link_force) &&
-              kLinkPlastic == row_of(&State::link_plastic) &&
-              kLinkDrawn == row_of(&State::link_drawn));
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
-static_assert(kHistoryRows == fields_of(Entity::kPoint));
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
 inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
 // Numbers of a wall that every step brings along.
@@ -173,7 +169,7 @@ struct Tables {
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
   double* history;     // (points, kHistoryRows)
   double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids;
-                       // of joints, then of links
+                       // of joints, of links, then of free contacts: one a block
   double* link;        // (links, kLinkRows)
   double* node;        // (n_node, kNodeRows)
   double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
@@ -197,8 +193,11 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
-  std::int32_t laws = 0;  // rows
+  std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
+  std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
+  // of the model: places of a rule, entries of the lists of nodes, shapes of zones
+  std::size_t rule_points = 0, zone_entries = 0, contact_entries = 0, shapes = 0;
 
   // Of entity e of a table of `rows`: number of row r; of its lane-wise neighbours 1 apart.
   [[nodiscard]] std::ptrdiff_t number(std::int32_t e, int rows, int row, int walls) const {
@@ -250,15 +249,15 @@ struct Memory {
 // visit(pointer, count) for every table; own(pointer, count) for those that each wall has for itself,
 // counts of one wall. Whoever allocates and points follows this list.
 template <class Visit, class Own>
-void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, const Own& own) {
+void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) {
   const auto n = [](auto count) { return static_cast<std::size_t>(count); };
   visit(t.joint, n(l.joints) * kJointRows);
   visit(t.edge, n(l.edges) * kEdgeRows);
   visit(t.turn_freedom, n(l.blocks));
   visit(t.node_free_x, n(l.nodes));
   visit(t.node_free_y, n(l.nodes));
-  visit(t.point_xi, m.point_xi.size() + 2);
-  visit(t.point_weight, m.point_weight.size() + 2);
+  visit(t.point_xi, l.rule_points + 2);
+  visit(t.point_weight, l.rule_points + 2);
   visit(t.joint_a, n(l.joints));
   visit(t.joint_b, n(l.joints));
   visit(t.block_begin, n(l.blocks) + 1);
@@ -274,15 +273,15 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
   visit(t.link_b, n(l.links));
   for (auto& corner : t.corner) visit(corner, n(l.zones));
   visit(t.node_zone_begin, n(l.nodes) + 1);
-  visit(t.node_zone_entry, m.solids.zone_entry.size());
+  visit(t.node_zone_entry, l.zone_entries);
   visit(t.node_edge_begin, n(l.nodes) + 1);
-  visit(t.node_edge_entry, m.solids.contact_entry.size());
-  visit(t.shapes, m.solids.shapes.size());
+  visit(t.node_edge_entry, l.contact_entries);
+  visit(t.shapes, l.shapes);
   own(t.law, n(l.laws) * (l.kind == Layout::kWalls ? 1 : kGroup));
   own(t.block, n(l.blocks) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.history, n(l.history));
-  own(t.force, 4 * n(l.joints + l.links));
+  own(t.force, 4 * n(l.joints + l.links + l.frees));
   own(t.link, n(l.links) * kLinkRows);
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
@@ -297,14 +296,14 @@ void each_table(const Layout& l, const Model& m, Tables& t, const Visit& visit, 
 
 // Points the tables into memory of this or another machine, laid out as Memory is.
 template <class Doubles, class Ids, class Shapes, class Bytes>
-void point_tables(const Layout& l, const Model& m, Tables& t, Doubles* shared, Doubles* own,
-                  Ids* ids, Shapes* shapes, Bytes* ways) {
+void point_tables(const Layout& l, Tables& t, Doubles* shared, Doubles* own, Ids* ids,
+                  Shapes* shapes, Bytes* ways) {
   const auto take = [](auto*& table, auto*& next, std::size_t n) {
     table = next;
     next += n;
   };
   each_table(
-      l, m, t,
+      l, t,
       [&](auto*& table, std::size_t n) {
         using T = std::remove_cvref_t<decltype(*table)>;
         if constexpr (std::is_same_v<T, double>) take(table, shared, n);

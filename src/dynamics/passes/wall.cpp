@@ -95,6 +95,7 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   view.edges = l.edges;
   view.links = m.links.n;
   view.moving_blocks = m.n_block;
+  if (l.frees > 0) view.first_free = l.joints + l.links;
   return view;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/passes/tables.h"
+#include "model/fields.h"
 
 namespace wythe::dynamics {
 
@@ -14,6 +15,7 @@ struct WallView {
   int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
   int links = 0;          // without those that fill up a group
   int moving_blocks = 0;  // of the model: nodes are numbered behind them
+  int first_free = -1;    // row of forces of block 0's free contacts, the ground's last; -1: none
 
   WYTHE_INLINE double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
     const std::ptrdiff_t width = mask != 0 ? kGroup : t.lanes;

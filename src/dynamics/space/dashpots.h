@@ -119,6 +119,9 @@ inline void brake_joints(const WallView& w, const Model& m, const Controls& cont
   for (const Chunk& chunk : w.layout->joints)
     for (int n = 0; n < chunk.n; ++n) {
       const auto j = static_cast<std::size_t>(chunk.first + n);
+      brakes.load[j] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+      if (w.t.face[w.layout->number(w.layout->joint_place[j], kFaceRows, kFaceArea, 1)] == 0)
+        continue;  // a free contact has its place
       const contact::BlockLoads<double> l = brake_joint(chunk, n, w, m, *controls.dashpots, brakes);
       brakes.load[j] = l;
       const std::int32_t e = w.layout->joint_place[j];

@@ -19,7 +19,8 @@ const KernelSet& kernels_for(int lanes, const KernelSet& most) {
 
 class SpaceWallAccess final : public WallAccess {
  public:
-  SpaceWallAccess(const WallView& view, const Model& model) : model_(model), view_(view) {}
+  SpaceWallAccess(const SpaceProcessor& processor, const Model& model, int lane)
+      : processor_(processor), model_(model), lane_(lane), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override {
     return space::unbalance_of(view_, model_);
@@ -38,10 +39,12 @@ class SpaceWallAccess final : public WallAccess {
   void choose_driven(const std::vector<BlockId>& blocks) override {
     space::choose_driven(view_, blocks);
   }
-  void bring_up(State& state) const override { space::read_wall(view_, model_, state); }
+  void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
 
  private:
+  const SpaceProcessor& processor_;
   const Model& model_;
+  int lane_;
   const WallView& view_;
 };
 
@@ -67,6 +70,7 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
     put_wall(wall.view, model_, rest_);
     set(lane, {});
   }
+  if (model_.free.any() && lanes == 1) free_.emplace(model_, layout_);
 }
 
 void SpaceProcessor::put(int lane, const Model& model, State& state) {
@@ -75,12 +79,13 @@ void SpaceProcessor::put(int lane, const Model& model, State& state) {
   wall.state = &state;
   wall.brakes = {};
   put_wall(wall.view, model, state);
+  if (free_) free_->put(state, wall.view);
   set(lane, {});
 }
 
 void SpaceProcessor::drop(int lane) {
   Wall& wall = wall_[at(lane)];
-  read_wall(wall.view, *wall.model, *wall.state);
+  bring_up(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
   put_wall(wall.view, model_, rest_);  // at rest: costs least
@@ -88,8 +93,7 @@ void SpaceProcessor::drop(int lane) {
 }
 
 std::unique_ptr<WallAccess> SpaceProcessor::access(int lane) {
-  const Wall& wall = wall_[at(lane)];
-  return std::make_unique<SpaceWallAccess>(wall.view, *wall.model);
+  return std::make_unique<SpaceWallAccess>(*this, *wall_[at(lane)].model, lane);
 }
 
 void SpaceProcessor::set(int lane, const Controls& controls) {
@@ -160,6 +164,17 @@ void SpaceProcessor::run(Pass pass) {
   }
 }
 
+void SpaceProcessor::bring_up(int lane, State& state) const {
+  const Wall& wall = wall_[at(lane)];
+  read_wall(wall.view, *wall.model, state);
+  if (free_) free_->bring_up(state);
+}
+
+void SpaceProcessor::meet() {
+  if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
+  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].view, workers_);
+}
+
 void SpaceProcessor::drive() {
   for (Wall& wall : wall_) {
     wall.reaction = 0;
@@ -186,6 +201,7 @@ void SpaceProcessor::end_step() {
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
       for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
         *ledger[k / at(width_) % kTerms] += (*works)[k];
+    if (free_) free_->moved(wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
           braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);

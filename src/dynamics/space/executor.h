@@ -2,10 +2,13 @@
 // threads; or walls side by side, one a lane. As executors/processor.h for plane walls.
 #pragma once
 
+#include <optional>
+
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/space/dashpots.h"
 #include "dynamics/space/kernels.h"
+#include "dynamics/space/space_bodies.h"
 #include "dynamics/space/wall.h"
 
 namespace wythe::dynamics::space {
@@ -24,6 +27,11 @@ class SpaceProcessor final : public Executor {
   void set(int lane, const Controls& controls) override;
   [[nodiscard]] double reaction(int lane) const override {
     return wall_[static_cast<std::size_t>(lane)].reaction;
+  }
+  // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
+  void bring_up(int lane, State& state) const;
+  [[nodiscard]] const WallView& view(int lane) const {
+    return wall_[static_cast<std::size_t>(lane)].view;
   }
 
  private:
@@ -44,6 +52,7 @@ class SpaceProcessor final : public Executor {
 
   void begin_step() override;
   void run(Pass pass) override;
+  void meet() override;
   void brake() override;
   void drive() override;
   void end_step() override;
@@ -56,6 +65,7 @@ class SpaceProcessor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
+  std::optional<FreeContacts<SpaceBodies>> free_;  // of one wall alone
   Workers workers_;
 };
 

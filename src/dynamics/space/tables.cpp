@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
+#include "wythe/model.h"
 
 namespace wythe::dynamics::space {
 namespace {
@@ -86,7 +87,8 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.joint_b, joints);
   to.take(t.block_begin, blocks + 1);
   to.take(t.block_middle, blocks);
-  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link));
+  const std::size_t frees = m.free.any() ? at(m.n_block + m.free.n_fixed) : 0;
+  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link) + (frees > 0 ? at(m.n_block) : 0));
   to.take(t.link_a, at(l.n_link));
   to.take(t.link_b, at(l.n_link));
   to.take(t.special, blocks);
@@ -99,8 +101,9 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.turn, 4 * (blocks + 1) * walls);
   to.take(t.support, 4 * at(std::max(1, m.space.n_support)) * walls);
   to.take(t.link, at(l.n_link) * kSpaceLinkRows * walls);
+  // of joints, of links, then of free contacts: one a body
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
-    to.take(*rows, 4 * (joints + at(l.n_link)) * walls);
+    to.take(*rows, 4 * (joints + at(l.n_link) + frees) * walls);
   to.take(t.way, joints * walls);
 }
 
@@ -156,6 +159,7 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
     for (; e < last && (m.block_entry[at(e)] & 1) == 0; ++e)
       t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
     add_links(m.links.a, i);
+    if (m.free.any()) t.block_entry[next++] = l.n_joint + l.n_link + i;
     t.block_middle[i] = next;
     for (; e < last; ++e) t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
     add_links(m.links.b, i);

@@ -132,6 +132,12 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
       reaction -= dot(f, p);
     }
   }
+  if (w.first_free >= 0)
+    for (const BlockId id : push.driven)
+      reaction -= dot(Vec{w.of_four(w.t.force, w.first_free + id, 0),
+                          w.of_four(w.t.force, w.first_free + id, 1),
+                          w.of_four(w.t.force, w.first_free + id, 2)},
+                      p);
   for (const BlockId id : push.driven)
     for (int c = 0; c < 3; ++c) {
       const double along[3] = {p.x, p.y, p.z};
@@ -182,6 +188,8 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
   view.blocks = model.n_block;
   view.supports = model.space.n_support;
   view.links = layout.n_link;
+  if (model.free.any()) view.first_free = layout.n_joint + layout.n_link;
+  view.bodies = model.free.any() ? model.n_block + model.free.n_fixed : 0;
   return view;
 }
 
@@ -374,6 +382,8 @@ double unbalance_of(const WallView& w, const Model& m) {
     const double sides = w.t.link_a[k] == w.t.n_block ? 1.0 : 2.0;
     contact += sides * magnitude(w.link(k, kLinkForce));
   }
+  for (int i = 0; w.first_free >= 0 && i < w.blocks; ++i)
+    contact += w.of_four(w.t.force, w.first_free + i, 3);
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }
@@ -403,6 +413,10 @@ double shear_of(const WallView& w, const Model& m, const Vec3& along) {
       sum += w.of_four(w.t.force, e, 0) * along.x + w.of_four(w.t.force, e, 1) * along.y +
              w.of_four(w.t.force, e, 2) * along.z;
   }
+  for (int i = w.blocks; i < w.bodies; ++i)
+    sum += w.of_four(w.t.force, w.first_free + i, 0) * along.x +
+           w.of_four(w.t.force, w.first_free + i, 1) * along.y +
+           w.of_four(w.t.force, w.first_free + i, 2) * along.z;
   return sum;
 }
 

@@ -17,6 +17,8 @@ struct WallView {
   const Layout* layout = nullptr;
   std::ptrdiff_t lane = 0;
   int blocks = 0, supports = 0, links = 0;
+  int first_free = -1;  // row of forces of body 0's free contacts; -1: none
+  int bodies = 0;       // with fixed ones, that have such rows
 
   [[nodiscard]] double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
     return table[layout->number(e, rows, row, t.lanes) + lane];

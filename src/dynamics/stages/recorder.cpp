@@ -364,6 +364,7 @@ Message Recorder::place_of(JointId joint, const PointReading& point) const {
 
 void Recorder::note_slid_off(const std::vector<PointReading>& points, double displacement,
                              double reaction) {
+  if (model_.free.any()) return;  // there such a joint gives way
   for (JointId joint = 0; joint < model_.n_joint; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
     if (recording_.slid_off[j] != 0 || !has_slid_off(model_, points, joint)) continue;

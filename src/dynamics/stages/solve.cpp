@@ -12,6 +12,7 @@
 #include "dynamics/stages/shake.h"
 #include "dynamics/stages/wall_run.h"
 #include "model/size.h"
+#include "reading/free_contacts.h"
 
 namespace wythe {
 namespace {
@@ -153,6 +154,7 @@ Result WallRun::finish() {
   read_shaking(model_, result);
   result.quasi_static = judge_quasi_static(result, drives_supports());
   result.top_displacement = top_displacement(model_, state_);
+  result.debris = reading::read_debris(model_, state_);
   result.steps = state_.step;
   result.state_hash = state_hash(state_);
   add_curve_events(result);

@@ -148,7 +148,8 @@ void StageRun::watch_motion(double share) {
     options.progress(
         {stage_.spec.name.c_str(), share, state_.drive_displacement,
          wall_.record.result.curve.empty() ? 0.0 : wall_.record.result.curve.back().reaction});
-  if (wall_.access->runaway_block() >= 0) end(runs_away());
+  if (wall_.access->runaway_block() >= 0) return end(runs_away());
+  if (model_.free.any()) watch_for_the_world();
 }
 
 // Instability, and collapse: a block farther off than the push can have brought it.
@@ -173,6 +174,24 @@ void StageRun::watch(double share) {
                     {"stage", stage_.spec.name}}};
     if (why) reason.arguments.emplace_back("why", *why);
     return end({SolveStatus::kCollapsed, std::move(reason), false});
+  }
+}
+
+// A block that no ground holds up falls on for ever.
+void StageRun::watch_for_the_world() {
+  wall_.access->bring_up(state_);
+  const FreeShapes& world = model_.free;
+  for (BlockId block = 0; block < model_.n_block; ++block) {
+    const BlockReading now = read_block(model_, state_, block);
+    const Vec3 at = now.start + now.moved;
+    const bool inside = at.x > world.x0 && at.x < world.x1 && at.y > world.y0 && at.y < world.y1 &&
+                        (!model_.in_space() || (at.z > world.z0 && at.z < world.z1));
+    if (inside) continue;
+    return end(
+        {SolveStatus::kCollapsed,
+         {"block.left_the_world",
+          {{"block", name_of(block)}, {"x_m", at.x}, {"y_m", at.y}, {"stage", stage_.spec.name}}},
+         false});
   }
 }
 
@@ -438,17 +457,34 @@ class Factor : public StageRun {
 class Hold : public StageRun {
  public:
   Hold(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {
-    if (const Stage* push = push_before()) drive(*push);
+    if (const Stage* push = push_before(); push != nullptr && !stage.spec.release) drive(*push);
     end_when_over();
   }
 
   void prepare() override {}
   void look(double) override {
     watch(state_.stage_time / stage_.spec.duration);
+    keep_state();
     end_when_over();
   }
 
  private:
+  // What falls once it is let go is to be seen: states at equal times, and the last.
+  void keep_state() {
+    const auto states_at = [&](double time) {
+      return std::floor(wall_.options.frames * time / stage_.spec.duration);
+    };
+    if (!stage_.spec.release ||
+        !(states_at(state_.stage_time) > states_at(state_.stage_time - controls_.dt)))
+      return;
+    wall_.access->bring_up(state_);
+    wall_.record.result.frames.push_back({"", state_.drive_displacement, 0, state_});
+  }
+  void finish(StageEnd&) override {
+    if (!stage_.spec.release) return;
+    wall_.access->bring_up(state_);
+    wall_.record.result.snapshots.push_back({"fallen", state_.drive_displacement, 0, state_});
+  }
   void end_when_over() {
     if (!ended() && !(state_.stage_time < stage_.spec.duration)) end({});
   }

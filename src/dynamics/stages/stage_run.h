@@ -69,6 +69,7 @@ class StageRun {
   void watch(double share);
   void watch_motion(double share);  // progress and instability alone
   void watch_for_falls();
+  void watch_for_the_world();
   [[nodiscard]] std::string name_of(BlockId block) const;
 
   WallUnderWay& wall_;

@@ -1,0 +1,115 @@
+#include "contact/meeting.h"
+
+namespace wythe::contact {
+
+PartEdges::PartEdges(const FreeShapes& shapes) {
+  const auto corners = shapes.corner_x.size();
+  tx.resize(corners), ty.resize(corners), length.resize(corners);
+  for (std::size_t part = 0; part + 1 < shapes.corner_begin.size(); ++part) {
+    const auto first = static_cast<std::size_t>(shapes.corner_begin[part]);
+    const auto last = static_cast<std::size_t>(shapes.corner_begin[part + 1]);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::size_t next = i + 1 == last ? first : i + 1;
+      const double dx = shapes.corner_x[next] - shapes.corner_x[i];
+      const double dy = shapes.corner_y[next] - shapes.corner_y[i];
+      length[i] = square_root(dx * dx + dy * dy);
+      tx[i] = dx / length[i];
+      ty[i] = dy / length[i];
+    }
+  }
+}
+
+Part PartEdges::part(const FreeShapes& shapes, std::int32_t part) const {
+  const auto first = static_cast<std::size_t>(shapes.corner_begin[static_cast<std::size_t>(part)]);
+  const auto end =
+      static_cast<std::size_t>(shapes.corner_begin[static_cast<std::size_t>(part) + 1]);
+  return {&shapes.corner_x[first], &shapes.corner_y[first],      &tx[first], &ty[first],
+          &length[first],          static_cast<int>(end - first)};
+}
+
+namespace {
+
+// Corners of `other` in the axes of an edge of `ref`: x = x0 + xx vx + xy vy, and so on.
+struct EdgeView {
+  double x0, y0, xx, xy, yx, yy, length;
+
+  EdgeView(const EdgeAxes& e, const BodyFrame& seen)
+      : x0(e.ax * (seen.x - e.x) + e.ay * (seen.y - e.y)),
+        y0(e.nx * (seen.x - e.x) + e.ny * (seen.y - e.y)),
+        xx(e.ax * seen.c + e.ay * seen.s),
+        xy(e.ay * seen.c - e.ax * seen.s),
+        yx(e.nx * seen.c + e.ny * seen.s),
+        yy(e.ny * seen.c - e.nx * seen.s),
+        length(e.length) {}
+  [[nodiscard]] WYTHE_INLINE double x(double vx, double vy) const { return x0 + xx * vx + xy * vy; }
+  [[nodiscard]] WYTHE_INLINE double y(double vx, double vy) const { return y0 + yx * vx + yy * vy; }
+};
+
+// A piece of the other part's lower side from (xa, ya) to (xb, yb), xa < xb.
+WYTHE_INLINE void add_piece(double xa, double ya, double xb, double yb, double length, double& left,
+                            double& right, Overlap& sum) {
+  const double slope = (yb - ya) / (xb - xa);
+  // cut off what lies beyond the ends of the edge
+  if (xa < 0) ya = ya - xa * slope, xa = 0, left = maximum(0.0, -ya);
+  if (xb > length) yb = yb + (length - xb) * slope, xb = length, right = maximum(0.0, -yb);
+  // and what lies above it
+  if (ya > 0) xa = xa - ya / slope, ya = 0;
+  if (yb > 0) xb = xb - yb / slope, yb = 0;
+  const double width = xb - xa;
+  if (!(width > 0)) return;
+  const double da = -ya, db = -yb;
+  sum.cover += width;
+  sum.area += 0.5 * width * (da + db);
+  sum.moment += width * (1.0 / 6) * (xa * (2 * da + db) + xb * (da + 2 * db));
+  sum.moment -= (1.0 / 6) * (db * db * db - da * da * da);  // a tilted piece leans its force
+  sum.energy += width * (1.0 / 6) * (da * da + da * db + db * db);
+}
+
+}  // namespace
+
+Overlap overlap_on(const Part& ref, int edge, const Part& other, const BodyFrame& seen) {
+  const EdgeView view(axes_of(ref, edge), seen);
+  Overlap sum{std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0};
+  double left = 0, right = 0;
+  const int last = other.corners - 1;
+  double xa = view.x(other.x[last], other.y[last]), ya = view.y(other.x[last], other.y[last]);
+  for (int i = 0; i <= last; ++i) {
+    const double xb = view.x(other.x[i], other.y[i]), yb = view.y(other.x[i], other.y[i]);
+    sum.lowest = minimum(sum.lowest, yb);
+    const bool faces = xb > xa, below = ya < 0 || yb<0, over = xb> 0 && xa < view.length;
+    if (faces && below && over) add_piece(xa, ya, xb, yb, view.length, left, right, sum);
+    xa = xb, ya = yb;
+  }
+  sum.side = 0.5 * (right * right - left * left);
+  sum.moment += 0.5 * (right * right * right - left * left * left);
+  return sum;
+}
+
+Separation separation_of(const Part& ref, const Part& other, const BodyFrame& seen) {
+  Separation best;
+  for (int e = 0; e < ref.corners; ++e) {
+    const EdgeView view(axes_of(ref, e), seen);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < other.corners; ++i)
+      lowest = minimum(lowest, view.y(other.x[i], other.y[i]));
+    if (lowest > best.distance) best = {lowest, e};
+  }
+  return best;
+}
+
+Face face_of(const Part& a, const Part& b, const BodyFrame& b_from_a, const BodyFrame& a_from_b,
+             std::int32_t last, double slop) {
+  const Separation of_a = separation_of(a, b, b_from_a), of_b = separation_of(b, a, a_from_b);
+  Face best{of_a.distance, of_a.edge};
+  if (of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
+  if (last == kNoFeature || last == best.feature) return best;
+  const double kept = last >= 0 ? overlap_on(a, last, b, b_from_a).lowest
+                                : overlap_on(b, -1 - last, a, a_from_b).lowest;
+  return kept + slop >= best.distance ? Face{kept, last} : best;
+}
+
+FreeLaw free_law(const LawConstants<double>& law, double thickness) {
+  return {law.kn, law.ks, law.tan_res, thickness};
+}
+
+}  // namespace wythe::contact

@@ -1,0 +1,71 @@
+// Two convex parts that meet in space: how they overlap, and the force of it (docs/theory/contacts.md, "Two parts
+// in space"). As meeting.h, with a facet in the place of an edge:
+//
+//            n = z                  V = kn / 2  integral of d^2 dA      over what the other part's facets
+//            |    y                 cover of the facet, seen along z; force and moment are its derivatives
+//       +----|---/------+
+//      /     o--------> x           Facets are inset by the bevel, so that parts that share an edge or a
+//     +----------------+            corner at the start do not touch there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/meeting.h"
+#include "core/rotation.h"
+#include "wythe/body.h"
+
+namespace wythe::contact {
+
+using Vec = Vector<double>;
+
+// A facet in its body's axes: origin in its plane, x, y along it, z out of the body.
+struct Facet {
+  Vec origin, x, y, z;
+  std::int32_t begin = 0, end = 0;  // its corners, anticlockwise seen from outside
+};
+// All parts of all bodies, corners seen from the bodies' centroids.
+struct SpaceParts {
+  std::vector<std::int32_t> facet_begin{0};  // CSR (parts + 1)
+  std::vector<Facet> facet;
+  std::vector<Vec> corner;
+  // Adds a part whose vertices are seen from `centre`.
+  void add(const Polyhedron& part, const Vec3& centre, double inset);
+};
+struct SpacePart {
+  const Facet* facet;
+  const Vec* corner;
+  int facets;
+};
+[[nodiscard]] inline SpacePart part_of(const SpaceParts& parts, std::int32_t part) {
+  const auto first = static_cast<std::size_t>(parts.facet_begin[static_cast<std::size_t>(part)]);
+  const auto end = parts.facet_begin[static_cast<std::size_t>(part) + 1];
+  return {&parts.facet[first], parts.corner.data(), end - static_cast<std::int32_t>(first)};
+}
+
+// Where a body's axes are.
+struct SpaceFrame {
+  Vec at;
+  Quaternion<double> turn;
+};
+[[nodiscard]] SpaceFrame seen_from(const SpaceFrame& a, const SpaceFrame& b);
+
+// On one facet, in its axes, for kn = 1.
+struct SpaceOverlap {
+  double lowest =
+      0;  // the other part's lowest corner; above 0 the parts are that far apart at least [m]
+  double cover = 0;          // of the facet that is passed [m^2]
+  Vec force{0, 0, 0};        // [m^3]
+  Vec moment{0, 0, 0};       // about the origin of the facet's axes [m^4]
+  double energy = 0;         // [m^4]
+  double spread = 0;         // mean squared distance of the cover from its centroid [m^2]
+  std::vector<Vec> polygon;  // of the largest piece, where asked for
+};
+[[nodiscard]] SpaceOverlap overlap_on(const SpacePart& ref, int facet, const SpacePart& other,
+                                      const SpaceFrame& seen, bool with_polygon = false);
+[[nodiscard]] Separation separation_of(const SpacePart& ref, const SpacePart& other,
+                                       const SpaceFrame& seen);
+[[nodiscard]] Face face_of(const SpacePart& a, const SpacePart& b, const SpaceFrame& b_from_a,
+                           const SpaceFrame& a_from_b, std::int32_t last, double slop);
+
+}  // namespace wythe::contact

@@ -1,0 +1,375 @@
+#include "dynamics/passes/plane_bodies.h"
+
+#include "contact/parameters.h"
+#include "model/free_shapes.h"
+
+namespace wythe::dynamics {
+namespace {
+
+using contact::BodyFrame;
+using contact::EdgeAxes;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
+constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
+
+// A direction of a body's own axes in the wall's.
+struct Direction2 {
+  double x, y;
+};
+Direction2 turned(const BodyFrame& f, double x, double y) {
+  return {f.c * x - f.s * y, f.s * x + f.c * y};
+}
+
+EdgeAxes axes_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? contact::axes_of(m.a, feature) : contact::axes_of(m.b, -1 - feature);
+}
+const BodyFrame& frame_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? m.frame_a : m.frame_b;
+}
+
+}  // namespace
+
+PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
+    : m_(model), layout_(layout), edges_(model.free) {
+  const FreeShapes& f = model.free;
+  double size = 0;
+  for (std::size_t i = 0; i < at(model.n_block); ++i) {
+    double reach = 0;
+    for (auto k = at(f.corner_begin[at(f.part_begin[i])]);
+         k < at(f.corner_begin[at(f.part_begin[i + 1])]); ++k)
+      reach = maximum(reach, f.corner_x[k] * f.corner_x[k] + f.corner_y[k] * f.corner_y[k]);
+    reach_.push_back(square_root(reach));
+    size += 2 * reach_.back();
+  }
+  margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
+  chunk_of_.resize(at(model.n_joint));
+  for (int c = 0; c < static_cast<int>(layout.chunks[kJoints].size()); ++c) {
+    const Chunk& chunk = layout.chunks[kJoints][at(c)];
+    for (int n = 0; n < chunk.n; ++n) chunk_of_[at(chunk.first + n)] = {c, n};
+  }
+}
+
+contact::FreeLaw PlaneBodies::law_of(std::int32_t a, std::int32_t b) const {
+  return free_law_of(m_, a, b);
+}
+
+BodyFrame PlaneBodies::frame_of(std::int32_t body, const WallView& wall) const {
+  if (body >= m_.n_block) return {0, 0, 1, 0};
+  const double c = wall.of_four(wall.t.pose, body, 2), s = wall.of_four(wall.t.pose, body, 3);
+  return {m_.centroid_x[at(body)] + wall.ux(body), m_.centroid_y[at(body)] + wall.uy(body),
+          1 - 2 * s * s, 2 * s * c};
+}
+
+Box PlaneBodies::box_of(std::int32_t body, const WallView& wall) const {
+  const FreeShapes& f = m_.free;
+  const BodyFrame frame = frame_of(body, wall);
+  Box box{{1e300, 1e300, 0}, {-1e300, -1e300, 0}};
+  for (auto i = at(f.corner_begin[at(f.part_begin[at(body)])]);
+       i < at(f.corner_begin[at(f.part_begin[at(body) + 1])]); ++i) {
+    const Direction2 arm = turned(frame, f.corner_x[i], f.corner_y[i]);
+    const double place[2] = {frame.x + arm.x, frame.y + arm.y};
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = minimum(box.low[k], place[k]);
+      box.high[k] = maximum(box.high[k], place[k]);
+    }
+  }
+  return box;
+}
+
+double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
+  return magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy)) +
+         reach_[at(i)] * magnitude(wall.block(i, kOmega));
+}
+
+Vector<double> PlaneBodies::place_of(std::int32_t body, const WallView& wall) const {
+  const BodyFrame f = frame_of(body, wall);
+  return {f.x, f.y, 0};
+}
+
+Push PlaneBodies::rates_of(std::int32_t body, const WallView& wall) const {
+  if (body >= m_.n_block) return {};
+  return {{wall.block(body, kVx), wall.block(body, kVy), 0}, {0, 0, wall.block(body, kOmega)}};
+}
+
+Vector<double> PlaneBodies::into(std::int32_t body, const Vector<double>& v,
+                                 const WallView& wall) const {
+  const BodyFrame f = frame_of(body, wall);
+  return {f.c * v.x + f.s * v.y, f.c * v.y - f.s * v.x, v.z};
+}
+Vector<double> PlaneBodies::out_of(std::int32_t body, const Vector<double>& v,
+                                   const WallView& wall) const {
+  const Direction2 d = turned(frame_of(body, wall), v.x, v.y);
+  return {d.x, d.y, v.z};
+}
+
+// --- two parts ------------------------------------------------------------------------------------------
+
+PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c, const WallView& wall) const {
+  const FreeShapes& f = m_.free;
+  const BodyFrame a = frame_of(c.a, wall), b = frame_of(c.b, wall);
+  return {edges_.part(f, f.part_begin[at(c.a)] + c.part_a),
+          edges_.part(f, f.part_begin[at(c.b)] + c.part_b),
+          a,
+          b,
+          contact::seen_from(a, b),
+          contact::seen_from(b, a)};
+}
+
+contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a)
+                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b);
+}
+
+contact::Face PlaneBodies::face(const Meeting& m, std::int32_t last) const {
+  return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+}
+
+double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {
+  const auto axis = [&](std::int32_t feature) {
+    const EdgeAxes axes = axes_of(m, feature);
+    return turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
+  };
+  const std::int32_t from = pair.memory.feature;
+  const Direction2 was = axis(from), is = axis(to);
+  // along an edge of b the axis runs the other way, and so does the slip
+  const double same = (from >= 0) == (to >= 0) ? 1 : -1;
+  const double before = shear_energy(pair.memory, pair.law);
+  pair.memory.slip_x *= same * (was.x * is.x + was.y * is.y);
+  return before - shear_energy(pair.memory, pair.law);
+}
+
+void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt,
+                      const WallView& wall) const {
+  const std::int32_t feature = pair.memory.feature;
+  const bool of_a = feature >= 0;
+  const EdgeAxes axes = axes_of(m, feature);
+  const BodyFrame &ref = of_a ? m.frame_a : m.frame_b, &other = of_a ? m.frame_b : m.frame_a;
+  const Direction2 x = turned(ref, axes.ax, axes.ay), n = turned(ref, axes.nx, axes.ny);
+
+  // how far `other` slid along the edge in the last step, where the pressure is
+  const double place = overlap.area > 0 ? overlap.moment / overlap.area : 0.0;
+  const Direction2 arm = turned(ref, axes.x + axes.ax * place, axes.y + axes.ay * place);
+  const double ox = ref.x + arm.x - other.x, oy = ref.y + arm.y - other.y;
+  const Push of_ref = rates_of(of_a ? pair.memory.a : pair.memory.b, wall);
+  const Push of_other = rates_of(of_a ? pair.memory.b : pair.memory.a, wall);
+  // arms and axis as they were half a step ago, in the middle of that motion
+  const auto back = [&](const Push& rates, double rx, double ry) {
+    const double half = 0.5 * dt * rates.m.z;
+    return Direction2{rx + half * ry, ry - half * rx};
+  };
+  const Direction2 r = back(of_ref, arm.x, arm.y), o = back(of_other, ox, oy);
+  const Direction2 along_then = back(of_ref, x.x, x.y);
+  const double vx = (of_other.f.x - of_other.m.z * o.y) - (of_ref.f.x - of_ref.m.z * r.y);
+  const double vy = (of_other.f.y + of_other.m.z * o.x) - (of_ref.f.y + of_ref.m.z * r.x);
+
+  const contact::FreeLaw& law = pair.law;
+  const double k = stiffness(law), normal = k * overlap.area;
+  pair.pressed = normal;
+  double& slip = pair.memory.slip_x;
+  // A growing area takes the force with it, a shrinking one the slip: neither makes energy.
+  const double area = overlap.cover * law.thickness;
+  const double energy = shear_energy(pair.memory, law), held = law.ks * pair.memory.area * slip;
+  if (area > pair.memory.area && pair.memory.area > 0) slip *= pair.memory.area / area;
+  pair.memory.area = area;
+  const double stiff = law.ks * area, limit = law.tan_friction * normal;
+  const double way = dt * (vx * along_then.x + vy * along_then.y);
+  slip += way;
+  if (const double trial = stiff * slip; magnitude(trial) > limit) {
+    const double kept = sign(trial) * limit / stiff;
+    pair.slid += magnitude(slip - kept);
+    slip = kept;
+  }
+  // the work of the step less what is stored of it
+  pair.friction += 0.5 * (held + stiff * slip) * way + (energy - shear_energy(pair.memory, law));
+  pair.stored = k * overlap.energy + shear_energy(pair.memory, law);
+
+  // force on `other`; its moment about the origin of the edge's axes, carried to both centroids
+  const double along = k * overlap.side - stiff * slip;
+  const double fx = normal * n.x + along * x.x, fy = normal * n.y + along * x.y;
+  const Direction2 origin = turned(ref, axes.x, axes.y);
+  const double moment = k * overlap.moment;
+  const double gx = ref.x + origin.x - other.x, gy = ref.y + origin.y - other.y;
+  const Push on_other{{fx, fy, 0}, {0, 0, moment + (gx * fy - gy * fx)}};
+  const Push on_ref{{-fx, -fy, 0}, {0, 0, -(moment + (origin.x * fy - origin.y * fx))}};
+  pair.on_a = of_a ? on_ref : on_other;
+  pair.on_b = of_a ? on_other : on_ref;
+}
+
+void PlaneBodies::take_over_shear(FreePair& pair, const Vector<double>& on_a,
+                                  const WallView& wall) const {
+  const Meeting m = meeting(pair.memory, wall);
+  const std::int32_t feature = pair.memory.feature;
+  const EdgeAxes axes = axes_of(m, feature);
+  const Direction2 x = turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
+  const double on_ref = (on_a.x * x.x + on_a.y * x.y) * (feature >= 0 ? 1 : -1);
+  const double most = pair.law.tan_friction * pair.pressed;
+  pair.memory.slip_x = clip(on_ref, -most, most) / (pair.law.ks * pair.memory.area);
+}
+
+// --- rows of forces -------------------------------------------------------------------------------------
+
+void PlaneBodies::clear_rows(const WallView& wall) const {
+  std::fill_n(wall.t.force + 4 * wall.first_free, 4 * (wall.blocks + 1), 0.0);
+}
+
+// One row a block, then that of what stands still, whose last column sums the magnitudes that the unbalance asks
+// for.
+void PlaneBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
+                      const WallView& wall) const {
+  const auto put = [&](std::int32_t row, const Push& push) {
+    wall.of_four(wall.t.force, wall.first_free + row, 0) += push.f.x;
+    wall.of_four(wall.t.force, wall.first_free + row, 1) += push.f.y;
+    wall.of_four(wall.t.force, wall.first_free + row, 2) += push.m.z;
+  };
+  const bool fixed = b >= m_.n_block;
+  put(a, on_a);
+  put(fixed ? wall.blocks : b, on_b);
+  wall.of_four(wall.t.force, wall.first_free + wall.blocks, 3) +=
+      (fixed ? 1.0 : 2.0) * (magnitude(on_b.f.x) + magnitude(on_b.f.y));
+}
+
+// --- joints ---------------------------------------------------------------------------------------------
+
+std::pair<std::int32_t, std::int32_t> PlaneBodies::sides_of(JointId joint) const {
+  const BlockId a = m_.joint_a[at(joint)], b = m_.joint_b[at(joint)];
+  if (a != kGroundBlock) return std::minmax(a, b);
+  const std::int32_t support = support_of(m_, joint);
+  return support < 0 ? std::pair(-1, -1) : std::pair(b, support);
+}
+
+PlaneBodies::Gap PlaneBodies::gap_of(JointId joint, const WallView& wall) const {
+  const auto j = at(joint);
+  const BlockId ja = m_.joint_a[j], jb = m_.joint_b[j];
+  const BodyFrame b = frame_of(jb, wall);
+  const Direction2 arm_b = turned(b, m_.arm_b_x[j], m_.arm_b_y[j]);
+  double ax = m_.centroid_x[at(jb)] + m_.arm_b_x[j], ay = m_.centroid_y[at(jb)] + m_.arm_b_y[j];
+  double tilt = wall.block(jb, kTheta);
+  if (ja != kGroundBlock) {
+    const BodyFrame a = frame_of(ja, wall);
+    const Direction2 arm_a = turned(a, m_.arm_a_x[j], m_.arm_a_y[j]);
+    ax = a.x + arm_a.x;
+    ay = a.y + arm_a.y;
+    tilt -= wall.block(ja, kTheta);
+  }
+  return {b.x + arm_b.x - ax, b.y + arm_b.y - ay, tilt};
+}
+
+PlaneBodies::Jump PlaneBodies::jump_of(JointId joint, const WallView& wall) const {
+  const auto j = at(joint);
+  const BlockId ja = m_.joint_a[j];
+  const bool ground = ja == kGroundBlock;
+  const auto [jx, jy, tilt] = gap_of(joint, wall);
+  const double turn_a = ground ? 0.0 : wall.block(ja, kTheta);
+  const SinCos<double> mean = sin_cos(ground ? 0.0 : turn_a + 0.5 * tilt);
+  const SinCos<double> half = sin_cos(0.5 * tilt);
+  const double tx = mean.cos * m_.tangent_x[j] - mean.sin * m_.tangent_y[j];
+  const double ty = mean.sin * m_.tangent_x[j] + mean.cos * m_.tangent_y[j];
+  const double reach = m_.half_x[j] * m_.tangent_x[j] + m_.half_y[j] * m_.tangent_y[j];
+  const double growth = 2 * half.sin * (ground ? half.cos : 1.0);
+  return {jy * tx - jx * ty, jx * tx + jy * ty, reach * growth, tilt};
+}
+
+namespace {
+
+bool is_tilted(double tilt) {
+  constexpr double kTilted = 0.05235987755982989;  // 3 degrees
+  return magnitude(tilt) > kTilted;
+}
+
+}  // namespace
+
+bool PlaneBodies::gives_way(JointId joint, const WallView& wall) const {
+  constexpr double kSlipped = 0.05;  // of the face; or opened, all of it
+  const Gap gap = gap_of(joint, wall);
+  const double hx = m_.half_x[at(joint)], hy = m_.half_y[at(joint)];
+  const double most = 4 * kSlipped * kSlipped * (hx * hx + hy * hy);
+  if (is_tilted(gap.tilt)) return true;
+  if (gap.x * gap.x + gap.y * gap.y <= most) return false;  // most joints: no way is longer
+  const Jump jump = jump_of(joint, wall);
+  const double apart = maximum(0.0, jump.normal - magnitude(jump.growth));  // at its nearer end
+  return jump.along * jump.along > most || apart * apart > most;
+}
+
+contact::History<double> PlaneBodies::history_of(JointId joint, int point,
+                                                 const WallView& wall) const {
+  const auto& [chunk, n] = chunk_of_[at(joint)];
+  const Chunk& run = layout_.chunks[kJoints][at(chunk)];
+  contact::History<double> h{};
+  for (int row = 0; row < run.rows; ++row)
+    h.*contact::kHistory<double>[at(row)] =
+        wall.t.history[layout_.point_number(run, n, point, row, 1)];
+  return h;
+}
+
+// A joint that has tilted bears on an edge, whose point need not be damaged.
+bool PlaneBodies::holds(JointId joint, const WallView& wall) const {
+  constexpr double kBroken = 0.999;  // damage of a point
+  const auto law = contact::constants_of(m_.materials[at(m_.joint_material[at(joint)])]);
+  const Jump jump = jump_of(joint, wall);
+  for (int k = 0; k < m_.n_face_point; ++k) {
+    const contact::History<double> h = history_of(joint, k, wall);
+    const double tension = contact::tension_left<contact::AnyVariant>(law, h.kappa);
+    const double left =
+        contact::strength_left<contact::AnyVariant>(law, tension, 1 - h.shear_damage);
+    const bool closed = jump.normal + m_.point_xi[at(k)] * jump.growth + h.crush <= 0;
+    if (left > 1 - kBroken && !(is_tilted(jump.tilt) && closed)) return true;
+  }
+  return false;
+}
+
+Push PlaneBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
+  const double* row =
+      wall.t.force + 4 * static_cast<std::ptrdiff_t>(layout_.joint_place[at(joint)]);
+  if (m_.joint_a[at(joint)] == on) return {{row[0], row[1], 0}, {0, 0, row[2]}};
+  return {{-row[0], -row[1], 0}, {0, 0, row[3]}};
+}
+
+double PlaneBodies::elastic_energy(JointId joint, const WallView& wall) const {
+  const auto j = at(joint);
+  const JointMaterial& material = m_.materials[at(m_.joint_material[j])];
+  const auto law = contact::constants_of(material);
+  const Jump jump = jump_of(joint, wall);
+  double energy = 0;
+  for (int k = 0; k < m_.n_face_point; ++k) {
+    contact::History<double> h = history_of(joint, k, wall);
+    const double w = jump.normal + m_.point_xi[at(k)] * jump.growth;
+    const auto now = contact::update<contact::AnyVariant>(law, w, jump.along, h);
+    const bool secant = now.sigma > 0 && material.unloading == Unloading::kSecant;
+    const double normal =
+        secant ? 0.5 * now.sigma * (w + h.crush) : 0.5 * now.sigma * now.sigma * law.inv_kn;
+    energy += m_.area[j] * m_.point_weight[at(k)] * (normal + 0.5 * now.tau * now.tau * law.inv_ks);
+  }
+  return energy;
+}
+
+void PlaneBodies::restore(const WallView& wall) const {
+  for (JointId j = 0; j < m_.n_joint; ++j) {
+    const std::int32_t place = layout_.joint_place[at(j)];
+    const BlockId a = m_.joint_a[at(j)];
+    wall.t.joint_a[place] = a == kGroundBlock ? wall.t.n_block : a;
+    wall.t.joint_b[place] = m_.joint_b[at(j)];
+    wall.t.joint[layout_.number(place, kJointRows, kArea, 1)] = m_.area[at(j)];
+  }
+}
+
+// Between the ground and itself, without an area.
+void PlaneBodies::release(JointId joint, const WallView& wall) const {
+  const std::int32_t place = layout_.joint_place[at(joint)];
+  wall.t.joint_a[place] = wall.t.joint_b[place] = wall.t.n_block;
+  wall.t.joint[layout_.number(place, kJointRows, kArea, 1)] = 0;
+  std::fill_n(wall.t.force + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
+  const auto& [number, n] = chunk_of_[at(joint)];
+  const Chunk& chunk = layout_.chunks[kJoints][at(number)];
+  for (int k = 0; k < m_.n_face_point; ++k)
+    for (const int row : {row_of(&State::crush), row_of(&State::plastic_slip)})
+      wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;
+}
+
+// No face is known to be whole or at rest any more.
+void PlaneBodies::end_release(const WallView& wall) const {
+  std::fill_n(wall.t.joint_way, layout_.joints, std::uint8_t{0});
+}
+
+}  // namespace wythe::dynamics

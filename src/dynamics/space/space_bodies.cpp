@@ -1,0 +1,393 @@
+#include "dynamics/space/space_bodies.h"
+
+#include <algorithm>
+
+#include "contact/parameters.h"
+#include "model/free_shapes.h"
+
+namespace wythe::dynamics::space {
+namespace {
+
+using contact::Facet;
+using contact::SpaceFrame;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+constexpr double kBoxMargin = 0.05;  // of boxes, over the mean size of a block
+constexpr double kSlop = 0.25;       // by how many bevels another face has to be better
+
+double length(const Vec& v) { return square_root(dot(v, v)); }
+
+const Facet& facet_of(const SpaceBodies::Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? m.a.facet[feature] : m.b.facet[-1 - feature];
+}
+const SpaceFrame& frame_of(const SpaceBodies::Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? m.frame_a : m.frame_b;
+}
+
+}  // namespace
+
+SpaceBodies::SpaceBodies(const Model& model, const Layout& layout) : m_(model), layout_(layout) {
+  parts_ = free_parts(model);
+  double size = 0;
+  for (std::int32_t i = 0; i < model.n_block; ++i) {
+    double reach = 0;
+    for (auto part = model.free.part_begin[at(i)]; part < model.free.part_begin[at(i) + 1]; ++part)
+      for (auto f = parts_.facet_begin[at(part)]; f < parts_.facet_begin[at(part) + 1]; ++f)
+        for (auto c = parts_.facet[at(f)].begin; c < parts_.facet[at(f)].end; ++c)
+          reach = maximum(reach, length(parts_.corner[at(c)]));
+    reach_.push_back(reach);
+    size += 2 * reach;
+  }
+  margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
+  chunk_of_.resize(at(model.n_joint));
+  for (int c = 0; c < static_cast<int>(layout.joints.size()); ++c) {
+    const Chunk& chunk = layout.joints[at(c)];
+    for (int n = 0; n < chunk.n; ++n) chunk_of_[at(chunk.first + n)] = {c, n};
+  }
+}
+
+contact::FreeLaw SpaceBodies::law_of(std::int32_t a, std::int32_t b) const {
+  return free_law_of(m_, a, b);
+}
+
+// Supports may be driven; ground lies in the wall's axes.
+SpaceFrame SpaceBodies::frame_of(std::int32_t body, const WallView& wall) const {
+  const int support = body - m_.n_block;
+  if (support >= m_.space.n_support) return {{0, 0, 0}, {1, {0, 0, 0}}};
+  const Vec start = vec(m_.space.centroid[at(body)]);
+  if (support < 0) return {start + wall.shift(body), wall.turn(body)};
+  return {start + Vec{wall.of_four(wall.t.support, support, 0),
+                      wall.of_four(wall.t.support, support, 1),
+                      wall.of_four(wall.t.support, support, 2)},
+          {1, {0, 0, 0}}};
+}
+
+Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
+  const SpaceFrame frame = frame_of(body, wall);
+  Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+  const FreeShapes& f = m_.free;
+  for (auto part = f.part_begin[at(body)]; part < f.part_begin[at(body) + 1]; ++part)
+    for (auto g = parts_.facet_begin[at(part)]; g < parts_.facet_begin[at(part) + 1]; ++g)
+      for (auto c = parts_.facet[at(g)].begin; c < parts_.facet[at(g)].end; ++c) {
+        const Vec p = frame.at + turned(frame.turn, parts_.corner[at(c)]);
+        const double place[3] = {p.x, p.y, p.z};
+        for (int k = 0; k < 3; ++k) {
+          box.low[k] = minimum(box.low[k], place[k]);
+          box.high[k] = maximum(box.high[k], place[k]);
+        }
+      }
+  return box;
+}
+
+double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
+  const Push rates = rates_of(body, wall);
+  return length(rates.f) + reach_[at(body)] * length(rates.m);
+}
+
+Vec SpaceBodies::place_of(std::int32_t body, const WallView& wall) const {
+  return frame_of(body, wall).at;
+}
+
+Push SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
+  if (body >= m_.n_block) return {};
+  const Quaternion<double> q = wall.turn(body);
+  const Vec l = turned_back(q, wall.body_vector(body, kL));
+  Vec spin{0, 0, 0};
+  for (int k = 0; k < 3; ++k) {
+    const auto axis_row = [&](int c) {
+      return wall.t.axes[layout_.number(body, kAxisRows, 3 * k + c, 1)];
+    };
+    const Vec axis{axis_row(0), axis_row(1), axis_row(2)};
+    spin = spin + (wall.body(body, kInverse + k) * dot(axis, l)) * axis;
+  }
+  return {wall.body_vector(body, kV), turned(q, spin)};
+}
+
+Vec SpaceBodies::into(std::int32_t body, const Vec& v, const WallView& wall) const {
+  return turned_back(frame_of(body, wall).turn, v);
+}
+Vec SpaceBodies::out_of(std::int32_t body, const Vec& v, const WallView& wall) const {
+  return turned(frame_of(body, wall).turn, v);
+}
+
+// --- two parts ------------------------------------------------------------------------------------------
+
+SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c, const WallView& wall) const {
+  const FreeShapes& f = m_.free;
+  const SpaceFrame a = frame_of(c.a, wall), b = frame_of(c.b, wall);
+  return {contact::part_of(parts_, f.part_begin[at(c.a)] + c.part_a),
+          contact::part_of(parts_, f.part_begin[at(c.b)] + c.part_b),
+          a,
+          b,
+          contact::seen_from(a, b),
+          contact::seen_from(b, a)};
+}
+
+contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature) {
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a)
+                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b);
+}
+
+contact::Face SpaceBodies::face(const Meeting& m, std::int32_t last) const {
+  return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+}
+
+double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {
+  FreeContact& c = pair.memory;
+  const double before = shear_energy(c, pair.law);
+  struct Axes {
+    Vec x, y, n;  // n from a to b
+  };
+  const auto axes = [&](std::int32_t feature) -> Axes {
+    const Facet& f = facet_of(m, feature);
+    const Quaternion<double>& q = space::frame_of(m, feature).turn;
+    const double sense = feature >= 0 ? 1 : -1;
+    return {sense * turned(q, f.x), sense * turned(q, f.y), sense * turned(q, f.z)};
+  };
+  const Axes was = axes(c.feature), is = axes(to);
+  const Vec slip = c.slip_x * was.x + c.slip_y * was.y;
+  c.slip_x = dot(slip, is.x);
+  c.slip_y = dot(slip, is.y);
+  c.slip_z *= dot(was.n, is.n);
+  return before - shear_energy(c, pair.law);
+}
+
+void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt,
+                      const WallView& wall) const {
+  FreeContact& c = pair.memory;
+  const bool of_a = c.feature >= 0;
+  const Facet& facet = facet_of(m, c.feature);
+  const SpaceFrame &ref = of_a ? m.frame_a : m.frame_b, &other = of_a ? m.frame_b : m.frame_a;
+  const Vec x = turned(ref.turn, facet.x), y = turned(ref.turn, facet.y),
+            z = turned(ref.turn, facet.z);
+  const Vec origin = turned(ref.turn, facet.origin);  // from the reference's centroid
+
+  // how far `other` slid and twisted on the facet in the last step, where the pressure is
+  const double over = overlap.force.z > 0 ? 1 / overlap.force.z : 0.0;
+  const Vec arm = origin + (-overlap.moment.y * over) * x + (overlap.moment.x * over) * y;
+  const Vec arm_other = ref.at + arm - other.at;
+  const Push of_ref = rates_of(of_a ? c.a : c.b, wall), of_other = rates_of(of_a ? c.b : c.a, wall);
+  // arms and axes as they were half a step ago, in the middle of that motion
+  const auto back = [&](const Push& rates, const Vec& r) {
+    return r - (0.5 * dt) * cross(rates.m, r);
+  };
+  const Vec v = (of_other.f + cross(of_other.m, back(of_other, arm_other))) -
+                (of_ref.f + cross(of_ref.m, back(of_ref, arm)));
+  const double radius = square_root(overlap.spread), twist = dot(of_other.m - of_ref.m, z);
+
+  const contact::FreeLaw& law = pair.law;
+  const double normal = law.kn * overlap.force.z;
+  pair.pressed = normal;
+  // A growing area takes the force with it, a shrinking one the slip: neither makes energy.
+  const double energy = shear_energy(c, law);
+  const Vec held = law.ks * c.area * Vec{c.slip_x, c.slip_y, c.slip_z};
+  if (overlap.cover > c.area && c.area > 0)
+    for (double* slip : {&c.slip_x, &c.slip_y, &c.slip_z}) *slip *= c.area / overlap.cover;
+  c.area = overlap.cover;
+  const double stiff = law.ks * c.area, limit = law.tan_friction * normal;
+  const Vec start{c.slip_x, c.slip_y, c.slip_z};
+  const Vec way = dt * Vec{dot(v, back(of_ref, x)), dot(v, back(of_ref, y)), radius * twist};
+  Vec slip = start + way;
+  if (const double reach = length(slip); stiff * reach > limit) {
+    const Vec kept = (limit / (stiff * reach)) * slip;
+    pair.slid += length(slip - kept);
+    slip = kept;
+  }
+  c.slip_x = slip.x, c.slip_y = slip.y, c.slip_z = slip.z;
+  // the work of the step less what is stored of it
+  pair.friction += 0.5 * dot(held + stiff * slip, way) + (energy - shear_energy(c, law));
+  pair.stored = law.kn * overlap.energy + shear_energy(c, law);
+
+  // force on `other`, moment about the origin of the facet's axes, carried to both centroids
+  const Vec rubs = (-stiff * slip.x) * x + (-stiff * slip.y) * y;
+  const Vec pressed = law.kn * (overlap.force.x * x + overlap.force.y * y + overlap.force.z * z);
+  const Vec force = pressed + rubs;
+  const Vec moment = law.kn * (overlap.moment.x * x + overlap.moment.y * y + overlap.moment.z * z) +
+                     cross(arm - origin, rubs) + (-stiff * radius * slip.z) * z;
+  const Vec to_other = ref.at + origin - other.at;
+  const Push on_other{force, moment + cross(to_other, force)};
+  const Push on_ref{-1.0 * force, -1.0 * (moment + cross(origin, force))};
+  pair.on_a = of_a ? on_ref : on_other;
+  pair.on_b = of_a ? on_other : on_ref;
+}
+
+void SpaceBodies::take_over_shear(FreePair& pair, const Vec& on_a, const WallView& wall) const {
+  const Meeting m = meeting(pair.memory, wall);
+  FreeContact& c = pair.memory;
+  const Facet& facet = facet_of(m, c.feature);
+  const Quaternion<double>& q = space::frame_of(m, c.feature).turn;
+  const double sense = c.feature >= 0 ? 1 : -1;
+  Vec along{sense * dot(on_a, turned(q, facet.x)), sense * dot(on_a, turned(q, facet.y)), 0};
+  const double most = pair.law.tan_friction * pair.pressed, force = length(along);
+  if (force > most) along = (most / force) * along;
+  const double stiff = pair.law.ks * c.area;
+  c.slip_x = along.x / stiff, c.slip_y = along.y / stiff, c.slip_z = 0;
+}
+
+// --- rows of forces -------------------------------------------------------------------------------------
+
+void SpaceBodies::clear_rows(const WallView& wall) const {
+  const std::ptrdiff_t rows = m_.n_block + m_.free.n_fixed;
+  for (double* table : {wall.t.force, wall.t.moment_a})
+    std::fill_n(table + 4 * wall.first_free, 4 * rows, 0.0);
+}
+
+// One row a body; the last column of a row of forces sums the magnitudes that the unbalance asks for.
+void SpaceBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
+                      const WallView& wall) const {
+  const auto put = [&](std::int32_t body, const Push& push) {
+    const double f[4] = {push.f.x, push.f.y, push.f.z, body < m_.n_block ? length(push.f) : 0.0};
+    const double m[3] = {push.m.x, push.m.y, push.m.z};
+    for (int c = 0; c < 4; ++c) wall.of_four(wall.t.force, wall.first_free + body, c) += f[c];
+    for (int c = 0; c < 3; ++c) wall.of_four(wall.t.moment_a, wall.first_free + body, c) += m[c];
+  };
+  put(a, on_a);
+  put(b, on_b);
+}
+
+// --- joints ---------------------------------------------------------------------------------------------
+
+std::pair<std::int32_t, std::int32_t> SpaceBodies::sides_of(JointId joint) const {
+  return std::minmax(m_.joint_a[at(joint)], m_.joint_b[at(joint)]);
+}
+
+int SpaceBodies::points_of_face(JointId joint) const {
+  return m_.space.point_begin[at(joint) + 1] - m_.space.point_begin[at(joint)];
+}
+
+SpaceBodies::Jump SpaceBodies::jump_of(JointId joint, const WallView& wall) const {
+  const auto j = at(joint);
+  const Space& s = m_.space;
+  const auto pose = [&](BlockId i) { return contact::Pose<double>{wall.shift(i), wall.turn(i)}; };
+  const contact::Pose<double> b = pose(m_.joint_b[j]);
+  if (const int support = m_.joint_a[j] - m_.n_block; support >= 0) {
+    const Vec moved{wall.of_four(wall.t.support, support, 0),
+                    wall.of_four(wall.t.support, support, 1),
+                    wall.of_four(wall.t.support, support, 2)};
+    const contact::SupportFace<double> face(moved, b, vec(s.arm_b[j]), vec(s.tangent[j]),
+                                            vec(s.normal[j]));
+    return {face.gap(), length(b.q.v)};
+  }
+  const contact::PairFace<double> face(pose(m_.joint_a[j]), b, vec(s.arm_a[j]), vec(s.arm_b[j]),
+                                       vec(s.tangent[j]), vec(s.normal[j]));
+  return {face.gap(), length(face.p)};
+}
+
+bool SpaceBodies::is_tilted(const Jump& jump) {
+  constexpr double kTilted = 0.02617694830787315;  // sine of half of 3 degrees
+  return jump.tilt > kTilted;
+}
+
+bool SpaceBodies::gives_way(JointId joint, const WallView& wall) const {
+  constexpr double kSlipped = 0.05;  // of the face's size; or opened, all of it
+  const Jump jump = jump_of(joint, wall);
+  const Vec& g = jump.gap.j;
+  const double most = kSlipped * square_root(m_.area[at(joint)]);
+  if (is_tilted(jump) || square_root(g.x * g.x + g.y * g.y) > most) return true;
+  if (!(g.z > most)) return false;
+  for (int k = 0; k < points_of_face(joint); ++k)
+    if (!(gap_at(joint, k, jump).z > most)) return false;
+  return true;
+}
+
+double& SpaceBodies::remembered(JointId joint, int point, int row, const WallView& wall) const {
+  const auto& [number, n] = chunk_of_[at(joint)];
+  const Chunk& chunk = layout_.joints[at(number)];
+  return wall.t.history[layout_.point_number(chunk, chunk.history, n, point, chunk.rows, row, 1)];
+}
+int SpaceBodies::rows_of(JointId joint) const {
+  return layout_.joints[at(chunk_of_[at(joint)].first)].rows;
+}
+
+contact::History<double> SpaceBodies::history_of(JointId joint, int point,
+                                                 const WallView& wall) const {
+  contact::History<double> h{};
+  for (int row = 0; row + 1 < rows_of(joint); ++row)
+    h.*contact::kHistory<double>[at(row)] = remembered(joint, point, row, wall);
+  return h;
+}
+
+Vec SpaceBodies::gap_at(JointId joint, int point, const Jump& jump) const {
+  const auto p = at(m_.space.point_begin[at(joint)] + point);
+  return jump.gap.j + m_.space.point_r1[p] * jump.gap.a + m_.space.point_r2[p] * jump.gap.b;
+}
+
+// A joint that has tilted bears on an edge, whose points need not be damaged.
+bool SpaceBodies::holds(JointId joint, const WallView& wall) const {
+  constexpr double kBroken = 0.999;  // damage of a point
+  const auto law = contact::constants_of(m_.materials[at(m_.joint_material[at(joint)])]);
+  const Jump jump = jump_of(joint, wall);
+  for (int k = 0; k < points_of_face(joint); ++k) {
+    const contact::History<double> h = history_of(joint, k, wall);
+    const double tension = contact::tension_left<contact::AnyVariant>(law, h.kappa);
+    const double left =
+        contact::strength_left<contact::AnyVariant>(law, tension, 1 - h.shear_damage);
+    const bool closed = gap_at(joint, k, jump).z + h.crush <= 0;
+    if (left > 1 - kBroken && !(is_tilted(jump) && closed)) return true;
+  }
+  return false;
+}
+
+Push SpaceBodies::push_of(JointId joint, std::int32_t on, const WallView& wall) const {
+  const std::int32_t place = layout_.joint_place[at(joint)];
+  const auto of = [&](double* rows) {
+    return Vec{wall.of_four(rows, place, 0), wall.of_four(rows, place, 1),
+               wall.of_four(rows, place, 2)};
+  };
+  if (m_.joint_a[at(joint)] == on) return {of(wall.t.force), of(wall.t.moment_a)};
+  return {-1.0 * of(wall.t.force), of(wall.t.moment_b)};
+}
+
+double SpaceBodies::elastic_energy(JointId joint, const WallView& wall) const {
+  const JointMaterial& material = m_.materials[at(m_.joint_material[at(joint)])];
+  const auto law = contact::constants_of(material);
+  const Jump jump = jump_of(joint, wall);
+  double energy = 0;
+  for (int k = 0; k < points_of_face(joint); ++k) {
+    contact::History<double> h = history_of(joint, k, wall);
+    const Vec g = gap_at(joint, k, jump);
+    const contact::Shear<double> shear =
+        contact::shear_of(g.x, g.y, h.plastic_slip, remembered(joint, k, rows_of(joint) - 1, wall));
+    h.plastic_slip = 0;
+    const auto now = contact::update<contact::AnyVariant>(law, g.z, shear.e, h);
+    const bool secant = now.sigma > 0 && material.unloading == Unloading::kSecant;
+    const double normal =
+        secant ? 0.5 * now.sigma * (g.z + h.crush) : 0.5 * now.sigma * now.sigma * law.inv_kn;
+    energy += m_.area[at(joint)] * m_.space.point_share[at(m_.space.point_begin[at(joint)] + k)] *
+              (normal + 0.5 * now.tau * now.tau * law.inv_ks);
+  }
+  return energy;
+}
+
+void SpaceBodies::restore(const WallView& wall) const {
+  for (JointId j = 0; j < m_.n_joint; ++j) {
+    const std::int32_t place = layout_.joint_place[at(j)];
+    const BlockId a = m_.joint_a[at(j)];
+    wall.t.joint_a[place] = a >= m_.n_block ? a - m_.n_block : a;
+    wall.t.joint_b[place] = m_.joint_b[at(j)];
+    wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = m_.area[at(j)];
+  }
+}
+
+// Between what rests and itself, without an area. A support that is driven slides below it: without an area that
+// is nothing.
+void SpaceBodies::release(JointId joint, const WallView& wall) const {
+  const std::int32_t place = layout_.joint_place[at(joint)];
+  const bool on_support = m_.joint_a[at(joint)] >= m_.n_block;
+  wall.t.joint_a[place] = on_support ? m_.joint_a[at(joint)] - m_.n_block : wall.t.n_block;
+  wall.t.joint_b[place] = wall.t.n_block;
+  wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = 0;
+  for (double* table : {wall.t.force, wall.t.moment_a, wall.t.moment_b})
+    std::fill_n(table + 4 * static_cast<std::ptrdiff_t>(place), 4, 0.0);
+  for (int k = 0; k < points_of_face(joint); ++k)
+    for (const int row : {row_of(&State::crush), row_of(&State::plastic_slip), rows_of(joint) - 1})
+      remembered(joint, k, row, wall) = 0;
+}
+
+// No face is known to be at rest any more.
+void SpaceBodies::end_release(const WallView& wall) const {
+  std::fill_n(wall.t.way, layout_.n_joint, std::uint8_t{0});
+}
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,88 @@
+// Blocks in space as free contacts see them (passes/free_contacts.h): where they are, how two parts press and rub,
+// what their joints do and when these give way. As passes/plane_bodies.h.
+#pragma once
+
+#include <vector>
+
+#include "contact/meeting_in_space.h"
+#include "dynamics/passes/free_contacts.h"
+#include "dynamics/space/wall.h"
+
+namespace wythe::dynamics::space {
+
+class SpaceBodies {
+ public:
+  using View = WallView;
+  using Layout = space::Layout;
+  using Overlap = contact::SpaceOverlap;
+  // Two parts and their bodies' axes, each also as seen from the other.
+  struct Meeting {
+    contact::SpacePart a, b;
+    contact::SpaceFrame frame_a, frame_b, b_from_a, a_from_b;
+  };
+
+  SpaceBodies(const Model& model, const Layout& layout);
+
+  [[nodiscard]] double margin() const { return margin_; }  // of boxes [m]
+  [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
+  [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] Vec place_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] Push rates_of(std::int32_t body, const WallView& wall) const;
+  // A vector in a body's own axes, and back.
+  [[nodiscard]] Vec into(std::int32_t body, const Vec& v, const WallView& wall) const;
+  [[nodiscard]] Vec out_of(std::int32_t body, const Vec& v, const WallView& wall) const;
+
+  [[nodiscard]] Meeting meeting(const FreeContact& contact, const WallView& wall) const;
+  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature);
+  [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
+  [[nodiscard]] static double stiffness(const contact::FreeLaw& law) { return law.kn; }
+  // The slip as seen along another face; gives the energy that has no part in it.
+  [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
+  // Friction of a step, then force and moments.
+  void rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt,
+           const WallView& wall) const;
+  // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
+  void take_over_shear(FreePair& pair, const Vec& on_a, const WallView& wall) const;
+
+  void clear_rows(const WallView& wall) const;
+  void add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
+           const WallView& wall) const;
+
+  // The two bodies of a joint, sorted.
+  [[nodiscard]] std::pair<std::int32_t, std::int32_t> sides_of(JointId joint) const;
+  // Whether it is displaced so far that it gives way if nothing holds; whether it holds.
+  [[nodiscard]] bool gives_way(JointId joint, const WallView& wall) const;
+  [[nodiscard]] bool holds(JointId joint, const WallView& wall) const;
+  [[nodiscard]] Push push_of(JointId joint, std::int32_t on, const WallView& wall) const;
+  [[nodiscard]] double elastic_energy(JointId joint, const WallView& wall) const;
+  void restore(const WallView& wall) const;                 // all joints
+  void release(JointId joint, const WallView& wall) const;  // it rests from now on
+  void end_release(const WallView& wall) const;
+
+ private:
+  // The gap of a joint, and how far its sides have turned against each other.
+  struct Jump {
+    contact::FaceGap<double> gap;
+    double tilt;  // sine of half the angle
+  };
+  [[nodiscard]] Jump jump_of(JointId joint, const WallView& wall) const;
+  [[nodiscard]] static bool is_tilted(const Jump& jump);
+  // Of a point: number of a row of its history; the gap there.
+  [[nodiscard]] double& remembered(JointId joint, int point, int row, const WallView& wall) const;
+  [[nodiscard]] int rows_of(JointId joint) const;
+  [[nodiscard]] contact::History<double> history_of(JointId joint, int point,
+                                                    const WallView& wall) const;
+  [[nodiscard]] Vec gap_at(JointId joint, int point, const Jump& jump) const;
+  [[nodiscard]] contact::SpaceFrame frame_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] int points_of_face(JointId joint) const;
+
+  const Model& m_;
+  const Layout& layout_;
+  contact::SpaceParts parts_;
+  std::vector<double> reach_;                  // of each moving block [m]
+  std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
+  double margin_ = 0;
+};
+
+}  // namespace wythe::dynamics::space

@@ -1,0 +1,137 @@
+#include "reading/free_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/meeting.h"
+#include "contact/meeting_in_space.h"
+#include "core/real.h"
+#include "model/free_shapes.h"
+#include "wythe/reading.h"
+
+namespace wythe::reading {
+namespace {
+
+contact::BodyFrame frame_of(const Model& m, const State& s, std::int32_t body) {
+  if (body >= m.n_block) return {0, 0, 1, 0};
+  const auto i = static_cast<std::size_t>(body);
+  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
+  return {m.centroid_x[i] + s.ux[i], m.centroid_y[i] + s.uy[i], 1 - 2 * half.sin * half.sin,
+          2 * half.sin * half.cos};
+}
+
+std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+contact::SpaceFrame frame_in_space(const Model& m, const State& s, std::int32_t body) {
+  const Quaternion<double> none{1, {0, 0, 0}};
+  const int support = body - m.n_block;
+  if (support >= m.space.n_support) return {{0, 0, 0}, none};
+  const Vec3& start = m.space.centroid[at(body)];
+  const auto i = at(support < 0 ? body : support);
+  if (support >= 0)
+    return {{start.x + s.support_x[i], start.y + s.support_y[i], start.z + s.support_z[i]}, none};
+  return {{start.x + s.ux[i], start.y + s.uy[i], start.z + s.uz[i]},
+          {s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}};
+}
+
+template <class Visit>
+void each_in_space(const Model& m, const State& s, const Visit& visit) {
+  const contact::SpaceParts parts = free_parts(m);
+  for (const FreeContact& c : s.free_contacts) {
+    const auto a = contact::part_of(parts, m.free.part_begin[at(c.a)] + c.part_a);
+    const auto b = contact::part_of(parts, m.free.part_begin[at(c.b)] + c.part_b);
+    const contact::SpaceFrame fa = frame_in_space(m, s, c.a), fb = frame_in_space(m, s, c.b);
+    visit(c, free_law_of(m, c.a, c.b),
+          c.feature >= 0 ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb))
+                         : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa)));
+  }
+}
+
+// visit(contact, law, overlap) for each free contact.
+template <class Visit>
+void each_contact(const Model& m, const State& s, const Visit& visit) {
+  if (s.free_contacts.empty()) return;
+  if (m.in_space()) return each_in_space(m, s, visit);
+  const contact::PartEdges edges(m.free);
+  for (const FreeContact& c : s.free_contacts) {
+    const contact::Part a = edges.part(m.free, m.free.part_begin[at(c.a)] + c.part_a);
+    const contact::Part b = edges.part(m.free, m.free.part_begin[at(c.b)] + c.part_b);
+    const contact::BodyFrame fa = frame_of(m, s, c.a), fb = frame_of(m, s, c.b);
+    visit(c, free_law_of(m, c.a, c.b),
+          c.feature >= 0 ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb))
+                         : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa)));
+  }
+}
+
+double height_of(const std::vector<Vec3>& outline) {
+  const auto [low, high] =
+      std::minmax_element(outline.begin(), outline.end(), [](Vec3 a, Vec3 b) { return a.y < b.y; });
+  return high->y - low->y;
+}
+
+double volume_of(const Model& m, BlockId i) {
+  double volume = 0;
+  if (m.in_space()) {  // a sum over tetrahedra to the origin
+    for (const Polyhedron& part : m.space.body[at(i)].part)
+      for (const auto& face : part.face)
+        for (std::size_t k = 1; k + 1 < face.size(); ++k)
+          volume += dot(part.vertex[at(face[0])],
+                        cross(part.vertex[at(face[k])], part.vertex[at(face[k + 1])])) /
+                    6;
+    return volume;
+  }
+  const std::vector<Vec3> outline = outline_of(m, i);
+  for (std::size_t p = 0, q = outline.size() - 1; p < outline.size(); q = p++)
+    volume += 0.5 * (outline[q].x * outline[p].y - outline[p].x * outline[q].y);
+  return volume * m.anatomy.block_thickness[at(i)];
+}
+
+}  // namespace
+
+double free_energy(const Model& m, const State& s) {
+  double energy = 0;
+  each_contact(m, s, [&](const FreeContact& c, const contact::FreeLaw& law, const auto& overlap) {
+    energy +=
+        law.kn * law.thickness * overlap.energy +
+        0.5 * law.ks * c.area * (c.slip_x * c.slip_x + c.slip_y * c.slip_y + c.slip_z * c.slip_z);
+  });
+  return energy;
+}
+
+double deepest_overlap(const Model& m, const State& s) {
+  double deepest = 0;
+  each_contact(m, s, [&](const FreeContact&, const contact::FreeLaw&, const auto& overlap) {
+    deepest = std::max(deepest, -overlap.lowest);
+  });
+  return deepest;
+}
+
+Debris read_debris(const Model& m, const State& s) {
+  Debris debris;
+  if (!m.free.any()) return debris;
+  // what a block is made of, now or at the start
+  const auto corners = [&](BlockId i, bool now) {
+    if (!m.in_space()) return now ? outline_now(m, s, i) : outline_of(m, i);
+    std::vector<Vec3> all;
+    for (const Polyhedron& part : now ? solid_now(m, s, i) : m.space.body[at(i)].part)
+      all.insert(all.end(), part.vertex.begin(), part.vertex.end());
+    return all;
+  };
+  Vec3 low{1e300, 0, 1e300}, high{-1e300, 0, -1e300};
+  for (BlockId i = 0; i < m.n_block; ++i)
+    for (const Vec3& v : corners(i, false)) {
+      low = {std::fmin(low.x, v.x), 0, std::fmin(low.z, v.z)};
+      high = {std::fmax(high.x, v.x), 0, std::fmax(high.z, v.z)};
+    }
+  for (BlockId i = 0; i < m.n_block; ++i) {
+    if (-s.uy[at(i)] <= 0.5 * height_of(corners(i, false))) continue;
+    ++debris.blocks;
+    debris.volume += volume_of(m, i);
+    debris.mass += m.heavy_mass[at(i)];
+    for (const Vec3& v : corners(i, true))
+      debris.reach = std::max({debris.reach, v.x - high.x, low.x - v.x, v.z - high.z, low.z - v.z});
+  }
+  return debris;
+}
+
+}  // namespace wythe::reading
