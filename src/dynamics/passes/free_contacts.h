@@ -364,18 +364,14 @@ void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
   acts_ = true;
 }
 
-// Less of each as its contact unloads or slips; what it works goes into the ledger.
+// Less of each as its contact unloads, and at no other time: where a joint was crushed the blocks overlap by more than
+// they press, and what keeps that from springing back must not fade under load. What it works goes into the ledger.
 template <class Bodies>
 void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& wall) {
-  constexpr double kFadeSlip = 10;  // bevels of slip over which a hand-over fades
   for (HandOver& h : hand_overs_) {
-    double pressed = 0, slid = 0;
-    for (const FreePair& pair : pairs_of(h.a, h.b)) {
-      pressed += pair.pressed;
-      slid += pair.slid;
-    }
-    const double share = maximum(
-        0.0, minimum(h.share, pressed / h.pressed) - slid / (kFadeSlip * model_.free.bevel));
+    double pressed = 0;
+    for (const FreePair& pair : pairs_of(h.a, h.b)) pressed += pair.pressed;
+    const double share = minimum(h.share, pressed / h.pressed);
     const double mean = 0.5 * (h.share + share);
     const Vector<double> f =
         bodies_.out_of(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
