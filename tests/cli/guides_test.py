@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tutorials, how-to's and the pages of the examples as a reader follows them: every command runs, and what it prints is what the page says.
+"""README, tutorials, how-to's and the pages of the examples as a reader follows them: every command runs, and what it prints is what the page says.
 
 A page is followed from top to bottom in an empty folder. A fence of commands is run as a shell script. A comment above a fence says
 how the test treats it; a reader does not see it:
@@ -26,11 +26,13 @@ import unittest
 
 WYTHE = str(pathlib.Path(os.environ.get("WYTHE", "build/release/wythe")).resolve())
 SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
-PAGES = [*sorted((SOURCE / "docs/tutorial").glob("*.md")), *sorted((SOURCE / "docs/howto").glob("*.md")),
+PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs/tutorial").glob("*.md")), *sorted((SOURCE / "docs/howto").glob("*.md")),
          *sorted((SOURCE / "examples").glob("*/README.md"))]
 FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
 MARK = re.compile(r"<!-- test: (file|adds|said|short|first|exit|needs|not run:) ?(.*?) ?-->")
-COMMAND = re.compile(r"(?:build/(?:release|gpu)/)?wythe |make |cmake |python3 |[a-z]+=")
+COMMAND = re.compile(r"(?:build/(?:release|gpu)/)?wythe |make |cmake |python3 ")
+SETTING = re.compile(r"[a-z]+=\S")  # of the shell, for the commands below it
+SHELL = ("sh", "bash", "console", "shell")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 # Stands in the place of the program: gives the options of `short` to what takes long, in the place of those of the same name.
 STAND_IN = """#!%s
@@ -51,9 +53,11 @@ def fences(text):
         yield dict(MARK.findall(match.group(1))), match.group(2), match.group(3)
 
 
-def is_commands(text):
-    lines = [l for l in re.sub(r"\\\n", "", text).splitlines() if l.strip()]
-    return bool(lines) and all(COMMAND.match(l) for l in lines)
+def commands_in(text):
+    """(lines that are commands, lines that are not) of a fence."""
+    lines = [l for l in re.sub(r"\\\n", "", text).splitlines() if l.strip() and not l.startswith("#")]
+    found = [l for l in lines if COMMAND.match(l.removeprefix("$ "))]
+    return found, [l for l in lines if l not in found and not SETTING.match(l)]
 
 
 def same_line(stated, printed):
@@ -103,8 +107,11 @@ class Reader:
             return ""
         if language == "python":
             return self.run(f"{sys.executable} - <<'END'\n{text}END\n")
-        if language or not is_commands(text):
+        commands, others = commands_in(text)
+        if language not in ("", *SHELL) or not commands and language == "":
             return ""
+        if others:
+            return "commands and other lines in one fence: " + "\n".join(others)
         return (self.run(marks["first"]) if "first" in marks else "") or self.run(text, int(marks.get("exit", 0)))
 
 
@@ -121,6 +128,14 @@ class Guides(unittest.TestCase):
                 for marks, language, text in fences(page.read_text(encoding="utf-8")):
                     self.assertEqual(reader.follow(marks, language, text), "")
 
+    def test_every_command_of_the_gallery_is_taken(self):
+        commands = re.findall(r"^\|.*\| `(wythe [^`]*)` \|", (SOURCE / "examples/README.md").read_text(encoding="utf-8"), re.M)
+        self.assertGreaterEqual(len(commands), len([p for p in (SOURCE / "examples").iterdir() if p.is_dir()]))
+        with tempfile.TemporaryDirectory() as folder:
+            reader = Reader(folder)
+            for command in commands:  # the file is read and compiled; tests/cli/starters_test.py and the pages run them
+                self.assertEqual(reader.run(re.sub(r"^wythe (run|campaign) (\S+) --out \S+$", r"wythe check \2", command)), "")
+
     def test_every_mark_is_one_that_the_test_knows(self):
         for page in PAGES:
             text = page.read_text(encoding="utf-8")
@@ -130,7 +145,7 @@ class Guides(unittest.TestCase):
 
     def test_tutorials_and_howtos_have_commands(self):
         for page in PAGES:
-            found = [text for marks, _, text in fences(page.read_text(encoding="utf-8")) if is_commands(text)]
+            found = [text for marks, _, text in fences(page.read_text(encoding="utf-8")) if commands_in(text)[0]]
             self.assertTrue(found, page)
 
 
@@ -161,6 +176,12 @@ class Follows(unittest.TestCase):
                              ("peek 10.1 kN", False), ("peak none", False)]:
             self.reader.printed = "status completed\npeak 10.0 kN at 2.00 mm\n"
             self.assertEqual(self.fault(f"<!-- test: said -->\n```\n{stated}\n```\n") == "", good, stated)
+
+    def test_no_fence_of_commands_is_passed_over(self):
+        for language in ("", "sh", "bash", "console"):
+            self.assertIn("ended with", self.fault(f"```{language}\nwythe check nothing.toml\n```\n"), language)
+        for page in ("```\n$ wythe check nothing.toml\nvalid\n```\n", "```\nwythe --version\nprinted\n```\n"):
+            self.assertIn("commands and other lines", self.fault(page))
 
     def test_what_is_not_run_has_a_reason(self):
         self.assertNotEqual(self.fault("<!-- test: not run: -->\n```\nwythe x\n```\n"), "")

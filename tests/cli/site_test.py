@@ -75,6 +75,9 @@ class Checks(unittest.TestCase):
     def test_a_link_to_nothing_is_found(self):
         self.assertEqual(self.faults(a='<a href="b.html">'), ["a.html: b.html: no such file"])
 
+    def test_a_link_to_a_folder_is_found(self):
+        self.assertEqual(self.faults(a='<a href="./">'), ["a.html: ./: no such file"])
+
     def test_an_anchor_that_is_not_there_is_found(self):
         self.assertEqual(self.faults(a='<a href="b.html#y">', b="<p>"), ["a.html: b.html#y: no such anchor"])
 
