@@ -285,6 +285,12 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     keep_first(model, answer);
     return answer;
   }
+  const Stage* grows = growing_stage(model);
+  if (grows != nullptr && grows->spec.kind != StageKind::kPush && !has_weight(model, grows))
+    refuse("solve.gravity", fmt::format("{:g} m/s^2", model.solve.gravity),
+           "is nothing, and the load of stage \"" + grows->spec.name +
+               "\" is a share of the blocks' weight",
+           "give gravity, or push with a force");
   const auto start = std::chrono::steady_clock::now();
   LimitAnswer answer = model.in_space() ? limit_in_space(model, options, watch)
                                         : limit_in_plane(model, options, watch);

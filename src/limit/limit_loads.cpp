@@ -142,6 +142,15 @@ void list_joints_of_blocks(Model& model) {
 
 }  // namespace
 
+bool has_weight(const Model& model, const Stage* grows) {
+  if (!(model.solve.gravity > 0)) return false;
+  for (const Stage& s : model.stages) {
+    if (s.spec.kind == StageKind::kGravity || is_factor(s)) return true;
+    if (&s == grows) break;
+  }
+  return false;
+}
+
 const Stage* growing_stage(const Model& model) {
   const Stage* found = nullptr;
   for (const Stage& s : model.stages)
@@ -233,6 +242,7 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
       after += (after.empty() ? "\"" : ", \"") + s.spec.name + "\"";
     }
   }
+  if (!limit::has_weight(model, grows)) notes.push_back({"limit.weightless", {{"stage", name}}});
   if (!before.empty())
     notes.push_back({"limit.after_pushes", {{"stage", name}, {"before", before}}});
   if (!after.empty()) notes.push_back({"limit.later_loads", {{"stage", name}, {"after", after}}});

@@ -29,6 +29,8 @@ struct LimitLoads {
 [[nodiscard]] LimitLoads limit_loads(const Model& model, double secant = 1);
 // A push whose targets all lie behind it pushes against its direction.
 [[nodiscard]] bool goes_back(const Stage& push);
+// Whether a stage turns the blocks' weight on before `grows` ends, and there is any.
+[[nodiscard]] bool has_weight(const Model& model, const Stage* grows);
 // The stage that grows: the last push, body force or tilt; nullptr: none.
 [[nodiscard]] const Stage* growing_stage(const Model& model);
 

@@ -253,6 +253,31 @@ TEST(LimitLoad, loads_that_come_after_the_push_do_not_hold_it) {
   EXPECT_EQ(left_aside(model).size(), 1U);
 }
 
+TEST(LimitLoad, of_blocks_that_weigh_nothing_is_said_or_refused) {
+  ModelSpec spec = scenes::half_units({}, scenes::dry_joint(20e9, 8e9, degrees(35)));
+  spec.stage = {scenes::push_stage("r6c0", Direction::kPlusX, 0.01, 0.01)};
+  const auto notes = [](const ModelSpec& of) {
+    std::string text;
+    for (const Message& note : left_aside(compile(of))) text += text_of(note) + "\n";
+    return text;
+  };
+  EXPECT_NE(notes(spec).find("weigh nothing"), std::string::npos) << notes(spec);
+  spec.stage.push_back(scenes::gravity_stage());  // too late
+  EXPECT_NE(notes(spec).find("weigh nothing"), std::string::npos);
+  std::swap(spec.stage[0], spec.stage[1]);
+  EXPECT_EQ(notes(spec), "");
+  spec.stage[1].kind = StageKind::kBodyForce;
+  EXPECT_EQ(notes(spec), "");
+  Model floating = compile(spec);
+  floating.solve.gravity = 0;
+  try {
+    static_cast<void>(limit_load(floating, {}));
+    ADD_FAILURE() << "a share of no weight";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("solve.gravity"), std::string::npos) << error.what();
+  }
+}
+
 TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
   ModelSpec spec = scenes::half_units({}, scenes::dry_joint(20e9, 8e9, degrees(35)));
   StageSpec push = scenes::push_stage("r6c0", Direction::kMinusX, 0.01, 0.01);
