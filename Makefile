@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test bench docs site web format check install clean
+.PHONY: all help setup build demo test bench docs site web format check install package clean
 all: build
 
 help:            ## this list
@@ -58,6 +58,9 @@ check: configure ## layers, sizes, words, format, clang-tidy
 	tools/check_format
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
+
+package: build   ## build/package: a Debian package with man page and completion, the sources, checksums
+	tools/package --build $(BUILD)
 
 install: build   ## install to PREFIX (default /usr/local)
 	cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
