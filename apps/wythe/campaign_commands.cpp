@@ -32,22 +32,6 @@ std::string provenance_text() {
                      p.flags);
 }
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value,
-                         const std::string& problem, const std::string& cure) {
-  throw InputError(
-      {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
-}
-
-int whole_number(const std::string& option, const std::string& text, int least, int most,
-                 const std::string& cure) {
-  int number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end || number < least || number > most)
-    refuse(option, text, fmt::format("must be a whole number from {} to {}", least, most), cure);
-  return number;
-}
-
 // "2/4" -> shard 2 of 4.
 void read_shard(const std::string& text, CampaignOptions& options) {
   if (text.empty()) return;
@@ -58,17 +42,6 @@ void read_shard(const std::string& text, CampaignOptions& options) {
     if (second == std::errc() && stop == end) return;
   }
   refuse("--shard", text, "is not I/N", "write e.g. --shard 1/4");
-}
-
-std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyz"
-                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./=+,:@%") == std::string::npos;
-  if (plain) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
 }
 
 // The study with the options that are short for a --set; their faults are named as typed.
@@ -94,7 +67,35 @@ StudySpec study_with_options(const CampaignArguments& a) {
   }
 }
 
-// Without --samples a resumed campaign keeps its size.
+}  // namespace
+
+void refuse(const std::string& option, const std::string& value, const std::string& problem,
+            const std::string& cure) {
+  throw InputError(
+      {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
+}
+
+int whole_number(const std::string& option, const std::string& text, int least, int most,
+                 const std::string& cure) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end || number < least || number > most)
+    refuse(option, text, fmt::format("must be a whole number from {} to {}", least, most), cure);
+  return number;
+}
+
+std::string shell_quoted(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyz"
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-./=+,:@%") == std::string::npos;
+  if (plain) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
 StudySpec asked_study(const CampaignArguments& a) {
   StudySpec study = study_with_options(a);
   const std::string store = study.option.empty() ? a.out : a.out + "/" + kBaseFolder;
@@ -109,6 +110,8 @@ StudySpec asked_study(const CampaignArguments& a) {
   for (VariantSpec& option : study.option) option.study.batch = stored;
   return study;
 }
+
+namespace {
 
 // samples.csv, statistics.json, report.html from the store: never one newer than another.
 Statistics write_files(const std::string& folder, const Campaign& campaign,
@@ -164,8 +167,21 @@ int write_results(const std::string& folder, const std::string& language) {
   return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;
 }
 
-int campaign(const CampaignArguments& a) {
+int campaign(const CampaignArguments& asked) {
+  CampaignArguments a = asked;
   check_language(a.language);
+  if (!a.slurm.tasks.empty()) return cluster_campaign(a);
+  for (const auto& [option, value] :
+       {std::pair("--partition", a.slurm.partition), std::pair("--time", a.slurm.time),
+        std::pair("--cores", a.slurm.cores)})
+    if (!value.empty())
+      refuse(option, value, "is for --slurm alone", "add --slurm N, or leave it out");
+  if (a.slurm.submit)
+    refuse("--submit", "", "is for --slurm alone", "add --slurm N, or leave it out");
+  if (a.studies.size() > 1)
+    refuse("study", a.studies[1], "is a second study, which only --slurm takes",
+           "run one campaign after the other");
+  a.study = a.studies.front();
   CampaignOptions options;
   if (!a.jobs.empty())
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
@@ -205,7 +221,16 @@ int campaign(const CampaignArguments& a) {
   return code;
 }
 
-int merge(const MergeArguments& a) {
+int merge(const MergeArguments& asked) {
+  MergeArguments a = asked;
+  a.folders.clear();
+  for (const std::string& folder : asked.folders) {
+    const std::vector<std::string> shards = shard_folders(folder);
+    if (shards.empty())
+      a.folders.push_back(folder);
+    else
+      a.folders.insert(a.folders.end(), shards.begin(), shards.end());
+  }
   if (!a.folders.empty() && holds_options(a.folders.front())) return merge_options(a);
   check_folder(a.out, FolderFor::kCampaign);
   check_language(a.language);

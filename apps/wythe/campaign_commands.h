@@ -10,8 +10,15 @@
 
 namespace wythe::app {
 
+struct SlurmArguments {
+  std::string tasks;                   // of a study, as typed; "": here and now
+  std::string partition, time, cores;  // as typed, "": the cluster's own; cores: the whole node
+  bool submit = false;
+};
 struct CampaignArguments {
+  std::vector<std::string> studies;  // several for Slurm alone
   std::string study, out, shard, until;
+  SlurmArguments slurm;
   std::string samples, seed, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
@@ -33,6 +40,33 @@ struct ReplayArguments {
   bool quiet = false;
 };
 int replay(const ReplayArguments& arguments);
+
+// The study with all options of the command; without --samples a resumed campaign keeps its size.
+StudySpec asked_study(const CampaignArguments& arguments);
+
+// cluster_commands.cpp: scripts for an array of Slurm; how far campaigns are.
+inline constexpr const char* kShardsFolder = "shards";
+int cluster_campaign(const CampaignArguments& arguments);
+// Folders of the shards that an array left in `folder`, by number.
+std::vector<std::string> shard_folders(const std::string& folder);
+struct StatusArguments {
+  std::string folder;
+};
+int status(const StatusArguments& arguments);
+
+// cluster_commands.cpp: whether stores are whole, and what can be saved of one that is not.
+struct StoreArguments {
+  std::string folder, out, language = "en";
+};
+int check_store(const StoreArguments& arguments);
+int rescue_store(const StoreArguments& arguments);
+
+// Of options on the command line.
+[[noreturn]] void refuse(const std::string& option, const std::string& value,
+                         const std::string& problem, const std::string& cure);
+int whole_number(const std::string& option, const std::string& text, int least, int most,
+                 const std::string& cure);
+std::string shell_quoted(const std::string& word);
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);

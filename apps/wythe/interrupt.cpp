@@ -5,17 +5,27 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <ctime>
 
 namespace wythe::app {
 namespace {
 
 std::atomic<bool> interrupted{false};
 
-// The second signal takes the default way: nothing makes the program deaf.
+// A signal some time after the first takes the default way: nothing makes the program deaf. At once a second is no
+// impatience: schedulers send SIGTERM to the job and to its process, and that is one process here.
 void on_interrupt(int signal) {
-  interrupted.store(true);
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  static std::atomic<std::int64_t> first{0};
+  const bool is_first = !interrupted.exchange(true);
+  if (is_first) first.store(now.tv_sec);
+  if (is_first && signal == SIGTERM) return;
+  if (signal == SIGTERM && now.tv_sec <= first.load() + 1) return;
   std::signal(signal, SIG_DFL);
+  if (!is_first) std::raise(signal);
 }
 
 constexpr int kLookEvery = 10;  // at the flag, while held [ms]

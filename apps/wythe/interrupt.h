@@ -7,7 +7,8 @@
 namespace wythe::app {
 
 // While it lives, the first Ctrl-C or SIGTERM sets a flag, so that what was computed is kept; a second
-// one, and any before or after, ends the program at once: then there is nothing to keep.
+// one, and any before or after, ends the program at once: then there is nothing to keep. SIGTERM twice within
+// a second counts once.
 class StopSignal {
  public:
   StopSignal();

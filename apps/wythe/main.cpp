@@ -107,7 +107,8 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
       "campaign", "draw the samples of a study, push one wall for each, write statistics");
   command->footer(
       "example: wythe campaign examples/tuff_wall/study.toml --out out/campaign --samples 24");
-  command->add_option("study", a.study, "the study, STUDY.toml")->required();
+  command->add_option("study", a.studies, "the study, STUDY.toml; several with --slurm")
+      ->required();
   command->add_option("--out", a.out, "folder for the store and results, made if absent")
       ->required();
   command->add_option("--samples", a.samples, "number of samples, in place of the study's");
@@ -120,15 +121,48 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_option("--shard", a.shard, "I/N: only samples I, I + N, ...; join with wythe merge");
   command->add_option("--until", a.until,
                       "stop when precise enough, e.g. \"relative_interval(peak_reaction) < 1 %\"");
+  command->add_option("--slurm", a.slurm.tasks,
+                      "write scripts for a job array of N tasks, in DIR/slurm, and run nothing");
+  command->add_flag("--submit", a.slurm.submit, "with --slurm: hand them to sbatch");
+  command->add_option("--partition", a.slurm.partition, "with --slurm: partition of the cluster");
+  command->add_option("--time", a.slurm.time, "with --slurm: limit of a task, e.g. 12:00:00");
+  command->add_option("--cores", a.slurm.cores,
+                      "with --slurm: cores of a task (default: its whole node)");
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = campaign(a); });
 }
 
+void add_status(CLI::App& app, StatusArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "status", "say how far a campaign, its shards and options are, from their stores");
+  command->footer("example: wythe status out/campaign");
+  command->add_option("folder", a.folder, "folder of the campaign, or of its array")->required();
+  command->callback([&] { code = status(a); });
+}
+
+void add_store(CLI::App& app, StoreArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "store", "check the store of a campaign; save what reads of a damaged one");
+  command->require_subcommand(1);
+  command->footer("example: wythe store check out/campaign");
+  CLI::App* check =
+      command->add_subcommand("check", "read every byte: of a campaign, its shards and options");
+  check->add_option("folder", a.folder, "folder of the campaign, or of its array")->required();
+  check->callback([&] { code = check_store(a); });
+  CLI::App* rescue =
+      command->add_subcommand("rescue", "copy the samples that still read into a new store");
+  rescue->add_option("folder", a.folder, "folder of the damaged campaign")->required();
+  rescue->add_option("--out", a.out, "folder for what is saved, made if absent")->required();
+  add_language(rescue, a.language);
+  rescue->callback([&] { code = rescue_store(a); });
+}
+
 void add_merge(CLI::App& app, MergeArguments& a, int& code) {
   CLI::App* command = app.add_subcommand("merge", "join the shards of a campaign");
   command->footer("example: wythe merge out/shard_1 out/shard_2 --out out/campaign");
-  command->add_option("folders", a.folders, "folders of the shards")->required();
+  command->add_option("folders", a.folders, "folders of the shards, or of an array that holds them")
+      ->required();
   command->add_option("--out", a.out, "folder for the joined campaign, made if absent")->required();
   add_language(command, a.language);
   command->callback([&] { code = merge(a); });
@@ -241,6 +275,10 @@ int parse_and_run(int argc, char** argv) {
   ReportArguments report_arguments;
   add_campaign(app, campaign_arguments, code);
   add_merge(app, merge_arguments, code);
+  StoreArguments store_arguments;
+  add_store(app, store_arguments, code);
+  StatusArguments status_arguments;
+  add_status(app, status_arguments, code);
   CompareArguments compare_arguments;
   add_compare(app, compare_arguments, code);
   add_replay(app, replay_arguments, code);

@@ -111,8 +111,33 @@ Campaign read_campaign(const std::string& folder,
 // pictures).
 [[nodiscard]] std::vector<Snapshot> read_states(const std::string& folder, int sample,
                                                 const Model& model);
-// Joins shards of one study; the result equals that of the undivided campaign.
+// How far a store is: read without its results.
+struct StoreProgress {
+  int done = 0, total = 0;  // of its shard, or where `until` was met
+  int failed = 0;           // of those done: without an answer
+  int samples = 0;          // of the whole design
+  int shards = 1;
+  double seconds = 0;  // that they took, all together
+  std::string writer;  // the process that writes there; "": none
+};
+[[nodiscard]] StoreProgress campaign_progress(const std::string& folder);
+// Joins shards or campaigns of one study; the result equals that of the undivided campaign. `out` may hold one
+// already: it takes the others in. A sample that several hold must be equal to the bit in all (InputError).
 void merge_campaigns(const std::vector<std::string>& folders, const std::string& out);
+
+// Reads every byte of a store, its states too; IoError says what is damaged first.
+void check_campaign(const std::string& folder);
+// Copies the samples of a damaged store that still read into a new one in `out`, which goes on as any other
+// with --resume. Throws IoError where its study does not read: then nothing is written.
+struct Rescue {
+  int kept = 0;
+  struct Lost {
+    int sample;
+    std::string why;
+  };
+  std::vector<Lost> lost;
+};
+[[nodiscard]] Rescue rescue_campaign(const std::string& folder, const std::string& out);
 
 // One sample alone, as the campaign runs it: the same bits, with every state.
 struct SampleRun {

@@ -1,7 +1,9 @@
 // What is read out of a store: the campaign, its states, and the titles of its columns.
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
+#include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
 
@@ -61,6 +63,30 @@ Campaign read_campaign(const std::string& folder,
       take(campaign, record);
   }
   return campaign;
+}
+
+StoreProgress campaign_progress(const std::string& folder) {
+  study::Store store = opened(folder);
+  StoreProgress progress;
+  const int last = study::last_counted(store);
+  progress.samples = store.samples().n_sample();
+  const std::string shard = store.head().shard;  // "2/4"
+  const std::size_t slash = shard.find('/');
+  const int first = std::atoi(shard.c_str()),
+            step = slash == std::string::npos ? 1 : std::atoi(shard.c_str() + slash + 1);
+  if (first < 1 || step < first) store.database().damaged("shard \"" + shard + "\" is none");
+  progress.shards = step;
+  for (int s = first; s <= std::min(progress.samples, last); s += step) ++progress.total;
+  study::Statement select(store.database(),
+                          "SELECT count(*), total(status NOT IN ('completed', 'collapsed')), "
+                          "total(wall_seconds) FROM sample WHERE sample <= ?");
+  select.bind(last);
+  select.step();
+  progress.done = static_cast<int>(select.integer());
+  progress.failed = static_cast<int>(select.number());
+  progress.seconds = select.number();
+  progress.writer = study::lock_holder(folder);
+  return progress;
 }
 
 std::vector<Snapshot> read_states(const std::string& folder, int sample, const Model& model) {

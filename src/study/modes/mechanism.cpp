@@ -135,7 +135,8 @@ class Reader {
       return std::max(truth_of(part, is_pier), is_pier ? sure(part, kRocking) : 0.0);
     });
     if (!failed.empty()) return {"mechanism.partial", {{"parts", std::move(failed)}}};
-    return broken_pieces();
+    return broken_off(wall_.motion, wall_.rules).empty() ? Message{"mechanism.cracks"}
+                                                         : broken_pieces();
   }
   // What came off in pieces: how much, how far, with which piers, spandrels and nodes.
   [[nodiscard]] Message broken_pieces() const {

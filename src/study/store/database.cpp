@@ -185,6 +185,20 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
   if (reads) execute("PRAGMA query_only = 1");
 }
 
+void Database::attach(const std::filesystem::path& file, const std::string& as) {
+  for (const char* of_sqlite : {"", "-wal", "-shm"}) check_input(file.string() + of_sqlite);
+  const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
+  const bool writable = ::access(folder.c_str(), W_OK) == 0 && ::access(file.c_str(), W_OK) == 0;
+  const bool lies_still = !writable && !std::filesystem::exists(file.string() + "-wal");
+  try {
+    Statement(*this, "ATTACH DATABASE ? AS " + as).run(address(file, lies_still));
+  } catch (const IoError&) {
+    throw IoError(fmt::format("{}: {} (SQLite: {})", file.string(),
+                              advice(sqlite3_extended_errcode(handle_.get())),
+                              sqlite3_errmsg(handle_.get())));
+  }
+}
+
 void Database::execute(const std::string& sql) {
   const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK) refuse(code);

@@ -81,6 +81,8 @@ class Database {
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
+  // Makes the tables of another file `as`.table, to be read; IoError names that file.
+  void attach(const std::filesystem::path& file, const std::string& as);
   // Counts what is about to be unpacked from this file; throws where all of it is more than memory holds.
   void take(double bytes);
   // Throws the last failure of SQLite as an IoError.

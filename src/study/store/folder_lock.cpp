@@ -18,6 +18,8 @@
 namespace wythe::study {
 namespace {
 
+constexpr const char* kLockName = "campaign.lock";
+
 std::string host_name() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this machine";
@@ -40,7 +42,7 @@ bool is_current(const std::string& path, int descriptor) {
 }  // namespace
 
 FolderLock::FolderLock(const std::string& folder)
-    : path_((std::filesystem::path(folder) / "campaign.lock").string()) {
+    : path_((std::filesystem::path(folder) / kLockName).string()) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw IoError(folder + ": cannot be made: " + error.message());
@@ -71,6 +73,16 @@ FolderLock::FolderLock(const std::string& folder)
 FolderLock::~FolderLock() {
   ::unlink(path_.c_str());
   ::close(descriptor_);
+}
+
+std::string lock_holder(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / kLockName).string();
+  const int opened = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (opened < 0) return "";
+  const bool is_held = ::flock(opened, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  std::string who = is_held ? holder(opened) : "";
+  ::close(opened);
+  return who;
 }
 
 }  // namespace wythe::study

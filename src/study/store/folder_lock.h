@@ -19,4 +19,7 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
+// "process 17 on node3", which writes there now; "": none.
+[[nodiscard]] std::string lock_holder(const std::string& folder);
+
 }  // namespace wythe::study

@@ -1,10 +1,13 @@
-// merge_campaigns: everything is compared before the first byte is written, then rows are copied.
+// merge_campaigns: everything is compared before the first byte is written, then rows are copied. Where two
+// stores hold the same sample, every number of it is compared but the time it took.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
 
+#include "core/hash.h"
 #include "study/store/folder_lock.h"
 #include "study/store/record_rows.h"
 #include "study/store/store.h"
@@ -17,8 +20,21 @@ namespace {
 
 // What a sample answered, enough to see whether two shards contradict each other.
 struct Answer {
-  std::string status, state_hash, folder;
+  std::string status, state_hash, provenance, folder;
+  std::uint64_t numbers = 0;  // hash of its row and its curve
 };
+
+// Every column of a sample's row that is a result, in SQL, as one exact text.
+std::string results_as_text(Database& database) {
+  Statement columns(database, "SELECT name FROM pragma_table_info('sample')");
+  std::string text;
+  while (columns.step()) {
+    const std::string name = columns.text();
+    if (name == "wall_seconds" || name == "provenance") continue;
+    text += fmt::format("{}quote({})", text.empty() ? "" : " || ' ' || ", name);
+  }
+  return text;
+}
 
 class Comparison {
  public:
@@ -60,40 +76,73 @@ class Comparison {
       fault.cure.clear();
       faults_.push_back(std::move(fault));
     }
-    if (spec.batch != spec_.batch)
-      faults_.push_back({.file = name,
-                         .path = "samples",
-                         .value = "",
-                         .problem = "is not that of " + first_,
-                         .cure = ""});
-    else if (faults_.empty() && store.samples().value != samples_.value)
+    const std::size_t both = std::min(spec.batch.size(), spec_.batch.size());
+    if (!std::equal(spec.batch.begin(), spec.batch.begin() + static_cast<std::ptrdiff_t>(both),
+                    spec_.batch.begin())) {
+      faults_.push_back(
+          {.file = name,
+           .path = "samples",
+           .value = "",
+           .problem = "is not that of " + first_ + ", nor does one go on from the other",
+           .cure = ""});
+      return;
+    }
+    if (!faults_.empty()) return;
+    SampleTable samples = store.samples();
+    const std::size_t shared = std::min(samples.value.size(), samples_.value.size());
+    if (!std::equal(samples.value.begin(),
+                    samples.value.begin() + static_cast<std::ptrdiff_t>(shared),
+                    samples_.value.begin()))
       faults_.push_back({.file = folder,
                          .path = "samples",
                          .value = "",
                          .problem = "other values were drawn than in " + first_,
                          .cure = ""});
+    else if (samples.value.size() > samples_.value.size())
+      spec_.batch = spec.batch, samples_ = std::move(samples);
   }
 
   void add_answers(Store& store, const std::string& folder) {
-    Statement select(store.database(), "SELECT sample, status, state_hash FROM sample");
+    Statement select(
+        store.database(),
+        fmt::format("SELECT sample, status, state_hash, provenance, {}, (SELECT data FROM curve "
+                    "WHERE curve.sample = sample.sample) FROM sample",
+                    results_as_text(store.database())));
     while (select.step()) {
       const int sample = static_cast<int>(select.integer());
       Answer answer;
       answer.status = select.text();
       answer.state_hash = select.text();
+      answer.provenance = select.text();
       answer.folder = folder;
+      Hash numbers;
+      numbers.add(select.text());
+      numbers.add(select.bytes());
+      answer.numbers = numbers.value();
       const auto [there, is_new] = answers_.emplace(sample, answer);
       const Answer& before = there->second;
-      if (is_new || (before.status == answer.status && before.state_hash == answer.state_hash))
-        continue;
-      faults_.push_back({.file = folder,
-                         .path = fmt::format("sample {}", sample),
-                         .value = "",
-                         .problem = fmt::format("{} with state {} here, {} with state {} in {}",
-                                                answer.status, answer.state_hash, before.status,
-                                                before.state_hash, before.folder),
-                         .cure = ""});
+      if (!is_new && before.numbers != answer.numbers) refuse_answer(sample, before, answer);
     }
+  }
+
+  void refuse_answer(int sample, const Answer& before, const Answer& answer) {
+    const bool is_run_otherwise =
+        before.status != answer.status || before.state_hash != answer.state_hash;
+    faults_.push_back(
+        {.file = answer.folder,
+         .path = fmt::format("sample {}", sample),
+         .value = "",
+         .problem =
+             is_run_otherwise
+                 ? fmt::format(
+                       "{} with state {} here, run by {}; {} with state {} in {}, run by {}",
+                       answer.status, answer.state_hash, answer.provenance, before.status,
+                       before.state_hash, before.folder, before.provenance)
+                 : fmt::format(
+                       "the same state {} as in {}, but other results: one store was changed "
+                       "after its run (by {} here, by {} there)",
+                       answer.state_hash, before.folder, answer.provenance, before.provenance),
+         .cure = ""});
   }
 
   std::string first_;
@@ -106,7 +155,7 @@ class Comparison {
 
 void copy_rows(Store& out, const std::string& folder) {
   Database& database = out.database();
-  Statement(database, "ATTACH DATABASE ? AS shard").run(store_path(folder).string());
+  database.attach(store_path(folder), "shard");
   {
     Transaction transaction(database);
     for (const std::string& table : result_tables())
@@ -121,18 +170,22 @@ void copy_rows(Store& out, const std::string& folder) {
 }  // namespace study
 
 void merge_campaigns(const std::vector<std::string>& folders, const std::string& out) {
+  std::unique_ptr<study::FolderLock> lock;
   study::Comparison comparison;
+  const bool there = study::holds_store(out);
+  if (there) {
+    lock = std::make_unique<study::FolderLock>(out);
+    comparison.add(out);
+  }
   for (const std::string& folder : folders) comparison.add(folder);
   comparison.throw_if_any();
-  if (study::holds_store(out))
-    throw InputError({{.file = out,
-                       .path = "",
-                       .value = "",
-                       .problem = "holds a campaign already",
-                       .cure = "name another folder for the merged one"}});
-  const study::FolderLock lock(out);
-  study::create_store(out, comparison.spec(), comparison.samples(), comparison.head());
+  if (!there) {
+    lock = std::make_unique<study::FolderLock>(out);
+    study::create_store(out, comparison.spec(), comparison.samples(), comparison.head());
+  }
   study::Store store(out, study::Store::Access::kWrite);
+  if (const int has = store.samples().n_sample(); comparison.samples().n_sample() > has)
+    store.add_samples(comparison.samples(), has + 1, comparison.spec());
   for (const std::string& folder : folders) study::copy_rows(store, folder);
 }
 

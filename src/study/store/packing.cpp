@@ -73,4 +73,21 @@ std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,
   return {narrow.begin(), narrow.end()};
 }
 
+void check_packed(std::string_view bytes, const std::string& what) {
+  struct FreeStream {
+    void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+  };
+  const std::unique_ptr<ZSTD_DStream, FreeStream> stream(ZSTD_createDStream());
+  if (!stream) throw std::bad_alloc();
+  std::vector<char> part(ZSTD_DStreamOutSize());
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  std::size_t left = 1;
+  while (left != 0 && in.pos < in.size) {
+    ZSTD_outBuffer out{part.data(), part.size(), 0};
+    left = ZSTD_decompressStream(stream.get(), &out, &in);
+    if (ZSTD_isError(left) != 0) refuse(what, ZSTD_getErrorName(left));
+  }
+  if (left != 0) refuse(what, "it ends early");
+}
+
 }  // namespace wythe::study

@@ -21,4 +21,7 @@ namespace wythe::study {
 [[nodiscard]] std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,
                                                 const std::string& what);
 
+// Whether the bytes unpack to what their checksum says, whatever it is; IoError where not. Takes no memory for it.
+void check_packed(std::string_view bytes, const std::string& what);
+
 }  // namespace wythe::study
