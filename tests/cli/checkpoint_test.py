@@ -218,9 +218,9 @@ class Checkpoint(Base):
             self.refused_resume(f"{self.path}: is damaged", cure)
 
         def with_format(head, program, content):
-            head[1] = 4
+            head[1] += 1
         self.rewritten(with_format)
-        self.refused_resume("has format 4, this program reads 3")
+        self.refused_resume("has format 5, this program reads 4")
 
         def with_program(head, program, content):
             program[:11] = b"wythe 9.9.9"

@@ -449,7 +449,7 @@ double shaken_bend(const HeldWall& w, const RecordSpec& record, double stiffness
   SpringSpec top;
   top.name = "top";
   top.at.x = w.b, top.at.y = 2 * w.h;
-  top.stiffness = 1e8;
+  top.stiffness = 1e9;  // at 1e8, and hinges of 1e10 Pa/m, the mean is 0.031, rms 0.053
   spec.spring = {top};
   StageSpec shake = plain_shake();
   shake.record = {record};
@@ -480,7 +480,7 @@ TEST(Shaking, a_wall_held_at_its_top_bends_as_two_rocking_bodies) {
       shake.record = {record};
       spec.stage = {scenes::gravity_stage(), shake};
       const double wanted = bent(w, compile(spec).stages.back().base.front(), period + 2);
-      const double found = shaken_bend(w, record, 1e10);
+      const double found = shaken_bend(w, record, 4e10);
       ++runs;
       if ((wanted == 9) != (found == 9)) ++differ;
       if (wanted == 9 || found == 9) continue;

@@ -307,9 +307,9 @@ TEST(SpaceWalls, cubes_share_the_faces_that_their_places_say) {
     double low = 1e300;
     for (const Vec3& v : tip.part[0].vertex) low = std::min(low, v.y);
     for (Vec3& v : tip.part[0].vertex) v.y += 0 - low;
-    FaultList none;
+    FaultList unread;
     const geometry::SpaceAssembly touching =
-        geometry::assemble({box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true), tip}, none);
+        geometry::assemble({box("floor", {-2, -0.2, -2}, {4, 0.2, 4}, true), tip}, unread);
     EXPECT_EQ(touching.faces.size(), 0u);
   }
 }
