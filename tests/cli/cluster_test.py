@@ -255,7 +255,11 @@ class Cluster:
         return None
 
     def stop(self):
+        """Ends with the daemons: until then they write into the folder."""
+        files = [self.folder / name for name in ("ctl.pid", "d.pid")]
+        alive = [pathlib.Path("/proc", file.read_text().strip()) for file in files if file.exists()]
         self.call("scontrol", "shutdown")
+        wait_for(lambda: not any(process.exists() for process in alive), "the end of Slurm")
         if self.munge is not None:
             try:
                 os.kill(int(self.munge.read_text()), signal.SIGTERM)
