@@ -170,7 +170,11 @@ class ClusterJob {
     for (const ClusterStudy& study : studies_)
       text += fmt::format("\"$WYTHE\" merge {0} --out {0}{1}\n", shell_quoted(study.folder),
                           a_.language != "en" ? " --lang " + shell_quoted(a_.language) : "");
-    return text;
+    // a task that gave way counts as ended for a moment, before it stands in the queue again
+    return text +
+           "if [ -n \"$1\" ] && [ -n \"$(squeue -h -j \"$1\" 2>/dev/null)\" ]; then\n"
+           "  sbatch --dependency=afterany:\"$1\" merge.sh \"$1\"\n"
+           "fi\n";
   }
 
   [[nodiscard]] std::string submit() const {
@@ -180,7 +184,7 @@ class ClusterJob {
            "array=$(sbatch --parsable array.sh)\n"
            "array=${array%%;*}\n"
            "echo \"array job $array\"\n"
-           "sbatch --dependency=afterany:\"$array\" merge.sh\n";
+           "sbatch --dependency=afterany:\"$array\" merge.sh \"$array\"\n";
   }
 
   const CampaignArguments& a_;
