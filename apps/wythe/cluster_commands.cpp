@@ -83,6 +83,13 @@ int done_in(const std::string& folder) {
   return least;
 }
 
+// How many shards the campaign in a shard's folder is one of; 0: it has not begun.
+int shards_in(const std::string& folder) {
+  if (holds_campaign(folder)) return campaign_progress(folder).shards;
+  if (!holds_options(folder)) return 0;
+  return campaign_progress(option_folders(folder).front()).shards;
+}
+
 int samples_of_shard(int samples, int shard, int shards) {
   return samples / shards + (shard <= samples % shards ? 1 : 0);
 }
@@ -232,6 +239,11 @@ std::vector<ClusterStudy> checked_studies(const CampaignArguments& a, int shards
     ClusterStudy of{
         .file = absolute(file), .folder = out, .samples = draw_samples(study).n_sample()};
     if (a.studies.size() > 1) of.folder += "/" + fs::path(file).stem().string();
+    for (const std::string& shard : shard_folders(of.folder))
+      if (const int was = shards_in(shard); was != shards)
+        refuse("--slurm", std::to_string(shards),
+               fmt::format("does not fit {}, which is one of {} shards", shard, was),
+               fmt::format("write --slurm {}, or name another folder", was));
     if (!folders.insert(of.folder).second)
       refuse("study", file, "has the name of another study, and so its folder", "rename one");
     if (of.samples < shards)
@@ -339,6 +351,12 @@ class Overview {
     }
     if (lines_.size() == before) return;
     const StoreProgress like = lines_[before].of;
+    for (std::size_t k = before; k < lines_.size(); ++k)
+      if (counts_ && lines_[k].of.shards != like.shards)
+        refuse("folder", lines_[k].folder,
+               fmt::format("is one of {} shards, {} of {}: together they are no campaign",
+                           lines_[k].of.shards, lines_[before].folder, like.shards),
+               "keep the shards of one array in a folder");
     for (int shard = 1; shard <= like.shards; ++shard) {
       if (begun.contains(shard)) continue;
       StoreProgress none;

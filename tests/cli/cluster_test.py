@@ -69,6 +69,15 @@ class Scripts(Base):
         self.assertIn("shard 1, not begun: 0 of 2 samples", done.stdout)
         self.assertIn("all: 2 of 6 samples", done.stdout)
 
+    def test_another_number_of_tasks_does_not_mix_with_shards_that_ran(self):
+        self.written()
+        self.run_task(1)
+        done = wythe("campaign", self.study, "--out", self.out(), "--slurm", "2")
+        self.refused(done, 2, "--slurm", "shards/1, which is one of 3 shards", "write --slurm 3")
+        shard = self.out() / "shards/2"  # by hand
+        wythe("campaign", self.study, "--out", shard, "--shard", "2/2", "--quiet")
+        self.refused(wythe("status", self.out()), 2, "one of 2 shards", "no campaign")
+
     def test_array_that_waits_is_no_fault(self):
         self.written()
         done = wythe("status", self.out())
