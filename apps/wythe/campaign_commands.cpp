@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numeric>
 #include <thread>
@@ -22,6 +23,7 @@
 #include "wythe/text.h"
 
 namespace wythe::app {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFailed = 3;
@@ -73,6 +75,17 @@ void refuse(const std::string& option, const std::string& value, const std::stri
             const std::string& cure) {
   throw InputError(
       {{.file = option, .path = "", .value = value, .problem = problem, .cure = cure}});
+}
+
+void check_inner_folder(const std::string& folder) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(folder, error))) return;
+  throw InputError({{.file = folder,
+                     .path = "",
+                     .value = "",
+                     .problem = fmt::format("is a link to {}, and results stay within their folder",
+                                            fs::read_symlink(folder, error).string()),
+                     .cure = "remove it, or name another folder"}});
 }
 
 int whole_number(const std::string& option, const std::string& text, int least, int most,

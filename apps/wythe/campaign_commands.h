@@ -61,6 +61,9 @@ struct StoreArguments {
 int check_store(const StoreArguments& arguments);
 int rescue_store(const StoreArguments& arguments);
 
+// A folder within the one that results go to: InputError where it is a link, which would lead out of it.
+void check_inner_folder(const std::string& folder);
+
 // Of options on the command line.
 [[noreturn]] void refuse(const std::string& option, const std::string& value,
                          const std::string& problem, const std::string& cure);

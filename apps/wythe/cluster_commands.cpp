@@ -102,6 +102,9 @@ class ClusterJob {
     for (std::size_t k = 0; k < studies_.size(); ++k)
       for (int shard = 1; shard <= shards; ++shard) {
         const std::string folder = fmt::format("{}/{}", shards_of(studies_[k].folder), shard);
+        if (studies_.size() > 1) check_inner_folder(studies_[k].folder);
+        check_inner_folder(shards_of(studies_[k].folder));
+        check_inner_folder(folder);
         const int asked = samples_of_shard(studies_[k].samples, shard, shards);
         if (done_in(folder) < asked) missing_.push_back(static_cast<int>(k) * shards + shard);
       }
@@ -111,6 +114,7 @@ class ClusterJob {
   [[nodiscard]] std::string folder() const { return out_ + "/slurm"; }
 
   void write() const {
+    check_inner_folder(folder());
     std::error_code error;
     fs::create_directories(folder(), error);
     if (error) throw IoError(folder() + ": cannot be made: " + error.message());

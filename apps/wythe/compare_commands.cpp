@@ -62,7 +62,10 @@ void check_runs(const std::vector<OptionRun>& runs, const std::string& out, bool
     }
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-  for (const OptionRun& run : runs) check_folder(run.folder, FolderFor::kCampaign);
+  for (const OptionRun& run : runs) {
+    check_inner_folder(run.folder);
+    check_folder(run.folder, FolderFor::kCampaign);
+  }
 }
 
 // One line of progress for all campaigns together.
@@ -262,6 +265,7 @@ int merge_options(const MergeArguments& a) {
   for (const std::string& store : option_folders(a.folders.front())) {
     const std::string name = fs::path(store).filename().string();
     MergeArguments one{.folders = {}, .out = a.out + "/" + name, .language = a.language};
+    check_inner_folder(one.out);
     for (const std::string& folder : a.folders) one.folders.push_back(folder + "/" + name);
     fmt::print("\n{}\n", name);
     static_cast<void>(merge(one));

@@ -1,9 +1,13 @@
 // The wythe program: reads the command line, calls one command, turns errors into exit codes.
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <functional>
+#include <new>
+#include <string_view>
 
 #include "campaign_commands.h"
 #include "commands.h"
@@ -299,9 +303,21 @@ int parse_and_run(int argc, char** argv) {
   return code;
 }
 
+// Everywhere at once: a library's destructor may need memory too, where no exception can leave it. Ends as a
+// kill would, after which files are whole.
+void say_memory_is_full() {
+  constexpr std::string_view kWords =
+      "wythe stopped: there is no more memory; what is stored is kept. Ask for less at once "
+      "(--jobs), "
+      "for a smaller model, or take a larger machine\n";
+  static_cast<void>(!::write(STDERR_FILENO, kWords.data(), kWords.size()));
+  ::_exit(kEnvironmentError);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_new_handler(say_memory_is_full);
   try {
     return parse_and_run(argc, argv);
   } catch (const wythe::InputError& error) {
@@ -310,8 +326,14 @@ int main(int argc, char** argv) {
   } catch (const wythe::IoError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kEnvironmentError;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "{}: {}\n", error.path1().string(), error.code().message());
+    return kEnvironmentError;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "wythe stopped: {}\n", error.what());
+    fmt::print(stderr,
+               "wythe stopped by a mistake of its own: please report it, with the command and its "
+               "files. For the report: {}\n",
+               error.what());
     return kEnvironmentError;
   }
 }

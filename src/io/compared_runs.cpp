@@ -100,6 +100,26 @@ double number_of(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+// What summary.json says under a key; IoError where it does not say it.
+struct Summary {
+  const std::string& file;
+  const Json& json;
+  [[nodiscard]] const Json& at(const std::string& key) const {
+    if (!json.is_object() || !json.contains(key)) refuse(key, "is missing");
+    return json.at(key);
+  }
+  [[nodiscard]] std::string text(const std::string& table, const std::string& key) const {
+    const Json& in = at(table);
+    if (!in.is_object() || !in.contains(key)) refuse(table + "." + key, "is missing");
+    if (!in.at(key).is_string()) refuse(table + "." + key, "is no text");
+    return in.at(key).get<std::string>();
+  }
+  [[noreturn]] void refuse(const std::string& key, const char* what) const {
+    throw IoError(file + ": " + key + " " + what +
+                  ": this is no summary of wythe run, or it was changed; run the model again");
+  }
+};
+
 // The rows as the comparison reads them: first loading along the push; the highest force the other way
 // where the targets go there.
 void take_curve(const Model& model, std::vector<CurveRow> rows, ComparedRun& run) {
@@ -120,21 +140,16 @@ ComparedRun read_run(const fs::path& folder) {
   std::vector<CurveRow> rows = read_curve((folder / "force_displacement.csv").string());
   const std::string file = (folder / "summary.json").string();
   const Json summary = parse_json(read_text(file, kMostJson), file);
-  try {
-    run.mode = summary.at("failure_mode").at("name").get<std::string>();
-    run.load_factor = std::fmax(0.0, number_of(summary.at("load_factor")));
-    const Json& meter = summary.at("quasi_static");
-    const std::string verdict = meter.at("verdict").get<std::string>();
-    const std::string data =
-        meter.contains("verdict_message") ? meter["verdict_message"].dump() : "";
-    run.rate_verdict = message_of(data, verdict);
-    run.judgement = meter.contains("judgement") ? meter["judgement"].get<std::string>()
-                                                : dynamics::judgement_of_older(verdict);
-    if (summary.contains("peak_raw_kN"))
-      run.capacity = 1e3 * number_of(summary.at("peak_reaction_kN"));
-  } catch (const Json::exception& error) {
-    throw IoError(file + ": " + error.what());
-  }
+  const Summary said{file, summary};
+  run.mode = said.text("failure_mode", "name");
+  run.load_factor = std::fmax(0.0, number_of(said.at("load_factor")));
+  const Json& meter = said.at("quasi_static");
+  const std::string verdict = said.text("quasi_static", "verdict");
+  const std::string data = meter.contains("verdict_message") ? meter["verdict_message"].dump() : "";
+  run.rate_verdict = message_of(data, verdict);
+  run.judgement = meter.contains("judgement") ? said.text("quasi_static", "judgement")
+                                              : dynamics::judgement_of_older(verdict);
+  if (summary.contains("peak_raw_kN")) run.capacity = 1e3 * number_of(said.at("peak_reaction_kN"));
   const Model model = compile(read_model((folder / "model.used.toml").string()));
   run.wall = described(model);
   take_curve(model, std::move(rows), run);

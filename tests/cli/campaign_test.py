@@ -7,6 +7,7 @@ import pathlib
 import re
 import resource
 import shlex
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -316,10 +317,13 @@ class Parts(Base):
             self.assertIn(name, names)
 
     def test_replay_that_differs_exits_with_3(self):
-        store = self.copy()
+        # a store of version 5: later ones have checksums, by which a changed hash is damage
+        self.out().mkdir()
+        store = self.out() / "campaign.db"
+        shutil.copy(SOURCE / "tests/data/store_v5.db", store)
         with sqlite3.connect(store) as database:
-            database.execute("UPDATE sample SET state_hash = '0123456789abcdef' WHERE sample = 3")
-        done = wythe("replay", self.out(), "--sample", 3, "--out", self.folder / "replayed", "--quiet")
+            database.execute("UPDATE sample SET state_hash = '0123456789abcdef' WHERE sample = 1")
+        done = wythe("replay", self.out(), "--sample", 1, "--out", self.folder / "replayed", "--quiet")
         self.refused(done, 3, "differs from that of the campaign", "0123456789abcdef", "the campaign was run by")
 
     def test_replay_of_a_sample_that_is_not_there(self):

@@ -344,7 +344,7 @@ TEST_F(StoreFile, of_version_1_is_read_and_not_written) {
   ASSERT_EQ(record.features.size(), 1U);
   EXPECT_EQ(record.features[0].value, 0.123);
   const std::string said = refusal([&] { Store(out_, Store::Access::kWrite); });
-  EXPECT_TRUE(has(said, "older wythe (store version 1, now 5)")) << said;
+  EXPECT_TRUE(has(said, "older wythe (store version 1, now 6)")) << said;
   EXPECT_TRUE(has(refusal([&] { merge_campaigns({out_}, folder_ / "merged"); }), "older wythe"));
 }
 
@@ -471,7 +471,7 @@ TEST_F(StoreFile, a_lock_ends_with_its_holder) {
 
 TEST_F(StoreFile, a_newer_store_is_refused) {
   Database(name(), Database::Access::kWrite).execute("PRAGMA user_version = 99");
-  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 5)"))
+  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 6)"))
       << read_refusal();
 }
 

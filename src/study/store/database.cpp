@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/files.h"
+#include "core/hash.h"
 #include "core/limits.h"
 #include "model/size.h"
 #include "wythe/error.h"
@@ -159,6 +160,26 @@ std::string_view Statement::bytes() {
   const auto* data = static_cast<const char*>(sqlite3_column_blob(statement_.get(), at));
   const int size = sqlite3_column_bytes(statement_.get(), at);
   return {data, static_cast<std::size_t>(size)};
+}
+
+void Statement::add_row(Hash& hash) {
+  sqlite3_stmt* row = statement_.get();
+  for (int at = 0; at < sqlite3_column_count(row); ++at) {
+    const int type = sqlite3_column_type(row, at);
+    hash.add(&type, sizeof type);
+    if (type == SQLITE_INTEGER) {
+      const std::int64_t value = sqlite3_column_int64(row, at);
+      hash.add(&value, sizeof value);
+    } else if (type == SQLITE_FLOAT) {
+      const double value = sqlite3_column_double(row, at);
+      hash.add(&value, sizeof value);
+    } else if (type != SQLITE_NULL) {
+      const void* bytes = sqlite3_column_blob(row, at);
+      const std::int64_t size = sqlite3_column_bytes(row, at);
+      hash.add(&size, sizeof size);
+      hash.add(bytes, static_cast<std::size_t>(size));
+    }
+  }
 }
 
 Database::Database(const std::filesystem::path& file, Access access) : name_(file.string()) {

@@ -12,6 +12,10 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
+namespace wythe {
+class Hash;
+}
+
 namespace wythe::study {
 
 struct Bytes {
@@ -56,6 +60,8 @@ class Statement {
   // A whole number within these bounds, NULL is none; a number that is not infinite, NULL is none.
   [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most);
   [[nodiscard]] double finite();
+  // The whole row into a hash: each value with its type and all its bits.
+  void add_row(Hash& hash);
   // What else is wrong with the row: IoError that names the file, table and sample.
   [[noreturn]] void damaged(const std::string& what);
 

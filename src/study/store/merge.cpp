@@ -45,6 +45,7 @@ class Comparison {
       throw IoError(store.database().name() +
                     ": was written by an older wythe; merge with that one, or run it again");
     store.check_whole();  // before a byte of it is copied
+    store.check_states();
     const StudySpec spec = store.study();
     if (first_.empty()) {
       first_ = folder;
@@ -158,9 +159,14 @@ void copy_rows(Store& out, const std::string& folder) {
   database.attach(store_path(folder), "shard");
   {
     Transaction transaction(database);
-    for (const std::string& table : result_tables())
-      database.execute(
-          fmt::format("INSERT OR IGNORE INTO main.{0} SELECT * FROM shard.{0}", table));
+    std::vector<std::string> tables = result_tables();
+    std::reverse(tables.begin(),
+                 tables.end());  // `sample` last: whole samples, those not there yet
+    for (const std::string& table : tables)
+      database.execute(fmt::format(
+          "INSERT INTO main.{0} SELECT * FROM shard.{0} WHERE sample NOT IN (SELECT sample FROM "
+          "main.sample)",
+          table));
     transaction.commit();
   }
   database.execute("DETACH DATABASE shard");

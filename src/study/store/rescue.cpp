@@ -2,6 +2,9 @@
 // sample, each looked at again in the copy.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "study/store/folder_lock.h"
 #include "study/store/packing.h"
 #include "study/store/store.h"
@@ -12,9 +15,9 @@ namespace wythe {
 namespace study {
 namespace {
 
-// Their frames have checksums.
-void check_states(Database& database, const std::string& where = "") {
-  Statement select(database, "SELECT sample, label, data FROM state " + where);
+// Of a store without checksums of its rows; their frames have one.
+void check_older_states(Database& database) {
+  Statement select(database, "SELECT sample, label, data FROM state");
   while (select.step()) {
     const auto sample = select.integer();
     const std::string label = select.text();
@@ -33,9 +36,22 @@ bool copy_sample(Store& out, const SampleTable& table, int sample) {
         .run(sample);
   const bool is_there = !out.records(table, sample, sample).empty();
   if (!is_there) return false;
-  check_states(database, fmt::format("WHERE sample = {}", sample));
+  SampleDigests(database).check_states(sample);
   transaction.commit();
   return true;
+}
+
+// What each sample drew: as it is stored where its checksum holds, else as the study draws it.
+SampleTable trusted_inputs(Store& source) {
+  SampleTable table = source.samples(Store::Inputs::kAnyhow);
+  if (source.inputs_are_whole()) return table;
+  const SampleTable drawn = draw_samples(source.study());
+  const std::set<int> stored = source.done();
+  for (int sample = 1; sample <= std::min(table.n_sample(), drawn.n_sample()); ++sample) {
+    const auto i = static_cast<std::size_t>(sample - 1);
+    if (!stored.contains(sample) || !source.is_whole(sample)) table.value[i] = drawn.value[i];
+  }
+  return table;
 }
 
 }  // namespace
@@ -50,7 +66,10 @@ void check_campaign(const std::string& folder) {
   static_cast<void>(store.study());
   static_cast<void>(store.head());
   store.check_whole();
-  study::check_states(store.database());
+  if (store.is_current())
+    store.check_states();
+  else
+    study::check_older_states(store.database());
 }
 
 Rescue rescue_campaign(const std::string& folder, const std::string& out) {
@@ -58,7 +77,7 @@ Rescue rescue_campaign(const std::string& folder, const std::string& out) {
   if (!source.is_current())
     throw IoError(source.database().name() +
                   ": was written by an older wythe; rescue it with that one");
-  const SampleTable table = source.samples();
+  const SampleTable table = study::trusted_inputs(source);
   if (study::holds_store(out))
     throw InputError({{.file = out,
                        .path = "",

@@ -372,6 +372,7 @@ void create_store(const std::string& folder, const StudySpec& spec, const Sample
   write_study_rows(database, rows);
   write_columns(database, samples);
   write_inputs(database, samples, 1);
+  write_study_digests(database);
   database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication,
                                kSchemaVersion));
   transaction.commit();
@@ -384,10 +385,20 @@ std::string Store::value(const std::string& key) {
 }
 
 void Store::set_value(const std::string& key, const std::string& value) {
+  Transaction transaction(database_);
   write_study_rows(database_, {{key, value}});
+  write_study_digests(database_);
+  transaction.commit();
+}
+
+SampleDigests& Store::digests() {
+  if (!digests_) digests_.emplace(database_);
+  return *digests_;
 }
 
 StudySpec Store::study() {
+  const OneMoment moment(database_);
+  if (is_current()) check_study_digest(database_);
   Rows rows;
   Statement select(database_, "SELECT key, value FROM study ORDER BY position");
   while (select.step()) {
@@ -424,7 +435,9 @@ int Store::number_of_sample(const std::string& key) {
   return number;
 }
 
-SampleTable Store::samples() {
+SampleTable Store::samples(Inputs inputs) {
+  const OneMoment moment(database_);
+  if (is_current() && inputs == Inputs::kWhole) check_inputs_digest(database_);
   SampleTable table;
   Statement select(
       database_,
@@ -455,8 +468,9 @@ SampleTable Store::samples() {
 
 std::set<int> Store::done() {
   std::set<int> numbers;
+  const std::int64_t drawn = database_.integer("SELECT max(sample) FROM sample_input");
   Statement select(database_, "SELECT sample FROM sample");
-  while (select.step()) numbers.insert(static_cast<int>(select.integer()));
+  while (select.step()) numbers.insert(static_cast<int>(select.integer(1, drawn)));
   return numbers;
 }
 
@@ -486,6 +500,7 @@ void Store::write(const PackedSample& sample) {
     insert_state.run(r.sample, i, s.label, s.displacement, s.reaction, s.blocks, s.points,
                      Bytes{s.bytes}, s.asked);
   }
+  digests().write(r.sample);
   transaction.commit();
 }
 
@@ -493,17 +508,13 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
   Transaction transaction(database_);
   write_inputs(database_, samples, first);
   write_study_rows(database_, {{"samples", value_of(rows_of(spec), "samples")}});
+  write_study_digests(database_);
   transaction.commit();
 }
 
-void Store::check_whole() {
-  Statement check(database_, "PRAGMA quick_check(1)");
-  const std::string verdict = check.step() ? check.text() : "";
-  if (verdict != "ok") database_.damaged(verdict);
-  static_cast<void>(records(std::numeric_limits<int>::max()));
-}
-
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
+  const OneMoment moment(database_);
+  if (is_current()) digests().check_states(sample);
   std::vector<Snapshot> states;
   const State rest = initial_state(model);
   const std::size_t numbers = state_arrays(rest).size();
@@ -542,7 +553,9 @@ int last_counted(Store& store) {
 std::vector<SampleRecord> Store::records(int last) { return records(samples(), kWhole, last); }
 
 std::vector<SampleRecord> Store::records(const SampleTable& table, int first, int last) {
+  const OneMoment moment(database_);
   // of the whole the lists too: a row of a sample that is none is damage
+  const bool whole = first == kWhole && last == std::numeric_limits<int>::max();
   const std::string where =
       first == kWhole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last);
   std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample(), where);
@@ -552,11 +565,13 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
   std::vector<SampleRecord> records;
   Statement select(
       database_,
-      fmt::format("SELECT sample{} FROM sample WHERE sample BETWEEN {} AND {} ORDER BY sample",
-                  known_columns(*this, "sample", record_columns()), first, last));
+      fmt::format("SELECT sample{} FROM sample {} ORDER BY sample",
+                  known_columns(*this, "sample", record_columns()),
+                  whole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last)));
   while (select.step()) {
     SampleRecord& record = records.emplace_back();
     record.sample = static_cast<int>(select.integer(1, table.n_sample()));
+    if (is_current()) digests().check_record(record.sample);
     record.curve = std::move(curves[record.sample]);
     record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
     Taker taker{select};

@@ -9,17 +9,19 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "study/store/database.h"
+#include "study/store/digest.h"
 #include "study/store/study_rows.h"
 #include "wythe/campaign.h"
 
 namespace wythe::study {
 
-inline constexpr int kSchemaVersion = 5;  // older ones can be read, not written
+inline constexpr int kSchemaVersion = 6;  // older ones can be read, not written
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
@@ -53,7 +55,11 @@ class Store {
   Store(const std::string& folder, Access access);
 
   [[nodiscard]] StudySpec study();
-  [[nodiscard]] SampleTable samples();
+  // Throws IoError where they are not those that were drawn, unless they are wanted anyhow.
+  enum class Inputs { kWhole, kAnyhow };
+  [[nodiscard]] SampleTable samples(Inputs inputs = Inputs::kWhole);
+  [[nodiscard]] bool inputs_are_whole();
+  [[nodiscard]] bool is_whole(int sample);  // what is stored of it but its states
   [[nodiscard]] StoreHead head();
   [[nodiscard]] std::set<int> done();
   [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
@@ -70,16 +76,22 @@ class Store {
   void write(const PackedSample& sample);
   // False for an older schema, which is only shown as the present one.
   [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
-  // Reads every page and every row but the states; IoError when one is damaged.
+  // Reads every page and every row but the states, and compares all with their checksums (digest.h), which a
+  // store before version 6 has not; IoError where one is damaged.
   void check_whole();
+  // The same of the states of every sample that is stored.
+  void check_states();
   [[nodiscard]] Database& database() { return database_; }
 
  private:
   void check_version(Access access);
   void check_tables();
   void show_as_present();
+  void check_no_other_sample();
+  SampleDigests& digests();
   Database database_;
   std::int64_t version_ = kSchemaVersion;
+  std::optional<SampleDigests> digests_;
 };
 
 // Makes the file and what a campaign begins with.

@@ -42,7 +42,7 @@ std::string quoted(const std::string& name) {
 }  // namespace
 
 std::vector<std::string> result_tables() {
-  ListNames tables{{"sample", "curve", "state"}};
+  ListNames tables{{"sample", "curve", "state", "digest"}};
   each_list(tables);
   return tables.names;
 }
@@ -61,6 +61,9 @@ std::string schema_sql() {
       " displacement_m REAL, reaction_N REAL, blocks INTEGER, points INTEGER, data BLOB NOT NULL,"
       " asked_m REAL,"
       " PRIMARY KEY (sample, position));\n"
+      "CREATE TABLE digest (sample INTEGER PRIMARY KEY, record INTEGER NOT NULL, states INTEGER "
+      "NOT "
+      "NULL);\n"
       "CREATE TABLE sample (sample INTEGER PRIMARY KEY";
   for (const auto& [name, type] : record_columns().columns)
     sql += fmt::format(", {} {}", name, type);
