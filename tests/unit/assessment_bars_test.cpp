@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "study/store/store.h"
 #include "unit/assessed_wall.h"
@@ -322,8 +323,9 @@ TEST(CampaignAssessment, refuses_a_store_whose_drifts_do_not_belong_together) {
     return std::string();
   };
   const auto change = [&](const std::string& sql) {
-    study::Database database(study::store_path(folder / "out"), study::Database::Access::kWrite);
-    database.execute(sql);
+    study::Database(study::store_path(folder / "out"), study::Database::Access::kWrite)
+        .execute(sql);
+    scenes::renew_checksums(folder / "out");
   };
   EXPECT_EQ(said(), "");
   change("CREATE TABLE kept AS SELECT * FROM pier_drift");

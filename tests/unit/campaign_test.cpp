@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "study/campaign/sample_run.h"
 #include "study/store/folder_lock.h"
@@ -137,6 +138,7 @@ TEST(Campaign, contradicting_shards_do_not_merge) {
   study::Store(folder / "b", study::Store::Access::kWrite)
       .database()
       .execute("UPDATE sample SET state_hash = 'other' WHERE sample = 2");
+  scenes::renew_checksums(folder / "b");
   const std::string said = refusal<InputError>([&] {
     merge_campaigns({folder / "a", folder / "b"}, folder / "m");
   });

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
@@ -172,17 +173,7 @@ class ChangedStore : public testing::Test {
     const StudySpec asked = scenes::small_study(2);
     run_campaign(asked, model_builder(asked), out_, {.jobs = 1, .resume = true});
   }
-  // As somebody would who knows of checksums: what follows has to stand without them.
-  void renew_checksums() {
-    Database database(store_path(out_), Database::Access::kWrite);
-    database.execute("PRAGMA synchronous = OFF; DELETE FROM digest");
-    std::vector<int> samples;
-    for (Statement all(database, "SELECT sample FROM sample"); all.step();)
-      samples.push_back(static_cast<int>(all.integer()));
-    SampleDigests digests(database);
-    for (const int sample : samples) digests.write(sample);
-    write_study_digests(database);
-  }
+  void renew_checksums() { scenes::renew_checksums(out_); }
   std::string said_by_report() {
     return said_by([&] { (void)reported(out_); });
   }

@@ -204,8 +204,9 @@ class Checker {
   void check_ties(const Field& field, const std::vector<Field>& fields) {
     for (const auto& [name, tie] : field.spec->correlation) {
       const std::string key = "correlation." + name;
-      const auto other = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& f) { return f.name == name; });
+      const auto other =
+          std::find_if(fields.begin(), fields.end(),
+                       [&wanted = name](const Field& f) { return f.name == wanted; });
       if (other == fields.end() || other->name == field.name || other->follows()) {
         std::vector<std::string> names;
         for (const Field& f : fields)
@@ -436,7 +437,7 @@ void follow(const Field& field, const std::vector<Field>& fields, FaultList& fau
     for (const Field& other : fields) known[other.name] = dimension_of(other.target.key->si_unit);
     for (const std::string& name : formula.inputs())
       of.push_back(&*std::find_if(fields.begin(), fields.end(),
-                                  [&](const Field& f) { return f.name == name; }));
+                                  [&wanted = name](const Field& f) { return f.name == wanted; }));
     if (of.empty())
       return refuse("names no field, so that nothing varies", "name one: " + joined(names, ", "));
     const Dimension found = formula.dimension(known);
