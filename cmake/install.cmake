@@ -1,10 +1,11 @@
-# make install: library, public headers, program, and a package for find_package(wythe).
+# make install: libraries for C++ and C, public headers, program, and a package for find_package(wythe).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS wythe EXPORT wythe_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS wythe_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS wythe_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/wythe DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/wythe)

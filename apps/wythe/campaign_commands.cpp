@@ -13,11 +13,10 @@
 #include "campaign_table.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "report_files.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/provenance.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 #include "wythe/text.h"
@@ -27,12 +26,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFailed = 3;
-
-std::string provenance_text() {
-  const Provenance p = provenance();
-  return fmt::format("wythe {} ({}, {}, {}, {})", p.version, p.commit, p.compiler, p.build_type,
-                     p.flags);
-}
 
 // "2/4" -> shard 2 of 4.
 void read_shard(const std::string& text, CampaignOptions& options) {
@@ -126,24 +119,6 @@ StudySpec asked_study(const CampaignArguments& a) {
 
 namespace {
 
-// samples.csv, statistics.json, report.html from the store: never one newer than another.
-Statistics write_files(const std::string& folder, const Campaign& campaign,
-                       const std::string& language) {
-  Replacement results(folder, [](const std::string& name) {
-    return name == "samples.csv" || name == "statistics.json" || name == "report.html";
-  });
-  write_text(results.path() + "/samples.csv", samples_csv(campaign));
-  Statistics statistics = statistics_of(campaign);
-  const ModelSpec base = model_builder(campaign.study)({});
-  statistics.project = base.project;
-  if (is_asked(base.assessment))
-    statistics.assessment = assess_campaign(campaign, base, compile(base));
-  write_text(results.path() + "/statistics.json", statistics_json(statistics));
-  write_campaign_report(folder, results.path(), campaign, statistics, language);
-  results.commit(hold_for_test);
-  return statistics;
-}
-
 Device device_of(const std::string& word) {
   if (const auto device = value_of(kDeviceWords, word)) return *device;
   throw InputError({{.file = "--device",
@@ -154,7 +129,7 @@ Device device_of(const std::string& word) {
 }
 
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
-  (void)write_files(a.out, read_campaign(a.out), a.language);
+  (void)write_campaign_files(a.out, read_campaign(a.out), a.language, hold_for_test);
   fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", outcome.done,
              outcome.total, resume_command(a));
   return kFailed;
@@ -168,13 +143,9 @@ std::string resume_command(const CampaignArguments& a) {
   return a.resume ? line : line + " --resume";
 }
 
-bool write_campaign_files(const std::string& folder, const std::string& language) {
-  return write_files(folder, read_campaign(folder), language).answered > 0;
-}
-
 int write_results(const std::string& folder, const std::string& language) {
   const Campaign campaign = read_campaign(folder);
-  const Statistics statistics = write_files(folder, campaign, language);
+  const Statistics statistics = write_campaign_files(folder, campaign, language, hold_for_test);
   print_table(campaign, statistics);
   fmt::print("report {}/report.html\n", folder);
   return statistics.answered > 0 || campaign.records.empty() ? 0 : kFailed;

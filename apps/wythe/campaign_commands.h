@@ -74,8 +74,6 @@ std::string shell_quoted(const std::string& word);
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);
 
-// Those files alone; whether any sample answered.
-bool write_campaign_files(const std::string& folder, const std::string& language);
 // The command that goes on with this campaign.
 std::string resume_command(const CampaignArguments& arguments);
 

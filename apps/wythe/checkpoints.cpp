@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "interrupt.h"
-#include "report_files.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/text.h"
 #include "wythe/units.h"
 

@@ -18,8 +18,8 @@
 
 #include "campaign_commands.h"
 #include "progress.h"
-#include "report_files.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/text.h"
 
@@ -445,7 +445,8 @@ int rescue_store(const StoreArguments& a) {
     fmt::print("sample {} is lost: {}\n", lost.sample, readable(lost.why));
   fmt::print("{} samples kept, {} lost; go on with wythe campaign STUDY.toml --out {} --resume\n",
              rescue.kept, rescue.lost.size(), shell_quoted(a.out));
-  if (rescue.kept > 0) static_cast<void>(write_campaign_files(a.out, a.language));
+  if (rescue.kept > 0)
+    static_cast<void>(write_campaign_files(a.out, read_campaign(a.out), a.language));
   return 0;
 }
 

@@ -10,12 +10,11 @@
 #include "checkpoints.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "report_files.h"
 #include "wythe/assessment.h"
 #include "wythe/drawing.h"
 #include "wythe/error.h"
-#include "wythe/failure_mode.h"
 #include "wythe/field_notes.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
 #include "wythe/solve.h"
@@ -227,10 +226,7 @@ int run(const RunArguments& arguments) {
     };
     result = solve(model, state, options, std::move(start.from.record));
   }
-  result.failure_mode = name_failure_mode(model, result);
-  result.features = read_features(model, result);
-  if (is_asked(start.from.spec.assessment))
-    result.pushed = read_pushed_wall(start.from.spec, model, result);
+  read_result(start.from.spec, model, result);
   write_run(results->path(), start.from.spec, model, result);
   write_run_report(results->path(), start.from.spec, model, result, start.from.order.language);
   results->commit(hold_for_test);

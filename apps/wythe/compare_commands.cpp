@@ -9,9 +9,9 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "report_files.h"
 #include "wythe/comparison.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 #include "wythe/text.h"
@@ -167,7 +167,8 @@ int say_stopped(const CampaignArguments& a, const std::vector<OptionRun>& runs) 
   int done = 0, total = 0;
   for (const OptionRun& run : runs) {
     done += run.done, total += run.total;
-    if (run.done > 0) static_cast<void>(write_campaign_files(run.folder, a.language));
+    if (run.done > 0)
+      static_cast<void>(write_campaign_files(run.folder, read_campaign(run.folder), a.language));
   }
   fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", done, total,
              resume_command(a));

@@ -2,110 +2,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "commands.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "report_files.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/limit.h"
-#include "wythe/report.h"
+#include "wythe/second_opinion.h"
 
 namespace wythe::app {
 namespace {
 
 constexpr int kFailed = 3;
-
-bool asked(const LimitArguments& a, const char* what) {
-  return a.only.empty() || std::find(a.only.begin(), a.only.end(), what) != a.only.end();
-}
-
-// What can't be answered is kept with its reason; the rest goes on.
-template <class Answer>
-void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
-  try {
-    answer();
-  } catch (const InputError& error) {
-    opinion.refused.push_back({what, error.what()});
-  } catch (const LimitStopped& stopped) {
-    opinion.refused.push_back({what, stopped.what()});
-  }
-}
-
-void add_mechanisms(const LimitArguments& a, const Model& model, SecondOpinion& opinion) {
-  std::vector<Hypothesis> hypotheses;
-  for (const auto& [word, hypothesis] : kHypothesisWords)
-    if (asked(a, word)) hypotheses.push_back(hypothesis);
-  if (hypotheses.empty()) {
-    if (a.assessment) opinion.notes.push_back({"limit.no_mechanism_asked"});
-    return;
-  }
-  attempt(opinion, {"limit.macro_blocks"}, [&] {
-    const Portal portal = find_portal(model);
-    for (const char* mode : {"FM-1", "FM-4"})
-      for (const Hypothesis h : hypotheses)
-        attempt(opinion, in_words(mode, h),
-                [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
-  });
-  if (!a.assessment) return;
-  for (const Mechanism& m : opinion.mechanisms)
-    opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
-}
-
-struct LimitCase {
-  const char *name, *code;
-  LimitOptions options;
-};
-
-// From what is left when all bond is gone to what all of it could carry at once.
-std::vector<LimitCase> limit_cases(const Model& model) {
-  std::vector<LimitCase> cases = {
-      {"dry", "strength.dry", {}},
-      {"dry, residual friction, crushing",
-       "strength.dry_crushing",
-       {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints}}};
-  if (has_bond(model))
-    cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
-  return cases;
-}
-
-// Once stopped, what is left is refused in these words.
-void add_limits(const LimitArguments& a, const Model& model, const std::atomic<bool>& stop,
-                SecondOpinion& opinion) {
-  if (!asked(a, "lp")) return;
-  const std::vector<LimitCase> cases = limit_cases(model);
-  const double expected = expected_seconds(model) * static_cast<double>(cases.size());
-  if (!a.quiet && expected > 3)
-    fmt::print(stderr, "{} limit loads of {} blocks: about {:.0f} s\n", cases.size(), model.n_block,
-               expected);
-  LimitPrinter printer(a.quiet);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
-    LimitWatch watch{.stop = &stop};
-    watch.progress = [&](double share) {
-      printer(text_of(what), (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
-    };
-    attempt(opinion, what, [&] {
-      if (stop) throw LimitStopped();
-      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
-    });
-  }
-}
-
-// Nothing answered: the reasons are the answer. Each reason once.
-void throw_if_nothing(const SecondOpinion& opinion) {
-  if (!opinion.mechanisms.empty() || !opinion.limits.empty()) return;
-  std::vector<Fault> faults;
-  for (const Refusal& r : opinion.refused) {
-    const auto same = [&](const Fault& f) { return f.problem == r.why; };
-    if (std::none_of(faults.begin(), faults.end(), same))
-      faults.push_back(
-          {.file = "", .path = text_of(r.what), .value = "", .problem = r.why, .cure = ""});
-  }
-  throw InputError(std::move(faults));
-}
 
 void print_opinion(const SecondOpinion& opinion) {
   for (const Mechanism& m : opinion.mechanisms)
@@ -173,29 +83,15 @@ int print_comparison(const Comparison& c) {
   return code;
 }
 
-// "report", unless the folder is a run's and has that one's; a campaign's is refused.
-std::string page_name(const std::string& folder) {
-  return std::filesystem::exists(folder + "/summary.json") ? "limit" : "report";
-}
-
-void write_opinion(const LimitArguments& a, const ModelSpec& spec, const Model& model,
-                   const SecondOpinion& opinion) {
-  prepare_folder(a.out);
-  finish_replacement(a.out);
-  const std::string page = page_name(a.out);
-  Replacement results(a.out, [&](const std::string& name) {
-    return name == "mechanisms.json" || name == page + ".html" || name == page + ".data" ||
-           (name.starts_with("mechanism_") && (name.ends_with(".csv") || name.ends_with(".svg")));
-  });
-  for (const Mechanism& m : opinion.mechanisms) {
-    const std::string path = results.path() + "/" + m.file_name();
-    write_text(path + ".csv", mechanism_csv(m.curve));
-    write_text(path + ".svg", mechanism_svg(model, m));
-  }
-  const std::string json = mechanisms_json(model, opinion);
-  write_text(results.path() + "/mechanisms.json", json);
-  write_page(results.path(), page, limit_data(spec, model, json), a.language);
-  results.commit(hold_for_test);
+SecondOpinion answered(const LimitArguments& a, const Model& model, const OpinionAsked& asked,
+                       const std::atomic<bool>& stop) {
+  const OpinionCost cost = cost_of(model, asked);
+  if (!a.quiet && cost.seconds > 3)
+    fmt::print(stderr, "{} limit loads of {} blocks: about {:.0f} s\n", cost.limit_loads,
+               model.n_block, cost.seconds);
+  LimitPrinter printer(a.quiet);
+  return second_opinion(model, asked, &stop,
+                        [&](const Message& what, double share) { printer(text_of(what), share); });
 }
 
 }  // namespace
@@ -208,22 +104,22 @@ int limit(const LimitArguments& a) {
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;
+  const OpinionAsked asked{a.only, a.assessment};
   SecondOpinion opinion;
-  opinion.notes = left_aside(model);
-  add_mechanisms(a, model, opinion);
-  add_limits(a, model, stop.asked(), opinion);
-  if (stop.asked() && opinion.mechanisms.empty() && opinion.limits.empty()) {
+  try {
+    opinion = answered(a, model, asked, stop.asked());
+  } catch (const LimitStopped&) {
     fmt::print(stderr, "stopped by the user before the first result; nothing is written\n");
     return kFailed;
   }
-  throw_if_nothing(opinion);
   opinion.comparison = compare(a.with, std::move(runs), opinion.mechanisms);
   opinion.comparison.bracket = bracket_of(opinion);
   for (Message& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
-  write_opinion(a, spec, model, opinion);
+  const std::string page =
+      write_second_opinion(a.out, spec, model, opinion, a.language, hold_for_test);
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);
-  fmt::print("report {}/{}.html\n", a.out, page_name(a.out));
+  fmt::print("report {}\n", page);
   return stop.asked() ? kFailed : code;
 }
 

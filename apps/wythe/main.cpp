@@ -226,10 +226,11 @@ void add_report(CLI::App& app, ReportArguments& a, int& code) {
 
 void add_export(CLI::App& app, ExportArguments& a, int& code) {
   CLI::App* command = app.add_subcommand(
-      "export", "write curves, samples and states of a run or a campaign as CSV tables");
+      "export", "write curves, samples and states of a run or a campaign as CSV tables or HDF5");
   command->footer("example: wythe export out/campaign --out out/tables");
   command->add_option("folder", a.folder, "folder of a run or a campaign")->required();
   command->add_option("--out", a.out, "folder for the tables, made if absent")->required();
+  command->add_flag("--hdf5", a.hdf5, "one file results.h5 in the place of CSV tables");
   command->callback([&] { code = export_tables(a); });
 }
 

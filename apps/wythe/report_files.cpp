@@ -9,6 +9,8 @@
 #include "campaign_commands.h"
 #include "interrupt.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
+#include "wythe/hdf5.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 
@@ -22,42 +24,13 @@ constexpr const char* kPage = "/report.html";
 
 }  // namespace
 
-void check_language(const std::string& language) {
-  const std::vector<std::string> known = report_languages();
-  if (std::find(known.begin(), known.end(), language) != known.end()) return;
-  throw InputError({{.file = "--lang",
-                     .path = "",
-                     .value = language,
-                     .problem = "is no language of the report",
-                     .cure = fmt::format("write one of: {}", fmt::join(known, ", "))}});
-}
-
-void write_page(const std::string& folder, const std::string& name, const std::string& data,
-                const std::string& language) {
-  write_text(folder + "/" + name + ".data", data);
-  write_text(folder + "/" + name + ".html", report_page(data, language));
-}
-
-void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
-                      const Result& result, const std::string& language) {
-  write_page(folder, "report", run_data(spec, model, result), language);
-}
-
-void write_campaign_report(const std::string& folder, const std::string& out,
-                           const Campaign& campaign, const Statistics& statistics,
-                           const std::string& language) {
-  const SampleWalls walls = {
-      .build = model_builder(campaign.study),
-      .states = [&](int sample, const Model& model) { return read_states(folder, sample, model); }};
-  write_text(out + kPage, report_page(campaign_data(campaign, statistics, walls), language));
-}
-
 int report(const ReportArguments& a) {
   check_language(a.language);
   if (holds_campaign(a.folder)) return write_results(a.folder, a.language);
   if (holds_options(a.folder)) {
     for (const std::string& store : option_folders(a.folder))
-      static_cast<void>(write_campaign_files(store, a.language));
+      static_cast<void>(
+          write_campaign_files(store, read_campaign(store), a.language, hold_for_test));
     return compare({.folders = {a.folder}, .out = a.folder, .language = a.language});
   }
   finish_replacement(a.folder);
@@ -81,10 +54,11 @@ int report(const ReportArguments& a) {
 
 namespace {
 
-int export_one(const std::string& folder, const std::string& out) {
+int export_one(const std::string& folder, const std::string& out, bool hdf5) {
   finish_replacement(folder);
   const std::unique_ptr<Replacement> tables = replace_export(out);
-  const Exported made = write_export(folder, tables->path());
+  const Exported made =
+      hdf5 ? write_export_hdf5(folder, tables->path()) : write_export(folder, tables->path());
   tables->commit(hold_for_test);
   if (made.missing > 0)
     fmt::print(stderr, "note: {} samples of the study have not run and are in no table\n",
@@ -114,7 +88,7 @@ std::vector<std::string> campaigns_in(const std::string& folder) {
 
 int export_tables(const ExportArguments& a) {
   const std::vector<std::string> names = campaigns_in(a.folder);
-  if (names.empty()) return export_one(a.folder, a.out);
+  if (names.empty()) return export_one(a.folder, a.out, a.hdf5);
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(a.out, error)) {
     const std::string name = entry.path().filename().string();
@@ -127,7 +101,8 @@ int export_tables(const ExportArguments& a) {
                        .cure = "name a new folder, an empty one, or one that holds an earlier "
                                "export alone"}});
   }
-  for (const std::string& name : names) export_one(a.folder + "/" + name, a.out + "/" + name);
+  for (const std::string& name : names)
+    export_one(a.folder + "/" + name, a.out + "/" + name, a.hdf5);
   return 0;
 }
 

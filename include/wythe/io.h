@@ -46,6 +46,9 @@ struct PairedComparison;  // comparison.h
 [[nodiscard]] std::string materials_text(const std::string& name);
 // Markdown table of all keys: unit, range, default, meaning.
 [[nodiscard]] std::string reference_page();
+// The same keys as a JSON list, for programs that build models: {path, kind, unit, allowed, default, example,
+// meaning}. In a path [] stands for the members of a list and <name> for a name.
+[[nodiscard]] std::string keys_json();
 // Markdown table of the curve's columns (curve.h), for docs/reference/results.md.
 [[nodiscard]] std::string curve_table();
 // Both into docs/reference; the table between the comments that mark it.
@@ -67,6 +70,7 @@ void write_reference(const std::string& folder);
 
 // LAW.toml of `wythe contact`: one [material.<any>] table (usually joint).
 [[nodiscard]] JointMaterial read_law(const std::string& path);
+[[nodiscard]] JointMaterial parse_law(const std::string& toml_text, const std::string& file_name);
 [[nodiscard]] std::vector<ContactPathRow> read_contact_path(const std::string& path);
 void write_contact_answer(const std::string& path, const std::vector<ContactPathRow>& rows,
                           const std::vector<ContactAnswer>& answers);

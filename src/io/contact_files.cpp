@@ -131,8 +131,12 @@ std::string answer_row(const ContactPathRow& row, const ContactAnswer& answer) {
 }  // namespace io
 
 JointMaterial read_law(const std::string& path) {
-  io::ReadContext context{path};
-  toml::table root = io::parse_toml(io::read_input(path, "law.toml"), path);
+  return parse_law(io::read_input(path, "law.toml"), path);
+}
+
+JointMaterial parse_law(const std::string& toml_text, const std::string& file_name) {
+  io::ReadContext context{file_name};
+  toml::table root = io::parse_toml(toml_text, file_name);
   io::resolve_materials(context, root);
   for (const char* name : io::kOtherTables) root.erase(name);
   io::LawFile file;

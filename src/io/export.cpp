@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
@@ -22,9 +23,11 @@
 #include "io/csv.h"
 #include "io/element_columns.h"
 #include "io/export_samples.h"
+#include "io/hdf5_tables.h"
 #include "io/json.h"
 #include "io/vtu.h"
 #include "wythe/error.h"
+#include "wythe/hdf5.h"
 #include "wythe/io.h"
 
 namespace wythe {
@@ -35,10 +38,10 @@ using namespace io;
 
 constexpr const char *kCurves = "curves.csv", *kSamples = "samples.csv",
                      *kBlocks = "state_blocks.csv", *kJoints = "state_joints.csv",
-                     *kZones = "state_zones.csv", *kColumns = "columns.json";
+                     *kZones = "state_zones.csv", *kColumns = "columns.json", *kHdf5 = "results.h5";
 
 bool is_export_file(const std::string& name) {
-  for (const char* file : {kCurves, kSamples, kBlocks, kJoints, kZones, kColumns})
+  for (const char* file : {kCurves, kSamples, kBlocks, kJoints, kZones, kColumns, kHdf5})
     if (name == file) return true;
   return false;
 }
@@ -54,21 +57,69 @@ std::string row_of(const std::vector<std::string>& cells) {
   return joined(cells, ",") + "\r\n";  // RFC 4180
 }
 
+// Where tables go: a CSV file each in a folder, or all into one HDF5 file there.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  virtual int add_table(const char* name, const std::vector<ExportColumn>& columns) = 0;
+  virtual void add_row(int table, const std::vector<std::string>& cells) = 0;
+  virtual void close() = 0;
+
+  // Name, unit and meaning of the columns of every table.
+  nlohmann::ordered_json told;
+};
+
+class CsvSink : public Sink {
+ public:
+  explicit CsvSink(std::string folder) : folder_(std::move(folder)) {}
+  int add_table(const char* name, const std::vector<ExportColumn>& columns) override {
+    std::vector<std::string> titles;
+    for (const ExportColumn& column : columns) titles.push_back(csv_cell(column.name));
+    files_.push_back(std::make_unique<GrowingFile>(folder_ + "/" + name));
+    files_.back()->add(row_of(titles));
+    return static_cast<int>(files_.size()) - 1;
+  }
+  void add_row(int table, const std::vector<std::string>& cells) override {
+    files_[static_cast<std::size_t>(table)]->add(row_of(cells));
+  }
+  void close() override {
+    for (const std::unique_ptr<GrowingFile>& file : files_) file->close();
+    write_file(folder_ + "/" + kColumns, told.dump(2) + "\n");
+  }
+
+ private:
+  std::string folder_;
+  std::vector<std::unique_ptr<GrowingFile>> files_;
+};
+
+class Hdf5Sink : public Sink {
+ public:
+  explicit Hdf5Sink(const std::string& folder) : file_(folder + "/" + kHdf5) {}
+  int add_table(const char* name, const std::vector<ExportColumn>& columns) override {
+    return file_.add_table(fs::path(name).stem().string(), columns);
+  }
+  void add_row(int table, const std::vector<std::string>& cells) override {
+    file_.add_row(table, cells);
+  }
+  void close() override { file_.close(); }
+
+ private:
+  Hdf5File file_;
+};
+
 class Table {
  public:
-  Table(const std::string& folder, const char* name, std::vector<ExportColumn> columns)
-      : file_(folder + "/" + name), columns_(std::move(columns)) {
-    std::vector<std::string> titles;
-    for (const ExportColumn& column : columns_) titles.push_back(csv_cell(column.name));
-    file_.add(row_of(titles));
+  Table(Sink& sink, const char* name, std::vector<ExportColumn> columns)
+      : sink_(sink), columns_(std::move(columns)), number_(sink.add_table(name, columns_)) {
+    sink_.told[name] = columns_json(columns_);
   }
-  void add(const std::vector<std::string>& cells) { file_.add(row_of(cells)); }
-  void close() { file_.close(); }
+  void add(const std::vector<std::string>& cells) { sink_.add_row(number_, cells); }
   [[nodiscard]] const std::vector<ExportColumn>& columns() const { return columns_; }
 
  private:
-  GrowingFile file_;
+  Sink& sink_;
   std::vector<ExportColumn> columns_;
+  int number_;
 };
 
 const ExportColumn kSampleNumber{"sample", "", "number of the sample, from 1; of a run 1"};
@@ -86,7 +137,7 @@ std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed,
   std::vector<ExportColumn> columns = {
       kSampleNumber,
       {"state", "", "number of the state in its sample, from 0 in order of time"},
-      {"label", "", "which state it is: peak, end, a displacement; empty of a run"},
+      {"label", "", "which state it is: peak, end, a displacement; empty of a run", true},
       {"push_displacement_mm", "mm", "displacement of the push at this state"}};
   columns.insert(columns.end(), fixed.begin(), fixed.end());
   columns.insert(columns.end(),
@@ -197,7 +248,7 @@ Elements elements_in(const std::string& file, const ElementColumn<Reading> (&col
 
 class StateTables {
  public:
-  explicit StateTables(std::string folder) : folder_(std::move(folder)) {}
+  explicit StateTables(Sink& sink) : sink_(sink) {}
 
   // Tables are made with their first row: a file that is there says something.
   void add(int sample, int number, const Wall& wall, const WallState& state) {
@@ -219,7 +270,7 @@ class StateTables {
               wall.joint[j], state.joints, j);
     }
     if (!wall.zone.empty() && !zones_)
-      zones_.emplace(folder_, kZones,
+      zones_.emplace(sink_, kZones,
                      state_columns({{"zone", "", "number of the zone, from 0"},
                                     {"body", "", "number of its deformable block, from 0"}},
                                    kZoneColumns));
@@ -228,14 +279,6 @@ class StateTables {
               {std::to_string(z), std::to_string(wall.zone_body[z])}, wall.zone[z], state.zones, z);
   }
 
-  void close(nlohmann::ordered_json& columns) {
-    const auto done = [&](std::optional<Table>& table, const char* name) {
-      if (!table) return;
-      table->close();
-      columns[name] = columns_json(table->columns());
-    };
-    done(blocks_, kBlocks), done(joints_, kJoints), done(zones_, kZones);
-  }
   std::int64_t count = 0;
 
  private:
@@ -244,21 +287,22 @@ class StateTables {
     const WallState& state;
   };
   void open_tables() {
-    blocks_.emplace(folder_, kBlocks,
+    blocks_.emplace(sink_, kBlocks,
                     state_columns({{"block", "", "number of the block, from 0"},
-                                   {"role", "", "masonry, lintel, plate or beam"},
+                                   {"role", "", "masonry, lintel, plate or beam", true},
                                    {"course", "", "number of its course, from 0; -1: none"}},
                                   kBlockColumns));
     joints_.emplace(
-        folder_, kJoints,
-        state_columns({{"joint", "",
-                        "number of the joint, from 0; contacts of deformable blocks "
-                        "follow"},
-                       {"kind", "", "bed, head, split (crack plane of a unit), foundation, ..."},
-                       {"block_a", "", "block on one side, -1: the ground"},
-                       {"block_b", "", "block on the other side"},
-                       {"area_m2", "m^2", "its area"}},
-                      kJointColumns));
+        sink_, kJoints,
+        state_columns(
+            {{"joint", "",
+              "number of the joint, from 0; contacts of deformable blocks "
+              "follow"},
+             {"kind", "", "bed, head, split (crack plane of a unit), foundation, ...", true},
+             {"block_a", "", "block on one side, -1: the ground"},
+             {"block_b", "", "block on the other side"},
+             {"area_m2", "m^2", "its area"}},
+            kJointColumns));
   }
   static void add_row(Table& table, const Which& which, const std::vector<std::string>& fixed,
                       Vec3 at, const Elements& elements, std::size_t i) {
@@ -271,26 +315,23 @@ class StateTables {
     for (const std::vector<double>& column : elements.value) cells.push_back(csv_cell(column[i]));
     table.add(cells);
   }
-  std::string folder_;
+  Sink& sink_;
   std::optional<Table> blocks_, joints_, zones_;
 };
 
 // --- a campaign ------------------------------------------------------------------------------------
 
 // `head` is a row with these columns.
-void write_samples(const std::string& folder, const std::vector<ExportCell>& head,
-                   const std::vector<std::vector<ExportCell>>& rows,
-                   nlohmann::ordered_json& columns) {
+void write_samples(Sink& sink, const std::vector<ExportCell>& head,
+                   const std::vector<std::vector<ExportCell>>& rows) {
   std::vector<ExportColumn> titles;
   for (const ExportCell& cell : head) titles.push_back(cell.column);
-  Table table(folder, kSamples, std::move(titles));
+  Table table(sink, kSamples, std::move(titles));
   for (const std::vector<ExportCell>& row : rows) {
     std::vector<std::string> cells;
     for (const ExportCell& cell : row) cells.push_back(cell.text);
     table.add(cells);
   }
-  table.close();
-  columns[kSamples] = columns_json(table.columns());
 }
 
 void export_states(const std::string& folder, const Campaign& campaign, const SampleRecord& record,
@@ -305,19 +346,18 @@ void export_states(const std::string& folder, const Campaign& campaign, const Sa
     tables.add(record.sample, number++, wall, state_of(wall, snapshot));
 }
 
-Exported export_campaign(const std::string& folder, const std::string& out,
-                         nlohmann::ordered_json& columns) {
+Exported export_campaign(const std::string& folder, Sink& sink) {
   Exported made;
   std::optional<Table> curves;
   std::vector<CurveColumn> shown;
-  StateTables states(out);
+  StateTables states(sink);
   std::vector<std::vector<ExportCell>> samples;
   ModelBuilder build;
   const auto begin = [&](const Campaign& campaign) {
     build = model_builder(campaign.study);
     const ShownColumns of = columns_of(compile(build({})));
     shown = columns_shown(of);
-    curves.emplace(out, kCurves, curve_columns(of));
+    curves.emplace(sink, kCurves, curve_columns(of));
   };
   const Campaign campaign =
       read_campaign(folder, [&](const Campaign& head, const SampleRecord& record) {
@@ -332,12 +372,9 @@ Exported export_campaign(const std::string& folder, const std::string& out,
         export_states(folder, head, record, build, states);
       });
   if (!curves) begin(campaign);
-  curves->close();
-  columns[kCurves] = columns_json(curves->columns());
   made.samples = static_cast<int>(samples.size());
   made.missing = campaign.samples.n_sample() - made.samples;
-  write_samples(out, sample_cells(campaign, {}), samples, columns);
-  states.close(columns);
+  write_samples(sink, sample_cells(campaign, {}), samples);
   made.states = states.count;
   return made;
 }
@@ -378,8 +415,7 @@ void export_run_states(const std::string& folder, StateTables& tables) {
 }
 
 // The cells of force_displacement.csv as they are.
-std::int64_t export_run_curve(const std::string& folder, const std::string& out,
-                              nlohmann::ordered_json& columns) {
+std::int64_t export_run_curve(const std::string& folder, Sink& sink) {
   const std::string path = folder + "/force_displacement.csv";
   const std::string text = read_text(path, kMostCsv);
   CsvLines lines(text, path);
@@ -393,7 +429,7 @@ std::int64_t export_run_curve(const std::string& folder, const std::string& out,
   for (const CurveColumn& c : columns_shown(of)) names.emplace_back(c.name);
   if (!has_head || names != lines.cells())
     throw IoError(path + ": is not a curve of wythe run; run the model again");
-  Table table(out, kCurves, curve_columns(of));
+  Table table(sink, kCurves, curve_columns(of));
   std::int64_t rows = 0;
   for (; lines.next(); ++rows) {
     std::vector<std::string> cells = {"1"};
@@ -408,23 +444,32 @@ std::int64_t export_run_curve(const std::string& folder, const std::string& out,
                                 cells.size() - 1, table.columns().size() - 1));
     table.add(cells);
   }
-  table.close();
-  columns[kCurves] = columns_json(table.columns());
   return rows;
 }
 
-Exported export_run(const std::string& folder, const std::string& out,
-                    nlohmann::ordered_json& columns) {
+Exported export_run(const std::string& folder, Sink& sink) {
   Exported made;
   made.samples = 1;
-  made.rows = export_run_curve(folder, out, columns);
+  made.rows = export_run_curve(folder, sink);
   const std::string file = folder + "/summary.json";
   const std::vector<ExportCell> row = run_cells(parse_json(read_text(file, kMostJson), file));
-  write_samples(out, row, {row}, columns);
-  StateTables states(out);
+  write_samples(sink, row, {row});
+  StateTables states(sink);
   export_run_states(folder, states);
-  states.close(columns);
   made.states = states.count;
+  return made;
+}
+
+Exported export_into(const std::string& folder, Sink& sink) {
+  Exported made;
+  if (holds_campaign(folder))
+    made = export_campaign(folder, sink);
+  else if (fs::exists(folder + "/summary.json") && fs::exists(folder + "/force_displacement.csv"))
+    made = export_run(folder, sink);
+  else
+    refuse(folder, "holds neither a run (summary.json) nor a campaign (campaign.db)",
+           "name the --out folder of a finished wythe run or wythe campaign");
+  sink.close();
   return made;
 }
 
@@ -433,7 +478,8 @@ Exported export_run(const std::string& folder, const std::string& out,
 std::unique_ptr<Replacement> replace_export(const std::string& out) {
   std::error_code error;
   finish_replacement(out);
-  const bool of_export = fs::exists(out + "/" + kColumns, error);
+  const bool of_export =
+      fs::exists(out + "/" + kColumns, error) || fs::exists(out + "/" + kHdf5, error);
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(".") || name == "lost+found") continue;
@@ -446,17 +492,13 @@ std::unique_ptr<Replacement> replace_export(const std::string& out) {
 }
 
 Exported write_export(const std::string& folder, const std::string& out) {
-  nlohmann::ordered_json columns;
-  Exported made;
-  if (holds_campaign(folder))
-    made = export_campaign(folder, out, columns);
-  else if (fs::exists(folder + "/summary.json") && fs::exists(folder + "/force_displacement.csv"))
-    made = export_run(folder, out, columns);
-  else
-    refuse(folder, "holds neither a run (summary.json) nor a campaign (campaign.db)",
-           "name the --out folder of a finished wythe run or wythe campaign");
-  write_file(out + "/" + kColumns, columns.dump(2) + "\n");
-  return made;
+  CsvSink sink(out);
+  return export_into(folder, sink);
+}
+
+Exported write_export_hdf5(const std::string& folder, const std::string& out) {
+  Hdf5Sink sink(out);
+  return export_into(folder, sink);
 }
 
 }  // namespace wythe

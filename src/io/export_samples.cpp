@@ -17,19 +17,21 @@ using Json = nlohmann::json;
 using Cells = std::vector<ExportCell>;
 
 const ExportColumn kSample{"sample", "", "number of the sample, from 1; of a run 1"};
-const ExportColumn kStatus{"status", "", "how it ended: completed, collapsed, refused, ..."};
-const ExportColumn kReason{"reason", "", "why it stopped"};
+const ExportColumn kStatus{"status", "", "how it ended: completed, collapsed, refused, ...", true};
+const ExportColumn kReason{"reason", "", "why it stopped", true};
 const ExportColumn kRetried{"retried", "", "1: run again with half the step"};
-const ExportColumn kMode{"failure_mode", "", "FM-1 to FM-5, another name, or unclear"};
-const ExportColumn kHash{"state_hash", "", "identifies the final state bit for bit"};
+const ExportColumn kMode{"failure_mode", "", "FM-1 to FM-5, another name, or unclear", true};
+const ExportColumn kHash{"state_hash", "", "identifies the final state bit for bit", true};
 
 std::string flag(bool value) { return value ? "1" : "0"; }
 
 // What files call an answer for each sample: its own name, else the key of summary.json.
-ExportColumn column_of(const study::AnswerKey& key) {
+template <class Value>
+ExportColumn column_of(const study::AnswerKey& key, const Value&) {
   std::string name = *key.column != '\0' ? key.column : key.summary;
   std::replace(name.begin(), name.end(), '.', '_');
-  return {std::move(name), key.explained.unit, key.explained.meaning};
+  constexpr bool kIsText = !std::is_same_v<Value, double> && !std::is_same_v<Value, bool>;
+  return {std::move(name), key.explained.unit, key.explained.meaning, kIsText};
 }
 
 std::string text_of_value(const study::AnswerKey& key, const auto& value) {
@@ -110,7 +112,7 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
   cells.push_back({kRetried, flag(record.retried)});
   const bool answered = record.answered();
   const auto add = [&](const study::AnswerKey& key, const auto& value) {
-    cells.push_back({column_of(key), answered ? text_of_value(key, value) : ""});
+    cells.push_back({column_of(key, value), answered ? text_of_value(key, value) : ""});
   };
   study::each_response(add, record.responses);
   for (const double fraction : more_fractions(campaign.study)) {
@@ -130,8 +132,8 @@ std::vector<ExportCell> sample_cells(const Campaign& campaign, const SampleRecor
 std::vector<ExportCell> run_cells(const Json& summary) {
   Cells cells = {
       {kSample, "1"}, {kStatus, text_at(summary, "status")}, {kReason, text_at(summary, "reason")}};
-  const auto add = [&](const study::AnswerKey& key, const auto&) {
-    cells.push_back({column_of(key), text_at(summary, key.summary)});
+  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+    cells.push_back({column_of(key, value), text_at(summary, key.summary)});
   };
   const SampleRecord any;
   study::each_response(add, any.responses);

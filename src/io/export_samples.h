@@ -12,6 +12,7 @@ namespace wythe::io {
 
 struct ExportColumn {
   std::string name, unit, meaning;
+  bool is_text = false;  // else a number
 };
 [[nodiscard]] nlohmann::ordered_json columns_json(const std::vector<ExportColumn>& columns);
 

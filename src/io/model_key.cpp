@@ -8,6 +8,7 @@
 
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/toml_reader.h"
 
 namespace wythe::io {
 namespace {
@@ -106,17 +107,48 @@ const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& p
   return found == keys.end() ? nullptr : &*found;
 }
 
-std::string key_advice(const std::vector<ModelKey>& keys, const std::string& path) {
+SettableKeys::SettableKeys(const std::string& text, const std::string& file,
+                           const std::vector<std::string>& settings, const ModelSpec& base)
+    : keys_(number_keys(base)) {
+  for (const auto& [name, field] : base.field)
+    if (!field.formula.empty()) formula_[field.path] = name;
+  // What stands for other keys: [masonry] through its rules, tangents for angles.
+  toml::table root = parse_toml(text, file);
+  ReadContext context{file};
+  apply_overrides(context, root, settings);
+  resolve_materials(context, root);
+  asked_ = std::move(context.asked);
+  for (const auto& [path, value] : context.derived)
+    if (value.how.starts_with("given as ")) tangents_.insert(path);
+}
+
+std::pair<std::string, std::string> SettableKeys::idle(const std::string& path) const {
+  if (const auto field = formula_.find(angle_path(path)); field != formula_.end())
+    return {fmt::format("has no effect, it is set by field.{}.formula", field->second),
+            fmt::format("leave it out, vary what the formula names, or leave field.{} out",
+                        field->second)};
+  if (path.starts_with("masonry.") && !asked_.contains(path.substr(8)))
+    return {"no rule of the base model asks for it",
+            "let a material ask for a rule that does, e.g. tensile_strength = \"rule\""};
+  const std::string name = path.substr(path.rfind('.') + 1);
+  if (!path.starts_with("material.") || !name.ends_with("friction_tan")) return {};
+  const std::string angle = angle_path(path);
+  if (tangents_.contains(angle)) return {};
+  return {fmt::format("the base model gives no {}", name),
+          fmt::format("write {} there in the place of the angle, or vary {}", name, angle)};
+}
+
+std::string SettableKeys::advice(const std::string& path) const {
   // the longest part of it that is right, and what may follow
   std::string right;
   for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', dot + 1)) {
     const std::string part = path.substr(0, dot + 1);
-    if (std::any_of(keys.begin(), keys.end(),
+    if (std::any_of(keys_.begin(), keys_.end(),
                     [&](const ModelKey& key) { return key.path.starts_with(part); }))
       right = part;
   }
   std::vector<std::string> next;
-  for (const ModelKey& key : keys) {
+  for (const ModelKey& key : keys_) {
     if (!key.path.starts_with(right)) continue;
     const std::string step = step_at(key.path, right.size());
     if (next.size() <= kMostCandidates && std::find(next.begin(), next.end(), step) == next.end())

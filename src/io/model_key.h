@@ -2,7 +2,10 @@
 // own description, with its unit and admissible values.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/describe.h"
@@ -25,7 +28,30 @@ struct ModelKey {
 [[nodiscard]] std::vector<ModelKey> number_keys(ModelSpec model);
 // The key at a path as --set takes it, or nullptr.
 [[nodiscard]] const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& path);
-// What to write instead of a path that is none: the nearest, or what stands where it goes wrong.
-[[nodiscard]] std::string key_advice(const std::vector<ModelKey>& keys, const std::string& path);
+
+// The numbers that a model's text lets others set.
+class SettableKeys {
+ public:
+  SettableKeys() = default;
+  // `base` is what the text with its settings gave.
+  SettableKeys(const std::string& text, const std::string& file,
+               const std::vector<std::string>& settings, const ModelSpec& base);
+
+  [[nodiscard]] bool empty() const { return keys_.empty(); }
+  [[nodiscard]] const ModelKey* find(const std::string& path) const {
+    return find_key(keys_, path);
+  }
+  // What to write instead of a path that is none: the nearest, or what stands where it goes wrong.
+  [[nodiscard]] std::string advice(const std::string& path) const;
+  // Why setting this key would change nothing or contradict the model, and the cure; "" where it acts.
+  [[nodiscard]] std::pair<std::string, std::string> idle(const std::string& path) const;
+
+ private:
+  std::vector<ModelKey> keys_;
+  std::set<std::string, std::less<>> asked_;  // keys of [masonry] that the model's rules take
+  std::set<std::string> tangents_;            // angles that it gives as tangents
+  std::map<std::string, std::string>
+      formula_;  // fields that set a key anew at each place, by that key
+};
 
 }  // namespace wythe::io

@@ -190,47 +190,10 @@ class StudyReader {
       for (const auto& [name, field] : base.field)
         study_.field.push_back({name, field.path, !field.formula.empty()});
       if (!base.block.empty() || !base.body.empty()) study_.blocks_text = blocks_text(base, true);
-      keys_ = number_keys(std::move(base));
-      read_recipes();
+      keys_ = SettableKeys(study_.model_text, study_.model_file, study_.settings, base);
     } catch (const InputError& error) {
       for (Fault fault : error.faults()) model_faults_.push_back(placed(std::move(fault)));
     }
-  }
-
-  // What of the base model stands for other keys: [masonry] through its rules, tangents for angles.
-  void read_recipes() {
-    toml::table root = parse_toml(study_.model_text, study_.model_file);
-    ReadContext context{study_.model_file};
-    apply_overrides(context, root, study_.settings);
-    resolve_materials(context, root);
-    asked_ = std::move(context.asked);
-    for (const auto& [path, value] : context.derived)
-      if (value.how.starts_with("given as ")) tangents_.insert(path);
-  }
-
-  // The field whose formula sets this key anew at each place; none: null.
-  [[nodiscard]] const StudyField* formula_of(const std::string& path) const {
-    const auto found = std::find_if(
-        study_.field.begin(), study_.field.end(),
-        [&](const StudyField& field) { return field.follows && field.path == angle_path(path); });
-    return found == study_.field.end() ? nullptr : &*found;
-  }
-
-  // Why a variable on this key would change nothing or contradict the model, and the cure; "" where it acts.
-  [[nodiscard]] std::pair<std::string, std::string> idle(const std::string& path) const {
-    if (const StudyField* field = formula_of(path))
-      return {fmt::format("has no effect, it is set by field.{}.formula", field->name),
-              fmt::format("leave it out, vary what the formula names, or leave field.{} out",
-                          field->name)};
-    if (path.starts_with("masonry.") && !asked_.contains(path.substr(8)))
-      return {"no rule of the base model asks for it",
-              "let a material ask for a rule that does, e.g. tensile_strength = \"rule\""};
-    const std::string name = path.substr(path.rfind('.') + 1);
-    if (!path.starts_with("material.") || !name.ends_with("friction_tan")) return {};
-    const std::string angle = angle_path(path);
-    if (tangents_.contains(angle)) return {};
-    return {fmt::format("the base model gives no {}", name),
-            fmt::format("write {} there in the place of the angle, or vary {}", name, angle)};
   }
 
   // All samples' records are read together: no more than memory holds, told before any is drawn.
@@ -273,10 +236,9 @@ class StudyReader {
     if (path && keys_.empty()) return;                               // the model has faults
     try {
       if (path) {
-        const ModelKey* key = find_key(keys_, *path);
-        if (!key)
-          return refuse("path", *path, "no such number in the model", key_advice(keys_, *path));
-        if (const auto [problem, cure] = idle(key->path); !problem.empty())
+        const ModelKey* key = keys_.find(*path);
+        if (!key) return refuse("path", *path, "no such number in the model", keys_.advice(*path));
+        if (const auto [problem, cure] = keys_.idle(key->path); !problem.empty())
           return refuse("path", *path, problem, cure);
         path_[place] = key->path;
         range = key->range;
@@ -412,7 +374,7 @@ class StudyReader {
         if (!field.follows && path == "field." + field.name + ".seed")
           refuse(path, path, "study.seed and the number of each sample",
                  "leave it out, or change study.seed");
-      const ModelKey* key = find_key(keys_, path);
+      const ModelKey* key = keys_.find(path);
       const std::string full = key == nullptr ? path : key->path;
       const std::string leave = key == nullptr ? "set its other keys one by one" : "leave it out";
       for (const StudyField& field : study_.field)
@@ -533,14 +495,12 @@ class StudyReader {
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
   StudySpec study_;
-  std::size_t own_settings_ = 0;              // of study.set
-  std::vector<ModelKey> keys_;                // of the base model; empty when it has faults
-  std::set<std::string, std::less<>> asked_;  // keys of [masonry] that its rules take
-  std::set<std::string> tangents_;            // angles that it gives as tangents
-  std::map<std::string, std::string> path_;   // table -> canonical path
-  std::vector<Fault> read_faults_;            // those of single keys
-  std::vector<Fault> model_faults_;           // of the base model and of CSV files
-  std::vector<std::string> spoiled_;          // tables that could not be read in full
+  std::size_t own_settings_ = 0;             // of study.set
+  SettableKeys keys_;                        // of the base model; empty when it has faults
+  std::map<std::string, std::string> path_;  // table -> canonical path
+  std::vector<Fault> read_faults_;           // those of single keys
+  std::vector<Fault> model_faults_;          // of the base model and of CSV files
+  std::vector<std::string> spoiled_;         // tables that could not be read in full
 };
 
 bool is_of_study(const std::string& override_text) {

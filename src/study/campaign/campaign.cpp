@@ -8,16 +8,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "dynamics/executors/gpu.h"
-#include "dynamics/executors/lane_solver.h"
-#include "study/campaign/sample_run.h"
+#include "study/campaign/sample_pool.h"
 #include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
@@ -160,20 +157,15 @@ class Runner {
 
   CampaignOutcome run() {
     report(nullptr);
-    {
-      std::vector<std::jthread> workers;
-      const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-      const int wanted = options_.jobs > 0 ? options_.jobs : cores;
-      const int left = static_cast<int>(pending_.size());
-      const bool on_gpu = options_.device == Device::kGpu;
-      const int jobs = std::min(on_gpu ? 1 : wanted, left);
-      if (on_gpu && left > 0)
-        lanes_ = dynamics::gpu_walls(compiler_.compile(build_({})), left);
-      else if (jobs > 0)
-        lanes_ = std::min(dynamics::lanes_in_use(), (left + jobs - 1) / jobs);
-      for (int i = 0; i < jobs && !halt_; ++i) workers.emplace_back([this] { work(); });
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    if (!halt_)
+      solve_samples({.samples = {plan_.spec, plan_.samples, build_, &compiler_},
+                     .left = static_cast<int>(pending_.size()),
+                     .jobs = options_.jobs,
+                     .device = options_.device,
+                     .halt = halt_,
+                     .look = [this] { heed_user(); },
+                     .take = [this] { return take(); },
+                     .keep = [this](SampleJob& job) { keep(job); }});
     CampaignOutcome outcome;
     outcome.done = done_;
     outcome.total = total_;
@@ -235,56 +227,6 @@ class Runner {
     }
   }
 
-  void work() {
-    try {
-      solve_side_by_side();
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      halt_ = true;
-    }
-  }
-
-  // As many samples at once as fit side by side; the next one takes the place of each that ends.
-  void solve_side_by_side() {
-    const SampleTask task{plan_.spec, plan_.samples, build_, &compiler_};
-    SolveOptions how;
-    how.read_modes_at = read_modes_at(plan_.spec);
-    how.threads = 1;
-    how.stop = &halt_;
-    // a run reports a few times a second: the user's stop reaches every worker through halt_
-    how.progress = [this](const Progress&) { heed_user(); };
-    std::map<int, std::unique_ptr<SampleJob>> under_way;
-    const bool on_gpu = options_.device == Device::kGpu;
-    dynamics::LaneSolver lanes(
-        lanes_, on_gpu ? dynamics::LaneSolver::Make(dynamics::gpu_stepper) : nullptr);
-    const auto start = [&](SampleJob& job) {
-      lanes.put(job.sample(), job.model(), job.state(), how);
-    };
-    while (true) {
-      while (lanes.has_room()) {
-        const int sample = take();
-        if (sample == 0) break;
-        auto job = std::make_unique<SampleJob>(task, sample);
-        if (job->refused())
-          keep(*job);
-        else
-          start(*(under_way[sample] = std::move(job)));
-      }
-      if (lanes.running() == 0) return;
-      dynamics::LaneSolver::Ended ended = lanes.next();
-      const auto job = under_way.find(ended.ticket);
-      if (ended.result.status == SolveStatus::kInterrupted) return;
-      job->second->take(std::move(ended.result));
-      if (job->second->wants_another()) {
-        start(*job->second);
-      } else {
-        keep(*job->second);
-        under_way.erase(job);
-      }
-    }
-  }
-
   void keep(SampleJob& job) {
     const SampleRun done = job.finish();
     SampleRecord record = record_of(done, plan_.samples, job.sample());
@@ -307,7 +249,7 @@ class Runner {
   void write(PackedSample sample) {
     const std::lock_guard lock(mutex_);
     --running_;
-    if (met_ || failure_) return;
+    if (met_) return;
     store_.write(sample);
     ++done_;
     ++done_now_;
@@ -339,13 +281,11 @@ class Runner {
   std::vector<int> pending_;
   int total_ = 0, until_from_ = 0;
   std::atomic<bool> halt_{false};
-  int lanes_ = 1;  // samples a worker solves side by side
 
   std::mutex mutex_;
   Store& store_;
   std::size_t next_ = 0;
   int done_ = 0, done_now_ = 0, running_ = 0;
-  std::exception_ptr failure_;
   bool met_ = false;
   Message until_state_;
   Campaign campaign_;                    // samples 1 .. k, for the rule

@@ -1,0 +1,245 @@
+"""The calls: run, check, limit, contact, run_many, campaign, open, replay."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional, Union
+
+from ._errors import Fault, InputError, needed
+from ._jobs import Progress, Table, perform
+from ._model import Model, as_setting
+from ._results import Batch, Campaign, Check, Result, SecondOpinion
+
+Path = Union[str, "os.PathLike[str]"]
+#: A path of a model file, or a Model.
+ModelLike = Union[Path, Model]
+#: What to change for one call: {"wall.length": "5 m"}, or texts "path=value".
+Settings = Union[None, Mapping[str, Any], Sequence[str]]
+
+
+def _model(model: ModelLike) -> dict[str, Optional[str]]:
+    if isinstance(model, Model):
+        return {"model": model.text, "file": model.file}
+    try:
+        return {"file": os.fspath(model)}
+    except TypeError:
+        raise InputError([Fault(path="model", value=type(model).__name__, problem="is neither a path nor a Model",
+                                cure="give the path of a model file, or wythe.Model.parse(text)")]) from None
+
+
+def _settings(changes: Settings) -> list[str]:
+    if changes is None:
+        return []
+    if isinstance(changes, str):
+        return [changes]
+    if isinstance(changes, Mapping):
+        return [as_setting(path, value) for path, value in changes.items()]
+    return list(changes)
+
+
+def _folder(path: Optional[Path]) -> Optional[str]:
+    return None if path is None else os.fspath(path)
+
+
+def run(
+    model: ModelLike,
+    *,
+    set: Settings = None,
+    out: Optional[Path] = None,
+    threads: int = 1,
+    progress: Progress = None,
+    language: str = "en",
+) -> Result:
+    """Runs a wall through its stages.
+
+    ``set`` changes keys for this run, ``out`` names a folder for the files that `wythe run` writes (none are
+    written without it), ``threads`` is the number of threads inside one wall: the bits are the same for any.
+
+    Raises InputError with every fault of the model, AccessError, and Interrupted at Ctrl-C, whose ``.result``
+    is the Result up to there. A run that fails in the mathematics raises nothing: see ``.status``.
+    """
+    texts = {**_model(model), "set": _settings(set), "out": _folder(out), "language": language}
+    result: Result = perform("run", texts, {"threads": threads}, progress=progress, answer=Result)
+    return result
+
+
+def check(model: ModelLike, *, set: Settings = None) -> Check:
+    """Builds the wall without running it: blocks, joints, weight, expected time, notes, a picture."""
+    checked: Check = perform("check", {**_model(model), "set": _settings(set)}, answer=Check)
+    return checked
+
+
+def limit(
+    model: ModelLike,
+    *,
+    set: Settings = None,
+    only: Sequence[str] = (),
+    assessment: bool = False,
+    out: Optional[Path] = None,
+    progress: Progress = None,
+    language: str = "en",
+) -> SecondOpinion:
+    """Limit analysis of the wall: limit loads by linear programmes, and chains of macro-blocks.
+
+    ``only`` takes some of "lp", "infinite", "macro_block_1", "macro_block_2".
+    """
+    texts = {**_model(model), "set": _settings(set), "only": list(only), "out": _folder(out), "language": language}
+    opinion: SecondOpinion = perform(
+        "limit", texts, {"assessment": assessment}, progress=progress, answer=SecondOpinion
+    )
+    return opinion
+
+
+def contact(law: ModelLike, opening_mm: Any, slip_mm: Any) -> Table:
+    """Drives one joint along a path and gives its stresses and damage, a row for each point of the path.
+
+    ``law`` is a file or a Model with one joint law, or with one called joint. Openings and slips are in
+    millimetres; pressing is negative. Stresses are in MPa, tension positive.
+    """
+    texts: dict[str, Optional[str]] = (
+        {"law": law.text, "file": law.file} if isinstance(law, Model) else {"file": os.fspath(law)}
+    )
+    columns = {"opening_mm": _column("opening_mm", opening_mm), "slip_mm": _column("slip_mm", slip_mm)}
+    table: Table = perform("contact", texts, columns=columns, answer=lambda job: job.table("answer"))
+    return table
+
+
+def _column(name: str, values: Any) -> Any:
+    numpy = needed("numpy", name)
+    try:
+        column = numpy.ascontiguousarray(values, dtype=numpy.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError([Fault(path=name, value=type(values).__name__, problem="is no list of numbers",
+                                cure="give numbers in one unit")]) from error
+    if column.ndim != 1:
+        raise InputError([Fault(path=name, value=f"shape {column.shape}", problem="has another shape than one column",
+                                cure="give a flat list, one number a row")])
+    return column
+
+
+def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mapping[str, str]]) -> tuple[
+    dict[str, Any], dict[str, str]
+]:
+    """Columns by path, and their units, from the shapes in which people have them."""
+    if columns is not None:
+        numpy = needed("numpy", "a matrix of inputs")
+        matrix = numpy.asarray(inputs, dtype=float)
+        if matrix.ndim != 2 or matrix.shape[1] != len(columns):
+            raise InputError([Fault(path="inputs", value=f"shape {matrix.shape}",
+                                    problem=f"does not fit the {len(columns)} columns",
+                                    cure="give a matrix of (rows, columns)")])
+        given: dict[str, Any] = {path: matrix[:, i] for i, path in enumerate(columns)}
+    elif hasattr(inputs, "items"):  # a mapping, or a data frame
+        given = {str(path): values for path, values in inputs.items()}
+    else:
+        raise InputError([Fault(path="inputs", value=type(inputs).__name__, problem="has no names for its columns",
+                                cure="give a mapping of path to values, a data frame, or a matrix with columns=")])
+    found: dict[str, Any] = {}
+    unit_of: dict[str, str] = {}
+    for title, values in given.items():
+        path, unit = title, (units or {}).get(title, "")
+        if title.endswith("]") and " [" in title:  # "material.joint.cohesion [MPa]"
+            path, unit = title[:-1].split(" [", 1)
+        if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str):
+            values, unit = values
+        if hasattr(values, "magnitude") and hasattr(values, "units"):
+            values, unit = values.magnitude, f"{values.units:~}".replace(" ** ", "^")
+        found[path] = _column(path, values)
+        unit_of[path] = unit
+    for name in units or {}:
+        if name not in given:
+            raise InputError([Fault(path=f"units[{name!r}]", problem="names no column of the inputs",
+                                    cure="the columns are " + ", ".join(given))])
+    return found, unit_of
+
+
+def run_many(
+    model: ModelLike,
+    inputs: Any,
+    *,
+    columns: Optional[Sequence[str]] = None,
+    units: Optional[Mapping[str, str]] = None,
+    set: Settings = None,
+    jobs: int = 0,
+    curves: bool = False,
+    read_modes_at_mm: Optional[float] = None,
+    progress: Progress = None,
+) -> Batch:
+    """Runs the wall once for every row of inputs, many side by side on all cores.
+
+    ``inputs`` is a mapping from the path of a key to its values, ``{"material.joint.cohesion": ([0.1, 0.2],
+    "MPa")}``, a pandas DataFrame with columns "path [unit]", or a matrix (rows, columns) with ``columns`` and
+    ``units``. The answers are in the order of the rows; a row gives the same bits alone, in any batch, and
+    in a campaign. A row that is not admissible has the status "refused" and a reason; it stops no other row.
+
+    ``curves`` keeps the curves. ``jobs`` is the number of cores; 0 takes all.
+    """
+    found, unit_of = _inputs(inputs, columns, units)
+    if not found:
+        raise InputError([Fault(path="inputs", problem="has no columns", cure="name the keys that differ")])
+    texts: dict[str, Any] = {
+        **_model(model), "set": _settings(set), "path": list(found), "unit": [unit_of[path] for path in found]
+    }
+    numbers = {"jobs": jobs, "curves": curves, "read_modes_at_mm": read_modes_at_mm}
+    data = {f"input {i}": column for i, column in enumerate(found.values())}
+    batch: Batch = perform("batch", texts, numbers, data, progress, lambda job: Batch(job, found, unit_of))
+    return batch
+
+
+def campaign(
+    study: Path,
+    out: Path,
+    *,
+    set: Settings = None,
+    samples: Optional[int] = None,
+    seed: Optional[int] = None,
+    until: Optional[str] = None,
+    jobs: int = 0,
+    resume: bool = False,
+    shard: Optional[tuple[int, int]] = None,
+    progress: Progress = None,
+    language: str = "en",
+) -> Campaign:
+    """Runs the samples of a study into the folder ``out``, as `wythe campaign` does.
+
+    Every sample is stored when it ends. Ctrl-C keeps those; ``resume=True`` goes on with them. ``shard`` is
+    (number, of how many).
+    """
+    texts = {
+        "file": os.fspath(study), "out": os.fspath(out), "set": _settings(set), "until": until, "language": language
+    }
+    number, shards = shard if shard is not None else (None, None)
+    numbers = {
+        "samples": samples, "seed": seed, "jobs": jobs, "resume": resume, "shard": number, "shards": shards
+    }
+    folder = os.fspath(out)
+    done: Campaign = perform(
+        "campaign", texts, numbers, progress=progress, answer=lambda job: Campaign(job, folder)
+    )
+    return done
+
+
+def open_campaign(folder: Path) -> Campaign:
+    """The campaign in a folder, however far it is."""
+    name = os.fspath(folder)
+    stored: Campaign = perform("results", {"folder": name}, answer=lambda job: Campaign(job, name))
+    return stored
+
+
+def replay(
+    folder: Path,
+    sample: int,
+    *,
+    out: Optional[Path] = None,
+    threads: int = 1,
+    progress: Progress = None,
+    language: str = "en",
+) -> Result:
+    """Runs one sample of a campaign again, with all its states."""
+    texts = {"folder": os.fspath(folder), "out": _folder(out), "language": language}
+    result: Result = perform(
+        "replay", texts, {"sample": sample, "threads": threads}, progress=progress, answer=Result
+    )
+    return result
+

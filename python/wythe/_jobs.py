@@ -1,0 +1,131 @@
+"""One call of the engine: inputs in, answers out, exceptions for whatever goes wrong."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, Optional, Union
+
+from . import _wythe
+from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, needed
+from ._progress import listener
+
+#: What a call may take as ``progress``: True or False, None (where somebody can see it), or a function of
+#: (what, share, displacement_mm, force_kN).
+Progress = Union[bool, None, Callable[[str, float, float, float], Any]]
+
+_DONE, _BAD_INPUT, _STOPPED, _NO_ACCESS, _NO_MEMORY = 0, 2, 3, 4, 5
+
+
+class Job:
+    """A job that has ended; its answers."""
+
+    def __init__(self, raw: _wythe.Job):
+        self._raw = raw
+
+    def text(self, name: str) -> Optional[str]:
+        text: Optional[str] = self._raw.text(name)
+        return text
+
+    def json(self, name: str) -> Any:
+        text = self.text(name)
+        return None if text is None else json.loads(text)
+
+    def table(self, name: str) -> Optional[Table]:
+        columns = self.json(f"columns of {name}")
+        return None if columns is None else Table(self._raw, name, columns)
+
+
+class Table(Mapping[str, Any]):
+    """Columns of numbers by name, as NumPy arrays that look at the engine's own memory.
+
+    ``table["reaction_kN"]`` and ``table.reaction_kN`` are the same array, read-only and without a copy.
+    ``table.frame()`` is a pandas DataFrame (a copy).
+    """
+
+    def __init__(self, raw: _wythe.Job, name: str, columns: Sequence[str]):
+        self._raw = raw
+        self._name = name
+        self._columns = tuple(columns)
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The names of the columns; each ends with its unit."""
+        return self._columns
+
+    def __getitem__(self, column: str) -> Any:
+        if column not in self._columns:
+            raise KeyError(f"{column!r}; the columns are {', '.join(self._columns)}")
+        return needed("numpy", "a column").asarray(self._raw.column(self._name, column))
+
+    def __getattr__(self, column: str) -> Any:
+        if column.startswith("_") or column not in self._columns:
+            raise AttributeError(f"no column {column!r}; the columns are {', '.join(self._columns)}")
+        return self[column]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._columns]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    @property
+    def rows(self) -> int:
+        """How many rows there are."""
+        column = self._raw.column(self._name, self._columns[0]) if self._columns else None
+        return 0 if column is None else len(column)
+
+    def frame(self) -> Any:
+        """All columns as a pandas DataFrame."""
+        return needed("pandas", "frame()").DataFrame({name: self[name].copy() for name in self})
+
+    def __repr__(self) -> str:
+        return f"<table {self._name!r}: {self.rows} rows of {', '.join(self._columns)}>"
+
+
+def _refused(raw: _wythe.Job) -> InputError:
+    rows = json.loads(raw.text("faults") or "[]")
+    return InputError([Fault(**row) for row in rows] or [Fault(problem=raw.text("error") or "")])
+
+
+def perform(
+    task: str,
+    texts: Mapping[str, Union[None, str, Sequence[str]]],
+    numbers: Mapping[str, Union[None, float, int, bool]] = {},
+    columns: Mapping[str, Any] = {},
+    progress: Progress = False,
+    answer: Callable[[Job], Any] = lambda job: job,
+) -> Any:
+    """Does a task and gives ``answer(job)``. Raises InputError, AccessError, Interrupted or DefectError."""
+    raw = _wythe.Job(task)
+    for name, value in texts.items():
+        for text in [value] if isinstance(value, str) else value or []:
+            raw.set_text(name, text)
+    for name, number in numbers.items():
+        if number is not None:
+            raw.set_number(name, float(number))
+    for name, column in columns.items():
+        raw.set_column(name, column)
+    hear, close = listener(progress)
+    try:
+        code, raised = raw.perform(hear)
+    finally:
+        close()
+    if code == _BAD_INPUT:
+        raise _refused(raw)
+    if code == _NO_ACCESS:
+        raise AccessError(raw.text("error"))
+    if code == _NO_MEMORY:
+        raise MemoryError(raw.text("error"))
+    if code not in (_DONE, _STOPPED):
+        raise DefectError(raw.text("error"))
+    if raised is not None and not isinstance(raised, KeyboardInterrupt):
+        raise raised
+    job = Job(raw)
+    if code == _STOPPED or raised is not None:
+        has_answers = json.loads(raw.text("texts") or "[]")
+        raise Interrupted(answer(job) if has_answers else None)
+    return answer(job)

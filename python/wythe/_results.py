@@ -1,0 +1,387 @@
+"""What the calls answer: results of a run, a batch, a campaign, a second opinion."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from html import escape
+from typing import Any, Optional
+
+from ._errors import Fault, InputError, needed
+from ._jobs import Job, Table
+
+
+def _number(value: Any, digits: int = 4) -> str:
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def _curve_svg(x: Any, y: Any, x_label: str, y_label: str, width: int = 420, height: int = 260) -> str:
+    """A small plot that needs no package but NumPy."""
+    numpy = needed("numpy", "the picture of a curve")
+    keep = numpy.isfinite(x) & numpy.isfinite(y)
+    x, y = numpy.asarray(x)[keep], numpy.asarray(y)[keep]
+    if len(x) < 2:
+        return ""
+    left, bottom, top = 52, 36, 10
+    x_low, x_high = min(0.0, float(x.min())), max(0.0, float(x.max()))
+    y_low, y_high = min(0.0, float(y.min())), max(0.0, float(y.max()))
+    across = (width - left - 12) / ((x_high - x_low) or 1)
+    up = (height - bottom - top) / ((y_high - y_low) or 1)
+    points = " ".join(
+        f"{left + (a - x_low) * across:.1f},{height - bottom - (b - y_low) * up:.1f}" for a, b in zip(x, y)
+    )
+    right, floor = width - 12, height - bottom
+    return (
+        f'<svg viewBox="0 0 {width} {height}" width="{width}" role="img" '
+        f'aria-label="{escape(y_label)} over {escape(x_label)}" '
+        'style="max-width:100%;font:12px sans-serif;fill:currentColor">'
+        f'<path d="M{left} {top}V{floor}H{right}" fill="none" stroke="currentColor"/>'
+        f'<polyline points="{points}" fill="none" stroke="#1f77b4" stroke-width="1.5"/>'
+        f'<text x="{left - 4}" y="{top + 10}" text-anchor="end">{_number(y_high, 3)}</text>'
+        f'<text x="{left - 4}" y="{floor}" text-anchor="end">{_number(y_low, 3)}</text>'
+        f'<text x="{right}" y="{floor + 14}" text-anchor="end">{_number(x_high, 3)}</text>'
+        f'<text x="{left}" y="{floor + 14}">{_number(x_low, 3)}</text>'
+        f'<text x="{(left + right) / 2}" y="{height - 4}" text-anchor="middle">{escape(x_label)}</text>'
+        f'<text transform="translate(12 {height / 2}) rotate(-90)" text-anchor="middle">{escape(y_label)}</text>'
+        "</svg>"
+    )
+
+
+def _rows_html(rows: Sequence[tuple[str, str]]) -> str:
+    cells = "".join(
+        f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    return f"<table>{cells}</table>"
+
+
+def _side_by_side(*parts: str) -> str:
+    inner = "".join(f'<div style="max-width:30rem">{part}</div>' for part in parts if part)
+    return f'<div style="display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start">{inner}</div>'
+
+
+class State:
+    """The wall at one moment of a run."""
+
+    def __init__(self, job: Job, number: int, row: dict[str, Any]):
+        self._job, self._number = job, number
+        #: "start of push", "peak", "20 mm", "end"
+        self.label: str = row["label"]
+        #: of the push [mm]
+        self.displacement_mm: float = row["displacement_mm"]
+        #: against the push [kN]
+        self.reaction_kN: float = row["reaction_kN"]
+
+    @property
+    def blocks(self) -> Table:
+        """A row a block: where it was, how far it went, how far it turned."""
+        return self._table("blocks")
+
+    @property
+    def joints(self) -> Table:
+        """A row a joint: place, opening, slip, damage, stresses and forces."""
+        return self._table("joints")
+
+    def _table(self, name: str) -> Table:
+        table = self._job.table(f"state {self._number} {name}")
+        assert table is not None
+        return table
+
+    @property
+    def svg(self) -> str:
+        """A picture of the wall as an SVG document; empty for walls in space."""
+        return self._job.text(f"state {self._number} svg") or ""
+
+    def _repr_html_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<state {self.label!r}: {self.displacement_mm:.4g} mm, {self.reaction_kN:.4g} kN>"
+
+
+class Result:
+    """A run: its numbers, curve and states."""
+
+    def __init__(self, job: Job):
+        self._job = job
+        #: the keys of summary.json (docs/reference/results.md)
+        self.summary: dict[str, Any] = job.json("summary")
+        curve = job.table("curve")
+        assert curve is not None
+        #: the rows of force_displacement.csv
+        self.curve: Table = curve
+        #: the rows of history.csv, of a wall that was shaken; else None
+        self.history: Optional[Table] = job.table("history")
+        #: the states that the run kept, in order of time
+        self.states: list[State] = [State(job, k, row) for k, row in enumerate(job.json("states"))]
+        #: of a replay: whether it equals the stored sample, and the sample's settings
+        self.replay: Optional[dict[str, Any]] = job.json("replay")
+
+    @property
+    def status(self) -> str:
+        """"completed", "collapsed", "interrupted", "not_settled", "unstable" or "budget_spent"."""
+        return str(self.summary["status"])
+
+    @property
+    def model(self) -> str:
+        """The model as it was run, every default written out (model.used.toml)."""
+        return self._job.text("model") or ""
+
+    @property
+    def block_ids(self) -> list[str]:
+        """The names of the blocks, in the order of the rows of ``state.blocks``."""
+        ids: list[str] = self._job.json("block_ids")
+        return ids
+
+    @property
+    def page(self) -> str:
+        """The report of the run as one HTML page."""
+        return self._job.text("page") or ""
+
+    def save_page(self, path: str | os.PathLike[str]) -> None:
+        """Writes the report of the run as one HTML page."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.page)
+
+    def plot(self, axes: Any = None) -> Any:
+        """The curve on matplotlib's axes, which it gives back."""
+        pyplot = needed("matplotlib.pyplot", "plot()")
+        if axes is None:
+            axes = pyplot.subplots()[1]
+        axes.plot(self.curve["displacement_mm"], self.curve["reaction_kN"])
+        axes.set_xlabel("displacement [mm]")
+        axes.set_ylabel("reaction [kN]")
+        return axes
+
+    def _facts(self) -> list[tuple[str, str]]:
+        s = self.summary
+        mode = s.get("failure_mode") or {}
+        warning = [("warning", str(s["warning"]))] if s.get("warning") else []
+        reason = [("reason", str(s["reason"]))] if s.get("reason") else []
+        return [
+            *warning,
+            ("status", self.status),
+            *reason,
+            ("capacity", f"{_number(s.get('peak_reaction_kN'))} kN"
+                         f" at {_number(s.get('displacement_at_peak_mm'))} mm"),
+            ("failure mode", str(mode.get("name", "-"))),
+            ("rate", str((s.get("quasi_static") or {}).get("verdict", "-"))),
+        ]
+
+    def _repr_html_(self) -> str:
+        svg = self.states[-1].svg if self.states else ""
+        curve = _curve_svg(
+            self.curve["displacement_mm"], self.curve["reaction_kN"], "displacement [mm]", "reaction [kN]"
+        )
+        return _side_by_side(_rows_html(self._facts()), curve, svg)
+
+    def __repr__(self) -> str:
+        return "<run: " + "; ".join(f"{name} {value}" for name, value in self._facts()) + ">"
+
+
+class Check:
+    """What `wythe check` says of a model."""
+
+    def __init__(self, job: Job):
+        self._job = job
+        #: blocks, joints, points, weight_kN, time_step_s, steps, expected_seconds, notes, ...
+        self.facts: dict[str, Any] = job.json("check")
+
+    @property
+    def model(self) -> str:
+        """The model with every default written out."""
+        return self._job.text("model") or ""
+
+    @property
+    def svg(self) -> str:
+        """A picture of the wall as an SVG document; empty for walls in space."""
+        return self._job.text("svg") or ""
+
+    def __getitem__(self, name: str) -> Any:
+        return self.facts[name]
+
+    def _repr_html_(self) -> str:
+        f = self.facts
+        rows = [
+            ("blocks", str(f["blocks"])),
+            ("joints", str(f["joints"])),
+            ("weight", f"{_number(f['weight_kN'])} kN"),
+            ("size", f"{_number(f['length_m'])} x {_number(f['height_m'])} x {_number(f['thickness_m'])} m"),
+            ("expected time", f"{_number(f['expected_seconds'], 2)} s"),
+            *(("note", str(note)) for note in f["notes"]),
+        ]
+        return _side_by_side(_rows_html(rows), self.svg)
+
+    def __repr__(self) -> str:
+        return f"<check: {json.dumps(self.facts)}>"
+
+
+class Batch:
+    """Answers to rows of inputs, in the order of the rows."""
+
+    def __init__(self, job: Job, inputs: dict[str, Any], units: dict[str, str]):
+        rows = job.json("rows")
+        answers = job.table("answers")
+        assert answers is not None
+        #: numbers, a row each; NaN where a row has no answer
+        self.answers: Table = answers
+        #: "completed", "collapsed", "refused", "unstable", ...; "" where the batch was stopped before
+        self.status: list[str] = [row["status"] for row in rows]
+        #: the failure mode of each row; None where a row has no answer
+        self.failure_mode: list[Optional[str]] = [row.get("failure_mode") for row in rows]
+        #: why a row has no answer, or why it ended; None where there is nothing to say
+        self.reason: list[Optional[str]] = [row.get("reason") for row in rows]
+        #: how nearly static each push was
+        self.rate_judgement: list[Optional[str]] = [row.get("rate_judgement") for row in rows]
+        #: the hash of each wall's last state: equal hashes are equal results
+        self.state_hash: list[str] = [row["state_hash"] for row in rows]
+        #: the inputs as they were given
+        self.inputs: dict[str, Any] = inputs
+        self.units: dict[str, str] = units
+        self._curves = job.table("curves")
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    @property
+    def done(self) -> bool:
+        """Whether every row has an answer."""
+        return all(status in ("completed", "collapsed") for status in self.status)
+
+    def curve(self, row: int) -> dict[str, Any]:
+        """The curve of a row, its columns as in ``Result.curve``; the batch has to be asked with curves=True."""
+        if self._curves is None:
+            raise InputError([Fault(path="curve", problem="the curves were not asked for",
+                                    cure="call run_many(..., curves=True)")])
+        number = range(len(self))[row]
+        numpy = needed("numpy", "a curve")
+        first, last = numpy.searchsorted(self._curves["row"], [number, number + 1])
+        return {name: self._curves[name][first:last] for name in self._curves if name != "row"}
+
+    def curves_at(self, displacement_mm: Any) -> Any:
+        """Reactions [kN] of all rows at the same displacements [mm]: (rows, displacements), NaN beyond a curve's end."""
+        numpy = needed("numpy", "curves_at()")
+        at = numpy.asarray(displacement_mm, dtype=float)
+        table = numpy.full((len(self), len(at)), numpy.nan)
+        for row in range(len(self)):
+            curve = self.curve(row)
+            if self.status[row] not in ("completed", "collapsed") or len(curve["displacement_mm"]) < 2:
+                continue
+            table[row] = numpy.interp(at, curve["displacement_mm"], curve["reaction_kN"], right=numpy.nan)
+        return table
+
+    def frame(self) -> Any:
+        """Inputs and answers as a pandas DataFrame."""
+        pandas = needed("pandas", "frame()")
+        titles = {name: f"{name} [{self.units[name]}]" if self.units[name] else name for name in self.inputs}
+        frame = pandas.DataFrame({titles[name]: values for name, values in self.inputs.items()})
+        frame["status"] = self.status
+        frame["failure_mode"] = self.failure_mode
+        for name in self.answers:
+            frame[name] = self.answers[name]
+        return frame
+
+    def __repr__(self) -> str:
+        counts = {status: self.status.count(status) for status in dict.fromkeys(self.status)}
+        return f"<batch of {len(self)}: {', '.join(f'{n} {s or chr(45)}' for s, n in counts.items())}>"
+
+
+class Campaign:
+    """A campaign in its folder: samples, statistics, page."""
+
+    def __init__(self, job: Job, folder: str):
+        self._job = job
+        #: where campaign.db, samples.csv, statistics.json and report.html are
+        self.folder: str = folder
+        #: the keys of statistics.json (docs/reference/statistics.md)
+        self.statistics: dict[str, Any] = job.json("statistics")
+        inputs, answers = job.table("inputs"), job.table("answers")
+        assert inputs is not None and answers is not None
+        #: a row a sample that ran: its number and its inputs, with units
+        self.inputs: Table = inputs
+        #: a row a sample that ran, NaN where it has no answer
+        self.answers: Table = answers
+        rows = job.json("rows")
+        self.status: list[str] = [row["status"] for row in rows]
+        self.failure_mode: list[Optional[str]] = [row.get("failure_mode") for row in rows]
+        self.reason: list[Optional[str]] = [row.get("reason") for row in rows]
+        self.state_hash: list[str] = [row["state_hash"] for row in rows]
+        #: of wythe.campaign(): done, total, precise_at, until, notes; None of an opened folder
+        self.outcome: Optional[dict[str, Any]] = job.json("outcome")
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def curve(self, sample: int) -> dict[str, Any]:
+        """The curve of a sample by its number (from 1), read from the store."""
+        curves = self._job.table("curves")
+        assert curves is not None
+        numpy = needed("numpy", "a curve")
+        places = numpy.flatnonzero(self.inputs["sample"] == sample)
+        if len(places) == 0:
+            raise InputError([Fault(path="sample", value=str(sample), problem="has not run in this campaign",
+                                    cure="choose a number of inputs['sample']")])
+        first, last = numpy.searchsorted(curves["row"], [places[0], places[0] + 1])
+        return {name: curves[name][first:last] for name in curves if name != "row"}
+
+    def replay(self, sample: int, **options: Any) -> Result:
+        """Runs a sample again, with all its states; ``.replay["equal"]`` says whether the bits are the same."""
+        from ._calls import replay
+
+        return replay(self.folder, sample, **options)
+
+    def frame(self) -> Any:
+        """Inputs and answers as a pandas DataFrame."""
+        pandas = needed("pandas", "frame()")
+        frame = pandas.DataFrame({name: self.inputs[name].copy() for name in self.inputs})
+        frame["sample"] = frame["sample"].astype(int)
+        frame["status"] = self.status
+        frame["failure_mode"] = self.failure_mode
+        for name in self.answers:
+            frame[name] = self.answers[name]
+        return frame
+
+    def _repr_html_(self) -> str:
+        counts = {mode: self.failure_mode.count(mode) for mode in sorted({m for m in self.failure_mode if m})}
+        peaks = [p for p in self.answers["peak_reaction_kN"] if p == p]
+        rows = [
+            ("folder", self.folder),
+            ("samples", f"{len(self)}, {len(peaks)} of them with a capacity"),
+            ("capacity", f"{_number(min(peaks))} to {_number(max(peaks))} kN" if peaks else "-"),
+            ("failure modes", ", ".join(f"{mode} {count}" for mode, count in counts.items()) or "-"),
+        ]
+        return _rows_html(rows)
+
+    def __repr__(self) -> str:
+        return f"<campaign {self.folder!r}: {len(self)} samples>"
+
+
+class SecondOpinion:
+    """What limit analysis says: limit loads, mechanisms, and what it refuses."""
+
+    def __init__(self, job: Job):
+        self._job = job
+        #: the keys of mechanisms.json (docs/reference/limit.md)
+        self.mechanisms: dict[str, Any] = job.json("mechanisms")
+
+    @property
+    def limit_loads(self) -> dict[str, float]:
+        """Static limit load by the strength of the joints, "dry", "bonded", ...: in kN, or as a load factor."""
+        loads: dict[str, float] = {}
+        for row in self.mechanisms.get("limit_loads", []):
+            loads[row["name"]] = row["static_kN"] if "static_kN" in row else row["static"]
+        return loads
+
+    def curve(self, file: str) -> Table:
+        """The capacity curve of a mechanism by its file name, e.g. "mechanism_fm1_infinite"."""
+        table = self._job.table(file)
+        if table is None:
+            names = [name for name in json.loads(self._job.text("tables") or "{}")]
+            raise InputError([Fault(path=file, problem="is no mechanism of this answer",
+                                    cure="there are: " + (", ".join(names) or "none"))])
+        return table
+
+    def __repr__(self) -> str:
+        loads = ", ".join(f"{name} {_number(load)}" for name, load in self.limit_loads.items())
+        return f"<second opinion: limit loads {loads or 'none'}>"

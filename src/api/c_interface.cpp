@@ -1,0 +1,205 @@
+// The functions of wythe/wythe.h: nothing is thrown beyond them.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <mutex>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "api/job.h"
+#include "wythe/error.h"
+#include "wythe/folders.h"
+#include "wythe/limit.h"
+#include "wythe/text.h"
+#include "wythe/wythe.h"
+
+struct wythe_job {
+  wythe::api::Job job;
+  std::string faults, error, made;  // texts that are not answers
+};
+
+namespace wythe::api {
+namespace {
+
+const std::map<std::string, Task>& tasks() {
+  static const std::map<std::string, Task> kTasks = {
+      {"run", do_run},         {"check", do_check},   {"limit", do_limit},
+      {"contact", do_contact}, {"batch", do_batch},   {"campaign", do_campaign},
+      {"results", do_results}, {"replay", do_replay}, {"keys", do_keys}};
+  return kTasks;
+}
+
+bool do_task(Job& job) {
+  const auto task = tasks().find(job.task);
+  if (task != tasks().end()) return task->second(job);
+  std::string known;
+  for (const auto& [name, function] : tasks()) known += (known.empty() ? "" : ", ") + name;
+  throw InputError({{.file = "",
+                     .path = "task",
+                     .value = job.task,
+                     .problem = "is no task",
+                     .cure = "write one of: " + known}});
+}
+
+std::string faults_json(const std::vector<Fault>& faults) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Fault& f : faults)
+    list.push_back({{"file", f.file},
+                    {"line", f.line},
+                    {"path", f.path},
+                    {"value", f.value},
+                    {"problem", f.problem},
+                    {"cure", f.cure}});
+  // what a user wrote need not be UTF-8
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// Runs `action` and turns what it throws into a code; "error" and "faults" say what it was.
+template <class Action>
+int guarded(wythe_job& job, const Action& action) noexcept {
+  try {
+    job.error.clear();
+    job.faults.clear();
+    try {
+      return action();
+    } catch (const InputError& error) {
+      job.error = error.what();
+      job.faults = faults_json(error.faults());
+      return WYTHE_BAD_INPUT;
+    } catch (const LimitStopped& stopped) {
+      job.error = stopped.what();
+      return WYTHE_STOPPED;
+    } catch (const IoError& error) {
+      job.error = error.what();
+      return WYTHE_NO_ACCESS;
+    } catch (const std::bad_alloc&) {
+      job.error = "there is not enough memory";
+      return WYTHE_NO_MEMORY;
+    } catch (const std::exception& error) {
+      job.error = fmt::format("a defect of wythe: {}", error.what());
+      return WYTHE_DEFECT;
+    } catch (...) {
+      job.error = "a defect of wythe";
+      return WYTHE_DEFECT;
+    }
+  } catch (...) {  // no memory for the words
+    return WYTHE_NO_MEMORY;
+  }
+}
+
+// The caller's function hears of progress one call at a time.
+std::function<void(const std::string&, double, double, double)> listener(wythe_job& job,
+                                                                         wythe_progress progress,
+                                                                         void* context) {
+  if (progress == nullptr) return [](const std::string&, double, double, double) {};
+  auto mutex = std::make_shared<std::mutex>();
+  return [&job, progress, context, mutex](const std::string& what, double share, double mm,
+                                          double kn) {
+    const std::lock_guard lock(*mutex);
+    const double bounded = share > 0 ? std::min(share, 1.0) : 0;
+    if (progress(context, what.c_str(), bounded, mm, kn) != 0) job.job.stop = true;
+  };
+}
+
+}  // namespace
+}  // namespace wythe::api
+
+using wythe::api::guarded;
+
+int wythe_interface(void) { return WYTHE_INTERFACE; }
+
+const char* wythe_version(void) {
+  static const std::string kVersion = wythe::provenance_text();
+  return kVersion.c_str();
+}
+
+wythe_job* wythe_new(const char* task) {
+  try {
+    auto job = std::make_unique<wythe_job>();
+    job->job.task = task == nullptr ? "" : task;
+    return job.release();
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+void wythe_free(wythe_job* job) { delete job; }
+
+int wythe_set_text(wythe_job* job, const char* name, const char* text, size_t size) {
+  if (job == nullptr || name == nullptr || (text == nullptr && size > 0)) return WYTHE_BAD_INPUT;
+  return guarded(*job, [&] {
+    std::vector<std::string>& texts = job->job.in.text[name];
+    const std::string_view list = name;
+    if (list != "set" && list != "path" && list != "unit" && list != "only") texts.clear();
+    texts.emplace_back(text == nullptr ? "" : text, size);
+    return WYTHE_DONE;
+  });
+}
+
+int wythe_set_number(wythe_job* job, const char* name, double value) {
+  if (job == nullptr || name == nullptr) return WYTHE_BAD_INPUT;
+  return guarded(*job, [&] {
+    job->job.in.number[name] = value;
+    return WYTHE_DONE;
+  });
+}
+
+int wythe_set_column(wythe_job* job, const char* name, const double* values, size_t rows) {
+  if (job == nullptr || name == nullptr || (values == nullptr && rows > 0)) return WYTHE_BAD_INPUT;
+  return guarded(*job, [&] {
+    job->job.in.column[name].assign(values, values + rows);
+    return WYTHE_DONE;
+  });
+}
+
+int wythe_do(wythe_job* job, wythe_progress progress, void* context) {
+  if (job == nullptr) return WYTHE_BAD_INPUT;
+  return guarded(*job, [&] {
+    job->job.out.clear();
+    job->job.progress = wythe::api::listener(*job, progress, context);
+    const bool stopped = wythe::api::do_task(job->job);
+    return stopped ? WYTHE_STOPPED : WYTHE_DONE;
+  });
+}
+
+void wythe_stop(wythe_job* job) {
+  if (job != nullptr) job->job.stop = true;
+}
+
+const char* wythe_text(wythe_job* job, const char* name, size_t* size) {
+  if (job == nullptr || name == nullptr) return nullptr;
+  const std::string* text = nullptr;
+  const std::string_view asked = name;
+  if (asked == "error") {
+    text = &job->error;
+  } else if (asked == "faults") {
+    text = &job->faults;
+  } else {
+    constexpr std::string_view kColumnsOf = "columns of ";
+    (void)guarded(*job, [&] {
+      const bool columns = asked.starts_with(kColumnsOf);
+      if (asked == "tables") job->made = job->job.out.tables_json();
+      if (asked == "texts") job->made = job->job.out.texts_json();
+      if (columns) job->made = job->job.out.columns_json(name + kColumnsOf.size());
+      const bool made = asked == "tables" || asked == "texts" || (columns && !job->made.empty());
+      text = made ? &job->made : columns ? nullptr : job->job.out.text(name);
+      return WYTHE_DONE;
+    });
+  }
+  if (text == nullptr) return nullptr;
+  if (size != nullptr) *size = text->size();
+  return text->c_str();
+}
+
+const double* wythe_column(wythe_job* job, const char* table, const char* column, size_t* rows) {
+  if (job == nullptr || table == nullptr || column == nullptr) return nullptr;
+  const std::vector<double>* values = nullptr;
+  (void)guarded(*job, [&] {
+    values = job->job.out.column(table, column);
+    return WYTHE_DONE;
+  });
+  static const double kNone = 0;  // of a column without rows: not NULL
+  if (values == nullptr) return nullptr;
+  if (rows != nullptr) *rows = values->size();
+  return values->empty() ? &kNone : values->data();
+}

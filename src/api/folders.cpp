@@ -1,0 +1,105 @@
+#include "wythe/folders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "wythe/assessment.h"
+#include "wythe/error.h"
+#include "wythe/failure_mode.h"
+#include "wythe/provenance.h"
+#include "wythe/report.h"
+
+namespace wythe {
+namespace {
+
+// "report", unless the folder is a run's and has that one's; a campaign's is refused by Replacement.
+std::string opinion_page(const std::string& folder) {
+  return std::filesystem::exists(folder + "/summary.json") ? "limit" : "report";
+}
+
+}  // namespace
+
+std::string provenance_text() {
+  const Provenance p = provenance();
+  return fmt::format("wythe {} ({}, {}, {}, {})", p.version, p.commit, p.compiler, p.build_type,
+                     p.flags);
+}
+
+void check_language(const std::string& language, const std::string& option) {
+  const std::vector<std::string> known = report_languages();
+  if (std::find(known.begin(), known.end(), language) != known.end()) return;
+  throw InputError({{.file = option,
+                     .path = "",
+                     .value = language,
+                     .problem = "is no language of the report",
+                     .cure = fmt::format("write one of: {}", fmt::join(known, ", "))}});
+}
+
+void write_page(const std::string& folder, const std::string& name, const std::string& data,
+                const std::string& language) {
+  write_text(folder + "/" + name + ".data", data);
+  write_text(folder + "/" + name + ".html", report_page(data, language));
+}
+
+void write_run_report(const std::string& folder, const ModelSpec& spec, const Model& model,
+                      const Result& result, const std::string& language) {
+  write_page(folder, "report", run_data(spec, model, result), language);
+}
+
+void read_result(const ModelSpec& spec, const Model& model, Result& result) {
+  result.failure_mode = name_failure_mode(model, result);
+  result.features = read_features(model, result);
+  if (is_asked(spec.assessment)) result.pushed = read_pushed_wall(spec, model, result);
+}
+
+Statistics full_statistics(const Campaign& campaign) {
+  Statistics statistics = statistics_of(campaign);
+  const ModelSpec base = model_builder(campaign.study)({});
+  statistics.project = base.project;
+  if (is_asked(base.assessment))
+    statistics.assessment = assess_campaign(campaign, base, compile(base));
+  return statistics;
+}
+
+Statistics write_campaign_files(const std::string& folder, const Campaign& campaign,
+                                const std::string& language, const Points& at) {
+  Replacement results(folder, [](const std::string& name) {
+    return name == "samples.csv" || name == "statistics.json" || name == "report.html";
+  });
+  write_text(results.path() + "/samples.csv", samples_csv(campaign));
+  Statistics statistics = full_statistics(campaign);
+  write_text(results.path() + "/statistics.json", statistics_json(statistics));
+  const SampleWalls walls = {
+      .build = model_builder(campaign.study),
+      .states = [&](int sample, const Model& model) { return read_states(folder, sample, model); }};
+  write_text(results.path() + "/report.html",
+             report_page(campaign_data(campaign, statistics, walls), language));
+  results.commit(at);
+  return statistics;
+}
+
+std::string write_second_opinion(const std::string& folder, const ModelSpec& spec,
+                                 const Model& model, const SecondOpinion& opinion,
+                                 const std::string& language, const Points& at) {
+  prepare_folder(folder);
+  finish_replacement(folder);
+  const std::string page = opinion_page(folder);
+  Replacement results(folder, [&](const std::string& name) {
+    return name == "mechanisms.json" || name == page + ".html" || name == page + ".data" ||
+           (name.starts_with("mechanism_") && (name.ends_with(".csv") || name.ends_with(".svg")));
+  });
+  for (const Mechanism& m : opinion.mechanisms) {
+    const std::string path = results.path() + "/" + m.file_name();
+    write_text(path + ".csv", mechanism_csv(m.curve));
+    write_text(path + ".svg", mechanism_svg(model, m));
+  }
+  const std::string json = mechanisms_json(model, opinion);
+  write_text(results.path() + "/mechanisms.json", json);
+  write_page(results.path(), page, limit_data(spec, model, json), language);
+  results.commit(at);
+  return folder + "/" + page + ".html";
+}
+
+}  // namespace wythe

@@ -1,0 +1,97 @@
+// A job of the C interface (wythe/wythe.h): named inputs in, named texts and tables out.
+//
+//   Job ──► task(job)       one function a task, below; throws what the library throws
+//
+// Answers may be made when they are first asked for: pictures and states cost time that most users don't need.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wythe::api {
+
+struct Table {
+  std::vector<std::string> column;
+  std::vector<std::vector<double>> value;  // (n_column, n_row)
+  void add(std::string name, std::vector<double> values) {
+    column.push_back(std::move(name));
+    value.push_back(std::move(values));
+  }
+};
+
+class Inputs {
+ public:
+  std::map<std::string, std::vector<std::string>> text;
+  std::map<std::string, double> number;
+  std::map<std::string, std::vector<double>> column;
+
+  // Throws InputError with every input that `task` does not have; each name once in its list.
+  void check(const std::string& task, const std::vector<std::string>& texts,
+             const std::vector<std::string>& numbers, bool columns) const;
+
+  [[nodiscard]] bool has(const std::string& name) const { return text.contains(name); }
+  [[nodiscard]] std::string one(const std::string& name, const std::string& otherwise = "") const;
+  [[nodiscard]] std::vector<std::string> all(const std::string& name) const;
+  // A whole number from `least` to `most`; throws InputError.
+  [[nodiscard]] int whole(const std::string& name, int otherwise, int least, int most) const;
+  [[nodiscard]] double real(const std::string& name, double otherwise) const;
+};
+
+class Answers {
+ public:
+  void put(const std::string& name, std::string text) { text_[name] = std::move(text); }
+  void put(const std::string& name, Table table) { table_[name] = std::move(table); }
+  // Made when first asked for.
+  void text_later(const std::string& name, std::function<std::string()> make) {
+    text_[name] = {};
+    text_maker_[name] = std::move(make);
+  }
+  void table_later(const std::string& name, std::function<Table()> make) {
+    table_[name] = {};
+    table_maker_[name] = std::move(make);
+  }
+  void clear();
+
+  [[nodiscard]] const std::string* text(const std::string& name);
+  [[nodiscard]] const std::vector<double>* column(const std::string& table,
+                                                  const std::string& column);
+  // {"curve": ["time_s", ...], ...} and ["summary", ...]; makes every table.
+  [[nodiscard]] std::string tables_json();
+  [[nodiscard]] std::string texts_json() const;
+  // The columns of one table; none where there is no such table.
+  [[nodiscard]] std::string columns_json(const std::string& table);
+
+ private:
+  [[nodiscard]] const Table* table(const std::string& name);
+
+  std::map<std::string, std::string> text_;
+  std::map<std::string, std::function<std::string()>> text_maker_;
+  std::map<std::string, Table> table_;
+  std::map<std::string, std::function<Table()>> table_maker_;
+};
+
+struct Job {
+  std::string task;
+  Inputs in;
+  Answers out;
+  std::atomic<bool> stop{false};
+  // What is under way and the share done [0, 1]; displacement [mm] and force [kN] of a run.
+  std::function<void(const std::string& what, double share, double mm, double kn)> progress;
+};
+
+// Each fills job.out; true: it was stopped before its end. Throws InputError, IoError.
+using Task = bool (*)(Job& job);
+bool do_run(Job& job);
+bool do_replay(Job& job);
+bool do_check(Job& job);
+bool do_limit(Job& job);
+bool do_contact(Job& job);
+bool do_batch(Job& job);
+bool do_campaign(Job& job);
+bool do_results(Job& job);
+bool do_keys(Job& job);
+
+}  // namespace wythe::api

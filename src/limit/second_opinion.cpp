@@ -1,0 +1,129 @@
+// second_opinion(): every mechanism and limit load of a model. What can't be answered is kept with its
+// reason; the rest goes on.
+#include "wythe/second_opinion.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "wythe/error.h"
+
+namespace wythe {
+namespace {
+
+constexpr const char* kLimitLoads = "lp";
+
+bool is_asked(const OpinionAsked& asked, const char* what) {
+  return asked.only.empty() ||
+         std::find(asked.only.begin(), asked.only.end(), what) != asked.only.end();
+}
+
+template <class Answer>
+void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
+  try {
+    answer();
+  } catch (const InputError& error) {
+    opinion.refused.push_back({what, error.what()});
+  } catch (const LimitStopped& stopped) {
+    opinion.refused.push_back({what, stopped.what()});
+  }
+}
+
+void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion& opinion) {
+  std::vector<Hypothesis> hypotheses;
+  for (const auto& [word, hypothesis] : kHypothesisWords)
+    if (is_asked(asked, word)) hypotheses.push_back(hypothesis);
+  if (hypotheses.empty()) {
+    if (asked.assessment) opinion.notes.push_back({"limit.no_mechanism_asked"});
+    return;
+  }
+  attempt(opinion, {"limit.macro_blocks"}, [&] {
+    const Portal portal = find_portal(model);
+    for (const char* mode : {"FM-1", "FM-4"})
+      for (const Hypothesis h : hypotheses)
+        attempt(opinion, in_words(mode, h),
+                [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
+  });
+  if (!asked.assessment) return;
+  for (const Mechanism& m : opinion.mechanisms)
+    opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
+}
+
+struct LimitCase {
+  const char *name, *code;
+  LimitOptions options;
+};
+
+// From what is left when all bond is gone to what all of it could carry at once.
+std::vector<LimitCase> limit_cases(const Model& model) {
+  std::vector<LimitCase> cases = {
+      {"dry", "strength.dry", {}},
+      {"dry, residual friction, crushing",
+       "strength.dry_crushing",
+       {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints}}};
+  if (has_bond(model))
+    cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
+  return cases;
+}
+
+// Nothing answered: the reasons are the answer. Each reason once.
+void throw_if_nothing(const SecondOpinion& opinion, const std::atomic<bool>* stop) {
+  if (!opinion.mechanisms.empty() || !opinion.limits.empty()) return;
+  if (stop != nullptr && *stop) throw LimitStopped();
+  std::vector<Fault> faults;
+  for (const Refusal& r : opinion.refused) {
+    const auto same = [&](const Fault& f) { return f.problem == r.why; };
+    if (std::none_of(faults.begin(), faults.end(), same))
+      faults.push_back(
+          {.file = "", .path = text_of(r.what), .value = "", .problem = r.why, .cure = ""});
+  }
+  throw InputError(std::move(faults));
+}
+
+}  // namespace
+
+void check_asked(const OpinionAsked& asked, const std::string& option) {
+  std::vector<std::string> known;
+  for (const auto& [word, hypothesis] : kHypothesisWords) known.emplace_back(word);
+  known.emplace_back(kLimitLoads);
+  FaultList faults;
+  for (const std::string& word : asked.only)
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      faults.add({.file = option,
+                  .path = "",
+                  .value = word,
+                  .problem = "is nothing that limit analysis answers",
+                  .cure = "write one of: " + joined(known, ", ")});
+  faults.throw_if_any();
+}
+
+OpinionCost cost_of(const Model& model, const OpinionAsked& asked) {
+  if (!is_asked(asked, kLimitLoads)) return {};
+  const auto loads = static_cast<int>(limit_cases(model).size());
+  return {loads, expected_seconds(model) * loads};
+}
+
+SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
+                             const std::atomic<bool>* stop,
+                             const std::function<void(const Message&, double)>& progress) {
+  SecondOpinion opinion;
+  opinion.notes = left_aside(model);
+  add_mechanisms(asked, model, opinion);
+  const std::vector<LimitCase> cases =
+      is_asked(asked, kLimitLoads) ? limit_cases(model) : std::vector<LimitCase>{};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
+    LimitWatch watch{.stop = stop};
+    watch.progress = [&](double share) {
+      if (progress)
+        progress(what, (static_cast<double>(i) + share) / static_cast<double>(cases.size()));
+    };
+    attempt(opinion, what, [&] {
+      if (stop != nullptr && *stop) throw LimitStopped();
+      opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
+    });
+  }
+  throw_if_nothing(opinion, stop);
+  return opinion;
+}
+
+}  // namespace wythe

@@ -1,0 +1,115 @@
+/* The C interface as a C program sees it: tasks, answers, faults, progress, stop, misuse. Compiled as C11 and
+ * linked with libwythe.so alone (tests/cli/c_interface_test.py). Prints a line for each check that fails. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "wythe/wythe.h"
+
+static int failed = 0;
+#define CHECK(condition)                                            \
+  do {                                                              \
+    if (!(condition)) {                                             \
+      printf("interface_test.c:%d: %s\n", __LINE__, #condition);    \
+      failed = 1;                                                   \
+    }                                                               \
+  } while (0)
+
+static int set(wythe_job* job, const char* name, const char* text) {
+  return wythe_set_text(job, name, text, strlen(text));
+}
+static int has(const char* text, const char* part) { return text != NULL && strstr(text, part) != NULL; }
+
+static int calls = 0;
+static double last_share = 0;
+static int count(void* context, const char* what, double share, double mm, double kN) {
+  (void)mm, (void)kN;
+  CHECK(context == &calls && what != NULL && share >= last_share && share <= 1);
+  last_share = share;
+  ++calls;
+  return 0;
+}
+static int stop_at_once(void* context, const char* what, double share, double mm, double kN) {
+  (void)context, (void)what, (void)share, (void)mm, (void)kN;
+  return 1;
+}
+
+static void run(const char* model) {
+  wythe_job* job = wythe_new("run");
+  CHECK(set(job, "file", model) == WYTHE_DONE);
+  CHECK(set(job, "set", "stage.push.targets=[\"0.2 mm\"]") == WYTHE_DONE);
+  CHECK(wythe_do(job, count, &calls) == WYTHE_DONE);
+  CHECK(calls > 0);
+  CHECK(has(wythe_text(job, "summary", NULL), "\"state_hash\""));
+  size_t rows = 0, same = 0, size = 0;
+  const double* force = wythe_column(job, "curve", "reaction_kN", &rows);
+  const double* way = wythe_column(job, "curve", "displacement_mm", &same);
+  CHECK(force != NULL && way != NULL && rows == same && rows > 10);
+  CHECK(fabs(way[rows - 1] - 0.2) < 0.01 && force[rows - 1] > 1);
+  CHECK(wythe_column(job, "curve", "no such column", &rows) == NULL);
+  CHECK(wythe_column(job, "no such table", "x", &rows) == NULL);
+  CHECK(wythe_text(job, "no such text", NULL) == NULL);
+  CHECK(has(wythe_text(job, "tables", &size), "\"state 0 joints\""));
+  CHECK(size == strlen(wythe_text(job, "tables", NULL)));
+  CHECK(has(wythe_text(job, "texts", NULL), "\"summary\""));
+  CHECK(has(wythe_text(job, "columns of curve", NULL), "reaction_kN"));
+  CHECK(wythe_text(job, "columns of nothing", NULL) == NULL);
+  CHECK(wythe_column(job, "state 0 joints", "opening_mm", &rows) != NULL && rows > 10);
+  /* the same job again gives the same */
+  char hash[40] = "";
+  strncpy(hash, strstr(wythe_text(job, "summary", NULL), "\"state_hash\""), 32);
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_DONE);
+  CHECK(has(wythe_text(job, "summary", NULL), hash));
+  wythe_free(job);
+}
+
+static void stop(const char* model) {
+  wythe_job* job = wythe_new("run");
+  set(job, "file", model);
+  CHECK(wythe_do(job, stop_at_once, NULL) == WYTHE_STOPPED);
+  CHECK(has(wythe_text(job, "summary", NULL), "interrupted"));
+  wythe_free(job);
+}
+
+static void faults(void) {
+  wythe_job* job = wythe_new("run");
+  set(job, "model", "[wall]\nlength = \"-1 m\"\n");
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_BAD_INPUT);
+  CHECK(has(wythe_text(job, "faults", NULL), "\"wall.length\""));
+  CHECK(has(wythe_text(job, "faults", NULL), "\"line\":2"));
+  CHECK(has(wythe_text(job, "error", NULL), "wall.length"));
+  CHECK(wythe_text(job, "summary", NULL) == NULL);
+  wythe_set_number(job, "thread", 2);
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_BAD_INPUT);
+  CHECK(has(wythe_text(job, "faults", NULL), "thread"));
+  wythe_free(job);
+  job = wythe_new("fly");
+  CHECK(wythe_do(job, NULL, NULL) == WYTHE_BAD_INPUT);
+  CHECK(has(wythe_text(job, "error", NULL), "campaign"));
+  wythe_free(job);
+}
+
+static void misuse(void) {
+  CHECK(wythe_do(NULL, NULL, NULL) == WYTHE_BAD_INPUT);
+  CHECK(wythe_text(NULL, "summary", NULL) == NULL);
+  CHECK(wythe_column(NULL, "curve", "reaction_kN", NULL) == NULL);
+  wythe_stop(NULL);
+  wythe_free(NULL);
+  wythe_job* job = wythe_new(NULL);
+  CHECK(job != NULL && wythe_do(job, NULL, NULL) == WYTHE_BAD_INPUT);
+  CHECK(wythe_set_text(job, NULL, "", 0) == WYTHE_BAD_INPUT);
+  CHECK(wythe_set_column(job, "x", NULL, 3) == WYTHE_BAD_INPUT);
+  CHECK(wythe_text(job, NULL, NULL) == NULL);
+  wythe_free(job);
+}
+
+int main(int count_of_arguments, char** arguments) {
+  if (count_of_arguments != 2) return 2;
+  CHECK(wythe_interface() == WYTHE_INTERFACE);
+  CHECK(has(wythe_version(), "wythe "));
+  run(arguments[1]);
+  stop(arguments[1]);
+  faults();
+  misuse();
+  return failed;
+}
