@@ -17,6 +17,7 @@
 
 #include "core/files.h"
 #include "core/limits.h"
+#include "core/text.h"
 #include "io/csv.h"
 #include "model/shaking.h"
 
@@ -149,7 +150,10 @@ class RecordReader {
   }
 
   void check_unit(const std::string& head, int line) {
-    const std::string stated = head.substr(head.find("units of") + 9);
+    constexpr std::string_view kBefore = "units of";
+    const std::string_view after =
+        std::string_view(head).substr(head.find(kBefore) + kBefore.size());
+    const std::string stated(trimmed(after));
     const bool is_g = stated.starts_with("g");
     if (record_.unit != RecordUnit::kNone && is_g != (record_.unit == RecordUnit::kGravity))
       fault(line, stated, "is the file's unit, and the model file states another",

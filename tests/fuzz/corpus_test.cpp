@@ -1,0 +1,34 @@
+// The corpus of every fuzz target, and what the fuzzer found, through the same targets, without the fuzzer.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "fuzz/targets.h"
+
+namespace wythe::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Corpus : public testing::TestWithParam<Target> {};
+
+TEST_P(Corpus, is_answered_or_refused_in_our_own_words) {
+  const fs::path folder = fs::path(WYTHE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  int files = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    EXPECT_NO_THROW(feed(GetParam(), bytes)) << entry.path();
+    EXPECT_NO_THROW(feed(GetParam(), bytes.substr(0, bytes.size() / 2))) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 0) << folder;
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, Corpus, testing::ValuesIn(targets()),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+}  // namespace
+}  // namespace wythe::fuzz

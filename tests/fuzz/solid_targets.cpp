@@ -1,0 +1,38 @@
+// Blocks files, COMPAS, drawings and meshes, through to the assembled wall.
+#include "fuzz/model_texts.h"
+#include "fuzz/targets.h"
+#include "wythe/io.h"
+
+namespace wythe::fuzz {
+namespace {
+
+void read_file_of_blocks(const std::string& name, const std::string& bytes,
+                         const std::string& more) {
+  put(name, bytes);
+  static_cast<void>(compile(parse_model(wall_of(name, more), (scratch() / "model.toml").string())));
+}
+
+void read_blocks(const std::string& bytes) {
+  read_file_of_blocks("blocks.json", bytes, "thickness = \"0.2 m\"\n");
+}
+void read_compas(const std::string& bytes) {
+  read_file_of_blocks("compas.json", bytes, "blocks_unit = \"m\"\nsupports = [\"lowest\"]\n");
+}
+void read_drawn(const std::string& bytes) {
+  read_file_of_blocks("stones.dxf", bytes, "blocks_unit = \"m\"\nthickness = \"1 m\"\n");
+}
+void read_solids(const std::string& name, const std::string& bytes) {
+  read_file_of_blocks(name, bytes, "blocks_unit = \"m\"\nsupports = [\"lowest\"]\n");
+}
+void read_obj(const std::string& bytes) { read_solids("stones.obj", bytes); }
+void read_ply(const std::string& bytes) { read_solids("stones.ply", bytes); }
+void read_stl(const std::string& bytes) { read_solids("stones.stl", bytes); }
+
+}  // namespace
+
+std::vector<Target> solid_targets() {
+  return {{"blocks", read_blocks}, {"compas", read_compas}, {"dxf", read_drawn},
+          {"obj", read_obj},       {"ply", read_ply},       {"stl", read_stl}};
+}
+
+}  // namespace wythe::fuzz
