@@ -99,8 +99,9 @@ class FreeContacts {
   std::vector<JointId> joint_of_;
   std::vector<Jointed> jointed_;  // sorted by bodies
 
-  std::vector<FreePair> pairs_;  // sorted by bodies and parts
-  std::vector<double> wake_;     // travel at which each may touch
+  std::vector<FreePair> pairs_;     // sorted by bodies and parts
+  std::vector<double> wake_;        // travel at which each may touch
+  std::vector<std::size_t> awake_;  // those of this step, in order
   std::vector<HandOver> hand_overs_;
   double travel_ = 0;  // what no body can have moved farther than, since the last search [m]
   bool searched_ = false;
@@ -276,11 +277,13 @@ void FreeContacts<Bodies>::act(State& state, double dt, const View& wall, Worker
   std::vector<std::size_t> gave_way;
   if (looks) gave_way = find_hand_overs(wall);
   if (!searched_ || travel_ > bodies_.margin() || !gave_way.empty()) search(wall);
-  const auto chunks = static_cast<int>((pairs_.size() + kPairChunk - 1) / kPairChunk);
+  awake_.clear();
+  for (std::size_t k = 0; k < wake_.size(); ++k)
+    if (wake_[k] <= travel_) awake_.push_back(k);
+  const auto chunks = static_cast<int>((awake_.size() + kPairChunk - 1) / kPairChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
-    const std::size_t end = std::min(pairs_.size(), at(chunk + 1) * kPairChunk);
-    for (std::size_t k = at(chunk) * kPairChunk; k < end; ++k)
-      if (wake_[k] <= travel_) meet(k, dt, looks, wall);
+    const std::size_t end = std::min(awake_.size(), at(chunk + 1) * kPairChunk);
+    for (std::size_t n = at(chunk) * kPairChunk; n < end; ++n) meet(awake_[n], dt, looks, wall);
   });
   if (acts_) bodies_.clear_rows(wall);
   acts_ = false;
@@ -292,7 +295,8 @@ void FreeContacts<Bodies>::act(State& state, double dt, const View& wall, Worker
 
 template <class Bodies>
 void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
-  for (FreePair& pair : pairs_) {
+  for (const std::size_t number : awake_) {  // those asleep neither touch nor rub
+    FreePair& pair = pairs_[number];
     if (pair.friction != 0 || pair.lost != 0) {
       state.dissipated_friction += pair.friction;
       state.lost_in_hand_over += pair.lost;
