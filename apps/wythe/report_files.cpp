@@ -10,7 +10,7 @@
 #include "interrupt.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
-#include "wythe/hdf5.h"
+#include "wythe/formats.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
 

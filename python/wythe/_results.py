@@ -93,6 +93,11 @@ class State:
         """A picture of the wall as an SVG document; empty for walls in space."""
         return self._job.text(f"state {self._number} svg") or ""
 
+    def save_compas(self, path: str | os.PathLike[str]) -> None:
+        """Writes the blocks as they stand here as a COMPAS assembly (JSON): metres, z up, a mesh a block."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._job.text(f"state {self._number} compas") or "")
+
     def _repr_html_(self) -> str:
         return self.svg
 

@@ -11,6 +11,7 @@
 #include "io/element_columns.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
+#include "wythe/formats.h"
 #include "wythe/io.h"
 #include "wythe/reading.h"
 #include "wythe/report.h"
@@ -158,6 +159,7 @@ void answer_states(Job& job, const std::shared_ptr<const Done>& done) {
     const auto state = [done, k]() -> const State& { return done->result.snapshots[k].state; };
     job.out.table_later(name + " blocks", [=] { return blocks_of(done->model, state()); });
     job.out.table_later(name + " joints", [=] { return joints_of(done->model, state()); });
+    job.out.text_later(name + " compas", [=] { return compas_json(done->model, state()); });
     if (!done->model.in_space())
       job.out.text_later(name + " svg", [=] { return wall_svg(done->model, state(), 1); });
   }

@@ -27,7 +27,7 @@
 #include "io/json.h"
 #include "io/vtu.h"
 #include "wythe/error.h"
-#include "wythe/hdf5.h"
+#include "wythe/formats.h"
 #include "wythe/io.h"
 
 namespace wythe {

@@ -24,6 +24,23 @@ TUFF = str(SOURCE / "examples/tuff_wall/model.toml")
 STUDY = str(SOURCE / "examples/tuff_wall/study.toml")
 SHORT = {"stage.push.targets": ["0.3 mm"]}
 COHESION = "material.joint.cohesion"
+# a model of blocks that COMPAS, or save_compas, wrote
+READ_BACK = """
+[wall]
+blocks = "wall.json"
+blocks_unit = "m"
+[wall.unit]
+density = "2000 kg/m^3"
+[material.joint]
+use = "limestone_dry"
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+friction_tan = 0.7
+residual_friction_tan = 0.7
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+"""
 
 
 def python(code, *options, **environment):
@@ -352,6 +369,23 @@ class Others(unittest.TestCase):
         dissipated = answer["dissipated_N_per_m"][-1]
         self.assertAlmostEqual(dissipated, 4.3, places=3)  # the whole GI of the model's joint
         self.assertEqual(answer.rows, 200)
+
+    def test_a_compas_file_that_is_written_reads_back(self):
+        for source in ("dome", "barrel_vault"):
+            with self.subTest(source), tempfile.TemporaryDirectory() as folder:
+                run = wythe.run(SOURCE / "examples" / source / "model.toml", set={"stage.spread.until": "0.01 mm"},
+                                progress=False)
+                file = pathlib.Path(folder, "wall.json")
+                run.states[0].save_compas(file)
+                nodes = json.loads(file.read_text())["data"]["graph"]["data"]["node"]
+                self.assertEqual(sum(not node["is_support"] for node in nodes.values()), run.summary["blocks"])
+                self.assertGreater(sum(node["is_support"] for node in nodes.values()), 0)
+                model = wythe.Model.parse(READ_BACK, str(pathlib.Path(folder, "model.toml")))
+                again = wythe.check(model)
+                self.assertEqual(again["blocks"], run.summary["blocks"])
+                self.assertEqual(again["joints"], run.summary["joints"])
+                again = wythe.run(model, progress=False)
+                self.assertIn(again.status, ("completed", "collapsed"))
 
     def test_stubs_fit_the_module(self):
         for command in (["mypy", "--config-file", str(SOURCE / "pyproject.toml"), "-p", "wythe"],
