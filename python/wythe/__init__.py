@@ -4,12 +4,14 @@
     result = wythe.run("examples/tuff_wall/model.toml")
     print(result.summary["peak_reaction_kN"], result.summary["failure_mode"]["name"])
 
-Calls: run, check, limit, contact, run_many, campaign, open_campaign, replay. Models: Model.
+Calls: run, check, limit, contact, run_many, campaign, open_campaign, replay. Models: Model. As a function
+of numbers: Function, and wythe.openturns, wythe.umbridge, wythe.dakota.
 Exceptions: InputError, AccessError, Interrupted, DefectError, MissingPackage.
 """
 
 from ._calls import campaign, check, contact, limit, open_campaign, replay, run, run_many
-from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, MissingPackage, WytheError
+from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, MissingPackage, NoAnswer, WytheError
+from ._function import Function
 from ._jobs import Table
 from ._model import Model, Quantity, keys
 from ._results import Batch, Campaign, Check, Result, SecondOpinion, State
@@ -29,6 +31,7 @@ __all__ = [
     "keys",
     "Model",
     "Quantity",
+    "Function",
     "Table",
     "Result",
     "State",
@@ -43,6 +46,7 @@ __all__ = [
     "DefectError",
     "Interrupted",
     "MissingPackage",
+    "NoAnswer",
     "provenance",
     "__version__",
 ]

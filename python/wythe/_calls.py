@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any, Optional, Union
 
-from ._errors import Fault, InputError, needed
+from ._errors import Fault, InputError, needed, path_of, refused
 from ._jobs import Progress, Table, perform
 from ._model import Model, as_setting
 from ._results import Batch, Campaign, Check, Result, SecondOpinion
@@ -21,11 +21,10 @@ Settings = Union[None, Mapping[str, Any], Sequence[str]]
 def _model(model: ModelLike) -> dict[str, Optional[str]]:
     if isinstance(model, Model):
         return {"model": model.text, "file": model.file}
-    try:
-        return {"file": os.fspath(model)}
-    except TypeError:
-        raise InputError([Fault(path="model", value=type(model).__name__, problem="is neither a path nor a Model",
-                                cure="give the path of a model file, or wythe.Model.parse(text)")]) from None
+    if not isinstance(model, (str, bytes, os.PathLike)):
+        raise refused("model", type(model).__name__, "is neither a path nor a Model",
+                      "give the path of a model file, or wythe.Model.parse(text)")
+    return {"file": path_of("model", model)}
 
 
 def _settings(changes: Settings) -> list[str]:
@@ -35,11 +34,13 @@ def _settings(changes: Settings) -> list[str]:
         return [changes]
     if isinstance(changes, Mapping):
         return [as_setting(path, value) for path, value in changes.items()]
+    if not isinstance(changes, (list, tuple)):
+        raise refused("set", type(changes).__name__, "holds no settings", 'write {"wall.length": "5 m"}')
     return list(changes)
 
 
 def _folder(path: Optional[Path]) -> Optional[str]:
-    return None if path is None else os.fspath(path)
+    return None if path is None else path_of("out", path)
 
 
 def run(
@@ -98,7 +99,7 @@ def contact(law: ModelLike, opening_mm: Any, slip_mm: Any) -> Table:
     millimetres; pressing is negative. Stresses are in MPa, tension positive.
     """
     texts: dict[str, Optional[str]] = (
-        {"law": law.text, "file": law.file} if isinstance(law, Model) else {"file": os.fspath(law)}
+        {"law": law.text, "file": law.file} if isinstance(law, Model) else _model(law)
     )
     columns = {"opening_mm": _column("opening_mm", opening_mm), "slip_mm": _column("slip_mm", slip_mm)}
     table: Table = perform("contact", texts, columns=columns, answer=lambda job: job.table("answer"))
@@ -107,9 +108,14 @@ def contact(law: ModelLike, opening_mm: Any, slip_mm: Any) -> Table:
 
 def _column(name: str, values: Any) -> Any:
     numpy = needed("numpy", name)
+    if numpy.ma.is_masked(values):
+        raise refused(name, "a masked array", "hides some of its numbers", "leave those rows out")
     try:
-        column = numpy.ascontiguousarray(values, dtype=numpy.float64)
-    except (TypeError, ValueError) as error:
+        given = numpy.asarray(values)
+        if given.dtype.kind not in "fiubO":
+            raise TypeError(given.dtype)
+        column = numpy.ascontiguousarray(given, dtype=numpy.float64)
+    except (TypeError, ValueError, OverflowError) as error:
         raise InputError([Fault(path=name, value=type(values).__name__, problem="is no list of numbers",
                                 cure="give numbers in one unit")]) from error
     if column.ndim != 1:
@@ -124,20 +130,27 @@ def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mappi
     """Columns by path, and their units, from the shapes in which people have them."""
     if columns is not None:
         numpy = needed("numpy", "a matrix of inputs")
-        matrix = numpy.asarray(inputs, dtype=float)
+        columns = [columns] if isinstance(columns, str) else list(columns)
+        try:
+            matrix = numpy.asarray(inputs, dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            raise refused("inputs", type(inputs).__name__, "are no matrix of numbers",
+                          "give a matrix of (rows, columns)") from None
         if matrix.ndim != 2 or matrix.shape[1] != len(columns):
             raise InputError([Fault(path="inputs", value=f"shape {matrix.shape}",
                                     problem=f"does not fit the {len(columns)} columns",
                                     cure="give a matrix of (rows, columns)")])
-        given: dict[str, Any] = {path: matrix[:, i] for i, path in enumerate(columns)}
+        pairs: list[tuple[str, Any]] = [(path, matrix[:, i]) for i, path in enumerate(columns)]
     elif hasattr(inputs, "items"):  # a mapping, or a data frame
-        given = {str(path): values for path, values in inputs.items()}
+        pairs = [(str(path), values) for path, values in inputs.items()]
     else:
         raise InputError([Fault(path="inputs", value=type(inputs).__name__, problem="has no names for its columns",
                                 cure="give a mapping of path to values, a data frame, or a matrix with columns=")])
+    if units is not None and not isinstance(units, Mapping):
+        raise refused("units", type(units).__name__, "names no columns", 'write {"wall.length": "m"}')
     found: dict[str, Any] = {}
     unit_of: dict[str, str] = {}
-    for title, values in given.items():
+    for title, values in pairs:
         path, unit = title, (units or {}).get(title, "")
         if title.endswith("]") and " [" in title:  # "material.joint.cohesion [MPa]"
             path, unit = title[:-1].split(" [", 1)
@@ -145,12 +158,14 @@ def _inputs(inputs: Any, columns: Optional[Sequence[str]], units: Optional[Mappi
             values, unit = values
         if hasattr(values, "magnitude") and hasattr(values, "units"):
             values, unit = values.magnitude, f"{values.units:~}".replace(" ** ", "^")
+        if path in found:
+            raise refused(path, title, "stands there twice", "leave one of the columns out")
         found[path] = _column(path, values)
         unit_of[path] = unit
     for name in units or {}:
-        if name not in given:
+        if name not in dict(pairs):
             raise InputError([Fault(path=f"units[{name!r}]", problem="names no column of the inputs",
-                                    cure="the columns are " + ", ".join(given))])
+                                    cure="the columns are " + ", ".join(dict(pairs)))])
     return found, unit_of
 
 
@@ -206,14 +221,16 @@ def campaign(
     Every sample is stored when it ends. Ctrl-C keeps those; ``resume=True`` goes on with them. ``shard`` is
     (number, of how many).
     """
+    folder = path_of("out", out)
     texts = {
-        "file": os.fspath(study), "out": os.fspath(out), "set": _settings(set), "until": until, "language": language
+        "file": path_of("study", study), "out": folder, "set": _settings(set), "until": until, "language": language
     }
+    if shard is not None and not (isinstance(shard, tuple) and len(shard) == 2):
+        raise refused("shard", f"{shard!r:.60}", "is no pair of numbers", "write (number, of how many), e.g. (1, 4)")
     number, shards = shard if shard is not None else (None, None)
     numbers = {
         "samples": samples, "seed": seed, "jobs": jobs, "resume": resume, "shard": number, "shards": shards
     }
-    folder = os.fspath(out)
     done: Campaign = perform(
         "campaign", texts, numbers, progress=progress, answer=lambda job: Campaign(job, folder)
     )
@@ -222,7 +239,7 @@ def campaign(
 
 def open_campaign(folder: Path) -> Campaign:
     """The campaign in a folder, however far it is."""
-    name = os.fspath(folder)
+    name = path_of("folder", folder)
     stored: Campaign = perform("results", {"folder": name}, answer=lambda job: Campaign(job, name))
     return stored
 
@@ -237,7 +254,7 @@ def replay(
     language: str = "en",
 ) -> Result:
     """Runs one sample of a campaign again, with all its states."""
-    texts = {"folder": os.fspath(folder), "out": _folder(out), "language": language}
+    texts = {"folder": path_of("folder", folder), "out": _folder(out), "language": language}
     result: Result = perform(
         "replay", texts, {"sample": sample, "threads": threads}, progress=progress, answer=Result
     )

@@ -41,6 +41,9 @@ class InputError(WytheError, ValueError):
         self.faults: list[Fault] = list(faults)
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
+    def __reduce__(self) -> Any:  # between processes
+        return InputError, (self.faults,)
+
 
 class AccessError(WytheError, OSError):
     """A file or folder that is missing, cannot be written, is damaged, or is in use."""
@@ -57,9 +60,56 @@ class Interrupted(KeyboardInterrupt):
         self.result = result
         super().__init__("stopped" if result is None else "stopped; .result has what was done until then")
 
+    def __reduce__(self) -> Any:  # a result stays in its process
+        return Interrupted, (None,)
+
+
+class NoAnswer(WytheError, ArithmeticError):
+    """Rows of a `wythe.Function` that have no answer. ``rows`` has the reason of each, by its number from 0.
+
+    ``answers`` has all rows, NaN where there is none: what was computed is not lost.
+    """
+
+    def __init__(self, rows: dict[int, str], answers: Any = None):
+        self.rows, self.answers = rows, answers
+        shown = [f"row {row}: {why}" for row, why in list(rows.items())[:5]]
+        more = [f"and {len(rows) - 5} rows more"] if len(rows) > 5 else []
+        super().__init__("\n".join([*shown, *more, 'missing=NUMBER takes a number in the place of an exception']))
+
+    def __reduce__(self) -> Any:  # between processes
+        return NoAnswer, (self.rows, self.answers)
+
 
 class MissingPackage(WytheError, ImportError):
     """A Python package that this call needs is not installed."""
+
+
+def refused(path: str, value: Any, problem: str, cure: str) -> InputError:
+    """An InputError with one fault."""
+    return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
+
+
+def path_of(name: str, value: Any) -> str:
+    """A path as text; ``name`` is the argument it stands in."""
+    import os
+
+    try:
+        path = os.fsdecode(value)
+    except TypeError:
+        raise refused(name, type(value).__name__, "is no path", 'write it as text, e.g. "model.toml"') from None
+    if "\0" in path:
+        raise refused(name, repr(path), "holds a zero byte", "no file is called so")
+    return path
+
+
+def write_text(path: Any, text: str) -> None:
+    """Writes a text file."""
+    name = path_of("path", path)
+    try:
+        with open(name, "w", encoding="utf-8") as file:
+            file.write(text)
+    except OSError as error:
+        raise AccessError(f"{name}: {error.strerror}") from error
 
 
 def needed(name: str, purpose: str) -> Any:

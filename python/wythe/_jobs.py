@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import atexit
 import json
+import os
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
 
 from . import _wythe
-from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, needed
+from ._errors import AccessError, DefectError, Fault, InputError, Interrupted, needed, refused
 from ._progress import listener
 
 #: What a call may take as ``progress``: True or False, None (where somebody can see it), or a function of
 #: (what, share, displacement_mm, force_kN).
 Progress = Union[bool, None, Callable[[str, float, float, float], Any]]
+
+_PATHS = ("file", "folder", "out")
 
 _DONE, _BAD_INPUT, _STOPPED, _NO_ACCESS, _NO_MEMORY = 0, 2, 3, 4, 5
 
@@ -22,6 +27,10 @@ class Job:
 
     def __init__(self, raw: _wythe.Job):
         self._raw = raw
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a result lives in its process and cannot be pickled or copied deeply; hand on its "
+                        ".summary, .curve.frame() or .frame()")
 
     def text(self, name: str) -> Optional[str]:
         text: Optional[str] = self._raw.text(name)
@@ -59,12 +68,20 @@ class Table(Mapping[str, Any]):
         return needed("numpy", "a column").asarray(self._raw.column(self._name, column))
 
     def __getattr__(self, column: str) -> Any:
-        if column.startswith("_") or column not in self._columns:
+        if column.startswith("_"):
+            raise AttributeError(column)
+        if column not in self._columns:
             raise AttributeError(f"no column {column!r}; the columns are {', '.join(self._columns)}")
         return self[column]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]
+
+    # a table is equal to itself alone: columns with NaN are equal to none
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    __hash__ = object.__hash__
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
@@ -91,6 +108,61 @@ def _refused(raw: _wythe.Job) -> InputError:
     return InputError([Fault(**row) for row in rows] or [Fault(problem=raw.text("error") or "")])
 
 
+def _encoded(name: str, text: Any) -> Any:
+    """The text; a path as the bytes by which the system knows it."""
+    if not isinstance(text, str):
+        raise refused(name, type(text).__name__, "is no text", "write a text")
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        if name in _PATHS:
+            return os.fsencode(text)
+        raise refused(name, ascii(text[:80]), f"is no text: {error.reason} at character {error.start + 1}",
+                      "write it in Unicode") from None
+    return text
+
+
+def _number(name: str, value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise refused(name, f"{value!r:.60}", "is no number", "write a number") from None
+
+
+# A thread that computes when the interpreter ends would be torn down amid the engine: stop its job and wait.
+_at_work: set[threading.Event] = set()
+_ending = False
+
+
+def _end() -> None:
+    global _ending
+    _ending = True
+    for done in list(_at_work):
+        done.wait()
+
+
+atexit.register(_end)
+os.register_at_fork(after_in_child=_at_work.clear)  # a child has none of its parent's other threads
+
+
+def _beside(raw: _wythe.Job, hear: Any) -> Any:
+    """Performs a job in another thread than the main one."""
+
+    def hear_or_end(*news: Any) -> None:
+        if _ending:
+            raise SystemExit
+        if hear is not None:
+            hear(*news)
+
+    done = threading.Event()
+    _at_work.add(done)
+    try:
+        return raw.perform(hear_or_end)
+    finally:
+        done.set()
+        _at_work.discard(done)
+
+
 def perform(
     task: str,
     texts: Mapping[str, Union[None, str, Sequence[str]]],
@@ -102,16 +174,19 @@ def perform(
     """Does a task and gives ``answer(job)``. Raises InputError, AccessError, Interrupted or DefectError."""
     raw = _wythe.Job(task)
     for name, value in texts.items():
+        if value is not None and not isinstance(value, (str, list, tuple)):
+            raise refused(name, type(value).__name__, "is no text", "write a text")
         for text in [value] if isinstance(value, str) else value or []:
-            raw.set_text(name, text)
+            raw.set_text(name, _encoded(name, text))
     for name, number in numbers.items():
         if number is not None:
-            raw.set_number(name, float(number))
+            raw.set_number(name, _number(name, number))
     for name, column in columns.items():
         raw.set_column(name, column)
     hear, close = listener(progress)
     try:
-        code, raised = raw.perform(hear)
+        main = threading.current_thread() is threading.main_thread()
+        code, raised = raw.perform(hear) if main else _beside(raw, hear)
     finally:
         close()
     if code == _BAD_INPUT:

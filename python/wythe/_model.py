@@ -18,7 +18,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any, Optional, Union
 
-from ._errors import AccessError, Fault, InputError
+from ._errors import AccessError, Fault, InputError, path_of, write_text
 
 _NUMBER = re.compile(r"\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*")
 _QUANTITIES = ("quantity", "quantities", "points")
@@ -69,7 +69,10 @@ def as_text(value: Any) -> Optional[str]:
     if isinstance(value, str):
         return value
     if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str):
-        return f"{float(value[0])!r} {value[1]}"
+        try:
+            return f"{float(value[0])!r} {value[1]}"
+        except (TypeError, ValueError, OverflowError):
+            raise _fault("quantity", value, "is no number with a unit", 'write e.g. (5, "m")') from None
     if hasattr(value, "magnitude") and hasattr(value, "units"):
         return f"{float(value.magnitude)!r} {value.units:~}".replace(" ** ", "^").replace("**", "^")
     return None
@@ -109,6 +112,9 @@ def _checked(path: str, key: dict[str, Any], value: Any) -> Any:
     if kind in ("quantities", "points"):
         if isinstance(value, (str, tuple)) and kind == "quantities" and as_text(value) is not None:
             raise _fault(path, value, "is one quantity", "give a list of them")
+        value = value.tolist() if hasattr(value, "tolist") else value
+        if not isinstance(value, (list, tuple)):
+            raise _fault(path, value, "is no list", f"write e.g. {example or '5 mm in brackets'}")
         return [_quantity_row(path, row, example) for row in value]
     if kind == "flag" and not isinstance(value, bool):
         raise _fault(path, value, "is neither true nor false", "write True or False")
@@ -139,6 +145,18 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
+def _members(path: str, kind: str, value: Any) -> Any:
+    """The members of a table (a dictionary) or of a list of tables, as what is to be put in their place."""
+    value = value.to_dict() if isinstance(value, (Section, SectionList)) else value
+    if kind == "list":
+        if isinstance(value, (list, tuple)) and all(isinstance(member, (dict, Section)) for member in value):
+            return [member.to_dict() if isinstance(member, Section) else member for member in value]
+        raise _fault(path, type(value).__name__, "is no list of tables", 'write [{"name": ...}, ...]')
+    if isinstance(value, dict):
+        return value
+    raise _fault(path, type(value).__name__, "is no table", 'write {"key": value}')
+
+
 class Section:
     """One table of a model: its keys are attributes and members. An unknown key is refused with advice."""
 
@@ -150,6 +168,8 @@ class Section:
 
     def _key(self, name: str) -> dict[str, Any]:
         children = _children(self._pattern)
+        if not isinstance(name, str):
+            raise _fault(_under(self._path, repr(name)), "", "is no name of a key", "write it as text")
         if name in children:
             return children[name]
         near = difflib.get_close_matches(name, children, n=1)
@@ -190,10 +210,13 @@ class Section:
     def __setitem__(self, name: str, value: Any) -> None:
         key = self._key(name)
         path = _under(self._path, name)
-        if key["kind"] in ("table", "map", "list"):
-            self._replace(name, key["kind"], value)
-            return
-        self._data[name] = _checked(path, key, value)
+        try:
+            if key["kind"] in ("table", "map", "list"):
+                self._replace(name, key["kind"], _members(path, key["kind"], value))
+                return
+            self._data[name] = _checked(path, key, value)
+        except RecursionError:
+            raise _fault(path, type(value).__name__, "holds itself, or too many levels", "give a plain value") from None
         self._model._touch()
 
     def _replace(self, name: str, kind: str, value: Any) -> None:
@@ -256,6 +279,8 @@ class SectionMap(Section):
     """Tables by name, e.g. the materials: ``model.material["joint"]``."""
 
     def _key(self, name: str) -> dict[str, Any]:
+        if not isinstance(name, str):
+            raise _fault(_under(self._path, repr(name)), "", "is no name", "write it as text")
         return {"kind": "table", "meaning": "a member by its name"}
 
     def _child(self, name: str) -> Any:
@@ -344,19 +369,25 @@ class Model(Section):
     """
 
     def __init__(self, text: str = "", file: Union[str, os.PathLike[str]] = "model.toml"):
+        if not isinstance(text, str):
+            raise _fault("model", type(text).__name__, "is no text", "read a file by wythe.Model.read(path)")
+        name = path_of("file", file)
         try:
             data = tomllib.loads(text)
+        except RecursionError:
+            raise InputError([Fault(file=name, problem="has brackets within brackets, too deep",
+                                    cure="no model needs that")]) from None
         except tomllib.TOMLDecodeError as error:
-            raise InputError([Fault(file=os.fspath(file), problem=f"is not TOML: {error}",
+            raise InputError([Fault(file=name, problem=f"is not TOML: {error}",
                                     cure="mend that line")]) from error
         object.__setattr__(self, "_text", text)
-        object.__setattr__(self, "_file", os.fspath(file))
+        object.__setattr__(self, "_file", name)
         super().__init__(self, data, "", "")
 
     @classmethod
     def read(cls, path: Union[str, os.PathLike[str]]) -> Model:
         """Reads a model file."""
-        name = os.fspath(path)
+        name = path_of("path", path)
         try:
             with open(name, encoding="utf-8") as file:
                 text = file.read()
@@ -389,8 +420,7 @@ class Model(Section):
 
     def write(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes a model file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.text)
+        write_text(path, self.text)
 
     def copy(self) -> Model:
         """A copy; changes of one do not reach the other."""
@@ -410,13 +440,13 @@ class Model(Section):
         return here, parts[-1]
 
     def __getitem__(self, path: str) -> Any:
-        if "." not in path:
+        if not isinstance(path, str) or "." not in path:
             return self._child(path)
         here, last = self._walk(path)
         return here[int(last) if isinstance(here, SectionList) and last.isdigit() else last]
 
     def __setitem__(self, path: str, value: Any) -> None:
-        if "." not in path:
+        if not isinstance(path, str) or "." not in path:
             super().__setitem__(path, value)
             return
         here, last = self._walk(path)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any, Optional
 
-from ._errors import Fault, InputError, needed
+from ._errors import Fault, InputError, needed, refused, write_text
 from ._jobs import Job, Table
 
 
@@ -146,8 +146,7 @@ class Result:
 
     def save_page(self, path: str | os.PathLike[str]) -> None:
         """Writes the report of the run as one HTML page."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.page)
+        write_text(path, self.page)
 
     def plot(self, axes: Any = None) -> Any:
         """The curve on matplotlib's axes, which it gives back."""
@@ -265,15 +264,26 @@ class Batch:
         return {name: self._curves[name][first:last] for name in self._curves if name != "row"}
 
     def curves_at(self, displacement_mm: Any) -> Any:
-        """Reactions [kN] of all rows at the same displacements [mm]: (rows, displacements), NaN beyond a curve's end."""
+        """Reactions [kN] of all rows at the same displacements [mm]: (rows, displacements), NaN off a curve."""
         numpy = needed("numpy", "curves_at()")
-        at = numpy.asarray(displacement_mm, dtype=float)
+        try:
+            at = numpy.asarray(displacement_mm, dtype=float)
+        except (TypeError, ValueError):
+            at = numpy.empty((0, 0))
+        if at.ndim != 1:
+            raise refused("displacement_mm", f"{displacement_mm!r:.60}", "is no list of displacements",
+                          "give a flat list of numbers [mm]")
         table = numpy.full((len(self), len(at)), numpy.nan)
         for row in range(len(self)):
             curve = self.curve(row)
             if self.status[row] not in ("completed", "collapsed") or len(curve["displacement_mm"]) < 2:
                 continue
-            table[row] = numpy.interp(at, curve["displacement_mm"], curve["reaction_kN"], right=numpy.nan)
+            if (numpy.diff(curve["displacement_mm"]) < 0).any():
+                raise refused("curves_at", f"row {row}", "goes back: at one displacement it has several forces",
+                              "take the whole curve: batch.curve(row)")
+            table[row] = numpy.interp(
+                at, curve["displacement_mm"], curve["reaction_kN"], left=numpy.nan, right=numpy.nan
+            )
         return table
 
     def frame(self) -> Any:

@@ -1,0 +1,213 @@
+"""A wall as a function of numbers: what OpenTURNS, UM-Bridge and Dakota call, and any tool of your own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional, Union
+
+from ._calls import ModelLike, Settings, run_many
+from ._errors import Fault, InputError, NoAnswer, needed
+from ._results import Batch
+
+#: answers that may be lower bounds, and the flag that says so in a row
+_FLAG = {
+    "peak_reaction_kN": "censored_peak",
+    "displacement_at_peak_mm": "censored_peak",
+    "drift_at_peak_percent": "censored_peak",
+    "displacement_at_80_percent_mm": "censored_80",
+    "drift_at_80_of_peak_percent": "censored_80",
+    "displacement_max_mm": "censored_max",
+    "drift_max_percent": "censored_max",
+    "collapse_displacement_mm": "censored_collapse",
+}
+_ENDED = ("completed", "collapsed")
+
+
+def _refuse(path: str, value: Any, problem: str, cure: str) -> InputError:
+    return InputError([Fault(path=path, value=str(value), problem=problem, cure=cure)])
+
+
+class Function:
+    """Numbers in, numbers out: f(rows of inputs) = rows of answers, one `run_many` for all rows.
+
+    ``inputs`` maps the path of a key to the unit of its numbers ("" where it has none), in the order of the
+    columns; ``outputs`` names columns of ``Batch.answers``. ``follow`` holds keys that go with an input:
+    ``{"material.joint.shear_stiffness": (0.4, "material.joint.normal_stiffness")}`` is 0.4 of it, in its unit.
+
+    What has no answer (a wall that is refused, does not settle, or has no such value) raises NoAnswer with
+    ``missing="raise"``, whose ``.answers`` has the other rows; a number is taken in its place. A displacement
+    that is only a lower bound because the push ended before, or a peak that was still rising, counts as no answer with ``bounds="raise"``, and as the
+    answer with ``bounds="take"``.
+
+    The model is read once: changes of its file or of the Model do not reach a Function.
+    """
+
+    def __init__(
+        self,
+        model: ModelLike,
+        inputs: Mapping[str, str],
+        outputs: Sequence[str] = ("peak_reaction_kN",),
+        *,
+        set: Settings = None,
+        follow: Optional[Mapping[str, tuple[float, str]]] = None,
+        missing: Union[str, float] = "raise",
+        bounds: str = "raise",
+        jobs: int = 0,
+    ):
+        from ._model import Model
+
+        self.inputs: dict[str, str] = _units(inputs)
+        self.outputs: tuple[str, ...] = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+        self.follow: dict[str, tuple[float, str]] = _followers(follow or {}, self.inputs)
+        self.missing: Optional[float] = _number_or_raise(missing)
+        if bounds not in ("raise", "take"):
+            raise _refuse("bounds", bounds, "is no such choice", 'write "raise" or "take"')
+        self.take_bounds = bounds == "take"
+        self._model = model.copy() if isinstance(model, Model) else Model.read(model)
+        self._set, self._jobs = set, jobs
+        known = self._run([]).answers.columns  # no wall is run; paths, units and the model are checked
+        for name in self.outputs:
+            if name not in known:
+                raise _refuse("outputs", name, "is no answer of a row", "the answers are " + ", ".join(known))
+        if not self.outputs:
+            raise _refuse("outputs", "", "names nothing", "the answers are " + ", ".join(known))
+
+    def _run(self, rows: Any, curves: bool = False) -> Batch:
+        numpy = needed("numpy", "a function of a wall")
+        matrix = numpy.asarray(rows, dtype=float).reshape(-1, len(self.inputs))
+        columns: dict[str, Any] = {path: (matrix[:, i], unit) for i, (path, unit) in enumerate(self.inputs.items())}
+        for path, (factor, leader) in self.follow.items():
+            values, unit = columns[leader]
+            columns[path] = (factor * values, unit)
+        return run_many(
+            self._model, columns, set=self._set, jobs=self._jobs, curves=curves, progress=False
+        )
+
+    def rows_of(self, points: Any) -> Any:
+        """The points as a matrix (rows, inputs) of finite numbers."""
+        numpy = needed("numpy", "a function of a wall")
+        try:
+            matrix = numpy.asarray(points, dtype=float)
+        except (TypeError, ValueError):
+            raise _refuse("inputs", type(points).__name__, "are no numbers", "give rows of numbers") from None
+        if matrix.ndim != 2 or matrix.shape[1] != len(self.inputs):
+            raise _refuse("inputs", f"shape {matrix.shape}", f"do not fit the {len(self.inputs)} inputs",
+                          "the columns are " + ", ".join(self.inputs))
+        return matrix
+
+    def evaluate(self, points: Any) -> tuple[Any, Batch]:
+        """Answers (rows, outputs), NaN where a row has none whatever ``missing`` says; and the batch behind them."""
+        numpy = needed("numpy", "a function of a wall")
+        batch = self._run(self.rows_of(points))
+        answers = numpy.column_stack([numpy.array(batch.answers[name]) for name in self.outputs])
+        answers[[status not in _ENDED for status in batch.status]] = numpy.nan
+        for column, name in enumerate(self.outputs):
+            if name in _FLAG and not self.take_bounds:
+                answers[batch.answers[_FLAG[name]] == 1, column] = numpy.nan
+        return answers, batch
+
+    def why(self, batch: Any, row: int) -> str:
+        """Why a row has no answer."""
+        if batch.status[row] not in _ENDED:
+            return f"{batch.status[row] or 'not run'}: {batch.reason[row] or 'no reason was given'}"
+        bounds = [name for name in self.outputs if name in _FLAG and batch.answers[_FLAG[name]][row] == 1]
+        if bounds and not self.take_bounds:
+            return f"{', '.join(bounds)}: only a lower bound, the push ended before; push farther, or bounds='take'"
+        absent = [name for name in self.outputs if batch.answers[name][row] != batch.answers[name][row]]
+        return f"{', '.join(absent)}: the run has no such value"
+
+    def fill(self, answers: Any, batch: Any) -> Any:
+        """The answers with ``missing`` where a row has none; raises NoAnswer where that is "raise"."""
+        numpy = needed("numpy", "a function of a wall")
+        empty = numpy.isnan(answers)
+        if empty.any() and self.missing is None:
+            rows = [int(row) for row in numpy.flatnonzero(empty.any(axis=1))]
+            raise NoAnswer({row: self.why(batch, row) for row in rows}, answers)
+        answers[empty] = numpy.nan if self.missing is None else self.missing
+        return answers
+
+    def __call__(self, points: Any) -> Any:
+        """Answers (rows, outputs) to points (rows, inputs); one point gives one row without the first axis."""
+        numpy = needed("numpy", "a function of a wall")
+        if numpy.ndim(points) == 1:
+            return self([points])[0]
+        return self.fill(*self.evaluate(points))
+
+    def curves_at(self, points: Any, displacement_mm: Any) -> Any:
+        """Reactions [kN] (rows, displacements) at the same displacements [mm] for every row.
+
+        A curve that ends before a displacement has no answer there: it raises NoAnswer, or gives ``missing``.
+        """
+        numpy = needed("numpy", "a function of a wall")
+        batch = self._run(self.rows_of(points), curves=True)
+        at = numpy.asarray(displacement_mm, dtype=float)
+        table = batch.curves_at(at)
+        empty = numpy.isnan(table)
+        if empty.any() and self.missing is None:
+            ends = [float(numpy.max(batch.curve(row)["displacement_mm"], initial=0)) for row in range(len(batch))]
+            raise NoAnswer({
+                int(row): f"{batch.status[row]}: {batch.reason[row] or f'the curve ends at {ends[row]:.4g} mm'}"
+                for row in numpy.flatnonzero(empty.any(axis=1))
+            }, table)
+        table[empty] = numpy.nan if self.missing is None else self.missing
+        return table
+
+    def __repr__(self) -> str:
+        named = ", ".join(f"{path} [{unit}]" if unit else path for path, unit in self.inputs.items())
+        return f"<function of {named}: {', '.join(self.outputs)}>"
+
+
+def _units(inputs: Mapping[str, str]) -> dict[str, str]:
+    if not isinstance(inputs, Mapping) or not inputs:
+        raise _refuse("inputs", type(inputs).__name__, "name no inputs", 'write {"material.joint.cohesion": "MPa"}')
+    for path, unit in inputs.items():
+        if not isinstance(path, str) or not isinstance(unit, str):
+            raise _refuse(f"inputs[{path!r}]", unit, "is no unit", 'write its unit as text, "" where it has none')
+    return dict(inputs)
+
+
+def _followers(follow: Mapping[str, tuple[float, str]], inputs: Mapping[str, str]) -> dict[str, tuple[float, str]]:
+    for path, pair in follow.items():
+        if not isinstance(pair, tuple) or len(pair) != 2 or not isinstance(pair[0], (int, float)):
+            raise _refuse(f"follow[{path!r}]", pair, "is no factor with an input", 'write (0.4, "path of an input")')
+        if pair[1] not in inputs:
+            raise _refuse(f"follow[{path!r}]", pair[1], "is no input", "the inputs are " + ", ".join(inputs))
+        if path in inputs:
+            raise _refuse(f"follow[{path!r}]", path, "is an input itself", "leave it out of one of them")
+    return {path: (float(factor), leader) for path, (factor, leader) in follow.items()}
+
+
+def _number_or_raise(missing: Union[str, float]) -> Optional[float]:
+    if missing == "raise":
+        return None
+    if isinstance(missing, str) or isinstance(missing, bool):
+        raise _refuse("missing", missing, "is no such choice", 'write "raise", or the number to take instead')
+    return float(missing)
+
+
+# --- the same from a command line ------------------------------------------------------------------------
+
+
+def add_options(parser: Any) -> None:
+    """The options by which a command names inputs and answers."""
+    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="change the model, as `wythe run --set`")
+    parser.add_argument("--follow", action="append", default=[], metavar="PATH=FACTOR*INPUT",
+                        help="a key that goes with an input, by a factor, in its unit")
+    parser.add_argument("--bounds", choices=["raise", "take"], default="raise",
+                        help="a value that is only a lower bound: no answer, or the answer")
+    parser.add_argument("--jobs", type=int, default=0, help="cores; 0: all")
+
+
+def parse_follow(texts: Sequence[str]) -> dict[str, tuple[float, str]]:
+    """"PATH=FACTOR*INPUT" of each text."""
+    found = {}
+    for text in texts:
+        path, _, rest = text.partition("=")
+        factor, _, leader = rest.partition("*")
+        try:
+            found[path] = (float(factor), leader)
+        except ValueError:
+            raise _refuse("--follow", text, "is not understood",
+                          "write PATH=FACTOR*INPUT, e.g. material.joint.shear_stiffness=0.4*material.joint.normal_stiffness"
+                          ) from None
+    return found
