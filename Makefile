@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test bench docs site web format check install package clean
+.PHONY: all help setup build demo test fuzz soak bench docs site web format check install package clean
 all: build
 
 help:            ## this list
@@ -31,6 +31,12 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
+
+fuzz:            ## feed every reader with what libFuzzer makes up, a minute each (tools/fuzz)
+	@tools/fuzz
+
+soak: build      ## hours of kills, full disks, tiny samples and made-up input; goes on where it stopped; docs/testing.md
+	@tools/soak --page
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
 	@cmake --build --preset $(PRESET) --target wythe_bench wythe_cli
