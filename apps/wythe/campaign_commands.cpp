@@ -13,6 +13,7 @@
 #include "campaign_table.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "shaking_table.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
@@ -20,6 +21,7 @@
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 #include "wythe/text.h"
+#include "wythe/units.h"
 
 namespace wythe::app {
 namespace fs = std::filesystem;
@@ -262,16 +264,33 @@ void print_sample(const Result& result) {
              result.failure_mode.name, result.state_hash);
 }
 
+// The last shake of the replay among those that the store has; NULL: none.
+const ShakeAnswer* shake_in(const SampleRecord& stored, const SampleRun& run) {
+  for (const ShakeAnswer& shake : stored.shakes)
+    if (run.shakes.empty() || shake.intensity == run.shakes.back().intensity ||
+        std::isnan(shake.intensity))
+      return &shake;
+  return nullptr;
+}
+
 // What the store says against what came out.
-int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const SampleRun& run) {
+int compare_replay(const ReplayArguments& a, const SampleRecord* stored_sample,
+                   const SampleRun& run) {
   const std::string status = run.refused.empty() ? to_string(run.result.status) : "refused";
   fmt::print("sample {}: {}{}\n", a.sample, status, run.refused.empty() ? "" : ": " + run.refused);
   if (run.refused.empty()) print_sample(run.result);
-  if (stored == nullptr) {
+  const bool shaken = stored_sample != nullptr && !stored_sample->shakes.empty();
+  const ShakeAnswer* shake = shaken ? shake_in(*stored_sample, run) : nullptr;
+  if (stored_sample == nullptr || (shaken && shake == nullptr)) {
     fmt::print("the campaign has not run this sample: nothing to compare\n");
     return 0;
   }
   const std::string hash = run.refused.empty() ? run.result.state_hash : "";
+  struct {
+    std::string status, state_hash, provenance;
+  } in_store{stored_sample->status, stored_sample->state_hash, stored_sample->provenance};
+  if (shake != nullptr) in_store.status = shake->status, in_store.state_hash = shake->state_hash;
+  const auto* stored = &in_store;
   if (stored->status == status && stored->state_hash == hash) {
     fmt::print("the result equals that of the campaign, bit for bit\n");
     return 0;
@@ -284,6 +303,22 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored, const S
   return kFailed;
 }
 
+// NaN: none was asked for.
+double asked_intensity(const ReplayArguments& a, const StudySpec& study) {
+  if (a.intensity.empty()) return std::nan("");
+  if (!study.shaking.is_asked())
+    refuse("--intensity", a.intensity, "is of studies with [shaking]", "leave it out");
+  try {
+    const double value = parse_quantity(a.intensity, unit_of(study.shaking.measure));
+    if (value > 0 && std::isfinite(value)) return value;
+  } catch (const std::exception&) {  // no quantity, or of another unit
+  }
+  refuse("--intensity", a.intensity,
+         fmt::format("is no {} in {}", word_of(kIntensityMeasureWords, study.shaking.measure),
+                     unit_of(study.shaking.measure)),
+         fmt::format("write e.g. --intensity \"2 {}\"", unit_of(study.shaking.measure)));
+}
+
 }  // namespace
 
 int replay(const ReplayArguments& a) {
@@ -292,6 +327,7 @@ int replay(const ReplayArguments& a) {
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     refuse("--sample", std::to_string(a.sample), "is not in the campaign",
            fmt::format("write a number from 1 to {}", campaign.samples.n_sample()));
+  const double intensity = asked_intensity(a, campaign.study);
   const std::unique_ptr<Replacement> results = replace_run(a.out);
   SolveOptions options;
   const StopSignal stop;
@@ -305,8 +341,10 @@ int replay(const ReplayArguments& a) {
       progress(p);
       hold_for_test(fmt::format("stage {}", p.stage));
     };
-    run = run_sample(campaign.study, campaign.samples, a.sample, model_builder(campaign.study),
-                     options);
+    const ModelBuilder build = model_builder(campaign.study);
+    run = std::isnan(intensity)
+              ? run_sample(campaign.study, campaign.samples, a.sample, build, options)
+              : run_shake(campaign.study, campaign.samples, a.sample, intensity, build, options);
   }
   if (run.refused.empty()) write_replay(a, *results, campaign, run);
   return compare_replay(a, record_in(campaign, a.sample), run);
@@ -325,6 +363,22 @@ std::string some_of(const std::vector<int>& samples) {
                                  : text + fmt::format(" and {} more", samples.size() - shown);
 }
 
+// A residual value that stays while the peak varies: how it may follow; "" of other keys.
+std::string follow_cure(const SampleTable& samples, const std::string& path) {
+  constexpr const char* kResidual = ".residual_";
+  const std::size_t at = path.find(kResidual);
+  if (at == std::string::npos) return "";
+  // "friction_angle" is "friction_tan" where the model says so
+  const std::string stem = path.substr(0, at + 1) + path.substr(at + 10, 8);
+  for (const InputColumn& column : samples.column)
+    if (column.path.starts_with(stem))
+      return fmt::format(
+          "let the residual follow {0}: [dependent.{0}_residual] with path = \"{1}\" and formula "
+          "= \"{0}\"",
+          column.name, path.substr(0, at + 10) + column.path.substr(at + 1));
+  return "";
+}
+
 // Samples refused at the same key share a line.
 void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
   struct Refused {
@@ -339,9 +393,12 @@ void print_refusals(const SampleTable& samples, const ModelBuilder& build) {
     if (same.samples.empty()) same.first = in_one_line(why);
     same.samples.push_back(s + 1);
   }
-  for (const auto& [path, r] : refused)
+  for (const auto& [path, r] : refused) {
     fmt::print("{} sample{} will be refused ({}), e.g. {}\n", r.samples.size(),
                r.samples.size() == 1 ? "" : "s", some_of(r.samples), r.first);
+    if (const std::string cure = follow_cure(samples, path); !cure.empty())
+      fmt::print("cure: {}\n", cure);
+  }
 }
 
 // Prints what is to be known of an option; the time of one of its samples [s].
@@ -371,12 +428,15 @@ int check_study_file(const CheckArguments& a) {
   for (const Message& note : notes_of(study, build({})))
     fmt::print("note: {}\n", readable(text_of(note)));
   print_refusals(samples, build);
-  double seconds = estimate(base).seconds;
+  double seconds = study.shaking.is_asked()
+                       ? print_shakes_asked(study, samples, build) / samples.n_sample()
+                       : estimate(base).seconds;
   for (const VariantSpec& option : study.option) seconds += check_option(option);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t each = 1 + study.option.size();
-  fmt::print("{} samples{}, about {} on {:.0f} cores\n", samples.n_sample(),
+  fmt::print("{} samples{}, {}about {} on {:.0f} cores\n", samples.n_sample(),
              each > 1 ? fmt::format(" of each of {} walls", each) : "",
+             study.shaking.climbs() ? "at most " : "",
              duration_text(seconds * samples.n_sample() / cores), cores);
   return 0;
 }

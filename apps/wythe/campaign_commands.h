@@ -35,7 +35,7 @@ struct MergeArguments {
 int merge(const MergeArguments& arguments);
 
 struct ReplayArguments {
-  std::string folder, out, language = "en";
+  std::string folder, out, intensity, language = "en";
   int sample = 0, threads = 1;
   bool quiet = false;
 };

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "shaking_table.h"
+
 namespace wythe::app {
 namespace {
 
@@ -74,6 +76,8 @@ void print_table(const Campaign& campaign, const Statistics& statistics) {
     between = ", ";
   }
   fmt::print("\n");
+  if (statistics.shaking.is_told()) print_shaking(statistics.shaking);
+  if (statistics.shaking.shaking.is_asked()) return print_entangled(statistics.input_correlation);
   if (statistics.collapsed_before_push > 0)
     fmt::print("{} collapsed before the push: they have no strength and are not counted below\n",
                statistics.collapsed_before_push);

@@ -189,6 +189,8 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   command->footer("example: wythe replay out/campaign --sample 17 --out out/sample_17");
   command->add_option("folder", a.folder, "folder of the campaign")->required();
   command->add_option("--sample", a.sample, "number of the sample, from 1")->required();
+  command->add_option("--intensity", a.intensity,
+                      "of a sample under a record: this shake alone, e.g. \"2 m/s^2\"");
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
   command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));

@@ -21,6 +21,32 @@ namespace wythe {
 
 struct SolveOptions;
 
+// What one shake of a sample answered. NaN: not known, since the run did not end as one that counts.
+struct ShakeAnswer {
+  double intensity = kUnset;  // asked for, in the study's measure [SI]; NaN: as the model says
+  std::string status;         // a SolveStatus in words, or "refused"
+  Message reason;
+  bool retried = false;
+  // Of the first component as applied [m/s^2], [m/s], [m/s^2]; sa where the study has a period.
+  double pga = kUnset, pgv = kUnset, sa = kUnset;
+  // Of the control point: the first of [[history]], or the highest block [-], [m].
+  double peak_drift = kUnset, residual_drift = kUnset;
+  double peak_displacement = kUnset, residual_displacement = kUnset;
+  double uplift = kUnset, slip = kUnset;  // largest opening and slip of any joint [m]
+  double peak_base_shear = kUnset;        // [N]
+  bool collapsed = false;                 // while it was shaken
+  double collapse_time = kUnset;          // since the shake began [s]
+  double gap_ratio = kUnset;              // of the energy ledger
+  std::int64_t steps = 0;
+  double time_step = 0;  // [s]
+  std::string state_hash;
+  // Whether it says that the wall stood or fell: it ended so, while it was shaken, and its energy ledger
+  // closes (kMostEnergyGap).
+  [[nodiscard]] bool counts() const;
+};
+// A gap of the energy ledger, as a share of the energy, beyond which no answer is taken from a shake.
+inline constexpr double kMostEnergyGap = 0.01;
+
 // The result of one sample. `status` is a SolveStatus in words, or "refused" (its inputs are not
 // admissible: the reason says which and why), or "" while it has not run.
 struct SampleRecord {
@@ -39,7 +65,8 @@ struct SampleRecord {
   // Of what an assessment asks beside these; read where the model asks for one.
   PushedWall pushed;
   std::vector<RisePoint> rise;
-  double overlap_lost = kUnset;  // Validity::overlap_lost [m]
+  double overlap_lost = kUnset;     // Validity::overlap_lost [m]
+  std::vector<ShakeAnswer> shakes;  // in the order they ran; empty where nothing is shaken
   std::int64_t steps = 0;
   double time_step = 0;     // [s]
   double wall_seconds = 0;  // run time on the clock; not in samples.csv, since it is no result
@@ -145,11 +172,23 @@ struct SampleRun {
   std::vector<std::string> settings;
   ModelSpec spec;
   Model model;
-  Result result;
+  Result result;  // of the last shake, where there are several
   bool retried = false;
+  std::vector<ShakeAnswer> shakes;
+  double wall_seconds = 0;  // of all shakes
 };
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                                    const ModelBuilder& build, const SolveOptions& options);
+// One shake of a sample alone, at this intensity [SI].
+[[nodiscard]] SampleRun run_shake(const StudySpec& study, const SampleTable& samples, int sample,
+                                  double intensity, const ModelBuilder& build,
+                                  const SolveOptions& options);
+
+// How many shakes a study asks for: at least and at most; what ends them is a result.
+struct ShakeCount {
+  int least = 0, most = 0;
+};
+[[nodiscard]] ShakeCount count_shakes(const StudySpec& study);
 
 // "tensile_strength_MPa": name and unit of an input, its column title in samples.csv and the store.
 [[nodiscard]] std::string column_title(const InputColumn& column);

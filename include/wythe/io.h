@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,13 +23,15 @@ struct PairedComparison;  // comparison.h
 
 // `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
 // of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
-// `blocks` is the content of the blocks file; "": the file itself is read.
+// `blocks` is the content of the blocks file, `records` those of record files by their name in the model; where
+// there is none the file itself is read.
 // Throws IoError when the file can't be read, InputError with every fault otherwise.
 [[nodiscard]] ModelSpec read_model(const std::string& path,
                                    const std::vector<std::string>& overrides = {});
 [[nodiscard]] ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
                                     const std::vector<std::string>& overrides = {},
-                                    const std::string& blocks = "");
+                                    const std::string& blocks = "",
+                                    const std::map<std::string, std::string>& records = {});
 // compile() of a spec that was read from `toml_text` with `overrides`; its faults name file and line.
 [[nodiscard]] Model compile_model(const ModelSpec& spec, const std::string& toml_text,
                                   const std::string& file_name,

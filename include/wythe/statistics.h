@@ -338,6 +338,114 @@ struct CampaignAssessment {
 [[nodiscard]] CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
                                                  const Model& model);
 
+// --- samples under records (docs/theory/fragility.md) ---------------------------------------------
+
+// A shake that does not count, neither as stood nor as fell.
+struct LostShake {
+  int sample = 0;  // as the store counts
+  double intensity = kUnset;
+  std::string status;
+  Message reason;
+};
+
+// Between which intensities a sample first reached a limit state: not at `low`, at `high`. low = 0: at the
+// lowest already; high infinite: at none up to `low`.
+struct Bracket {
+  int sample = 0;
+  int wall = 0, record = 0;  // 0-based
+  double low = 0, high = 0;  // [SI]
+  bool is_known = true;      // false: the shakes that would decide do not count, and it is left out
+  bool came_back = false;    // at a higher intensity the limit state is not reached
+};
+
+// What can be told of a limit state.
+enum class LimitStateVerdict {
+  kTold,
+  kFewRecords,  // fewer than kFewestRecords
+  kNever,       // no sample reached it
+  kAlways,      // every sample did at its lowest intensity
+  kSeparated,   // one intensity parts all that did from all that did not: no dispersion
+  kNoTrend      // it is reached no more often at higher intensities
+};
+inline constexpr Word<LimitStateVerdict> kLimitStateVerdictWords[] = {
+    {"told", LimitStateVerdict::kTold},           {"few records", LimitStateVerdict::kFewRecords},
+    {"never", LimitStateVerdict::kNever},         {"always", LimitStateVerdict::kAlways},
+    {"separated", LimitStateVerdict::kSeparated}, {"no trend", LimitStateVerdict::kNoTrend}};
+static_assert(names_all(kLimitStateVerdictWords));
+inline constexpr int kFewestRecords = 7;  // of which a median and a dispersion are told
+
+// At one intensity: how many samples reached it there, by their shakes at this intensity alone.
+struct LimitStateCount {
+  double intensity = 0;  // [SI]
+  int n = 0, reached = 0, lost = 0;
+  Estimate share;  // Wilson, as if the samples were independent
+};
+
+// What the scatter of a logarithm comes from: records, walls, and what both do together.
+enum class ScatterVerdict {
+  kTold,
+  kOneKind,     // fewer than kFewestForScatter records or walls
+  kNotCrossed,  // not every wall met every record
+  kNotReached,  // not every sample has a value
+  kWide,        // the brackets are wider than the scatter that is left
+};
+inline constexpr Word<ScatterVerdict> kScatterVerdictWords[] = {
+    {"told", ScatterVerdict::kTold},
+    {"one kind", ScatterVerdict::kOneKind},
+    {"not crossed", ScatterVerdict::kNotCrossed},
+    {"not reached", ScatterVerdict::kNotReached},
+    {"wide brackets", ScatterVerdict::kWide}};
+static_assert(names_all(kScatterVerdictWords));
+inline constexpr int kFewestForScatter = 3;
+// Standard deviations of ln; each as an estimate of a two-way layout without repetition. A lower end of 0: it
+// may be nothing.
+struct Scatter {
+  ScatterVerdict verdict = ScatterVerdict::kTold;
+  int records = 0, walls = 0;
+  Estimate record, wall, rest;
+  double bracket = kUnset;  // what halving the bracket leaves, root of the mean square
+};
+
+struct LimitStateFragility {
+  LimitStateSpec limit_state;
+  LimitStateVerdict verdict = LimitStateVerdict::kTold;
+  int n = 0, reached = 0, lost = 0, came_back = 0;  // samples with a bracket; of them; left out
+  std::vector<Bracket> bracket;
+  std::vector<LimitStateCount> count;  // by intensity
+  // Lognormal: P = Phi(ln(x / median) / beta), by maximum likelihood [SI], [-].
+  Estimate median, beta;
+  bool by_bootstrap = false;  // of records and walls; else by profile likelihood
+  double log_likelihood = kUnset;
+  double count_median = kUnset, count_beta = kUnset;  // from the counts alone (Baker 2015)
+  // The median if every sample left out had reached it where its run was lost, and if none had.
+  double median_if_reached = kUnset, median_if_not = kUnset;
+  std::vector<FragilityPoint> curve;  // within the intensities that ran [SI]
+  Scatter scatter;                    // of ln of the intensity where it is reached
+};
+
+// Response at one intensity, over all samples that count there.
+struct IntensitySummary {
+  double intensity = 0;  // [SI]
+  int n = 0, collapsed = 0, lost = 0;
+  double drift_16 = kUnset, drift_50 = kUnset,
+         drift_84 = kUnset;  // peak; infinite where more collapsed
+  Scatter scatter;           // of ln of the peak drift
+};
+
+struct ShakingStatistics {
+  ShakingSpec shaking;  // as the study asks
+  int records = 0, walls = 0, samples = 0;
+  int shakes = 0, stood = 0, collapsed = 0;
+  std::vector<LostShake> lost;
+  std::vector<IntensitySummary> intensity;
+  std::vector<LimitStateFragility> fragility;
+  [[nodiscard]] bool is_told() const { return shakes > 0; }
+};
+// Whether a shake that counts reached it.
+[[nodiscard]] bool reaches(const LimitStateSpec& limit, const ShakeAnswer& shake);
+// Of the samples that ran.
+[[nodiscard]] ShakingStatistics shaking_statistics(const Campaign& campaign);
+
 struct Statistics {
   std::string study, design;
   std::uint64_t seed = 0;
@@ -369,6 +477,7 @@ struct Statistics {
   std::vector<Fragility> fragility;
   std::vector<Measuring> measuring;  // by response, the best first
   std::vector<SurrogateIndices> surrogate_indices;
+  ShakingStatistics shaking;      // where the samples were shaken
   CampaignAssessment assessment;  // where the model asks for one; set by assess_campaign()
   ProjectSpec project;            // of the base model; set by who has it
 };

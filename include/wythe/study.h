@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -64,19 +65,66 @@ struct StudyField {
   bool follows = false;  // a formula; else each sample draws it anew
 };
 
+// What the strength of a record is measured by: of the first component, as it is applied.
+enum class IntensityMeasure { kPga, kPgv, kSa };
+inline constexpr Word<IntensityMeasure> kIntensityMeasureWords[] = {{"pga", IntensityMeasure::kPga},
+                                                                    {"pgv", IntensityMeasure::kPgv},
+                                                                    {"sa", IntensityMeasure::kSa}};
+static_assert(names_all(kIntensityMeasureWords));
+
+// Which samples meet which records: each sample each record, or sample i record i, in turn.
+enum class Pairing { kEach, kInTurn };
+inline constexpr Word<Pairing> kPairingWords[] = {{"each", Pairing::kEach},
+                                                  {"in_turn", Pairing::kInTurn}};
+static_assert(names_all(kPairingWords));
+
+// One [[record]]: an earthquake that takes the place of the base model's.
+struct StudyRecord {
+  std::string name;
+  std::string motion;          // its components as TOML, as `stage.<name>.record` takes them
+  std::vector<double> levels;  // where it has levels of its own [SI]; empty: those of all
+};
+
+// One [[limit_state]]: reached where any of its limits is, and by every wall that collapses.
+struct LimitStateSpec {
+  std::string name;
+  double peak_drift = kUnset, residual_drift = kUnset;                // of the control point [-]
+  double peak_displacement = kUnset, residual_displacement = kUnset;  // of the control point [m]
+  double uplift = kUnset, slip = kUnset;  // largest opening and slip of any joint [m]
+  bool collapse = false;                  // a fall or an overturning alone
+};
+
+// [shaking]: every sample under the records, each at several intensities (docs/theory/fragility.md).
+struct ShakingSpec {
+  std::string stage;  // of the base model, which takes the records; "": the study does not ask
+  IntensityMeasure measure = IntensityMeasure::kPga;
+  double period = kUnset, damping = kUnset;  // of sa [s], of critical
+  std::vector<double> levels;                // each record at each of them [m/s^2] or [m/s]; or
+  double first = kUnset, step = kUnset,
+         most = kUnset;  // upwards until collapse or `most`, and then
+  int halvings = 0;      // halving the way between stood and fell
+  Pairing pairing = Pairing::kEach;
+  std::vector<StudyRecord> record;
+  std::vector<LimitStateSpec> limit_state;
+  [[nodiscard]] bool is_asked() const { return !stage.empty(); }
+  [[nodiscard]] bool climbs() const { return most == most; }  // not NaN
+};
+
 struct VariantSpec;
 
 struct StudySpec {
   std::string name, note;
-  std::string file;                   // the study file, for messages
-  std::string model_file;             // the base model's file, for messages and relative paths
-  std::string model_text;             // the base model, as TOML
-  std::string blocks_text;            // what its blocks file holds, as JSON; "" without one
+  std::string file;         // the study file, for messages
+  std::string model_file;   // the base model's file, for messages and relative paths
+  std::string model_text;   // the base model, as TOML
+  std::string blocks_text;  // what its blocks file holds, as JSON; "" without one
+  std::map<std::string, std::string> record_text;  // what record files hold, by their name there
   std::vector<std::string> settings;  // of the base model, before the samples' own: "path=value"
   std::vector<VariableSpec> variable;
   std::vector<DependentSpec> dependent;
   std::vector<CorrelationSpec> correlation;
   std::vector<StudyField> field;
+  ShakingSpec shaking;
   Design design = Design::kLatinHypercube;
   std::vector<int> batch;  // sizes of the designs drawn one after another; usually one
   std::uint64_t seed = 0;
@@ -115,8 +163,9 @@ struct SampleTable {
   std::vector<InputColumn> column;
   std::vector<std::vector<double>> value;  // (n_sample, n_column) [SI]
   std::vector<double> cut_off;             // probability cut by truncation (n_variable)
-  // What fields add to the settings of a sample: seeds, and what follows them (n_sample; or empty).
-  std::vector<std::vector<std::string>> field_setting;
+  // What fields and records add to the settings of a sample: seeds and what follows them; its record, at its
+  // first intensity (n_sample; or empty).
+  std::vector<std::vector<std::string>> more_setting;
   [[nodiscard]] int n_sample() const { return static_cast<int>(value.size()); }
 };
 
@@ -138,8 +187,21 @@ struct SampleTable {
 
 // The seed of the fields of sample i (0-based): of the study's seed and i alone, and each its own.
 [[nodiscard]] int field_seed_of(const StudySpec& study, int sample);
-// Fills field_setting from the values, which draw_samples() has drawn or a store has kept.
-void set_fields(const StudySpec& study, SampleTable& samples);
+// Fills more_setting from the values, which draw_samples() has drawn or a store has kept.
+void set_more(const StudySpec& study, SampleTable& samples);
+
+// The wall and the record of a sample, all 0-based: with records a sample is a drawn wall under one record,
+// the records of a wall one after the other. record = -1: of the base model.
+struct SampleCase {
+  int wall = 0, record = -1;
+};
+[[nodiscard]] SampleCase case_of(const StudySpec& study, int sample);
+// How many samples there are; without records the sum of `batch`.
+[[nodiscard]] int count_samples(const StudySpec& study);
+// Settings that put the stage's record to this intensity [SI].
+[[nodiscard]] std::string intensity_setting(const ShakingSpec& shaking, double intensity);
+// "m/s" of pgv, else "m/s^2".
+[[nodiscard]] const char* unit_of(IntensityMeasure measure);
 
 // Draws the model's fields at every place of its wall, from each field's seed and name alone. Reading
 // a model does it (io.h). A wall that can't be built is left undrawn: compile() says why. Throws InputError

@@ -338,6 +338,7 @@ struct RecordSpec {
 struct ScaleSpec {
   double factor = kUnset;
   double pga = kUnset;      // [m/s^2]
+  double pgv = kUnset;      // [m/s]
   double sa = kUnset;       // pseudo-acceleration at `period` [m/s^2]
   double period = kUnset;   // [s]
   double damping = kUnset;  // of critical; unset: 0.05

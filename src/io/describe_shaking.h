@@ -48,6 +48,9 @@ void describe(Visitor& v, ScaleSpec& s) {
   v.quantity("pga", s.pga, {.unit = "m/s^2", .shown = "m/s^2", .range = kPositive,
              .fallback = "none", .example = "3 m/s^2",
              .doc = "Peak acceleration that the first component gets; the others keep their ratio to it."});
+  v.quantity("pgv", s.pgv, {.unit = "m/s", .shown = "m/s", .range = kPositive,
+             .fallback = "none", .example = "0.3 m/s",
+             .doc = "Peak velocity that the first component gets."});
   v.quantity("sa", s.sa, {.unit = "m/s^2", .shown = "m/s^2", .range = kPositive,
              .fallback = "none", .example = "5 m/s^2",
              .doc = "Pseudo-acceleration that the first component gets at `period` and `damping`."});
@@ -81,7 +84,7 @@ void describe_shaking(Visitor& v, StageSpec& s, Kinds shake) {
                 "some blocks or supports names them with `at`."});
   v.table("scale", s.scale, {.kinds = shake, .in_braces = true, .optional = true, .fallback = "as recorded",
           .example = "{ pga = \"3 m/s^2\" }",
-          .doc = "One of `factor`, `pga` and `sa` (with `period`), for all components by one factor."});
+          .doc = "One of `factor`, `pga`, `pgv` and `sa` (with `period`), for all components by one factor."});
   v.quantity("free_vibration", s.free_vibration, {.unit = "s", .shown = "s", .range = kNotNegative,
              .kinds = shake, .example = "2 s", .doc = "How long the wall is watched after the record."});
   v.quantity("interval", s.interval, {.unit = "s", .shown = "s", .range = kPositive, .kinds = shake,

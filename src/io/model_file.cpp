@@ -216,9 +216,11 @@ void build(const BuilderSpec& built, ModelSpec& spec) {
 }  // namespace io
 
 ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
-                      const std::vector<std::string>& overrides, const std::string& blocks) {
+                      const std::vector<std::string>& overrides, const std::string& blocks,
+                      const std::map<std::string, std::string>& records) {
   toml::table root = io::parse_toml(toml_text, file_name);
   io::ReadContext context{file_name};
+  context.records = &records;
   io::apply_overrides(context, root, overrides);
   io::resolve_materials(context, root);
   ModelSpec spec;

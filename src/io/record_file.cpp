@@ -228,7 +228,9 @@ void read_file_of(ReadContext& context, const std::string& folder, double gravit
   const std::size_t before = context.faults.all().size();
   Numbers n;
   try {
-    n = RecordReader(context, r, path, file).read(read_text(file, kMostCsv));
+    const bool given = context.records != nullptr && context.records->contains(r.file);
+    n = RecordReader(context, r, path, file)
+            .read(given ? context.records->at(r.file) : read_text(file, kMostCsv));
   } catch (const InputError& error) {
     for (Fault fault : error.faults()) {
       if (fault.path.empty()) fault.path = path + ".file";

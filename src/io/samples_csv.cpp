@@ -4,11 +4,13 @@
 // campaign give the same bytes. Columns: docs/reference/store.md.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <type_traits>
 
 #include "io/csv.h"
+#include "io/shakes_csv.h"
 #include "study/answer_keys.h"
 #include "wythe/io.h"
 
@@ -101,6 +103,11 @@ std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& rec
   return cells;
 }
 
+bool any_shaken(const Campaign& campaign) {
+  return std::any_of(campaign.records.begin(), campaign.records.end(),
+                     [](const SampleRecord& record) { return !record.shakes.empty(); });
+}
+
 std::string title_row(const Campaign& campaign, bool cyclic) {
   std::string row = "sample";
   for (const InputColumn& column : campaign.samples.column)
@@ -113,8 +120,11 @@ std::string title_row(const Campaign& campaign, bool cyclic) {
 }  // namespace
 
 std::string samples_csv(const Campaign& campaign) {
+  if (campaign.study.shaking.is_asked()) return io::shakes_csv(campaign);
+  const bool shaken = any_shaken(campaign);
   const std::vector<CyclicReadings> cyclic = cyclic_readings(campaign);
   std::string text = title_row(campaign, !cyclic.empty());
+  if (shaken) text.insert(text.size() - 1, io::shake_titles(campaign.study));
   for (std::size_t k = 0; k < campaign.records.size(); ++k) {
     const SampleRecord& record = campaign.records[k];
     text += std::to_string(record.sample);
@@ -127,6 +137,9 @@ std::string samples_csv(const Campaign& campaign) {
     text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
     if (!cyclic.empty())
       for (const std::string& cell : cyclic_cells(cyclic[k])) text += "," + cell;
+    if (shaken)
+      text += io::shake_cells(campaign.study,
+                              record.shakes.empty() ? ShakeAnswer{} : record.shakes.front());
     text += "\n";
   }
   return text;

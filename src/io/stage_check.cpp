@@ -246,10 +246,10 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
   const auto is_set = [](double number) { return number == number; };
   const ScaleSpec& scale = stage.scale;
   const int ways = (is_set(scale.factor) ? 1 : 0) + (is_set(scale.pga) ? 1 : 0) +
-                   (is_set(scale.sa) || is_set(scale.period) ? 1 : 0);
+                   (is_set(scale.pgv) ? 1 : 0) + (is_set(scale.sa) || is_set(scale.period) ? 1 : 0);
   const bool half = is_set(scale.sa) != is_set(scale.period);
   if (reader.has("scale") && (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
-    reader.refuse("scale", "must be one of factor, pga, or sa with its period (and damping)",
+    reader.refuse("scale", "must be one of factor, pga, pgv, or sa with its period (and damping)",
                   "write e.g. scale = { sa = \"5 m/s^2\", period = \"0.3 s\" }");
   const auto check_fraction = [&](const char* key, const ViscousSpec& viscous) {
     if (reader.has(key) && (!is_set(viscous.fraction) || !is_set(viscous.frequency)))

@@ -9,6 +9,7 @@
 
 #include "io/assessment_json.h"
 #include "io/message_json.h"
+#include "io/shaking_json.h"
 #include "io/statistics_numbers.h"
 #include "wythe/io.h"
 
@@ -394,7 +395,9 @@ std::string statistics_json(const Statistics& s) {
   json["correlation"] = correlation_json(s);
   json["first_order"] = first_order_json(s);
   json["mode_against_input"] = modes_json(s);
-  json["fragility"] = fragility_json(s);
+  json["fragility"] =
+      s.shaking.shaking.is_asked() ? limit_states_json(s.shaking) : fragility_json(s);
+  if (s.shaking.is_told()) json["shaking"] = shaking_json(s.shaking);
   if (is_asked(s.assessment.spec)) json["assessment"] = assessment_json(s.assessment);
   add_project(json, s.project);
   json["measuring"] = measuring_json(s);

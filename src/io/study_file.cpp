@@ -14,6 +14,7 @@
 #include "io/blocks_json.h"
 #include "io/describe_study.h"
 #include "io/model_key.h"
+#include "io/shaking_file.h"
 #include "io/toml_reader.h"
 #include "io/value_column.h"
 #include "io/variants.h"
@@ -27,8 +28,8 @@ namespace wythe {
 namespace io {
 namespace {
 
-constexpr const char* kParts[] = {"study",       "variable", "dependent",
-                                  "correlation", "field",    "variant"};
+constexpr const char* kParts[] = {"study",   "variable", "dependent", "correlation", "field",
+                                  "variant", "shaking",  "record",    "limit_state", "record_text"};
 
 std::string beside(const std::string& file, const std::string& other) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -56,8 +57,10 @@ class StudyReader {
 
   StudySpec read() {
     refuse_other_tables();
+    study_.record_text = given_records(context_, root_);
     read_head();
     if (!study_.model_text.empty()) list_model_keys();
+    read_shaking(context_, root_, base_, study_);
     for (const auto& [name, table] : in_file_order(context_, root_.get("variable"), "variable"))
       if (!enough(context_.faults)) read_variable(name, *table);
     for (const auto& [name, table] : in_file_order(context_, root_.get("dependent"), "dependent"))
@@ -66,6 +69,7 @@ class StudyReader {
     check_settings();
     check_parts();
     throw_all();
+    check_records(study_, root_);
     return std::move(study_);
   }
 
@@ -184,8 +188,10 @@ class StudyReader {
 
   void list_model_keys() {
     try {
-      ModelSpec base =
-          parse_model(study_.model_text, study_.model_file, study_.settings, study_.blocks_text);
+      ModelSpec base = parse_model(study_.model_text, study_.model_file, study_.settings,
+                                   study_.blocks_text, study_.record_text);
+      base_.stage = base.stage;
+      base_.folder = base.folder;
       check_batch(base);
       for (const auto& [name, field] : base.field)
         study_.field.push_back({name, field.path, !field.formula.empty()});
@@ -494,6 +500,7 @@ class StudyReader {
   ReadContext& context_;
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
+  ModelSpec base_;                           // its stages and folder alone
   StudySpec study_;
   std::size_t own_settings_ = 0;             // of study.set
   SettableKeys keys_;                        // of the base model; empty when it has faults
@@ -522,6 +529,12 @@ StudySpec parse_study(const std::string& toml_text, const std::string& file_name
   io::apply_overrides(context, root, own);
   io::VariantTables variants = io::take_variants(context, root);
   StudySpec study = io::StudyReader(context, root, settings).read();
+  if (study.shaking.is_asked() && !variants.option.empty())
+    throw InputError({{.file = file_name,
+                       .path = "variant",
+                       .value = variants.option.front().name,
+                       .problem = "stands beside [shaking]: options are compared by their pushes",
+                       .cure = "run one study of shakes for each option"}});
   io::read_options(study, std::move(variants), {toml_text, file_name, own, settings},
                    [](auto& c, auto& t, auto s) { return io::StudyReader(c, t, s).read(); });
   return study;
@@ -533,28 +546,6 @@ StudySpec read_study(const std::string& path, const std::vector<std::string>& ov
 
 bool is_study(const std::string& path) {
   return io::parse_toml(io::read_input(path, "model.toml"), path).contains("study");
-}
-
-ModelBuilder model_builder(const StudySpec& study) {
-  std::vector<std::string> settings = study.settings;
-  std::vector<double> states = study.states;
-  if (!states.empty() && !std::isnan(study.read_modes_at) &&
-      std::find(states.begin(), states.end(), study.read_modes_at) == states.end())
-    states.push_back(study.read_modes_at);
-  std::sort(states.begin(), states.end());
-  std::vector<std::string> texts;
-  for (const double state : states) texts.push_back(fmt::format("\"{:.17g} m\"", state));
-  if (!texts.empty()) settings.push_back("output.states=[" + joined(texts, ", ") + "]");
-  return [=, text = study.model_text, file = study.model_file, blocks = study.blocks_text,
-          had_corners = study.unstated_point_rule.empty()](const std::vector<std::string>& own) {
-    std::vector<std::string> all = settings;
-    all.insert(all.end(), own.begin(), own.end());
-    ModelSpec spec = parse_model(text, file, all, blocks);
-    SolveSpec& solve = spec.solve;
-    if (had_corners && solve.point_rule == PointRule::kDefault && solve.points_per_face == 0)
-      solve.points_per_face = 2;
-    return spec;
-  };
 }
 
 }  // namespace wythe

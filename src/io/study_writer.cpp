@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "io/describe_study.h"
+#include "io/shaking_file.h"
 #include "io/toml_writer.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
@@ -76,6 +77,7 @@ std::string write_study(const StudySpec& spec) {
                           io::PairTable{.between = {pair.a, pair.b},
                                         .rank = pair.rank ? pair.value : kUnset,
                                         .gaussian = pair.rank ? kUnset : pair.value});
+  out += io::shaking_text(study);
   for (const VariantSpec& option : study.option) {
     VariantSpec whole = option;
     if (!whole.model.empty()) whole.model_text = whole.study.model_text;

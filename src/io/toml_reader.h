@@ -44,6 +44,7 @@ struct ReadContext {
   };
   std::map<std::string, Derived> derived = {};
   std::set<std::string, std::less<>> asked = {};
+  const std::map<std::string, std::string>* records = nullptr;  // what record files hold, by name
 
   // Adds a fault at `path`; where an override reaches that path, the fault is the override's.
   void fault(const std::string& path, int line, const std::string& value,

@@ -167,6 +167,7 @@ class ShakeCompiler {
     const ScaleSpec& s = stage_.spec.scale;
     if (is_set(s.factor)) return s.factor;
     if (is_set(s.pga)) return s.pga / peak_acceleration(first);
+    if (is_set(s.pgv)) return s.pgv / peak_velocity(first);
     if (!is_set(s.sa)) return 1;
     const double damping = is_set(s.damping) ? s.damping : 0.05;
     return s.sa / pseudo_acceleration(first, s.period, damping);

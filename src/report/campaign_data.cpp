@@ -51,6 +51,11 @@ Json density_of(const Campaign& campaign, std::size_t k) {
 }
 
 void add_inputs(Bundle& bundle, const Campaign& campaign) {
+  // a wall under several records was drawn once
+  std::vector<std::size_t> walls;
+  for (std::size_t i = 0; i < campaign.samples.value.size(); ++i)
+    if (case_of(campaign.study, static_cast<int>(i)).wall == static_cast<int>(walls.size()))
+      walls.push_back(i);
   Json list = Json::array();
   std::vector<float> values;
   for (std::size_t k = 0; k < campaign.samples.column.size(); ++k) {
@@ -68,11 +73,11 @@ void add_inputs(Bundle& bundle, const Campaign& campaign) {
       input["formula"] = dependents[k - variables.size()].formula;
     input["density"] = density_of(campaign, k);
     list.push_back(input);
-    for (const auto& row : campaign.samples.value)
-      values.push_back(static_cast<float>(shown(column, row[k])));
+    for (const std::size_t i : walls)
+      values.push_back(static_cast<float>(shown(column, campaign.samples.value[i][k])));
   }
   bundle.header["inputs"] = list;
-  bundle.header["drawn"] = campaign.samples.value.size();
+  bundle.header["drawn"] = walls.size();
   bundle.add("input", std::span<const float>(values));  // (n_column, n_sample)
 }
 
@@ -114,6 +119,27 @@ void add_samples(Bundle& bundle, const Campaign& campaign, double read_modes_at)
   bundle.header["samples"] = list;
   bundle.add("curve.displacement_mm", std::span<const float>(displacement));
   bundle.add("curve.reaction_kN", std::span<const float>(reaction));
+}
+
+// Every shake that counts, for the figure of response against intensity.
+void add_shakes(Bundle& bundle, const Campaign& campaign) {
+  Json list = Json::array();
+  for (const SampleRecord& r : campaign.records) {
+    const SampleCase of = case_of(campaign.study, r.sample - 1);
+    for (const ShakeAnswer& shake : r.shakes)
+      if (shake.counts())
+        list.push_back({{"sample", r.sample},
+                        {"wall", of.wall + 1},
+                        {"record", of.record + 1},
+                        {"intensity", shake.intensity},
+                        {"drift_percent", 1e2 * shake.peak_drift},
+                        {"residual_percent", 1e2 * shake.residual_drift},
+                        {"collapsed", shake.collapsed}});
+  }
+  bundle.header["shakes"] = list;
+  Json names = Json::array();
+  for (const StudyRecord& record : campaign.study.shaking.record) names.push_back(record.name);
+  bundle.header["records"] = names;
 }
 
 Json quantities_json() {
@@ -232,6 +258,7 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
     bundle.header["until"] = {
         {"rule", campaign.study.until}, {"met", met}, {"measures", said(measures)}};
   }
+  if (statistics.shaking.shaking.is_asked()) add_shakes(bundle, campaign);
   add_inputs(bundle, campaign);
   add_samples(bundle, campaign, statistics.read_modes_at);
   add_walls(bundle, campaign, walls);

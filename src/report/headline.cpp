@@ -574,7 +574,6 @@ class LimitHeadline {
   const Json* weakest_ = nullptr;
 };
 
-// Of the kinds that are classes here.
 template <class OfKind>
 Headline made(const Json& header, const Texts& texts) {
   const OfKind of(header, texts);
@@ -584,8 +583,9 @@ Headline made(const Json& header, const Texts& texts) {
 }  // namespace
 
 std::string headline_of(const Json& header, const Texts& texts) {
-  const std::string kind = header.at("kind");
-  const Headline headline = kind == "campaign"     ? made<CampaignHeadline>(header, texts)
+  const std::string kind = is_shaken(header) ? "shaken" : header.at("kind").get<std::string>();
+  const Headline headline = kind == "shaken"       ? shaken_headline(header, texts)
+                            : kind == "campaign"   ? made<CampaignHeadline>(header, texts)
                             : kind == "limit"      ? made<LimitHeadline>(header, texts)
                             : kind == "comparison" ? comparison_headline(header, texts)
                                                    : made<RunHeadline>(header, texts);

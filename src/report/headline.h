@@ -17,5 +17,8 @@ struct Headline {
   std::string sentence, warning, cards;
 };
 [[nodiscard]] Headline comparison_headline(const Json& header, const Texts& texts);
+// Of a campaign over records (shaken_headline.cpp).
+[[nodiscard]] bool is_shaken(const Json& header);
+[[nodiscard]] Headline shaken_headline(const Json& header, const Texts& texts);
 
 }  // namespace wythe::report

@@ -199,7 +199,7 @@ void make_shake(StageSpec& stage) {
     make_place(record.at);
   }
   const bool by_factor = coin(2);
-  stage.scale.pga = kUnset;
+  stage.scale.pga = stage.scale.pgv = kUnset;
   if (by_factor) {
     stage.scale = {};
     stage.scale.factor = -0.0;

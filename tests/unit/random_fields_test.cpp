@@ -479,9 +479,9 @@ TEST(random_field, of_a_study_takes_its_mean_from_the_variable_and_dependents_fo
 TEST(random_field, sample_i_is_the_same_for_any_number_of_samples) {
   const StudySpec few = study_with_fields(4), many = study_with_fields(9);
   const SampleTable a = draw_samples(few), b = draw_samples(many);
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(a.field_setting[at(i)][0], b.field_setting[at(i)][0]);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(a.more_setting[at(i)][0], b.more_setting[at(i)][0]);
   std::vector<std::string> seeds;
-  for (const auto& settings : b.field_setting) seeds.push_back(settings[0]);
+  for (const auto& settings : b.more_setting) seeds.push_back(settings[0]);
   std::sort(seeds.begin(), seeds.end());
   EXPECT_EQ(std::unique(seeds.begin(), seeds.end()), seeds.end());
 }
@@ -489,7 +489,7 @@ TEST(random_field, sample_i_is_the_same_for_any_number_of_samples) {
 TEST(random_field, a_study_written_and_read_again_has_its_fields) {
   const StudySpec study = study_with_fields(3);
   const StudySpec again = parse_study(write_study(study), "again.toml");
-  EXPECT_EQ(draw_samples(again).field_setting, draw_samples(study).field_setting);
+  EXPECT_EQ(draw_samples(again).more_setting, draw_samples(study).more_setting);
 }
 
 TEST(random_field, of_a_study_is_refused_at_its_line) {

@@ -205,6 +205,8 @@ TEST_F(RecordFile, all_components_are_scaled_by_the_first) {
       "record = [{ pulse = \"cycle\", amplitude = \"1 m/s^2\", period = \"0.5 s\" },"
       "{ pulse = \"ricker\", amplitude = \"0.5 m/s^2\", period = \"0.5 s\", direction = \"+y\" "
       "}]\n";
+  const Model by_pgv = compile(parse(records + "scale = { pgv = \"0.2 m/s\" }\n"));
+  EXPECT_NEAR(peak_velocity(by_pgv.stages.back().base[0]), 0.2, 1e-12);
   const Model by_pga = compile(parse(records + "scale = { pga = \"3 m/s^2\" }\n"));
   EXPECT_NEAR(peak_acceleration(by_pga.stages.back().base[0]), 3, 1e-12);
   EXPECT_NEAR(peak_acceleration(by_pga.stages.back().base[1]), 1.5, 1e-12);

@@ -199,8 +199,9 @@ export function inputTables(inputs: any, note: string): Child {
 }
 
 // What the method takes for granted, whatever the model.
-export function assumptions(): HTMLElement {
-  const keys = ["plane", "rigid", "contacts", "law", "quasi_static", "deterministic"];
+export function assumptions(
+  keys = ["plane", "rigid", "contacts", "law", "quasi_static", "deterministic"],
+): HTMLElement {
   return h(
     "div",
     { class: "assumptions" },

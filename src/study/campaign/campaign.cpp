@@ -131,7 +131,7 @@ Plan continue_store(Store& store, const StudySpec& asked, const StoreHead& head)
         {"store.other_program", {{"began", store.head().provenance}, {"now", head.provenance}}});
   if (drawn.n_sample() > stored) {
     plan.samples.value.insert(plan.samples.value.end(), next, drawn.value.end());
-    set_fields(plan.spec, plan.samples);
+    set_more(plan.spec, plan.samples);
     store.add_samples(plan.samples, stored + 1, plan.spec);
   }
   return plan;
@@ -196,7 +196,8 @@ class Runner {
     const bool same = store_.value("until") == rule && !store_.value("until_from").empty();
     if (rule.empty() || !same) store_.set_value("until_met_at", "");
     store_.set_value("until", rule);
-    store_.set_value("fragility", value_of(rows_of(plan_.spec), "fragility"));
+    for (const char* key : {"fragility", "limit_states"})
+      store_.set_value(key, value_of(rows_of(plan_.spec), key));
     if (rule.empty()) {
       store_.set_value("until_from", "");
       return;

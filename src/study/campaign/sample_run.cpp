@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "study/campaign/shakes.h"
 #include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
@@ -22,6 +23,11 @@ std::vector<double> state_displacements(const StudySpec& spec) {
   const auto same = [](double a, double b) { return std::fabs(a - b) < kSame; };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
   return all;
+}
+
+bool shakes(const Model& model) {
+  return std::any_of(model.stages.begin(), model.stages.end(),
+                     [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
 }
 
 }  // namespace
@@ -48,6 +54,8 @@ void read_answer(const StudySpec& spec, SampleRun& run) {
 
 SampleJob::SampleJob(const SampleTask& task, int sample) : task_(task), sample_(sample) {
   run_.settings = settings_of(task.samples, sample - 1);
+  if (task.spec.shaking.is_asked())
+    set_intensity(std::isnan(task.only) ? next().value_or(kUnset) : task.only);
   try {
     run_.spec = task.build(run_.settings);
     const std::vector<double> states = state_displacements(task.spec);
@@ -65,11 +73,49 @@ void SampleJob::build_model() {
   state_ = initial_state(run_.model);
 }
 
+// The intensity is the last of the settings.
+void SampleJob::set_intensity(double intensity) {
+  intensity_ = intensity;
+  run_.settings.back() = intensity_setting(task_.spec.shaking, intensity);
+}
+
+// What comes after the shakes that are done, of a study that asks for shakes.
+std::optional<double> SampleJob::next() const {
+  const ShakingSpec& shaking = task_.spec.shaking;
+  if (!shaking.is_asked() || !std::isnan(task_.only)) return std::nullopt;
+  const auto record = static_cast<std::size_t>(case_of(task_.spec, sample_ - 1).record);
+  return next_intensity(shaking, shaking.record[record], run_.shakes);
+}
+
+void SampleJob::note_shake() {
+  run_.shakes.push_back(shake_answer(task_.spec.shaking, intensity_, run_.model, run_.result));
+  run_.shakes.back().retried = retried_;
+}
+
 bool SampleJob::wants_another() {
-  if (run_.result.status != SolveStatus::kUnstable || run_.retried) return false;
-  run_.spec.solve.step_fraction *= kRetryStep;
-  run_.retried = true;
-  build_model();
+  run_.wall_seconds += run_.result.wall_seconds;
+  if (run_.result.status == SolveStatus::kUnstable && !retried_) {
+    run_.spec.solve.step_fraction *= kRetryStep;
+    run_.retried = retried_ = true;
+    build_model();
+    return true;
+  }
+  if (!shakes(run_.model)) return false;
+  note_shake();
+  const std::optional<double> another = next();
+  if (!another) return false;
+  retried_ = false;
+  set_intensity(*another);
+  try {
+    run_.spec = task_.build(run_.settings);
+    build_model();
+  } catch (const InputError& error) {
+    ShakeAnswer& refused = run_.shakes.emplace_back();
+    refused.intensity = *another;
+    refused.status = "refused";
+    refused.reason = as_text(in_one_line(error.faults()));
+    return false;
+  }
   return true;
 }
 
@@ -101,6 +147,14 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.wall_seconds = r.wall_seconds;
   record.curve = r.curve;
   if (!run.refused.empty()) return record;
+  record.shakes = run.shakes;
+  if (!run.shakes.empty() && !record.has_curve()) {
+    sum_up(run.shakes, record);
+    record.wall_seconds = run.wall_seconds;
+    record.steps = 0;
+    for (const ShakeAnswer& shake : run.shakes) record.steps += shake.steps;
+    return record;
+  }
   if (r.status != SolveStatus::kUnstable) record.state_hash = r.state_hash;
   if (!record.answered()) return record;
   record.responses = r.responses;
@@ -134,12 +188,23 @@ std::vector<Snapshot> asked_states(const StudySpec& spec, const Result& result) 
 
 }  // namespace study
 
+namespace study {
+namespace {
+Result solve_alone(const Model& model, State& state, const SolveOptions& how) {
+  return solve(model, state, how);
+}
+}  // namespace
+}  // namespace study
+
 SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                      const ModelBuilder& build, const SolveOptions& options) {
-  const auto solver = [](const Model& model, State& state, const SolveOptions& how) {
-    return solve(model, state, how);
-  };
-  return study::run_task({study, samples, build}, sample, solver, options);
+  return study::run_task({study, samples, build}, sample, study::solve_alone, options);
+}
+
+SampleRun run_shake(const StudySpec& study, const SampleTable& samples, int sample,
+                    double intensity, const ModelBuilder& build, const SolveOptions& options) {
+  return study::run_task({study, samples, build, nullptr, intensity}, sample, study::solve_alone,
+                         options);
 }
 
 }  // namespace wythe

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "model/compiler.h"
 #include "wythe/campaign.h"
@@ -17,6 +18,7 @@ struct SampleTask {
   const SampleTable& samples;
   const ModelBuilder& build;
   const Compiler* compiler = nullptr;  // of the base model, for many samples; nullptr: compile()
+  double only = kUnset;                // the one intensity wanted of a sample under a record [SI]
 };
 
 // A sample under way, so that several can be solved side by side:
@@ -36,16 +38,22 @@ class SampleJob {
   [[nodiscard]] const Model& model() const { return run_.model; }
   [[nodiscard]] State& state() { return state_; }
   void take(Result result) { run_.result = std::move(result); }
-  // True when the result was unstable for the first time: the model now has half the step.
+  // True when there is more to run: the model now has half the step, since the result was unstable for the first
+  // time, or its record another intensity.
   [[nodiscard]] bool wants_another();
   // Names the failure mode; call once.
   [[nodiscard]] SampleRun finish();
 
  private:
   void build_model();
+  void set_intensity(double intensity);
+  [[nodiscard]] std::optional<double> next() const;
+  void note_shake();
 
   SampleTask task_;
   int sample_;
+  double intensity_ = kUnset;  // of the shake under way
+  bool retried_ = false;       // the shake under way
   SampleRun run_;
   State state_;
 };

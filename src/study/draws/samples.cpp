@@ -12,6 +12,7 @@
 #include "study/draws/copula.h"
 #include "study/draws/dependents.h"
 #include "study/draws/formula.h"
+#include "study/draws/records.h"
 #include "study/draws/sampling.h"
 #include "study/draws/study_check.h"
 #include "wythe/model.h"
@@ -64,6 +65,18 @@ std::string shortened(const std::string& value) {
                      std::string_view(stop, static_cast<std::size_t>(end - stop)));
 }
 
+// Each drawn wall once for each record that it meets.
+void meet_records(const StudySpec& study, SampleTable& table) {
+  const auto samples = static_cast<std::size_t>(count_samples(study));
+  if (study.variable.empty()) table.value.resize(samples);
+  if (!study.shaking.is_asked() || study.variable.empty()) return;
+  const std::vector<std::vector<double>> walls = std::move(table.value);
+  table.value.clear();
+  for (std::size_t i = 0; i < samples; ++i)
+    table.value.push_back(
+        walls[static_cast<std::size_t>(case_of(study, static_cast<int>(i)).wall)]);
+}
+
 }  // namespace
 
 SampleTable draw_samples(const StudySpec& study) {
@@ -72,13 +85,14 @@ SampleTable draw_samples(const StudySpec& study) {
   FaultList none;
   const Dependents dependents(study, none);
   SampleTable table{
-      .column = columns_of(study, dependents), .value = {}, .cut_off = {}, .field_setting = {}};
+      .column = columns_of(study, dependents), .value = {}, .cut_off = {}, .more_setting = {}};
   std::vector<Margin> margin;
   for (const VariableSpec& variable : study.variable) {
     margin.emplace_back(variable);
     table.cut_off.push_back(margin.back().cut_off());
   }
   for (int batch = 0; batch < static_cast<int>(study.batch.size()); ++batch) {
+    if (study.variable.empty()) break;  // records alone
     const Columns u = design_of(study, batch);
     for (std::size_t i = 0; i < u.front().size(); ++i) {
       std::vector<double> row;
@@ -87,7 +101,8 @@ SampleTable draw_samples(const StudySpec& study) {
       table.value.push_back(std::move(row));
     }
   }
-  set_fields(study, table);
+  meet_records(study, table);
+  set_more(study, table);
   return table;
 }
 
@@ -103,8 +118,8 @@ std::vector<std::string> settings_of(const SampleTable& samples, int sample) {
                       ? fmt::format("{}={}", column.path, number)
                       : fmt::format("{}={} {}", column.path, number, column.si_unit));
   }
-  if (const auto& fields = samples.field_setting; !fields.empty()) {
-    const auto& own = fields.at(static_cast<std::size_t>(sample));
+  if (const auto& more = samples.more_setting; !more.empty()) {
+    const auto& own = more.at(static_cast<std::size_t>(sample));
     out.insert(out.end(), own.begin(), own.end());
   }
   return out;
@@ -239,16 +254,23 @@ class Followers {
 
 }  // namespace
 
-void set_fields(const StudySpec& study, SampleTable& samples) {
-  samples.field_setting.clear();
-  if (study.field.empty()) return;
+void set_more(const StudySpec& study, SampleTable& samples) {
+  samples.more_setting.clear();
+  const ShakingSpec& shaking = study.shaking;
+  if (study.field.empty() && !shaking.is_asked()) return;
   const Followers followers(study);
   for (int i = 0; i < samples.n_sample(); ++i) {
-    std::vector<std::string>& settings = samples.field_setting.emplace_back();
+    const SampleCase of = case_of(study, i);
+    std::vector<std::string>& settings = samples.more_setting.emplace_back();
     for (const StudyField& field : study.field)
       if (!field.follows)
-        settings.push_back(fmt::format("field.{}.seed={}", field.name, field_seed_of(study, i)));
+        settings.push_back(
+            fmt::format("field.{}.seed={}", field.name, field_seed_of(study, of.wall)));
     followers.append_to(settings, samples, samples.value[static_cast<std::size_t>(i)]);
+    if (of.record < 0) continue;
+    const StudyRecord& record = shaking.record[static_cast<std::size_t>(of.record)];
+    settings.push_back(fmt::format("stage.{}.record={}", shaking.stage, record.motion));
+    settings.push_back(intensity_setting(shaking, first_intensity(shaking, record)));
   }
 }
 

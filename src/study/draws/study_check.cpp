@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/text.h"
@@ -23,6 +24,7 @@ namespace wythe {
 namespace {
 
 using Names = std::vector<std::string>;
+constexpr double kMostPairs = 1e6;  // of walls and records
 using study::DistributionForms;
 using study::kVariableParameters;
 using study::ParameterIs;
@@ -204,7 +206,8 @@ class StudyCheck {
 
   std::vector<Fault> run() {
     check_sizes();
-    if (study_.variable.empty())
+    check_shaking();
+    if (study_.variable.empty() && !study_.shaking.is_asked())
       refuse("variable", "", "is missing, a study needs at least one random variable",
              "write [variable.ft_j] and under it its path, distribution, mean and cov");
     for (const VariableSpec& variable : study_.variable) {
@@ -242,8 +245,12 @@ class StudyCheck {
 
   void check_sizes() {
     if (study_.batch.empty()) refuse("study.samples", "", "is missing", "write e.g. samples = 250");
+    const bool records_alone = study_.shaking.is_asked() && study_.variable.empty();
+    if (records_alone && study_.batch != std::vector<int>{1})
+      refuse("study.samples", "", "must be 1, since no variable tells one wall from another",
+             "write samples = 1, or give [variable.<name>]");
     for (const int size : study_.batch)
-      if (size < 2)
+      if (size < 2 && !records_alone)
         refuse("study.samples", std::to_string(size),
                "must be at least 2: one sample has no scatter", "write e.g. samples = 250");
     for (const double fraction : study_.fractions)
@@ -269,6 +276,60 @@ class StudyCheck {
              fmt::format("has at most {} variables, the study has {}", most_sobol_variables(),
                          variables),
              "write design = \"latin_hypercube\"");
+  }
+
+  // What belongs to pushes says nothing of a shake.
+  void check_shaking() {
+    const ShakingSpec& shaking = study_.shaking;
+    if (!shaking.is_asked()) return;
+    const auto idle = [&](const char* key, bool stands) {
+      if (stands)
+        refuse(std::string("study.") + key, "", "is of pushes, and [shaking] asks for shakes alone",
+               "leave it out");
+    };
+    idle("until", !study_.until.empty());
+    idle("fragility", !study_.fragility.empty());
+    idle("states", !study_.states.empty());
+    idle("fractions", !study_.fractions.empty());
+    idle("read_modes_at", !std::isnan(study_.read_modes_at));
+    check_intensities();
+    const double walls = std::accumulate(study_.batch.begin(), study_.batch.end(), 0.0);
+    if (walls * static_cast<double>(shaking.record.size()) > kMostPairs)
+      refuse("study.samples", fmt::format("{:g}", walls),
+             fmt::format("with {} records is too many, at most {:g} pairs", shaking.record.size(),
+                         kMostPairs),
+             "write fewer samples, or pairing = \"in_turn\"");
+    if (shaking.pairing == Pairing::kInTurn && walls < static_cast<double>(shaking.record.size()))
+      refuse(
+          "shaking.pairing", "in_turn",
+          fmt::format("leaves records out: {} samples, {} records", walls, shaking.record.size()),
+          "write as many samples as records at least, or pairing = \"each\"");
+  }
+
+  // What a damaged store may lack too.
+  void check_intensities() {
+    const ShakingSpec& shaking = study_.shaking;
+    if (shaking.record.empty())
+      refuse("record", "", "is missing", "write [[record]] and under it name, file and unit");
+    const auto rise = [](const std::vector<double>& levels) {
+      return std::adjacent_find(levels.begin(), levels.end(),
+                                [](double a, double b) { return !(a < b); }) == levels.end() &&
+             std::all_of(levels.begin(), levels.end(),
+                         [](double x) { return x > 0 && std::isfinite(x); });
+    };
+    bool good = rise(shaking.levels);
+    for (const StudyRecord& record : shaking.record)
+      good = good && rise(record.levels) &&
+             (!record.levels.empty() || !shaking.levels.empty() || shaking.climbs());
+    if (!good)
+      refuse("shaking.levels", "", "are not intensities that rise, for every record",
+             "write e.g. levels = [\"1 m/s^2\", \"2 m/s^2\"]");
+    if (shaking.climbs() && !(shaking.first > 0 && shaking.step > 0 &&
+                              shaking.most >= shaking.first && std::isfinite(shaking.most)))
+      refuse("shaking.most", "", "is no intensity above from, with a step above 0",
+             "write from, step and most");
+    if (shaking.halvings < 0 || shaking.halvings > 20)
+      refuse("shaking.halvings", std::to_string(shaking.halvings), "must be from 0 to 20", "");
   }
 
   // A variable that sets no key must stand in a formula.

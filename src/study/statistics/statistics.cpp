@@ -28,6 +28,11 @@ constexpr Word<Design> kDesignTitles[] = {{"Latin hypercube", Design::kLatinHype
                                           {"scrambled Sobol", Design::kSobol}};
 static_assert(names_all(kDesignTitles));
 
+bool has_shake_that_counts(const SampleRecord& record) {
+  return std::any_of(record.shakes.begin(), record.shakes.end(),
+                     [](const ShakeAnswer& shake) { return shake.counts(); });
+}
+
 void count_outcomes(const Campaign& campaign, Statistics& out) {
   for (const SampleRecord& record : campaign.records) {
     if (record.status.empty()) continue;  // has not run
@@ -35,6 +40,10 @@ void count_outcomes(const Campaign& campaign, Statistics& out) {
     ++out.status[record.status];
     if (record.has_curve() && !record.quasi_static.judgement.empty())
       ++out.judgement[record.quasi_static.judgement];
+    if (!record.has_curve() && has_shake_that_counts(record)) {
+      ++out.answered;
+      continue;
+    }
     if (!is_answered(record)) {
       const Message& why = record.responses.peak_reason;
       out.unanswered.push_back({record.sample, record.status, why.empty() ? record.reason : why});
@@ -131,7 +140,7 @@ Statistics statistics_of(const Campaign& campaign) {
   Statistics out;
   describe_study(campaign, out);
   count_outcomes(campaign, out);
-  out.answered = samples.n();
+  out.answered += samples.n();
   out.modes = samples.modes;
   out.input = study::input_summaries(campaign);
   out.input_correlation = input_correlations(campaign.samples);
@@ -149,6 +158,7 @@ Statistics statistics_of(const Campaign& campaign) {
   out.fragility = study::fragilities(samples);
   out.measuring = study::measurings(samples);
   out.surrogate_indices = study::surrogate_indices(samples);
+  out.shaking = shaking_statistics(campaign);
   return out;
 }
 

@@ -24,9 +24,9 @@ struct Answer {
   std::uint64_t numbers = 0;  // hash of its row and its curve
 };
 
-// Every column of a sample's row that is a result, in SQL, as one exact text.
-std::string results_as_text(Database& database) {
-  Statement columns(database, "SELECT name FROM pragma_table_info('sample')");
+// Every column of such a table that is a result, in SQL, as one exact text.
+std::string results_as_text(Database& database, const char* table) {
+  Statement columns(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
   std::string text;
   while (columns.step()) {
     const std::string name = columns.text();
@@ -106,9 +106,12 @@ class Comparison {
   void add_answers(Store& store, const std::string& folder) {
     Statement select(
         store.database(),
-        fmt::format("SELECT sample, status, state_hash, provenance, {}, (SELECT data FROM curve "
-                    "WHERE curve.sample = sample.sample) FROM sample",
-                    results_as_text(store.database())));
+        fmt::format(
+            "SELECT sample, status, state_hash, provenance, {}, (SELECT data FROM curve "
+            "WHERE curve.sample = sample.sample), (SELECT group_concat({}, '|') FROM (SELECT * "
+            "FROM shake WHERE shake.sample = sample.sample ORDER BY position)) FROM sample",
+            results_as_text(store.database(), "sample"),
+            results_as_text(store.database(), "shake")));
     while (select.step()) {
       const int sample = static_cast<int>(select.integer());
       Answer answer;
@@ -119,6 +122,7 @@ class Comparison {
       Hash numbers;
       numbers.add(select.text());
       numbers.add(select.bytes());
+      numbers.add(select.text());
       answer.numbers = numbers.value();
       const auto [there, is_new] = answers_.emplace(sample, answer);
       const Answer& before = there->second;

@@ -8,6 +8,11 @@
 namespace wythe::study {
 
 RecordLists lists_of(const SampleRecord& record) {
+  if (!record.answered()) {
+    RecordLists lists;
+    lists.shakes = record.shakes;
+    return lists;
+  }
   const FailureMode& mode = record.failure_mode;
   RecordLists lists{record.responses.falls,
                     {},
@@ -20,7 +25,8 @@ RecordLists lists_of(const SampleRecord& record) {
                     record.events,
                     record.rise,
                     {},
-                    {}};
+                    {},
+                    record.shakes};
   const PushedWall& wall = record.pushed;
   for (std::size_t i = 0; i < wall.moved.size(); ++i)
     lists.moved.push_back(
@@ -35,6 +41,8 @@ RecordLists lists_of(const SampleRecord& record) {
 }
 
 void put_lists(RecordLists lists, SampleRecord& record) {
+  record.shakes = std::move(lists.shakes);
+  if (!record.answered()) return;
   FailureMode& mode = record.failure_mode;
   for (const ScoreRow& row : lists.scores) mode.scores[row.name] = row.score;
   for (SignRow& row : lists.signs) {

@@ -57,6 +57,30 @@ void each_evidence_column(Visitor& v, Evidence& e) {
   v("unit", e.unit);
 }
 
+template <class Visitor, class Shake>
+void each_shake_column(Visitor& c, Shake& s) {
+  c("intensity", s.intensity);
+  c("status", s.status);
+  c("reason", s.reason);
+  c("retried", s.retried);
+  c("pga_m_per_s2", s.pga);
+  c("pgv_m_per_s", s.pgv);
+  c("sa_m_per_s2", s.sa);
+  c("peak_drift", s.peak_drift);
+  c("residual_drift", s.residual_drift);
+  c("peak_displacement_m", s.peak_displacement);
+  c("residual_displacement_m", s.residual_displacement);
+  c("uplift_m", s.uplift);
+  c("slip_m", s.slip);
+  c("peak_base_shear_N", s.peak_base_shear);
+  c("collapsed", s.collapsed);
+  c("collapse_time_s", s.collapse_time);
+  c("energy_gap_ratio", s.gap_ratio);
+  c("steps", s.steps);
+  c("time_step_s", s.time_step);
+  c("state_hash", s.state_hash);
+}
+
 // Signs lie in a table of their own, with the position of their element.
 struct SignRow {
   std::int64_t of_element = 0;
@@ -90,6 +114,7 @@ struct RecordLists {
   std::vector<RisePoint> rise;
   std::vector<MovedRow> moved;
   std::vector<PierRow> piers;
+  std::vector<ShakeAnswer> shakes;
 };
 [[nodiscard]] RecordLists lists_of(const SampleRecord& record);
 void put_lists(RecordLists lists, SampleRecord& record);
@@ -155,6 +180,7 @@ void each_list(Visitor& v) {
     c("mixed_kg_m2", m.mass.mixed);
     c("storey_drift", m.storey_drift);
   });
+  v.list("shake", &RecordLists::shakes, [](auto& c, auto& s) { each_shake_column(c, s); });
   v.list("pier_drift", &RecordLists::piers, [](auto& c, auto& p) {
     c("element", p.element);
     c("mark", p.mark);

@@ -29,11 +29,6 @@ constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application
 // In the place of a first sample.
 constexpr int kWhole = std::numeric_limits<int>::min();
 
-// How a sample that is stored has ended.
-bool is_outcome(const std::string& status) {
-  return value_of(kSolveStatusWords, status).has_value() || status == "refused";
-}
-
 // Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
 // one at that displacement, the peak, or the end. A feature's value had no unit in its name.
 constexpr const char* kListsOfVersion1 = R"(
@@ -457,18 +452,20 @@ SampleTable Store::samples(Inputs inputs) {
     if (c.is_random) table.cut_off.push_back(select.number());
   }
   table.value = read_inputs(database_, table.column.size());
-  const std::vector<int> batch = study().batch;
-  if (const auto asked = std::accumulate(batch.begin(), batch.end(), std::int64_t{0});
-      asked != table.n_sample())
+  const StudySpec spec = study();
+  if (table.column.empty()) table.value.resize(static_cast<std::size_t>(count_samples(spec)));
+  if (const auto asked = count_samples(spec); asked != table.n_sample())
     database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
                                   table.n_sample(), asked));
-  set_fields(study(), table);
+  set_more(spec, table);
   return table;
 }
 
 std::set<int> Store::done() {
   std::set<int> numbers;
-  const std::int64_t drawn = database_.integer("SELECT max(sample) FROM sample_input");
+  // a study of records alone draws nothing
+  std::int64_t drawn = database_.integer("SELECT coalesce(max(sample), 0) FROM sample_input");
+  if (drawn == 0) drawn = count_samples(study());
   Statement select(database_, "SELECT sample FROM sample");
   while (select.step()) numbers.insert(static_cast<int>(select.integer(1, drawn)));
   return numbers;
@@ -486,11 +483,9 @@ void Store::write(const PackedSample& sample) {
   binder.nothing = !r.answered();
   each_answer(binder, r);
   insert.run();
-  if (r.answered()) {
-    const RecordLists lists = lists_of(r);
-    ListWriter writer{database_, r.sample, lists};
-    each_list(writer);
-  }
+  const RecordLists lists = lists_of(r);
+  ListWriter writer{database_, r.sample, lists};
+  each_list(writer);
   if (!sample.curve.empty())
     Statement(database_, insert_sql("curve", 4))
         .run(r.sample, r.curve.size(), Bytes{sample.curve}, curve_column_names());
@@ -578,7 +573,11 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
     each_column(taker, record);
     if (!is_outcome(record.status))
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
-    if (!record.answered()) continue;  // nor are there lists of what it did
+    check_shakes(database_, record, lists[record.sample].shakes);
+    if (!record.answered()) {  // nor are there other lists of what it did
+      put_lists(std::move(lists[record.sample]), record);
+      continue;
+    }
     each_answer(taker, record);
     if (version_ < 3) {  // what it had no columns for
       record.responses.censored_peak =

@@ -94,6 +94,12 @@ class Store {
   std::optional<SampleDigests> digests_;
 };
 
+// How a sample, or a shake of one, that is stored has ended.
+[[nodiscard]] bool is_outcome(const std::string& status);
+// Shakes that count have numbers, and end as a run does.
+void check_shakes(Database& database, const SampleRecord& record,
+                  const std::vector<ShakeAnswer>& shakes);
+
 // Makes the file and what a campaign begins with.
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
                   const StoreHead& head);

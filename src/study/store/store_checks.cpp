@@ -1,6 +1,7 @@
 // Whether a store is what was written: pages, rows and checksums.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "study/store/store.h"
@@ -21,6 +22,25 @@ bool passes(const Check& check) {
 }
 
 }  // namespace
+
+bool is_outcome(const std::string& status) {
+  return value_of(kSolveStatusWords, status).has_value() || status == "refused";
+}
+
+void check_shakes(Database& database, const SampleRecord& record,
+                  const std::vector<ShakeAnswer>& shakes) {
+  for (const ShakeAnswer& shake : shakes) {
+    const auto refuse = [&](const std::string& what) {
+      database.damaged(fmt::format("sample {}: a shake {}", record.sample, what));
+    };
+    if (!is_outcome(shake.status)) refuse(fmt::format("ends as \"{}\"", shake.status));
+    if (shake.intensity <= 0 || std::isinf(shake.intensity)) refuse("has no intensity");
+    if (!shake.counts()) continue;
+    for (const double number : {shake.peak_displacement, shake.residual_displacement, shake.uplift,
+                                shake.slip, shake.peak_drift, shake.residual_drift})
+      if (!(number >= 0) || std::isinf(number)) refuse("holds what is not a number");
+  }
+}
 
 bool Store::inputs_are_whole() {
   return passes([&] { check_inputs_digest(database_); });

@@ -148,6 +148,109 @@ void each_key(V& v, Study& s) {
   v.whole("variant_place", s.variant_place);
 }
 
+template <class V, class Shaking>
+void each_shaking(V& v, Shaking& s) {
+  v.text("stage", s.stage);
+  v.word("measure", s.measure, kIntensityMeasureWords);
+  v.number("period", s.period, "s");
+  v.number("damping", s.damping);
+  v.numbers("levels", s.levels);
+  v.number("from", s.first);
+  v.number("step", s.step);
+  v.number("most", s.most);
+  v.whole("halvings", s.halvings);
+  v.word("pairing", s.pairing, kPairingWords);
+}
+
+template <class V, class Record>
+void each_record(V& v, Record& r) {
+  v.text("name", r.name);
+  v.text("motion", r.motion);
+  v.numbers("levels", r.levels);
+}
+
+struct LimitKey {
+  const char* name;
+  double LimitStateSpec::*value;
+};
+constexpr LimitKey kLimitKeys[] = {
+    {"peak_drift", &LimitStateSpec::peak_drift},
+    {"residual_drift", &LimitStateSpec::residual_drift},
+    {"peak_displacement", &LimitStateSpec::peak_displacement},
+    {"residual_displacement", &LimitStateSpec::residual_displacement},
+    {"uplift", &LimitStateSpec::uplift},
+    {"slip", &LimitStateSpec::slip}};
+
+// One line each, since they may change on resume: name, then a tab before each limit; collapse has none.
+std::string limit_states_text(const std::vector<LimitStateSpec>& states) {
+  std::vector<std::string> lines;
+  for (const LimitStateSpec& state : states) {
+    std::string& line = lines.emplace_back(state.name);
+    for (const LimitKey& key : kLimitKeys)
+      if (!std::isnan(state.*key.value)) line += fmt::format("\t{}={}", key.name, state.*key.value);
+  }
+  return joined(lines, "\n");
+}
+
+std::vector<LimitStateSpec> limit_states_of(const std::string& text) {
+  std::vector<LimitStateSpec> states;
+  for (const std::string& line : lines_of(text)) {
+    LimitStateSpec& state = states.emplace_back();
+    std::size_t tab = std::min(line.find('\t'), line.size());
+    state.name = line.substr(0, tab);
+    state.collapse = tab == line.size();
+    while (tab < line.size()) {
+      const std::size_t next = std::min(line.find('\t', tab + 1), line.size());
+      const std::string part = line.substr(tab + 1, next - tab - 1);
+      const std::size_t equals = std::min(part.find('='), part.size());
+      const auto key =
+          std::find_if(std::begin(kLimitKeys), std::end(kLimitKeys),
+                       [&](const auto& k) { return part.substr(0, equals) == k.name; });
+      if (key == std::end(kLimitKeys)) refuse("limit_states", part, "a limit");
+      state.*key->value =
+          number_in<double>("limit_states", part.substr(std::min(equals + 1, part.size())));
+      tab = next;
+    }
+  }
+  return states;
+}
+
+void add_shaking(const StudySpec& spec, Rows& rows) {
+  if (spec.shaking.is_asked()) {
+    RowWriter writer(rows, "shaking.");
+    each_shaking(writer, spec.shaking);
+  }
+  RowWriter root(rows, "");
+  std::vector<std::string> names, files;
+  for (const StudyRecord& record : spec.shaking.record) names.push_back(record.name);
+  root.texts("records", names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    RowWriter writer(rows, fmt::format("record.{}.", i));
+    each_record(writer, spec.shaking.record[i]);
+  }
+  root.text("limit_states", limit_states_text(spec.shaking.limit_state));
+  for (const auto& [name, text] : spec.record_text) files.push_back(name);
+  root.texts("record_files", files);
+  for (const auto& [name, text] : spec.record_text)
+    root.text(("record_text." + name).c_str(), text);
+}
+
+void read_shaking(const std::map<std::string, std::string>& known, const Rows& rows,
+                  StudySpec& spec) {
+  if (known.contains("shaking.stage")) {
+    RowReader reader(known, "shaking.");
+    each_shaking(reader, spec.shaking);
+  }
+  const std::size_t records = lines_of(value_of(rows, "records")).size();
+  for (std::size_t i = 0; i < records; ++i) {
+    RowReader reader(known, fmt::format("record.{}.", i));
+    each_record(reader, spec.shaking.record.emplace_back());
+  }
+  spec.shaking.limit_state = limit_states_of(value_of(rows, "limit_states"));
+  for (const std::string& name : lines_of(value_of(rows, "record_files")))
+    spec.record_text[name] = value_of(rows, "record_text." + name);
+}
+
 template <class Input>
 std::vector<std::string> names_of(const std::vector<Input>& inputs) {
   std::vector<std::string> names;
@@ -156,9 +259,9 @@ std::vector<std::string> names_of(const std::vector<Input>& inputs) {
 }
 
 bool may_change(const std::string& key) {
-  static const std::set<std::string> kFree = {"name",       "note",    "file",
-                                              "model_file", "samples", "until",
-                                              "fragility",  "variant", "variant_place"};
+  static const std::set<std::string> kFree = {
+      "name",  "note",      "file",    "model_file",    "samples",
+      "until", "fragility", "variant", "variant_place", "limit_states"};
   return kFree.contains(key);
 }
 
@@ -253,6 +356,7 @@ Rows rows_of(const StudySpec& spec) {
     writer.number("value", pair.value);
     writer.flag("rank", pair.rank);
   }
+  add_shaking(spec, rows);
   return rows;
 }
 
@@ -290,6 +394,7 @@ StudySpec study_of(const Rows& rows) {
     reader.number("value", pair.value);
     reader.flag("rank", pair.rank);
   }
+  read_shaking(known, rows, spec);
   return spec;
 }
 
@@ -305,6 +410,14 @@ std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std:
                         .path = "wall.blocks",
                         .value = "",
                         .problem = "holds other blocks than " + then,
+                        .cure = ""});
+      return;
+    }
+    if (key.starts_with("record_text.")) {
+      faults.push_back({.file = store,
+                        .path = key.substr(key.find('.') + 1),
+                        .value = "",
+                        .problem = "holds another record than " + then,
                         .cure = ""});
       return;
     }

@@ -15,6 +15,7 @@ import { entangled, histograms, inputTable, modeBins, scatters, sensitivity, sen
 import { flags, nameSensitivity } from "./names";
 import { SamplePanel } from "./sample";
 import { campaignSheet } from "./sheet";
+import { isShaken, limitStates, lostShakes, response } from "./shaken";
 import { driftLimits, exceedance, precision, running, shares, tableThree } from "./statistics";
 
 const kListed = 200;
@@ -71,7 +72,7 @@ function study(campaign: Campaign): Child {
 
 function provenance(campaign: Campaign): Child {
   return [
-    assumptions(),
+    isShaken(campaign) ? assumptions(["rigid", "law", "base", "records", "single_shake"]) : assumptions(),
     provenanceTable([
       [say("provenance.program"), campaign.header.provenance || "–"],
       [
@@ -89,8 +90,22 @@ function provenance(campaign: Campaign): Child {
   ];
 }
 
+// Walls under records answer other questions than walls that are pushed.
+function shakenSections(campaign: Campaign): Section[] {
+  return [
+    projectSection(campaign.header),
+    { id: "limit-states", title: say("section.limit_states"), content: limitStates(campaign) },
+    { id: "intensities", title: say("section.intensities"), content: response(campaign) },
+    { id: "lost-shakes", title: say("section.lost_shakes"), content: lostShakes(campaign) },
+    { id: "unanswered", title: say("section.unanswered"), content: unanswered(campaign) },
+    { id: "study", title: say("section.study"), content: campaign.inputs.length > 0 ? study(campaign) : null },
+    { id: "provenance", title: say("section.provenance"), content: provenance(campaign) },
+  ];
+}
+
 export function campaignSections(bundle: Bundle): Section[] {
   const campaign = new Campaign(bundle);
+  if (isShaken(campaign)) return shakenSections(campaign);
   const some = campaign.answered.length > 0,
     several = campaign.answered.length > 1;
   const panel = campaign.samples.length > 0 ? new SamplePanel(campaign) : null;

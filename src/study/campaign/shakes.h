@@ -1,0 +1,21 @@
+// The shakes of one sample: at which intensity comes next, and what each answers.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "wythe/campaign.h"
+
+namespace wythe::study {
+
+// The intensity after those that are done; none: the sample has ended. It depends on the answers alone.
+[[nodiscard]] std::optional<double> next_intensity(const ShakingSpec& shaking,
+                                                   const StudyRecord& record,
+                                                   const std::vector<ShakeAnswer>& done);
+// What a run answered that was shaken; `shaking` is the study's.
+[[nodiscard]] ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity,
+                                       const Model& model, const Result& result);
+// Hash and status of a sample from those of its shakes.
+void sum_up(const std::vector<ShakeAnswer>& shakes, SampleRecord& record);
+
+}  // namespace wythe::study

@@ -1,0 +1,11 @@
+// Samples that meet records: which wall and which record a sample is, and its intensities.
+#pragma once
+
+#include "wythe/study.h"
+
+namespace wythe {
+
+// Of a study that asks for shakes.
+[[nodiscard]] double first_intensity(const ShakingSpec& shaking, const StudyRecord& record);
+
+}  // namespace wythe

@@ -1,0 +1,28 @@
+// Scatter of a value over walls and records, told apart: a two-way layout without repetition.
+//
+//   y(r, w) = m + A(r) + B(w) + E(r, w),   sigma_R^2 = (MS_R - MS_E) / n_w,   sigma_W^2 = (MS_W - MS_E) / n_r
+//
+// Intervals: Tukey and Williams for the two, chi-square for what is left (Searle, Casella and McCulloch, Variance
+// Components (1992), sections 4.4 and 4.5; docs/theory/fragility.md).
+#pragma once
+
+#include <vector>
+
+#include "wythe/statistics.h"
+
+namespace wythe::study {
+
+struct Cell {
+  int record = 0, wall = 0;  // 0-based
+  double value = kUnset;     // logarithm; NaN: none
+};
+// `bracket` is the root of the mean square of what is not known of a value, 0: nothing. Every pair that
+// exists stands in `cells`, once.
+[[nodiscard]] Scatter scatter_of(const std::vector<Cell>& cells, double bracket);
+
+// Value that an F distribution exceeds with this probability.
+[[nodiscard]] double f_quantile_beyond(double probability, int degrees, int below);
+// The same of chi-square.
+[[nodiscard]] double chi_square_quantile_beyond(double probability, int degrees);
+
+}  // namespace wythe::study

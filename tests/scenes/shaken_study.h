@@ -1,0 +1,17 @@
+// A study over records that runs in a second: one rigid block under half cycles of sine.
+#pragma once
+
+#include <string>
+
+#include "wythe/study.h"
+
+namespace wythe::scenes {
+
+// The text of the study; `shaking` stands under [shaking], `more` at the end. Records: periods of half_cycle pulses [s].
+[[nodiscard]] std::string shaken_text(const std::string& shaking,
+                                      const std::vector<double>& periods, int samples = 2,
+                                      const std::string& more = "");
+[[nodiscard]] StudySpec shaken_study(const std::string& shaking, const std::vector<double>& periods,
+                                     int samples = 2, const std::string& more = "");
+
+}  // namespace wythe::scenes
