@@ -4,6 +4,7 @@
 // on, and looks for Ctrl-C, so that a signal reaches Python within a moment and the job is stopped with what it
 // has done kept.
 #include <pybind11/pybind11.h>
+#include <signal.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -30,6 +31,29 @@ struct Column {
 struct News {
   std::string what;
   double share = 0, displacement = 0, force = 0;
+};
+
+// Lets Python's own handler hear Ctrl-C, and afterwards the one that was there. Some libraries (OpenTURNS) put one in
+// its place that throws out of the signal, which ends an interpreter whose lock is free. In other threads than the main
+// one Python changes no handlers, and none is called.
+class PythonHearsInterrupts {
+ public:
+  PythonHearsInterrupts() {
+    sigaction(SIGINT, nullptr, &before_);
+    try {
+      const py::object signals = py::module_::import("signal"), number = signals.attr("SIGINT");
+      const py::object handler = signals.attr("getsignal")(number);
+      if (PyCallable_Check(handler.ptr()) != 0) signals.attr("signal")(number, handler);
+    } catch (py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
+    }
+  }
+  ~PythonHearsInterrupts() { sigaction(SIGINT, &before_, nullptr); }
+  PythonHearsInterrupts(const PythonHearsInterrupts&) = delete;
+  PythonHearsInterrupts& operator=(const PythonHearsInterrupts&) = delete;
+
+ private:
+  struct sigaction before_ {};
 };
 
 class Job {
@@ -59,6 +83,7 @@ class Job {
   // The code of wythe_do, and the exception that stopped it (Ctrl-C, or one of `progress`), or None.
   std::pair<int, py::object> perform(const py::object& progress) {
     check_idle();
+    const PythonHearsInterrupts hears;
     busy_ = true;
     ended_ = false;
     int code = WYTHE_DEFECT;
@@ -120,7 +145,8 @@ class Job {
     if (busy_) throw std::runtime_error("this job is at work in another thread");
   }
 
-  static int hear(void* context, const char* what, double share, double displacement, double force) {
+  static int hear(void* context, const char* what, double share, double displacement,
+                  double force) {
     Job& job = *static_cast<Job*>(context);
     const std::lock_guard lock(job.mutex_);
     job.news_ = News{what, share, displacement, force};
@@ -157,10 +183,11 @@ PYBIND11_MODULE(_wythe, m) {
       .def("set_column", &Job::set_column, py::arg("name"), py::arg("values"))
       .def("perform", &Job::perform, py::arg("progress"))
       .def("text", &Job::text, py::arg("name"))
-      .def("column",
-           [](Job& job, const std::string& table, const std::string& name) -> py::object {
-             std::optional<Column> column = job.column(table, name);
-             return column ? py::cast(std::move(*column)) : py::none();
-           },
-           py::arg("table"), py::arg("name"));
+      .def(
+          "column",
+          [](Job& job, const std::string& table, const std::string& name) -> py::object {
+            std::optional<Column> column = job.column(table, name);
+            return column ? py::cast(std::move(*column)) : py::none();
+          },
+          py::arg("table"), py::arg("name"));
 }

@@ -95,8 +95,7 @@ class State:
 
     def save_compas(self, path: str | os.PathLike[str]) -> None:
         """Writes the blocks as they stand here as a COMPAS assembly (JSON): metres, z up, a mesh a block."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._job.text(f"state {self._number} compas") or "")
+        write_text(path, self._job.text(f"state {self._number} compas") or "")
 
     def _repr_html_(self) -> str:
         return self.svg

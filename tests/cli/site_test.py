@@ -46,8 +46,8 @@ class Built(unittest.TestCase):
         for folder in folders:
             with self.subTest(folder):
                 card = next((c for c in cards if f'examples/{folder}/README.html' in c), "")
-                self.assertRegex(card, r"<pre>.*wythe")
-                self.assertRegex(card, r"href=\"[^\"]*\.toml\"")
+                self.assertRegex(card, r"<pre>.*(wythe|python3 examples/)")
+                self.assertRegex(card, r"href=\"[^\"]*\.(toml|py)\"")
                 self.assertRegex(card, r"\d (s|min|h)\b")
                 self.assertTrue((SITE / f"examples/{folder}/README.html").is_file())
 

@@ -118,6 +118,22 @@ class OpenTurns(unittest.TestCase):
         import wythe.openturns
         cls.openturns, cls.bridge = openturns, wythe.openturns
 
+    def test_ctrl_c_stops_a_call_beside_openturns(self):
+        # OpenTURNS puts a handler of its own in the place of Python's, which throws out of the signal
+        code = f"""
+import openturns, os, signal, wythe
+def stop(*heard):
+    os.kill(os.getpid(), signal.SIGINT)
+for _ in range(2):
+    try:
+        wythe.run({DRY!r}, progress=stop)
+    except wythe.Interrupted as stopped:
+        print(stopped.result.status)
+"""
+        done = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, check=False,
+                              env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
+        self.assertEqual((done.returncode, done.stdout.split()), (0, ["interrupted"] * 2), done.stderr)
+
     def test_a_sample_is_one_batch_and_equals_its_points(self):
         function = self.bridge.function(DRY, INPUTS, [PEAK, AT_PEAK], **WHOLE)
         self.assertEqual(list(function.getInputDescription()), [f"{KN} [GPa/m]", f"{PHI} [deg]"])

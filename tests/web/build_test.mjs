@@ -71,8 +71,9 @@ test("every text that is asked for is in the table, and none is there for nothin
   for (const key of asked) if (!key.endsWith(".")) assert.ok(key in table.texts, `no text ${key}`);
   // keys put together at run time: `status.${...}`, "input." + key of model_inputs.cpp
   const prefixes = [
-    ...code.matchAll(/say\(\s*[`"]([a-z_0-9]+\.)(?:\$\{|")/g),
+    ...code.matchAll(/say\(\s*[`"]([a-z_0-9.]+\.)(?:\$\{|")/g),
     ...code.matchAll(/say\([^)]*[?:]\s*"([a-z_0-9.]+)"/g),
+    ...code.matchAll(/verdictWords\("([a-z_]+)"/g),
   ].map((m) => m[1]);
   for (const key of Object.keys(table.texts)) {
     const used =
