@@ -10,6 +10,7 @@
 #include "wythe/failure_mode.h"
 #include "wythe/provenance.h"
 #include "wythe/report.h"
+#include "wythe/stored_states.h"
 
 namespace wythe {
 namespace {
@@ -71,9 +72,10 @@ Statistics write_campaign_files(const std::string& folder, const Campaign& campa
   write_text(results.path() + "/samples.csv", samples_csv(campaign));
   Statistics statistics = full_statistics(campaign);
   write_text(results.path() + "/statistics.json", statistics_json(statistics));
+  StoredStates stored(folder);
   const SampleWalls walls = {
       .build = model_builder(campaign.study),
-      .states = [&](int sample, const Model& model) { return read_states(folder, sample, model); }};
+      .states = [&](int sample, const Model& model) { return stored.of(sample, model); }};
   write_text(results.path() + "/report.html",
              report_page(campaign_data(campaign, statistics, walls), language));
   results.commit(at);

@@ -29,6 +29,7 @@
 #include "wythe/error.h"
 #include "wythe/formats.h"
 #include "wythe/io.h"
+#include "wythe/stored_states.h"
 
 namespace wythe {
 namespace {
@@ -334,11 +335,11 @@ void write_samples(Sink& sink, const std::vector<ExportCell>& head,
   }
 }
 
-void export_states(const std::string& folder, const Campaign& campaign, const SampleRecord& record,
+void export_states(StoredStates& stored, const Campaign& campaign, const SampleRecord& record,
                    const ModelBuilder& build, StateTables& tables) {
   if (record.status == "refused") return;  // there is no such wall
   const Model model = compile(build(settings_of(campaign.samples, record.sample - 1)));
-  const std::vector<Snapshot> snapshots = read_states(folder, record.sample, model);
+  const std::vector<Snapshot> snapshots = stored.of(record.sample, model);
   if (snapshots.empty()) return;
   const Wall wall(model);
   int number = 0;
@@ -353,6 +354,7 @@ Exported export_campaign(const std::string& folder, Sink& sink) {
   StateTables states(sink);
   std::vector<std::vector<ExportCell>> samples;
   ModelBuilder build;
+  StoredStates stored(folder);
   const auto begin = [&](const Campaign& campaign) {
     build = model_builder(campaign.study);
     const ShownColumns of = columns_of(compile(build({})));
@@ -369,7 +371,7 @@ Exported export_campaign(const std::string& folder, Sink& sink) {
           curves->add(cells);
         }
         made.rows += static_cast<std::int64_t>(record.curve.size());
-        export_states(folder, head, record, build, states);
+        export_states(stored, head, record, build, states);
       });
   if (!curves) begin(campaign);
   made.samples = static_cast<int>(samples.size());

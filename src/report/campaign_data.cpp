@@ -217,6 +217,7 @@ void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& wall
       const double room = kMostWallNumbers - (with_fields ? of_fields : 0);
       most = static_cast<int>(room / state_numbers(first));
     }
+    if (arrays.count() >= most) break;  // no room for more
     // a wall of another shape has no place among these frames
     if (!same_shape(first, model)) continue;
     const int stored = static_cast<int>(states.size());

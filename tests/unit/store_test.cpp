@@ -18,6 +18,7 @@
 #include "study/store/record_rows.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
+#include "wythe/stored_states.h"
 
 namespace wythe::study {
 namespace {
@@ -404,6 +405,31 @@ TEST_F(StoreFile, states_come_back_at_rest_and_rounded) {
                     static_cast<float>(state.tension_set[i]));
   }
   EXPECT_TRUE(read_states(out_, 2, model).empty());
+}
+
+TEST_F(StoreFile, a_store_that_stays_open_gives_the_same_states) {
+  const Model model = compile(model_builder(scenes::small_study(2))({}));
+  const State state =
+      random_state(initial_state(model).ux.size(), initial_state(model).kappa.size());
+  {
+    Store store(out_, Store::Access::kWrite);
+    store.write(packed(full_record(1), {{"10 mm", 0.01, 1e5, state}}));
+  }
+  StoredStates stored(out_);
+  const std::vector<Snapshot> alone = read_states(out_, 1, model);
+  for (int again = 0; again < 2; ++again) {
+    const std::vector<Snapshot> states = stored.of(1, model);
+    ASSERT_EQ(states.size(), 1U);
+    EXPECT_EQ(states[0].state.ux, alone[0].state.ux);
+    EXPECT_EQ(states[0].state.tension_set, alone[0].state.tension_set);
+    EXPECT_TRUE(stored.of(2, model).empty());
+  }
+  {  // what is stored meanwhile is seen, as by an opening of its own
+    Store store(out_, Store::Access::kWrite);
+    store.write(packed(full_record(2), {{"10 mm", 0.01, 1e5, state}}));
+  }
+  EXPECT_EQ(stored.of(2, model).size(), 1U);
+  EXPECT_THROW(StoredStates(out_ + "/none"), InputError);
 }
 
 // Numbers nobody can compress: the tuff wall's 852 blocks and 2600 joints, three states, 500 rows.

@@ -6,6 +6,7 @@
 #include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
+#include "wythe/stored_states.h"
 
 namespace wythe {
 namespace {
@@ -92,6 +93,20 @@ StoreProgress campaign_progress(const std::string& folder) {
 
 std::vector<Snapshot> read_states(const std::string& folder, int sample, const Model& model) {
   return opened(folder).states(sample, model);
+}
+
+struct StoredStates::Content {
+  study::Store store;
+};
+
+StoredStates::StoredStates(const std::string& folder)
+    : content_(std::make_unique<Content>(opened(folder))) {}
+
+StoredStates::~StoredStates() = default;
+
+std::vector<Snapshot> StoredStates::of(int sample, const Model& model) {
+  content_->store.database().give_back();  // one sample at a time
+  return content_->store.states(sample, model);
 }
 
 std::string column_title(const InputColumn& column) {

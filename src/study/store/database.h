@@ -91,6 +91,8 @@ class Database {
   void attach(const std::filesystem::path& file, const std::string& as);
   // Counts what is about to be unpacked from this file; throws where all of it is more than memory holds.
   void take(double bytes);
+  // What was taken so far is no longer held.
+  void give_back() { taken_ = 0; }
   // Throws the last failure of SQLite as an IoError.
   [[noreturn]] void refuse(int code);
   // Throws an IoError: the file holds something impossible, so it is damaged.
