@@ -15,7 +15,7 @@ class Soak(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             def soak(kills):
                 done = subprocess.run([SOURCE / "tools/soak", "--wythe", WYTHE, "--folder", folder, "--kills", str(kills), "--full", "1",
-                                       "--samples", "20", "--seconds", "0"], capture_output=True, text=True, check=False)
+                                       "--samples", "20", "--executions", "0"], capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
                 return json.loads((pathlib.Path(folder) / "figures.json").read_text())
 
@@ -29,7 +29,7 @@ class Soak(unittest.TestCase):
             (pathlib.Path(folder) / "whole_200").mkdir()
             (pathlib.Path(folder) / "whole_200/samples.csv").write_text("other")
             done = subprocess.run([SOURCE / "tools/soak", "--wythe", WYTHE, "--folder", folder, "--kills", "1", "--full", "0",
-                                   "--samples", "0", "--seconds", "0"], capture_output=True, text=True, check=False)
+                                   "--samples", "0", "--executions", "0"], capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 1, done.stdout)
             self.assertIn("killed: other samples.csv", done.stdout)
 
