@@ -65,7 +65,7 @@ check: configure ## layers, sizes, words, format, clang-tidy
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
 
-package: build   ## build/package: a Debian package with man page and completion, the sources, checksums
+package: build   ## build/package: Debian packages of program, library and Python module, the sources, checksums
 	tools/package --build $(BUILD)
 
 install: build   ## install to PREFIX (default /usr/local)

@@ -1,5 +1,10 @@
-# Script of provenance.cmake: writes OUTPUT when its content would change. Works without git.
+# Script of provenance.cmake: writes OUTPUT when its content would change. Works without git: an archive of the sources
+# names its commit in commit.txt, where git archive puts it.
 set(commit "unknown")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/commit.txt archived)
+if(archived MATCHES "^[0-9a-f]+")
+  string(SUBSTRING "${archived}" 0 12 commit)
+endif()
 find_program(GIT git)
 if(GIT)
   execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --short=12 HEAD
