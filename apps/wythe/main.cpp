@@ -12,6 +12,7 @@
 #include "campaign_commands.h"
 #include "commands.h"
 #include "report_files.h"
+#include "streams.h"
 #include "wythe/error.h"
 #include "wythe/provenance.h"
 #include "wythe/solve.h"
@@ -320,9 +321,10 @@ void say_memory_is_full() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  make_streams_safe();
   std::set_new_handler(say_memory_is_full);
   try {
-    return parse_and_run(argc, argv);
+    return ended_with(parse_and_run(argc, argv));
   } catch (const wythe::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kInputError;

@@ -1,0 +1,65 @@
+#include "streams.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+namespace wythe::app {
+namespace {
+
+constexpr int kEnvironmentError = 4;
+int failed =
+    0;  // errno of the first write on standard output that did not arrive; streams have no other place for it
+
+// Writes all there is, and tells stdio that it went well in any case.
+ssize_t write_or_drop(void* stream, const char* bytes, std::size_t size) {
+  const int number = stream == &failed ? STDOUT_FILENO : STDERR_FILENO;
+  for (std::size_t done = 0; done < size;) {
+    const ssize_t now = write(number, bytes + done, size - done);
+    if (now < 0 && errno == EINTR) continue;
+    if (now < 0) {
+      if (number == STDOUT_FILENO && failed == 0) failed = errno;
+      break;
+    }
+    done += static_cast<std::size_t>(now);
+  }
+  return static_cast<ssize_t>(size);
+}
+
+std::FILE* stream_of(void* cookie, int buffering) {
+  std::FILE* stream = fopencookie(
+      cookie, "w", {.read = nullptr, .write = write_or_drop, .seek = nullptr, .close = nullptr});
+  if (stream != nullptr) std::setvbuf(stream, nullptr, buffering, BUFSIZ);
+  return stream;
+}
+
+}  // namespace
+
+void make_streams_safe() {
+  for (int number = 0; number <= STDERR_FILENO; ++number) {
+    if (isatty(number) != 0 || errno != EBADF) continue;
+    std::FILE* nothing = std::fopen("/dev/null", "r+");  // takes the lowest number that is free
+    if (nothing == nullptr || fileno(nothing) != number) _exit(kEnvironmentError);
+  }
+  if (std::FILE* out = stream_of(&failed, isatty(STDOUT_FILENO) != 0 ? _IOLBF : _IOFBF))
+    stdout = out;
+  if (std::FILE* err = stream_of(nullptr, _IONBF)) stderr = err;
+}
+
+int ended_with(int code) {
+  std::fflush(stdout);
+  std::cout.flush();
+  if (failed == 0 && std::cout.good()) return code;
+  fmt::print(
+      stderr,
+      "standard output: not all could be written ({}); make room, or name another place for it\n",
+      failed != 0 ? std::strerror(failed) : "its stream failed");
+  return code == 0 ? kEnvironmentError : code;
+}
+
+}  // namespace wythe::app
