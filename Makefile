@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test fuzz soak bench docs site web format check install package clean
+.PHONY: all help setup build demo test fuzz soak sanitize bench docs site web format check install package clean
 all: build
 
 help:            ## this list
@@ -37,6 +37,9 @@ fuzz:            ## feed every reader with what libFuzzer makes up, a minute eac
 
 soak: build      ## hours of kills, full disks, tiny samples and made-up input; goes on where it stopped; docs/testing.md
 	@tools/soak --page
+
+sanitize: build  ## every test under address, undefined and thread sanitizers, an hour; docs/testing.md
+	@tools/sanitize
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
 	@cmake --build --preset $(PRESET) --target wythe_bench wythe_cli
