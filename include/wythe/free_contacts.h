@@ -39,13 +39,13 @@ struct FreeShapes {
   [[nodiscard]] bool any() const { return !material.empty(); }
 };
 
-// What a free contact remembers. In the plane one for two parts that touch; in space one for each point.
+// What a free contact remembers of two parts.
 struct FreeContact {
-  std::int32_t a = 0, b = 0;                  // bodies, a < b
-  std::int32_t part_a = 0, part_b = 0;        // of them
-  std::int32_t feature = 0;                   // plane: edge e of a that faces b, or -1 - e of b
-  std::int32_t other = 0;                     // space: the other feature of a point
-  double area = 0;                            // in the last step [m^2]
+  std::int32_t a = 0, b = 0;            // bodies, a < b
+  std::int32_t part_a = 0, part_b = 0;  // of them
+  std::int32_t feature = 0;             // edge or facet e of a that faces b, or -1 - e of b
+  double rest = 0;                      // overlap of crushed material, which presses no more [m]
+  double area = 0;                      // in the last step [m^2]
   double slip_x = 0, slip_y = 0, slip_z = 0;  // elastic part of the slip of b on a [m]
   bool operator==(const FreeContact&) const = default;
 };
@@ -67,6 +67,7 @@ struct Debris {
   double volume = 0;  // [m^3]
   double mass = 0;    // [kg]
   double reach = 0;   // how far fallen blocks lie outside the wall's outline in plan [m]
+  double load = 0;    // dead load that lay on blocks and has slid off as they fell [N]
 };
 
 }  // namespace wythe

@@ -33,9 +33,9 @@ namespace {
 struct EdgeView {
   double x0, y0, xx, xy, yx, yy, length;
 
-  EdgeView(const EdgeAxes& e, const BodyFrame& seen)
+  EdgeView(const EdgeAxes& e, const BodyFrame& seen, double inset = 0)
       : x0(e.ax * (seen.x - e.x) + e.ay * (seen.y - e.y)),
-        y0(e.nx * (seen.x - e.x) + e.ny * (seen.y - e.y)),
+        y0(e.nx * (seen.x - e.x) + e.ny * (seen.y - e.y) + inset),
         xx(e.ax * seen.c + e.ay * seen.s),
         xy(e.ay * seen.c - e.ax * seen.s),
         yx(e.nx * seen.c + e.ny * seen.s),
@@ -67,8 +67,9 @@ WYTHE_INLINE void add_piece(double xa, double ya, double xb, double yb, double l
 
 }  // namespace
 
-Overlap overlap_on(const Part& ref, int edge, const Part& other, const BodyFrame& seen) {
-  const EdgeView view(axes_of(ref, edge), seen);
+Overlap overlap_on(const Part& ref, int edge, const Part& other, const BodyFrame& seen,
+                   double inset) {
+  const EdgeView view(axes_of(ref, edge), seen, inset);
   Overlap sum{std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0};
   double left = 0, right = 0;
   const int last = other.corners - 1;

@@ -50,8 +50,7 @@ struct BodyFrame {
 
 // What lies on one edge; lengths in the axes of the edge, for kn t = 1.
 struct Overlap {
-  double
-      lowest;  // the other part's lowest corner; above 0 the parts are that far apart at least [m]
+  double lowest;  // the other part's lowest corner over the moved edge; above 0 nothing presses [m]
   double cover;   // of the edge that is passed [m]
   double area;    // integral of d [m^2]: force along n
   double moment;  // of the force about the origin of the edge's axes [m^3]
@@ -69,8 +68,9 @@ struct EdgeAxes {
           part.ty[edge], -part.tx[edge], part.length[edge]};
 }
 
+// With the edge moved into its part by `inset` [m]: that much of the overlap does not press.
 [[nodiscard]] Overlap overlap_on(const Part& ref, int edge, const Part& other,
-                                 const BodyFrame& seen);
+                                 const BodyFrame& seen, double inset = 0);
 
 // Of `ref`, the edge from which `other` is farthest, or that it passes least.
 struct Separation {

@@ -67,9 +67,9 @@ namespace {
 struct FacetView {
   Vec o, rx, ry, rz;
 
-  FacetView(const Facet& f, const SpaceFrame& seen) {
+  FacetView(const Facet& f, const SpaceFrame& seen, double inset = 0) {
     const Vec to = seen.at - f.origin;
-    o = {dot(f.x, to), dot(f.y, to), dot(f.z, to)};
+    o = {dot(f.x, to), dot(f.y, to), dot(f.z, to) + inset};
     rx = turned_back(seen.turn, f.x);
     ry = turned_back(seen.turn, f.y);
     rz = turned_back(seen.turn, f.z);
@@ -177,9 +177,9 @@ void add_side(const Vec& p, const Vec& q, const FacetSide& side, SpaceOverlap& s
 }  // namespace
 
 SpaceOverlap overlap_on(const SpacePart& ref, int number, const SpacePart& other,
-                        const SpaceFrame& seen, bool with_polygon) {
+                        const SpaceFrame& seen, double inset, bool with_polygon) {
   const Facet& facet = ref.facet[number];
-  const FacetView view(facet, seen);
+  const FacetView view(facet, seen, inset);
   SpaceOverlap sum;
   sum.lowest = 1e300;
   Cover cover;

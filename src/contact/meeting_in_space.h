@@ -53,7 +53,7 @@ struct SpaceFrame {
 // On one facet, in its axes, for kn = 1.
 struct SpaceOverlap {
   double lowest =
-      0;  // the other part's lowest corner; above 0 the parts are that far apart at least [m]
+      0;  // the other part's lowest corner over the moved facet; above 0 nothing presses [m]
   double cover = 0;          // of the facet that is passed [m^2]
   Vec force{0, 0, 0};        // [m^3]
   Vec moment{0, 0, 0};       // about the origin of the facet's axes [m^4]
@@ -61,8 +61,10 @@ struct SpaceOverlap {
   double spread = 0;         // mean squared distance of the cover from its centroid [m^2]
   std::vector<Vec> polygon;  // of the largest piece, where asked for
 };
+// With the facet moved into its part by `inset` [m]: that much of the overlap does not press.
 [[nodiscard]] SpaceOverlap overlap_on(const SpacePart& ref, int facet, const SpacePart& other,
-                                      const SpaceFrame& seen, bool with_polygon = false);
+                                      const SpaceFrame& seen, double inset = 0,
+                                      bool with_polygon = false);
 [[nodiscard]] Separation separation_of(const SpacePart& ref, const SpacePart& other,
                                        const SpaceFrame& seen);
 [[nodiscard]] Face face_of(const SpacePart& a, const SpacePart& b, const SpaceFrame& b_from_a,

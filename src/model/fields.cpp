@@ -51,8 +51,8 @@ std::string state_hash(const State& s) {
   Hash hash;
   for (const StateField& field : kStateFields) hash.add(s.*field.array);
   for (const FreeContact& c : s.free_contacts) {
-    hash.add(&c, 6 * sizeof(std::int32_t));
-    for (const double number : {c.area, c.slip_x, c.slip_y, c.slip_z}) hash.add(number);
+    hash.add(&c, 5 * sizeof(std::int32_t));
+    for (const double number : {c.rest, c.area, c.slip_x, c.slip_y, c.slip_z}) hash.add(number);
   }
   for (const HandOver& h : s.hand_overs) {
     hash.add(&h, 2 * sizeof(std::int32_t));

@@ -3,6 +3,7 @@
 
 #include "contact/meeting.h"
 #include "contact/meeting_in_space.h"
+#include "core/real.h"
 #include "wythe/error.h"
 #include "wythe/model.h"
 
@@ -14,6 +15,17 @@ namespace wythe {
 // The law of two bodies in free contact, a < b: that of the largest joint between them, broken; without one
 // that of the softer of their own materials.
 [[nodiscard]] contact::FreeLaw free_law_of(const Model& model, std::int32_t a, std::int32_t b);
+
+// A dead load is a weight that lies on its block. It stays there while the block falls by half of its own height, has
+// slid off when it has fallen by all of it, and falls no faster than a weight does: from a quarter of the height above.
+[[nodiscard]] inline double load_left(double height, double fall) {
+  return clip(2 - 2 * fall / height, 0.0, 1.0);
+}
+[[nodiscard]] inline double load_followed(double height, double fall, double speed) {
+  constexpr double kGravity = 9.81;
+  const double most = 2 * kGravity * (maximum(fall, 0.0) + 0.25 * height);
+  return speed <= 0 ? 1.0 : clip(2 - speed * speed / most, 0.0, 1.0);
+}
 
 // In space: the parts of blocks, supports and ground, from the bodies of the model.
 [[nodiscard]] contact::SpaceParts free_parts(const Model& model);

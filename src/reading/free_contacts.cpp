@@ -42,8 +42,9 @@ void each_in_space(const Model& m, const State& s, const Visit& visit) {
     const auto b = contact::part_of(parts, m.free.part_begin[at(c.b)] + c.part_b);
     const contact::SpaceFrame fa = frame_in_space(m, s, c.a), fb = frame_in_space(m, s, c.b);
     visit(c, free_law_of(m, c.a, c.b),
-          c.feature >= 0 ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb))
-                         : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa)));
+          c.feature >= 0
+              ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb), c.rest)
+              : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa), c.rest));
   }
 }
 
@@ -58,8 +59,9 @@ void each_contact(const Model& m, const State& s, const Visit& visit) {
     const contact::Part b = edges.part(m.free, m.free.part_begin[at(c.b)] + c.part_b);
     const contact::BodyFrame fa = frame_of(m, s, c.a), fb = frame_of(m, s, c.b);
     visit(c, free_law_of(m, c.a, c.b),
-          c.feature >= 0 ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb))
-                         : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa)));
+          c.feature >= 0
+              ? contact::overlap_on(a, c.feature, b, contact::seen_from(fa, fb), c.rest)
+              : contact::overlap_on(b, -1 - c.feature, a, contact::seen_from(fb, fa), c.rest));
   }
 }
 
@@ -131,6 +133,12 @@ Debris read_debris(const Model& m, const State& s) {
     for (const Vec3& v : corners(i, true))
       debris.reach = std::max({debris.reach, v.x - high.x, low.x - v.x, v.z - high.z, low.z - v.z});
   }
+  for (std::size_t k = 0; k < m.stages.size(); ++k)
+    for (const PointLoad& load : m.stages[k].loads) {
+      const double height = height_of(corners(load.block, false));
+      debris.load += s.load_scale[k] * (1 - load_left(height, -s.uy[at(load.block)])) *
+                     std::hypot(load.fx, load.fy, load.fz);
+    }
   return debris;
 }
 

@@ -46,7 +46,7 @@ struct Cubes {
     EXPECT_LT(face.distance, 0);
     EXPECT_GE(face.feature, 0) << "of two faces as good the first body's";
     SpaceOverlap overlap =
-        contact::overlap_on(a, face.feature, b, contact::seen_from(here, there), true);
+        contact::overlap_on(a, face.feature, b, contact::seen_from(here, there), 0, true);
     // out of the face's axes
     const contact::Facet& f = a.facet[face.feature];
     for (Vec& p : overlap.polygon) p = f.origin + p.x * f.x + p.y * f.y;

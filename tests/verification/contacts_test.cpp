@@ -243,6 +243,72 @@ TEST(FreeContacts, a_joint_that_has_slipped_gives_way_without_a_jump) {
   EXPECT_LT(ledger_gap(e), 1e-3 * e.friction);
 }
 
+// What is crushed presses no more. Were it given back as a force, this block would be thrown off with hundreds of times
+// the work that pushes it over the edge.
+TEST(FreeContacts, a_crushed_joint_gives_way_without_making_energy) {
+  constexpr double kCrushed = 4e-3;
+  JointMaterial joint = dry();
+  joint.compressive_strength = 1e6, joint.compressive_energy = 1e4;
+  ModelSpec spec =
+      with_free_contacts({table(-0.5, 1.0), scenes::rectangle("block", 0, 0, 0.3, 0.1)}, joint);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("block", Direction::kPlusX, 0.2, 0.6)};
+  Rig rig(compile(spec));
+  std::fill(rig.state.crush.begin(), rig.state.crush.end(), kCrushed);
+  rig.state.uy[0] = -kCrushed;
+  rig.state.gravity_y = -kG;
+  rig.controls.damping = 0.2;
+  rig.settle(1e-6);
+  const double weight = kG * kDensity * 0.3 * 0.1 * kThick;
+  rig.drive(1, 0.2);
+  bool handed = false;
+  double fastest = 0;
+  for (int k = 0; k < 400000 && rig.state.ux[0] < 0.55; ++k) {
+    const double before = rig.contact(0).y;
+    rig.step();
+    if (rig.state.handed_over[0] != 0 && !handed) {
+      handed = true;
+      EXPECT_NEAR(rig.contact(0).y, before, 1e-3 * weight);
+      ASSERT_EQ(rig.state.free_contacts.size(), 1U);
+      EXPECT_NEAR(rig.state.free_contacts[0].rest, kCrushed, 1e-5);
+      EXPECT_LT(std::fabs(rig.state.lost_in_hand_over), 1e-5 * weight);
+    }
+    fastest = std::fmax(fastest, std::fabs(rig.state.vy[0]));
+  }
+  EXPECT_TRUE(handed);
+  EXPECT_LT(rig.state.uy[0], -0.1);  // it has fallen over the edge
+  EXPECT_LT(fastest, 1.2 * std::sqrt(2 * kG * -rig.state.uy[0]));
+  const EnergyLedger e = rig.energy();
+  // where the contact turns over the edge of the table some of what presses is lost; nothing comes of it
+  EXPECT_GT(e.hand_over, -1e-2 * weight * 0.1);
+  EXPECT_LT(e.hand_over, 0.2 * weight * 0.1);
+  EXPECT_LT(ledger_gap(e), 1e-2 * (e.friction + e.kinetic));
+}
+
+// A dead load is a weight: it neither throws its block down nor follows it for ever.
+TEST(FreeContacts, a_dead_load_falls_no_faster_than_a_weight) {
+  constexpr double kHeight = 0.1;
+  ModelSpec spec = with_free_contacts(
+      {table(0, 0.5), scenes::rectangle("block", 0.4, 0, 0.3, kHeight)}, stiff());
+  StageSpec load;
+  load.name = "load";
+  load.kind = StageKind::kLoad;
+  load.pressure = 5e5;
+  spec.stage = {scenes::gravity_stage(), load};
+  Rig rig(compile(spec));
+  let_go(rig);
+  rig.state.load_scale[1] = 1;
+  rig.controls.damping = 0;
+  for (int k = 0; k < 1000000 && rig.state.uy[0] > -1.0; ++k) {
+    rig.step();
+    const double fall = -rig.state.uy[0], speed = rig.state.vy[0];
+    ASSERT_LT(speed * speed, 2.1 * 2 * kG * (std::fmax(fall, 0.0) + kHeight / 4)) << fall;
+  }
+  EXPECT_LT(rig.state.uy[0], -1.0);
+  const double weight = kG * kDensity * 0.3 * kHeight * kThick, all = 5e5 * 0.3 * kThick;
+  EXPECT_LT(rig.state.work_loads, weight * 1.01 + all * kHeight);
+  EXPECT_GT(rig.state.work_loads, weight);
+}
+
 TEST(FreeContacts, a_block_pushed_off_its_neighbour_falls) {
   ModelSpec spec = with_free_contacts({table(0, 0.5), scenes::rectangle("block", 0, 0, 0.3, 0.1)});
   spec.solve.ground = -0.2;

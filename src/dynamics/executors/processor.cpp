@@ -73,7 +73,8 @@ constexpr Terms terms_of(Pass pass) {
 }
 
 // Dead loads of all stages, in their order, on their blocks as they are turned now.
-void place_loads(const Model& model, const State& state, const WallView& wall) {
+void place_loads(const Model& model, const State& state, const WallView& wall,
+                 const FreeContacts<PlaneBodies>* free) {
   for (const Stage& stage : model.stages) {
     for (const PointLoad& load : stage.loads) clear_load(load.block, wall);
     for (const PointLoad& mass : stage.carried) clear_load(mass.block, wall);
@@ -81,7 +82,8 @@ void place_loads(const Model& model, const State& state, const WallView& wall) {
   for (std::size_t k = 0; k < model.stages.size(); ++k) {
     const double scale = state.load_scale[k];
     if (scale == 0) continue;
-    for (const PointLoad& load : model.stages[k].loads) add_load(load, scale, wall);
+    for (const PointLoad& load : model.stages[k].loads)
+      add_load(load, free == nullptr ? scale : scale * free->load_share(load.block, wall), wall);
   }
   const auto now = static_cast<std::size_t>(state.stage);
   if (now >= model.stages.size()) return;
@@ -157,7 +159,7 @@ void Processor::begin_step() {
   for (int lane = 0; lane < lanes(); ++lane) {
     const Wall& wall = wall_[at(lane)];
     if (wall.model == nullptr) continue;
-    place_loads(*wall.model, *wall.state, wall.view);
+    place_loads(*wall.model, *wall.state, wall.view, free_ ? &*free_ : nullptr);
     if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
     if (wall.controls.mass_damping > 0)
       wall.state->work_damping +=

@@ -20,11 +20,14 @@
 #include "core/parallel.h"
 #include "core/rotation.h"
 #include "dynamics/passes/near_pairs.h"
+#include "model/free_shapes.h"
 #include "wythe/model.h"
 
 namespace wythe::dynamics {
 
 inline constexpr int kLookEvery = 64;  // steps between looks at joints and at faces of contacts
+// After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
+inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
 // Force on a body and moment about its centroid.
 struct Push {
@@ -65,6 +68,13 @@ class FreeContacts {
   // After the blocks have moved.
   void moved(double dt, const View& wall);
 
+  // How much of a dead load still presses its block.
+  [[nodiscard]] double load_share(BlockId block, const View& wall) const {
+    return load_left(bodies_.height_of(block), bodies_.fall_of(block, wall)) *
+           load_followed(bodies_.height_of(block), bodies_.fall_of(block, wall),
+                         -bodies_.rates_of(block, wall).f.y);
+  }
+
   [[nodiscard]] int candidates() const { return static_cast<int>(pairs_.size()); }
   [[nodiscard]] int searches() const { return searches_; }
 
@@ -84,6 +94,7 @@ class FreeContacts {
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
+  void rest_on_crushed(FreePair& pair, const Vector<double>& on_a, const View& wall) const;
   void fade_hand_overs(State& state, double dt, const View& wall);
   void apply(const HandOver& h, const View& wall);
 
@@ -156,7 +167,7 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
   pairs_.clear();
   for (const FreeContact& memory : state.free_contacts)
     pairs_.push_back(
-        {.memory = memory, .law = bodies_.law_of(memory.a, memory.b), .touches = true});
+        {.memory = memory, .law = bodies_.law_of(memory.a, memory.b), .touches = memory.area > 0});
   wake_.assign(pairs_.size(), 0.0);
   hand_overs_ = state.hand_overs;
   travel_ = 0;
@@ -168,7 +179,7 @@ template <class Bodies>
 void FreeContacts<Bodies>::bring_up(State& state) const {
   state.free_contacts.clear();
   for (const FreePair& pair : pairs_)
-    if (pair.touches) state.free_contacts.push_back(pair.memory);
+    if (pair.touches || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
   state.hand_overs = hand_overs_;
   for (const Jointed& pair : jointed_)
     for (auto k = pair.first; k < pair.end; ++k)
@@ -232,26 +243,31 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks, const
   FreeContact& m = pair.memory;
   const typename Bodies::Meeting meeting = bodies_.meeting(m, wall);
   const auto sleep = [&](double distance) { wake_[number] = travel_ + 0.5 * distance; };
+  // Nothing presses before the parts come closer by `room`; out of each other they are when they part by the rest
+  // of it. What was crushed then counts no more.
+  const auto rest = [&](double room) {
+    if (pair.touches) part_company(pair);
+    if (m.rest == 0) return sleep(room);
+    const double inside = m.rest - room;
+    if (inside <= 0) m.rest = 0;
+    sleep(inside > 0 ? minimum(room, inside) : -inside);
+  };
   pair.friction = pair.lost = pair.slid = 0;
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
-  if (known) overlap = bodies_.overlap(meeting, m.feature);
-  if (known && overlap.lowest > 0) {  // apart along the last face
-    if (pair.touches) part_company(pair);
-    return sleep(overlap.lowest);
-  }
+  if (known) overlap = bodies_.overlap(meeting, m.feature, m.rest);
+  if (known && overlap.lowest > 0) return rest(overlap.lowest);  // along the last face
   if (!pair.touches || looks || !(overlap.cover > 0)) {
     const bool stays = pair.touches && overlap.cover > 0;
     const contact::Face face = bodies_.face(meeting, stays ? m.feature : contact::kNoFeature);
-    if (face.distance >= 0) {
-      if (pair.touches) part_company(pair);
+    if (face.distance + m.rest >= 0) {
       m.feature = face.feature;
-      return sleep(face.distance);
+      return rest(face.distance + m.rest);
     }
     if (face.feature != m.feature) {
       const double before = overlap.energy;
-      overlap = bodies_.overlap(meeting, face.feature);
+      overlap = bodies_.overlap(meeting, face.feature, m.rest);
       if (pair.touches) {  // the contact goes on over another face
         pair.lost += bodies_.stiffness(pair.law) * (before - overlap.energy);
         pair.friction += bodies_.turn_slip(pair, meeting, face.feature);
@@ -328,6 +344,27 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
   return found;
 }
 
+// Where a joint was crushed the blocks overlap by more than they press: as much of it rests as makes the contact press
+// with the joint's normal force.
+template <class Bodies>
+void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a,
+                                           const View& wall) const {
+  constexpr int kHalvings = 60;
+  const typename Bodies::Meeting meeting = bodies_.meeting(pair.memory, wall);
+  const std::int32_t feature = pair.memory.feature;
+  const double wanted = -dot(on_a, bodies_.normal_of(meeting, feature));
+  const auto presses = [&](double rest) {
+    return bodies_.stiffness(pair.law) * bodies_.pressing(bodies_.overlap(meeting, feature, rest));
+  };
+  if (presses(0) <= wanted) return;
+  double low = 0, high = -bodies_.overlap(meeting, feature, 0).lowest;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (presses(middle) > wanted ? low : high) = middle;
+  }
+  pair.memory.rest = high;
+}
+
 // What the joints gave in this step and the free contact does not, stays as a force that fades.
 template <class Bodies>
 void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {
@@ -340,18 +377,25 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
   }
   const std::span<FreePair> contacts = pairs_of(pair.a, pair.b);
   for (const FreePair& p : contacts) pressed += p.pressed;
+  double bears = 0;
   for (FreePair& p : contacts) {
     if (!p.touches) continue;
-    bodies_.take_over_shear(p, (p.pressed / pressed) * before.f, wall);
-    meet(at(&p - pairs_.data()), 0.0, false, wall);
+    const auto again = [&] { meet(at(&p - pairs_.data()), 0.0, false, wall); };
+    const Vector<double> share = (p.pressed / pressed) * before.f;
+    rest_on_crushed(p, share, wall);
+    again();
+    if (!p.touches) continue;
+    bodies_.take_over_shear(p, share, wall);
+    again();
     after = after + p.on_a;
     energy -= p.stored;
+    bears += p.pressed;
   }
   state.lost_in_hand_over += energy;
-  if (!(pressed > 0)) return;  // the joint's force stood on nothing
+  if (!(bears > 0)) return;  // the joint's force stood on nothing
   const Vector<double> f = bodies_.into(pair.a, before.f - after.f, wall);
   const Vector<double> m = bodies_.into(pair.a, before.m - after.m, wall);
-  const HandOver rest{pair.a, pair.b, 1, pressed, f.x, f.y, f.z, m.x, m.y, m.z};
+  const HandOver rest{pair.a, pair.b, 1, bears, f.x, f.y, f.z, m.x, m.y, m.z};
   const auto place = std::lower_bound(
       hand_overs_.begin(), hand_overs_.end(), rest,
       [](const HandOver& p, const HandOver& q) { return bodies_of(p) < bodies_of(q); });
@@ -368,24 +412,27 @@ void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
   acts_ = true;
 }
 
-// Less of each as its contact unloads, and at no other time: where a joint was crushed the blocks overlap by more than
-// they press, and what keeps that from springing back must not fade under load. What it works goes into the ledger.
+// Less of each as its contact unloads, and as the bodies slide or turn on each other: the difference belongs to the poses
+// in which they were handed over. What it works goes into the ledger.
 template <class Bodies>
 void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& wall) {
   for (HandOver& h : hand_overs_) {
     double pressed = 0;
     for (const FreePair& pair : pairs_of(h.a, h.b)) pressed += pair.pressed;
-    const double share = minimum(h.share, pressed / h.pressed);
-    const double mean = 0.5 * (h.share + share);
+    // b is carried to the centroid of a, where the force acts
+    const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
+    const Push va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
+    const Vector<double> slides = va.f - (vb.f + cross(vb.m, arm)), turns = va.m - vb.m;
+    const double moved =
+        square_root(dot(slides, slides)) / (kForgottenSlip * bodies_.size_of(h.a)) +
+        square_root(dot(turns, turns)) / kForgottenTurn;
+    const double share = minimum(h.share - dt * moved, pressed / h.pressed);
+    const double mean = 0.5 * (h.share + maximum(share, 0.0));
     const Vector<double> f =
         bodies_.out_of(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
     const Vector<double> m =
         bodies_.out_of(h.a, mean * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall);
-    // b is carried to the centroid of a, where the force acts
-    const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
-    const Push va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
-    state.lost_in_hand_over -=
-        dt * (dot(f, va.f - (vb.f + cross(vb.m, arm))) + dot(m, va.m - vb.m));
+    state.lost_in_hand_over -= dt * (dot(f, slides) + dot(m, turns));
     h.share = share;
   }
   std::erase_if(hand_overs_, [](const HandOver& h) { return !(h.share > 0); });

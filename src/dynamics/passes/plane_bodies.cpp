@@ -36,11 +36,14 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
   const FreeShapes& f = model.free;
   double size = 0;
   for (std::size_t i = 0; i < at(model.n_block); ++i) {
-    double reach = 0;
+    double reach = 0, low = 1e300, high = -1e300;
     for (auto k = at(f.corner_begin[at(f.part_begin[i])]);
-         k < at(f.corner_begin[at(f.part_begin[i + 1])]); ++k)
+         k < at(f.corner_begin[at(f.part_begin[i + 1])]); ++k) {
       reach = maximum(reach, f.corner_x[k] * f.corner_x[k] + f.corner_y[k] * f.corner_y[k]);
+      low = minimum(low, f.corner_y[k]), high = maximum(high, f.corner_y[k]);
+    }
     reach_.push_back(square_root(reach));
+    height_.push_back(high - low);
     size += 2 * reach_.back();
   }
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
@@ -83,6 +86,8 @@ double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
          reach_[at(i)] * magnitude(wall.block(i, kOmega));
 }
 
+double PlaneBodies::fall_of(BlockId block, const WallView& wall) const { return -wall.uy(block); }
+
 Vector<double> PlaneBodies::place_of(std::int32_t body, const WallView& wall) const {
   const BodyFrame f = frame_of(body, wall);
   return {f.x, f.y, 0};
@@ -117,13 +122,20 @@ PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c, const WallView& 
           contact::seen_from(b, a)};
 }
 
-contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature) {
-  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a)
-                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b);
+contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a, rest)
+                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b, rest);
 }
 
 contact::Face PlaneBodies::face(const Meeting& m, std::int32_t last) const {
   return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+}
+
+Vector<double> PlaneBodies::normal_of(const Meeting& m, std::int32_t feature) {
+  const EdgeAxes axes = axes_of(m, feature);
+  const Direction2 n = turned(dynamics::frame_of(m, feature), axes.nx, axes.ny);
+  const double sense = feature >= 0 ? 1 : -1;
+  return {sense * n.x, sense * n.y, 0};
 }
 
 double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {

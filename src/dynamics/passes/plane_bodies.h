@@ -27,6 +27,13 @@ class PlaneBodies {
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(BlockId block,
                                 const WallView& wall) const;  // of any point, at most
+  [[nodiscard]] double size_of(BlockId block) const {
+    return 2 * reach_[static_cast<std::size_t>(block)];
+  }
+  [[nodiscard]] double height_of(BlockId block) const {
+    return height_[static_cast<std::size_t>(block)];
+  }
+  [[nodiscard]] double fall_of(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vector<double> place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] Push rates_of(std::int32_t body, const WallView& wall) const;
   // A vector in a body's own axes, and back.
@@ -36,11 +43,15 @@ class PlaneBodies {
                                       const WallView& wall) const;
 
   [[nodiscard]] Meeting meeting(const FreeContact& contact, const WallView& wall) const;
-  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature);
+  // Of what presses: the overlap less `rest`, which is crushed.
+  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature, double rest);
   [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
   [[nodiscard]] static double stiffness(const contact::FreeLaw& law) {
     return law.kn * law.thickness;
   }
+  [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.area; }
+  // Of a face, from a to b.
+  [[nodiscard]] static Vector<double> normal_of(const Meeting& meeting, std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
   // Friction of a step, then force and moments.
@@ -83,7 +94,7 @@ class PlaneBodies {
   const Model& m_;
   const Layout& layout_;
   contact::PartEdges edges_;
-  std::vector<double> reach_;                  // of each moving block [m]
+  std::vector<double> reach_, height_;         // of each moving block [m]
   std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
   double margin_ = 0;
 };

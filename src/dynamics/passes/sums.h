@@ -82,9 +82,14 @@ WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
 WYTHE_INLINE BlockId runaway_of(const WallView& wall) {
   constexpr double kFast = 100.0;  // [m/s], far beyond any free fall within a wall
   const auto finite = [](double x) { return x - x == 0; };
+  // its rim, at about the square root of three radii of gyration: the rates are dt over mass and inertia
+  const auto rim = [&](int i) {
+    const double rate = wall.block(i, kRate), turn = wall.block(i, kTurnRate);
+    return turn > 0 ? square_root(3 * rate / turn) * magnitude(wall.block(i, kOmega)) : 0.0;
+  };
   for (int i = 0; i < wall.blocks; ++i)
     if (!(magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy)) < kFast) ||
-        !finite(wall.block(i, kOmega)) || !finite(wall.block(i, kTheta)))
+        !finite(wall.block(i, kOmega)) || !finite(wall.block(i, kTheta)) || rim(i) >= kFast)
       return i;
   for (int i = 0; i < wall.nodes; ++i)
     if (!(magnitude(wall.node(i, kNodeVx)) + magnitude(wall.node(i, kNodeVy)) < kFast))

@@ -117,7 +117,10 @@ void SpaceProcessor::begin_step() {
     for (std::size_t k = 0; k < wall.model->stages.size(); ++k)
       if (state.load_scale[k] != 0)
         for (const PointLoad& load : wall.model->stages[k].loads)
-          add_load(load, state.load_scale[k], wall.view);
+          add_load(load,
+                   free_ ? state.load_scale[k] * free_->load_share(load.block, wall.view)
+                         : state.load_scale[k],
+                   wall.view);
     if (wall.view.links > 0 && wall.controls.dt > 0) {
       const LinkWork work = pull_links(wall.view, links_set(*wall.model, state));
       state.dissipated_friction += work.dissipated;

@@ -31,12 +31,16 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout) : m_(model), 
   parts_ = free_parts(model);
   double size = 0;
   for (std::int32_t i = 0; i < model.n_block; ++i) {
-    double reach = 0;
+    double reach = 0, low = 1e300, high = -1e300;
     for (auto part = model.free.part_begin[at(i)]; part < model.free.part_begin[at(i) + 1]; ++part)
       for (auto f = parts_.facet_begin[at(part)]; f < parts_.facet_begin[at(part) + 1]; ++f)
-        for (auto c = parts_.facet[at(f)].begin; c < parts_.facet[at(f)].end; ++c)
-          reach = maximum(reach, length(parts_.corner[at(c)]));
+        for (auto c = parts_.facet[at(f)].begin; c < parts_.facet[at(f)].end; ++c) {
+          const Vec& corner = parts_.corner[at(c)];
+          reach = maximum(reach, length(corner));
+          low = minimum(low, corner.y), high = maximum(high, corner.y);
+        }
     reach_.push_back(reach);
+    height_.push_back(high - low);
     size += 2 * reach;
   }
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
@@ -85,6 +89,10 @@ double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
   return length(rates.f) + reach_[at(body)] * length(rates.m);
 }
 
+double SpaceBodies::fall_of(BlockId block, const WallView& wall) const {
+  return -wall.shift(block).y;
+}
+
 Vec SpaceBodies::place_of(std::int32_t body, const WallView& wall) const {
   return frame_of(body, wall).at;
 }
@@ -124,13 +132,18 @@ SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c, const WallView& 
           contact::seen_from(b, a)};
 }
 
-contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature) {
-  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a)
-                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b);
+contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a, rest)
+                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b, rest);
 }
 
 contact::Face SpaceBodies::face(const Meeting& m, std::int32_t last) const {
   return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+}
+
+Vec SpaceBodies::normal_of(const Meeting& m, std::int32_t feature) {
+  const Vec n = turned(space::frame_of(m, feature).turn, facet_of(m, feature).z);
+  return feature >= 0 ? n : -1.0 * n;
 }
 
 double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {

@@ -27,6 +27,13 @@ class SpaceBodies {
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
+  [[nodiscard]] double size_of(BlockId block) const {
+    return 2 * reach_[static_cast<std::size_t>(block)];
+  }
+  [[nodiscard]] double height_of(BlockId block) const {
+    return height_[static_cast<std::size_t>(block)];
+  }
+  [[nodiscard]] double fall_of(BlockId block, const WallView& wall) const;
   [[nodiscard]] Vec place_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] Push rates_of(std::int32_t body, const WallView& wall) const;
   // A vector in a body's own axes, and back.
@@ -34,9 +41,13 @@ class SpaceBodies {
   [[nodiscard]] Vec out_of(std::int32_t body, const Vec& v, const WallView& wall) const;
 
   [[nodiscard]] Meeting meeting(const FreeContact& contact, const WallView& wall) const;
-  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature);
+  // Of what presses: the overlap less `rest`, which is crushed.
+  [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature, double rest);
   [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
   [[nodiscard]] static double stiffness(const contact::FreeLaw& law) { return law.kn; }
+  [[nodiscard]] static double pressing(const Overlap& overlap) { return overlap.force.z; }
+  // Of a face, from a to b.
+  [[nodiscard]] static Vec normal_of(const Meeting& meeting, std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
   // Friction of a step, then force and moments.
@@ -80,7 +91,7 @@ class SpaceBodies {
   const Model& m_;
   const Layout& layout_;
   contact::SpaceParts parts_;
-  std::vector<double> reach_;                  // of each moving block [m]
+  std::vector<double> reach_, height_;         // of each moving block [m]
   std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
   double margin_ = 0;
 };
