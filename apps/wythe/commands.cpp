@@ -126,7 +126,7 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
              r.reason.empty() ? "" : ": " + readable(text_of(r.reason)));
-  if (const Message shaken = shaken_sentence(r); !shaken.empty())
+  if (const Message shaken = shaken_sentence(model, r); !shaken.empty())
     fmt::print("{}\nenergy: {:.2f} % of it does not balance\n", text_of(shaken),
                1e2 * r.energy.gap_ratio);
   if (!r.curve.empty()) {
@@ -160,6 +160,9 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
     fmt::print("debris {} block{}, {:.3g} m3, {:.0f} kg, up to {:.2f} m outside the wall\n",
                r.debris.blocks, r.debris.blocks == 1 ? "" : "s", r.debris.volume, r.debris.mass,
                r.debris.reach);
+  if (r.debris.load > 0)
+    fmt::print("loads of {:.4g} kN lay on blocks that fell, and press no more\n",
+               r.debris.load * 1e-3);
   fmt::print("{} steps of {:.3g} s in {:.1f} s   state {}\n", r.steps, r.time_step, r.wall_seconds,
              r.state_hash);
   fmt::print("report {}/report.html\n", out);

@@ -29,6 +29,7 @@ std::string bar(double share) {
 
 // What the last sample answered: peak and mode, or why there is none.
 std::string last_sample(const SampleRecord& record) {
+  if (!record.shakes.empty()) return fmt::format("  sample {}: {}", record.sample, record.status);
   if (!record.answered())
     return fmt::format("  sample {}: {}{}", record.sample, record.status,
                        record.status == "collapsed" ? " before the push" : "");

@@ -114,7 +114,7 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
                const Result& result);
 // summary.json of a run; keys: docs/reference/results.md.
 // What a shake did to the wall, in one sentence; empty where nothing shook it.
-[[nodiscard]] Message shaken_sentence(const Result& result);
+[[nodiscard]] Message shaken_sentence(const Model& model, const Result& result);
 [[nodiscard]] std::string summary_json(const Model& model, const Result& result);
 // The same with `project` and `assessment`, where the model file asks for them.
 [[nodiscard]] std::string summary_json(const ModelSpec& spec, const Model& model,

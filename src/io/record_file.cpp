@@ -77,11 +77,11 @@ class RecordReader {
         if (lower(head[k]) == lower(name)) return static_cast<int>(k);
       return -1;
     };
-    for (const char* name : {"time_s", "t_s", "time", "t", "time (s)", "time [s]"})
+    for (const char* name : {"time_s", "t_s", "time", "t", "time (s)", "time [s]", "time(s)",
+                             "time[s]", "seconds", "sec", "s"})
       if (time_ < 0) time_ = named(name);
     if (time_ < 0 && width > 1 && std::isnan(record_.step)) time_ = 0;
     column_ = width > 1 ? (time_ == 1 ? 0 : 1) : 0;
-    if (width > 1 && !std::isnan(record_.step) && time_ < 0) column_ = 0;
     if (record_.column.empty()) return true;
     const double number = number_in(record_.column);
     column_ = std::isnan(number) ? named(record_.column) : static_cast<int>(number) - 1;
@@ -154,10 +154,19 @@ class RecordReader {
     const std::string_view after =
         std::string_view(head).substr(head.find(kBefore) + kBefore.size());
     const std::string stated(trimmed(after));
-    const bool is_g = stated.starts_with("g");
-    if (record_.unit != RecordUnit::kNone && is_g != (record_.unit == RecordUnit::kGravity))
+    // "g", "gal", "cm/s/s", "m/s**2 ...": the letters in front tell
+    const std::string letters =
+        stated.substr(0, stated.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+    const RecordUnit unit = letters == "g"                        ? RecordUnit::kGravity
+                            : letters == "gal" || letters == "cm" ? RecordUnit::kCentimetres
+                            : letters == "m"                      ? RecordUnit::kMetres
+                                                                  : RecordUnit::kNone;
+    if (unit == RecordUnit::kNone)
+      return fault(line, stated, "is no unit of accelerations that is known here",
+                   "write the file's numbers as a CSV in g, m/s2 or cm/s2");
+    if (record_.unit != RecordUnit::kNone && unit != record_.unit)
       fault(line, stated, "is the file's unit, and the model file states another",
-            fmt::format("write {}.unit = \"{}\"", path_, is_g ? "g" : "cm/s2"));
+            fmt::format("write {}.unit = \"{}\"", path_, word_of(kRecordUnitWords, unit)));
   }
 
   // "npts=  4000, dt=   .0050 sec" or "4000   .0050   npts, dt".

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "dynamics/stages/shake.h"
 #include "io/assessment_json.h"
 #include "io/message_json.h"
 #include "study/answer_keys.h"
@@ -325,7 +326,7 @@ Json shaking_json(const Model& model, const ShakeReadings& r) {
 }  // namespace
 
 // By the largest record of the base; a second motion is told with the records.
-Message shaken_sentence(const Result& result) {
+Message shaken_sentence(const Model& model, const Result& result) {
   const ShakeReadings& r = result.shaking;
   if (!r.was_shaken || r.motion.empty()) return {};
   double peak = 0;
@@ -333,6 +334,9 @@ Message shaken_sentence(const Result& result) {
   if (r.collapsed)
     return {"shaken.collapsed", {{"pga_g", peak / 9.80665}, {"time_s", r.collapse_time}}};
   const bool whole = result.status == SolveStatus::kCompleted;
+  if (whole && result.debris.blocks > 0)
+    return {"shaken.shed",
+            {{"pga_g", peak / 9.80665}, {"blocks", static_cast<double>(result.debris.blocks)}}};
   Message said{whole ? "shaken.stands" : "shaken.cut",
                {{"pga_g", peak / 9.80665},
                 {"point", r.motion.front().point},
@@ -340,6 +344,8 @@ Message shaken_sentence(const Result& result) {
                 {"drift_percent", 1e2 * r.peak_drift},
                 {"residual_mm", 1e3 * r.motion.front().residual},
                 {"shear_kN", 1e-3 * r.peak_base_shear}}};
+  if (whole && dynamics::is_still_moving(model, result))
+    return {"shaken.still_moving", {{"what", std::move(said)}}};
   if (result.validity.holds()) return said;
   return {"shaken.slid_off", {{"what", std::move(said)}, {"joints", result.validity.joints}}};
 }
@@ -360,7 +366,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
   if (result.shaking.was_shaken) {
     json["shaking"] = shaking_json(model, result.shaking);
-    io::put(json["shaking"], "sentence", shaken_sentence(result));
+    io::put(json["shaking"], "sentence", shaken_sentence(model, result));
   }
   json["curve_of"] = word_of(kStageKindWords, result.curve_of);
   json["load_factor"] = result.load_factor;
@@ -376,7 +382,8 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
     json["debris"] = {{"blocks", result.debris.blocks},
                       {"volume_m3", result.debris.volume},
                       {"mass_kg", result.debris.mass},
-                      {"reach_m", result.debris.reach}};
+                      {"reach_m", result.debris.reach},
+                      {"load_off_kN", result.debris.load * 1e-3}};
   }
   study::each_quasi_static(Answers{json}, result.quasi_static);
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},

@@ -31,13 +31,11 @@ std::string said_in(const Texts& texts, const Json& json, const char* key) {
   const Json& said = member(json, key);
   return said.is_array() ? said.at(texts.place()).get<std::string>() : words_in(json, key);
 }
-
 std::string bold(const std::string& text) { return "<b>" + text + "</b>"; }
 // What makes the numbers doubtful; it comes before any of them. Mild: they may still be used.
 std::string caution(const std::string& text, const char* mild = "") {
   return "<strong class=\"caution" + std::string(mild) + "\">" + text + "</strong> ";
 }
-
 // What a code says of a run or campaign, where it was asked.
 std::string assessed_in(const Texts& texts, const Json& summary) {
   const std::string words = said_in(texts, member(summary, "assessment"), "sentence");
@@ -46,7 +44,6 @@ std::string assessed_in(const Texts& texts, const Json& summary) {
 constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
 constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
 constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
-
 // How slow a push was, in one of the meter's words.
 std::string judgement_in(const Json& meter) {
   const std::string judgement = words_in(meter, "judgement");
@@ -156,9 +153,11 @@ class RunHeadline {
       return " " + texts_.say("run.slid_off_later", {{"at", texts_.quantity(at, "mm")}});
     const auto of = [&](const char* key) { return number_in(member(s_, "debris"), key); };
     if (!(of("blocks") > 0)) return "";
-    return " " + texts_.say("run.debris", {{"blocks", texts_.number(of("blocks"))},
-                                           {"volume", texts_.quantity(of("volume_m3"), "m³")},
-                                           {"reach", texts_.quantity(of("reach_m"), "m", 2)}});
+    return " " + texts_.say(of("load_off_kN") > 0 ? "run.debris_and_load" : "run.debris",
+                            {{"blocks", texts_.number(of("blocks"))},
+                             {"volume", texts_.quantity(of("volume_m3"), "m³")},
+                             {"reach", texts_.quantity(of("reach_m"), "m", 2)},
+                             {"load", texts_.quantity(of("load_off_kN"), "kN")}});
   }
   [[nodiscard]] std::string tests() const {  // how far tested walls support it
     const std::string note = said_in(member(s_, "tested_range"), "note");
@@ -590,8 +589,9 @@ std::string headline_of(const Json& header, const Texts& texts) {
                             : kind == "comparison" ? comparison_headline(header, texts)
                                                    : made<RunHeadline>(header, texts);
   const std::string title = header.value("title", "");
-  std::string out = "<header id=\"headline\">\n<p class=\"kind\">" + texts.say("kind." + kind) +
-                    "</p>\n<h1>" + escaped(title.empty() ? texts.say("untitled." + kind) : title) +
+  std::string out = "<header id=\"headline\">\n<p class=\"kind\">" +
+                    texts.say("kind." + (is_one_shake(header) ? "shake" : kind)) + "</p>\n<h1>" +
+                    escaped(title.empty() ? texts.say("untitled." + kind) : title) +
                     "</h1>\n<p class=\"answer\">" + headline.sentence + "</p>\n";
   if (!headline.warning.empty()) out += "<p class=\"warning\">" + headline.warning + "</p>\n";
   return out + "</header>\n" + headline.cards;

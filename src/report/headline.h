@@ -19,6 +19,10 @@ struct Headline {
 [[nodiscard]] Headline comparison_headline(const Json& header, const Texts& texts);
 // Of a campaign over records (shaken_headline.cpp).
 [[nodiscard]] bool is_shaken(const Json& header);
+// Whether it is a run that was shaken.
+[[nodiscard]] inline bool is_one_shake(const Json& header) {
+  return header.at("kind") == "run" && header.at("summary").contains("shaking");
+}
 [[nodiscard]] Headline shaken_headline(const Json& header, const Texts& texts);
 
 }  // namespace wythe::report

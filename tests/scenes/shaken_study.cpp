@@ -26,7 +26,7 @@ name = "gravity"
 [[stage]]
 name = "quake"
 record = { pulse = "half_cycle", amplitude = "1 m/s^2", period = "0.6 s", direction = "+x" }
-free_vibration = "0.8 s"
+free_vibration = "2 s"
 restitution = 0.3
 [[history]]
 name = "top"

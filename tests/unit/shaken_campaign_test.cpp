@@ -14,6 +14,7 @@
 #include "wythe/io.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
+#include "wythe/text.h"
 
 namespace wythe {
 namespace {
@@ -114,11 +115,19 @@ TEST(Shakes, count_where_they_ended_shaken_and_their_energy_closes) {
   }
 }
 
+// The block's own text, with another line in the place of one.
+StudySpec with_line(const std::string& line, const std::string& instead) {
+  std::string text = shaken_text("measure = \"pga\"\nlevels = [\"12 m/s^2\"]", {0.3}, 1, kStates);
+  const auto at = text.find(line);
+  EXPECT_NE(at, std::string::npos) << line;
+  return parse_study(text.replace(at, line.size(), instead), "shaken.toml");
+}
+
 // --- campaigns ----------------------------------------------------------------------------------------
 
 TEST(ShakenCampaign, every_wall_meets_every_record_at_every_level) {
   const TemporaryFolder folder;
-  const StudySpec study = shaken_study(kLevels, {0.3, 0.8, 1.6}, 2, kStates);
+  const StudySpec study = shaken_study(kLevels, {0.15, 0.8, 1.6}, 2, kStates);
   EXPECT_EQ(count_samples(study), 6);
   EXPECT_EQ(count_shakes(study).most, 18);
   run(study, folder / "a");
@@ -145,6 +154,26 @@ TEST(ShakenCampaign, every_wall_meets_every_record_at_every_level) {
   EXPECT_TRUE(of_first[2].shakes[2].collapsed);
   // two walls differ
   EXPECT_NE(of_first[0].shakes[2].state_hash, of_first[3].shakes[2].state_hash);
+}
+
+// This block falls long after its pulse of 0.3 s. Whoever looks away at the end of the pulse has not seen it stand.
+TEST(ShakenCampaign, a_wall_that_still_falls_has_not_stood) {
+  const TemporaryFolder folder;
+  run(with_line("free_vibration = \"2 s\"", "free_vibration = \"3 s\""), folder / "long");
+  const ShakeAnswer whole = read_campaign(folder / "long").records.at(0).shakes.at(0);
+  ASSERT_TRUE(whole.collapsed);
+  ASSERT_GT(whole.collapse_time, 0.5);
+  run(with_line("free_vibration = \"2 s\"", "free_vibration = \"0.05 s\""), folder / "cut");
+  const ShakeAnswer shake = read_campaign(folder / "cut").records.at(0).shakes.at(0);
+  EXPECT_FALSE(shake.counts());
+  EXPECT_TRUE(has(text_of(shake.reason), "come to rest")) << text_of(shake.reason);
+}
+
+TEST(ShakenCampaign, a_control_point_without_height_has_no_drift) {
+  const TemporaryFolder folder;
+  const StudySpec study = with_line("y = \"0.75 m\"", "y = \"0 m\"");
+  const std::string said = refusal([&] { run(study, folder / "a"); });
+  EXPECT_TRUE(has(said, "height of the control point")) << said;
 }
 
 TEST(ShakenCampaign, jobs_shards_and_resume_change_no_byte) {

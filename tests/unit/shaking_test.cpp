@@ -144,6 +144,39 @@ TEST_F(RecordFile, at2_is_read_by_its_head) {
   EXPECT_DOUBLE_EQ(r.read_accelerations[1], -0.2 * 9.81);
 }
 
+// A step that is stated beside a column of times does not make the times the motion.
+TEST_F(RecordFile, the_second_of_two_columns_is_the_motion) {
+  const std::vector<double> expected = {0.1 * 9.81, 0.2 * 9.81, -0.1 * 9.81};
+  for (const char* head : {"Time(s),Acc(m/s2)\n", "seconds,acc\n", "when,what\n", ""})
+    for (const char* step : {"", ", step = \"0.01 s\""}) {
+      write("a.csv", std::string(head) + "0,0.1\n0.01,0.2\n0.02,-0.1\n");
+      const std::string lines =
+          std::string("record = { file = \"a.csv\", unit = \"g\"") + step + " }\n";
+      EXPECT_EQ(parse(lines).stage.back().record.front().read_accelerations, expected)
+          << head << step;
+    }
+}
+
+TEST_F(RecordFile, units_of_at2_are_told_apart) {
+  const auto file = [&](const char* unit) {
+    write("a.AT2", std::string("PEER NGA\nsomewhere\nACCELERATION TIME SERIES IN UNITS OF ") +
+                       unit + "\nNPTS=      3, DT=   .0050 SEC,\n  .1E-01  -.2\n .3\n");
+  };
+  const char* const kAsked = "record = [{ file = \"a.AT2\", unit = \"g\" }]\n";
+  for (const char* unit : {"G", "g", "G  "}) {
+    file(unit);
+    EXPECT_NO_THROW(static_cast<void>(parse(kAsked))) << unit;
+  }
+  for (const char* unit : {"GAL", "CM/S/S", "cm/sec2"}) {
+    file(unit);
+    says(refusal(kAsked), {"the model file states another", "cm/s2"});
+  }
+  file("M/S2");
+  says(refusal(kAsked), {"the model file states another", "\"m/s2\""});
+  file("FURLONGS");
+  says(refusal(kAsked), {"is no unit of accelerations"});
+}
+
 TEST_F(RecordFile, faults_are_named_with_their_lines) {
   write("a.csv", kCsv);
   says(refusal("record = { file = \"a.csv\" }\n"), {"unit", "without its unit"});

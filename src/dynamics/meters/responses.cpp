@@ -227,7 +227,9 @@ void read_load(const Curve& curve, const ResponseOptions& options, Responses& r)
 
 ResponseOptions reading_of(const Model& model, const Result& result) {
   ResponseOptions read;
-  if (result.status == SolveStatus::kCollapsed) read.collapse = result.reason;
+  // a wall that falls in a shake after its push had ended standing tells nothing of the push
+  if (result.status == SolveStatus::kCollapsed && !result.shaking.collapsed)
+    read.collapse = result.reason;
   read.rise = result.rise;
   if (is_load_controlled(result)) read.carried = result.load_factor * model.weight;
   return read;

@@ -15,6 +15,7 @@
 
 #include "dynamics/executors/gpu.h"
 #include "study/campaign/sample_pool.h"
+#include "study/campaign/shakes.h"
 #include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
@@ -53,9 +54,11 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
 }
 
 // The base model has to stand by itself, and the device to be there; its drifts are those of every sample.
-StoreHead head_of(const ModelBuilder& build, const CampaignOptions& options) {
+StoreHead head_of(const StudySpec& asked, const ModelBuilder& build,
+                  const CampaignOptions& options) {
   const ModelSpec base = build({});
   const Model model = compile(base);
+  study::check_control_point(asked.shaking, model);
   const bool shakes = std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
     return stage.spec.kind == StageKind::kShake;
   });
@@ -307,7 +310,7 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
                    .value = "",
                    .problem = "holds a campaign already",
                    .cure = "--resume goes on with it; or name another folder"});
-  const study::StoreHead head = study::head_of(build, options);
+  const study::StoreHead head = study::head_of(asked, build, options);
   study::Plan plan{asked, draw_samples(asked), {}};
   const study::FolderLock lock(folder);
   if (!there) study::create_store(folder, asked, plan.samples, head);

@@ -1,10 +1,14 @@
 #include "study/campaign/shakes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/hash.h"
+#include "dynamics/stages/shake.h"
+#include "wythe/error.h"
 #include "wythe/ground_motion.h"
 
 namespace wythe {
@@ -59,6 +63,37 @@ std::optional<double> next_intensity(const ShakingSpec& shaking, const StudyReco
   return next <= shaking.most * (1 + 1e-9) ? std::optional(next) : std::nullopt;
 }
 
+namespace {
+
+// What ended otherwise than its status says. A wall that lost blocks fell; one that fell before the study's shake, that still
+// moves, or whose joints have slid off each other has neither stood nor fallen.
+void judge_end(const ShakingSpec& shaking, const Model& model, const Result& result,
+               ShakeAnswer& out) {
+  const auto says_nothing = [&](Message why) {
+    out.status = to_string(SolveStatus::kNotSettled);
+    out.reason = std::move(why);
+    out.collapsed = false;
+  };
+  const std::string last = result.stages.empty() ? "" : result.stages.back().name;
+  if (out.collapsed) {
+    if (shaking.is_asked() && last != shaking.stage)
+      says_nothing({"shake.fell_before", {{"stage", last}}});
+    return;
+  }
+  if (out.status != to_string(SolveStatus::kCompleted)) return;
+  if (result.debris.blocks > 0) {
+    out.collapsed = true;
+    out.status = to_string(SolveStatus::kCollapsed);
+    out.reason = {"shake.shed", {{"blocks", static_cast<double>(result.debris.blocks)}}};
+  } else if (!result.validity.holds()) {
+    says_nothing({"shake.slid_off", {{"joints", static_cast<double>(result.validity.joints)}}});
+  } else if (dynamics::is_still_moving(model, result)) {
+    says_nothing({"shake.still_moving"});
+  }
+}
+
+}  // namespace
+
 ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity, const Model& model,
                          const Result& result) {
   const ShakeReadings& r = result.shaking;
@@ -83,6 +118,7 @@ ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity, const Mod
       out.sa = pseudo_acceleration(first, shaking.period, shaking.damping);
     break;
   }
+  judge_end(shaking, model, result, out);
   const bool ended = out.status == to_string(SolveStatus::kCompleted) || out.collapsed;
   if (ended && !(out.gap_ratio <= kMostEnergyGap))
     out.reason = {"rate.energy_missing", {{"gap_percent", 100 * out.gap_ratio}}};
@@ -96,6 +132,21 @@ ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity, const Mod
   out.peak_base_shear = r.peak_base_shear;
   if (out.collapsed) out.collapse_time = r.collapse_time;
   return out;
+}
+
+void check_control_point(const ShakingSpec& shaking, const Model& model) {
+  if (model.watched.empty() || model.watched.front().height > 0) return;
+  for (const LimitStateSpec& limit : shaking.limit_state)
+    if (std::isfinite(limit.peak_drift) || std::isfinite(limit.residual_drift))
+      throw InputError(
+          {{.file = "",
+            .path = "history." + model.watched.front().name,
+            .value = fmt::format("{:g} m", model.watched.front().height),
+            .problem = fmt::format("is the height of the control point, and limit "
+                                   "state {} asks for its drift, which is its way "
+                                   "over its height",
+                                   limit.name),
+            .cure = "let the first [[history]] be a point above the foot of the wall"}});
 }
 
 void sum_up(const std::vector<ShakeAnswer>& shakes, SampleRecord& record) {

@@ -15,6 +15,8 @@ namespace wythe::study {
 // What a run answered that was shaken; `shaking` is the study's.
 [[nodiscard]] ShakeAnswer shake_answer(const ShakingSpec& shaking, double intensity,
                                        const Model& model, const Result& result);
+// Refuses limits of drift for a control point that has no height to measure it by.
+void check_control_point(const ShakingSpec& shaking, const Model& model);
 // Hash and status of a sample from those of its shakes.
 void sum_up(const std::vector<ShakeAnswer>& shakes, SampleRecord& record);
 

@@ -78,6 +78,12 @@ double f_quantile_beyond(double probability, int degrees, int below) {
       probability);
 }
 
+double student_97(double degrees) {
+  return std::sqrt(
+      where([&](double f) { return beta_share(0.5 * degrees, 0.5, degrees / (degrees + f)); },
+            2 * kTail));
+}
+
 double chi_square_quantile_beyond(double probability, int degrees) {
   return where([&](double x) { return chi_square_beyond(x, degrees); }, probability);
 }

@@ -22,6 +22,8 @@ struct Cell {
 
 // Value that an F distribution exceeds with this probability.
 [[nodiscard]] double f_quantile_beyond(double probability, int degrees, int below);
+// Quantile of 97.5 % of Student's t; degrees need not be whole.
+[[nodiscard]] double student_97(double degrees);
 // The same of chi-square.
 [[nodiscard]] double chi_square_quantile_beyond(double probability, int degrees);
 

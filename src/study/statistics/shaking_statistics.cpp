@@ -12,6 +12,8 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <string>
+#include <tuple>
 
 #include "study/statistics/bootstrap.h"
 #include "study/statistics/intervals.h"
@@ -32,9 +34,28 @@ constexpr std::uint64_t kSeed = 0x46524147u;
 struct Shaken {
   const SampleRecord* sample;
   SampleCase of;
-  int record_rank = 0;                     // by name
+  int record_rank = 0;                     // by name; of records that are one motion the first's
   std::vector<const ShakeAnswer*> shakes;  // by intensity
 };
+
+// Records under which a wall ends, at one intensity, in the same state to the last bit are one motion under several names.
+void join_equal_records(std::vector<Shaken>& samples) {
+  using Key = std::tuple<int, double, std::string>;  // wall, intensity, state
+  std::map<Key, int> seen;
+  std::map<int, int> first;  // of equal ranks
+  for (const Shaken& sample : samples)
+    for (const ShakeAnswer* shake : sample.shakes) {
+      if (shake->state_hash.empty()) continue;
+      const auto [place, is_new] = seen.emplace(
+          Key{sample.of.wall, shake->intensity, shake->state_hash}, sample.record_rank);
+      if (!is_new && place->second != sample.record_rank)
+        first.emplace(sample.record_rank, place->second);
+    }
+  for (Shaken& sample : samples)
+    for (auto same = first.find(sample.record_rank); same != first.end();
+         same = first.find(sample.record_rank))
+      sample.record_rank = same->second;
+}
 
 std::vector<Shaken> shaken_of(const Campaign& campaign) {
   const std::vector<StudyRecord>& records = campaign.study.shaking.record;
@@ -58,6 +79,7 @@ std::vector<Shaken> shaken_of(const Campaign& campaign) {
   std::stable_sort(out.begin(), out.end(), [](const Shaken& a, const Shaken& b) {
     return a.record_rank != b.record_rank ? a.record_rank < b.record_rank : a.of.wall < b.of.wall;
   });
+  join_equal_records(out);
   return out;
 }
 
@@ -155,59 +177,104 @@ double median_if(const std::vector<Found>& found, bool reached) {
   return LognormalFit(data).median();
 }
 
-// Replicates of records, and of walls where there are several: each draws its own, and a sample counts as often as its
-// record and its wall together (Owen, Annals of Applied Statistics 1 (2007)).
+// Replicates of records, and of walls where there are several: each kind draws its own, and a sample counts as often as
+// its record, or its wall. Their variances add up, with Student's t (docs/theory/fragility.md, "How sure it is").
 class Replicates {
  public:
-  Replicates(const std::vector<Found>& found, const std::vector<Shaken>& samples, bool crossed) {
+  Replicates(const std::vector<Found>& found, const std::vector<Shaken>& samples, bool crossed,
+             const LognormalFit& best)
+      : best_{std::log(best.median()), std::log(best.beta())} {
     std::map<int, int> record, wall;
     for (std::size_t i = 0; i < found.size(); ++i)
-      record.emplace(samples[i].record_rank, 0), wall.emplace(found[i].bracket.wall, 0);
-    const bool walls_too = crossed && wall.size() > 1;
+      record.emplace(samples[i].record_rank, 1), wall.emplace(found[i].bracket.wall, 1);
     RandomBits bits(kSeed);
-    for (int k = 0; k < kReplicates; ++k) {
-      draw(bits, record);
-      if (walls_too) draw(bits, wall);
-      std::vector<Between> data;
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        const Bracket& b = found[i].bracket;
-        const int weight = record[samples[i].record_rank] * (walls_too ? wall[b.wall] : 1);
-        if (b.is_known && weight > 0) data.push_back({b.low, b.high, static_cast<double>(weight)});
-      }
-      const LognormalFit fit(data);
-      if (fit.is_told()) fits_.emplace_back(std::log(fit.median()), fit.beta());
-    }
+    add(
+        bits, record, [&](std::size_t i) { return record[samples[i].record_rank]; }, found);
+    if (crossed && wall.size() > 1)
+      add(
+          bits, wall, [&](std::size_t i) { return wall[found[i].bracket.wall]; }, found);
   }
   [[nodiscard]] bool hold() const {
-    return static_cast<double>(fits_.size()) >= (1 - kMostLostReplicates) * kReplicates;
+    return std::all_of(kinds_.begin(), kinds_.end(), [](const Kind& kind) {
+      return static_cast<double>(kind.fits.size()) >= (1 - kMostLostReplicates) * kReplicates;
+    });
   }
   [[nodiscard]] Interval median() const {
-    const Interval i = middle([](const auto& fit) { return fit.first; });
+    const Interval i = around([](const Pair& fit) { return fit.first; }, 0);
     return {std::exp(i.low), std::exp(i.high)};
   }
+  // The scatter of few is too small by about (1 - 1 / (degrees + 1)) of its square.
   [[nodiscard]] Interval beta() const {
-    return middle([](const auto& fit) { return fit.second; });
+    const double degrees = spread([](const Pair& fit) { return fit.first; }).degrees;
+    const Interval i =
+        around([](const Pair& fit) { return fit.second; }, -0.5 * std::log(1 - 1 / (degrees + 1)));
+    return {std::exp(i.low), std::exp(i.high)};
   }
   [[nodiscard]] Interval at(double x) const {
-    return middle(
-        [&](const auto& fit) { return normal_cdf((std::log(x) - fit.first) / fit.second); });
+    const Interval i = around(
+        [&](const Pair& fit) { return (std::log(x) - fit.first) / std::exp(fit.second); }, 0);
+    return {normal_cdf(i.low), normal_cdf(i.high)};
   }
 
  private:
+  using Pair = std::pair<double, double>;  // ln median, ln beta
+  struct Kind {
+    int drawn = 0;  // records, or walls
+    std::vector<Pair> fits;
+  };
+  struct Spread {
+    double variance = 0, degrees = 0;
+  };
+
+  template <class Weight>
+  void add(RandomBits& bits, std::map<int, int>& count, const Weight& weight,
+           const std::vector<Found>& found) {
+    Kind& kind = kinds_.emplace_back();
+    kind.drawn = static_cast<int>(count.size());
+    for (int k = 0; k < kReplicates; ++k) {
+      draw(bits, count);
+      std::vector<Between> data;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const Bracket& b = found[i].bracket;
+        if (b.is_known && weight(i) > 0)
+          data.push_back({b.low, b.high, static_cast<double>(weight(i))});
+      }
+      const LognormalFit fit(data);
+      if (fit.is_told()) kind.fits.emplace_back(std::log(fit.median()), std::log(fit.beta()));
+    }
+  }
   static void draw(RandomBits& bits, std::map<int, int>& count) {
     std::vector<int*> place;
     for (auto& [key, number] : count) number = 0, place.push_back(&number);
     for (std::size_t i = 0; i < place.size(); ++i)
       ++*place[static_cast<std::size_t>(bits.below(static_cast<int>(place.size())))];
   }
+  // Variance by records plus that by walls, each as of a sample, and its degrees of freedom (Satterthwaite).
   template <class Of>
-  [[nodiscard]] Interval middle(const Of& of) const {
-    std::vector<double> values;
-    for (const auto& fit : fits_) values.push_back(of(fit));
-    std::sort(values.begin(), values.end());
-    return {quantile_of(values, 0.025), quantile_of(values, 0.975)};
+  [[nodiscard]] Spread spread(const Of& of) const {
+    Spread sum;
+    double squares = 0;
+    for (const Kind& kind : kinds_) {
+      Moments moments;
+      for (const Pair& fit : kind.fits) moments.add(of(fit));
+      const double degrees = kind.drawn - 1;
+      const double variance =
+          std::pow(moments.standard_deviation(), 2) * kind.drawn / std::max(1.0, degrees);
+      sum.variance += variance;
+      squares += variance * variance / std::max(1.0, degrees);
+    }
+    sum.degrees = squares > 0 ? std::max(1.0, sum.variance * sum.variance / squares) : 1;
+    return sum;
   }
-  std::vector<std::pair<double, double>> fits_;  // ln median, beta
+  template <class Of>
+  [[nodiscard]] Interval around(const Of& of, double shift) const {
+    const Spread s = spread(of);
+    const double middle = of(best_) + shift, half = student_97(s.degrees) * std::sqrt(s.variance);
+    return {middle - half, middle + half};
+  }
+
+  Pair best_;
+  std::vector<Kind> kinds_;
 };
 
 // Whether each record stands in one bracket alone, so that brackets do not depend on each other.
@@ -237,7 +304,7 @@ void fit(const ShakingSpec& shaking, const std::vector<Found>& found,
   out.by_bootstrap = !are_independent(found, samples);
   std::optional<Replicates> replicates;
   if (out.by_bootstrap) {
-    replicates.emplace(found, samples, shaking.pairing == Pairing::kEach);
+    replicates.emplace(found, samples, shaking.pairing == Pairing::kEach, best);
     if (replicates->hold()) {
       out.median.interval = replicates->median();
       out.beta.interval = replicates->beta();
