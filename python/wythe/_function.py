@@ -12,6 +12,8 @@ from ._results import Batch
 #: answers that may be lower bounds, and the flag that says so in a row
 _FLAG = {
     "peak_reaction_kN": "censored_peak",
+    "peak_raw_kN": "censored_peak",
+    "displacement_at_peak_raw_mm": "censored_peak",
     "displacement_at_peak_mm": "censored_peak",
     "drift_at_peak_percent": "censored_peak",
     "displacement_at_80_percent_mm": "censored_80",
@@ -21,6 +23,8 @@ _FLAG = {
     "collapse_displacement_mm": "censored_collapse",
 }
 _ENDED = ("completed", "collapsed")
+#: judgements of a push whose numbers are not those of a slow one
+_DOUBTFUL = ("too fast", "unknown")
 
 
 def _refuse(path: str, value: Any, problem: str, cure: str) -> InputError:
@@ -37,7 +41,8 @@ class Function:
     What has no answer (a wall that is refused, does not settle, or has no such value) raises NoAnswer with
     ``missing="raise"``, whose ``.answers`` has the other rows; a number is taken in its place. A displacement
     that is only a lower bound because the push ended before, or a peak that was still rising, counts as no answer with ``bounds="raise"``, and as the
-    answer with ``bounds="take"``.
+    answer with ``bounds="take"``. A push that was too fast, or whose energy does not close (``rate_judgement``),
+    counts as no answer with ``rate="raise"``, and as the answer with ``rate="take"``.
 
     The model is read once: changes of its file or of the Model do not reach a Function.
     """
@@ -52,6 +57,7 @@ class Function:
         follow: Optional[Mapping[str, tuple[float, str]]] = None,
         missing: Union[str, float] = "raise",
         bounds: str = "raise",
+        rate: str = "raise",
         jobs: int = 0,
     ):
         from ._model import Model
@@ -62,7 +68,10 @@ class Function:
         self.missing: Optional[float] = _number_or_raise(missing)
         if bounds not in ("raise", "take"):
             raise _refuse("bounds", bounds, "is no such choice", 'write "raise" or "take"')
+        if rate not in ("raise", "take"):
+            raise _refuse("rate", rate, "is no such choice", 'write "raise" or "take"')
         self.take_bounds = bounds == "take"
+        self.take_fast = rate == "take"
         self._model = model.copy() if isinstance(model, Model) else Model.read(model)
         self._set, self._jobs = set, jobs
         known = self._run([]).answers.columns  # no wall is run; paths, units and the model are checked
@@ -101,15 +110,22 @@ class Function:
         batch = self._run(self.rows_of(points))
         answers = numpy.column_stack([numpy.array(batch.answers[name]) for name in self.outputs])
         answers[[status not in _ENDED for status in batch.status]] = numpy.nan
+        answers[self._doubtful(batch)] = numpy.nan
         for column, name in enumerate(self.outputs):
             if name in _FLAG and not self.take_bounds:
                 answers[batch.answers[_FLAG[name]] == 1, column] = numpy.nan
         return answers, batch
 
+    def _doubtful(self, batch: Any) -> list[bool]:
+        return [not self.take_fast and judgement in _DOUBTFUL for judgement in batch.rate_judgement]
+
     def why(self, batch: Any, row: int) -> str:
         """Why a row has no answer."""
         if batch.status[row] not in _ENDED:
             return f"{batch.status[row] or 'not run'}: {batch.reason[row] or 'no reason was given'}"
+        if self._doubtful(batch)[row]:
+            return (f"its push is judged \"{batch.rate_judgement[row]}\": the numbers are not those of a slow one; "
+                    "push slower, or rate='take'")
         bounds = [name for name in self.outputs if name in _FLAG and batch.answers[_FLAG[name]][row] == 1]
         if bounds and not self.take_bounds:
             return f"{', '.join(bounds)}: only a lower bound, the push ended before; push farther, or bounds='take'"
@@ -142,11 +158,14 @@ class Function:
         batch = self._run(self.rows_of(points), curves=True)
         at = numpy.asarray(displacement_mm, dtype=float)
         table = batch.curves_at(at)
+        doubtful = self._doubtful(batch)
+        table[doubtful] = numpy.nan
         empty = numpy.isnan(table)
         if empty.any() and self.missing is None:
             ends = [float(numpy.max(batch.curve(row)["displacement_mm"], initial=0)) for row in range(len(batch))]
             raise NoAnswer({
-                int(row): f"{batch.status[row]}: {batch.reason[row] or f'the curve ends at {ends[row]:.4g} mm'}"
+                int(row): self.why(batch, int(row)) if doubtful[row] else
+                f"{batch.status[row]}: {batch.reason[row] or f'the curve ends at {ends[row]:.4g} mm'}"
                 for row in numpy.flatnonzero(empty.any(axis=1))
             }, table)
         table[empty] = numpy.nan if self.missing is None else self.missing
@@ -195,6 +214,8 @@ def add_options(parser: Any) -> None:
                         help="a key that goes with an input, by a factor, in its unit")
     parser.add_argument("--bounds", choices=["raise", "take"], default="raise",
                         help="a value that is only a lower bound: no answer, or the answer")
+    parser.add_argument("--rate", choices=["raise", "take"], default="raise",
+                        help="a push that was too fast, or whose energy does not close: no answer, or the answer")
     parser.add_argument("--jobs", type=int, default=0, help="cores; 0: all")
 
 

@@ -236,7 +236,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
             raise AccessError(f"{given.parameters}: {error.strerror}") from error
         asked = read_parameters(text)
         results = evaluate(given.model, asked, _labels(given.input, given.output), given.set,
-                           follow=parse_follow(given.follow), bounds=given.bounds, jobs=given.jobs)
+                           follow=parse_follow(given.follow), bounds=given.bounds, rate=given.rate, jobs=given.jobs)
         _write(given.results, "#\n".join(results))
     except (WytheError, UnicodeDecodeError) as error:
         print(error, file=sys.stderr)

@@ -27,7 +27,7 @@ def function(
 ) -> Any:
     """An `openturns.Function`: numbers in the units of ``inputs`` to the answers ``outputs``.
 
-    The options are those of `wythe.Function`: ``set``, ``follow``, ``missing``, ``bounds``, ``jobs``.
+    The options are those of `wythe.Function`: ``set``, ``follow``, ``missing``, ``bounds``, ``rate``, ``jobs``.
     With ``missing="raise"`` OpenTURNS hands the exception on as a RuntimeError with the same text.
     """
     openturns = needed("openturns", "wythe.openturns")

@@ -241,7 +241,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         missing = given.missing if given.missing == "raise" else float(given.missing)
         server = Server(given.model, dict(text.rpartition("=")[::2] for text in given.input),
                         given.output or ("peak_reaction_kN",), host=given.host, port=given.port, set=given.set,
-                        follow=parse_follow(given.follow), missing=missing, bounds=given.bounds, jobs=given.jobs)
+                        follow=parse_follow(given.follow), missing=missing, bounds=given.bounds, rate=given.rate, jobs=given.jobs)
     except (WytheError, ValueError, OSError) as error:
         print(error, file=sys.stderr)
         return 2

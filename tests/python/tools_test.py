@@ -28,7 +28,7 @@ PHI, RESIDUAL = "material.joint.friction_angle", "material.joint.residual_fricti
 INPUTS = {KN: "GPa/m", PHI: "deg"}
 PEAK, AT_PEAK, AT_80 = "peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm"
 FAST = {"set": {"stage.push.until": "4 mm", "stage.push.velocity": "20 mm/s"}}
-WHOLE = {"follow": {KS: (0.4, KN), RESIDUAL: (1, PHI)}, "bounds": "take", **FAST}
+WHOLE = {"follow": {KS: (0.4, KN), RESIDUAL: (1, PHI)}, "bounds": "take", "rate": "take", **FAST}
 GOOD, REFUSED = [7.56, 33.0], [-1.0, 33.0]
 
 
@@ -54,6 +54,18 @@ class Functions(unittest.TestCase):
         self.assertGreater(rows[0, 0], 20)
         self.assertEqual(rows[1, 0], -7)
         self.assertTrue(numpy.isnan(wythe.Function(DRY, INPUTS, missing=float("nan"), **WHOLE)([REFUSED])).all())
+
+    def test_a_push_that_was_too_fast_is_no_answer_unless_it_is_taken(self):
+        hasty = {**WHOLE, "set": {"stage.push.until": "4 mm", "stage.push.velocity": "300 mm/s"}}
+        taken = wythe.Function(DRY, INPUTS, ["peak_raw_kN"], **hasty)([GOOD])
+        self.assertTrue(numpy.isfinite(taken).all())
+        strict = wythe.Function(DRY, INPUTS, ["peak_raw_kN"], **{**hasty, "rate": "raise"})
+        with self.assertRaisesRegex(wythe.NoAnswer, "(too fast|unknown).*rate='take'"):
+            strict([GOOD])
+        with self.assertRaisesRegex(wythe.NoAnswer, "rate='take'"):
+            strict.curves_at([GOOD], [1.0])
+        with self.assertRaisesRegex(wythe.InputError, "rate"):
+            wythe.Function(DRY, INPUTS, rate="maybe")
 
     def test_a_lower_bound_is_no_answer_unless_it_is_taken(self):
         strict = wythe.Function(DRY, INPUTS, [AT_80], **{**WHOLE, "bounds": "raise"})
