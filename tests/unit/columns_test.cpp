@@ -232,7 +232,7 @@ TEST(Words, of_a_page_have_their_texts) {
 // The words outlive the order of the enumerators: what is kept under one is read as the same value.
 TEST(Words, are_read_back_as_the_value_that_they_name) {
   for (const auto& [word, kind] : kStageKindWords) EXPECT_EQ(value_of(kStageKindWords, word), kind);
-  for (const auto& [word, bond] : kBondWords) EXPECT_EQ(word_of(kBondWords, bond), word);
+  for (const auto& [word, bond] : kBondWords) EXPECT_STREQ(word_of(kBondWords, bond), word);
   EXPECT_FALSE(value_of(kBondWords, "Running").has_value());
   EXPECT_STREQ(word_of(kMannerWords, Manner::kDefault), "");
 }
