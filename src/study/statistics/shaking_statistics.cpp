@@ -210,10 +210,16 @@ class Replicates {
         around([](const Pair& fit) { return fit.second; }, -0.5 * std::log(1 - 1 / (degrees + 1)));
     return {std::exp(i.low), std::exp(i.high)};
   }
+  // Of the curve: the least and largest that median and dispersion of their intervals give.
   [[nodiscard]] Interval at(double x) const {
-    const Interval i = around(
-        [&](const Pair& fit) { return (std::log(x) - fit.first) / std::exp(fit.second); }, 0);
-    return {normal_cdf(i.low), normal_cdf(i.high)};
+    const Interval m = median(), b = beta();
+    Interval p{1, 0};
+    for (const double theta : {m.low, m.high})
+      for (const double dispersion : {b.low, b.high}) {
+        const double share = normal_cdf(std::log(x / theta) / dispersion);
+        p = {std::min(p.low, share), std::max(p.high, share)};
+      }
+    return p;
   }
 
  private:
