@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wythe/vector.h"
+#include "wythe/zone_spec.h"
 
 namespace wythe {
 
@@ -17,12 +18,13 @@ struct Polyhedron {
   std::vector<std::vector<std::int32_t>> face;  // corners, anticlockwise seen from outside
 };
 
-// One rigid block: one convex part, or several that move as one (their inner faces touch).
+// One block: one convex part, or several that move as one (their inner faces touch).
 struct BodySpec {
   std::string id;
   std::vector<Polyhedron> part;
   std::string material = "masonry";  // names a material with a density, else wall.unit.density
   bool fixed = false;                // a support: never moves but by a stage that drives it
+  ZoneSpec zone = {};                // deformable where zone.zones > 0: one part, a hexahedron
 };
 
 }  // namespace wythe

@@ -22,6 +22,7 @@
 #include "wythe/field.h"
 #include "wythe/free_contacts.h"
 #include "wythe/ground_motion.h"
+#include "wythe/hexahedron_shape.h"
 #include "wythe/message.h"
 #include "wythe/vector.h"
 #include "wythe/wall_spec.h"
@@ -225,6 +226,59 @@ struct Links {
   int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
 };
 
+// One deformable block in space: zones along its three directions a, b, c, of which b is the one nearest to y. Corner
+// i of the block, numbered as a zone's, is the end of a, b and c whose bits are those of a zone's corner.
+struct SpaceSolidBody {
+  BodySpec body;
+  Vec3 centroid;  // at the start [m]
+  BlockRole role = BlockRole::kMasonry;
+  std::array<int, 3> count = {1, 1, 1};  // zones along a, b, c
+  int first_node = 0, n_node = 0, first_zone = 0, n_zone = 0;
+  double tension_limit = kUnset, compression_limit = kUnset;  // [Pa]
+  [[nodiscard]] int node(int i, int j, int k) const {
+    return first_node + (k * (count[1] + 1) + j) * (count[0] + 1) + i;
+  }
+  [[nodiscard]] int zone(int i, int j, int k) const {
+    return first_zone + (k * count[1] + j) * count[0] + i;
+  }
+};
+
+// The deformable blocks of a wall in space (docs/theory/zones.md, "Zones in space"): nodes, zones between them, and
+// their contacts with rigid blocks and supports.
+//
+// A contact is the overlap of one side of a zone, with nodes p0 to p3, and one face of a rigid block a. Its points
+// stand at centre + r1 t1 + r2 t2 on the face, n from a to the zone; on the side they are the sum of share_k p_k.
+// The points' r1, r2 and shares of the area follow those of the joints in Space, as their history does.
+struct SpaceSolids {
+  int n_node = 0, n_zone = 0, n_contact = 0;
+
+  // read by the pass over zones (one row per zone)
+  std::vector<std::int32_t> corner;      // nodes, eight a zone
+  std::vector<std::int32_t> zone_shape;  // into shapes
+  std::vector<HexahedronShape> shapes;
+
+  // read by the pass over their contacts (one row per contact)
+  std::vector<BlockId> contact_block;      // a block, or support n_block + i
+  std::vector<std::int32_t> contact_body;  // into bodies
+  std::vector<std::int32_t> contact_node;  // four a contact
+  std::vector<std::int32_t>
+      point_begin;                 // CSR (n_contact + 1) into the points, from Model::n_point() on
+  std::vector<double> node_share;  // four a point
+  std::vector<Vec3> contact_arm;   // centre seen from a's centroid [m]
+  std::vector<Vec3> contact_tangent, contact_normal;  // t1, n
+  std::vector<double> contact_area;                   // [m^2]
+  std::vector<std::int32_t> contact_material;         // into Model::materials
+
+  // read by the pass over nodes (one row per node)
+  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: 8 zone + corner
+  std::vector<std::int32_t> contact_begin, contact_entry;  // the same; 4 contact + k
+  std::vector<double> node_mass, node_heavy_mass;          // inertia; mass for the weight [kg]
+
+  std::vector<Vec3> node;                       // at the start [m]
+  std::vector<std::vector<Vec3>> contact_face;  // outline of each contact at the start
+  std::vector<SpaceSolidBody> bodies;
+};
+
 // Walls in space: what the plane's arrays of the Model do not hold (docs/theory/space.md). Empty in a plane
 // wall; in space the plane's arms, faces and points are.
 //
@@ -252,6 +306,8 @@ struct Space {
   std::vector<BodySpec> body;
   std::vector<std::vector<Vec3>>
       face;  // outline of each joint at the start, anticlockwise about n [m]
+
+  SpaceSolids solids;  // deformable blocks; empty in a wall of rigid ones
 };
 
 struct Model {
@@ -307,8 +363,11 @@ struct Model {
   [[nodiscard]] int n_point() const {
     return in_space() ? space.point_begin.back() : n_joint * n_face_point;
   }
-  // With the two points of each zone contact, which follow those of the joints.
-  [[nodiscard]] int n_history() const { return n_point() + 2 * solids.n_contact; }
+  // With the points of zone contacts, which follow those of the joints.
+  [[nodiscard]] int n_history() const {
+    const auto& in_space = space.solids.point_begin;
+    return in_space.empty() ? n_point() + 2 * solids.n_contact : in_space.back();
+  }
 };
 
 // Exactly what a restart needs: a run that is saved and restored gives the same bits. What its curve needs
@@ -338,7 +397,8 @@ struct State {
   std::vector<double> lx, ly, lz;      // at the half step [kg m^2/s]
   std::vector<double> plastic_slip_2;  // along t2; plastic_slip is along t1 [m] (n_history)
   std::vector<double> support_x, support_y,
-      support_z;  // how far a support was driven [m] (n_support)
+      support_z;                         // how far a support was driven [m] (n_support)
+  std::vector<double> node_uz, node_vz;  // of nodes of zones [m], [m/s] (n_node)
 
   // written by the pass over links (n_link)
   std::vector<double> link_force;    // tension + [N]

@@ -6,7 +6,8 @@
 //
 // Places, displacements and directions are in the wall's axes (vector.h). Deformable blocks follow the
 // rigid ones: n_block + i is SolidBody i. Their contacts are joints too and follow the others, here and in
-// the history: n_joint + c is contact c.
+// the history: n_joint + c is contact c. In space deformable blocks follow the supports, and read_wall() leaves
+// them out: n_block + n_support + i is SpaceSolidBody i.
 #pragma once
 
 #include <array>
@@ -163,5 +164,17 @@ struct ZoneReading {
 [[nodiscard]] std::vector<ZoneReading> read_zones(const Model& model, const State& state);
 // The greater and the smaller principal stress in the plane, tension positive [Pa].
 [[nodiscard]] std::pair<double, double> principal_stresses(const ZoneReading& zone);
+
+// A zone of a deformable block in space: the same.
+struct SpaceZoneReading {
+  std::array<double, 6> stress{};     // x, y, z, xy, yz, zx in the wall's axes, tension + [Pa]
+  std::array<double, 3> principal{};  // the greatest first [Pa]
+  std::array<Vec3, 8> corner;         // [m], in the order of HexahedronShape
+  Vec3 middle;                        // mean of its corners at the start [m]
+  Vec3 moved;                         // how far that went [m]
+  Rotation turned;                    // of its mean deformation
+};
+[[nodiscard]] std::vector<SpaceZoneReading> read_space_zones(const Model& model,
+                                                             const State& state);
 
 }  // namespace wythe

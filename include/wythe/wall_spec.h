@@ -16,6 +16,7 @@
 #include "wythe/free_contacts.h"
 #include "wythe/masonry.h"
 #include "wythe/words.h"
+#include "wythe/zone_spec.h"
 
 namespace wythe {
 
@@ -44,17 +45,6 @@ enum class LintelModel { kSegments, kZones };
 inline constexpr Word<LintelModel> kLintelModelWords[] = {{"segments", LintelModel::kSegments},
                                                           {"zones", LintelModel::kZones}};
 static_assert(names_all(kLintelModelWords));
-// Zones: both pairs of constant-strain triangles of a quadrilateral laid over each other, with half
-// the weight each; mixed gives them one common volumetric strain.
-enum class ZoneKind { kMixed, kCst };
-inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
-                                                    {"cst", ZoneKind::kCst}};
-static_assert(names_all(kZoneKindWords));
-enum class Plane { kStress, kStrain };
-inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
-                                              {"strain", Plane::kStrain}};
-static_assert(names_all(kPlaneWords));
-
 // The last two are for walls in space alone.
 enum class Direction { kPlusX, kMinusX, kPlusY, kMinusY, kPlusZ, kMinusZ };
 inline constexpr Word<Direction> kDirectionWords[] = {
@@ -71,14 +61,6 @@ struct PlaceSpec {
   int courses = 1;
   std::string block;
   bool beam = false;
-};
-
-// How a deformable block is divided into zones, and its plane condition.
-struct ZoneSpec {
-  int zones = 0;           // through the depth; 0: the block is rigid
-  double length = kUnset;  // of a zone [m]; unset: as long as deep
-  ZoneKind kind = ZoneKind::kMixed;
-  Plane plane = Plane::kStress;
 };
 
 struct LintelSpec {

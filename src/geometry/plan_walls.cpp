@@ -124,7 +124,8 @@ class WallBuilder {
     add_ground();
     for (const Block& block : blocks_) add_solids(block);
     for (const PlacedOpening& opening : openings) {
-      if (!opening.segment.empty() && !bends(spec_.opening[at(opening.index)].lintel))
+      const LintelSpec& lintel = spec_.opening[at(opening.index)].lintel;
+      if (!opening.segment.empty() && !bends(lintel) && lintel.model == LintelModel::kSegments)
         notes.push_back({"lintel.rigid", {{"opening", opening.words}, {"wall", wall_.name}}});
       add_spanning(opening);
     }
@@ -158,11 +159,11 @@ class WallBuilder {
       const LintelSpec& lintel = opening.lintel;
       const auto refuse = [&](const char* key, const std::string& value, const char* cure) {
         add_fault(faults, opening_path(index, key), "\"" + value + "\"",
-                  "is for walls in their plane; in space a lintel is a chain of segments, or one "
-                  "rigid block",
-                  cure);
+                  "is for walls in their plane; this one is in space", cure);
       };
-      if (lintel.model == LintelModel::kZones) refuse("lintel.model", "zones", "leave it out");
+      if (lintel.zone_kind == ZoneKind::kCst)
+        refuse("lintel.zone_kind", "cst", "leave it out: in space there is one kind of zone");
+      if (lintel.plane == Plane::kStrain) refuse("lintel.plane", "strain", "leave it out");
       constexpr const char* kContact =
           "leave it out, and write [[contact]] between the materials of lintel and wall";
       for (const auto& [key, name] : {std::pair("lintel.bond", lintel.bond),
@@ -446,7 +447,7 @@ class WallBuilder {
     }
   }
 
-  // Whether the lintel bends: a chain of segments where its material has both moduli (model/space.cpp), else one
+  // Whether a lintel of segments bends: a chain of segments where its material has both moduli (model/space.cpp), else one
   // rigid block.
   [[nodiscard]] bool bends(const LintelSpec& lintel) const {
     const auto body = site_.model.material.find(lintel.material);
@@ -464,10 +465,14 @@ class WallBuilder {
            prism(outline, -half, half), -1);
     };
     const std::string number = std::to_string(opening.index);
-    if (!opening.segment.empty() && !bends(spec.lintel))
+    const bool zones = spec.lintel.model == LintelModel::kZones,
+               is_chain = bends(spec.lintel) && !zones;
+    if (!opening.segment.empty() && !is_chain) {
       add("lintel" + number, spec.lintel.material,
           outline_of(join(opening.segment.front(), opening.segment.back())));
-    for (std::size_t k = 0; k < opening.segment.size() && bends(spec.lintel); ++k)
+      if (zones) bodies_.back().body.zone = {spec.lintel.zones, spec.lintel.zone_length};
+    }
+    for (std::size_t k = 0; k < opening.segment.size() && is_chain; ++k)
       add(fmt::format("lintel{}.s{}", number, k), spec.lintel.material,
           outline_of(opening.segment[k]));
     if (!opening.sill.empty())

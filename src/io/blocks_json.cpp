@@ -135,6 +135,7 @@ class BlocksReader {
     read_word(json, "id", body.id, body.id);
     read_word(json, "material", body.material, body.id);
     read_flag(json, "fixed", body.fixed, body.id);
+    read_zones(json, body.id, body.zone);
     refuse_unknown(json, body.id, kBodyKeys);
     read_body_parts(json, body,
                     [&](const std::string& where, const Json& value, const std::string& problem,
@@ -155,7 +156,7 @@ class BlocksReader {
     read_word(json, "material", block.material, block.id);
     read_flag(json, "fixed", block.fixed, block.id);
     read_flag(json, "beam", block.beam, block.id);
-    read_zones(json, block);
+    read_zones(json, block.id, block.zone);
     refuse_unknown(json, block.id, kBlockKeys);
     read_outline(json.value("polygon", Json()), block);
     keep(std::move(block));
@@ -180,14 +181,13 @@ class BlocksReader {
       refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
   }
 
-  void read_zones(const Json& json, BlockSpec& block) {
-    ZoneSpec& zone = block.zone;
+  void read_zones(const Json& json, const std::string& id, ZoneSpec& zone) {
     if (json.contains("zones")) {
       const Json& count = json["zones"];
       if (count.is_number_integer() && count.get<std::int64_t>() >= 0 && count < 10000)
         zone.zones = count.get<int>();
       else
-        refuse(block.id + ".zones", short_dump(count), "must be a whole number of zones, 0 or more",
+        refuse(id + ".zones", short_dump(count), "must be a whole number of zones, 0 or more",
                R"(write e.g. "zones": 2)");
     }
     if (json.contains("zone_length")) {
@@ -195,11 +195,11 @@ class BlocksReader {
       if (length && *length > 0)
         zone.length = *length;
       else
-        refuse(block.id + ".zone_length", short_dump(json["zone_length"]),
-               "must be a number more than 0", "leave it out for zones as long as deep");
+        refuse(id + ".zone_length", short_dump(json["zone_length"]), "must be a number more than 0",
+               "leave it out for zones as long as deep");
     }
-    read_choice(json, "zone_kind", kZoneKindWords, zone.kind, block.id);
-    read_choice(json, "plane", kPlaneWords, zone.plane, block.id);
+    read_choice(json, "zone_kind", kZoneKindWords, zone.kind, id);
+    read_choice(json, "plane", kPlaneWords, zone.plane, id);
   }
 
   template <class Enum, std::size_t n>
@@ -220,7 +220,8 @@ class BlocksReader {
   inline static const std::vector<std::string> kBlockKeys = {
       "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
   inline static const std::vector<std::string> kBodyKeys = {
-      "id", "material", "fixed", "vertices", "faces", "parts", "polygon", "z"};
+      "id",      "material", "fixed", "vertices",    "faces",     "parts",
+      "polygon", "z",        "zones", "zone_length", "zone_kind", "plane"};
 
   void refuse_unknown(const Json& json, const std::string& id,
                       const std::vector<std::string>& known) {

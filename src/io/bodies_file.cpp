@@ -246,6 +246,13 @@ std::string bodies_text(const std::vector<BodySpec>& bodies, bool z_up) {
                     {"parts", std::move(parts)},
                     {"material", body.material},
                     {"fixed", body.fixed}});
+    const ZoneSpec& zone = body.zone;
+    if (zone.zones == 0) continue;
+    list.back()["zones"] = zone.zones;
+    if (!std::isnan(zone.length)) list.back()["zone_length"] = zone.length;
+    if (zone.kind != ZoneKind::kMixed)
+      list.back()["zone_kind"] = word_of(kZoneKindWords, zone.kind);
+    if (zone.plane != Plane::kStress) list.back()["plane"] = word_of(kPlaneWords, zone.plane);
   }
   return Json{{"units", "m"}, {"up", z_up ? "z" : "y"}, {"blocks", std::move(list)}}.dump(1) + "\n";
 }

@@ -111,12 +111,16 @@ std::string compas_json(const Model& model, const State& state) {
                                                          model.anatomy.block_thickness[i])},
                  model.anatomy.block_id[i], false);
   }
-  if (model.in_space())
+  if (model.in_space()) {
     for (int s = 0; s < model.space.n_support; ++s)
       assembly.add(solid_now(model, state, model.n_block + s),
                    model.space.body[static_cast<std::size_t>(model.n_block + s)].id, true);
-  else
+    BlockId solid = model.n_block + model.space.n_support;
+    for (const SpaceSolidBody& body : model.space.solids.bodies)
+      assembly.add(solid_now(model, state, solid++), body.body.id, false);
+  } else {
     add_plane_supports(assembly, model.anatomy);
+  }
   for (JointId j = 0; j < model.n_joint; ++j) {
     const JointShape joint = joint_shape(model, j);
     if (joint.a >= 0 && joint.b >= 0 && joint.a != joint.b) assembly.join(joint.a, joint.b);

@@ -81,7 +81,7 @@ void describe(Visitor& v, LintelSpec& s) {
             .doc = "Zones through the depth, with model = zones."});
   v.quantity("zone_length", s.zone_length, {.unit = "m", .shown = "mm", .range = kLength,
              .fallback = "as long as deep", .example = "55 mm",
-             .doc = "Length of a zone along the lintel, fitted to a whole number of zones."});
+             .doc = "Length of a zone along the lintel, fitted to a whole number of zones; in space also through the thickness."});
   v.choice("zone_kind", s.zone_kind, kZoneKindWords, {.example = "mixed",
            .doc = "Constant-strain triangles as they are (`cst`, locking), or with one volumetric "
                   "strain for a whole zone (`mixed`)."});

@@ -47,7 +47,7 @@ void describe(Visitor& v, PlanWallSpec& s) {
   v.list("opening", s.opening, {.optional = true,
          .doc = "As wall.opening; x counts from the wall's outer end at the first point of its line, corners included. "
                 "A lintel is a chain of segments that bends where its material has youngs_modulus and shear_modulus, else "
-                "one rigid block; a sill is one."});
+                "one rigid block, or with model = zones one deformable block; a sill is rigid."});
 }
 
 template <class Visitor, class Spec>

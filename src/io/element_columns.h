@@ -36,6 +36,18 @@ inline constexpr ElementColumn<ZoneReading> kZoneColumns[] = {
   {"principal_1_MPa", "MPa", "greater principal stress, tension +", [](const ZoneReading& z) { return principal_stresses(z).first * 1e-6; }},
   {"principal_2_MPa", "MPa", "smaller principal stress, tension +", [](const ZoneReading& z) { return principal_stresses(z).second * 1e-6; }},
 };
+
+inline constexpr ElementColumn<SpaceZoneReading> kSpaceZoneColumns[] = {
+  {"stress_x_MPa", "MPa", "mean stress along x, tension +", [](const SpaceZoneReading& z) { return z.stress[0] * 1e-6; }},
+  {"stress_y_MPa", "MPa", "mean vertical stress, tension +", [](const SpaceZoneReading& z) { return z.stress[1] * 1e-6; }},
+  {"stress_z_MPa", "MPa", "mean stress along z, tension +", [](const SpaceZoneReading& z) { return z.stress[2] * 1e-6; }},
+  {"stress_xy_MPa", "MPa", "mean shear stress", [](const SpaceZoneReading& z) { return z.stress[3] * 1e-6; }},
+  {"stress_yz_MPa", "MPa", "mean shear stress", [](const SpaceZoneReading& z) { return z.stress[4] * 1e-6; }},
+  {"stress_zx_MPa", "MPa", "mean shear stress", [](const SpaceZoneReading& z) { return z.stress[5] * 1e-6; }},
+  {"principal_1_MPa", "MPa", "greatest principal stress, tension +", [](const SpaceZoneReading& z) { return z.principal[0] * 1e-6; }},
+  {"principal_2_MPa", "MPa", "middle principal stress, tension +", [](const SpaceZoneReading& z) { return z.principal[1] * 1e-6; }},
+  {"principal_3_MPa", "MPa", "smallest principal stress, tension +", [](const SpaceZoneReading& z) { return z.principal[2] * 1e-6; }},
+};
 // clang-format on
 
 }  // namespace wythe::io

@@ -108,7 +108,7 @@ void write_states(const std::string& folder, const Model& model,
     const double millimetres = snapshot.displacement * 1e3;
     series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
     series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});
-    if (model.solids.n_zone > 0) {
+    if (model.solids.n_zone + model.space.solids.n_zone > 0) {
       const std::string zones = fmt::format("state_zones_{:02}.vtu", number);
       write_file(inside(folder, zones), io::zones_vtu(model, snapshot.state));
       series.push_back({.time = millimetres, .part = 2, .name = "zones", .file = zones});

@@ -395,10 +395,11 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   json["blocks"] = model.n_block;
   json["joints"] = model.n_joint;
   json["points"] = model.n_point();
-  if (model.solids.n_zone > 0) {
-    json["zones"] = model.solids.n_zone;
-    json["zone_nodes"] = model.solids.n_node;
-    json["zone_contacts"] = model.solids.n_contact;
+  const SpaceSolids& in_space = model.space.solids;
+  if (model.solids.n_zone + in_space.n_zone > 0) {
+    json["zones"] = model.solids.n_zone + in_space.n_zone;
+    json["zone_nodes"] = model.solids.n_node + in_space.n_node;
+    json["zone_contacts"] = model.solids.n_contact + in_space.n_contact;
   }
   json["steps"] = result.steps;
   json["time_step_s"] = result.time_step;

@@ -20,6 +20,7 @@ static_assert(std::endian::native == std::endian::little, "byte_order below says
 
 constexpr std::uint8_t kVtkLine = 3;
 constexpr std::uint8_t kVtkPolygon = 7;
+constexpr std::uint8_t kVtkHexahedron = 12;
 constexpr std::uint8_t kVtkPolyhedron = 42;
 
 template <class T>
@@ -188,7 +189,34 @@ std::string joints_vtu(const Model& model, const State& state) {
       arrays_of(kJointColumns, joints) + data_array("kind", kind) + data_array("joint", id));
 }
 
+namespace {
+
+std::string space_zones_vtu(const Model& model, const State& state) {
+  Mesh mesh;
+  mesh.cell_type = kVtkHexahedron;
+  std::vector<double> displacement;
+  std::vector<std::int32_t> body, zone;
+  const std::vector<SpaceZoneReading> zones = read_space_zones(model, state);
+  const std::vector<SpaceSolidBody>& bodies = model.space.solids.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (int z = bodies[b].first_zone; z < bodies[b].first_zone + bodies[b].n_zone; ++z) {
+      const SpaceZoneReading& now = zones[static_cast<std::size_t>(z)];
+      for (const Vec3& corner : now.corner) mesh.add_point(corner);
+      mesh.close_cell();
+      add(displacement, 1e3 * now.moved);
+      body.push_back(static_cast<std::int32_t>(b));
+      zone.push_back(z);
+    }
+  return mesh_vtu(mesh, state,
+                  data_array("displacement_mm", displacement, 3) +
+                      arrays_of(kSpaceZoneColumns, zones) + data_array("body", body) +
+                      data_array("zone", zone));
+}
+
+}  // namespace
+
 std::string zones_vtu(const Model& model, const State& state) {
+  if (model.in_space()) return space_zones_vtu(model, state);
   Mesh mesh;
   std::vector<double> displacement;
   std::vector<std::int32_t> body, zone;

@@ -285,6 +285,10 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
     keep_first(model, answer);
     return answer;
   }
+  if (!model.space.solids.bodies.empty())
+    refuse("wall.blocks." + model.space.solids.bodies.front().body.id + ".zones", "",
+           "is a deformable block in space, and limit analysis in space knows rigid blocks alone",
+           "leave zones out, or give the lintel model = \"segments\", for this analysis");
   const Stage* grows = growing_stage(model);
   if (grows != nullptr && grows->spec.kind != StageKind::kPush && !has_weight(model, grows))
     refuse("solve.gravity", fmt::format("{:g} m/s^2", model.solve.gravity),

@@ -33,6 +33,7 @@ enum class Entity {
   kBody,
   kFacePoint,
   kSupport,
+  kSpaceNode,   // a node of zones in space, beside what it has of a plane one
   kHandedOver,  // joints of a wall with free contacts
   kOther
 };
@@ -40,7 +41,8 @@ enum class Entity {
 [[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
   switch (entity) {
     case Entity::kBlock: return static_cast<std::size_t>(m.n_block);
-    case Entity::kNode: return static_cast<std::size_t>(m.solids.n_node);
+    case Entity::kNode: return static_cast<std::size_t>(m.solids.n_node + m.space.solids.n_node);
+    case Entity::kSpaceNode: return static_cast<std::size_t>(m.space.solids.n_node);
     case Entity::kPoint: return static_cast<std::size_t>(m.n_history());
     case Entity::kJoint: return static_cast<std::size_t>(m.n_joint);
     case Entity::kZone: return static_cast<std::size_t>(m.solids.n_zone);
@@ -120,6 +122,10 @@ inline constexpr std::array kStateFields{
                "displacement of a support along y"},
     StateField{&State::support_z, Entity::kSupport, true, "support_z", "m",
                "displacement of a support along z"},
+    StateField{&State::node_uz, Entity::kSpaceNode, true, "node_uz", "m",
+               "displacement of a node along z"},
+    StateField{&State::node_vz, Entity::kSpaceNode, false, "node_vz", "m/s",
+               "velocity of a node along z"},
     StateField{&State::handed_over, Entity::kHandedOver, true, "handed_over", "1",
                "1: a joint that gave way to free contact; of no length in walls without such"},
 };
@@ -217,6 +223,24 @@ void each_model_field(M& m, const Visit& visit) {
   visit(b.axis_2, E::kBlock, kAll, "space_axis_2", "1");
   visit(b.axis_3, E::kBlock, kAll, "space_axis_3", "1");
   visit(b.inertia, E::kBlock, kOwn, "space_inertia", "kg m^2");
+
+  auto& z = b.solids;
+  if (z.n_zone > 0) {
+    visit(z.corner, E::kOther, kAll, "space_corner", "");
+    visit(z.zone_shape, E::kOther, kAll, "space_zone_shape", "");
+    visit(z.contact_block, E::kOther, kAll, "space_contact_block", "");
+    visit(z.contact_node, E::kOther, kAll, "space_contact_node", "");
+    visit(z.point_begin, E::kOther, kAll, "space_contact_point_begin", "");
+    visit(z.node_share, E::kOther, kAll, "space_node_share", "1");
+    visit(z.contact_arm, E::kOther, kAll, "space_contact_arm", "m");
+    visit(z.contact_tangent, E::kOther, kAll, "space_contact_tangent", "1");
+    visit(z.contact_normal, E::kOther, kAll, "space_contact_normal", "1");
+    visit(z.contact_area, E::kOther, kAll, "space_contact_area", "m^2");
+    visit(z.contact_material, E::kOther, kAll, "space_contact_material", "");
+    visit(z.node, E::kOther, kAll, "space_node", "m");
+    visit(z.node_mass, E::kSpaceNode, kOwn, "space_node_mass", "kg");
+    visit(z.node_heavy_mass, E::kSpaceNode, kOwn, "space_node_heavy_mass", "kg");
+  }
 
   visit(l.a, E::kLink, kAll, "link_a", "");
   visit(l.b, E::kLink, kAll, "link_b", "");

@@ -234,6 +234,12 @@ void compile_free_in_space(const ModelSpec& spec, Model& m, FaultList& faults) {
       for (const Vec3& v : part.vertex) lowest = std::fmin(lowest, v.y);
   check_ground(spec, lowest, faults);
   if (spec.solve.contacts == Contacts::kJoints) return;
+  if (!m.space.solids.bodies.empty()) {
+    faults.add({"", "solve.contacts", "free",
+                "free contacts know rigid blocks alone, and a block is cut into zones",
+                "write contacts = \"joints\", or leave zones out", 0});
+    return;
+  }
   FreeShapes& f = m.free;
   Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
   double size = 0;

@@ -17,8 +17,10 @@
 #include "geometry/blocks_file.h"
 #include "model/fields.h"
 #include "model/free_shapes.h"
+#include "model/parts.h"
 #include "model/space_places.h"
 #include "model/space_points.h"
+#include "model/space_solids.h"
 
 namespace wythe {
 namespace {
@@ -155,13 +157,17 @@ std::string material_of(const Shape& shape, const BodySpec& a, const BodySpec& b
   return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
 }
 
-// Numbers bodies: free ones first, in their order, then supports.
+// Numbers bodies: free ones first, in their order, then supports; deformable ones by solid_id().
 std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
   std::vector<BlockId> id(assembly.body.size());
+  int solids = 0;
   for (std::size_t k = 0; k < id.size(); ++k)
-    if (!assembly.body[k].fixed) id[k] = model.n_block++;
+    if (has_zones(assembly.body[k]))
+      id[k] = solid_id(solids++);
+    else if (!assembly.body[k].fixed)
+      id[k] = model.n_block++;
   for (std::size_t k = 0; k < id.size(); ++k)
-    if (assembly.body[k].fixed) id[k] = model.n_block + model.space.n_support++;
+    if (assembly.body[k].fixed && !is_solid(id[k])) id[k] = model.n_block + model.space.n_support++;
   return id;
 }
 
@@ -173,7 +179,7 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& mo
   for (const bool fixed : {false, true})
     for (std::size_t k = 0; k < assembly.body.size(); ++k) {
       const BodySpec& body = assembly.body[k];
-      if (body.fixed != fixed) continue;
+      if (body.fixed != fixed || has_zones(body)) continue;
       const geometry::SolidMoments& moments = assembly.moments[k];
       space.body.push_back(body);
       space.centroid.push_back(moments.centroid);
@@ -301,6 +307,20 @@ std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const Jo
   return both;
 }
 
+// A face of which one side or both are cut into zones; its material is still to be set.
+void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
+                    const std::vector<BlockId>& id, std::vector<SpaceSolidFace>& faces,
+                    FaultList& faults) {
+  const bool zones_are_b = has_zones(assembly.body[at(face.b)]);
+  const int solid = zones_are_b ? face.b : face.a, rigid = zones_are_b ? face.a : face.b;
+  if (has_zones(assembly.body[at(rigid)]))
+    faults.add({"", "wall.blocks." + assembly.body[at(solid)].id + ".zones", "",
+                "two blocks of zones touch each other",
+                "make one of them rigid, or put a rigid course between them", 0});
+  faces.push_back({&face, id[at(rigid)], solid_of(id[at(solid)]), 0, tangent_of(face), zones_are_b,
+                   assembly.moments[at(rigid)].centroid});
+}
+
 void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
                  const std::vector<BlockId>& id, Model& model, FaultList& faults) {
   const Shape shape(spec);
@@ -309,9 +329,15 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   model.solve.point_rule = choice.rule;
   model.solve.points_per_face = choice.points;
   std::vector<Placed> joints;
+  std::vector<SpaceSolidFace> solids;
   for (const JointFace& face : assembly.faces) {
     const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
     if (a.fixed && b.fixed) continue;
+    if (has_zones(a) || has_zones(b)) {
+      add_solid_face(assembly, face, id, solids, faults);
+      solids.back().material = materials.index_of(material_of(shape, a, b, face.normal));
+      continue;
+    }
     if (const std::string chain = chain_of(a.id); !chain.empty() && chain == chain_of(b.id)) {
       const auto body = spec.material.find(a.material);
       if (body == spec.material.end() || !(body->second.youngs_modulus > 0) ||
@@ -351,6 +377,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   model.n_joint = static_cast<int>(joints.size());
   model.n_pair = static_cast<int>(std::count_if(
       joints.begin(), joints.end(), [&](const Placed& joint) { return joint.a < model.n_block; }));
+  compile_space_contacts(solids, choice, model, faults);
 }
 
 // Of each block first the joints of which it is side a, then those of which it is b.
@@ -384,7 +411,7 @@ void measure(const SpaceAssembly& assembly, Model& model) {
   anatomy.height = all.high.y - all.low.y;
   anatomy.thickness = all.high.z - all.low.z;
   anatomy.lost_joints = assembly.lost_faces;
-  anatomy.notes = assembly.notes;
+  anatomy.notes.insert(anatomy.notes.begin(), assembly.notes.begin(), assembly.notes.end());
   anatomy.support_begin = {0};
   anatomy.outline_begin.assign(at(model.n_block) + 1, 0);
   anatomy.block_thickness.assign(at(model.n_block), anatomy.thickness);
@@ -449,8 +476,12 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   model.solve = spec.solve;
   model.output = spec.output;
   const std::vector<BlockId> id = number(assembly, model);
+  compile_space_solids(spec, assembly, model, faults);
   fill_blocks(spec, assembly, model, faults);
-  if (model.n_block == 0)
+  if (model.n_block == 0 && !model.space.solids.bodies.empty())
+    faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
+                "leave at least one rigid block: loads and pushes act on those", 0});
+  else if (model.n_block == 0)
     faults.add({"", "wall.blocks", "", "holds no block that moves", "leave at least one free", 0});
   faults.throw_if_any();
   fill_joints(spec, assembly, id, model, faults);
@@ -458,6 +489,8 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   measure(assembly, model);
   compile_free_in_space(spec, model, faults);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  for (const double mass : model.space.solids.node_heavy_mass)
+    model.weight += mass * model.solve.gravity;
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
   compile_links(spec, assembly, id, model, faults);

@@ -2,11 +2,14 @@
 // its own joints (once on a support), for (x - y) k (x - y) <= 2 x k x + 2 y k y (docs/theory/space.md).
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/free_shapes.h"
 #include "model/shaking.h"
 #include "model/space.h"
+#include "model/space_solids.h"
 
 namespace wythe {
 namespace {
@@ -177,6 +180,79 @@ void raise_light_inertia(Model& m, std::vector<double>& bound) {
                                {{"blocks", raised}, {"of_wall_percent", 100 * added / all}}});
 }
 
+// Adds to `sum`, of each block, what the contacts of zones give it, counted twice.
+void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
+  const SpaceSolids& s = m.space.solids;
+  for (std::size_t c = 0; c < at(s.n_contact); ++c) {
+    if (s.contact_block[c] >= m.n_block) continue;
+    const JointMaterial& law = m.materials[at(s.contact_material[c])];
+    const Vec3 t1 = s.contact_tangent[c], n = s.contact_normal[c], t2 = cross(n, t1);
+    for (auto p = at(s.point_begin[c]); p < at(s.point_begin[c + 1]); ++p) {
+      const Vec3 to = s.contact_arm[c] + m.space.point_r1[p] * t1 + m.space.point_r2[p] * t2;
+      const double area = 2 * s.contact_area[c] * m.space.point_share[p];
+      for (const auto& [direction, stiffness] : {std::pair(n, law.normal_stiffness),
+                                                 {t1, law.shear_stiffness},
+                                                 {t2, law.shear_stiffness}}) {
+        const Vector6 r = row(direction, to);
+        sum[at(s.contact_block[c])] += area * stiffness * r * r.transpose();
+      }
+    }
+  }
+}
+
+// As step_bound.cpp in the plane: nodes that would rule the step against the bound `limit` of the rigid blocks get
+// inertia, not weight; says which body gained what.
+void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
+  constexpr double kMuch = 0.03;
+  SpaceSolids& s = m.space.solids;
+  const double blocks = std::accumulate(m.mass.begin(), m.mass.end(), 0.0);
+  for (const SpaceSolidBody& body : s.bodies) {
+    double before = 0, added = 0, worst = 1;
+    std::size_t at_node = 0;
+    for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
+      const std::size_t i = at(k);
+      before += s.node_mass[i];
+      if (!(bound[i] > limit)) continue;
+      const double factor = bound[i] / limit;
+      if (factor > worst) at_node = i;
+      worst = std::fmax(worst, factor);
+      added += (factor - 1) * s.node_mass[i];
+      s.node_mass[i] *= factor;
+      bound[i] = limit;
+    }
+    if (added <= 0) continue;
+    const double of_wall = added / (blocks + before);
+    m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.nodes_drag" : "inertia.nodes_raised",
+                               {{"block", body.body.id},
+                                {"of_block_percent", 100 * added / before},
+                                {"of_wall_percent", 100 * of_wall},
+                                {"times", worst},
+                                {"x_m", s.node[at_node].x},
+                                {"y_m", s.node[at_node].y}}});
+  }
+}
+
+// Takes the nodes of zones into the bound of the step; `blocks`: that of the rigid ones.
+double bound_nodes(Model& m, double blocks) {
+  std::vector<double> bound = space_node_bounds(m);
+  if (bound.empty()) return blocks;
+  if (m.solve.raise_light_inertia && blocks > 0) raise_light_nodes(m, blocks, bound);
+  const auto greatest = std::max_element(bound.begin(), bound.end());
+  if (!(*greatest > blocks)) return blocks;
+  const auto node = static_cast<int>(greatest - bound.begin());
+  const SpaceSolids& s = m.space.solids;
+  const auto body = std::find_if(s.bodies.begin(), s.bodies.end(), [&](const SpaceSolidBody& one) {
+    return node < one.first_node + one.n_node;
+  });
+  if (blocks > 0)
+    m.anatomy.notes.push_back({"step.ruled_by_node",
+                               {{"block", body->body.id},
+                                {"x_m", s.node[at(node)].x},
+                                {"y_m", s.node[at(node)].y},
+                                {"times", std::sqrt(*greatest / blocks)}}});
+  return *greatest;
+}
+
 // Links without a stiffness are rigid diaphragms: as stiff as raises the squared frequency of their ends by a tenth
 // of the wall's, and no more (docs/theory/links.md, 9.5).
 void set_rigid_links(Model& m, double bound) {
@@ -233,13 +309,14 @@ void bound_space_step(Model& m) {
     const contact::SpaceParts parts = free_parts(m);
     for (int i = 0; i < m.n_block; ++i) free[at(i)] = free_stiffness(m, parts, at(i));
   }
+  add_contacts(m, free);
   for (int i = 0; i < m.n_block; ++i) bound.push_back(own_bound(m, at(i), free[at(i)]));
   if (m.solve.raise_light_inertia) raise_light_inertia(m, bound);
   double most = 0;
   for (int i = 0; i < m.n_block; ++i)
     if (bound[at(i)] > most) most = bound[at(i)], m.stiffest_block = i;
   if (m.links.n > 0) most = bound_links(m, free, most);
-  m.omega_max = std::sqrt(most);
+  m.omega_max = std::sqrt(bound_nodes(m, most));
 }
 
 }  // namespace wythe

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "geometry/polyhedron.h"
+#include "model/parts.h"
 #include "model/space_places.h"
 
 namespace wythe {
@@ -298,6 +299,10 @@ class SpaceFloors {
 
   void put(std::size_t body, double t, double share, const Line& line, double load, double mass) {
     const Vec3 where = line.from + t * geometry::unit(line.to - line.from);
+    if (is_solid(id_[body]))
+      return fault("", assembly_.body[body].id,
+                   "would lie on a block of zones; loads act on rigid blocks",
+                   "end the floor beside it, or leave the block's zones out");
     if (load > 0)
       loads_.push_back(
           load_at(id_[body], where, assembly_.moments[body].centroid, {0, -share * load, 0}));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "model/parts.h"
 #include "model/shaking.h"
@@ -56,6 +57,7 @@ class SpaceStages {
       if (push) set_driven(stage);
       if (s.kind == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(s);
+      refuse_zones(stage);
       if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
       floors_lie_ = floors_lie_ || k == sets_floors;
       model_.stages.push_back(std::move(stage));
@@ -66,6 +68,25 @@ class SpaceStages {
  private:
   void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
     faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  // Loads and pushes act on rigid blocks.
+  void refuse_zones(const Stage& stage) {
+    std::set<BlockId> solids;
+    for (const PointLoad& load : stage.loads)
+      if (is_solid(load.block)) solids.insert(load.block);
+    for (const BlockId block : stage.driven)
+      if (is_solid(block)) solids.insert(block);
+    if (is_solid(stage.control)) solids.insert(stage.control);
+    const StageSpec& s = stage.spec;
+    const char* key = s.kind != StageKind::kLoad ? "at"
+                      : has(s.force)             ? "at"
+                      : has(s.line_load)         ? "line_load"
+                                                 : "on";
+    for (const BlockId block : solids)
+      fault(key, model_.space.solids.bodies[at(solid_of(block))].body.id,
+            "is a block of zones; loads and pushes act on rigid blocks",
+            "name rigid blocks beside it, or leave the block's zones out");
   }
 
   void set_direction(Stage& stage) {
@@ -90,7 +111,8 @@ class SpaceStages {
     places.axis = [this](Direction direction) { return places_.in_wall(vector_of(direction)); };
     places.blocks = [this](const PlaceSpec& place) {
       std::vector<BlockId> ids;
-      for (const std::size_t k : places_.find(place)) ids.push_back(id_[k]);
+      for (const std::size_t k : places_.find(place))
+        if (!is_solid(id_[k])) ids.push_back(id_[k]);
       return ids;
     };
     places.point = [this](const PlaceSpec& p, BlockId block) {
@@ -182,14 +204,34 @@ class SpaceStages {
     set_control(stage, fixed);
   }
 
-  // A body's own mass and that of the floors that lie on it already [kg].
+  // Loads and pushes act on rigid blocks: the mass of a body of zones goes to those that it touches, by the areas
+  // of its contacts, which hand its force on (as in stages.cpp) [kg].
+  [[nodiscard]] double zone_mass_beside(BlockId block) const {
+    const SpaceSolids& s = model_.space.solids;
+    double sum = 0;
+    for (std::size_t b = 0; b < s.bodies.size(); ++b) {
+      double area = 0, own = 0, mass = 0;
+      for (std::size_t c = 0; c < s.contact_body.size(); ++c) {
+        if (at(s.contact_body[c]) != b) continue;
+        area += s.contact_area[c];
+        if (s.contact_block[c] == block) own += s.contact_area[c];
+      }
+      if (!(own > 0)) continue;
+      for (int k = s.bodies[b].first_node; k < s.bodies[b].first_node + s.bodies[b].n_node; ++k)
+        mass += s.node_heavy_mass[at(k)];
+      sum += mass * own / area;
+    }
+    return sum;
+  }
+
+  // A body's own mass, that of zones beside it and that of the floors that lie on it already [kg].
   [[nodiscard]] double mass_on(std::size_t k) const {
-    if (assembly_.body[k].fixed) return 0;
+    if (assembly_.body[k].fixed || is_solid(id_[k])) return 0;
     double weight = 0;
     if (floors_lie_)
       for (const PointLoad& load : floors_) weight -= load.block == id_[k] ? load.fy : 0.0;
     const double g = model_.solve.gravity;
-    return model_.heavy_mass[at(id_[k])] + (g > 0 ? weight / g : 0.0);
+    return model_.heavy_mass[at(id_[k])] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
   }
 
   // Of a body's free faces, what looks against the push, laid across it [m^2].

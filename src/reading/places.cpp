@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reading/zones_in_space.h"
 #include "wythe/reading.h"
 
 namespace wythe {
@@ -108,15 +109,23 @@ JointShape face_shape(const Model& m, JointId j) {
 }  // namespace
 
 PointRange points_of(const Model& model, JointId joint) {
-  if (model.in_space()) return {model.space.point_begin[joint], model.space.point_begin[joint + 1]};
   const int per = model.n_face_point, contact = joint - model.n_joint;
+  if (model.in_space()) {
+    const auto& begin = contact < 0 ? model.space.point_begin : model.space.solids.point_begin;
+    const int i = contact < 0 ? joint : contact;
+    return {begin[i], begin[i + 1]};
+  }
   if (contact < 0) return {joint * per, (joint + 1) * per};
   return {model.n_point() + 2 * contact, model.n_point() + 2 * (contact + 1)};
 }
 
-int joint_count(const Model& model) { return model.n_joint + model.solids.n_contact; }
+int joint_count(const Model& model) {
+  return model.n_joint + model.solids.n_contact + model.space.solids.n_contact;
+}
 
 JointShape joint_shape(const Model& model, JointId joint) {
+  if (joint >= model.n_joint && model.in_space())
+    return reading::contact_in_space(model, joint - model.n_joint);
   JointShape shape = joint < model.n_joint ? face_shape(model, joint) : contact_shape(model, joint);
   if (!model.in_space()) shape.normal = {-shape.along.y, shape.along.x};
   return shape;
@@ -149,8 +158,10 @@ Rotation rotation_of(double w, Vec3 v) {
   return {2 * sense * std::atan2(sine, sense * w) / sine * v};
 }
 
-// A block, or support n_block + i.
+// A block, support n_block + i, or deformable block n_block + n_support + i.
 BlockReading in_space(const Model& model, const State& s, BlockId block) {
+  if (const int body = block - model.n_block - model.space.n_support; body >= 0)
+    return reading::body_in_space(model, s, body);
   if (block >= model.n_block) {
     const int i = block - model.n_block;
     return {block,
@@ -169,6 +180,7 @@ BlockReading in_space(const Model& model, const State& s, BlockId block) {
 }  // namespace
 
 BlockReading read_block(const Model& model, const State& state, BlockId block) {
+  if (model.in_space()) return in_space(model, state, block);
   if (block >= model.n_block) {
     const SolidBody& body = body_of(model, block);
     return {block,
@@ -177,7 +189,6 @@ BlockReading read_block(const Model& model, const State& state, BlockId block) {
             node_moved(state, body.first_node),
             {}};
   }
-  if (model.in_space()) return in_space(model, state, block);
   const BlockId i = block;
   return {block,
           model.anatomy.block_role[i],
@@ -216,15 +227,27 @@ std::vector<Vec3> between_faces(const Model& model, const State& state, JointId 
   return places;
 }
 
+// The same of a contact of zones, on its rigid side.
+std::vector<Vec3> on_rigid_side(const Model& model, const State& state, int contact,
+                                std::vector<Vec3> places, double scale) {
+  const BlockReading a = in_space(model, state, model.space.solids.contact_block[contact]);
+  for (Vec3& p : places) p = place(a, p - a.start, scale);
+  return places;
+}
+
 }  // namespace
 
 std::vector<Vec3> face_now(const Model& model, const State& state, JointId joint, double scale) {
+  if (const int contact = joint - model.n_joint; contact >= 0)
+    return on_rigid_side(model, state, contact, model.space.solids.contact_face[contact], scale);
   return between_faces(model, state, joint, model.space.face[joint], scale);
 }
 
 std::vector<Polyhedron> solid_now(const Model& model, const State& state, BlockId block,
                                   double scale) {
-  std::vector<Polyhedron> parts = model.space.body[block].part;
+  const int body = block - model.n_block - model.space.n_support;
+  std::vector<Polyhedron> parts =
+      body < 0 ? model.space.body[block].part : model.space.solids.bodies[body].body.part;
   const BlockReading now = in_space(model, state, block);
   for (Polyhedron& part : parts)
     for (Vec3& vertex : part.vertex) vertex = place(now, vertex - now.start, scale);
@@ -232,6 +255,12 @@ std::vector<Polyhedron> solid_now(const Model& model, const State& state, BlockI
 }
 
 std::array<Vec3, 2> ends_now(const Model& model, const State& state, JointId joint, double scale) {
+  if (const int contact = joint - model.n_joint; contact >= 0 && model.in_space()) {
+    const JointShape shape = joint_shape(model, joint);
+    const std::vector<Vec3> ends = on_rigid_side(
+        model, state, contact, {shape.centre - shape.half, shape.centre + shape.half}, scale);
+    return {ends[0], ends[1]};
+  }
   if (const int contact = joint - model.n_joint; contact >= 0)
     return {contact_now(model, state, contact, 0, scale),
             contact_now(model, state, contact, 1, scale)};

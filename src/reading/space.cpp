@@ -6,6 +6,7 @@
 #include "contact/face_in_space.h"
 #include "contact/parameters.h"
 #include "model/fields.h"
+#include "reading/zones_in_space.h"
 
 namespace wythe::reading {
 namespace {
@@ -49,10 +50,10 @@ contact::History<double> history_of(const State& s, std::size_t p) {
   return h;
 }
 
+// Of point p, whose sides are g apart along t1, t2 and n of the frame.
 PointReading read_point(const State& s, std::size_t p, const contact::LawConstants<double>& law,
-                        const Gap& face, double r1, double r2) {
+                        const Vec& g, const contact::Frame<double>& frame) {
   contact::History<double> h = history_of(s, p);
-  const Vec g = face.gap.j + r1 * face.gap.a + r2 * face.gap.b;
   const contact::Shear<double> shear =
       contact::shear_of(g.x, g.y, h.plastic_slip, s.plastic_slip_2[p]);
   h.plastic_slip = 0;
@@ -61,7 +62,7 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
   });
   PointReading point;
   point.opening = g.z;
-  point.slip_vector = vec3(g.x * face.frame.t1 + g.y * face.frame.t2);
+  point.slip_vector = vec3(g.x * frame.t1 + g.y * frame.t2);
   point.slip = length(point.slip_vector);
   point.opened = s.kappa[p];
   point.slid = std::hypot(s.plastic_slip[p], s.plastic_slip_2[p]);
@@ -69,8 +70,7 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
   point.normal_stress = now.sigma;
   point.shear_stress = now.tau;
   if (shear.e > 0)
-    point.shear_vector =
-        now.tau / shear.e * vec3(shear.e1 * face.frame.t1 + shear.e2 * face.frame.t2);
+    point.shear_vector = now.tau / shear.e * vec3(shear.e1 * frame.t1 + shear.e2 * frame.t2);
   point.damage_tension = now.tension_damage;
   point.damage_shear = h.shear_damage;
   point.damage = now.damage;
@@ -78,10 +78,35 @@ PointReading read_point(const State& s, std::size_t p, const contact::LawConstan
   return point;
 }
 
+// The points of the contacts of zones: the frame turns with the rigid side (docs/theory/zones.md).
+void read_contacts(const Model& m, const State& s, std::vector<PointReading>& points) {
+  const SpaceSolids& z = m.space.solids;
+  for (int contact = 0; contact < z.n_contact; ++contact) {
+    const std::size_t c = at(contact);
+    const auto law = contact::constants_of(m.materials[at(z.contact_material[c])]);
+    const RigidSide rigid = rigid_side(m, s, contact);
+    const Vec t1 = vec(z.contact_tangent[c]), n = vec(z.contact_normal[c]), t2 = cross(n, t1);
+    const contact::Frame<double> frame{turned(rigid.q, t1), turned(rigid.q, t2),
+                                       turned(rigid.q, n)};
+    const JointShape shape = contact_in_space(m, contact);
+    const double reach = length(shape.half);
+    for (auto p = at(z.point_begin[c]); p < at(z.point_begin[c + 1]); ++p) {
+      const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
+      const Vec arm = vec(z.contact_arm[c]) + r1 * t1 + r2 * t2;
+      const Vec moved = vec(side_moved(m, s, contact, p));
+      const Vec jump = moved - (vec(rigid.moved) + swing(rigid.q, arm));
+      points[p] = read_point(s, p, law, frame.in(jump), frame);
+      points[p].share = m.space.point_share[p];
+      points[p].place = reach > 0 ? r1 / reach : 0;
+      points[p].where = shape.centre + vec3(r1 * t1 + r2 * t2 + moved);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<PointReading> points_in_space(const Model& m, const State& s) {
-  std::vector<PointReading> points(at(m.n_point()));
+  std::vector<PointReading> points(at(m.n_history()));
   std::int32_t last = -1;
   contact::LawConstants<double> law{};
   for (JointId j = 0; j < m.n_joint; ++j) {
@@ -94,7 +119,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
     const BlockReading b = read_block(m, s, shape.b);
     for (auto p = at(m.space.point_begin[at(j)]); p < at(m.space.point_begin[at(j) + 1]); ++p) {
       const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
-      points[p] = read_point(s, p, law, face, r1, r2);
+      points[p] = read_point(s, p, law, face.gap.j + r1 * face.gap.a + r2 * face.gap.b, face.frame);
       if (!s.handed_over.empty() && s.handed_over[at(j)] != 0) {  // a free contact has its place
         points[p].normal_stress = points[p].shear_stress = 0;
         points[p].shear_vector = {};
@@ -107,6 +132,7 @@ std::vector<PointReading> points_in_space(const Model& m, const State& s) {
       points[p].where = turned(arm, b.turned, b.start + b.moved) - back * jump;
     }
   }
+  read_contacts(m, s, points);
   return points;
 }
 
@@ -170,7 +196,8 @@ bool is_beyond(const Model& m, BlockId s, Vec3 place) {
 
 bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, JointId j) {
   const PointRange range = points_of(m, j);
-  const Vec3 t1 = m.space.tangent[at(j)], t2 = cross(m.space.normal[at(j)], t1);
+  const JointShape shape = joint_shape(m, j);
+  const Vec3 t1 = shape.along, t2 = cross(shape.normal, t1);
   Vec3 slip;
   bool pressed = false;
   for (auto p = at(range.begin); p < at(range.end); ++p) {
@@ -185,8 +212,10 @@ bool slid_off_in_space(const Model& m, const std::vector<PointReading>& points, 
     reach = std::fmax(reach, std::fabs(dot(arm, slip)) / way);
   }
   if (way <= reach) return false;
-  if (m.joint_a[at(j)] < m.n_block) return true;
-  return is_beyond(m, m.joint_a[at(j)], joint_shape(m, j).centre + slip);
+  const BlockId a =
+      j < m.n_joint ? m.joint_a[at(j)] : m.space.solids.contact_block[at(j - m.n_joint)];
+  if (a < m.n_block) return true;
+  return is_beyond(m, a, shape.centre + slip);
 }
 
 }  // namespace wythe::reading

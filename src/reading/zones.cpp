@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reading/zones_in_space.h"
 #include "solids/zone.h"
 #include "wythe/curve.h"
 
@@ -57,13 +58,14 @@ double axial_of(const Solids& m, const SolidBody& body, const State& s, int colu
 }  // namespace
 
 double strain_energy(const Model& model, const State& s) {
-  double energy = 0;
+  double energy = strain_energy_in_space(model, s);
   for (std::size_t z = 0; z < model.solids.zone_shape.size(); ++z)
     energy += solids::zone_energy(shape_of(model.solids, z), displacements(model.solids, s, z));
   return energy;
 }
 
 std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state) {
+  if (model.in_space()) return beyond_limits_in_space(model, state);
   std::vector<BeyondLimit> found;
   const auto has_limit = [](const SolidBody& body) {
     return std::isfinite(body.tension_limit) || std::isfinite(body.compression_limit);
@@ -78,9 +80,9 @@ std::vector<BeyondLimit> beyond_limits(const Model& model, const State& state) {
       const auto& at = zone.corner;
       const Vec3 middle = 0.25 * (at[0] + at[1] + at[2] + at[3]);
       if (greatest > body.tension_limit)
-        found.push_back({&body, true, greatest, body.tension_limit, middle});
+        found.push_back({&body.id, true, greatest, body.tension_limit, middle});
       if (-least > body.compression_limit)
-        found.push_back({&body, false, -least, body.compression_limit, middle});
+        found.push_back({&body.id, false, -least, body.compression_limit, middle});
     }
   return found;
 }

@@ -12,7 +12,7 @@ namespace wythe::reading {
 [[nodiscard]] double strain_energy(const Model& model, const State& state);
 // Places where a zone's mean principal stress goes beyond its body's limits.
 struct BeyondLimit {
-  const SolidBody* body;
+  const std::string* body;  // its id
   bool tension;
   double stress, limit;  // magnitudes [Pa]
   Vec3 where;            // [m]

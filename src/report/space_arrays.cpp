@@ -3,7 +3,10 @@
 //
 //   space.vertex (3), face and corner lists of convex parts     at the start, seen from `middle`, so that
 //   space.outline (3) of each joint's face                       places far from the origin stay exact
-//   frame.moved, frame.turned (n_frame, n_body, 3)               supports follow the blocks
+//   frame.moved, frame.turned (n_frame, n_body, 3)               zones follow the blocks, supports the zones
+//
+// A zone of a deformable block is shown as a body of its own, which moves and turns as its mean does, so that a
+// lintel is seen to bend.
 #include <algorithm>
 #include <unordered_map>
 
@@ -22,12 +25,14 @@ std::int32_t count_of(std::size_t n) { return static_cast<std::int32_t>(n); }
 // Half way between the ends of the bounds of all that moves.
 Vec3 middle_of(const Model& model) {
   Vec3 low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  const auto widen = [&](const Vec3& v) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  };
   for (int b = 0; b < model.n_block; ++b)
     for (const Polyhedron& part : model.space.body[static_cast<std::size_t>(b)].part)
-      for (const Vec3& v : part.vertex) {
-        low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-        high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-      }
+      for (const Vec3& v : part.vertex) widen(v);
+  for (const Vec3& v : model.space.solids.node) widen(v);
   return 0.5 * (low + high);
 }
 
@@ -63,6 +68,45 @@ struct Parts {
   }
 };
 
+// Blocks, zones, supports: what the page knows as bodies.
+std::vector<BodySpec> bodies_shown(const Model& model) {
+  const auto first = model.space.body.begin(), support = first + model.n_block;
+  std::vector<BodySpec> bodies(first, support);
+  const SpaceSolids& s = model.space.solids;
+  for (const SpaceSolidBody& of : s.bodies)
+    for (int z = of.first_zone; z < of.first_zone + of.n_zone; ++z) {
+      BodySpec& body = bodies.emplace_back();
+      body.id = of.body.id;
+      body.material = of.body.material;
+      Polyhedron& part = body.part.emplace_back();
+      for (std::size_t k = 0; k < 8; ++k)
+        part.vertex.push_back(
+            s.node[static_cast<std::size_t>(s.corner[8 * static_cast<std::size_t>(z) + k])]);
+      part.face = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                   {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+    }
+  bodies.insert(bodies.end(), support, model.space.body.end());
+  return bodies;
+}
+
+// Of a block or support among them.
+BlockId shown_as(const Model& model, BlockId id) {
+  return id < model.n_block ? id : id + model.space.solids.n_zone;
+}
+
+// The zone that has all four nodes of a contact's side.
+std::int32_t zone_of(const SpaceSolids& s, std::size_t contact) {
+  const SpaceSolidBody& body = s.bodies[static_cast<std::size_t>(s.contact_body[contact])];
+  for (std::int32_t z = body.first_zone; z < body.first_zone + body.n_zone; ++z) {
+    const auto corner = s.corner.begin() + 8 * static_cast<std::ptrdiff_t>(z);
+    int found = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      found += std::find(corner, corner + 8, s.contact_node[4 * contact + k]) != corner + 8 ? 1 : 0;
+    if (found == 4) return z;
+  }
+  return body.first_zone;
+}
+
 // Names of bodies and of their materials, each material once.
 void add_names(Bundle& bundle, const std::vector<BodySpec>& bodies, Json& space) {
   std::unordered_map<std::string, std::int32_t> known;
@@ -78,17 +122,26 @@ void add_names(Bundle& bundle, const std::vector<BodySpec>& bodies, Json& space)
 }
 
 void add_faces(Bundle& bundle, const Model& model, const Vec3& middle) {
+  const SpaceSolids& s = model.space.solids;
   std::vector<std::int32_t> begin = {0};
   std::vector<float> outline;
   std::vector<std::uint8_t> kind;
-  for (JointId j = 0; j < model.n_joint; ++j) {
-    for (const Vec3& corner : model.space.face[static_cast<std::size_t>(j)])
-      put(outline, corner - middle);
+  std::vector<BlockId> a, b;
+  const auto add = [&](JointId joint, const std::vector<Vec3>& face, BlockId side_a,
+                       BlockId side_b) {
+    for (const Vec3& corner : face) put(outline, corner - middle);
     begin.push_back(count_of(outline.size() / 3));
-    kind.push_back(static_cast<std::uint8_t>(joint_shape(model, j).kind));
-  }
-  bundle.add("space.joint_a", std::span<const BlockId>(model.joint_a));
-  bundle.add("space.joint_b", std::span<const BlockId>(model.joint_b));
+    kind.push_back(static_cast<std::uint8_t>(joint_shape(model, joint).kind));
+    a.push_back(shown_as(model, side_a));
+    b.push_back(side_b);
+  };
+  for (std::size_t j = 0; j < static_cast<std::size_t>(model.n_joint); ++j)
+    add(static_cast<JointId>(j), model.space.face[j], model.joint_a[j], model.joint_b[j]);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(s.n_contact); ++c)
+    add(model.n_joint + static_cast<JointId>(c), s.contact_face[c], s.contact_block[c],
+        model.n_block + zone_of(s, c));
+  bundle.add("space.joint_a", std::span<const BlockId>(a));
+  bundle.add("space.joint_b", std::span<const BlockId>(b));
   bundle.add("space.kind", std::span<const std::uint8_t>(kind));
   bundle.add("space.outline_begin", std::span<const std::int32_t>(begin));
   bundle.add("space.outline", std::span<const float>(outline));
@@ -100,9 +153,10 @@ Json load_of(const Model& model) {
     const StageKind kind = stage->spec.kind;
     const bool drives =
         kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt;
-    if (drives && dot(stage->drive(), stage->drive()) > 0)
-      return {{"direction", {stage->drive_x, stage->drive_y, stage->drive_z}},
-              {"driven", stage->driven}};
+    if (!drives || !(dot(stage->drive(), stage->drive()) > 0)) continue;
+    std::vector<BlockId> driven = stage->driven;
+    for (BlockId& id : driven) id = shown_as(model, id);
+    return {{"direction", {stage->drive_x, stage->drive_y, stage->drive_z}}, {"driven", driven}};
   }
   return nullptr;
 }
@@ -115,17 +169,26 @@ void add_space(Bundle& bundle, const Model& model, Json& wall) {
   Json space = {{"supports", s.n_support},
                 {"middle", {middle.x, middle.y, middle.z}},
                 {"load", load_of(model)}};
-  add_names(bundle, s.body, space);
+  const std::vector<BodySpec> bodies = bodies_shown(model);
+  add_names(bundle, bodies, space);
   wall["space"] = space;
+  wall["joints"] = joint_count(model);
   Parts parts;
-  for (const BodySpec& body : s.body) parts.add(body, middle);
+  for (const BodySpec& body : bodies) parts.add(body, middle);
   parts.write(bundle);
   std::vector<float> centroid;
-  for (const Vec3& c : s.centroid) put(centroid, c - middle);
+  const auto support = s.centroid.begin() + model.n_block;
+  std::for_each(s.centroid.begin(), support, [&](const Vec3& c) { put(centroid, c - middle); });
+  for (const SpaceZoneReading& zone : read_space_zones(model, initial_state(model)))
+    put(centroid, zone.middle - middle);
+  std::for_each(support, s.centroid.end(), [&](const Vec3& c) { put(centroid, c - middle); });
   bundle.add("space.centroid", std::span<const float>(centroid));
   std::vector<std::uint8_t> role;
   for (const BlockRole one : model.anatomy.block_role)
     role.push_back(static_cast<std::uint8_t>(one));
+  for (const SpaceSolidBody& body : s.solids.bodies)
+    role.insert(role.end(), static_cast<std::size_t>(body.n_zone),
+                static_cast<std::uint8_t>(body.role));
   bundle.add("space.role", std::span<const std::uint8_t>(role));
   add_faces(bundle, model, middle);
 }
@@ -138,6 +201,10 @@ void SpaceFrames::add(const Model& model, const State& state) {
   for (const BlockReading& block : wall.blocks) {
     put_three(moved_, block.moved);
     put_three(turned_, block.turned.by);
+  }
+  for (const SpaceZoneReading& zone : read_space_zones(model, state)) {
+    put_three(moved_, zone.moved);
+    put_three(turned_, zone.turned.by);
   }
   for (std::size_t i = 0; i < state.support_x.size(); ++i) {  // supports do not turn
     put_three(moved_, {state.support_x[i], state.support_y[i], state.support_z[i]});

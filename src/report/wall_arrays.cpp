@@ -226,7 +226,8 @@ int states_kept(int states, int room, int samples_after) {
 }
 
 double state_numbers(const Model& m) {
-  if (m.in_space()) return 6.0 * (m.n_block + m.space.n_support) + 5.0 * m.n_joint;
+  if (m.in_space())
+    return 6.0 * (m.n_block + m.space.solids.n_zone + m.space.n_support) + 5.0 * joint_count(m);
   return 3.0 * m.n_block + 4.0 * (m.n_joint + m.solids.n_contact) + 2.0 * m.solids.n_node;
 }
 

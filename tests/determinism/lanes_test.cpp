@@ -14,6 +14,7 @@
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
 #include "scenes/zones.h"
+#include "scenes/zones_in_space.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -181,6 +182,24 @@ TEST(Lanes, shaken_walls_too) {
       EXPECT_NE(walls[0]->alone, walls[1]->alone);
       solve_together(walls, width);
     }
+}
+
+TEST(Lanes, walls_with_zones_in_space_too) {
+  for (const int width : {2, 8}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double times : {1.0, 1.1, 0.9, 1.2, 0.8}) {
+      ModelSpec spec = scenes::column_of_zones({.high = 0.4, .zones = 3, .zone_length = 0.1});
+      spec.material["joint"] = scenes::paper_joint();
+      spec.material["stuff"].youngs_modulus *= times;
+      spec.material["stuff"].shear_modulus *= times;
+      spec.stage = {scenes::gravity_stage(),
+                    scenes::push_stage("cap", Direction::kPlusX, 0.02, 0.2e-3)};
+      walls.push_back(std::make_unique<Wall>(spec, 1));
+    }
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    solve_together(walls, width);
+  }
 }
 
 TEST(Lanes, walls_with_ties_too) {

@@ -127,12 +127,26 @@ class Bytes {
     add_all(vertex, face);
   }
   void add(const BodySpec& body) {
-    const auto& [id, part, material, fixed] = body;
-    add_all(id, part, material, fixed);
+    const auto& [id, part, material, fixed, zone] = body;
+    const auto& [zones, length, kind, plane] = zone;
+    add_all(id, part, material, fixed, zones, length, kind, plane);
+  }
+  void add(const HexahedronShape& shape) {
+    const auto& [place, gradient, stiffness, elasticity, share, volume, omega, mass] = shape;
+    add_all(place, gradient, stiffness, elasticity, share, volume, omega, mass);
+  }
+  void add(const SpaceSolidBody& of) {
+    const auto& [body, centroid, role, count, node, nodes, zone, zones, tension, compression] = of;
+    add_all(body, centroid, role, count, node, nodes, zone, zones, tension, compression);
+  }
+  void add(const SpaceSolids& solids) {
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] =
+        solids;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
   }
   void add(const Space& space) {
-    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = space;
-    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+    const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = space;
+    add_all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
   }
   void add(const FreeShapes& free) {
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = free;

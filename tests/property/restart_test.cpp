@@ -12,6 +12,7 @@
 #include "scenes/small_study.h"
 #include "scenes/whole_result.h"
 #include "scenes/zones.h"
+#include "scenes/zones_in_space.h"
 #include "wythe/checkpoint.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
@@ -171,6 +172,18 @@ TEST(Restart, a_shaken_wall_in_pieces_gives_the_same_result) {
 
 TEST(Restart, a_wall_with_a_lintel_of_zones_in_pieces_gives_the_same_result) {
   expect_invisible(scenes::lintel_wall(LintelModel::kZones, 0.3e-3), 499, {"push"});
+}
+
+TEST(Restart, zones_in_space_in_pieces_give_the_same_result) {
+  ModelSpec spec = scenes::column_of_zones({.high = 0.4, .zones = 3, .zone_length = 0.1});
+  spec.material["joint"] = scenes::paper_joint();
+  spec.stage = {scenes::gravity_stage(),
+                scenes::push_stage("cap", Direction::kPlusX, 0.02, 0.2e-3)};
+  const RunOrder order = order_of(spec, "model.toml");  // as a file holds it
+  const ModelSpec read = parse_model(order.model_text, order.model_file, {}, order.blocks);
+  ASSERT_EQ(read.body[1].zone.zones, 3);
+  ASSERT_EQ(read.body[1].zone.length, 0.1);
+  expect_invisible(read, kPiece, {"gravity", "push"});
 }
 
 TEST(Restart, a_wall_with_ties_in_pieces_gives_the_same_result) {

@@ -36,6 +36,10 @@ double kinetic_in_space(const Model& m, const State& s) {
               about(w.axis_1[i], w.inertia[i].x) + about(w.axis_2[i], w.inertia[i].y) +
               about(w.axis_3[i], w.inertia[i].z);
   }
+  for (std::size_t i = 0; i < s.node_vz.size(); ++i)
+    energy +=
+        0.5 * m.space.solids.node_mass[i] *
+        (s.node_vx[i] * s.node_vx[i] + s.node_vy[i] * s.node_vy[i] + s.node_vz[i] * s.node_vz[i]);
   return energy;
 }
 

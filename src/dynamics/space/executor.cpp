@@ -23,16 +23,30 @@ class SpaceWallAccess final : public WallAccess {
       : processor_(processor), model_(model), lane_(lane), view_(processor.view(lane)) {}
 
   [[nodiscard]] double unbalance_ratio() const override {
-    return space::unbalance_of(view_, model_);
+    return space::unbalance_of(view_, model_, zones());
   }
   [[nodiscard]] double kinetic_energy(double mass_scaling) const override {
-    return space::kinetic_of(view_, mass_scaling);
+    return space::kinetic_of(view_, mass_scaling) +
+           (zones() != nullptr ? zones()->kinetic(mass_scaling) : 0.0);
   }
   [[nodiscard]] double base_shear(const Vec3& along) const override {
-    return space::shear_of(view_, model_, along);
+    return space::shear_of(view_, model_, along) +
+           (zones() != nullptr ? zones()->shear(view_, along) : 0.0);
   }
-  [[nodiscard]] BlockId runaway_block() const override { return space::runaway_of(view_); }
-  [[nodiscard]] Furthest furthest_block() const override { return space::furthest_of(view_); }
+  // Blocks first, then nodes.
+  [[nodiscard]] BlockId runaway_block() const override {
+    const BlockId block = space::runaway_of(view_);
+    if (block >= 0 || zones() == nullptr) return block;
+    const int node = zones()->runaway();
+    return node >= 0 ? view_.blocks + node : -1;
+  }
+  [[nodiscard]] Furthest furthest_block() const override {
+    const Furthest block = space::furthest_of(view_);
+    if (zones() == nullptr) return block;
+    const Furthest node = zones()->furthest();
+    return node.distance > block.distance ? Furthest{node.distance, view_.blocks + node.block}
+                                          : block;
+  }
   [[nodiscard]] double moved(BlockId i, const Vec3& along) const override {
     return dot(view_.shift(i), vec(along));
   }
@@ -42,6 +56,8 @@ class SpaceWallAccess final : public WallAccess {
   void bring_up(State& state) const override { processor_.bring_up(lane_, state); }
 
  private:
+  [[nodiscard]] const ZoneRun* zones() const { return processor_.zones(lane_); }
+
   const SpaceProcessor& processor_;
   const Model& model_;
   int lane_;
@@ -80,6 +96,8 @@ void SpaceProcessor::put(int lane, const Model& model, State& state) {
   wall.brakes = {};
   put_wall(wall.view, model, state);
   if (free_) free_->put(state, wall.view);
+  wall.zones.reset();
+  if (model.space.solids.n_zone > 0) wall.zones = std::make_unique<ZoneRun>(model, state);
   set(lane, {});
 }
 
@@ -88,6 +106,7 @@ void SpaceProcessor::drop(int lane) {
   bring_up(lane, *wall.state);
   wall.model = nullptr;
   wall.state = nullptr;
+  wall.zones.reset();
   put_wall(wall.view, model_, rest_);  // at rest: costs least
   set(lane, {});
 }
@@ -154,8 +173,19 @@ void SpaceProcessor::run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, do
     }
 }
 
+void SpaceProcessor::run_zones(Pass pass) {
+  Workers* workers = lanes() == 1 ? &workers_ : nullptr;
+  for (Wall& wall : wall_) {
+    if (!wall.zones) continue;
+    if (pass == kZones) wall.zones->deform(workers);
+    if (pass == kEdges) wall.zones->press(wall.view, workers);
+    if (pass == kNodes)
+      wall.zones->move(wall.view, wall.controls.dt, wall.controls.mass_scaling, workers);
+  }
+}
+
 void SpaceProcessor::run(Pass pass) {
-  if (pass != kJoints && pass != kBlocks) return;  // no zones yet
+  if (pass != kJoints && pass != kBlocks) return run_zones(pass);
   const bool one = lanes() == 1;
   const std::vector<Chunk>& chunks = pass == kJoints ? layout_.joints : layout_.blocks;
   const Kernel kernel = (pass == kJoints ? kernels_.joints : kernels_.blocks)[one ? 0 : 1];
@@ -170,6 +200,7 @@ void SpaceProcessor::run(Pass pass) {
 void SpaceProcessor::bring_up(int lane, State& state) const {
   const Wall& wall = wall_[at(lane)];
   read_wall(wall.view, *wall.model, state);
+  if (wall.zones) wall.zones->bring_up(state);
   if (free_) free_->bring_up(state);
 }
 
@@ -204,6 +235,7 @@ void SpaceProcessor::end_step() {
     for (const std::vector<double>* works : {&bank.joint_works, &bank.block_works})
       for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
         *ledger[k / at(width_) % kTerms] += (*works)[k];
+    if (wall.zones) wall.zones->tell(*wall.state);
     if (free_) free_->moved(wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=

@@ -2,6 +2,7 @@
 // threads; or walls side by side, one a lane. As executors/processor.h for plane walls.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/parallel.h"
@@ -10,6 +11,7 @@
 #include "dynamics/space/kernels.h"
 #include "dynamics/space/space_bodies.h"
 #include "dynamics/space/wall.h"
+#include "dynamics/space/zones.h"
 
 namespace wythe::dynamics::space {
 
@@ -33,6 +35,10 @@ class SpaceProcessor final : public Executor {
   [[nodiscard]] const WallView& view(int lane) const {
     return wall_[static_cast<std::size_t>(lane)].view;
   }
+  // Null without deformable blocks.
+  [[nodiscard]] const ZoneRun* zones(int lane) const {
+    return wall_[static_cast<std::size_t>(lane)].zones.get();
+  }
 
  private:
   struct Wall {
@@ -42,6 +48,7 @@ class SpaceProcessor final : public Executor {
     double reaction = 0;
     WallView view;
     Brakes brakes;
+    std::unique_ptr<ZoneRun> zones;  // null without deformable blocks
   };
   // As many walls as one pack takes, with memory of their own.
   struct Bank {
@@ -52,6 +59,7 @@ class SpaceProcessor final : public Executor {
 
   void begin_step() override;
   void run(Pass pass) override;
+  void run_zones(Pass pass);
   void meet() override;
   void brake() override;
   void drive() override;

@@ -88,7 +88,8 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.block_begin, blocks + 1);
   to.take(t.block_middle, blocks);
   const std::size_t frees = m.free.any() ? at(m.n_block + m.free.n_fixed) : 0;
-  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link) + (frees > 0 ? at(m.n_block) : 0));
+  to.take(t.block_entry, m.block_entry.size() + 2 * at(l.n_link) + (frees > 0 ? at(m.n_block) : 0) +
+                             at(l.n_contact));
   to.take(t.link_a, at(l.n_link));
   to.take(t.link_b, at(l.n_link));
   to.take(t.special, blocks);
@@ -101,9 +102,9 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.turn, 4 * (blocks + 1) * walls);
   to.take(t.support, 4 * at(std::max(1, m.space.n_support)) * walls);
   to.take(t.link, at(l.n_link) * kSpaceLinkRows * walls);
-  // of joints, of links, then of free contacts: one a body
+  // of joints, of links, of free contacts: one a body; of contacts of zones
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
-    to.take(*rows, 4 * (joints + at(l.n_link) + frees) * walls);
+    to.take(*rows, 4 * (joints + at(l.n_link) + frees + at(l.n_contact)) * walls);
   to.take(t.way, joints * walls);
 }
 
@@ -139,7 +140,8 @@ void fill_joints(const Layout& l, const Model& m, Tables& t) {
     }
 }
 
-// Of each block its joints in the model's order, then its links: those of which it is side a, then b.
+// Of each block its joints in the model's order, then its links: those of which it is side a, with the
+// contacts of zones, then b.
 void fill_blocks(const Layout& l, const Model& m, Tables& t) {
   std::int32_t next = 0;
   const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
@@ -160,6 +162,8 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
       t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
     add_links(m.links.a, i);
     if (m.free.any()) t.block_entry[next++] = l.n_joint + l.n_link + i;
+    for (std::int32_t c = 0; c < l.n_contact; ++c)
+      if (m.space.solids.contact_block[at(c)] == i) t.block_entry[next++] = l.first_contact + c;
     t.block_middle[i] = next;
     for (; e < last; ++e) t.block_entry[next++] = l.joint_place[at(m.block_entry[at(e)] >> 1)];
     add_links(m.links.b, i);
@@ -176,8 +180,10 @@ void fill_blocks(const Layout& l, const Model& m, Tables& t) {
 
 Layout::Layout(const Model& m, dynamics::Layout::Kind of) : kind(of) {
   n_link = m.links.n;
+  n_contact = m.space.solids.n_contact;
   cut_joints(m, *this);
   cut_blocks(m, *this);
+  first_contact = n_joint + n_link + (m.free.any() ? m.n_block + m.free.n_fixed : 0);
 }
 
 Tables make_tables(const Layout& l, const Model& m, int walls, Memory& memory) {

@@ -4,6 +4,7 @@
 
 #include "contact/link.h"
 #include "contact/parameters.h"
+#include "dynamics/space/zones.h"
 
 namespace wythe::dynamics::space {
 namespace {
@@ -117,6 +118,8 @@ double radius_of(std::ptrdiff_t i, const WallView& w) {
   return square_root((inertia.x + inertia.y + inertia.z) / (3 * w.still(i, kBodyMass)));
 }
 
+const std::vector<BlockId> kNone;
+
 // Supports move together; the reaction is what their joints do to them.
 double drive_supports(const Stage& push, const WallView& w, double velocity, WallWork& work) {
   const Vec p{push.drive_x, push.drive_y, push.drive_z};
@@ -138,6 +141,15 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
                           w.of_four(w.t.force, w.first_free + id, 1),
                           w.of_four(w.t.force, w.first_free + id, 2)},
                       p);
+  const std::vector<BlockId>& pressed = w.contact_block == nullptr ? kNone : *w.contact_block;
+  for (std::size_t c = 0; c < pressed.size(); ++c) {
+    const std::int32_t support = pressed[c] - w.blocks;
+    if (support < 0 || !w.is_driven_support(support)) continue;
+    const std::ptrdiff_t row = w.layout->first_contact + static_cast<std::ptrdiff_t>(c);
+    reaction -= dot(Vec{w.of_four(w.t.force, row, 0), w.of_four(w.t.force, row, 1),
+                        w.of_four(w.t.force, row, 2)},
+                    p);
+  }
   for (const BlockId id : push.driven)
     for (int c = 0; c < 3; ++c) {
       const double along[3] = {p.x, p.y, p.z};
@@ -190,6 +202,7 @@ WallView view_of(const Layout& layout, const Model& model, const Tables& tables,
   view.links = layout.n_link;
   if (model.free.any()) view.first_free = layout.n_joint + layout.n_link;
   view.bodies = model.free.any() ? model.n_block + model.free.n_fixed : 0;
+  view.contact_block = &model.space.solids.contact_block;
   return view;
 }
 
@@ -360,7 +373,7 @@ double drive(const Stage& push, const WallView& w, double velocity, WallWork& wo
   return reaction;
 }
 
-double unbalance_of(const WallView& w, const Model& m) {
+double unbalance_of(const WallView& w, const Model& m, const ZoneRun* zones) {
   double unbalanced = 0, contact = 0;
   for (int i = 0; i < w.blocks; ++i) {
     if (!(w.body(i, kFree) > 0)) {
@@ -384,6 +397,10 @@ double unbalance_of(const WallView& w, const Model& m) {
   }
   for (int i = 0; w.first_free >= 0 && i < w.blocks; ++i)
     contact += w.of_four(w.t.force, w.first_free + i, 3);
+  if (zones != nullptr) {
+    unbalanced += zones->unbalanced();
+    contact += zones->pressed(w);
+  }
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
 }

@@ -12,6 +12,8 @@ namespace wythe::dynamics::space {
 using Vec = Vector<double>;
 [[nodiscard]] inline Vec vec(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+class ZoneRun;  // zones.h
+
 struct WallView {
   Tables t;
   const Layout* layout = nullptr;
@@ -19,6 +21,7 @@ struct WallView {
   int blocks = 0, supports = 0, links = 0;
   int first_free = -1;  // row of forces of body 0's free contacts; -1: none
   int bodies = 0;       // with fixed ones, that have such rows
+  const std::vector<BlockId>* contact_block = nullptr;  // of the contacts of zones
 
   [[nodiscard]] double& number(double* table, int rows, std::ptrdiff_t e, int row) const {
     return table[layout->number(e, rows, row, t.lanes) + lane];
@@ -88,7 +91,7 @@ void add_load(const PointLoad& load, double scale, const WallView& wall);
                            WallWork& work);
 
 // The meters (sums.h); forces as vectors, so that they know no axes.
-[[nodiscard]] double unbalance_of(const WallView& wall, const Model& model);
+[[nodiscard]] double unbalance_of(const WallView& wall, const Model& model, const ZoneRun* zones);
 [[nodiscard]] double kinetic_of(const WallView& wall, double mass_scaling);
 // Of the supports that no stage drives: what a drive of the others is held against.
 [[nodiscard]] double shear_of(const WallView& wall, const Model& model, const Vec3& along);

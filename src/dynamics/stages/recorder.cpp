@@ -212,6 +212,7 @@ double Recorder::dead_along_push(const State& state) const {
   double mass = 0, force = 0;
   for (std::size_t i = 0; i < driven.size(); ++i) mass += driven[i] ? 0.0 : model_.heavy_mass[i];
   for (const double node : model_.solids.node_heavy_mass) mass += node;
+  for (const double node : model_.space.solids.node_heavy_mass) mass += node;
   const Vec3 along = stage_.drive();
   force = mass * dot(Vec3{state.gravity_x, state.gravity_y, state.gravity_z}, along);
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
@@ -381,7 +382,7 @@ void Recorder::note_slid_off(const std::vector<PointReading>& points, double dis
 void Recorder::note_limits(const State& state, double displacement, double reaction) {
   for (const reading::BeyondLimit& beyond : reading::beyond_limits(model_, state)) {
     const Message name{beyond.tension ? "event.beyond_tension" : "event.beyond_compression",
-                       {{"body", beyond.body->id}}};
+                       {{"body", *beyond.body}}};
     if (has_event(result_, name)) continue;
     result_.events.push_back({name,
                               displacement,

@@ -95,6 +95,8 @@ std::string StageRun::name_of(BlockId block) const {
   std::string name = "of zones";
   for (const SolidBody& body : model_.solids.bodies)
     if (node >= body.first_node) name = body.id;
+  for (const SpaceSolidBody& body : model_.space.solids.bodies)
+    if (node >= body.first_node) name = body.body.id;
   return name;
 }
 

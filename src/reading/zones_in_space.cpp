@@ -1,0 +1,147 @@
+#include "reading/zones_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solids/hexahedron.h"
+
+namespace wythe {
+namespace reading {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+Vec3 moved_of(const State& s, std::size_t node) {
+  return {s.node_ux[node], s.node_uy[node], s.node_uz[node]};
+}
+
+solids::HexahedronVectors displacements(const SpaceSolids& m, const State& s, std::size_t zone) {
+  solids::HexahedronVectors u;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Vec3 moved = moved_of(s, at(m.corner[8 * zone + k]));
+    u[k] = {moved.x, moved.y, moved.z};
+  }
+  return u;
+}
+
+const HexahedronShape& shape_of(const SpaceSolids& m, std::size_t zone) {
+  return m.shapes[at(m.zone_shape[zone])];
+}
+
+// Of a turn by less than half a one.
+Rotation rotation_of(const double (&r)[3][3]) {
+  const Vec3 twice{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
+  const double sine = 0.5 * length(twice), cosine = 0.5 * (r[0][0] + r[1][1] + r[2][2] - 1);
+  if (sine == 0) return {};
+  return {std::atan2(sine, cosine) / (2 * sine) * twice};
+}
+
+}  // namespace
+
+JointShape contact_in_space(const Model& model, int contact) {
+  const SpaceSolids& s = model.space.solids;
+  const std::size_t c = at(contact);
+  JointShape shape;
+  shape.id = model.n_joint + contact;
+  shape.kind = JointKind::kLintelBond;
+  const BlockId rigid = s.contact_block[c];
+  shape.a = rigid < model.n_block ? rigid : kGroundBlock;
+  shape.b = model.n_block + model.space.n_support + s.contact_body[c];
+  shape.material = s.contact_material[c];
+  shape.area = s.contact_area[c];
+  shape.centre = model.space.centroid[at(rigid)] + s.contact_arm[c];
+  shape.along = s.contact_tangent[c];
+  shape.normal = s.contact_normal[c];
+  double reach = 0;
+  for (auto p = at(s.point_begin[c]); p < at(s.point_begin[c + 1]); ++p)
+    reach = std::fmax(reach, std::fabs(model.space.point_r1[p]));
+  shape.half = reach * shape.along;
+  if (shape.a != kGroundBlock) shape.arm_a = s.contact_arm[c];
+  return shape;
+}
+
+Vec3 side_moved(const Model& model, const State& state, int contact, std::size_t point) {
+  const SpaceSolids& s = model.space.solids;
+  Vec3 sum;
+  for (std::size_t k = 0; k < 4; ++k)
+    sum = sum + s.node_share[4 * (point - at(s.point_begin[0])) + k] *
+                    moved_of(state, at(s.contact_node[4 * at(contact) + k]));
+  return sum;
+}
+
+RigidSide rigid_side(const Model& model, const State& s, int contact) {
+  const BlockId block = model.space.solids.contact_block[at(contact)];
+  if (const int support = block - model.n_block; support >= 0) {
+    const std::size_t i = at(support);
+    return {{1, {0, 0, 0}}, {s.support_x[i], s.support_y[i], s.support_z[i]}};
+  }
+  const std::size_t i = at(block);
+  return {{s.qw[i], {s.qx[i], s.qy[i], s.qz[i]}}, {s.ux[i], s.uy[i], s.uz[i]}};
+}
+
+BlockReading body_in_space(const Model& model, const State& state, int body) {
+  const SpaceSolids& s = model.space.solids;
+  const SpaceSolidBody& of = s.bodies[at(body)];
+  Vec3 sum;
+  double mass = 0;
+  for (std::size_t i = at(of.first_node); i < at(of.first_node + of.n_node); ++i) {
+    sum = sum + s.node_heavy_mass[i] * moved_of(state, i);
+    mass += s.node_heavy_mass[i];
+  }
+  return {model.n_block + model.space.n_support + body, of.role, of.centroid, sum / mass, {}};
+}
+
+double strain_energy_in_space(const Model& model, const State& state) {
+  const SpaceSolids& s = model.space.solids;
+  double energy = 0;
+  for (std::size_t z = 0; z < at(s.n_zone); ++z)
+    energy += solids::hexahedron_energy(shape_of(s, z), displacements(s, state, z));
+  return energy;
+}
+
+std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State& state) {
+  std::vector<BeyondLimit> found;
+  const SpaceSolids& s = model.space.solids;
+  for (const SpaceSolidBody& body : s.bodies) {
+    if (!std::isfinite(body.tension_limit) && !std::isfinite(body.compression_limit)) continue;
+    for (std::size_t z = at(body.first_zone); z < at(body.first_zone + body.n_zone); ++z) {
+      const auto u = displacements(s, state, z);
+      const auto principal = solids::principal_of(solids::hexahedron_stress(shape_of(s, z), u));
+      Vec3 middle;
+      for (std::size_t k = 0; k < 8; ++k)
+        middle = middle + 0.125 * (s.node[at(s.corner[8 * z + k])] +
+                                   moved_of(state, at(s.corner[8 * z + k])));
+      if (principal[0] > body.tension_limit)
+        found.push_back({&body.body.id, true, principal[0], body.tension_limit, middle});
+      if (-principal[2] > body.compression_limit)
+        found.push_back({&body.body.id, false, -principal[2], body.compression_limit, middle});
+    }
+  }
+  return found;
+}
+
+}  // namespace reading
+
+std::vector<SpaceZoneReading> read_space_zones(const Model& model, const State& state) {
+  const SpaceSolids& s = model.space.solids;
+  std::vector<SpaceZoneReading> zones;
+  for (std::size_t z = 0; z < static_cast<std::size_t>(s.n_zone); ++z) {
+    SpaceZoneReading now;
+    const HexahedronShape& shape = reading::shape_of(s, z);
+    const solids::HexahedronVectors u = reading::displacements(s, state, z);
+    now.stress = solids::hexahedron_stress(shape, u);
+    now.turned = reading::rotation_of(solids::hexahedron_motion(shape, u).turn);
+    now.principal = solids::principal_of(now.stress);
+    for (std::size_t k = 0; k < 8; ++k) {
+      const auto node = static_cast<std::size_t>(s.corner[8 * z + k]);
+      const Vec3 moved = reading::moved_of(state, node);
+      now.corner[k] = s.node[node] + moved;
+      now.middle = now.middle + 0.125 * s.node[node];
+      now.moved = now.moved + 0.125 * moved;
+    }
+    zones.push_back(now);
+  }
+  return zones;
+}
+
+}  // namespace wythe
