@@ -47,6 +47,8 @@ struct FreeContact {
   double rest = 0;                      // overlap of crushed material, which presses no more [m]
   double area = 0;                      // in the last step [m^2]
   double slip_x = 0, slip_y = 0, slip_z = 0;  // elastic part of the slip of b on a [m]
+  // Of its Maxwell element, where the stage has such: along the normal, tension +, and as the slip [N].
+  double maxwell_n = 0, maxwell_x = 0, maxwell_y = 0, maxwell_z = 0;
   bool operator==(const FreeContact&) const = default;
 };
 

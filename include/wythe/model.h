@@ -99,10 +99,25 @@ struct WatchedPoint {
   double height = 0;  // above the lowest point of the wall [m]
 };
 
-// Dashpots at closed points, one row per joint, and what they mean for the step (docs/theory/dynamics.md).
+// Viscous elements at closed contacts of a shaken wall, and what they mean for the step (docs/theory/dynamics.md).
+//
+//           +----/\/\/\----+                 the contact itself: k
+//           |              |
+//     a  ---+----[ c ]-----+---  b           a dashpot beside it: c
+//           |              |
+//           +-/\/\/--[ ]---+                 a Maxwell element: spring share k, relaxation time
 struct Dashpots {
-  std::vector<double> normal, shear;  // stress per rate [Pa s/m]; empty: none
-  double rate = 0;                    // bound on the highest eigenvalue of M^-1 C [1/s]
+  // Of joints, one row each: stress per rate [Pa s/m]; empty: none.
+  std::vector<double> normal, shear;
+  double rate = 0;  // bound on the highest eigenvalue of M^-1 C [1/s]
+  // Of free contacts, whose stiffness k [N/m] and mass m between them come and go:
+  // c = proportional k + 2 impact sqrt(k m).
+  double proportional = 0;  // [s]
+  double impact = 0;        // fraction of critical damping [-]
+  // Of joints and free contacts.
+  double spring_share = 0;  // of the contact's stiffness; 0: no Maxwell elements [-]
+  double relaxation = 0;    // of a Maxwell element [s]
+  [[nodiscard]] bool any() const { return !normal.empty() || spring_share > 0; }
 };
 
 // One stage, ready to run: blocks, newtons, metres and seconds in place of words.
@@ -389,6 +404,10 @@ struct State {
   std::vector<double> shear_damage;  // ds [-]
   std::vector<double> tension_set;   // w_t [m], elastic unloading only
   std::vector<double> crush_path;    // q [m]; empty where no law of the wall has a cap
+
+  // written by the pass over dashpots: stresses of Maxwell elements, compression -; empty where no stage has any
+  // (n_history; the second shear, along t2, in space alone)
+  std::vector<double> maxwell_normal, maxwell_shear, maxwell_shear_2;  // [Pa]
 
   // in space alone: the third displacement and velocity, the turn since the start as a unit quaternion,
   // the angular momentum about the centroid, in the wall's axes (n_block)

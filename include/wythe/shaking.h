@@ -29,6 +29,11 @@ struct ShakeHistory {
   std::vector<std::string> point;  // names
   std::vector<ShakeRow> row;
   std::vector<PointMotion> motion;  // (rows, points)
+  // Storeys from the ground up, where the wall has such: heights, and how far the top of each has moved, the mean
+  // of its blocks by mass.
+  std::vector<std::string> storey;
+  std::vector<double> storey_height;    // [m]
+  std::vector<PointMotion> storey_top;  // (rows, storeys)
 };
 
 // One component as it was applied.
@@ -48,11 +53,19 @@ struct PeakMotion {
   double residual = 0;      // mean of the last tenth of the rows [m]
 };
 
+// Drift of a storey: horizontal way of its top against its foot, over its height.
+struct StoreyDrift {
+  std::string storey;
+  double peak = 0, at = 0;  // [-], its time [s]
+  double residual = 0;      // of the mean of the last tenth of the rows [-]
+};
+
 struct ShakeReadings {
   bool was_shaken = false;
   std::vector<AppliedRecord> record;
   std::vector<PeakMotion> motion;
   double peak_drift = 0, residual_drift = 0;     // of the first point [-]
+  std::vector<StoreyDrift> storey;               // from the ground up
   double peak_base_shear = 0;                    // horizontal [N]
   double largest_opening = 0, largest_slip = 0;  // [m]
   bool collapsed = false;

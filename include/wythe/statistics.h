@@ -15,6 +15,7 @@
 
 #include "wythe/assessment.h"
 #include "wythe/campaign.h"
+#include "wythe/message.h"
 
 namespace wythe {
 
@@ -433,7 +434,8 @@ struct IntensitySummary {
 };
 
 struct ShakingStatistics {
-  ShakingSpec shaking;  // as the study asks
+  ShakingSpec shaking;           // as the study asks
+  std::vector<Message> damping;  // of the shaken stages: what damps them
   int records = 0, walls = 0, samples = 0;
   int shakes = 0, stood = 0, collapsed = 0;
   std::vector<LostShake> lost;

@@ -392,6 +392,8 @@ struct StageSpec {
   ViscousSpec mass_damping;     // on the motion against the base
   ViscousSpec joint_damping;    // of closed points, in proportion to their stiffness
   double restitution = kUnset;  // of a block that falls flat on another; unset: elastic
+  // Of closed contacts, largest at its frequency: a spring and a dashpot in series beside them.
+  ViscousSpec maxwell_damping;
 };
 
 // Where the contact points of a face stand and what area each takes (model/point_rule.h).

@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 4;
+constexpr std::uint32_t kFormat = 5;
 
 struct Head {
   char magic[16];
@@ -227,11 +227,16 @@ void walk_result(A& archive, const Model& model, R& result) {
     archive(unbalance_ratio);
     archive(settled);
   });
-  auto& [points, rows, motion] = result.history;
+  auto& [points, rows, motion, storeys, heights, tops] = result.history;
   archive.list(points, plain);
   archive.list(rows, plain);
   archive.list(motion, plain);
   archive.require(motion.size() == rows.size() * points.size(), "it has rows of other points");
+  archive.list(storeys, plain);
+  archive.list(heights, plain);
+  archive.list(tops, plain);
+  archive.require(heights.size() == storeys.size() && tops.size() == rows.size() * storeys.size(),
+                  "it has rows of other storeys");
   archive(result.load_factor);
   archive(result.wall_seconds);
   walk_states(archive, model, result.snapshots);

@@ -35,8 +35,16 @@ enum class Entity {
   kSupport,
   kSpaceNode,   // a node of zones in space, beside what it has of a plane one
   kHandedOver,  // joints of a wall with free contacts
+  kMaxwell,     // points of the joints of a wall with Maxwell elements
+  kMaxwellInSpace,
   kOther
 };
+
+// Whether any stage of a wall has Maxwell elements.
+[[nodiscard]] inline bool has_maxwell(const Model& m) {
+  return std::any_of(m.stages.begin(), m.stages.end(),
+                     [](const Stage& s) { return s.dashpots.spring_share > 0; });
+}
 
 [[nodiscard]] inline std::size_t count_of(const Model& m, Entity entity) {
   switch (entity) {
@@ -52,6 +60,8 @@ enum class Entity {
     case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
     case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
     case Entity::kHandedOver: return m.free.any() ? static_cast<std::size_t>(m.n_joint) : 0;
+    case Entity::kMaxwell: return has_maxwell(m) ? static_cast<std::size_t>(m.n_point()) : 0;
+    case Entity::kMaxwellInSpace: return m.in_space() ? count_of(m, Entity::kMaxwell) : 0;
     case Entity::kOther: break;
   }
   return 0;
@@ -128,6 +138,12 @@ inline constexpr std::array kStateFields{
                "velocity of a node along z"},
     StateField{&State::handed_over, Entity::kHandedOver, true, "handed_over", "1",
                "1: a joint that gave way to free contact; of no length in walls without such"},
+    StateField{&State::maxwell_normal, Entity::kMaxwell, false, "maxwell_normal", "Pa",
+               "normal stress of a Maxwell element; of no length in walls without such"},
+    StateField{&State::maxwell_shear, Entity::kMaxwell, false, "maxwell_shear", "Pa",
+               "shear stress of a Maxwell element"},
+    StateField{&State::maxwell_shear_2, Entity::kMaxwellInSpace, false, "maxwell_shear_2", "Pa",
+               "the same across the first direction of the face"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.

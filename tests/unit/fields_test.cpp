@@ -40,8 +40,11 @@ bool is_of_space(const StateField& field) {
          field.entity == Entity::kSupport || field.entity == Entity::kSpaceNode;
 }
 
-// Whether a wall has it with free contacts alone.
-bool is_of_free(const StateField& field) { return field.entity == Entity::kHandedOver; }
+// Whether a wall has it with free contacts or Maxwell elements alone.
+bool is_of_free(const StateField& field) {
+  return field.entity == Entity::kHandedOver || field.entity == Entity::kMaxwell ||
+         field.entity == Entity::kMaxwellInSpace;
+}
 
 // Every number of every array its own.
 State all_different(const Model& model) {
