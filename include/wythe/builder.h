@@ -23,6 +23,7 @@ struct PlanWallSpec {
   std::string name;
   std::vector<std::array<double, 2>>
       line;                   // of its middle plane, with a corner at each inner point [m]
+  double base = 0;            // height of its foot; above 0 it stands on what lies there [m]
   double height = kUnset;     // [m]
   double thickness = kUnset;  // [m]
   std::string bond;           // word of Bond
@@ -70,11 +71,35 @@ struct DomeSpec {
   bool springers = true;
 };
 
+// A floor slab that moves as one rigid body. It lies on walls' tops and in pockets cut into them, by joints.
+//
+//        |w|  gap    |w|       bearing: how far it reaches into a wall, from the wall's near face
+//     ___| |_______ _| |
+//    |_______________|         level: height of its underside
+//        |w|       | |
+//
+struct SlabSpec {
+  std::string name;
+  std::vector<std::string> walls;              // that it rests on: two parallel ones, or up to four
+  std::vector<std::array<double, 2>> outline;  // or its corners in plan [m]
+  double level = kUnset;  // height of its underside [m]; unset: the top of the walls it rests on
+  double thickness = kUnset;  // [m]
+  double bearing = kUnset;    // into each of `walls` [m]
+  double gap = 0;             // to walls beside it that it does not rest on [m]
+  std::string material;       // its density, and what [[contact]] calls it
+  std::string joint;          // joint material between it and masonry; "": as masonry's own
+  double load = 0;            // on all of it, downwards [Pa]
+  double mass = 0;            // that moves with it as inertia [kg/m^2]
+};
+
 struct BuilderSpec {
   std::vector<PlanWallSpec> plan_wall;
+  std::vector<SlabSpec> slab;
   std::vector<StandingArchSpec> arch;
   std::vector<DomeSpec> dome;
-  [[nodiscard]] bool empty() const { return plan_wall.empty() && arch.empty() && dome.empty(); }
+  [[nodiscard]] bool empty() const {
+    return plan_wall.empty() && slab.empty() && arch.empty() && dome.empty();
+  }
 };
 
 }  // namespace wythe

@@ -45,6 +45,7 @@ static_assert(names_all(kFieldByWords));
 // How correlation fades with the distances dx, dy: to 1/e at `along` or `across`.
 //   exponential           exp(-|dx|/along - |dy|/across)
 //   squared_exponential   exp(-(dx/along)^2 - (dy/across)^2)
+// In space y is up and dx the distance in plan, sqrt(dx^2 + dz^2), whatever way walls run.
 enum class FieldKernel { kExponential, kSquaredExponential };
 inline constexpr Word<FieldKernel> kFieldKernelWords[] = {
     {"exponential", FieldKernel::kExponential},

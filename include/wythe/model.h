@@ -43,12 +43,14 @@ enum class BlockRole : std::uint8_t {
   kPlate = 2,
   kBeam = 3,
   kRingBeam = 4,
-  kSill = 5
+  kSill = 5,
+  kSlab = 6
 };
 inline constexpr Word<BlockRole> kBlockRoleWords[] = {
     {"masonry", BlockRole::kMasonry},    {"lintel", BlockRole::kLintel},
     {"plate", BlockRole::kPlate},        {"beam", BlockRole::kBeam},
-    {"ring_beam", BlockRole::kRingBeam}, {"sill", BlockRole::kSill}};
+    {"ring_beam", BlockRole::kRingBeam}, {"sill", BlockRole::kSill},
+    {"slab", BlockRole::kSlab}};
 static_assert(names_all(kBlockRoleWords));
 enum class JointKind : std::uint8_t {
   kBed = 0,

@@ -54,13 +54,15 @@ static_assert(names_all(kDirectionWords));
 
 // Where a push acts: the blocks whose outline holds the point (x, y), widened to `courses` courses;
 // or every block whose centroid lies in the box (x, y, width, height); or one block by id; or the beam.
-// In space a point or box has z and depth too, and an id may end with * for all that begin so.
+// In space a point or box has z and depth too, and an id may end with * for all that begin so; or all blocks
+// of a role.
 struct PlaceSpec {
   double x = kUnset, y = kUnset, z = kUnset;               // [m]
   double width = kUnset, height = kUnset, depth = kUnset;  // [m]
   int courses = 1;
   std::string block;
   bool beam = false;
+  std::string role;  // in space: word of BlockRole (model.h)
 };
 
 struct LintelSpec {
