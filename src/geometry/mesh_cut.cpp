@@ -429,6 +429,95 @@ std::string cut_by(const Search& search, const Mesh& mesh, const IsConvex& is_co
   return std::abs(sum - whole) <= 1e-6 * whole ? "" : "is not kept whole by cuts into convex parts";
 }
 
+// --- an upright prism: its base in convex polygons
+//
+//   +-----------+      Its surface lies in two parallel planes and in faces at right angles to them. So the base, cut
+//   |  +--+--+  |      into convex polygons, cuts the whole solid; the triangles of the base are such a cut already, and
+//   |  |  |  |  |      neighbours whose union is convex become one. No plane can do that where the base has holes: each
+//   +--+--+--+--+      cut would leave a cap with a hole.
+
+// Heights of the two planes; nothing where the surface is not that of a prism along `axis`.
+std::optional<std::array<double, 2>> heights_of_prism(const Mesh& mesh, Vec3 axis) {
+  const double close = 1e-5 * size_of(mesh);
+  std::array<double, 2> ends{std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity()};
+  for (const Vec3 v : mesh.vertex) {
+    ends[0] = std::min(ends[0], dot(v, axis));
+    ends[1] = std::max(ends[1], dot(v, axis));
+  }
+  for (const Vec3 v : mesh.vertex)
+    if (dot(v, axis) > ends[0] + close && dot(v, axis) < ends[1] - close) return std::nullopt;
+  return ends;
+}
+
+// Triangles of the upper base, in the axes of its plane.
+std::vector<Convex> upper_base(const Mesh& mesh, const PlaneAxes& axes) {
+  std::vector<Convex> base;
+  for (const Triangle& t : mesh.triangle)
+    if (dot(normal_of(mesh, t), axes.normal) > 0.5) {
+      Convex corners;
+      for (const int v : t) corners.push_back(axes.flat(mesh.vertex[at(v)]));
+      base.push_back(std::move(corners));
+    }
+  return base;
+}
+
+void join_convex_neighbours(std::vector<Convex>& polygons, double tolerance) {
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+    for (std::size_t k = i + 1; k < polygons.size();) {
+      const auto both = united(polygons[i], polygons[k], tolerance);
+      if (!both) {
+        ++k;
+        continue;
+      }
+      polygons[i] = *both;
+      polygons.erase(polygons.begin() + static_cast<std::ptrdiff_t>(k));
+      k = i + 1;  // those that did not fit before may now
+    }
+}
+
+Mesh prism_on(const Convex& base, const PlaneAxes& axes, double height) {
+  Mesh mesh;
+  const int n = static_cast<int>(base.size());
+  for (const double h : {-height, 0.0})
+    for (const Vec2 p : base) mesh.vertex.push_back(axes.raised(p, h));
+  const auto add = [&](Triangle t, int source) {
+    mesh.triangle.push_back(t);
+    mesh.source.push_back(source);
+  };
+  for (int k = 1; k + 1 < n; ++k) {
+    add({0, k + 1, k}, 0);
+    add({n, n + k, n + k + 1}, 1);
+  }
+  for (int k = 0; k < n; ++k) {
+    const int next = (k + 1) % n;
+    add({k, next, n + next}, 2 + k);
+    add({k, n + next, n + k}, 2 + k);
+  }
+  return mesh;
+}
+
+// Empty where the solid is no upright prism.
+std::vector<Mesh> prisms_of(const Mesh& mesh) {
+  const double whole = volume_of(mesh), size = size_of(mesh);
+  for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+    const Vec3 axis = normal_of(mesh, mesh.triangle[t]);
+    const auto ends = heights_of_prism(mesh, axis);
+    if (!ends) continue;
+    const double height = (*ends)[1] - (*ends)[0];
+    const PlaneAxes axes = axes_of((*ends)[1] * axis, axis);
+    std::vector<Convex> base = upper_base(mesh, axes);
+    double area = 0;
+    for (const Convex& triangle : base) area += area_of(triangle);
+    if (std::abs(area * height - whole) > 1e-5 * whole) continue;
+    join_convex_neighbours(base, 1e-9 * size);
+    std::vector<Mesh> prisms;
+    for (const Convex& polygon : base) prisms.push_back(prism_on(polygon, axes, height));
+    return prisms;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
@@ -439,9 +528,12 @@ std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
     problem = cut_by(search, mesh, is_convex, done);
     if (!problem.empty()) continue;
     for (Mesh& piece : done) pieces.push_back(std::move(piece));
-    break;
+    return "";
   }
-  return problem;
+  std::vector<Mesh> prisms = prisms_of(mesh);
+  if (prisms.empty() || prisms.size() > kMostParts) return problem;
+  for (Mesh& prism : prisms) pieces.push_back(std::move(prism));
+  return "";
 }
 
 }  // namespace wythe::geometry

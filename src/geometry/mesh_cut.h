@@ -4,7 +4,8 @@
 //   |   A  /|            through it, and through as many other corners as it can, cuts the solid in two.
 //   |    r--+---+        Corners within kConvexPart of the plane count as on it, so that no slivers arise.
 //   |    :   B  |
-//   +----+------+        Pieces are cut again until the caller takes them for convex.
+//   +----+------+        Pieces are cut again until the caller takes them for convex. Where no such plane leaves
+//                        closed sides, as in a letter with a hole, an upright prism is cut by its base.
 //
 // Called by convex_parts.cpp. Idea of cutting at notches: B. Chazelle, SIAM J. Comput. 13 (1984).
 #pragma once
@@ -37,7 +38,7 @@ inline constexpr std::size_t kMostCorners = 200;
 [[nodiscard]] std::vector<Mesh> connected_pieces(const Mesh& mesh);
 // An edge that runs through a triangle it does not belong to.
 [[nodiscard]] std::optional<std::array<Vec3, 2>> crossing_edge(const Mesh& mesh);
-// Convex pieces; "" or why there are none.
+// Convex pieces, by planes or, of an upright prism, by its base; "" or why there are none.
 using IsConvex = std::function<bool(const Mesh&)>;
 [[nodiscard]] std::string cut_into_convex(const Mesh& mesh, const IsConvex& is_convex,
                                           std::vector<Mesh>& pieces);

@@ -46,8 +46,8 @@ class Key {
     add_all(vertex, face);
   }
   void add(const BodySpec& body) {
-    const auto& [id, part, material, fixed, zone] = body;
-    add_all(id, part, material, fixed, zone);
+    const auto& [id, part, material, fixed, zone, role] = body;
+    add_all(id, part, material, fixed, zone, role);
   }
   void add(const ContactRule& rule) {
     const auto& [between, material] = rule;

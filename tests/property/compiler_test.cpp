@@ -94,8 +94,8 @@ class Bytes {
     add_all(along, time, acceleration, velocity, displacement, source, factor);
   }
   void add(const Dashpots& dashpots) {
-    const auto& [normal, shear, rate] = dashpots;
-    add_all(normal, shear, rate);
+    const auto& [normal, shear, rate, proportional, impact, share, relaxation] = dashpots;
+    add_all(normal, shear, rate, proportional, impact, share, relaxation);
   }
   void add(const WatchedPoint& point) {
     const auto& [name, block, arm, height] = point;
@@ -127,9 +127,9 @@ class Bytes {
     add_all(vertex, face);
   }
   void add(const BodySpec& body) {
-    const auto& [id, part, material, fixed, zone] = body;
+    const auto& [id, part, material, fixed, zone, role] = body;
     const auto& [zones, length, kind, plane] = zone;
-    add_all(id, part, material, fixed, zones, length, kind, plane);
+    add_all(id, part, material, fixed, zones, length, kind, plane, role);
   }
   void add(const HexahedronShape& shape) {
     const auto& [place, gradient, stiffness, elasticity, share, volume, omega, mass] = shape;

@@ -9,6 +9,7 @@
 #include "dynamics/meters/residual.h"
 #include "geometry/builder.h"
 #include "reading/zones.h"
+#include "scenes/run.h"
 #include "scenes/space_rig.h"
 #include "scenes/zones_in_space.h"
 #include "wythe/builder.h"
@@ -19,6 +20,8 @@ namespace wythe {
 namespace {
 
 using scenes::Column;
+using scenes::Outcome;
+using scenes::run;
 using scenes::SpaceRig;
 
 Vec3 node_velocity(const State& s, std::size_t i) {
@@ -174,7 +177,7 @@ ModelSpec window_wall(LintelModel kind, double until = 0.3e-3) {
   wall.opening = {window};
   std::vector<Message> notes;
   FaultList faults;
-  const BuilderSpec builder{.plan_wall = {wall}, .arch = {}, .dome = {}};
+  const BuilderSpec builder{.plan_wall = {wall}, .slab = {}, .arch = {}, .dome = {}};
   for (geometry::BuiltBody& body : geometry::build_bodies({builder, spec}, notes, faults))
     spec.body.push_back(std::move(body.body));
   faults.throw_if_any();
@@ -187,19 +190,6 @@ ModelSpec window_wall(LintelModel kind, double until = 0.3e-3) {
   return spec;
 }
 
-struct End {
-  Model model;
-  State state;
-  Result result;
-};
-End run(const ModelSpec& spec) {
-  End end;
-  end.model = compile(spec);
-  end.state = initial_state(end.model);
-  end.result = solve(end.model, end.state, {});
-  return end;
-}
-
 TEST(ZonesInSpace, a_lintel_of_zones_bears_as_a_chain_does) {
   // loaded and left to settle: a fast push would compare their inertia
   const auto loaded = [](LintelModel kind) {
@@ -207,14 +197,14 @@ TEST(ZonesInSpace, a_lintel_of_zones_bears_as_a_chain_does) {
     spec.stage.resize(2);
     return run(spec);
   };
-  const End chain = loaded(LintelModel::kSegments), zones = loaded(LintelModel::kZones);
+  const Outcome chain = loaded(LintelModel::kSegments), zones = loaded(LintelModel::kZones);
   ASSERT_EQ(chain.result.status, SolveStatus::kCompleted) << chain.result.reason;
   ASSERT_EQ(zones.result.status, SolveStatus::kCompleted) << zones.result.reason;
   EXPECT_EQ(zones.model.space.solids.bodies.size(), 1U);
   EXPECT_NEAR(zones.model.weight / chain.model.weight, 1, 1e-9);
   EXPECT_LT(zones.result.energy.gap_ratio, 1e-3);
   // what stands on the lintel sinks as far in both
-  const auto sag = [](const End& end) {
+  const auto sag = [](const Outcome& end) {
     double most = 0;
     for (BlockId b = 0; b < end.model.n_block; ++b)
       if (end.model.anatomy.block_id[static_cast<std::size_t>(b)].find(".c09") != std::string::npos)

@@ -7,6 +7,7 @@
 
 #include "geometry/builder.h"
 #include "record.h"
+#include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "wythe/reading.h"
 #include "wythe/solve.h"
@@ -14,6 +15,8 @@
 namespace wythe {
 namespace {
 
+using scenes::Outcome;
+using scenes::run;
 using verification::verify;
 
 constexpr double kDensity = 2000, kG = 9.81;
@@ -43,26 +46,13 @@ BuilderSpec semicircle(double depth, int voussoirs) {
   StandingArchSpec arch;
   arch.name = "a", arch.span = 2 - depth, arch.depth = depth, arch.width = 0.3;
   arch.voussoirs = voussoirs;
-  return {.plan_wall = {}, .arch = {arch}, .dome = {}};
+  return {.plan_wall = {}, .slab = {}, .arch = {arch}, .dome = {}};
 }
 BuilderSpec hemisphere(double depth, const char* bond) {
   DomeSpec dome;
   dome.name = "d", dome.span = 2 - depth, dome.depth = depth, dome.bond = bond;
   dome.courses = 10, dome.units = 20;
-  return {.plan_wall = {}, .arch = {}, .dome = {dome}};
-}
-
-struct Outcome {
-  Model model;
-  State state;
-  Result result;
-};
-Outcome run(const ModelSpec& spec) {
-  Outcome r;
-  r.model = compile(spec);
-  r.state = initial_state(r.model);
-  r.result = solve(r.model, r.state, {});
-  return r;
+  return {.plan_wall = {}, .slab = {}, .arch = {}, .dome = {dome}};
 }
 
 TEST(BuiltSpace, an_arch_stands_or_falls_on_either_side_of_milankovitchs_thickness) {

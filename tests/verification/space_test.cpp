@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "record.h"
+#include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "wythe/reading.h"
 #include "wythe/solve.h"
@@ -14,6 +15,8 @@ namespace wythe {
 namespace {
 
 using scenes::box;
+using scenes::Outcome;
+using scenes::run;
 using verification::verify;
 
 constexpr double kG = 9.81, kDensity = 2000;
@@ -24,19 +27,6 @@ StageSpec push(const std::string& block, Vec3 along, double velocity, double unt
   StageSpec stage = scenes::push_stage(block, Direction::kPlusX, velocity, until);
   stage.along = {along.x, along.y, along.z};
   return stage;
-}
-
-struct Outcome {
-  Model model;
-  State state;
-  Result result;
-};
-Outcome run(const ModelSpec& spec) {
-  Outcome r;
-  r.model = compile(spec);
-  r.state = initial_state(r.model);
-  r.result = solve(r.model, r.state, {});
-  return r;
 }
 
 TEST(Space, a_stack_settles_as_springs_in_series) {

@@ -91,17 +91,17 @@ double flexure(int through, bool across_x) {
 TEST(ZonesInSpace, bending_with_shear_converges_about_both_axes) {
   for (const bool across_x : {true, false}) {
     const std::string axis = across_x ? "z" : "x";
-    const double two = flexure(2, across_x), four = flexure(4, across_x);
+    const double four = flexure(4, across_x), eight = flexure(8, across_x);
     verify({"SP40",
             "zones in space: bending with shear about " + axis +
-                ", error of four zones through the thinner side over that of two",
-            "-", 0.25, 0.15, "second order; coarse zones are not yet there"},
-           (four - 1) / (two - 1));
+                ", error of eight zones through the thinner side over that of four",
+            "-", 0.25, 0.05, "second order, up to terms of the fourth"},
+           (eight - 1) / (four - 1));
     verify({"SP40",
             "zones in space: bending with shear about " + axis +
-                ", four zones through the thinner side: work over exact energy",
-            "-", 1, 3e-3, "the mesh"},
-           four);
+                ", eight zones through the thinner side: work over exact energy",
+            "-", 1, 1e-3, "the mesh"},
+           eight);
   }
 }
 
@@ -138,17 +138,17 @@ TEST(ZonesInSpace, twist_has_the_closed_form_of_one_zone_and_converges_to_saint_
          torsion(a, b, 1, 1));
   const double exact = 0.228682 * a * b * b * b;
   double before = 0;
-  for (const int n : {2, 4, 8}) {
+  for (const int n : {4, 8, 16}) {
     const double off = torsion(a, b, 2 * n, n) / exact - 1;
     if (before > 0)
       verify({"SP41", "zones in space: torsion, error of halved zones over the one before", "-",
-              0.25, 0.15, "second order; coarse zones are not yet there"},
+              0.25, 0.05, "second order, up to terms of the fourth"},
              off / before);
     before = off;
   }
-  verify({"SP41", "zones in space: torsion constant, 16 x 8 zones, 2 : 1", "m^4", exact, 6.5e-3,
+  verify({"SP41", "zones in space: torsion constant, 32 x 16 zones, 2 : 1", "m^4", exact, 2e-3,
           "Saint-Venant's series; the mesh"},
-         torsion(a, b, 16, 8));
+         torsion(a, b, 32, 16));
 }
 
 // --- in the engine: a column on a floor, a rigid cap loaded ----------------------------------------------------
