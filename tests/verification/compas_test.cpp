@@ -29,14 +29,15 @@ constexpr double kDensity = 2000, kG = 9.81;
 
 // In metres with z up, as COMPAS writes them; supports are the bodies that `is_support` picks.
 template <class IsSupport>
-std::vector<BodySpec> bodies_of(const std::string& name, double unit, const IsSupport& is_support) {
+std::vector<BodySpec> bodies_of(const std::string& name, double units_in_a_metre,
+                                const IsSupport& is_support) {
   const std::string file = std::string(WYTHE_SOURCE_DIR) + "/tests/data/compas/" + name;
   FaultList faults;
   std::vector<BodySpec> bodies =
       io::is_mesh_file(file)
           ? io::read_mesh_bodies(file, faults)
           : io::compas_bodies(nlohmann::json::parse(read_text(file, 1'000'000)), file, faults);
-  io::place(bodies, unit, true);
+  io::place(bodies, units_in_a_metre, true);
   faults.throw_if_any();
   for (BodySpec& body : bodies) body.fixed = is_support(body);
   return bodies;
@@ -48,10 +49,13 @@ double lowest(const BodySpec& body) {
   return y;
 }
 
-Outcome run(std::vector<BodySpec> bodies, double friction, std::vector<StageSpec> after = {}) {
-  ModelSpec spec = scenes::in_space(std::move(bodies),
-                                    scenes::dry_joint(5e9, 2e9, std::atan(friction)), kDensity);
+Outcome run(std::vector<BodySpec> bodies, double friction, std::vector<StageSpec> after = {},
+            double stiffness = 5e9) {
+  ModelSpec spec = scenes::in_space(
+      std::move(bodies), scenes::dry_joint(stiffness, 0.4 * stiffness, std::atan(friction)),
+      kDensity);
   spec.solve.damping = 0.7;
+  spec.solve.settle_ratio = 1e-4;
   spec.stage = {scenes::gravity_stage()};
   for (StageSpec& stage : after) spec.stage.push_back(std::move(stage));
   return scenes::run(spec);
@@ -78,6 +82,13 @@ TEST(Compas, a_shelf_stands_or_falls_as_its_name_says) {
   EXPECT_EQ(ends("shelf-stable.json", {"0"}, 0.9), SolveStatus::kCompleted);
   EXPECT_EQ(ends("shelf.json", {"0"}, 0.9), SolveStatus::kCollapsed);
   EXPECT_EQ(ends("cubes.json", {"0"}, 0.84), SolveStatus::kCompleted);
+}
+
+// Arms that hook into each other, weights on them, and piers whose sections have holes.
+TEST(Compas, a_bridge_of_hooked_arms_stands) {
+  const std::vector<BodySpec> bodies = bodies_of(
+      "bridge.json", 1, [](const BodySpec& body) { return body.id == "0" || body.id == "1"; });
+  EXPECT_EQ(run(bodies, 0.9).result.status, SolveStatus::kCompleted);
 }
 
 // A joint whose teeth hook into each other: it holds at 50 degrees, where friction of 0.84 alone holds up to 40.
@@ -210,21 +221,23 @@ TEST(Compas, a_barrel_vault_weighs_and_thrusts_as_it_must) {
   EXPECT_GT(left.thrust, least);
   EXPECT_GT(175970, least);
 
+  // joints so stiff that a spread of 1 mm opens hinges, and so small a spread that the rise of 0.35 m stays
   StageSpec hold;
-  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 1;
-  const Outcome spread = run(std::move(bodies), 0.5,
-                             {scenes::push_stage("right*", Direction::kPlusX, 5e-3, 5e-3), hold});
+  hold.name = "hold", hold.kind = StageKind::kHold, hold.duration = 0.5;
+  const Outcome spread =
+      run(std::move(bodies), 0.5,
+          {scenes::push_stage("right*", Direction::kPlusX, 2e-3, 1e-3), hold}, 1e11);
   ASSERT_EQ(spread.result.status, SolveStatus::kCompleted) << spread.result.reason;
   verify(
       {"CD04", "barrel vault of compas_dem on spread supports: least thrust of a line of pressure",
-       "N", least, 0.03, "hinges at elastic edges; moved by 2 % of its depth"},
+       "N", least, 0.03, "the crown sinks by 1 % of the rise; hinges at elastic edges"},
       reaction_of(spread, true).thrust);
 }
 
 // The cross vault of compas_dem: it stands on its four corners, and thrusts less when two of them move away.
 TEST(Compas, a_cross_vault_stands_and_thrusts_less_on_spread_supports) {
   std::vector<BodySpec> bodies =
-      bodies_of("crossvault.obj", 0.01, [](const BodySpec&) { return false; });
+      bodies_of("crossvault.obj", 100, [](const BodySpec&) { return false; });
   double low = lowest(bodies.front());
   for (const BodySpec& body : bodies) low = std::min(low, lowest(body));
   int supports = 0;
