@@ -42,7 +42,7 @@ sanitize: build  ## every test under address, undefined and thread sanitizers, a
 	@tools/sanitize
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
-	@cmake --build --preset $(PRESET) --target wythe_bench wythe_cli
+	@cmake --build --preset $(PRESET) --target wythe_bench fall_bench wythe_cli
 	tools/bench run --build $(BUILD)
 
 docs: configure  ## write docs/reference from the specs' descriptions and the program's help

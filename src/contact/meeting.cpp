@@ -1,30 +1,34 @@
 #include "contact/meeting.h"
 
+#include <map>
+
 namespace wythe::contact {
 
 PartEdges::PartEdges(const FreeShapes& shapes) {
-  const auto corners = shapes.corner_x.size();
-  tx.resize(corners), ty.resize(corners), length.resize(corners);
+  std::map<std::vector<double>, Range> known;
   for (std::size_t part = 0; part + 1 < shapes.corner_begin.size(); ++part) {
     const auto first = static_cast<std::size_t>(shapes.corner_begin[part]);
     const auto last = static_cast<std::size_t>(shapes.corner_begin[part + 1]);
+    std::vector<double> outline;
+    for (std::size_t i = first; i < last; ++i) {
+      outline.push_back(shapes.corner_x[i]);
+      outline.push_back(shapes.corner_y[i]);
+    }
+    const Range fresh{static_cast<std::int32_t>(edge.size()),
+                      static_cast<std::int32_t>(last - first)};
+    const auto [place, is_new] = known.try_emplace(outline, fresh);
+    range.push_back(place->second);
+    if (!is_new) continue;
+    corner.insert(corner.end(), outline.begin(), outline.end());
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t next = i + 1 == last ? first : i + 1;
-      const double dx = shapes.corner_x[next] - shapes.corner_x[i];
-      const double dy = shapes.corner_y[next] - shapes.corner_y[i];
-      length[i] = square_root(dx * dx + dy * dy);
-      tx[i] = dx / length[i];
-      ty[i] = dy / length[i];
+      const double x = shapes.corner_x[next], y = shapes.corner_y[next];
+      const double dx = x - shapes.corner_x[i], dy = y - shapes.corner_y[i];
+      const double length = square_root(dx * dx + dy * dy);
+      const double tx = dx / length, ty = dy / length;
+      edge.push_back({x, y, -tx, -ty, ty, -tx, length});
     }
   }
-}
-
-Part PartEdges::part(const FreeShapes& shapes, std::int32_t part) const {
-  const auto first = static_cast<std::size_t>(shapes.corner_begin[static_cast<std::size_t>(part)]);
-  const auto end =
-      static_cast<std::size_t>(shapes.corner_begin[static_cast<std::size_t>(part) + 1]);
-  return {&shapes.corner_x[first], &shapes.corner_y[first],      &tx[first], &ty[first],
-          &length[first],          static_cast<int>(end - first)};
 }
 
 namespace {
@@ -71,15 +75,20 @@ Overlap overlap_on(const Part& ref, int edge, const Part& other, const BodyFrame
                    double inset) {
   const EdgeView view(axes_of(ref, edge), seen, inset);
   Overlap sum{std::numeric_limits<double>::infinity(), 0, 0, 0, 0, 0};
-  double left = 0, right = 0;
   const int last = other.corners - 1;
-  double xa = view.x(other.x[last], other.y[last]), ya = view.y(other.x[last], other.y[last]);
-  for (int i = 0; i <= last; ++i) {
-    const double xb = view.x(other.x[i], other.y[i]), yb = view.y(other.x[i], other.y[i]);
-    sum.lowest = minimum(sum.lowest, yb);
-    const bool faces = xb > xa, below = ya < 0 || yb<0, over = xb> 0 && xa < view.length;
-    if (faces && below && over) add_piece(xa, ya, xb, yb, view.length, left, right, sum);
-    xa = xb, ya = yb;
+  const auto height = [&](int i) { return view.y(other.corner[2 * i], other.corner[2 * i + 1]); };
+  for (int i = 0; i <= last; ++i) sum.lowest = minimum(sum.lowest, height(i));
+  if (!(sum.lowest < 0)) return sum;
+  double left = 0, right = 0, ya = height(last);
+  for (int a = last, b = 0; b <= last; a = b++) {
+    const double yb = height(b);
+    if (ya < 0 || yb < 0) {
+      const double xa = view.x(other.corner[2 * a], other.corner[2 * a + 1]);
+      const double xb = view.x(other.corner[2 * b], other.corner[2 * b + 1]);
+      const bool faces = xb > xa, over = xb > 0 && xa < view.length;
+      if (faces && over) add_piece(xa, ya, xb, yb, view.length, left, right, sum);
+    }
+    ya = yb;
   }
   sum.side = 0.5 * (right * right - left * left);
   sum.moment += 0.5 * (right * right * right - left * left * left);
@@ -92,7 +101,7 @@ Separation separation_of(const Part& ref, const Part& other, const BodyFrame& se
     const EdgeView view(axes_of(ref, e), seen);
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < other.corners; ++i)
-      lowest = minimum(lowest, view.y(other.x[i], other.y[i]));
+      lowest = minimum(lowest, view.y(other.corner[2 * i], other.corner[2 * i + 1]));
     if (lowest > best.distance) best = {lowest, e};
   }
   return best;
@@ -102,7 +111,9 @@ Face face_of(const Part& a, const Part& b, const BodyFrame& b_from_a, const Body
              std::int32_t last, double slop) {
   const Separation of_a = separation_of(a, b, b_from_a), of_b = separation_of(b, a, a_from_b);
   Face best{of_a.distance, of_a.edge};
-  if (of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
+  // whether anything separates the parts must not depend on the slop
+  const bool parts = of_b.distance >= 0 && of_b.distance > of_a.distance;
+  if (parts || of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
   if (last == kNoFeature || last == best.feature) return best;
   const double kept = last >= 0 ? overlap_on(a, last, b, b_from_a).lowest
                                 : overlap_on(b, -1 - last, a, a_from_b).lowest;

@@ -15,6 +15,7 @@
 // Called by the step (dynamics/passes/free_contacts.h) and by what reads a state (reading/free_contacts.cpp).
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -25,17 +26,41 @@
 
 namespace wythe::contact {
 
-// A part: corners in its body's axes, anticlockwise; edge i runs from corner i along (tx, ty).
+// The nearest multiple of 2^-40 m, 1e-12 m: corners seen from their centroid lie on such a grid, so that units of one size
+// have one shape, wherever they stand.
+[[nodiscard]] inline double on_grid(double v) {
+  constexpr double kCells = 0x1p40;
+  return std::nearbyint(v * kCells) / kCells;
+}
+
+// Axes of an edge, in its body's: origin at its far end, so that x, n are right-handed. One line of a cache.
+struct alignas(64) EdgeAxes {
+  double x, y, ax, ay, nx, ny, length;
+};
+// A part: corners in its body's axes, x beside y, anticlockwise; edge i runs from corner i.
 struct Part {
-  const double *x, *y, *tx, *ty, *length;
+  const double* corner;
+  const EdgeAxes* edge;
   int corners;
 };
+[[nodiscard]] WYTHE_INLINE const EdgeAxes& axes_of(const Part& part, int edge) {
+  return part.edge[edge];
+}
 
-// The edges of all parts, beside their corners.
+// Corners and edges of all parts; parts of one shape share them, so that they stay in the cache.
 struct PartEdges {
-  std::vector<double> tx, ty, length;
+  struct Range {
+    std::int32_t first, corners;
+  };
+  std::vector<Range> range;  // of each part
+  std::vector<double> corner;
+  std::vector<EdgeAxes> edge;
   explicit PartEdges(const FreeShapes& shapes);
-  [[nodiscard]] Part part(const FreeShapes& shapes, std::int32_t part) const;
+  [[nodiscard]] Part part(std::int32_t part) const {
+    const Range& r = range[static_cast<std::size_t>(part)];
+    const auto first = static_cast<std::size_t>(r.first);
+    return {&corner[2 * first], &edge[first], r.corners};
+  }
 };
 
 // Where a body's axes are: their origin, cosine and sine of their turn.
@@ -58,16 +83,6 @@ struct Overlap {
   double energy;  // [m^3]
 };
 
-// Axes of an edge: origin at its far end, so that x, n are right-handed.
-struct EdgeAxes {
-  double x, y, ax, ay, nx, ny, length;
-};
-[[nodiscard]] WYTHE_INLINE EdgeAxes axes_of(const Part& part, int edge) {
-  const int far = edge + 1 == part.corners ? 0 : edge + 1;
-  return {part.x[far],   part.y[far],    -part.tx[edge],   -part.ty[edge],
-          part.ty[edge], -part.tx[edge], part.length[edge]};
-}
-
 // With the edge moved into its part by `inset` [m]: that much of the overlap does not press.
 [[nodiscard]] Overlap overlap_on(const Part& ref, int edge, const Part& other,
                                  const BodyFrame& seen, double inset = 0);
@@ -80,7 +95,8 @@ struct Separation {
 [[nodiscard]] Separation separation_of(const Part& ref, const Part& other, const BodyFrame& seen);
 
 // The face of a contact: edge e of a, or -1 - e of b. Where both parts offer one, that of a, unless b's is
-// better by `slop`; `last` is kept while no other is better by that. kNoFeature: there is none yet.
+// better by `slop` or separates the parts better; `last` is kept while no other is better by `slop`. kNoFeature: there
+// is none yet; then the distance is negative only where no face separates the parts.
 inline constexpr std::int32_t kNoFeature = std::numeric_limits<std::int32_t>::min();
 struct Face {
   double distance;

@@ -30,13 +30,39 @@ std::vector<Vec> inset_of(const std::vector<Vec>& corner, const Vec& normal, dou
   return out;
 }
 
+FacetSide side_of(const Facet& f, const Vec* corner, int k) {
+  const int n = f.end - f.begin;
+  const Vec p = corner[f.begin + k] - f.origin, q = corner[f.begin + (k + 1) % n] - f.origin;
+  const double px = dot(f.x, p), py = dot(f.y, p), qx = dot(f.x, q), qy = dot(f.y, q);
+  const double dx = qx - px, dy = qy - py, length = square_root(dx * dx + dy * dy);
+  const double nx = dy / length, ny = -dx / length;
+  return {nx, ny, nx * px + ny * py};
+}
+
 }  // namespace
 
 void SpaceParts::add(const Polyhedron& part, const Vec3& centre, double inset) {
+  std::vector<Vec> vertex;
+  std::vector<double> key{inset};
+  for (const Vec3& v : part.vertex) {
+    const Vec seen = vec(v) - vec(centre);
+    vertex.push_back({on_grid(seen.x), on_grid(seen.y), on_grid(seen.z)});
+    key.insert(key.end(), {vertex.back().x, vertex.back().y, vertex.back().z});
+  }
+  for (const std::vector<std::int32_t>& face : part.face) {
+    key.push_back(static_cast<double>(face.size()));
+    key.insert(key.end(), face.begin(), face.end());
+  }
+  const auto [place, is_new] =
+      known.try_emplace(key, static_cast<std::int32_t>(facet_begin.size()) - 1);
+  shape.push_back(place->second);
+  if (is_new) add_shape(vertex, part, inset);
+}
+
+void SpaceParts::add_shape(const std::vector<Vec>& vertex, const Polyhedron& part, double inset) {
   for (const std::vector<std::int32_t>& face : part.face) {
     std::vector<Vec> corners;
-    for (const std::int32_t v : face)
-      corners.push_back(vec(part.vertex[static_cast<std::size_t>(v)]) - vec(centre));
+    for (const std::int32_t v : face) corners.push_back(vertex[static_cast<std::size_t>(v)]);
     Vec area{0, 0, 0}, middle{0, 0, 0};
     for (std::size_t i = 0; i < corners.size(); ++i) {
       area = area + cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
@@ -51,6 +77,7 @@ void SpaceParts::add(const Polyhedron& part, const Vec3& centre, double inset) {
     f.begin = static_cast<std::int32_t>(corner.size());
     for (const Vec& c : inset_of(corners, f.z, inset)) corner.push_back(c);
     f.end = static_cast<std::int32_t>(corner.size());
+    for (int k = 0; k < f.end - f.begin; ++k) side.push_back(side_of(f, corner.data(), k));
     facet.push_back(f);
   }
   facet_begin.push_back(static_cast<std::int32_t>(facet.size()));
@@ -92,38 +119,32 @@ struct Cut {
   }
 };
 
-// What lies where level(corner) <= 0; the new side is called `name`.
+// What lies where level(corner) <= 0; the new side is called `name`. Takes `polygon`, gives it or `room`.
 template <class Level>
-void cut(Cut& polygon, int name, const Level& level) {
-  Cut kept;
+Cut& cut(Cut& polygon, Cut& room, int name, const Level& level) {
+  std::array<double, kMostCorners> levels;
+  bool whole = true;
+  for (int i = 0; i < polygon.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    levels[k] = level(polygon.corner[k]);
+    whole = whole && levels[k] <= 0;
+  }
+  if (whole) return polygon;
+  room.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>(i + 1 == polygon.n ? 0 : i + 1);
     const Vec &p = polygon.corner[k], &q = polygon.corner[next];
-    const double lp = level(p), lq = level(q);
+    const double lp = levels[k], lq = levels[next];
     const auto crossing = [&] { return p + (lp / (lp - lq)) * (q - p); };
     if (lp <= 0) {
-      kept.push(p, polygon.side[k]);
-      if (lq > 0) kept.push(crossing(), name);  // from here along the cut
+      room.push(p, polygon.side[k]);
+      if (lq > 0) room.push(crossing(), name);  // from here along the cut
     } else if (lq < 0) {
-      kept.push(crossing(), polygon.side[k]);
+      room.push(crossing(), polygon.side[k]);
     }
   }
-  polygon = kept;
-}
-
-// The outward normal of side k of a facet, in its plane; `level` is how far a place lies beyond it.
-struct FacetSide {
-  double nx, ny, offset;
-  [[nodiscard]] double level(const Vec& p) const { return nx * p.x + ny * p.y - offset; }
-};
-FacetSide side_of(const Facet& f, const Vec* corner, int k) {
-  const int n = f.end - f.begin;
-  const Vec p = corner[f.begin + k] - f.origin, q = corner[f.begin + (k + 1) % n] - f.origin;
-  const double px = dot(f.x, p), py = dot(f.y, p), qx = dot(f.x, q), qy = dot(f.y, q);
-  const double dx = qx - px, dy = qy - py, length = square_root(dx * dx + dy * dy);
-  const double nx = dy / length, ny = -dx / length;
-  return {nx, ny, nx * px + ny * py};
+  return room;
 }
 
 // Sums over the cover, for its spread.
@@ -179,35 +200,41 @@ void add_side(const Vec& p, const Vec& q, const FacetSide& side, SpaceOverlap& s
 SpaceOverlap overlap_on(const SpacePart& ref, int number, const SpacePart& other,
                         const SpaceFrame& seen, double inset, bool with_polygon) {
   const Facet& facet = ref.facet[number];
+  const FacetSide* const side = ref.side + facet.begin;
   const FacetView view(facet, seen, inset);
   SpaceOverlap sum;
   sum.lowest = 1e300;
   Cover cover;
   double largest = 0;
   const int sides = facet.end - facet.begin;
+  Cut pieces[2];
   for (int g = 0; g < other.facets; ++g) {
     const Facet& face = other.facet[g];
-    const Vec normal{dot(view.rx, face.z), dot(view.ry, face.z), dot(view.rz, face.z)};
     double lowest = 1e300;
     for (auto c = face.begin; c < face.end; ++c)
       lowest = minimum(lowest, view.height(other.corner[c]));
     sum.lowest = minimum(sum.lowest, lowest);
-    if (!(lowest < 0) || !(normal.z < -1e-9)) continue;
-    Cut polygon;
-    for (auto c = face.begin; c < face.end; ++c) polygon.push(view.place(other.corner[c]), -1);
-    cut(polygon, -2, [](const Vec& p) { return p.z; });
-    for (int k = 0; k < sides && polygon.n > 2; ++k) {
-      const FacetSide side = side_of(facet, ref.corner, k);
-      cut(polygon, k, [&](const Vec& p) { return side.level(p); });
-    }
+    if (!(lowest < 0)) continue;
+    const Vec normal{dot(view.rx, face.z), dot(view.ry, face.z), dot(view.rz, face.z)};
+    if (!(normal.z < -1e-9)) continue;
+    Cut* piece = &pieces[0];
+    piece->n = 0;
+    for (auto c = face.begin; c < face.end; ++c) piece->push(view.place(other.corner[c]), -1);
+    const auto keep = [&](int name, const auto& level) {
+      piece = &cut(*piece, pieces[piece == &pieces[0] ? 1 : 0], name, level);
+    };
+    keep(-2, [](const Vec& p) { return p.z; });
+    for (int k = 0; k < sides && piece->n > 2; ++k)
+      keep(k, [&](const Vec& p) { return side[k].level(p); });
+    const Cut& polygon = *piece;
     if (polygon.n < 3) continue;
     const double before = sum.cover;
     add_piece(polygon, normal, sum, cover);
     for (int i = 0; i < polygon.n; ++i)
       if (const int k = polygon.side[static_cast<std::size_t>(i)]; k >= 0)
         add_side(polygon.corner[static_cast<std::size_t>(i)],
-                 polygon.corner[static_cast<std::size_t>(i + 1 == polygon.n ? 0 : i + 1)],
-                 side_of(facet, ref.corner, k), sum);
+                 polygon.corner[static_cast<std::size_t>(i + 1 == polygon.n ? 0 : i + 1)], side[k],
+                 sum);
     if (with_polygon && sum.cover - before > largest) {
       largest = sum.cover - before;
       sum.polygon.assign(polygon.corner.begin(), polygon.corner.begin() + polygon.n);
@@ -219,29 +246,33 @@ SpaceOverlap overlap_on(const SpacePart& ref, int number, const SpacePart& other
   return sum;
 }
 
+double lowest_over(const SpacePart& ref, int facet, const SpacePart& other,
+                   const SpaceFrame& seen) {
+  const FacetView view(ref.facet[facet], seen);
+  const auto first = other.facet[0].begin, last = other.facet[other.facets - 1].end;
+  double lowest = 1e300;
+  for (auto c = first; c < last; ++c) lowest = minimum(lowest, view.height(other.corner[c]));
+  return lowest;
+}
+
 Separation separation_of(const SpacePart& ref, const SpacePart& other, const SpaceFrame& seen) {
   Separation best;
-  const auto first = other.facet[0].begin, last = other.facet[other.facets - 1].end;
-  for (int e = 0; e < ref.facets; ++e) {
-    const FacetView view(ref.facet[e], seen);
-    double lowest = 1e300;
-    for (auto c = first; c < last; ++c) lowest = minimum(lowest, view.height(other.corner[c]));
-    if (lowest > best.distance) best = {lowest, e};
-  }
+  for (int e = 0; e < ref.facets; ++e)
+    if (const double lowest = lowest_over(ref, e, other, seen); lowest > best.distance)
+      best = {lowest, e};
   return best;
 }
 
 Face face_of(const SpacePart& a, const SpacePart& b, const SpaceFrame& b_from_a,
              const SpaceFrame& a_from_b, std::int32_t last, double slop) {
-  const auto lowest = [](const SpacePart& ref, int facet, const SpacePart& other,
-                         const SpaceFrame& seen) {
-    return overlap_on(ref, facet, other, seen).lowest;
-  };
   const Separation of_a = separation_of(a, b, b_from_a), of_b = separation_of(b, a, a_from_b);
   Face best{of_a.distance, of_a.edge};
-  if (of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
+  // whether anything separates the parts must not depend on the slop
+  const bool parts = of_b.distance >= 0 && of_b.distance > of_a.distance;
+  if (parts || of_b.distance > of_a.distance + slop) best = {of_b.distance, -1 - of_b.edge};
   if (last == kNoFeature || last == best.feature) return best;
-  const double kept = last >= 0 ? lowest(a, last, b, b_from_a) : lowest(b, -1 - last, a, a_from_b);
+  const double kept =
+      last >= 0 ? lowest_over(a, last, b, b_from_a) : lowest_over(b, -1 - last, a, a_from_b);
   return kept + slop >= best.distance ? Face{kept, last} : best;
 }
 

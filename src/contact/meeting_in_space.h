@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "contact/meeting.h"
@@ -24,23 +26,41 @@ struct Facet {
   Vec origin, x, y, z;
   std::int32_t begin = 0, end = 0;  // its corners, anticlockwise seen from outside
 };
-// All parts of all bodies, corners seen from the bodies' centroids.
+// The outward normal of a side of a facet, in the facet's axes; `level` is how far a place lies beyond it.
+struct FacetSide {
+  double nx, ny, offset;
+  [[nodiscard]] double level(const Vec& p) const { return nx * p.x + ny * p.y - offset; }
+};
+// All parts of all bodies, corners seen from the bodies' centroids; parts of one shape share it.
 struct SpaceParts {
-  std::vector<std::int32_t> facet_begin{0};  // CSR (parts + 1)
+  std::vector<std::int32_t> shape;           // of each part
+  std::vector<std::int32_t> facet_begin{0};  // CSR (shapes + 1)
   std::vector<Facet> facet;
   std::vector<Vec> corner;
+  std::vector<FacetSide> side;                        // that begins at each corner
+  std::map<std::vector<double>, std::int32_t> known;  // shapes by vertices and faces
   // Adds a part whose vertices are seen from `centre`.
   void add(const Polyhedron& part, const Vec3& centre, double inset);
+
+  // Facets of a part.
+  [[nodiscard]] std::span<const Facet> facets_of(std::int32_t part) const {
+    const auto s = static_cast<std::size_t>(shape[static_cast<std::size_t>(part)]);
+    return std::span(facet).subspan(static_cast<std::size_t>(facet_begin[s]),
+                                    static_cast<std::size_t>(facet_begin[s + 1] - facet_begin[s]));
+  }
+
+ private:
+  void add_shape(const std::vector<Vec>& vertex, const Polyhedron& part, double inset);
 };
 struct SpacePart {
   const Facet* facet;
   const Vec* corner;
+  const FacetSide* side;
   int facets;
 };
 [[nodiscard]] inline SpacePart part_of(const SpaceParts& parts, std::int32_t part) {
-  const auto first = static_cast<std::size_t>(parts.facet_begin[static_cast<std::size_t>(part)]);
-  const auto end = parts.facet_begin[static_cast<std::size_t>(part) + 1];
-  return {&parts.facet[first], parts.corner.data(), end - static_cast<std::int32_t>(first)};
+  const std::span<const Facet> facets = parts.facets_of(part);
+  return {facets.data(), parts.corner.data(), parts.side.data(), static_cast<int>(facets.size())};
 }
 
 // Where a body's axes are.
@@ -65,6 +85,9 @@ struct SpaceOverlap {
 [[nodiscard]] SpaceOverlap overlap_on(const SpacePart& ref, int facet, const SpacePart& other,
                                       const SpaceFrame& seen, double inset = 0,
                                       bool with_polygon = false);
+// How far above a facet the other part's lowest corner is [m].
+[[nodiscard]] double lowest_over(const SpacePart& ref, int facet, const SpacePart& other,
+                                 const SpaceFrame& seen);
 [[nodiscard]] Separation separation_of(const SpacePart& ref, const SpacePart& other,
                                        const SpaceFrame& seen);
 [[nodiscard]] Face face_of(const SpacePart& a, const SpacePart& b, const SpaceFrame& b_from_a,

@@ -38,8 +38,8 @@ class Shapes {
  private:
   void add_part(const Polygon& part, Vec2 centre) {
     for (const Vec2& v : geometry::bevelled(part, s_.bevel)) {
-      s_.corner_x.push_back(v.x - centre.x);
-      s_.corner_y.push_back(v.y - centre.y);
+      s_.corner_x.push_back(contact::on_grid(v.x - centre.x));
+      s_.corner_y.push_back(contact::on_grid(v.y - centre.y));
     }
     s_.corner_begin.push_back(static_cast<std::int32_t>(s_.corner_x.size()));
   }
@@ -182,7 +182,7 @@ std::int32_t support_of(const Model& m, JointId joint) {
   return -1;
 }
 
-contact::FreeLaw free_law_of(const Model& m, std::int32_t a, std::int32_t b) {
+std::int32_t free_material_of(const Model& m, std::int32_t a, std::int32_t b) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const auto kn = [&](std::int32_t material) { return m.materials[at(material)].normal_stiffness; };
   std::int32_t material = m.free.material[at(a)];
@@ -196,7 +196,12 @@ contact::FreeLaw free_law_of(const Model& m, std::int32_t a, std::int32_t b) {
     largest = m.area[at(j)];
     material = m.joint_material[at(j)];
   }
-  return contact::free_law(contact::constants_of(m.materials[at(material)]),
+  return material;
+}
+
+contact::FreeLaw free_law_of(const Model& m, std::int32_t a, std::int32_t b) {
+  const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  return contact::free_law(contact::constants_of(m.materials[at(free_material_of(m, a, b))]),
                            std::min(m.free.thickness[at(a)], m.free.thickness[at(b)]));
 }
 

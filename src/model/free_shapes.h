@@ -14,6 +14,7 @@ namespace wythe {
 
 // The law of two bodies in free contact, a < b: that of the largest joint between them, broken; without one
 // that of the softer of their own materials.
+[[nodiscard]] std::int32_t free_material_of(const Model& model, std::int32_t a, std::int32_t b);
 [[nodiscard]] contact::FreeLaw free_law_of(const Model& model, std::int32_t a, std::int32_t b);
 
 // A dead load is a weight that lies on its block. It stays there while the block falls by half of its own height, has

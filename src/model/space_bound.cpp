@@ -67,8 +67,7 @@ Matrix6 free_stiffness(const Model& m, const contact::SpaceParts& parts, std::si
   });
   const auto vec3 = [](const contact::Vec& v) { return Vec3{v.x, v.y, v.z}; };
   for (auto part = m.free.part_begin[i]; part < m.free.part_begin[i + 1]; ++part)
-    for (auto f = parts.facet_begin[at(part)]; f < parts.facet_begin[at(part) + 1]; ++f) {
-      const contact::Facet& facet = parts.facet[at(f)];
+    for (const contact::Facet& facet : parts.facets_of(part)) {
       const Vec3 x = vec3(facet.x), y = vec3(facet.y), z = vec3(facet.z);
       double area = 0, covered = 0;
       Matrix6 all = Matrix6::Zero();

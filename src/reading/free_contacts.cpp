@@ -55,8 +55,8 @@ void each_contact(const Model& m, const State& s, const Visit& visit) {
   if (m.in_space()) return each_in_space(m, s, visit);
   const contact::PartEdges edges(m.free);
   for (const FreeContact& c : s.free_contacts) {
-    const contact::Part a = edges.part(m.free, m.free.part_begin[at(c.a)] + c.part_a);
-    const contact::Part b = edges.part(m.free, m.free.part_begin[at(c.b)] + c.part_b);
+    const contact::Part a = edges.part(m.free.part_begin[at(c.a)] + c.part_a);
+    const contact::Part b = edges.part(m.free.part_begin[at(c.b)] + c.part_b);
     const contact::BodyFrame fa = frame_of(m, s, c.a), fb = frame_of(m, s, c.b);
     visit(c, free_law_of(m, c.a, c.b),
           c.feature >= 0

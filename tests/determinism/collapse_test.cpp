@@ -115,6 +115,37 @@ TEST(Collapse, walls_side_by_side_have_the_bits_of_those_alone) {
   }
 }
 
+// A wall that is put into its place again knows nothing of pairs that are near and do not press: which are looked at, and
+// which sleep, must not be seen in the result.
+TEST(Collapse, does_not_show_who_was_looked_for_and_who_slept) {
+  for (const bool in_space : {false, true}) {
+    const Model model = compile(collapse(in_space, 0.15));
+    std::vector<End> ends;
+    for (const int every : {0, 7}) {
+      const std::unique_ptr<dynamics::Executor> executor = dynamics::processor_for(model, 1);
+      End end;
+      end.state = initial_state(model);
+      executor->put(0, model, end.state);
+      const SolveOptions options;
+      dynamics::WallRun run(model, end.state, options, executor->access(0));
+      for (int step = 1; !run.ended(); ++step) {
+        executor->set(0, run.next());
+        executor->step();
+        run.look(executor->reaction(0));
+        if (every == 0 || step % every != 0) continue;
+        executor->drop(0);
+        executor->put(0, model, end.state);
+        run.move_to(executor->access(0));
+      }
+      executor->drop(0);
+      end.result = run.finish();
+      ends.push_back(end);
+    }
+    expect_collapsed(ends[0]);
+    expect_same(ends[1], ends[0], in_space ? "in space" : "in the plane");
+  }
+}
+
 TEST(Collapse, in_space_cut_anywhere_ends_with_the_same_bits) {
   const Model model = compile(collapse(true));
   State whole = initial_state(model);

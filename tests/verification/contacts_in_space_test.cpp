@@ -120,6 +120,41 @@ TEST(ContactInSpace, forces_are_the_same_on_the_way_back) {
     EXPECT_LT(std::fabs(there[k] - there[k - 1]), 0.03 * there[0]) << "no jump at " << k;
 }
 
+// As in the plane: the slop chooses between faces that are passed, not whether one separates.
+TEST(ContactInSpace, whether_parts_are_apart_does_not_hang_on_the_slop) {
+  const Cubes cubes;
+  const SpacePart a = contact::part_of(cubes.parts, 0), b = contact::part_of(cubes.parts, 1);
+  constexpr double kSlop = 0.05;
+  std::uint64_t seed = 7;
+  const auto next = [&] {
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(seed >> 11) * 0x1p-52 - 1.0;
+  };
+  int between = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Vec axis{next(), next(), next()}, at{0.9 * next(), 0.9 * next(), 0.9 * next()};
+    const SpaceFrame here = frame({0, 0, 0}),
+                     there = frame(at, 3 * next(), (1 / std::sqrt(dot(axis, axis))) * axis);
+    const SpaceFrame ba = contact::seen_from(here, there), ab = contact::seen_from(there, here);
+    const double of_a = contact::separation_of(a, b, ba).distance;
+    const double of_b = contact::separation_of(b, a, ab).distance;
+    const contact::Face face = contact::face_of(a, b, ba, ab, contact::kNoFeature, kSlop);
+    EXPECT_EQ(face.distance >= 0, std::max(of_a, of_b) >= 0);
+    between += of_a < 0 && of_b >= 0 && of_b < of_a + kSlop;
+  }
+  EXPECT_GT(between, 10);
+}
+
+TEST(ContactInSpace, units_of_one_size_share_a_shape_wherever_they_stand) {
+  SpaceParts parts;
+  for (const double x : {0.0, 0.1, 7.0 / 3, 1e3})
+    parts.add(box("unit", {x - 0.125, -0.05, 0.1 * x}, {0.25, 0.1, 0.125}).part[0],
+              {x, 0, 0.1 * x + 0.0625}, kBevel);
+  parts.add(box("other", {0, 0, 0}, {0.2, 0.1, 0.125}).part[0], {0.1, 0.05, 0.0625}, kBevel);
+  EXPECT_EQ(parts.shape, (std::vector<std::int32_t>{0, 0, 0, 0, 1}));
+  EXPECT_EQ(parts.facet.size(), 12U);
+}
+
 TEST(ContactInSpace, force_and_moment_are_the_slope_of_the_energy) {
   const Cubes cubes;
   const SpacePart a = contact::part_of(cubes.parts, 0), b = contact::part_of(cubes.parts, 1);

@@ -37,6 +37,11 @@ class WallAccess {
   virtual void bring_up(State& state) const = 0;
 };
 
+// Of free contacts in the last step: pairs of parts that are near, those of them that may touch; searches so far.
+struct FreeCounts {
+  int near = 0, awake = 0, searches = 0;
+};
+
 class Executor {
  public:
   Executor() = default;
@@ -60,6 +65,7 @@ class Executor {
   [[nodiscard]] virtual double reaction(int lane) const = 0;
   // Whether the wall in the lane takes part in the next step.
   [[nodiscard]] virtual bool takes_part(int) const { return true; }
+  [[nodiscard]] virtual FreeCounts free_counts() const { return {}; }
 
   // One time step of every wall.
   void step();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/passes/links.h"
+#include "dynamics/passes/plane_bodies.h"
 
 namespace wythe::dynamics {
 
@@ -120,8 +121,13 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
     put_wall(layout_, bank_of(lane).tables, lane % width_, model_, rest_);
     set(lane, {});
   }
-  if (model_.free.any() && lanes == 1) free_.emplace(model_, layout_);
+  if (model_.free.any() && lanes == 1)
+    free_ = std::make_unique<FreeContacts<PlaneBodies>>(model_, layout_);
 }
+
+Processor::~Processor() = default;
+
+FreeCounts Processor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
 void Processor::put(int lane, const Model& model, State& state) {
   Wall& wall = wall_[at(lane)];
@@ -159,7 +165,7 @@ void Processor::begin_step() {
   for (int lane = 0; lane < lanes(); ++lane) {
     const Wall& wall = wall_[at(lane)];
     if (wall.model == nullptr) continue;
-    place_loads(*wall.model, *wall.state, wall.view, free_ ? &*free_ : nullptr);
+    place_loads(*wall.model, *wall.state, wall.view, free_.get());
     if (wall.controls.dt > 0) take_links(*wall.model, *wall.state, wall.view);
     if (wall.controls.mass_damping > 0)
       wall.state->work_damping +=

@@ -8,22 +8,29 @@
 //   one.access(0)->bring_up(state);
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/executors/kernels.h"
 #include "dynamics/passes/dashpots.h"
-#include "dynamics/passes/plane_bodies.h"
+#include "dynamics/passes/wall.h"
 
 namespace wythe::dynamics {
+
+template <class Bodies>
+class FreeContacts;
+class PlaneBodies;
 
 class Processor final : public Executor {
  public:
   // Lanes 1, 2, 4 or 8; several threads for one wall only.
   Processor(const Model& model, int lanes, int threads = 1,
             const Kernels& kernels = kernels_in_use());
+  ~Processor() override;
+  Processor(const Processor&) = delete;
+  Processor& operator=(const Processor&) = delete;
 
   [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
   [[nodiscard]] const Model& model() const override { return model_; }
@@ -37,9 +44,7 @@ class Processor final : public Executor {
   [[nodiscard]] const WallView& view(int lane) const { return wall_[at(lane)].view; }
   // Motion, history and free contacts of the wall in a lane, into a state's own arrays.
   void bring_up(int lane, State& state) const;
-  [[nodiscard]] const FreeContacts<PlaneBodies>* free_contacts() const {
-    return free_ ? &*free_ : nullptr;
-  }
+  [[nodiscard]] FreeCounts free_counts() const override;
 
  private:
   struct Wall {
@@ -75,7 +80,7 @@ class Processor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
-  std::optional<FreeContacts<PlaneBodies>> free_;  // of one wall alone
+  std::unique_ptr<FreeContacts<PlaneBodies>> free_;  // of one wall alone
   Workers workers_;
 };
 

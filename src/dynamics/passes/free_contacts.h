@@ -5,7 +5,8 @@
 //   every kLookEvery whether a pair's joints have given way, and whether another face has become the contact's
 //   when due         which pairs may touch (near_pairs.h)
 //
-// A pair that is apart by s sleeps until the fastest body can have moved by s / 2; that changes no bit.
+// A pair that is apart by s sleeps: first until the ways of its two bodies have grown by s together, then as long as they
+// have moved and turned against each other by less. That changes no bit.
 // What a restart needs goes into the State by bring_up(). What depends on the dimension is in Bodies:
 // PlaneBodies (plane_bodies.h), SpaceBodies (dynamics/space/space_bodies.h).
 #pragma once
@@ -19,6 +20,7 @@
 #include "contact/meeting.h"
 #include "core/parallel.h"
 #include "core/rotation.h"
+#include "dynamics/executors/executor.h"
 #include "dynamics/passes/near_pairs.h"
 #include "model/free_shapes.h"
 #include "wythe/model.h"
@@ -26,6 +28,8 @@
 namespace wythe::dynamics {
 
 inline constexpr int kLookEvery = 64;  // steps between looks at joints and at faces of contacts
+// Bodies are looked for as far around each as it goes in so many steps at its present speed.
+inline constexpr int kSearchAhead = 16;
 // After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
@@ -35,8 +39,8 @@ struct Push {
 };
 [[nodiscard]] inline Push operator+(const Push& a, const Push& b) { return {a.f + b.f, a.m + b.m}; }
 
-// Two parts that may touch.
-struct FreePair {
+// Two parts that may touch; it fills four lines of a cache.
+struct alignas(64) FreePair {
   FreeContact memory;
   contact::FreeLaw law{};
   bool touches = false;
@@ -44,9 +48,14 @@ struct FreePair {
   Push on_a{}, on_b{};
   double pressed = 0;   // normal force [N]
   double stored = 0;    // energy [J]
-  double slid = 0;      // plastic slip [m]
   double friction = 0;  // works [J]
   double lost = 0;
+};
+// How far a body can have moved.
+struct Travel {
+  double all = 0;                 // since the last search, each of its points [m]
+  double turned = 0;              // by turning alone, since the wall took its place [m]
+  Vector<double> place{0, 0, 0};  // of its centroid
 };
 // Energy of the elastic slip [J].
 [[nodiscard]] inline double shear_energy(const FreeContact& m, const contact::FreeLaw& law) {
@@ -75,8 +84,9 @@ class FreeContacts {
                          -bodies_.rates_of(block, wall).f.y);
   }
 
-  [[nodiscard]] int candidates() const { return static_cast<int>(pairs_.size()); }
-  [[nodiscard]] int searches() const { return searches_; }
+  [[nodiscard]] FreeCounts counts() const {
+    return {static_cast<int>(near_.size()), static_cast<int>(awake_.size()), searches_};
+  }
 
  private:
   // Two bodies with joints between them: numbers first to end - 1 of joint_of_.
@@ -86,20 +96,51 @@ class FreeContacts {
     bool handed_over;
   };
 
-  void search(const View& wall);
-  [[nodiscard]] const Jointed* jointed(std::int32_t a, std::int32_t b) const;
-  [[nodiscard]] std::span<FreePair> pairs_of(std::int32_t a, std::int32_t b);
-  void meet(std::size_t number, double dt, bool looks, const View& wall);
+  // Two parts whose bodies' boxes meet.
+  struct Near {
+    std::int32_t a, b, part_a, part_b;
+    std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor remembers
+    // It touches not before both ways have grown to `until` together; nor while the parts, which were `apart` when b
+    // was at `offset` from a and both had turned by `turned`, have not come together by that [m]
+    double until = 0, apart = 0, turned = 0;
+    Vector<double> offset{0, 0, 0};
+  };
+
+  [[nodiscard]] std::vector<Near> find_near(double dt, const View& wall);
+  void search(double dt, const View& wall);
+  [[nodiscard]] bool sleeps(Near& near) const;
+  void give_slot(Near& near);
+  void let_go(Near& near);
+  void wake(const View& wall, Workers& workers);
+  [[nodiscard]] FreePair& pair_of(const Near& near) { return pairs_[at(near.slot)]; }
+  [[nodiscard]] std::span<Near> near_of(std::int32_t a, std::int32_t b);
+  [[nodiscard]] double pressed_by(std::span<const Near> contacts) const {
+    double sum = 0;
+    for (const Near& near : contacts) sum += near.slot >= 0 ? pairs_[at(near.slot)].pressed : 0.0;
+    return sum;
+  }
+  // Pairs lie where there was room for them: the one that comes soon after awake_[n] is fetched meanwhile.
+  void fetch_ahead(std::size_t n) const {
+    constexpr std::size_t kAhead = 6, kLine = 64;
+    if (n + kAhead >= awake_.size()) return;
+    const auto* pair = reinterpret_cast<const char*>(&pairs_[at(near_[awake_[n + kAhead]].slot)]);
+    for (std::size_t line = 0; line < sizeof(FreePair); line += kLine)
+      __builtin_prefetch(pair + line, 1);
+  }
+  void meet(std::size_t number, double dt, bool looks);
   static void part_company(FreePair& pair);
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
-  void rest_on_crushed(FreePair& pair, const Vector<double>& on_a, const View& wall) const;
+  void rest_on_crushed(FreePair& pair, const Vector<double>& on_a) const;
   void fade_hand_overs(State& state, double dt, const View& wall);
   void apply(const HandOver& h, const View& wall);
 
   static std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
-  static auto key_of(const FreeContact& c) { return std::tie(c.a, c.b, c.part_a, c.part_b); }
+  template <class P>
+  static auto key_of(const P& p) {
+    return std::tie(p.a, p.b, p.part_a, p.part_b);
+  }
   template <class P>
   static std::pair<std::int32_t, std::int32_t> bodies_of(const P& p) {
     return {p.a, p.b};
@@ -110,12 +151,17 @@ class FreeContacts {
   std::vector<JointId> joint_of_;
   std::vector<Jointed> jointed_;  // sorted by bodies
 
-  std::vector<FreePair> pairs_;     // sorted by bodies and parts
-  std::vector<double> wake_;        // travel at which each may touch
-  std::vector<std::size_t> awake_;  // those of this step, in order
+  std::vector<Near> near_;             // sorted by bodies and parts
+  std::vector<FreePair> pairs_;        // of each, where there was room
+  std::vector<std::int32_t> spare_;    // slots of pairs_ that are free
+  std::vector<std::size_t> awake_;     // of near_, those of this step, in order
+  std::vector<std::int32_t> in_play_;  // their bodies, each once
+  std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
-  double travel_ = 0;  // what no body can have moved farther than, since the last search [m]
-  bool searched_ = false;
+  std::vector<Travel> travel_;  // of each body
+  std::vector<double> margin_;  // within which each was looked for [m]
+  double rounding_;             // of a place, in a step [m]
+  bool searched_ = false, strayed_ = false, finite_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
 };
@@ -124,7 +170,16 @@ class FreeContacts {
 
 template <class Bodies>
 FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::Layout& layout)
-    : model_(model), bodies_(model, layout) {
+    : model_(model),
+      bodies_(model, layout),
+      is_in_play_(at(model.n_block + model.free.n_fixed), 0),
+      travel_(is_in_play_.size()),
+      margin_(is_in_play_.size(), 0.0) {
+  const FreeShapes& f = model.free;
+  double far = 0;
+  for (const double edge : {f.x0, f.x1, f.y0, f.y1, f.z0, f.z1})
+    far = maximum(far, magnitude(edge));
+  rounding_ = 4e-16 * far;
   std::vector<std::tuple<std::int32_t, std::int32_t, JointId>> joints;
   for (JointId j = 0; j < model.n_joint; ++j)
     if (const auto [a, b] = bodies_.sides_of(j); b >= 0) joints.emplace_back(a, b, j);
@@ -139,20 +194,12 @@ FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::La
 }
 
 template <class Bodies>
-auto FreeContacts<Bodies>::jointed(std::int32_t a, std::int32_t b) const -> const Jointed* {
-  const auto found =
-      std::lower_bound(jointed_.begin(), jointed_.end(), std::pair(a, b),
-                       [](const Jointed& p, const auto& wanted) { return bodies_of(p) < wanted; });
-  return found != jointed_.end() && bodies_of(*found) == std::pair(a, b) ? &*found : nullptr;
-}
-
-template <class Bodies>
-std::span<FreePair> FreeContacts<Bodies>::pairs_of(std::int32_t a, std::int32_t b) {
-  const auto first = std::lower_bound(
-      pairs_.begin(), pairs_.end(), std::pair(a, b),
-      [](const FreePair& p, const auto& wanted) { return bodies_of(p.memory) < wanted; });
+auto FreeContacts<Bodies>::near_of(std::int32_t a, std::int32_t b) -> std::span<Near> {
+  const auto first =
+      std::lower_bound(near_.begin(), near_.end(), std::pair(a, b),
+                       [](const Near& p, const auto& wanted) { return bodies_of(p) < wanted; });
   auto end = first;
-  while (end != pairs_.end() && bodies_of(end->memory) == std::pair(a, b)) ++end;
+  while (end != near_.end() && bodies_of(*end) == std::pair(a, b)) ++end;
   return {first, end};
 }
 
@@ -164,67 +211,154 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
     for (auto k = pair.first; pair.handed_over && k < pair.end; ++k)
       bodies_.release(joint_of_[at(k)], wall);
   }
-  pairs_.clear();
-  for (const FreeContact& memory : state.free_contacts)
+  near_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
+  for (const FreeContact& memory : state.free_contacts) {
+    const auto& [a, b, part_a, part_b] = key_of(memory);
+    near_.push_back({a, b, part_a, part_b, static_cast<std::int32_t>(pairs_.size())});
     pairs_.push_back(
         {.memory = memory, .law = bodies_.law_of(memory.a, memory.b), .touches = memory.area > 0});
-  wake_.assign(pairs_.size(), 0.0);
+  }
+  bodies_.add_travel(0, wall, travel_);
   hand_overs_ = state.hand_overs;
-  travel_ = 0;
-  searched_ = false;
-  acts_ = true;
+  searched_ = strayed_ = false;
+  finite_ = acts_ = true;
 }
 
 template <class Bodies>
 void FreeContacts<Bodies>::bring_up(State& state) const {
   state.free_contacts.clear();
-  for (const FreePair& pair : pairs_)
+  for (const Near& near : near_) {
+    if (near.slot < 0) continue;
+    const FreePair& pair = pairs_[at(near.slot)];
     if (pair.touches || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
+  }
   state.hand_overs = hand_overs_;
   for (const Jointed& pair : jointed_)
     for (auto k = pair.first; k < pair.end; ++k)
       state.handed_over[at(joint_of_[at(k)])] = pair.handed_over ? 1.0 : 0.0;
 }
 
+// All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
+// All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
 template <class Bodies>
-void FreeContacts<Bodies>::search(const View& wall) {
-  const std::int32_t bodies = model_.n_block + model_.free.n_fixed;
+auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<Near> {
   std::vector<Box> boxes;
-  for (std::int32_t body = 0; body < bodies; ++body) boxes.push_back(bodies_.box_of(body, wall));
+  for (std::int32_t body = 0; body < static_cast<std::int32_t>(travel_.size()); ++body) {
+    const double speed = body < model_.n_block ? bodies_.speed_of(body, wall) : 0.0;
+    const double margin = bodies_.margin() + kSearchAhead * dt * speed;
+    boxes.push_back(bodies_.box_of(body, wall));
+    for (double& low : boxes.back().low) low -= margin;
+    for (double& high : boxes.back().high) high += margin;
+    margin_[at(body)] = margin;
+  }
   const auto parts = [&](std::int32_t body) {
     return model_.free.part_begin[at(body) + 1] - model_.free.part_begin[at(body)];
   };
-  std::vector<FreePair> found;
-  for (const auto& [a, b] : near_pairs(boxes, model_.n_block, bodies_.margin())) {
-    if (const Jointed* joints = jointed(a, b); joints != nullptr && !joints->handed_over) continue;
-    const contact::FreeLaw law = bodies_.law_of(a, b);
+  std::vector<Near> found;
+  found.reserve(near_.size());
+  auto joints = jointed_.begin();
+  for (const auto& pair : near_pairs(boxes, model_.n_block, 0.0)) {
+    while (joints != jointed_.end() && bodies_of(*joints) < pair) ++joints;
+    if (joints != jointed_.end() && bodies_of(*joints) == pair && !joints->handed_over) continue;
+    const auto [a, b] = pair;
     for (std::int32_t i = 0; i < parts(a); ++i)
-      for (std::int32_t j = 0; j < parts(b); ++j)
-        found.push_back(
-            {.memory = {.a = a, .b = b, .part_a = i, .part_b = j, .feature = contact::kNoFeature},
-             .law = law});
+      for (std::int32_t j = 0; j < parts(b); ++j) found.push_back({a, b, i, j, -1});
   }
+  return found;
+}
+
+template <class Bodies>
+void FreeContacts<Bodies>::search(double dt, const View& wall) {
+  std::vector<Near> found = find_near(dt, wall);
   // what is known of those that were there before
-  auto old = pairs_.begin();
-  for (FreePair& pair : found) {
-    while (old != pairs_.end() && key_of(old->memory) < key_of(pair.memory)) ++old;
-    if (old != pairs_.end() && key_of(old->memory) == key_of(pair.memory)) pair = *old;
+  auto next = found.begin();
+  for (Near& old : near_) {
+    while (next != found.end() && key_of(*next) < key_of(old)) ++next;
+    if (next != found.end() && key_of(*next) == key_of(old)) {
+      old.until -= travel_[at(old.a)].all + travel_[at(old.b)].all;
+      *next = old;
+    } else {
+      let_go(old);
+    }
   }
-  pairs_ = std::move(found);
-  wake_.assign(pairs_.size(), 0.0);
-  travel_ = 0;
+  near_ = std::move(found);
+  for (Travel& way : travel_) way.all = 0;
+  strayed_ = false;
   searched_ = true;
   ++searches_;
 }
 
 template <class Bodies>
 void FreeContacts<Bodies>::moved(double dt, const View& wall) {
-  double most = 0;
-  for (int i = 0; i < model_.n_block; ++i) {
-    const double speed = bodies_.speed_of(i, wall);
-    most = speed <= most ? most : speed;  // what is no number stays
+  bodies_.add_travel(dt, wall, travel_);
+  for (std::size_t i = 0; i < travel_.size(); ++i) {
+    travel_[i].all += rounding_;
+    travel_[i].turned += rounding_;
+    strayed_ = strayed_ || travel_[i].all > margin_[i];
+    finite_ = finite_ && travel_[i].all < 1e300;  // nor is what is no number
   }
-  travel_ += 1.05 * dt * most;  // damping by mass may have slowed blocks since they moved
+}
+
+template <class Bodies>
+bool FreeContacts<Bodies>::sleeps(Near& near) const {
+  constexpr double kRounding = 1e-11;  // of what follows [m]
+  const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
+  if (near.until > a.all + b.all) return true;
+  if (!(near.apart > 0)) return false;
+  const Vector<double> drift = (b.place - a.place) - near.offset;
+  const double left =
+      near.apart - square_root(dot(drift, drift)) - (a.turned + b.turned - near.turned) - kRounding;
+  if (!(left > 0)) return false;
+  near.until = a.all + b.all + left;
+  return true;
+}
+
+template <class Bodies>
+void FreeContacts<Bodies>::give_slot(Near& near) {
+  if (near.slot >= 0) return;
+  if (spare_.empty()) {
+    spare_.push_back(static_cast<std::int32_t>(pairs_.size()));
+    pairs_.emplace_back();
+  }
+  near.slot = spare_.back();
+  spare_.pop_back();
+  FreePair& pair = pair_of(near) = {};
+  pair.memory.a = near.a, pair.memory.b = near.b;
+  pair.memory.part_a = near.part_a, pair.memory.part_b = near.part_b;
+  pair.memory.feature = contact::kNoFeature;
+  pair.law = bodies_.law_of(near.a, near.b);
+}
+
+template <class Bodies>
+void FreeContacts<Bodies>::let_go(Near& near) {
+  if (near.slot >= 0) spare_.push_back(near.slot);
+  near.slot = -1;
+}
+
+// Which pairs may touch in this step, and where their bodies are.
+template <class Bodies>
+void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
+  constexpr std::size_t kBodyChunk = 256;
+  awake_.clear();
+  in_play_.clear();
+  const auto enters = [&](std::int32_t body) {
+    if (is_in_play_[at(body)] != 0) return;
+    is_in_play_[at(body)] = 1;
+    in_play_.push_back(body);
+  };
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    if (sleeps(near_[k])) continue;
+    awake_.push_back(k);
+    give_slot(near_[k]);
+    enters(near_[k].a);
+    enters(near_[k].b);
+  }
+  for (const std::int32_t body : in_play_) is_in_play_[at(body)] = 0;
+  const auto chunks = static_cast<int>((in_play_.size() + kBodyChunk - 1) / kBodyChunk);
+  workers.for_each_chunk(chunks, [&](int chunk) {
+    const std::size_t end = std::min(in_play_.size(), at(chunk + 1) * kBodyChunk);
+    for (std::size_t n = at(chunk) * kBodyChunk; n < end; ++n) bodies_.look_at(in_play_[n], wall);
+  });
 }
 
 // --- two parts ------------------------------------------------------------------------------------------
@@ -238,11 +372,19 @@ void FreeContacts<Bodies>::part_company(FreePair& pair) {
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks, const View& wall) {
-  FreePair& pair = pairs_[number];
+void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
+  Near& near = near_[number];
+  FreePair& pair = pair_of(near);
   FreeContact& m = pair.memory;
-  const typename Bodies::Meeting meeting = bodies_.meeting(m, wall);
-  const auto sleep = [&](double distance) { wake_[number] = travel_ + 0.5 * distance; };
+  const typename Bodies::Meeting meeting = bodies_.meeting(m);
+  const auto sleep = [&](double distance) {
+    const Travel &a = travel_[at(m.a)], &b = travel_[at(m.b)];
+    near.apart = distance;
+    near.offset = b.place - a.place;
+    near.turned = a.turned + b.turned;
+    near.until = a.all + b.all + distance;
+  };
+  near.until = near.apart = 0;
   // Nothing presses before the parts come closer by `room`; out of each other they are when they part by the rest
   // of it. What was crushed then counts no more.
   const auto rest = [&](double room) {
@@ -252,7 +394,7 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks, const
     if (inside <= 0) m.rest = 0;
     sleep(inside > 0 ? minimum(room, inside) : -inside);
   };
-  pair.friction = pair.lost = pair.slid = 0;
+  pair.friction = pair.lost = 0;
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
@@ -280,7 +422,7 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks, const
     return sleep(0);
   }
   pair.touches = true;
-  bodies_.rub(pair, meeting, overlap, dt, wall);
+  bodies_.rub(pair, meeting, overlap, dt);
 }
 
 // --- the step -------------------------------------------------------------------------------------------
@@ -288,18 +430,19 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks, const
 template <class Bodies>
 void FreeContacts<Bodies>::act(State& state, double dt, const View& wall, Workers& workers) {
   constexpr int kPairChunk = 256;
-  if (!(travel_ < 1e300)) return;  // the wall runs away, which others say
+  if (!finite_) return;  // the wall runs away, which others say
   const bool looks = state.step % kLookEvery == 0;
   std::vector<std::size_t> gave_way;
   if (looks) gave_way = find_hand_overs(wall);
-  if (!searched_ || travel_ > bodies_.margin() || !gave_way.empty()) search(wall);
-  awake_.clear();
-  for (std::size_t k = 0; k < wake_.size(); ++k)
-    if (wake_[k] <= travel_) awake_.push_back(k);
+  if (!searched_ || strayed_ || !gave_way.empty()) search(dt, wall);
+  wake(wall, workers);
   const auto chunks = static_cast<int>((awake_.size() + kPairChunk - 1) / kPairChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
     const std::size_t end = std::min(awake_.size(), at(chunk + 1) * kPairChunk);
-    for (std::size_t n = at(chunk) * kPairChunk; n < end; ++n) meet(awake_[n], dt, looks, wall);
+    for (std::size_t n = at(chunk) * kPairChunk; n < end; ++n) {
+      fetch_ahead(n);
+      meet(awake_[n], dt, looks);
+    }
   });
   if (acts_) bodies_.clear_rows(wall);
   acts_ = false;
@@ -311,14 +454,19 @@ void FreeContacts<Bodies>::act(State& state, double dt, const View& wall, Worker
 
 template <class Bodies>
 void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
-  for (const std::size_t number : awake_) {  // those asleep neither touch nor rub
-    FreePair& pair = pairs_[number];
+  for (std::size_t n = 0; n < awake_.size(); ++n) {  // those asleep neither touch nor rub
+    fetch_ahead(n);
+    Near& near = near_[awake_[n]];
+    FreePair& pair = pair_of(near);
     if (pair.friction != 0 || pair.lost != 0) {
       state.dissipated_friction += pair.friction;
       state.lost_in_hand_over += pair.lost;
       pair.friction = pair.lost = 0;
     }
-    if (!pair.touches) continue;
+    if (!pair.touches) {
+      if (pair.memory.rest == 0) let_go(near);
+      continue;
+    }
     bodies_.add(pair.memory.a, pair.memory.b, pair.on_a, pair.on_b, wall);
     acts_ = true;
   }
@@ -347,10 +495,9 @@ std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall)
 // Where a joint was crushed the blocks overlap by more than they press: as much of it rests as makes the contact press
 // with the joint's normal force.
 template <class Bodies>
-void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a,
-                                           const View& wall) const {
+void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a) const {
   constexpr int kHalvings = 60;
-  const typename Bodies::Meeting meeting = bodies_.meeting(pair.memory, wall);
+  const typename Bodies::Meeting meeting = bodies_.meeting(pair.memory);
   const std::int32_t feature = pair.memory.feature;
   const double wanted = -dot(on_a, bodies_.normal_of(meeting, feature));
   const auto presses = [&](double rest) {
@@ -369,23 +516,25 @@ void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>&
 template <class Bodies>
 void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {
   Push before, after;
-  double energy = 0, pressed = 0;
+  double energy = 0;
   for (auto k = pair.first; k < pair.end; ++k) {
     before = before + bodies_.push_of(joint_of_[at(k)], pair.a, wall);
     energy += bodies_.elastic_energy(joint_of_[at(k)], wall);
     bodies_.release(joint_of_[at(k)], wall);
   }
-  const std::span<FreePair> contacts = pairs_of(pair.a, pair.b);
-  for (const FreePair& p : contacts) pressed += p.pressed;
+  const std::span<Near> contacts = near_of(pair.a, pair.b);
+  const double pressed = pressed_by(contacts);
   double bears = 0;
-  for (FreePair& p : contacts) {
+  for (const Near& near : contacts) {
+    if (near.slot < 0) continue;
+    FreePair& p = pair_of(near);
     if (!p.touches) continue;
-    const auto again = [&] { meet(at(&p - pairs_.data()), 0.0, false, wall); };
+    const auto again = [&] { meet(at(&near - near_.data()), 0.0, false); };
     const Vector<double> share = (p.pressed / pressed) * before.f;
-    rest_on_crushed(p, share, wall);
+    rest_on_crushed(p, share);
     again();
     if (!p.touches) continue;
-    bodies_.take_over_shear(p, share, wall);
+    bodies_.take_over_shear(p, share);
     again();
     after = after + p.on_a;
     energy -= p.stored;
@@ -417,8 +566,7 @@ void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
 template <class Bodies>
 void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& wall) {
   for (HandOver& h : hand_overs_) {
-    double pressed = 0;
-    for (const FreePair& pair : pairs_of(h.a, h.b)) pressed += pair.pressed;
+    const double pressed = pressed_by(near_of(h.a, h.b));
     // b is carried to the centroid of a, where the force acts
     const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
     const Push va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);

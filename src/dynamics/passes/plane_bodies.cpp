@@ -22,7 +22,7 @@ Direction2 turned(const BodyFrame& f, double x, double y) {
   return {f.c * x - f.s * y, f.s * x + f.c * y};
 }
 
-EdgeAxes axes_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
+const EdgeAxes& axes_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
   return feature >= 0 ? contact::axes_of(m.a, feature) : contact::axes_of(m.b, -1 - feature);
 }
 const BodyFrame& frame_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
@@ -32,7 +32,10 @@ const BodyFrame& frame_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
 }  // namespace
 
 PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
-    : m_(model), layout_(layout), edges_(model.free) {
+    : m_(model),
+      layout_(layout),
+      edges_(model.free),
+      now_(at(model.n_block + model.free.n_fixed), Now{{0, 0, 1, 0}, {}}) {
   const FreeShapes& f = model.free;
   double size = 0;
   for (std::size_t i = 0; i < at(model.n_block); ++i) {
@@ -47,6 +50,8 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
     size += 2 * reach_.back();
   }
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
+  for (const JointMaterial& material : model.materials)
+    law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
   chunk_of_.resize(at(model.n_joint));
   for (int c = 0; c < static_cast<int>(layout.chunks[kJoints].size()); ++c) {
     const Chunk& chunk = layout.chunks[kJoints][at(c)];
@@ -55,7 +60,9 @@ PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
 }
 
 contact::FreeLaw PlaneBodies::law_of(std::int32_t a, std::int32_t b) const {
-  return free_law_of(m_, a, b);
+  contact::FreeLaw law = law_[at(free_material_of(m_, a, b))];
+  law.thickness = minimum(m_.free.thickness[at(a)], m_.free.thickness[at(b)]);
+  return law;
 }
 
 BodyFrame PlaneBodies::frame_of(std::int32_t body, const WallView& wall) const {
@@ -86,6 +93,18 @@ double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
          reach_[at(i)] * magnitude(wall.block(i, kOmega));
 }
 
+void PlaneBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const {
+  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they moved
+  for (BlockId i = 0; i < m_.n_block; ++i) {
+    const double turned = kMore * dt * reach_[at(i)] * magnitude(wall.block(i, kOmega));
+    const double went = magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy));
+    Travel& w = travel[at(i)];
+    w.all += kMore * dt * went + turned;
+    w.turned += turned;
+    w.place = {m_.centroid_x[at(i)] + wall.ux(i), m_.centroid_y[at(i)] + wall.uy(i), 0};
+  }
+}
+
 double PlaneBodies::fall_of(BlockId block, const WallView& wall) const { return -wall.uy(block); }
 
 Vector<double> PlaneBodies::place_of(std::int32_t body, const WallView& wall) const {
@@ -111,28 +130,30 @@ Vector<double> PlaneBodies::out_of(std::int32_t body, const Vector<double>& v,
 
 // --- two parts ------------------------------------------------------------------------------------------
 
-PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c, const WallView& wall) const {
+void PlaneBodies::look_at(std::int32_t body, const WallView& wall) {
+  now_[at(body)] = {frame_of(body, wall), rates_of(body, wall)};
+}
+
+PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
-  const BodyFrame a = frame_of(c.a, wall), b = frame_of(c.b, wall);
-  return {edges_.part(f, f.part_begin[at(c.a)] + c.part_a),
-          edges_.part(f, f.part_begin[at(c.b)] + c.part_b),
-          a,
-          b,
-          contact::seen_from(a, b),
-          contact::seen_from(b, a)};
+  return {edges_.part(f.part_begin[at(c.a)] + c.part_a),
+          edges_.part(f.part_begin[at(c.b)] + c.part_b), now_[at(c.a)].frame, now_[at(c.b)].frame};
 }
 
 contact::Overlap PlaneBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
-  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a, rest)
-                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b, rest);
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b,
+                                            contact::seen_from(m.frame_a, m.frame_b), rest)
+                      : contact::overlap_on(m.b, -1 - feature, m.a,
+                                            contact::seen_from(m.frame_b, m.frame_a), rest);
 }
 
 contact::Face PlaneBodies::face(const Meeting& m, std::int32_t last) const {
-  return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+  return contact::face_of(m.a, m.b, contact::seen_from(m.frame_a, m.frame_b),
+                          contact::seen_from(m.frame_b, m.frame_a), last, kSlop * m_.free.bevel);
 }
 
 Vector<double> PlaneBodies::normal_of(const Meeting& m, std::int32_t feature) {
-  const EdgeAxes axes = axes_of(m, feature);
+  const EdgeAxes& axes = axes_of(m, feature);
   const Direction2 n = turned(dynamics::frame_of(m, feature), axes.nx, axes.ny);
   const double sense = feature >= 0 ? 1 : -1;
   return {sense * n.x, sense * n.y, 0};
@@ -140,7 +161,7 @@ Vector<double> PlaneBodies::normal_of(const Meeting& m, std::int32_t feature) {
 
 double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to) {
   const auto axis = [&](std::int32_t feature) {
-    const EdgeAxes axes = axes_of(m, feature);
+    const EdgeAxes& axes = axes_of(m, feature);
     return turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
   };
   const std::int32_t from = pair.memory.feature;
@@ -152,11 +173,10 @@ double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(pair.memory, pair.law);
 }
 
-void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt,
-                      const WallView& wall) const {
+void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt) const {
   const std::int32_t feature = pair.memory.feature;
   const bool of_a = feature >= 0;
-  const EdgeAxes axes = axes_of(m, feature);
+  const EdgeAxes& axes = axes_of(m, feature);
   const BodyFrame &ref = of_a ? m.frame_a : m.frame_b, &other = of_a ? m.frame_b : m.frame_a;
   const Direction2 x = turned(ref, axes.ax, axes.ay), n = turned(ref, axes.nx, axes.ny);
 
@@ -164,8 +184,8 @@ void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   const double place = overlap.area > 0 ? overlap.moment / overlap.area : 0.0;
   const Direction2 arm = turned(ref, axes.x + axes.ax * place, axes.y + axes.ay * place);
   const double ox = ref.x + arm.x - other.x, oy = ref.y + arm.y - other.y;
-  const Push of_ref = rates_of(of_a ? pair.memory.a : pair.memory.b, wall);
-  const Push of_other = rates_of(of_a ? pair.memory.b : pair.memory.a, wall);
+  const Push& of_ref = now_[at(of_a ? pair.memory.a : pair.memory.b)].rates;
+  const Push& of_other = now_[at(of_a ? pair.memory.b : pair.memory.a)].rates;
   // arms and axis as they were half a step ago, in the middle of that motion
   const auto back = [&](const Push& rates, double rx, double ry) {
     const double half = 0.5 * dt * rates.m.z;
@@ -190,7 +210,6 @@ void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   slip += way;
   if (const double trial = stiff * slip; magnitude(trial) > limit) {
     const double kept = sign(trial) * limit / stiff;
-    pair.slid += magnitude(slip - kept);
     slip = kept;
   }
   // the work of the step less what is stored of it
@@ -209,11 +228,10 @@ void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   pair.on_b = of_a ? on_other : on_ref;
 }
 
-void PlaneBodies::take_over_shear(FreePair& pair, const Vector<double>& on_a,
-                                  const WallView& wall) const {
-  const Meeting m = meeting(pair.memory, wall);
+void PlaneBodies::take_over_shear(FreePair& pair, const Vector<double>& on_a) const {
+  const Meeting m = meeting(pair.memory);
   const std::int32_t feature = pair.memory.feature;
-  const EdgeAxes axes = axes_of(m, feature);
+  const EdgeAxes& axes = axes_of(m, feature);
   const Direction2 x = turned(dynamics::frame_of(m, feature), axes.ax, axes.ay);
   const double on_ref = (on_a.x * x.x + on_a.y * x.y) * (feature >= 0 ? 1 : -1);
   const double most = pair.law.tan_friction * pair.pressed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/executors/processor.h"
+#include "dynamics/space/space_bodies.h"
 
 namespace wythe::dynamics::space {
 namespace {
@@ -86,8 +87,13 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
     put_wall(wall.view, model_, rest_);
     set(lane, {});
   }
-  if (model_.free.any() && lanes == 1) free_.emplace(model_, layout_);
+  if (model_.free.any() && lanes == 1)
+    free_ = std::make_unique<FreeContacts<SpaceBodies>>(model_, layout_);
 }
+
+SpaceProcessor::~SpaceProcessor() = default;
+
+FreeCounts SpaceProcessor::free_counts() const { return free_ ? free_->counts() : FreeCounts{}; }
 
 void SpaceProcessor::put(int lane, const Model& model, State& state) {
   Wall& wall = wall_[at(lane)];

@@ -3,23 +3,31 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "core/parallel.h"
 #include "dynamics/executors/executor.h"
 #include "dynamics/space/dashpots.h"
 #include "dynamics/space/kernels.h"
-#include "dynamics/space/space_bodies.h"
 #include "dynamics/space/wall.h"
 #include "dynamics/space/zones.h"
 
+namespace wythe::dynamics {
+template <class Bodies>
+class FreeContacts;
+}
+
 namespace wythe::dynamics::space {
+
+class SpaceBodies;
 
 class SpaceProcessor final : public Executor {
  public:
   // Lanes 1, 2, 4 or 8; several threads for one wall only.
   SpaceProcessor(const Model& model, int lanes, int threads = 1,
                  const KernelSet& kernels = *kernels_here().back());
+  ~SpaceProcessor() override;
+  SpaceProcessor(const SpaceProcessor&) = delete;
+  SpaceProcessor& operator=(const SpaceProcessor&) = delete;
 
   [[nodiscard]] int lanes() const override { return static_cast<int>(wall_.size()); }
   [[nodiscard]] const Model& model() const override { return model_; }
@@ -35,6 +43,7 @@ class SpaceProcessor final : public Executor {
   [[nodiscard]] const WallView& view(int lane) const {
     return wall_[static_cast<std::size_t>(lane)].view;
   }
+  [[nodiscard]] FreeCounts free_counts() const override;
   // Null without deformable blocks.
   [[nodiscard]] const ZoneRun* zones(int lane) const {
     return wall_[static_cast<std::size_t>(lane)].zones.get();
@@ -73,7 +82,7 @@ class SpaceProcessor final : public Executor {
   const State rest_;
   std::vector<Wall> wall_;
   std::vector<Bank> bank_;
-  std::optional<FreeContacts<SpaceBodies>> free_;  // of one wall alone
+  std::unique_ptr<FreeContacts<SpaceBodies>> free_;  // of one wall alone
   Workers workers_;
 };
 

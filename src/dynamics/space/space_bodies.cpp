@@ -27,14 +27,17 @@ const SpaceFrame& frame_of(const SpaceBodies::Meeting& m, std::int32_t feature) 
 
 }  // namespace
 
-SpaceBodies::SpaceBodies(const Model& model, const Layout& layout) : m_(model), layout_(layout) {
+SpaceBodies::SpaceBodies(const Model& model, const Layout& layout)
+    : m_(model),
+      layout_(layout),
+      now_(at(model.n_block + model.free.n_fixed), Now{{{0, 0, 0}, {1, {0, 0, 0}}}, {}}) {
   parts_ = free_parts(model);
   double size = 0;
   for (std::int32_t i = 0; i < model.n_block; ++i) {
     double reach = 0, low = 1e300, high = -1e300;
     for (auto part = model.free.part_begin[at(i)]; part < model.free.part_begin[at(i) + 1]; ++part)
-      for (auto f = parts_.facet_begin[at(part)]; f < parts_.facet_begin[at(part) + 1]; ++f)
-        for (auto c = parts_.facet[at(f)].begin; c < parts_.facet[at(f)].end; ++c) {
+      for (const Facet& facet : parts_.facets_of(part))
+        for (auto c = facet.begin; c < facet.end; ++c) {
           const Vec& corner = parts_.corner[at(c)];
           reach = maximum(reach, length(corner));
           low = minimum(low, corner.y), high = maximum(high, corner.y);
@@ -44,6 +47,8 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout) : m_(model), 
     size += 2 * reach;
   }
   margin_ = kBoxMargin * size / maximum(1.0, model.n_block);
+  for (const JointMaterial& material : model.materials)
+    law_.push_back(contact::free_law(contact::constants_of(material), 1.0));
   chunk_of_.resize(at(model.n_joint));
   for (int c = 0; c < static_cast<int>(layout.joints.size()); ++c) {
     const Chunk& chunk = layout.joints[at(c)];
@@ -52,7 +57,9 @@ SpaceBodies::SpaceBodies(const Model& model, const Layout& layout) : m_(model), 
 }
 
 contact::FreeLaw SpaceBodies::law_of(std::int32_t a, std::int32_t b) const {
-  return free_law_of(m_, a, b);
+  contact::FreeLaw law = law_[at(free_material_of(m_, a, b))];
+  law.thickness = minimum(m_.free.thickness[at(a)], m_.free.thickness[at(b)]);
+  return law;
 }
 
 // Supports may be driven; ground lies in the wall's axes.
@@ -72,8 +79,8 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
   Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
   const FreeShapes& f = m_.free;
   for (auto part = f.part_begin[at(body)]; part < f.part_begin[at(body) + 1]; ++part)
-    for (auto g = parts_.facet_begin[at(part)]; g < parts_.facet_begin[at(part) + 1]; ++g)
-      for (auto c = parts_.facet[at(g)].begin; c < parts_.facet[at(g)].end; ++c) {
+    for (const Facet& facet : parts_.facets_of(part))
+      for (auto c = facet.begin; c < facet.end; ++c) {
         const Vec p = frame.at + turned(frame.turn, parts_.corner[at(c)]);
         const double place[3] = {p.x, p.y, p.z};
         for (int k = 0; k < 3; ++k) {
@@ -87,6 +94,26 @@ Box SpaceBodies::box_of(std::int32_t body, const WallView& wall) const {
 double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
   const Push rates = rates_of(body, wall);
   return length(rates.f) + reach_[at(body)] * length(rates.m);
+}
+
+void SpaceBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const {
+  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they moved
+  for (std::int32_t i = 0; i < m_.n_block; ++i) {
+    // a momentum turns a body no faster than about the axis of its least inertia
+    double light = 0;
+    for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(i, kInverse + k));
+    const double turned = kMore * dt * reach_[at(i)] * light * length(wall.body_vector(i, kL));
+    Travel& w = travel[at(i)];
+    w.all += kMore * dt * length(wall.body_vector(i, kV)) + turned;
+    w.turned += turned;
+    w.place = place_of(i, wall);
+  }
+  for (std::int32_t i = m_.n_block; i < m_.n_block + m_.free.n_fixed; ++i) {
+    const Vec now = place_of(i, wall);
+    Travel& w = travel[at(i)];
+    w.all += kMore * length(now - w.place);
+    w.place = now;
+  }
 }
 
 double SpaceBodies::fall_of(BlockId block, const WallView& wall) const {
@@ -121,24 +148,27 @@ Vec SpaceBodies::out_of(std::int32_t body, const Vec& v, const WallView& wall) c
 
 // --- two parts ------------------------------------------------------------------------------------------
 
-SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c, const WallView& wall) const {
+void SpaceBodies::look_at(std::int32_t body, const WallView& wall) {
+  now_[at(body)] = {frame_of(body, wall), rates_of(body, wall)};
+}
+
+SpaceBodies::Meeting SpaceBodies::meeting(const FreeContact& c) const {
   const FreeShapes& f = m_.free;
-  const SpaceFrame a = frame_of(c.a, wall), b = frame_of(c.b, wall);
   return {contact::part_of(parts_, f.part_begin[at(c.a)] + c.part_a),
-          contact::part_of(parts_, f.part_begin[at(c.b)] + c.part_b),
-          a,
-          b,
-          contact::seen_from(a, b),
-          contact::seen_from(b, a)};
+          contact::part_of(parts_, f.part_begin[at(c.b)] + c.part_b), now_[at(c.a)].frame,
+          now_[at(c.b)].frame};
 }
 
 contact::SpaceOverlap SpaceBodies::overlap(const Meeting& m, std::int32_t feature, double rest) {
-  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b, m.b_from_a, rest)
-                      : contact::overlap_on(m.b, -1 - feature, m.a, m.a_from_b, rest);
+  return feature >= 0 ? contact::overlap_on(m.a, feature, m.b,
+                                            contact::seen_from(m.frame_a, m.frame_b), rest)
+                      : contact::overlap_on(m.b, -1 - feature, m.a,
+                                            contact::seen_from(m.frame_b, m.frame_a), rest);
 }
 
 contact::Face SpaceBodies::face(const Meeting& m, std::int32_t last) const {
-  return contact::face_of(m.a, m.b, m.b_from_a, m.a_from_b, last, kSlop * m_.free.bevel);
+  return contact::face_of(m.a, m.b, contact::seen_from(m.frame_a, m.frame_b),
+                          contact::seen_from(m.frame_b, m.frame_a), last, kSlop * m_.free.bevel);
 }
 
 Vec SpaceBodies::normal_of(const Meeting& m, std::int32_t feature) {
@@ -166,8 +196,7 @@ double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(c, pair.law);
 }
 
-void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt,
-                      const WallView& wall) const {
+void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt) const {
   FreeContact& c = pair.memory;
   const bool of_a = c.feature >= 0;
   const Facet& facet = facet_of(m, c.feature);
@@ -180,7 +209,8 @@ void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   const double over = overlap.force.z > 0 ? 1 / overlap.force.z : 0.0;
   const Vec arm = origin + (-overlap.moment.y * over) * x + (overlap.moment.x * over) * y;
   const Vec arm_other = ref.at + arm - other.at;
-  const Push of_ref = rates_of(of_a ? c.a : c.b, wall), of_other = rates_of(of_a ? c.b : c.a, wall);
+  const Push &of_ref = now_[at(of_a ? c.a : c.b)].rates,
+             &of_other = now_[at(of_a ? c.b : c.a)].rates;
   // arms and axes as they were half a step ago, in the middle of that motion
   const auto back = [&](const Push& rates, const Vec& r) {
     return r - (0.5 * dt) * cross(rates.m, r);
@@ -204,7 +234,6 @@ void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   Vec slip = start + way;
   if (const double reach = length(slip); stiff * reach > limit) {
     const Vec kept = (limit / (stiff * reach)) * slip;
-    pair.slid += length(slip - kept);
     slip = kept;
   }
   c.slip_x = slip.x, c.slip_y = slip.y, c.slip_z = slip.z;
@@ -225,8 +254,8 @@ void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   pair.on_b = of_a ? on_other : on_ref;
 }
 
-void SpaceBodies::take_over_shear(FreePair& pair, const Vec& on_a, const WallView& wall) const {
-  const Meeting m = meeting(pair.memory, wall);
+void SpaceBodies::take_over_shear(FreePair& pair, const Vec& on_a) const {
+  const Meeting m = meeting(pair.memory);
   FreeContact& c = pair.memory;
   const Facet& facet = facet_of(m, c.feature);
   const Quaternion<double>& q = space::frame_of(m, c.feature).turn;

@@ -15,10 +15,10 @@ class SpaceBodies {
   using View = WallView;
   using Layout = space::Layout;
   using Overlap = contact::SpaceOverlap;
-  // Two parts and their bodies' axes, each also as seen from the other.
+  // Two parts and their bodies' axes.
   struct Meeting {
     contact::SpacePart a, b;
-    contact::SpaceFrame frame_a, frame_b, b_from_a, a_from_b;
+    contact::SpaceFrame frame_a, frame_b;
   };
 
   SpaceBodies(const Model& model, const Layout& layout);
@@ -27,6 +27,8 @@ class SpaceBodies {
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
+  // To the way of each body what its points can have moved in the last step, at most; where they are now.
+  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const;
   [[nodiscard]] double size_of(BlockId block) const {
     return 2 * reach_[static_cast<std::size_t>(block)];
   }
@@ -40,7 +42,9 @@ class SpaceBodies {
   [[nodiscard]] Vec into(std::int32_t body, const Vec& v, const WallView& wall) const;
   [[nodiscard]] Vec out_of(std::int32_t body, const Vec& v, const WallView& wall) const;
 
-  [[nodiscard]] Meeting meeting(const FreeContact& contact, const WallView& wall) const;
+  // Notes where a body is and how it moves: for all that follows, up to the rows of forces.
+  void look_at(std::int32_t body, const WallView& wall);
+  [[nodiscard]] Meeting meeting(const FreeContact& contact) const;
   // Of what presses: the overlap less `rest`, which is crushed.
   [[nodiscard]] static Overlap overlap(const Meeting& meeting, std::int32_t feature, double rest);
   [[nodiscard]] contact::Face face(const Meeting& meeting, std::int32_t last) const;
@@ -51,10 +55,9 @@ class SpaceBodies {
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
   // Friction of a step, then force and moments.
-  void rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt,
-           const WallView& wall) const;
+  void rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
   // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
-  void take_over_shear(FreePair& pair, const Vec& on_a, const WallView& wall) const;
+  void take_over_shear(FreePair& pair, const Vec& on_a) const;
 
   void clear_rows(const WallView& wall) const;
   void add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
@@ -88,9 +91,17 @@ class SpaceBodies {
   [[nodiscard]] contact::SpaceFrame frame_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] int points_of_face(JointId joint) const;
 
+  // Of a body in this step.
+  struct Now {
+    contact::SpaceFrame frame;
+    Push rates;
+  };
+
   const Model& m_;
   const Layout& layout_;
   contact::SpaceParts parts_;
+  std::vector<contact::FreeLaw> law_;          // of each material, for a thickness of 1 m
+  std::vector<Now> now_;                       // of each body that look_at() has seen
   std::vector<double> reach_, height_;         // of each moving block [m]
   std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
   double margin_ = 0;
