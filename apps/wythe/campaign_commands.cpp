@@ -20,6 +20,7 @@
 #include "wythe/io.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
+#include "wythe/stored_states.h"
 #include "wythe/text.h"
 #include "wythe/units.h"
 
@@ -131,7 +132,7 @@ Device device_of(const std::string& word) {
 }
 
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
-  (void)write_campaign_files(a.out, read_campaign(a.out), a.language, hold_for_test);
+  (void)write_campaign_files(a.out, read_answers(a.out), a.language, hold_for_test);
   fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", outcome.done,
              outcome.total, resume_command(a));
   return kFailed;
@@ -146,7 +147,7 @@ std::string resume_command(const CampaignArguments& a) {
 }
 
 int write_results(const std::string& folder, const std::string& language) {
-  const Campaign campaign = read_campaign(folder);
+  const Campaign campaign = read_answers(folder);
   const Statistics statistics = write_campaign_files(folder, campaign, language, hold_for_test);
   print_table(campaign, statistics);
   fmt::print("report {}/report.html\n", folder);
@@ -221,8 +222,8 @@ int merge(const MergeArguments& asked) {
   check_folder(a.out, FolderFor::kCampaign);
   check_language(a.language);
   merge_campaigns(a.folders, a.out);
-  const Campaign whole = read_campaign(a.out);
-  const auto missing = static_cast<std::size_t>(whole.samples.n_sample()) - whole.records.size();
+  const StoreProgress whole = campaign_progress(a.out);
+  const int missing = whole.samples - whole.done;
   if (missing > 0)
     fmt::print(stderr,
                "note: {} samples are in none of these shards; they can be run in {} with "

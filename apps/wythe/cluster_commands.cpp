@@ -21,6 +21,7 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
+#include "wythe/stored_states.h"
 #include "wythe/text.h"
 
 extern char** environ;
@@ -446,7 +447,7 @@ int rescue_store(const StoreArguments& a) {
   fmt::print("{} samples kept, {} lost; go on with wythe campaign STUDY.toml --out {} --resume\n",
              rescue.kept, rescue.lost.size(), shell_quoted(a.out));
   if (rescue.kept > 0)
-    static_cast<void>(write_campaign_files(a.out, read_campaign(a.out), a.language));
+    static_cast<void>(write_campaign_files(a.out, read_answers(a.out), a.language));
   return 0;
 }
 

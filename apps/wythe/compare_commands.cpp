@@ -14,6 +14,7 @@
 #include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
+#include "wythe/stored_states.h"
 #include "wythe/text.h"
 
 namespace wythe::app {
@@ -168,7 +169,7 @@ int say_stopped(const CampaignArguments& a, const std::vector<OptionRun>& runs) 
   for (const OptionRun& run : runs) {
     done += run.done, total += run.total;
     if (run.done > 0)
-      static_cast<void>(write_campaign_files(run.folder, read_campaign(run.folder), a.language));
+      static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
   }
   fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", done, total,
              resume_command(a));

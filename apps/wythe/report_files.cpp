@@ -13,6 +13,7 @@
 #include "wythe/formats.h"
 #include "wythe/io.h"
 #include "wythe/report.h"
+#include "wythe/stored_states.h"
 
 namespace wythe::app {
 namespace {
@@ -30,7 +31,7 @@ int report(const ReportArguments& a) {
   if (holds_options(a.folder)) {
     for (const std::string& store : option_folders(a.folder))
       static_cast<void>(
-          write_campaign_files(store, read_campaign(store), a.language, hold_for_test));
+          write_campaign_files(store, read_answers(store), a.language, hold_for_test));
     return compare({.folders = {a.folder}, .out = a.folder, .language = a.language});
   }
   finish_replacement(a.folder);

@@ -33,18 +33,17 @@ const FallTo* fall_to(const Responses& responses, double fraction) {
   return nullptr;
 }
 
-// Readings of cyclic pushes, by record; the stored rows alone give them. Empty where no push was cyclic.
-std::vector<CyclicReadings> cyclic_readings(const Campaign& campaign) {
-  std::vector<CyclicReadings> all;
-  bool any = false;
-  for (const SampleRecord& record : campaign.records) {
-    ResponseOptions read;
-    if (record.status == to_string(SolveStatus::kCollapsed)) read.collapse = record.reason;
-    all.push_back(record.answered() ? read_responses(record.curve, read).cyclic : CyclicReadings{});
-    any = any || all.back().sense != 0;
-  }
-  if (!any) all.clear();
-  return all;
+// Readings of a cyclic push; the stored rows alone give them.
+CyclicReadings cyclic_readings(const SampleRecord& record) {
+  if (!record.answered()) return {};
+  ResponseOptions read;
+  if (record.status == to_string(SolveStatus::kCollapsed)) read.collapse = record.reason;
+  return read_responses(record.curve, read).cyclic;
+}
+
+bool any_cyclic(const Campaign& campaign) {
+  return std::any_of(campaign.records.begin(), campaign.records.end(),
+                     [](const SampleRecord& record) { return cyclic_readings(record).sense != 0; });
 }
 
 constexpr const char* kCyclicTitles =
@@ -122,11 +121,10 @@ std::string title_row(const Campaign& campaign, bool cyclic) {
 std::string samples_csv(const Campaign& campaign) {
   if (campaign.study.shaking.is_asked()) return io::shakes_csv(campaign);
   const bool shaken = any_shaken(campaign);
-  const std::vector<CyclicReadings> cyclic = cyclic_readings(campaign);
-  std::string text = title_row(campaign, !cyclic.empty());
+  const bool cyclic = any_cyclic(campaign);
+  std::string text = title_row(campaign, cyclic);
   if (shaken) text.insert(text.size() - 1, io::shake_titles(campaign.study));
-  for (std::size_t k = 0; k < campaign.records.size(); ++k) {
-    const SampleRecord& record = campaign.records[k];
+  for (const SampleRecord& record : campaign.records) {
     text += std::to_string(record.sample);
     for (std::size_t i = 0; i < record.inputs.size(); ++i) {
       const InputColumn& column = campaign.samples.column[i];
@@ -135,8 +133,8 @@ std::string samples_csv(const Campaign& campaign) {
     text += "," + io::csv_cell(record.status);
     for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;
     text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
-    if (!cyclic.empty())
-      for (const std::string& cell : cyclic_cells(cyclic[k])) text += "," + cell;
+    if (cyclic)
+      for (const std::string& cell : cyclic_cells(cyclic_readings(record))) text += "," + cell;
     if (shaken)
       text += io::shake_cells(campaign.study,
                               record.shakes.empty() ? ShakeAnswer{} : record.shakes.front());

@@ -137,18 +137,29 @@ Json flags_json(const Statistics& s) {
   return list;
 }
 
+// Places of a long list that are written: all, or kMostPoints evenly spaced from the first to the last.
+std::vector<std::size_t> written(std::size_t n) {
+  constexpr std::size_t kMostPoints = 2000;  // more than a picture has columns of pixels
+  std::vector<std::size_t> places(std::min(n, kMostPoints));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = n <= kMostPoints ? i : i * (n - 1) / (kMostPoints - 1);
+  return places;
+}
+
 Json running_json(const Statistics& s) {
   Json json = Json::object();
   for (std::size_t q = 0; q < s.running.size(); ++q) {
     const double scale = quantities()[q].to_unit;
-    Json mean = Json::array(), low = Json::array(), high = Json::array();
-    for (const Estimate& e : s.running[q].mean) {
+    const RunningMean& running = s.running[q];
+    Json n = Json::array(), mean = Json::array(), low = Json::array(), high = Json::array();
+    for (const std::size_t i : written(running.mean.size())) {
+      const Estimate& e = running.mean[i];
+      n.push_back(running.n[i]);
       mean.push_back(number(e.value * scale));
       low.push_back(number(e.interval.low * scale));
       high.push_back(number(e.interval.high * scale));
     }
-    json[key_of(quantities()[q])] = {
-        {"n", s.running[q].n}, {"mean", mean}, {"low", low}, {"high", high}};
+    json[key_of(quantities()[q])] = {{"n", n}, {"mean", mean}, {"low", low}, {"high", high}};
   }
   return json;
 }
@@ -254,7 +265,8 @@ Json exceedance_json(const Exceedance& e, const Quantity& q) {
   const std::string unit = unit_in_key(q);
   Json value = Json::array(), probability = Json::array(), low = Json::array(),
        high = Json::array();
-  for (const ExceedancePoint& p : e.point) {
+  for (const std::size_t i : written(e.point.size())) {
+    const ExceedancePoint& p = e.point[i];
     value.push_back(number(p.value * q.to_unit));
     probability.push_back(number(p.probability.value));
     low.push_back(number(p.probability.interval.low));

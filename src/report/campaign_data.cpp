@@ -1,5 +1,6 @@
 // campaign_data(): what the page of a campaign shows. Statistics are those of statistics.json.
 //
+// Of more than kMostShown samples the page shows so many one by one, evenly spaced; its statistics are of all.
 // Curves go along in single precision; walls as the stored states of each sample, as far as
 // kMostWallNumbers allows: before a sample shows all of its states, every sample shows its last. Each sample
 // brings its own fields.
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "report/bundle.h"
 #include "report/model_inputs.h"
@@ -26,6 +28,25 @@ using namespace report;
 
 constexpr int kDensityPoints = 121;
 constexpr double kMostWallNumbers = 4e6;  // about 5 MB of the page
+constexpr std::size_t kMostShown =
+    2000;  // curves of a picture, rows of a table, samples with a wall
+
+using Shown = std::vector<const SampleRecord*>;
+
+// All, or kMostShown evenly spaced ones and the first of each failure mode that none of them has.
+Shown shown_of(const std::vector<SampleRecord>& records) {
+  Shown shown(std::min(records.size(), kMostShown));
+  std::set<std::string> modes;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    shown[i] = &records[i * records.size() / shown.size()];
+    if (is_answered(*shown[i])) modes.insert(shown[i]->failure_mode.name);
+  }
+  if (shown.size() == records.size()) return shown;
+  for (const SampleRecord& r : records)
+    if (is_answered(r) && modes.insert(r.failure_mode.name).second) shown.push_back(&r);
+  std::sort(shown.begin(), shown.end());  // they stand in one array
+  return shown;
+}
 
 // --- what was drawn ------------------------------------------------------------------------------
 
@@ -106,12 +127,12 @@ Json sample_of(const SampleRecord& r, double read_modes_at) {
   return json;
 }
 
-void add_samples(Bundle& bundle, const Campaign& campaign, double read_modes_at) {
+void add_samples(Bundle& bundle, const Shown& shown, double read_modes_at) {
   Json list = Json::array();
   std::vector<float> displacement, reaction;
-  for (const SampleRecord& r : campaign.records) {
-    list.push_back(sample_of(r, read_modes_at));
-    for (const CurveRow& row : backbone_of(r.curve)) {
+  for (const SampleRecord* r : shown) {
+    list.push_back(sample_of(*r, read_modes_at));
+    for (const CurveRow& row : backbone_of(r->curve)) {
       displacement.push_back(static_cast<float>(row.displacement * 1e3));
       reaction.push_back(static_cast<float>(row.reaction * 1e-3));
     }
@@ -192,16 +213,18 @@ double field_numbers(const Model& model) {
   return numbers;
 }
 
-void add_walls(Bundle& bundle, const Campaign& campaign, const SampleWalls& walls) {
-  if (!walls.build || !walls.states || campaign.records.empty()) return;
+void add_walls(Bundle& bundle, const Campaign& campaign, const Shown& shown,
+               const SampleWalls& walls) {
+  if (!walls.build || !walls.states || shown.empty()) return;
   Json frames = Json::array();
   FrameArrays arrays(false);
   Model first;
   int most = 0;
   bool with_fields = false;  // at most half of the room is theirs
   auto waiting = static_cast<int>(
-      std::count_if(campaign.records.begin(), campaign.records.end(), is_answered));
-  for (const SampleRecord& r : campaign.records) {
+      std::count_if(shown.begin(), shown.end(), [](auto* r) { return is_answered(*r); }));
+  for (const SampleRecord* one : shown) {
+    const SampleRecord& r = *one;
     if (!is_answered(r)) continue;
     --waiting;
     const auto [spec, model] = wall_of(campaign, walls, r.sample);
@@ -261,8 +284,11 @@ std::string campaign_data(const Campaign& campaign, const Statistics& statistics
   }
   if (statistics.shaking.shaking.is_asked()) add_shakes(bundle, campaign);
   add_inputs(bundle, campaign);
-  add_samples(bundle, campaign, statistics.read_modes_at);
-  add_walls(bundle, campaign, walls);
+  const Shown shown = shown_of(campaign.records);
+  if (shown.size() < campaign.records.size())
+    bundle.header["thinned"] = {{"n", shown.size()}, {"of", campaign.records.size()}};
+  add_samples(bundle, shown, statistics.read_modes_at);
+  add_walls(bundle, campaign, shown, walls);
   return bundle.packed();
 }
 

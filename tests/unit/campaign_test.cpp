@@ -11,12 +11,15 @@
 #include "scenes/changed_store.h"
 #include "scenes/small_study.h"
 #include "study/campaign/sample_run.h"
+#include "study/store/digest.h"
 #include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
+#include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
+#include "wythe/stored_states.h"
 
 namespace wythe {
 namespace {
@@ -143,6 +146,37 @@ TEST(Campaign, contradicting_shards_do_not_merge) {
     merge_campaigns({folder / "a", folder / "b"}, folder / "m");
   });
   EXPECT_TRUE(has(said, "sample 2: completed with state other here")) << said;
+}
+
+// Shards say by a checksum that they drew the same, so that not every one is read to its end; what they ran with is read.
+TEST(Campaign, a_shard_whose_inputs_are_forged_does_not_merge) {
+  const TemporaryFolder folder;
+  run(scenes::small_study(4), folder / "a", {.shard = 1, .shards = 2});
+  run(scenes::small_study(4), folder / "b", {.shard = 2, .shards = 2});
+  {
+    study::Store store(folder / "b", study::Store::Access::kWrite);
+    const std::string digest = store.inputs_digest();
+    store.database().execute("UPDATE sample_input SET value = value * 1.5 WHERE sample = 2");
+    scenes::renew_checksums(folder / "b");
+    study::Statement(store.database(), "UPDATE study SET value = ? WHERE key = ?")
+        .run(digest, study::kInputsDigest);
+    ASSERT_EQ(store.inputs_digest(), digest);
+  }
+  const std::string said = refusal<IoError>([&] {
+    merge_campaigns({folder / "a", folder / "b"}, folder / "m");
+  });
+  EXPECT_TRUE(has(said, "/b/campaign.db") && has(said, "sample 2")) << said;
+  EXPECT_FALSE(fs::exists(folder / "m"));
+}
+
+TEST(Campaign, what_statistics_need_is_read_as_the_whole) {
+  const TemporaryFolder folder;
+  run(scenes::small_study(3), folder / "out");
+  const Campaign whole = read_campaign(folder / "out"), answers = read_answers(folder / "out");
+  ASSERT_EQ(answers.records.size(), 3U);
+  EXPECT_EQ(samples_csv(answers), samples_csv(whole));
+  EXPECT_EQ(statistics_json(full_statistics(answers)), statistics_json(full_statistics(whole)));
+  EXPECT_TRUE(answers.records[0].features.empty() && !whole.records[0].features.empty());
 }
 
 TEST(Campaign, a_stop_keeps_what_is_done_and_resume_finishes) {

@@ -1,6 +1,7 @@
 // Stores of every version so far, and stores that somebody has changed: read as what they are, or refused
 // by name; never a crash, never a number from beyond an array.
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -322,6 +323,22 @@ TEST_F(ChangedStore, a_changed_sample_is_neither_reported_merged_nor_continued) 
     const std::string merged = said_by([&] { merge_campaigns({out_}, folder_ / "merged"); });
     EXPECT_TRUE(has(merged, "damaged") && !fs::exists(folder_ / "merged")) << sql << merged;
   }
+}
+
+// A byte of the view would turn Pa into something else for whoever asks it, with every row as it was.
+TEST_F(ChangedStore, a_table_or_view_that_is_declared_otherwise_is_found) {
+  for (const char* sql :
+       {"UPDATE sqlite_schema SET sql = replace(sql, 'e-06', 'e-05') WHERE name = 'samples'",
+        "UPDATE sqlite_schema SET sql = replace(sql, 'element TEXT', 'element TEYT') WHERE name = "
+        "'evidence'"}) {
+    put_back();
+    study::Database database(study::store_path(out_), study::Database::Access::kWrite);
+    sqlite3_db_config(database.handle(), SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+    database.execute(std::string("PRAGMA writable_schema = 1; ") + sql);
+    ASSERT_GT(sqlite3_changes(database.handle()), 0) << sql;
+    EXPECT_TRUE(has(said_by([&] { check_campaign(out_); }), "damaged")) << sql;
+  }
+  put_back();
 }
 
 TEST_F(ChangedStore, rows_of_a_sample_that_is_not_stored_are_found) {

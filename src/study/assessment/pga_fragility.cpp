@@ -41,27 +41,18 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
   out.point = study::kaplan_meier(readings);
   const Lognormal fit = study::fit_lognormal(readings, Counts(readings.size(), 1));
   if (!std::isfinite(fit.median)) return;
-  std::vector<Lognormal> replicates;
-  std::vector<double> betas;
+  study::LognormalReplicates by;
   if (n >= study::kFewestForBootstrap) {
-    const std::vector<double> medians = study::replicates(n, [&](const Counts& count) {
-      const Lognormal again = study::fit_lognormal(readings, count);
-      if (std::isfinite(again.beta)) replicates.push_back(again), betas.push_back(again.beta);
-      return again.median;
-    });
-    std::sort(betas.begin(), betas.end());
-    out.median.interval = {study::quantile_of(medians, 0.025), study::quantile_of(medians, 0.975)};
-    out.beta_capacity.interval = {study::quantile_of(betas, 0.025),
-                                  study::quantile_of(betas, 0.975)};
+    by = study::lognormal_replicates(readings, fit);
+    out.median.interval = by.median, out.beta_capacity.interval = by.beta;
   }
   out.median.value = fit.median, out.beta_capacity.value = fit.beta;
   const double scatter = std::isnan(stated_scatter) ? 0 : stated_scatter;
   out.beta = std::hypot(fit.beta, scatter);
   const double last = std::fmax(fit.median * std::exp(3 * out.beta), 1.1 * out.demand);
   for (int i = 0; i <= kGrid; ++i)
-    out.curve.push_back(
-        {last * i / kGrid, probability(last * i / kGrid, fit, replicates, scatter)});
-  if (out.demand > 0) out.at_demand = probability(out.demand, fit, replicates, scatter);
+    out.curve.push_back({last * i / kGrid, probability(last * i / kGrid, fit, by.fit, scatter)});
+  if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter);
 }
 
 // Whether a sample with this key set has the mass, the shape and the spectrum of the base model.

@@ -2,6 +2,7 @@
 
 #include <openturns/ComposedDistribution.hxx>
 #include <openturns/CorrectedLeaveOneOut.hxx>
+#include <openturns/Exception.hxx>
 #include <openturns/FixedStrategy.hxx>
 #include <openturns/FunctionalChaosAlgorithm.hxx>
 #include <openturns/LARS.hxx>
@@ -35,8 +36,12 @@ std::vector<Term> chosen_terms(const Columns& inputs, const std::vector<double>&
       x, y, cube, OT::FixedStrategy(basis, terms),
       OT::LeastSquaresStrategy(
           OT::LeastSquaresMetaModelSelectionFactory(OT::LARS(), OT::CorrectedLeaveOneOut())));
-  algorithm.run();
   std::vector<Term> chosen = {Term(dimension, 0)};
+  try {
+    algorithm.run();
+  } catch (const OT::Exception&) {  // nothing to choose: the response is one value
+    return chosen;
+  }
   for (const OT::UnsignedInteger at : algorithm.getResult().getIndices()) {
     const OT::Indices degrees = order(at);
     Term term(degrees.begin(), degrees.end());

@@ -3,7 +3,8 @@
 // A replicate draws n samples out of n with replacement; it is told as a count for each sample, so
 // that a statistic over sorted values needs no sorting again. Random bits are splitmix64 from a
 // fixed seed: the same samples give the same intervals, and every statistic sees the same
-// replicates. Reference: Efron and Tibshirani, An Introduction to the Bootstrap (1993).
+// replicates. References: Efron and Tibshirani, An Introduction to the Bootstrap (1993); of more samples
+// than kMostResampled: Bickel, Goetze and van Zwet, Statistica Sinica 7 (1997), (7.1b) of docs/theory/statistics.md.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,7 @@ namespace wythe::study {
 
 inline constexpr int kReplicates = 2000;
 inline constexpr int kFewestForBootstrap = 5;  // fewer samples say nothing about their own scatter
+inline constexpr int kMostResampled = 2000;    // of more, so many stand for all
 
 // Random numbers: splitmix64 (Steele, Lea and Flood 2014).
 class RandomBits {
@@ -41,11 +43,49 @@ class RandomBits {
 using Counts = std::vector<int>;
 using Statistic = std::function<double(const Counts& count)>;
 
+// Calls visit with the counts of each replicate in turn.
+void each_replicate(int n, const std::function<void(const Counts& count)>& visit);
 // Ascending values of the statistic over the replicates; NaN (undefined there) left out.
 [[nodiscard]] std::vector<double> replicates(int n, const Statistic& statistic);
-// 2.5 and 97.5 % of the replicates.
+
+// Efron's acceleration from the statistic with each sample left out in turn: their skewness.
+[[nodiscard]] double acceleration_of(const std::vector<double>& left_out);
+// 2.5 and 97.5 % of the replicates about an estimate, and the same bias-corrected and accelerated. Replicates
+// in any order, NaN among them.
+[[nodiscard]] Estimate percentile_interval(double value, std::vector<double> replicates);
+[[nodiscard]] Estimate bca_interval(double value, std::vector<double> replicates,
+                                    double acceleration);
+
+// Of n samples, by a statistic; at most kMostResampled, which the caller sees to by Resampled.
 [[nodiscard]] Estimate percentile_bootstrap(int n, const Statistic& statistic);
-// Bias-corrected and accelerated; the acceleration from the jackknife.
+// The acceleration from the jackknife.
 [[nodiscard]] Estimate bca_bootstrap(int n, const Statistic& statistic);
+
+// Those of n samples that stand for all: themselves, or one at random of each of `most` equal parts (at random, since every kth point of a Sobol sequence lies in one half). An interval of m of n samples, drawn m at a
+// time, is wider by sqrt(n/m) than that of all; `of_all` takes that back:
+//   end = all + (end_m - part) sqrt(m/n)
+class Resampled {
+ public:
+  explicit Resampled(std::size_t n, int most = kMostResampled);
+  [[nodiscard]] int size() const { return m_; }
+  [[nodiscard]] bool is_all() const { return place_.empty(); }
+  template <class Item>
+  [[nodiscard]] std::vector<Item> of(const std::vector<Item>& all) const {
+    if (is_all()) return all;
+    std::vector<Item> taken;
+    for (const std::size_t i : place_) taken.push_back(all[i]);
+    return taken;
+  }
+  // How far a replicate scatters, as one of all samples.
+  [[nodiscard]] double narrowed(double scatter) const { return shrink_ * scatter; }
+  // A replicate, or an end of its interval, that scatters about `part`, as one that scatters about `all`.
+  [[nodiscard]] double of_all(double end, double part, double all) const;
+  [[nodiscard]] Estimate of_all(const Estimate& part, double all) const;
+
+ private:
+  int m_;
+  double shrink_ = 1;
+  std::vector<std::size_t> place_;
+};
 
 }  // namespace wythe::study

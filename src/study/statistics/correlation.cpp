@@ -243,10 +243,16 @@ FirstOrderIndex first_order_index(const Column& input, const Column& response) {
   if (!std::isfinite(out.index.value)) return out;
   // To a replicate the samples are the truth, and its index estimates their ratio(), chance
   // included: index - S scatters as the replicates' index - ratio().
-  const std::vector<double> values =
-      replicates(n, [&](const Counts& count) { return analyse(bin, out.bins, y, count).index(); });
-  out.index.interval = {out.index.value - (quantile_of(values, 0.975) - own.ratio()),
-                        out.index.value - (quantile_of(values, 0.025) - own.ratio())};
+  const Resampled part(response.size());
+  const std::vector<int> bins = part.of(bin);
+  const Column few = part.is_all() ? y : centred(part.of(response));
+  const double centre =
+      part.is_all() ? own.ratio() : analyse(bins, out.bins, few, Counts(part.size(), 1)).ratio();
+  const std::vector<double> values = replicates(part.size(), [&](const Counts& count) {
+    return analyse(bins, out.bins, few, count).index();
+  });
+  const auto above = [&](double p) { return part.narrowed(quantile_of(values, p) - centre); };
+  out.index.interval = {out.index.value - above(0.975), out.index.value - above(0.025)};
   return out;
 }
 

@@ -359,7 +359,8 @@ Fragility fragility_of(const Answered& samples, const FragilityEvent& event) {
 
 }  // namespace
 
-std::vector<Fragility> fragilities(const Answered& samples) {
+std::vector<Fragility> fragilities(const Answered& whole) {
+  const Answered samples = for_fits(whole);
   std::vector<Fragility> all;
   if (samples.n() == 0) return all;
   for (const FragilityEvent& event : events_of(samples))

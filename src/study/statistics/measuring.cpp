@@ -94,6 +94,12 @@ class LeastSquares {
   Column y_;
 };
 
+Columns parts_of(const Resampled& part, const Columns& columns) {
+  Columns taken;
+  for (const Column& column : columns) taken.push_back(part.of(column));
+  return taken;
+}
+
 // Less what chance explains (Ezekiel).
 double corrected(double explained, int n, std::size_t terms) {
   return 1 - (1 - explained) * (n - 1) / (n - static_cast<double>(terms));
@@ -259,15 +265,23 @@ void tell_indices(const Columns& u, const Column& y, int degree, SurrogateIndice
     return;
   }
   std::vector<std::vector<double>> first(u.size()), total(u.size());
-  static_cast<void>(replicates(n, [&](const Counts& count) {
-    const std::vector<double> again = fit.solve(count);
-    if (again.empty()) return kUnset;
-    const auto shares = shares_of(terms, again);
-    for (std::size_t k = 0; k < shares.size(); ++k)
-      first[k].push_back(shares[k].first), total[k].push_back(shares[k].second);
-    return kUnset;
-  }));
+  const Resampled part(y.size());
+  const LeastSquares few =
+      part.is_all() ? fit : LeastSquares(columns_of(terms, parts_of(part, u)), part.of(y));
+  const std::vector<double> b_of_few = part.is_all() ? b : few.solve(Counts(part.size(), 1));
   const auto shares = shares_of(terms, b);
+  if (!b_of_few.empty()) {
+    const auto centre = shares_of(terms, b_of_few);
+    each_replicate(part.size(), [&](const Counts& count) {
+      const std::vector<double> again = few.solve(count);
+      if (again.empty()) return;
+      const auto of_few = shares_of(terms, again);
+      for (std::size_t k = 0; k < shares.size(); ++k) {
+        first[k].push_back(part.of_all(of_few[k].first, centre[k].first, shares[k].first));
+        total[k].push_back(part.of_all(of_few[k].second, centre[k].second, shares[k].second));
+      }
+    });
+  }
   for (std::size_t k = 0; k < shares.size(); ++k) {
     out.input[k].first_order = widened(shares[k].first, first[k], out.q2);
     out.input[k].total = widened(shares[k].second, total[k], out.q2);
@@ -283,10 +297,14 @@ Estimate variance_taken(const std::vector<double>& input, const std::vector<doub
   const double raw = fit.explained(Counts(n, 1));
   if (std::isnan(raw)) return {};
   const double value = corrected(raw, n, fit.size());
-  static_cast<void>(replicates(n, [&](const Counts& count) {
-    replicate.push_back(corrected(fit.explained(count), n, fit.size()));
-    return kUnset;
-  }));
+  const Resampled part(response.size());
+  const int m = part.size();
+  const LeastSquares few = part.is_all() ? fit : cubic_of(part.of(input), part.of(response));
+  const double centre = part.is_all() ? raw : few.explained(Counts(m, 1));
+  each_replicate(m, [&](const Counts& count) {
+    const double again = corrected(few.explained(count), m, few.size());
+    replicate.push_back(part.of_all(again, centre, raw));
+  });
   std::vector<double> ascending = replicate;
   std::erase_if(ascending, [](double v) { return std::isnan(v); });
   std::sort(ascending.begin(), ascending.end());
@@ -296,7 +314,8 @@ Estimate variance_taken(const std::vector<double>& input, const std::vector<doub
            value - (quantile_of(ascending, 0.025) - raw)}};
 }
 
-std::vector<Measuring> measurings(const Answered& samples) {
+std::vector<Measuring> measurings(const Answered& whole) {
+  const Answered samples = for_fits(whole);
   std::vector<Measuring> all;
   for (const char* name : {"peak_reaction", "displacement_at_80_percent", "initial_stiffness"})
     take_response(samples, quantity_named(name), all);
@@ -324,7 +343,8 @@ SurrogateIndices indices_of(const Columns& inputs, const Column& response) {
   return out;
 }
 
-std::vector<SurrogateIndices> surrogate_indices(const Answered& samples) {
+std::vector<SurrogateIndices> surrogate_indices(const Answered& whole) {
+  const Answered samples = for_fits(whole);
   std::vector<SurrogateIndices> all;
   const SampleTable& table = samples.campaign.samples;
   const auto& pairs = samples.campaign.study.correlation;

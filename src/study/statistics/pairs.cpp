@@ -104,9 +104,11 @@ void take_means(PairedResponse& r, const Sides& sides) {
   r.difference = difference.student();
   r.standard_deviation = difference.standard_deviation();
   const int n = r.in_means;
-  r.difference_bootstrap = bca_bootstrap(n, [&](const Counts& count) {
-                             return mean_of(sides.difference, count);
-                           }).interval;
+  const Resampled part(sides.difference.size());
+  const Column few = part.of(sides.difference);
+  const Estimate of_few =
+      bca_bootstrap(part.size(), [&](const Counts& count) { return mean_of(few, count); });
+  r.difference_bootstrap = part.of_all(of_few, difference.mean()).interval;
   Moments logarithm;
   bool positive = n > 0;
   for (std::size_t i = 0; i < sides.base.size(); ++i) {
@@ -120,15 +122,23 @@ void take_means(PairedResponse& r, const Sides& sides) {
 }
 
 void take_scatter(PairedResponse& r, const Sides& sides) {
-  const int n = r.in_means;
-  const auto of_base = [&](const Counts& count) { return cov_of(sides.base, count); };
-  const auto of_option = [&](const Counts& count) { return cov_of(sides.option, count); };
   if (std::isnan(r.up_to)) {  // values that are cut have no scatter of their own
-    r.cov_base = percentile_bootstrap(n, of_base);
-    r.cov_option = percentile_bootstrap(n, of_option);
-    r.cov_ratio = percentile_bootstrap(n, [&](const Counts& count) {
-      const double base = of_base(count);
-      return base > 0 ? of_option(count) / base : kUnset;
+    const Resampled part(sides.base.size());
+    const Column bases = part.of(sides.base), options = part.of(sides.option);
+    const Counts once(sides.base.size(), 1);
+    const auto scatter = [&](const auto& of) {
+      const Estimate of_few = percentile_bootstrap(
+          part.size(), [&](const Counts& count) { return of(bases, options, count); });
+      return part.of_all(of_few, of(sides.base, sides.option, once));
+    };
+    r.cov_base = scatter(
+        [](const Column& base, const Column&, const Counts& count) { return cov_of(base, count); });
+    r.cov_option = scatter([](const Column&, const Column& option, const Counts& count) {
+      return cov_of(option, count);
+    });
+    r.cov_ratio = scatter([](const Column& base, const Column& option, const Counts& count) {
+      const double of_base = cov_of(base, count);
+      return of_base > 0 ? cov_of(option, count) / of_base : kUnset;
     });
   }
   r.correlation = pearson(sides.base, sides.option);

@@ -17,6 +17,9 @@ struct Answered {
   [[nodiscard]] int n() const { return static_cast<int>(record.size()); }
 };
 [[nodiscard]] Answered answered_of(const Campaign& campaign);
+// What a model is fitted to many times over: all samples, or so many of more, one at random of each of equal parts.
+inline constexpr int kMostFitted = 10000;
+[[nodiscard]] Answered for_fits(const Answered& samples);
 
 // Samples taken together: all, one mode, some modes.
 struct Group {

@@ -182,6 +182,27 @@ Lognormal fit_lognormal(const std::vector<Reading>& readings, const Counts& coun
   return {std::exp(now.mean), now.sigma};
 }
 
+LognormalReplicates lognormal_replicates(const std::vector<Reading>& readings,
+                                         const Lognormal& fit) {
+  const Resampled part(readings.size());
+  const std::vector<Reading> taken = part.of(readings);
+  const Lognormal centre =
+      part.is_all() ? fit : fit_lognormal(taken, Counts(static_cast<std::size_t>(part.size()), 1));
+  LognormalReplicates out;
+  std::vector<double> medians, betas;
+  each_replicate(part.size(), [&](const Counts& count) {
+    Lognormal again = fit_lognormal(taken, count);
+    if (!std::isfinite(again.beta)) return;
+    again.median = part.of_all(again.median, centre.median, fit.median);
+    again.beta = part.of_all(again.beta, centre.beta, fit.beta);
+    out.fit.push_back(again);
+    medians.push_back(again.median), betas.push_back(again.beta);
+  });
+  out.median = percentile_interval(fit.median, std::move(medians)).interval;
+  out.beta = percentile_interval(fit.beta, std::move(betas)).interval;
+  return out;
+}
+
 Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readings) {
   readings = in_order(std::move(readings));
   const int n = static_cast<int>(readings.size());
@@ -192,15 +213,8 @@ Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readi
   const Lognormal fit = fit_lognormal(readings, Counts(n, 1));
   out.median.value = fit.median, out.beta.value = fit.beta;
   if (n >= kFewestForBootstrap && std::isfinite(fit.median)) {
-    std::vector<double> betas;
-    const std::vector<double> medians = replicates(n, [&](const Counts& count) {
-      const Lognormal again = fit_lognormal(readings, count);
-      if (std::isfinite(again.beta)) betas.push_back(again.beta);
-      return again.median;
-    });
-    std::sort(betas.begin(), betas.end());
-    out.median.interval = {quantile_of(medians, 0.025), quantile_of(medians, 0.975)};
-    out.beta.interval = {quantile_of(betas, 0.025), quantile_of(betas, 0.975)};
+    const LognormalReplicates by = lognormal_replicates(readings, fit);
+    out.median.interval = by.median, out.beta.interval = by.beta;
   }
   out.misfit = misfit_of(fit, out.point);
   return out;

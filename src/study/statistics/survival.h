@@ -36,6 +36,14 @@ struct Lognormal {
 };
 [[nodiscard]] Lognormal fit_lognormal(const std::vector<Reading>& readings, const Counts& count);
 
+// The fits of the replicates, and what 95 % of them hold.
+struct LognormalReplicates {
+  std::vector<Lognormal> fit;
+  Interval median, beta;
+};
+[[nodiscard]] LognormalReplicates lognormal_replicates(const std::vector<Reading>& in_order,
+                                                       const Lognormal& fit);
+
 // Exceedance curve, fit and misfit of a quantity.
 [[nodiscard]] Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readings);
 

@@ -94,6 +94,14 @@ void Statement::bind(Bytes bytes) {
 }
 void Statement::bind_null() { check(sqlite3_bind_null(statement_.get(), ++parameter_)); }
 
+void Statement::bind_row(Statement& row) {
+  for (int at = 0; at < row.columns(); ++at)
+    check(sqlite3_bind_value(statement_.get(), ++parameter_,
+                             sqlite3_column_value(row.statement_.get(), at)));
+}
+
+int Statement::columns() const { return sqlite3_column_count(statement_.get()); }
+
 bool Statement::step() {
   column_ = 0;
   const int code = sqlite3_step(statement_.get());
@@ -191,7 +199,8 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
   // A reader that may write takes the journal away when it is the last to close the file.
   const bool only_reads = reads && !writable;
   const bool lies_still = only_reads && !std::filesystem::exists(name_ + "-wal");
-  int flags = SQLITE_OPEN_URI | SQLITE_OPEN_FULLMUTEX;
+  // nobody uses one connection from two threads at once: its lock took a tenth of a merge
+  int flags = SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
   flags |= only_reads ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
   if (!reads) flags |= SQLITE_OPEN_CREATE;
   sqlite3* handle = nullptr;
@@ -232,8 +241,9 @@ std::int64_t Database::integer(const std::string& sql) {
 
 void Database::take(double bytes) {
   taken_ += bytes;
-  if (const double most = memory_limit(); taken_ > most)
-    damaged(fmt::format("it unpacks to more than {:.3g} GB, all that may be used", 1e-9 * most));
+  if (taken_ > most_ || std::isnan(most_)) most_ = memory_limit();
+  if (taken_ > most_)
+    damaged(fmt::format("it unpacks to more than {:.3g} GB, all that may be used", 1e-9 * most_));
 }
 
 void Database::damaged(const std::string& what) const {

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -34,6 +35,8 @@ class Statement {
   void bind(std::string_view text);
   void bind(Bytes bytes);
   void bind_null();
+  // A whole row of another statement, value by value.
+  void bind_row(Statement& row);
   template <std::integral I>
   void bind(I value) {
     bind(static_cast<std::int64_t>(value));
@@ -52,6 +55,7 @@ class Statement {
     reset();
   }
 
+  [[nodiscard]] int columns() const;
   // The next column of the row; NULL reads as NaN, 0 or "". A value of another type is damage.
   [[nodiscard]] double number();
   [[nodiscard]] std::int64_t integer();
@@ -103,7 +107,8 @@ class Database {
     void operator()(sqlite3* handle) const;
   };
   std::string name_;
-  double taken_ = 0;  // bytes
+  double taken_ = 0;                                        // bytes
+  double most_ = std::numeric_limits<double>::quiet_NaN();  // that may be taken; asked for once
   std::unique_ptr<sqlite3, Close> handle_;
 };
 

@@ -95,7 +95,8 @@ std::int64_t SampleDigests::record(int sample) {
 std::int64_t SampleDigests::states(int sample) { return of(state_, sample, 0); }
 
 void SampleDigests::write(int sample) {
-  Statement(database_, insert_sql("digest", 3)).run(sample, record(sample), states(sample));
+  if (!insert_) insert_.emplace(database_, insert_sql("digest", 3));
+  insert_->run(sample, record(sample), states(sample));
 }
 
 std::optional<SampleDigest> SampleDigests::stored(int sample) {
@@ -136,6 +137,24 @@ void check_study_digest(Database& database) {
 
 void check_inputs_digest(Database& database) {
   check(database, kInputsDigest, input_rows(), "what was drawn (table sample_input)");
+}
+
+std::string schema_digest(Database& database) {
+  std::vector<std::string> names = result_tables();
+  names.insert(names.end(), {"study", "input", "sample_input", "samples"});
+  return digest_of(database,
+                   {fmt::format("SELECT name, sql FROM main.sqlite_schema WHERE name IN ('{}') "
+                                "ORDER BY name",
+                                fmt::join(names, "', '"))});
+}
+
+void check_schema_digest(Database& database) {
+  const OneMoment moment(database);
+  Statement select(database, "SELECT value FROM study WHERE key = ?");
+  select.bind(kSchemaDigest);
+  if (select.step() && select.text() != schema_digest(database))
+    database.damaged(
+        "a table or the view samples is not declared as it was (the checksum differs)");
 }
 
 OneMoment::OneMoment(Database& database) : database_(database) {

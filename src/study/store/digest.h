@@ -18,6 +18,7 @@ namespace wythe::study {
 
 inline constexpr const char* kStudyDigest = "digest";
 inline constexpr const char* kInputsDigest = "digest_inputs";
+inline constexpr const char* kSchemaDigest = "digest_schema";
 
 struct SampleDigest {
   std::int64_t record = 0, states = 0;
@@ -48,6 +49,7 @@ class SampleDigests {
   std::vector<Table> tables_;
   Table state_;
   Statement stored_;
+  std::optional<Statement> insert_;  // only of a store that is written
 };
 
 // Writes both digests of the study anew: in the transaction that changed its rows.
@@ -55,6 +57,10 @@ void write_study_digests(Database& database);
 // IoError where table study or input is not what was stored; where sample_input is not.
 void check_study_digest(Database& database);
 void check_inputs_digest(Database& database);
+// Of the tables and the view that a store is made with, as they are declared: a value by itself in table study. Stores
+// made before it was kept have none, and pass.
+[[nodiscard]] std::string schema_digest(Database& database);
+void check_schema_digest(Database& database);
 
 // What is read between stands as it was at one moment, also while a campaign writes.
 class OneMoment {

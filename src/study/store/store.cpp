@@ -75,8 +75,9 @@ struct Taker {
   }
 };
 
+template <class Prepared>
 struct ListWriter {
-  Database& database;
+  const Prepared& prepared;
   int sample;
   const RecordLists& lists;
   template <class Member, class Columns>
@@ -85,7 +86,7 @@ struct ListWriter {
     if (members.empty()) return;
     ColumnNames names;
     columns(names, members.front());
-    Statement insert(database, insert_sql(table, 2 + static_cast<int>(names.columns.size())));
+    Statement& insert = prepared(insert_sql(table, 2 + static_cast<int>(names.columns.size())));
     for (std::size_t i = 0; i < members.size(); ++i) {
       insert.bind(sample);
       insert.bind(i);
@@ -363,7 +364,8 @@ void create_store(const std::string& folder, const StudySpec& spec, const Sample
                              {"provenance", head.provenance},
                              {"shard", head.shard},
                              {"load_height_m", fmt::format("{}", head.load_height)},
-                             {"until_met_at", ""}});
+                             {"until_met_at", ""},
+                             {kSchemaDigest, schema_digest(database)}});
   write_study_rows(database, rows);
   write_columns(database, samples);
   write_inputs(database, samples, 1);
@@ -389,6 +391,14 @@ void Store::set_value(const std::string& key, const std::string& value) {
 SampleDigests& Store::digests() {
   if (!digests_) digests_.emplace(database_);
   return *digests_;
+}
+
+Statement& Store::prepared(const std::string& sql) {
+  const auto found = prepared_.find(sql);
+  if (found == prepared_.end())
+    return prepared_.emplace(sql, Statement(database_, sql)).first->second;
+  found->second.reset();
+  return found->second;
 }
 
 StudySpec Store::study() {
@@ -476,7 +486,7 @@ void Store::write(const PackedSample& sample) {
   Transaction transaction(database_);
   std::string columns = "sample", places = "?";
   for (const auto& [name, type] : record_columns().columns) columns += ", " + name, places += ",?";
-  Statement insert(database_, fmt::format("INSERT INTO sample ({}) VALUES ({})", columns, places));
+  Statement& insert = prepared(fmt::format("INSERT INTO sample ({}) VALUES ({})", columns, places));
   insert.bind(r.sample);
   Binder binder{insert};
   each_column(binder, r);
@@ -484,12 +494,13 @@ void Store::write(const PackedSample& sample) {
   each_answer(binder, r);
   insert.run();
   const RecordLists lists = lists_of(r);
-  ListWriter writer{database_, r.sample, lists};
+  const auto kept = [this](const std::string& sql) -> Statement& { return prepared(sql); };
+  ListWriter<decltype(kept)> writer{kept, r.sample, lists};
   each_list(writer);
   if (!sample.curve.empty())
-    Statement(database_, insert_sql("curve", 4))
+    prepared(insert_sql("curve", 4))
         .run(r.sample, r.curve.size(), Bytes{sample.curve}, curve_column_names());
-  Statement insert_state(database_, insert_sql("state", 9));
+  Statement& insert_state = prepared(insert_sql("state", 9));
   for (std::size_t i = 0; i < sample.states.size(); ++i) {
     const PackedState& s = sample.states[i];
     insert_state.run(r.sample, i, s.label, s.displacement, s.reaction, s.blocks, s.points,
@@ -538,11 +549,6 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
     s.state = state_at_rest(arrays, rest);
   }
   return states;
-}
-
-int last_counted(Store& store) {
-  const int met = store.number_of_sample("until_met_at");
-  return met == 0 ? std::numeric_limits<int>::max() : met;
 }
 
 std::vector<SampleRecord> Store::records(int last) { return records(samples(), kWhole, last); }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -77,8 +78,13 @@ class Store {
   // False for an older schema, which is only shown as the present one.
   [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
   // Reads every page and every row but the states, and compares all with their checksums (digest.h), which a
-  // store before version 6 has not; IoError where one is damaged.
-  void check_whole();
+  // store before version 6 has not; IoError where one is damaged. A few samples at a time. `drawn`: what another
+  // store of the same study drew, where this one says that it drew the same (inputs_digest()); then of its own
+  // table only the rows of samples that ran are read.
+  void check_whole(const SampleTable* drawn = nullptr);
+  [[nodiscard]] std::string inputs_digest();  // as stored
+  // Throws IoError where a table has rows of a sample that is not stored.
+  void check_no_other_sample();
   // The same of the states of every sample that is stored.
   void check_states();
   [[nodiscard]] Database& database() { return database_; }
@@ -87,11 +93,13 @@ class Store {
   void check_version(Access access);
   void check_tables();
   void show_as_present();
-  void check_no_other_sample();
+  void check_inputs_of(const SampleTable& drawn);
   SampleDigests& digests();
+  Statement& prepared(const std::string& sql);  // kept, ready for its binds
   Database database_;
   std::int64_t version_ = kSchemaVersion;
   std::optional<SampleDigests> digests_;
+  std::map<std::string, Statement> prepared_;
 };
 
 // How a sample, or a shake of one, that is stored has ended.

@@ -1,8 +1,10 @@
 // Whether a store is what was written: pages, rows and checksums.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "study/store/store.h"
 #include "study/store/store_schema.h"
@@ -50,12 +52,40 @@ bool Store::is_whole(int sample) {
   return passes([&] { digests().check_record(sample); });
 }
 
-void Store::check_whole() {
+void Store::check_whole(const SampleTable* drawn) {
+  constexpr std::size_t kAtOnce = 256;
   Statement check(database_, "PRAGMA quick_check(1)");
   const std::string verdict = check.step() ? check.text() : "";
   if (verdict != "ok") database_.damaged(verdict);
-  static_cast<void>(records(std::numeric_limits<int>::max()));
+  check_schema_digest(database_);
+  if (drawn != nullptr) check_inputs_of(*drawn);
+  const SampleTable own = drawn == nullptr ? samples() : SampleTable{};
+  const SampleTable& table = drawn == nullptr ? own : *drawn;
+  const std::set<int> there = done();
+  const std::vector<int> ran(there.begin(), there.end());
+  for (std::size_t i = 0; i < ran.size(); i += kAtOnce) {
+    static_cast<void>(records(table, ran[i], ran[std::min(i + kAtOnce, ran.size()) - 1]));
+    database_.give_back();
+  }
   check_no_other_sample();
+}
+
+std::string Store::inputs_digest() { return value(kInputsDigest); }
+
+void Store::check_inputs_of(const SampleTable& drawn) {
+  Statement select(
+      database_,
+      "SELECT sample, position, value FROM sample_input WHERE sample IN (SELECT sample "
+      "FROM main.sample) ORDER BY sample, position");
+  while (select.step()) {
+    const auto sample = static_cast<std::size_t>(select.integer(1, drawn.n_sample()));
+    const std::vector<double>& inputs = drawn.value[sample - 1];
+    const auto position =
+        static_cast<std::size_t>(select.integer(0, static_cast<std::int64_t>(inputs.size()) - 1));
+    const double value = select.number(), other = inputs[position];
+    if (value != other && !(std::isnan(value) && std::isnan(other)))
+      select.damaged("an input is not what the checksum of all inputs says");
+  }
 }
 
 // A row of a sample that is not stored belongs to none.
@@ -73,7 +103,13 @@ void Store::check_no_other_sample() {
 }
 
 void Store::check_states() {
+  const OneMoment moment(database_);
   for (const int sample : done()) digests().check_states(sample);
+}
+
+int last_counted(Store& store) {
+  const int met = store.number_of_sample("until_met_at");
+  return met == 0 ? std::numeric_limits<int>::max() : met;
 }
 
 }  // namespace wythe::study

@@ -152,6 +152,10 @@ export class Campaign {
       return { ...input, unit, values, density };
     });
   }
+  // Of very many samples the page shows some; "" where it shows all.
+  get thinned(): string {
+    return this.header.thinned ? say("thinned", this.header.thinned) : "";
+  }
   // What the statistics say of an input, in the page's units.
   statisticsOf(name: string): any {
     const of = (this.statistics.inputs as any[]).find((i) => i.name === name) ?? {};

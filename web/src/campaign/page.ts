@@ -103,16 +103,20 @@ function shakenSections(campaign: Campaign): Section[] {
   ];
 }
 
+// Where samples stand one by one: of very many not all.
+const some = (campaign: Campaign): Child =>
+  campaign.thinned ? h("p", { class: "note thinned" }, campaign.thinned) : null;
+
 export function campaignSections(bundle: Bundle): Section[] {
   const campaign = new Campaign(bundle);
   if (isShaken(campaign)) return shakenSections(campaign);
-  const some = campaign.answered.length > 0,
+  const any = campaign.answered.length > 0,
     several = campaign.answered.length > 1;
   const panel = campaign.samples.length > 0 ? new SamplePanel(campaign) : null;
   const sections: Section[] = [
     campaignSheet(campaign, panel),
     projectSection(campaign.header),
-    { id: "all-curves", title: say("section.curves"), content: some ? new Curves(campaign).element : null },
+    { id: "all-curves", title: say("section.curves"), content: any ? [some(campaign), new Curves(campaign).element] : null },
     {
       id: "modes",
       title: say("section.modes"),
@@ -152,6 +156,7 @@ export function campaignSections(bundle: Bundle): Section[] {
       content:
         campaign.answered.length >= 5
           ? [
+              some(campaign),
               scatters(campaign),
               h("div", { class: "spaced" }, sensitivity(campaign), entangled(campaign)),
               sensitivityTable(campaign),
@@ -175,7 +180,7 @@ export function campaignSections(bundle: Bundle): Section[] {
           ? h("div", { class: "pair" }, running(campaign), h("div", {}, precision(campaign)))
           : null,
     },
-    { id: "sample", title: say("section.sample"), content: panel?.element },
+    { id: "sample", title: say("section.sample"), content: panel ? [some(campaign), panel.element] : null },
     { id: "unanswered", title: say("section.unanswered"), content: unanswered(campaign) },
     {
       id: "study",

@@ -32,7 +32,11 @@ export class SamplePanel {
       if (found) campaign.select(found);
       else
         this.body.replaceChildren(
-          h("p", { class: "note", role: "status" }, say("sample.none", { n: this.number.value })),
+          h(
+            "p",
+            { class: "note", role: "status" },
+            say(campaign.thinned ? "sample.not_shown" : "sample.none", { n: this.number.value }),
+          ),
         );
     });
     this.element.append(

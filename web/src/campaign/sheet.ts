@@ -37,7 +37,8 @@ export function standingOf(campaign: Campaign): { standing: Standing; first: str
     if (bounds(0) > kHalf * peaks.length) return said("bound", "bound.forces");
     if (bounds(2) > kHalf * peaks.length) return said("bound", "bound.displacements");
   }
-  const lost = campaign.samples.length < campaign.header.drawn || campaign.answered.length < campaign.samples.length;
+  const { run, answered } = campaign.statistics.samples;
+  const lost = run < campaign.header.drawn || answered < run;
   return { standing: mild || lost ? "reserve" : "yes", first: "" };
 }
 
@@ -168,7 +169,7 @@ function curves(campaign: Campaign, width: number, height: number): HTMLElement 
       [swatch("force"), say("sheet.campaign.median")],
       [swatch("spread all", "box"), say("sheet.campaign.band")],
     ]),
-    h("figcaption", {}, say("sheet.campaign.curves", { n: all.length })),
+    h("figcaption", {}, say("sheet.campaign.curves", { n: all.length }), campaign.thinned && ` ${campaign.thinned}`),
   );
 }
 

@@ -34,8 +34,8 @@ export function readWords(campaign: Campaign): string {
   const early = campaign.answered
     .filter((s) => s.readEarly)
     .map((s) => s.readAt!);
-  const n = early.length,
-    of = campaign.answered.length;
+  const n = campaign.statistics.samples.named_earlier as number,
+    of = campaign.statistics.samples.answered as number;
   if (n === 0) return say("shares.read_at", { at: qty(asked, "mm") });
   const least = num(Math.min(...early)),
     most = num(Math.max(...early));
