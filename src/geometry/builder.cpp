@@ -45,13 +45,16 @@ std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& note
                                     FaultList& faults) {
   std::set<std::string> names;
   name_all(site.spec.plan_wall, "plan_wall", names, faults);
+  name_all(site.spec.slab, "slab", names, faults);
   name_all(site.spec.arch, "arch", names, faults);
   name_all(site.spec.dome, "dome", names, faults);
   std::vector<BuiltBody> bodies;
   const auto take = [&](std::vector<BuiltBody> built) {
     std::move(built.begin(), built.end(), std::back_inserter(bodies));
   };
-  if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, notes, faults));
+  std::vector<StraightWall> walls;
+  if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, walls, notes, faults));
+  if (faults.empty()) build_slabs(site, walls, bodies, notes, faults);
   for (std::size_t i = 0; i < site.spec.arch.size(); ++i)
     take(build_arch(site, static_cast<int>(i), faults));
   for (std::size_t i = 0; i < site.spec.dome.size(); ++i)

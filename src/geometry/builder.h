@@ -1,6 +1,7 @@
 // The builder in space: tables of the model file -> bodies (docs/theory/builder.md).
 //
 //   [[plan_wall]] ──► plan_meetings: where lines meet ──► plan_walls: courses, teeth, wythes ──┐
+//   [[slab]] ──► slabs: outline, level; walls are cut where it reaches into them ──────────────┤
 //   [[arch]], [[dome]] ──► vaults: voussoirs between flat joints ─────────────────────────────┴─► BodySpec
 //
 // Bodies are named "front.c03u05a": wall, course and unit from 0 on, piece; with wythes ".w1" ... at the end.
@@ -77,6 +78,7 @@ struct StraightWall {
   std::string name, path;  // "front" or "front.2"; "plan_wall.0"
   Vec2 from, along, across;
   double line = 0;  // length of the line [m]
+  double base = 0;  // height of its foot [m]
   double thickness = 0;
   WallSpec wall;  // what it inherits settled; its length is that of the masonry, teeth included
   WallEnd end[2];
@@ -94,8 +96,21 @@ struct StraightWall {
 // Once the lattices are known: which end goes through in which courses.
 void match_courses(std::vector<StraightWall>& walls, FaultList& faults);
 
-[[nodiscard]] std::vector<BuiltBody> build_plan_walls(const Site& site, std::vector<Message>& notes,
+// `walls` gets the straight walls that the bodies are of, for what lies on them.
+[[nodiscard]] std::vector<BuiltBody> build_plan_walls(const Site& site,
+                                                      std::vector<StraightWall>& walls,
+                                                      std::vector<Message>& notes,
                                                       FaultList& faults);
+// Adds the slabs to the bodies of these walls, and cuts these where slabs reach into them.
+void build_slabs(const Site& site, const std::vector<StraightWall>& walls,
+                 std::vector<BuiltBody>& bodies, std::vector<Message>& notes, FaultList& faults);
+// What lies on slabs, one floor for each of their convex parts, with its resultant in the part's middle; and the
+// joints that slabs ask for. Both belong to the model beside the bodies.
+[[nodiscard]] std::vector<FloorSpec> floors_of_slabs(const Site& site,
+                                                     const std::vector<BuiltBody>& bodies);
+[[nodiscard]] std::vector<ContactRule> contacts_of_slabs(const Site& site,
+                                                         const std::vector<BuiltBody>& bodies,
+                                                         FaultList& faults);
 [[nodiscard]] std::vector<BuiltBody> build_arch(const Site& site, int index, FaultList& faults);
 [[nodiscard]] std::vector<BuiltBody> build_dome(const Site& site, int index, FaultList& faults);
 

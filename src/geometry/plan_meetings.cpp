@@ -99,6 +99,10 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
     add_fault(faults, path + ".opening", "",
               "the line has corners, so x along it is not one wall's",
               "make a [[plan_wall]] of each straight part, and give its openings to it");
+  if (!(spec.base >= 0 && std::isfinite(spec.base)))
+    return add_fault(faults, path + ".base", metres(spec.base),
+                     "must be 0 or a height above the ground",
+                     "leave it out for a wall on the ground");
   if (!sized) return;
   for (std::size_t k = 0; k + 1 < spec.line.size(); ++k) {
     StraightWall side;
@@ -116,6 +120,7 @@ void add_sides(const Site& site, int index, std::vector<StraightWall>& walls, Fa
     }
     side.along = {way.x / side.line, way.y / side.line};
     side.across = {-side.along.y, side.along.x};
+    side.base = spec.base;
     side.thickness = wall.thickness;
     side.wall = wall;
     walls.push_back(side);
@@ -164,9 +169,28 @@ class Meetings {
            spec[static_cast<std::size_t>(b.index)].meets == Meeting::kToothed;
   }
 
+  // Walls that stand one above the other meet in no course.
+  [[nodiscard]] bool lie_beside(const StraightWall& a, const StraightWall& b) const {
+    const auto top = [&](const StraightWall& wall) {
+      return wall.base + wall.wall.height +
+             spec_.plan_wall[static_cast<std::size_t>(wall.index)].gable;
+    };
+    return a.base < top(b) - kSamePlace && b.base < top(a) - kSamePlace;
+  }
+
+  bool is_level(int i, int k, Vec2 p) {
+    if (std::fabs(at(i).base - at(k).base) < kSamePlace) return true;
+    refuse(at(k), p,
+           "meets " + at(i).name + " there, and their feet are at different heights, " +
+               metres(at(k).base) + " and " + metres(at(i).base),
+           "give both one base, or end the line beside the other wall's face");
+    return false;
+  }
+
   // Both ends of wall i against wall k; corners are taken once, from the earlier of the two.
   void meet(int i, int k) {
     StraightWall &a = at(i), &b = at(k);
+    if (!lie_beside(a, b)) return;
     for (int e = 0; e < 2; ++e) {
       const Vec2 p = point(a, e);
       for (int f = 0; f < 2; ++f)
@@ -218,7 +242,7 @@ class Meetings {
 
   void corner(int i, int e, int k, int f) {
     const Vec2 p = point(at(i), e);
-    if (is_taken(i, e, p) || is_taken(k, f, p) || !is_square(i, k, p)) return;
+    if (is_taken(i, e, p) || is_taken(k, f, p) || !is_square(i, k, p) || !is_level(i, k, p)) return;
     const bool toothed = is_toothed(at(i), at(k));
     at(i).end[e] = {EndKind::kCorner, k, f, toothed, 0.5 * at(k).thickness, 0};
     at(k).end[f] = {EndKind::kCorner, i, e, toothed, (toothed ? 0.5 : -0.5) * at(i).thickness, 0};
@@ -226,7 +250,7 @@ class Meetings {
 
   void tee(int i, int e, int k, double along) {
     const Vec2 p = point(at(i), e);
-    if (is_taken(i, e, p) || !is_square(i, k, p)) return;
+    if (is_taken(i, e, p) || !is_square(i, k, p) || !is_level(i, k, p)) return;
     const bool toothed = is_toothed(at(i), at(k));
     at(i).end[e] = {EndKind::kTee, k, -1, toothed, (toothed ? 0.5 : -0.5) * at(k).thickness, 0};
     at(k).tees.push_back({i, e, along});

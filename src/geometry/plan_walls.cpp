@@ -121,7 +121,7 @@ class WallBuilder {
       notes.push_back(as_text("wall " + wall_.name + ": " + text_of(note)));
     take_faults(site_, wall_, found, faults);
     if (!found.empty()) return {};
-    add_ground();
+    if (wall_.base == 0) add_ground();
     for (const Block& block : blocks_) add_solids(block);
     for (const PlacedOpening& opening : openings) {
       const LintelSpec& lintel = spec_.opening[at(opening.index)].lintel;
@@ -361,7 +361,7 @@ class WallBuilder {
     const double s = p.x + wall_.begin();
     return axes_.place({wall_.from.x + s * wall_.along.x + across * wall_.across.x,
                         wall_.from.y + s * wall_.along.y + across * wall_.across.y},
-                       p.y);
+                       p.y + wall_.base);
   }
 
   [[nodiscard]] Polyhedron prism(const Polygon& outline, double n0, double n1) const {
@@ -463,6 +463,8 @@ class WallBuilder {
                          const Polygon& outline) {
       keep(wall_.name + "." + id, material.empty() ? spec_.material : material,
            prism(outline, -half, half), -1);
+      if (!id.starts_with("arch"))
+        bodies_.back().body.role = id.starts_with("sill") ? "sill" : "lintel";
     };
     const std::string number = std::to_string(opening.index);
     const bool zones = spec.lintel.model == LintelModel::kZones,
@@ -538,9 +540,9 @@ bool check_count(const Site& site, const std::vector<StraightWall>& walls, Fault
 
 }  // namespace
 
-std::vector<BuiltBody> build_plan_walls(const Site& site, std::vector<Message>& notes,
-                                        FaultList& faults) {
-  std::vector<StraightWall> walls = read_plan(site, faults);
+std::vector<BuiltBody> build_plan_walls(const Site& site, std::vector<StraightWall>& walls,
+                                        std::vector<Message>& notes, FaultList& faults) {
+  walls = read_plan(site, faults);
   if (!check_count(site, walls, faults)) return {};
   for (StraightWall& wall : walls) plan_courses(site, wall, notes, faults);
   match_courses(walls, faults);

@@ -135,6 +135,9 @@ class BlocksReader {
     read_word(json, "id", body.id, body.id);
     read_word(json, "material", body.material, body.id);
     read_flag(json, "fixed", body.fixed, body.id);
+    read_word(json, "role", body.role, body.id);
+    if (const std::string cure = role_advice(body.role); !cure.empty())
+      refuse(body.id + ".role", "\"" + body.role + "\"", "is no role of a block", cure);
     read_zones(json, body.id, body.zone);
     refuse_unknown(json, body.id, kBodyKeys);
     read_body_parts(json, body,
@@ -220,8 +223,8 @@ class BlocksReader {
   inline static const std::vector<std::string> kBlockKeys = {
       "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
   inline static const std::vector<std::string> kBodyKeys = {
-      "id",      "material", "fixed", "vertices",    "faces",     "parts",
-      "polygon", "z",        "zones", "zone_length", "zone_kind", "plane"};
+      "id", "material", "fixed",       "vertices",  "faces", "parts", "polygon",
+      "z",  "zones",    "zone_length", "zone_kind", "plane", "role"};
 
   void refuse_unknown(const Json& json, const std::string& id,
                       const std::vector<std::string>& known) {

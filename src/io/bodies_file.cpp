@@ -246,6 +246,7 @@ std::string bodies_text(const std::vector<BodySpec>& bodies, bool z_up) {
                     {"parts", std::move(parts)},
                     {"material", body.material},
                     {"fixed", body.fixed}});
+    if (!body.role.empty()) list.back()["role"] = body.role;
     const ZoneSpec& zone = body.zone;
     if (zone.zones == 0) continue;
     list.back()["zones"] = zone.zones;

@@ -34,6 +34,9 @@ void describe(Visitor& v, PlaceSpec& s) {
          .doc = "One block by its id, instead of a point; in space all whose ids begin so, with * at "
                 "the end."});
   v.flag("beam", s.beam, {.example = "true", .doc = "The loading beam, instead of a point."});
+  v.text("role", s.role, {.fallback = "any", .example = "slab",
+         .doc = "In space: only moving blocks that are `masonry`, `lintel`, `sill` or `slab`; alone all of them, else those of the "
+                "ids or box beside it."});
 }
 
 // --- floors --------------------------------------------------------------------------------------

@@ -18,6 +18,9 @@ void describe(Visitor& v, PlanWallSpec& s) {
            .example = "[[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"]]",
            .doc = "Points of its middle plane in plan, [x, z], or [x, y] with wall.up = \"z\"; a corner at each inner "
                   "one. Where a line ends on another's end or middle the walls meet."});
+  v.quantity("base", s.base, {.unit = "m", .shown = "m", .range = kDistance, .example = "2.9 m",
+             .doc = "Height of its foot above the ground. Above 0 m it has no ground of its own: it stands on the wall or "
+                    "slab below. Heights of openings count from here."});
   v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength, .fallback = "wall.height",
              .example = "2.4 m", .doc = "Height of the masonry, up to the foot of a gable."});
   v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength,
@@ -103,11 +106,42 @@ void describe(Visitor& v, DomeSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, SlabSpec& s) {
+  v.text("name", s.name, {.fallback = kRequired, .example = "first_floor", .doc = "Its block is called so."});
+  v.texts("walls", s.walls, {.fallback = "outline", .example = "[\"front\", \"back\"]",
+          .doc = "Plan walls that it rests on: two parallel ones, or three or four sides of a rectangle. It reaches into each by "
+                 "`bearing`, and ends before walls beside it by `gap`."});
+  v.points("outline", s.outline, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "walls",
+           .example = "[[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"], [\"4 m\", \"3 m\"], [\"0 m\", \"3 m\"]]",
+           .doc = "In the place of walls: its corners in plan, in turn, as the points of a plan wall's line."});
+  v.quantity("level", s.level, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "the top of its walls",
+             .example = "2.7 m", .doc = "Height of its underside, within 10 mm of a bed joint of each wall that carries it. Below a wall's "
+                                        "top it lies in a pocket: the units are cut."});
+  v.quantity("thickness", s.thickness, {.unit = "m", .shown = "m", .range = kLength, .fallback = kRequired,
+             .example = "0.2 m", .doc = "Of the slab, by which it weighs."});
+  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "with walls: needed",
+             .example = "120 mm", .doc = "How far it reaches into each of these walls, from the face towards the slab."});
+  v.quantity("gap", s.gap, {.unit = "m", .shown = "mm", .range = kDistance, .example = "20 mm",
+             .doc = "Between it and walls beside it that do not carry it; at 0 m it touches them, and pushes them as they push it."});
+  v.text("material", s.material, {.fallback = kRequired, .example = "concrete",
+         .doc = "Name of its material: a density, and what `[[contact]]` calls it."});
+  v.text("joint", s.joint, {.fallback = "as of masonry", .example = "bearing",
+         .doc = "Joint material of all its faces, on, beside and below masonry. `[[contact]]` goes first."});
+  v.quantity("load", s.load, {.unit = "Pa", .shown = "kPa", .range = kNotNegative, .example = "2.5 kPa",
+             .doc = "Load on all of it beside its own weight, downwards; it becomes a `[[floor]]` of its name."});
+  v.quantity("mass", s.mass, {.unit = "kg/m^2", .shown = "kg/m^2", .range = kNotNegative, .example = "250 kg/m^2",
+             .doc = "Inertia beside its own that moves with it. Not needed for weight or for patterns of forces "
+                    "(docs/theory/integration.md)."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, BuilderSpec& s) {
   v.list("plan_wall", s.plan_wall, {.optional = true,
          .doc = "Walls in space along lines in plan, one table each (docs/theory/builder.md). What one leaves out is the "
                 "wall's. Tables of the builder become bodies when the file is read: a run's folder holds them as "
-                "blocks.json, and a study does not vary their keys."});
+                "blocks.json. A study may vary their numbers, e.g. plan_wall.front.thickness."});
+  v.list("slab", s.slab, {.optional = true,
+         .doc = "Floor slabs, each one rigid body that lies on walls, or in pockets cut into them, by joints."});
   v.list("arch", s.arch, {.optional = true, .doc = "Arches and barrel vaults that stand in space."});
   v.list("dome", s.dome, {.optional = true, .doc = "Domes in space."});
 }

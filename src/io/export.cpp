@@ -14,7 +14,9 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "core/files.h"
@@ -133,7 +135,7 @@ std::vector<ExportColumn> curve_columns(ShownColumns of) {
 }
 
 template <class Reading, std::size_t n>
-std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed,
+std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed, bool in_space,
                                         const ElementColumn<Reading> (&values)[n]) {
   std::vector<ExportColumn> columns = {
       kSampleNumber,
@@ -146,6 +148,10 @@ std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed,
                   {"y_m", "m", "its centre at the start, above the ground"},
                   {"displacement_x_mm", "mm", "how far its centre went along the wall"},
                   {"displacement_y_mm", "mm", "how far its centre went up"}});
+  if (in_space)
+    columns.insert(columns.end(),
+                   {{"z_m", "m", "its centre at the start, out of the plane of x and y"},
+                    {"displacement_z_mm", "mm", "how far its centre went along z"}});
   for (const ElementColumn<Reading>& c : values) columns.push_back({c.name, c.unit, c.meaning});
   return columns;
 }
@@ -154,7 +160,7 @@ std::vector<ExportColumn> state_columns(std::vector<ExportColumn> fixed,
 
 // Blocks, joints or zones of one state: how far each centre went [mm], then a list for each column.
 struct Elements {
-  std::vector<double> moved_x, moved_y;
+  std::vector<Vec3> moved;
   std::vector<std::vector<double>> value;
 };
 struct WallState {
@@ -167,12 +173,22 @@ template <class Reading, std::size_t n>
 void take_values(const ElementColumn<Reading> (&columns)[n], const Reading& reading, Vec3 moved,
                  Elements& elements) {
   elements.value.resize(n);
-  elements.moved_x.push_back(1e3 * moved.x);
-  elements.moved_y.push_back(1e3 * moved.y);
+  elements.moved.push_back(1e3 * moved);
   for (std::size_t c = 0; c < n; ++c) elements.value[c].push_back(columns[c].shown(reading));
 }
 
-Vec3 middle_of(const std::array<Vec3, 2>& ends) { return 0.5 * (ends[0] + ends[1]); }
+Vec3 mean_of(std::span<const Vec3> places) {
+  Vec3 sum;
+  for (const Vec3& place : places) sum = sum + place;
+  return sum / static_cast<double>(places.size());
+}
+
+// Corners of a joint's face in space, or its two ends.
+std::vector<Vec3> places_of(const Model& model, const State& state, JointId joint) {
+  if (model.in_space()) return face_now(model, state, joint);
+  const std::array<Vec3, 2> ends = ends_now(model, state, joint);
+  return {ends.begin(), ends.end()};
+}
 
 // What never changes: the wall at the start.
 struct Wall {
@@ -181,20 +197,32 @@ struct Wall {
   std::vector<Vec3> joint;  // middles [m]
   std::vector<Vec3> zone;   // middles [m]
   std::vector<int> zone_body;
+  std::vector<std::size_t> corner_begin = {0};  // of the joints' places
+  std::vector<std::size_t> cell_begin = {0};    // of the convex parts of blocks
 
   explicit Wall(const Model& of) : model(of), start(initial_state(of)) {
-    for (JointId j = 0; j < joint_count(model); ++j)
-      joint.push_back(middle_of(ends_now(model, start, j)));
-    for (const ZoneReading& z : read_zones(model, start)) {
-      Vec3 sum;
-      for (int k = 0; k < z.corners; ++k) sum = sum + z.corner[static_cast<std::size_t>(k)];
-      zone.push_back(sum / z.corners);
+    for (JointId j = 0; j < joint_count(model); ++j) {
+      const std::vector<Vec3> places = places_of(model, start, j);
+      joint.push_back(mean_of(places));
+      corner_begin.push_back(corner_begin.back() + places.size());
     }
+    for (std::size_t b = 0; b < static_cast<std::size_t>(model.n_block); ++b)
+      cell_begin.push_back(cell_begin.back() +
+                           (model.in_space() ? model.space.body[b].part.size() : 1));
+    for (const ZoneReading& z : read_zones(model, start))
+      zone.push_back(mean_of(std::span(z.corner).first(static_cast<std::size_t>(z.corners))));
+    for (const SpaceZoneReading& z : read_space_zones(model, start)) zone.push_back(z.middle);
     zone_body.resize(zone.size());
-    for (std::size_t b = 0; b < model.solids.bodies.size(); ++b)
-      for (int z = 0; z < model.solids.bodies[b].n_zone; ++z)
-        zone_body[static_cast<std::size_t>(model.solids.bodies[b].first_zone + z)] =
-            static_cast<int>(b);
+    number_zones(model.solids.bodies);
+    number_zones(model.space.solids.bodies);
+  }
+
+ private:
+  template <class Body>
+  void number_zones(const std::vector<Body>& bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      for (int z = 0; z < bodies[b].n_zone; ++z)
+        zone_body[static_cast<std::size_t>(bodies[b].first_zone + z)] = static_cast<int>(b);
   }
 };
 
@@ -208,17 +236,29 @@ WallState state_of(const Wall& wall, const Snapshot& snapshot) {
   const std::vector<JointReading> joints = read_wall(model, snapshot.state).joints;
   for (std::size_t j = 0; j < joints.size(); ++j)
     take_values(kJointColumns, joints[j],
-                middle_of(ends_now(model, snapshot.state, joints[j].shape.id)) - wall.joint[j],
+                mean_of(places_of(model, snapshot.state, joints[j].shape.id)) - wall.joint[j],
                 state.joints);
   for (const ZoneReading& z : read_zones(model, snapshot.state))
     take_values(kZoneColumns, z, z.moved, state.zones);
+  for (const SpaceZoneReading& z : read_space_zones(model, snapshot.state))
+    take_values(kSpaceZoneColumns, z, z.moved, state.zones);
   return state;
 }
 
-// The same out of the VTU files of a run.
+// Which cells of a file are an element's: the first stands for all of a block in parts.
+std::vector<std::size_t> one_each(std::size_t n) {
+  std::vector<std::size_t> begin(n + 1);
+  std::iota(begin.begin(), begin.end(), std::size_t{0});
+  return begin;
+}
+
+// The same out of the VTU files of a run. `cell_begin` says where the cells of each element begin; `corner_begin`,
+// of joints, where their points do.
 template <class Reading, std::size_t n>
 Elements elements_in(const std::string& file, const ElementColumn<Reading> (&columns)[n],
-                     const std::vector<Vec3>* starts, std::size_t count) {
+                     const std::vector<std::size_t>& cell_begin,
+                     const std::vector<std::size_t>* corner_begin = nullptr,
+                     const std::vector<Vec3>* starts = nullptr) {
   const auto arrays = vtu_arrays(read_file(file, kMostPacked), file);
   const auto array = [&](const char* name, std::size_t size) -> const std::vector<double>& {
     const auto found = arrays.find(name);
@@ -230,20 +270,28 @@ Elements elements_in(const std::string& file, const ElementColumn<Reading> (&col
     return found->second;
   };
   Elements elements;
-  const std::vector<double>& place =
-      starts != nullptr ? array("Points", 6 * count) : array("displacement_mm", 3 * count);
+  const std::size_t count = cell_begin.size() - 1, cells = cell_begin.back();
+  const std::vector<double>& place = corner_begin != nullptr
+                                         ? array("Points", 3 * corner_begin->back())
+                                         : array("displacement_mm", 3 * cells);
+  const auto triple = [&](std::size_t i) {
+    return Vec3{place[3 * i], place[3 * i + 1], place[3 * i + 2]};
+  };
   for (std::size_t i = 0; i < count; ++i) {
-    const double* at = place.data() + (starts != nullptr ? 6 : 3) * i;
-    if (starts == nullptr) {
-      elements.moved_x.push_back(at[0]), elements.moved_y.push_back(at[1]);
+    if (corner_begin == nullptr) {
+      elements.moved.push_back(triple(cell_begin[i]));
       continue;
     }
-    const Vec3 now = middle_of({Vec3{at[0], at[1], at[2]}, Vec3{at[3], at[4], at[5]}});
-    elements.moved_x.push_back(1e3 * (now - (*starts)[i]).x);
-    elements.moved_y.push_back(1e3 * (now - (*starts)[i]).y);
+    std::vector<Vec3> now;
+    for (std::size_t k = (*corner_begin)[i]; k < (*corner_begin)[i + 1]; ++k)
+      now.push_back(triple(k));
+    elements.moved.push_back(1e3 * (mean_of(now) - (*starts)[i]));
   }
-  for (const ElementColumn<Reading>& column : columns)
-    elements.value.push_back(array(column.name, count));
+  for (const ElementColumn<Reading>& column : columns) {
+    const std::vector<double>& all = array(column.name, cells);
+    std::vector<double>& own = elements.value.emplace_back();
+    for (std::size_t i = 0; i < count; ++i) own.push_back(all[cell_begin[i]]);
+  }
   return elements;
 }
 
@@ -255,7 +303,8 @@ class StateTables {
   void add(int sample, int number, const Wall& wall, const WallState& state) {
     const Model& model = wall.model;
     ++count;
-    if (!blocks_) open_tables();
+    in_space_ = model.in_space();
+    if (!blocks_) open_tables(model.in_space());
     for (BlockId b = 0; b < model.n_block; ++b) {
       const BlockReading at = read_block(model, wall.start, b);
       add_row(*blocks_, {sample, number, state},
@@ -270,11 +319,7 @@ class StateTables {
                std::to_string(shape.b), csv_cell(shape.area)},
               wall.joint[j], state.joints, j);
     }
-    if (!wall.zone.empty() && !zones_)
-      zones_.emplace(sink_, kZones,
-                     state_columns({{"zone", "", "number of the zone, from 0"},
-                                    {"body", "", "number of its deformable block, from 0"}},
-                                   kZoneColumns));
+    if (!wall.zone.empty() && !zones_) open_zones(model.in_space());
     for (std::size_t z = 0; z < wall.zone.size(); ++z)
       add_row(*zones_, {sample, number, state},
               {std::to_string(z), std::to_string(wall.zone_body[z])}, wall.zone[z], state.zones, z);
@@ -287,12 +332,12 @@ class StateTables {
     int sample, number;
     const WallState& state;
   };
-  void open_tables() {
+  void open_tables(bool in_space) {
     blocks_.emplace(sink_, kBlocks,
                     state_columns({{"block", "", "number of the block, from 0"},
-                                   {"role", "", "masonry, lintel, plate or beam", true},
+                                   {"role", "", "masonry, lintel, plate, beam, sill or slab", true},
                                    {"course", "", "number of its course, from 0; -1: none"}},
-                                  kBlockColumns));
+                                  in_space, kBlockColumns));
     joints_.emplace(
         sink_, kJoints,
         state_columns(
@@ -303,20 +348,30 @@ class StateTables {
              {"block_a", "", "block on one side, -1: the ground"},
              {"block_b", "", "block on the other side"},
              {"area_m2", "m^2", "its area"}},
-            kJointColumns));
+            in_space, kJointColumns));
   }
-  static void add_row(Table& table, const Which& which, const std::vector<std::string>& fixed,
-                      Vec3 at, const Elements& elements, std::size_t i) {
+  void open_zones(bool in_space) {
+    const std::vector<ExportColumn> own = {{"zone", "", "number of the zone, from 0"},
+                                           {"body", "", "number of its deformable block, from 0"}};
+    zones_.emplace(sink_, kZones,
+                   in_space ? state_columns(own, true, kSpaceZoneColumns)
+                            : state_columns(own, false, kZoneColumns));
+  }
+  void add_row(Table& table, const Which& which, const std::vector<std::string>& fixed, Vec3 at,
+               const Elements& elements, std::size_t i) {
     std::vector<std::string> cells = {std::to_string(which.sample), std::to_string(which.number),
                                       csv_cell(which.state.label),
                                       csv_cell(which.state.displacement)};
     cells.insert(cells.end(), fixed.begin(), fixed.end());
-    for (const double value : {at.x, at.y, elements.moved_x[i], elements.moved_y[i]})
-      cells.push_back(csv_cell(value));
+    const Vec3 moved = elements.moved[i];
+    for (const double value : {at.x, at.y, moved.x, moved.y}) cells.push_back(csv_cell(value));
+    if (in_space_)
+      for (const double value : {at.z, moved.z}) cells.push_back(csv_cell(value));
     for (const std::vector<double>& column : elements.value) cells.push_back(csv_cell(column[i]));
     table.add(cells);
   }
   Sink& sink_;
+  bool in_space_ = false;
   std::optional<Table> blocks_, joints_, zones_;
 };
 
@@ -405,13 +460,14 @@ void export_run_states(const std::string& folder, StateTables& tables) {
   const Wall wall(model);
   for (int number = 0; fs::exists(inside(file("blocks", number)), error); ++number) {
     WallState state{.label = "", .displacement = displacement_in(series, file("blocks", number))};
-    state.blocks = elements_in(inside(file("blocks", number)), kBlockColumns, nullptr,
-                               static_cast<std::size_t>(model.n_block));
-    state.joints =
-        elements_in(inside(file("joints", number)), kJointColumns, &wall.joint, wall.joint.size());
+    state.blocks = elements_in(inside(file("blocks", number)), kBlockColumns, wall.cell_begin);
+    state.joints = elements_in(inside(file("joints", number)), kJointColumns,
+                               one_each(wall.joint.size()), &wall.corner_begin, &wall.joint);
+    const std::vector<std::size_t> zones = one_each(wall.zone.size());
     if (!wall.zone.empty())
-      state.zones =
-          elements_in(inside(file("zones", number)), kZoneColumns, nullptr, wall.zone.size());
+      state.zones = model.in_space()
+                        ? elements_in(inside(file("zones", number)), kSpaceZoneColumns, zones)
+                        : elements_in(inside(file("zones", number)), kZoneColumns, zones);
     tables.add(1, number, wall, state);
   }
 }

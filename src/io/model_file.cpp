@@ -9,6 +9,7 @@
 
 #include "geometry/builder.h"
 #include "io/blocks_json.h"
+#include "io/builder_file.h"
 #include "io/model_key.h"
 #include "io/record_file.h"
 #include "io/toml_reader.h"
@@ -122,7 +123,7 @@ std::string built_path(const std::string& path, const Places& places) {
   const std::string of_file = "wall.blocks.";
   if (!path.starts_with(of_file)) return path;
   const std::string id = path.substr(of_file.size()), name = id.substr(0, id.find('.'));
-  for (const char* table : {"plan_wall.", "arch.", "dome."})
+  for (const char* table : {"plan_wall.", "slab.", "arch.", "dome."})
     if (places.contains(table + name)) return table + id;
   return path;
 }
@@ -171,7 +172,8 @@ void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
   faults.throw_if_any();
 }
 
-// The builder's tables, read without a word: read_table has said what is wrong with them.
+}  // namespace
+
 BuilderSpec read_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
   ReadContext silent{file};
   TableReader reader(silent, root, "");
@@ -180,6 +182,8 @@ BuilderSpec read_builder(const std::string& file, const toml::table& root, const
   inherit_split(reader, "plan_wall", spec, built.plan_wall);
   return built;
 }
+
+namespace {
 
 // Keys of [wall] that say something of a wall in its plane, or of a file.
 void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
@@ -203,9 +207,15 @@ void build(const BuilderSpec& built, ModelSpec& spec) {
   FaultList faults;
   refuse_idle_keys(spec, faults);
   std::vector<Message> notes;
-  for (geometry::BuiltBody& body : geometry::build_bodies({built, spec}, notes, faults))
-    spec.body.push_back(std::move(body.body));
+  const geometry::Site site{built, spec};
+  std::vector<geometry::BuiltBody> bodies = geometry::build_bodies(site, notes, faults);
   faults.throw_if_any();
+  std::vector<ContactRule> rules = geometry::contacts_of_slabs(site, bodies, faults);
+  std::vector<FloorSpec> floors = geometry::floors_of_slabs(site, bodies);
+  faults.throw_if_any();
+  std::move(rules.begin(), rules.end(), std::back_inserter(spec.contact));
+  std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
+  for (geometry::BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
   spec.wall.blocks = "blocks.json";  // of the run's folder
   if (spec.wall.up.empty()) spec.wall.up = "y";
   for (const std::string& note : texts_of(notes))

@@ -8,6 +8,7 @@
 
 #include "core/limits.h"
 #include "core/text.h"
+#include "io/builder_file.h"
 #include "io/toml_reader.h"
 
 namespace wythe::io {
@@ -93,12 +94,15 @@ std::string step_at(const std::string& path, std::size_t from) {
 
 }  // namespace
 
-std::vector<ModelKey> number_keys(ModelSpec model) {
+template <class Spec>
+static std::vector<ModelKey> keys_of(Spec& spec) {
   std::vector<ModelKey> out;
   KeyLister lister(out, "", "");
-  describe(lister, model);
+  describe(lister, spec);
   return out;
 }
+
+std::vector<ModelKey> number_keys(ModelSpec model) { return keys_of(model); }
 
 const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& path) {
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const ModelKey& key) {
@@ -117,6 +121,8 @@ SettableKeys::SettableKeys(const std::string& text, const std::string& file,
   ReadContext context{file};
   apply_overrides(context, root, settings);
   resolve_materials(context, root);
+  BuilderSpec built = read_builder(file, root, base);
+  for (ModelKey& key : keys_of(built)) keys_.push_back(std::move(key));
   asked_ = std::move(context.asked);
   for (const auto& [path, value] : context.derived)
     if (value.how.starts_with("given as ")) tangents_.insert(path);

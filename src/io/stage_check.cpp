@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "io/toml_reader.h"
+#include "wythe/model.h"
 
 namespace wythe::io {
 namespace {
@@ -116,11 +117,12 @@ void check_load(TableReader& reader, const StageSpec& stage) {
 void check_place(TableReader& reader, const PlaceSpec& at) {
   const bool has_x = at.x == at.x, has_y = at.y == at.y;
   const bool has_width = at.width == at.width, has_height = at.height == at.height;
-  const int ways = (has_x || has_y ? 1 : 0) + (at.block.empty() ? 0 : 1) + (at.beam ? 1 : 0);
+  int ways = (has_x || has_y ? 1 : 0) + (at.block.empty() ? 0 : 1) + (at.beam ? 1 : 0);
+  if (ways == 0 && !at.role.empty()) ways = 1;
   const char* cure = "write e.g. at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }";
   if (reader.context().has_fault_at(reader.below("at"))) return;
   if (ways != 1)
-    reader.refuse("at", "must be one of: a point x and y, a block, the beam", cure);
+    reader.refuse("at", "must be one of: a point x and y, a block, the beam, a role", cure);
   else if (has_x != has_y)
     reader.refuse("at", "needs both x and y", cure);
   else if (has_width != has_height || (has_width && !has_x))
@@ -130,7 +132,7 @@ void check_place(TableReader& reader, const PlaceSpec& at) {
 // True when a value below the place was refused already; it is then half known.
 bool place_has_faults(TableReader& reader, const char* place) {
   const std::string path = reader.below(place);
-  for (const char* name : {"x", "y", "width", "height", "block", "beam"})
+  for (const char* name : {"x", "y", "width", "height", "block", "beam", "role"})
     if (reader.context().has_fault_at(under(path, name))) return true;
   return false;
 }
@@ -269,6 +271,20 @@ void check_needs(TableReader& reader, const StageSpec& stage) {
 }
 
 }  // namespace
+
+std::string role_advice(const std::string& role) {
+  std::vector<std::string> known;
+  for (const Word<BlockRole>& word : kBlockRoleWords) {
+    if (role.empty() || role == word.word) return "";
+    known.emplace_back(word.word);
+  }
+  return name_advice(role, known);
+}
+
+void finish(TableReader& reader, PlaceSpec& place) {
+  if (const std::string cure = role_advice(place.role); !cure.empty())
+    reader.refuse("role", "is no role of a block", cure);
+}
 
 void finish(TableReader& reader, StageSpec& stage) {
   if (!reader.has("name"))

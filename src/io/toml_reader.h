@@ -154,11 +154,15 @@ class TableReader {
 template <class T>
 void finish(TableReader&, T&) {}
 void finish(TableReader& reader, StageSpec& stage);
+void finish(TableReader& reader, PlaceSpec& place);
 void finish(TableReader& reader, JointMaterial& material);
 void finish(TableReader& reader, ContactRule& rule);
 void finish(TableReader& reader, ModelSpec& model);
 void finish(TableReader& reader, SpectrumSpec& spectrum);
 void finish(TableReader& reader, AssessmentSpec& assessment);
+
+// "" of a word of BlockRole, and of none; else which words there are.
+[[nodiscard]] std::string role_advice(const std::string& role);
 
 template <class T>
 void read_table(ReadContext& context, const toml::table& table, const std::string& path, T& value) {

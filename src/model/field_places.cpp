@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "geometry/blocks_file.h"
 #include "geometry/shape.h"
+#include "model/space_roles.h"
 
 namespace wythe {
 namespace {
@@ -93,7 +96,80 @@ std::vector<FieldPlace> field_places(const ModelSpec& spec, const Assembly& asse
   return places;
 }
 
-FieldValues::FieldValues(const ModelSpec& spec, const Assembly& assembly, FaultList& faults) {
+namespace {
+
+// A density field acts on bodies that have this density.
+bool has_density_of(const ModelSpec& spec, const BodySpec& body, const std::string& material) {
+  if (body.fixed || body.zone.zones > 0) return false;
+  const auto own = spec.material.find(body.material);
+  const bool has_own = own != spec.material.end() && std::isfinite(own->second.density);
+  if (material.empty()) return !has_own;
+  return has_own && body.material == material;
+}
+
+// Numbers of units and courses of bodies in space, by the names that builders give.
+class SpaceGroups {
+ public:
+  explicit SpaceGroups(const geometry::SpaceAssembly& assembly) {
+    std::map<std::string, int> units;
+    std::map<std::pair<int, std::int64_t>, int> courses;
+    for (const BodySpec& body : assembly.body) {
+      const std::string unit = wythe::unit_of(body.id);
+      const int next = static_cast<int>(units.size());
+      unit_.push_back(units.try_emplace(unit.empty() ? "of " + body.id : unit, next).first->second);
+      const std::optional<int> course = course_of(body.id);
+      const auto foot = std::llround(geometry::box_of(body).low.y / kSameFoot);
+      const int number = static_cast<int>(courses.size());
+      course_.push_back(course ? courses.try_emplace({*course, foot}, number).first->second : -1);
+    }
+  }
+  [[nodiscard]] int unit(int body) const { return unit_[at(body)]; }
+  [[nodiscard]] int course(int body) const { return course_[at(body)]; }
+
+ private:
+  static constexpr double kSameFoot = 1e-4;  // [m]
+  std::vector<int> unit_, course_;
+};
+
+// The block that a joint counts to.
+int upper_of(const geometry::SpaceAssembly& assembly, const geometry::JointFace& face) {
+  constexpr double kAlong = 1e-6;
+  const Vec3 n = face.normal;
+  const double up = std::fabs(n.y) > 0.5 ? n.y : std::fabs(n.x) > kAlong ? n.x : n.z;
+  const int upper = up > 0 ? face.b : face.a, other = up > 0 ? face.a : face.b;
+  return assembly.body[at(upper)].fixed ? other : upper;
+}
+
+}  // namespace
+
+std::vector<FieldPlace> field_places(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                                     const FieldTarget& target) {
+  const SpaceGroups groups(assembly);
+  std::vector<FieldPlace> places;
+  const auto add = [&](int entity, Vec3 p, int body) {
+    places.push_back({entity, p.x, p.y, groups.course(body), groups.unit(body), p.z});
+  };
+  if (target.is_density()) {
+    for (int b = 0; b < static_cast<int>(assembly.body.size()); ++b)
+      if (has_density_of(spec, assembly.body[at(b)], target.material))
+        add(b, assembly.moments[at(b)].centroid, b);
+    return places;
+  }
+  const geometry::Shape shape(spec);
+  for (int f = 0; f < static_cast<int>(assembly.faces.size()); ++f) {
+    const geometry::JointFace& face = assembly.faces[at(f)];
+    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    if ((a.fixed && b.fixed) || is_chain(a, b) ||
+        joint_material_of(shape, a, b, face.normal) != target.material)
+      continue;
+    add(f, face.centre, upper_of(assembly, face));
+  }
+  return places;
+}
+
+template <class Assembly>
+void FieldValues::take(const ModelSpec& spec, const Assembly& assembly, std::size_t blocks,
+                       FaultList& faults) {
   if (spec.field.empty()) return;
   const std::uint64_t shape = geometry::shape_key(spec);
   for (const auto& [name, field] : spec.field) {
@@ -106,12 +182,19 @@ FieldValues::FieldValues(const ModelSpec& spec, const Assembly& assembly, FaultL
       continue;
     }
     Item item{*target, field.formula.empty(), {}};
-    item.value.assign(target->is_density() ? assembly.blocks.size() : assembly.faces.size(),
-                      kUnset);
+    item.value.assign(target->is_density() ? blocks : assembly.faces.size(), kUnset);
     for (std::size_t k = 0; k < places.size(); ++k)
       item.value[at(places[k].entity)] = field.drawn[k];
     items_.push_back(std::move(item));
   }
+}
+
+FieldValues::FieldValues(const ModelSpec& spec, const Assembly& assembly, FaultList& faults) {
+  take(spec, assembly, assembly.blocks.size(), faults);
+}
+FieldValues::FieldValues(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                         FaultList& faults) {
+  take(spec, assembly, assembly.body.size(), faults);
 }
 
 bool FieldValues::act_on(const std::string& material) const {
@@ -144,9 +227,9 @@ double FieldValues::density_of(int block, double stated) const {
   return density;
 }
 
-void FieldValues::describe(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+template <class Density>
+void FieldValues::put_into(const ModelSpec& spec, const BlockMap& map, const Density& density,
                            Model& model) const {
-  const geometry::Shape shape(spec);
   auto item = items_.begin();
   for (const auto& [name, field] : spec.field) {
     const Item& drawn = *item++;
@@ -155,9 +238,8 @@ void FieldValues::describe(const ModelSpec& spec, const Assembly& assembly, cons
     if (target.is_density()) {
       shown.of_block.assign(at(model.n_block), kUnset);
       for (std::size_t b = 0; b < map.size(); ++b)
-        if (map[b] >= 0 && !std::isnan(drawn.value[b]))
-          shown.of_block[at(map[b])] =
-              put(drawn, static_cast<int>(b), geometry::density_of(shape, assembly.blocks[b]));
+        if (map[b] >= 0 && map[b] < model.n_block && !std::isnan(drawn.value[b]))
+          shown.of_block[at(map[b])] = put(drawn, static_cast<int>(b), density(b));
     } else {
       for (const std::int32_t m : model.joint_material) {
         const bool own = model.stated(m) != m && model.material_names[at(m)] == target.material;
@@ -166,6 +248,24 @@ void FieldValues::describe(const ModelSpec& spec, const Assembly& assembly, cons
     }
     model.anatomy.fields.push_back(std::move(shown));
   }
+}
+
+void FieldValues::describe(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+                           Model& model) const {
+  const geometry::Shape shape(spec);
+  const auto density = [&](std::size_t b) {
+    return geometry::density_of(shape, assembly.blocks[b]);
+  };
+  put_into(spec, map, density, model);
+}
+
+void FieldValues::describe(const ModelSpec& spec, const geometry::SpaceAssembly& assembly,
+                           const BlockMap& map, Model& model) const {
+  const geometry::Shape shape(spec);
+  const auto density = [&](std::size_t b) {
+    return geometry::density_in_file(shape, assembly.body[b].material);
+  };
+  put_into(spec, map, density, model);
 }
 
 }  // namespace wythe

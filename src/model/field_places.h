@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/assembly.h"
+#include "geometry/joint_faces.h"
 #include "model/parts.h"
 #include "wythe/model.h"
 
@@ -37,15 +38,22 @@ struct FieldPlace {
   double x = 0, y = 0;  // its centre [m]
   int course = -1;      // of a joint: that of the block above or right of it
   int unit = -1;        // numbered in the wall
+  double z = 0;         // in space
 };
 [[nodiscard]] std::vector<FieldPlace> field_places(const ModelSpec& spec,
                                                    const geometry::Assembly& assembly,
+                                                   const FieldTarget& target);
+// In space: a course are the units of one number whose feet are at one height, as builders name them; a joint is its
+// upper block's, of upright ones that on the side of +x, else of +z.
+[[nodiscard]] std::vector<FieldPlace> field_places(const ModelSpec& spec,
+                                                   const geometry::SpaceAssembly& assembly,
                                                    const FieldTarget& target);
 
 // What was drawn, by face and block; adds a fault for a field that was drawn for another wall or not at all.
 class FieldValues {
  public:
   FieldValues(const ModelSpec& spec, const geometry::Assembly& assembly, FaultList& faults);
+  FieldValues(const ModelSpec& spec, const geometry::SpaceAssembly& assembly, FaultList& faults);
   [[nodiscard]] bool act_on(const std::string& material) const;
   // The material of face `face`, from the one as stated.
   [[nodiscard]] JointMaterial of_face(int face, const JointMaterial& stated) const;
@@ -54,6 +62,8 @@ class FieldValues {
   // Puts each field, as it stands in the model, into its anatomy.
   void describe(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                 Model& model) const;
+  void describe(const ModelSpec& spec, const geometry::SpaceAssembly& assembly, const BlockMap& map,
+                Model& model) const;
 
  private:
   struct Item {
@@ -61,6 +71,12 @@ class FieldValues {
     bool is_factor = true;
     std::vector<double> value;  // of each face or block; NaN where the field does not act
   };
+  template <class Assembly>
+  void take(const ModelSpec& spec, const Assembly& assembly, std::size_t blocks, FaultList& faults);
+  // `density` says what the model states of a block.
+  template <class Density>
+  void put_into(const ModelSpec& spec, const BlockMap& map, const Density& density,
+                Model& model) const;
   static double put(const Item& item, int entity, double stated);
   std::vector<Item> items_;
 };

@@ -344,7 +344,7 @@ class LinkCompiler {
   End find(const std::string& key, const PlaceSpec& at, bool below = false) {
     const std::optional<Vec3> point = site_.point_of(at);
     const bool more = std::isfinite(at.width) || std::isfinite(at.height) || at.courses != 1 ||
-                      site_.is_foreign(at);
+                      !at.role.empty() || site_.is_foreign(at);
     if (more || int{point.has_value()} + int{!at.block.empty()} + int{at.beam} != 1) {
       fault(key, "", "must be one point, one block or the beam",
             fmt::format("write e.g. {} = {}", key.substr(1), site_.example()));

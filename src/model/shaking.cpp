@@ -15,7 +15,8 @@ constexpr double kStandardGravity = 9.80665;  // of what is told in g [m/s^2]
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 bool is_set(double number) { return !std::isnan(number); }
 bool says_something(const PlaceSpec& p) {
-  return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() || p.beam;
+  return is_set(p.x) || is_set(p.y) || is_set(p.z) || is_set(p.width) || !p.block.empty() ||
+         p.beam || !p.role.empty();
 }
 
 double in_metres(RecordUnit unit, double gravity) {

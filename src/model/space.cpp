@@ -15,11 +15,13 @@
 
 #include "contact/parameters.h"
 #include "geometry/blocks_file.h"
+#include "model/field_places.h"
 #include "model/fields.h"
 #include "model/free_shapes.h"
 #include "model/parts.h"
 #include "model/space_places.h"
 #include "model/space_points.h"
+#include "model/space_roles.h"
 #include "model/space_solids.h"
 
 namespace wythe {
@@ -40,11 +42,9 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   };
   refuse("storey", !spec.storey.empty());
   refuse("region", !spec.region.empty());
-  refuse("field", !spec.field.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());
-  refuse("assessment", !spec.assessment.code.empty());
   for (std::size_t k = 0; k < spec.stage.size(); ++k)
     refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
            std::isfinite(spec.stage[k].contraflexure));
@@ -71,91 +71,83 @@ class Materials {
     const auto known = index_.find(name);
     if (known != index_.end()) return known->second;
     const auto stated = spec_.material.find(name);
-    const auto index = static_cast<std::int32_t>(model_.materials.size());
+    const std::int32_t index = append(name, {});
     index_[name] = index;
-    model_.material_names.push_back(name);
-    model_.materials.emplace_back();
     if (stated == spec_.material.end()) {
       faults_.add({"", "material." + name, "", "is missing; joints of the wall are made of it",
                    fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
       return index;
     }
-    for (const MaterialFault& fault : check_joint_material(stated->second))
+    for (const MaterialFault& fault : check_joint_material(stated->second)) {
+      bad_.insert(name);
       faults_.add(
           {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
-    model_.materials.back() = stated->second;
+    }
+    model_.materials[at(index)] = stated->second;
     return index;
+  }
+
+  // That of face `number`: its own where a field acts on it.
+  std::int32_t index_of(const std::string& name, int number, const JointFace& face,
+                        const FieldValues& fields) {
+    const std::int32_t stated = index_of(name);
+    if (!fields.act_on(name)) return stated;
+    const JointMaterial own = fields.of_face(number, model_.materials[at(stated)]);
+    if (!bad_.contains(name))
+      for (const MaterialFault& fault : check_joint_material(own)) note(name, face, fault);
+    const std::int32_t index = append(name, own);
+    model_.stated_material.back() = stated;
+    return index;
+  }
+
+  // What fields make inadmissible: of each key the first joint, and how many more.
+  void report_drawn() {
+    for (const auto& [path, drawn] : drawn_)
+      faults_.add(
+          {"", path, drawn.first.value,
+           fmt::format("at the joint at x = {:.3f} m, y = {:.3f} m, z = {:.3f} m{}: {}", drawn.at.x,
+                       drawn.at.y, drawn.at.z,
+                       drawn.joints > 1 ? fmt::format(" (and at {} more)", drawn.joints - 1) : "",
+                       drawn.first.problem),
+           "give the field a smaller cov or cut it off by lower and upper, or let what must "
+           "keep step follow it by a formula ([field.NAME] formula)",
+           0});
   }
 
   // A law that follows from a body's moduli.
   std::int32_t derived(const std::string& name, const JointMaterial& law) {
     const auto known = index_.find(name);
     if (known != index_.end()) return known->second;
-    index_[name] = static_cast<std::int32_t>(model_.materials.size());
-    model_.material_names.push_back(name);
-    model_.materials.push_back(law);
-    return index_[name];
+    return index_[name] = append(name, law);
   }
 
  private:
+  struct Drawn {
+    MaterialFault first;
+    Vec3 at;  // of its joint [m]
+    int joints = 0;
+  };
+  void note(const std::string& name, const JointFace& face, const MaterialFault& fault) {
+    const auto [drawn, is_new] =
+        drawn_.try_emplace("material." + name + "." + fault.key, Drawn{fault, face.centre});
+    ++drawn->second.joints;
+  }
+
+  std::int32_t append(const std::string& name, const JointMaterial& law) {
+    const auto index = static_cast<std::int32_t>(model_.materials.size());
+    model_.material_names.push_back(name);
+    model_.materials.push_back(law);
+    if (!spec_.field.empty()) model_.stated_material.push_back(index);
+    return index;
+  }
+
   const ModelSpec& spec_;
   Model& model_;
   FaultList& faults_;
   std::map<std::string, std::int32_t> index_;
+  std::set<std::string> bad_;           // faulty as stated
+  std::map<std::string, Drawn> drawn_;  // by path of a key
 };
-
-// "front.c03u05" of the pieces "front.c03u05a" and "front.c03u05b", ".w1" and the like kept: a unit in pieces, as the
-// builders name them; "" for any other body.
-std::string unit_of(const std::string& id) {
-  const auto digits_before = [&](std::size_t end) {
-    std::size_t k = end;
-    while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
-    return k;
-  };
-  const bool in_wythe = id.size() > 3 && id[id.size() - 3] == '.' && id[id.size() - 2] == 'w';
-  const std::size_t end = in_wythe ? id.size() - 3 : id.ends_with(".t") ? id.size() - 2 : id.size();
-  if (end < 5 || id[end - 1] < 'a' || id[end - 1] > 'z') return "";
-  const std::size_t unit = digits_before(end - 1);
-  if (unit == end - 1 || unit == 0 || (id[unit - 1] != 'u' && id[unit - 1] != 't')) return "";
-  const std::size_t course = digits_before(unit - 1);
-  if (course == unit - 1 || course == 0 || id[course - 1] != 'c') return "";
-  return id.substr(0, end - 1) + id.substr(end);
-}
-
-// "front.lintel0" of its segments "front.lintel0.s3", as the builders name them; "" for any other body.
-std::string chain_of(const std::string& id) {
-  const auto digits_before = [&](std::size_t end) {
-    std::size_t k = end;
-    while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
-    return k;
-  };
-  const std::size_t segment = digits_before(id.size());
-  if (segment == id.size() || segment < 2 || id.compare(segment - 2, 2, ".s") != 0) return "";
-  const std::size_t end = segment - 2, number = digits_before(end);
-  constexpr std::string_view kLintel = ".lintel";
-  if (number == end || number < kLintel.size() ||
-      id.compare(number - kLintel.size(), kLintel.size(), kLintel) != 0)
-    return "";
-  return id.substr(0, end);
-}
-
-// Joints as a wall's in its plane: level ones, upright ones, crack planes in units.
-std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
-  const MasonryJoints& named = shape.wall.joints;
-  const std::string bed = named.joint.empty() ? "joint" : named.joint;
-  if (a.fixed) return shape.material.contains("foundation") ? "foundation" : bed;
-  const std::string unit = unit_of(a.id);
-  if (!unit.empty() && unit == unit_of(b.id))
-    return named.unit_joint.empty() ? "unit" : named.unit_joint;
-  const bool upright = std::fabs(normal.y) < 0.5;
-  return upright && !named.head_joint.empty() ? named.head_joint : bed;
-}
-
-std::string material_of(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
-  const std::string plain = plain_joint(shape, a, b, normal);
-  const std::string between = geometry::ruled_material(shape, a.material, b.material, plain);
-  return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
-}
 
 // Numbers bodies: free ones first, in their order, then supports; deformable ones by solid_id().
 std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
@@ -171,8 +163,8 @@ std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
   return id;
 }
 
-void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& model,
-                 FaultList& faults) {
+void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const FieldValues& fields,
+                 Model& model, FaultList& faults) {
   const Shape shape(spec);
   Space& space = model.space;
   Anatomy& anatomy = model.anatomy;
@@ -184,7 +176,8 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& mo
       space.body.push_back(body);
       space.centroid.push_back(moments.centroid);
       if (fixed) continue;
-      const double density = geometry::density_in_file(shape, body.material);
+      const double density =
+          fields.density_of(static_cast<int>(k), geometry::density_in_file(shape, body.material));
       if (!(density > 0))
         faults.add({"", "wall.blocks." + body.id, "",
                     fmt::format("has no density: neither material {} nor wall.unit has one",
@@ -200,8 +193,7 @@ void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, Model& mo
       model.centroid_x.push_back(moments.centroid.x);
       model.centroid_y.push_back(moments.centroid.y);
       anatomy.block_id.push_back(body.id);
-      anatomy.block_role.push_back(chain_of(body.id).empty() ? BlockRole::kMasonry
-                                                             : BlockRole::kLintel);
+      anatomy.block_role.push_back(role_of(body));
       anatomy.block_course.push_back(-1);
     }
   model.inertia.assign(at(model.n_block), 0.0);  // of turns in the plane: not used
@@ -322,7 +314,8 @@ void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
 }
 
 void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
-                 const std::vector<BlockId>& id, Model& model, FaultList& faults) {
+                 const std::vector<BlockId>& id, const FieldValues& fields, Model& model,
+                 FaultList& faults) {
   const Shape shape(spec);
   Materials materials(spec, model, faults);
   const PointChoice choice = point_choice(spec.solve);
@@ -330,15 +323,21 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   model.solve.points_per_face = choice.points;
   std::vector<Placed> joints;
   std::vector<SpaceSolidFace> solids;
-  for (const JointFace& face : assembly.faces) {
+  for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
+    const JointFace& face = assembly.faces[number];
     const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
     if (a.fixed && b.fixed) continue;
+    const auto material = [&] {
+      return materials.index_of(joint_material_of(shape, a, b, face.normal),
+                                static_cast<int>(number), face, fields);
+    };
     if (has_zones(a) || has_zones(b)) {
       add_solid_face(assembly, face, id, solids, faults);
-      solids.back().material = materials.index_of(material_of(shape, a, b, face.normal));
+      solids.back().material = material();
       continue;
     }
-    if (const std::string chain = chain_of(a.id); !chain.empty() && chain == chain_of(b.id)) {
+    if (is_chain(a, b)) {
+      const std::string chain = chain_of(a.id);
       const auto body = spec.material.find(a.material);
       if (body == spec.material.end() || !(body->second.youngs_modulus > 0) ||
           !(body->second.shear_modulus > 0)) {
@@ -357,9 +356,9 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
         joints.push_back(half);
       continue;
     }
-    joints.push_back(placed(face, id[at(face.a)], id[at(face.b)],
-                            materials.index_of(material_of(shape, a, b, face.normal)), choice));
+    joints.push_back(placed(face, id[at(face.a)], id[at(face.b)], material(), choice));
   }
+  materials.report_drawn();
   faults.throw_if_any();
   const auto variant = [&](const Placed& joint) {
     const contact::LawChoice c = contact::choice_of(model.materials[at(joint.material)]);
@@ -367,7 +366,7 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
                       static_cast<int>(c.unloading), static_cast<int>(c.cap)};
   };
   const auto key = [&](const Placed& joint) {
-    return std::tuple(joint.a >= model.n_block, variant(joint), joint.material,
+    return std::tuple(joint.a >= model.n_block, variant(joint), model.stated(joint.material),
                       joint.points.r1.size());
   };
   std::stable_sort(joints.begin(), joints.end(),
@@ -419,6 +418,13 @@ void measure(const SpaceAssembly& assembly, Model& model) {
     model.solve.collapse_displacement = model.solve.contacts == Contacts::kFree
                                             ? std::numeric_limits<double>::infinity()
                                             : smallest;
+}
+
+// What lies on a slab is spread as the slab is, so its moments of inertia grow as its mass.
+void spread_over_slabs(const std::vector<double>& bare, Model& model) {
+  for (std::size_t i = 0; i < bare.size(); ++i)
+    if (model.anatomy.block_role[i] == BlockRole::kSlab && model.mass[i] > bare[i])
+      model.space.inertia[i] = (model.mass[i] / bare[i]) * model.space.inertia[i];
 }
 
 // Smooth start of pushes that state none: a fifth of the push, at most.
@@ -475,16 +481,18 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   Model model;
   model.solve = spec.solve;
   model.output = spec.output;
+  const FieldValues fields(spec, assembly, faults);
+  faults.throw_if_any();
   const std::vector<BlockId> id = number(assembly, model);
   compile_space_solids(spec, assembly, model, faults);
-  fill_blocks(spec, assembly, model, faults);
+  fill_blocks(spec, assembly, fields, model, faults);
   if (model.n_block == 0 && !model.space.solids.bodies.empty())
     faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
                 "leave at least one rigid block: loads and pushes act on those", 0});
   else if (model.n_block == 0)
     faults.add({"", "wall.blocks", "", "holds no block that moves", "leave at least one free", 0});
   faults.throw_if_any();
-  fill_joints(spec, assembly, id, model, faults);
+  fill_joints(spec, assembly, id, fields, model, faults);
   fill_lists(model);
   measure(assembly, model);
   compile_free_in_space(spec, model, faults);
@@ -493,10 +501,12 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
     model.weight += mass * model.solve.gravity;
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
+  spread_over_slabs(bare, model);
   compile_links(spec, assembly, id, model, faults);
   compile_space_stages(spec, assembly, id, floors, model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);
+  fields.describe(spec, assembly, id, model);
   bound_space_step(model);
   set_dashpots(model);
   set_ramps(model);

@@ -9,6 +9,7 @@
 #include "model/free_shapes.h"
 #include "model/shaking.h"
 #include "model/space.h"
+#include "model/space_roles.h"
 #include "model/space_solids.h"
 
 namespace wythe {
@@ -158,13 +159,14 @@ double own_bound(const Model& m, std::size_t i, const Matrix6& links) {
 // stay, and a note says how much (docs/decisions/0009).
 void raise_light_inertia(Model& m, std::vector<double>& bound) {
   constexpr double kMuch = 0.03;
+  const auto is_segment = [&](std::size_t i) { return !chain_of(m.anatomy.block_id[i]).empty(); };
   double masonry = 0, all = 0, added = 0, raised = 0;
   for (std::size_t i = 0; i < bound.size(); ++i) {
     all += m.mass[i];
-    if (m.anatomy.block_role[i] == BlockRole::kMasonry) masonry = std::fmax(masonry, bound[i]);
+    if (!is_segment(i)) masonry = std::fmax(masonry, bound[i]);
   }
   for (std::size_t i = 0; i < bound.size() && masonry > 0; ++i) {
-    if (m.anatomy.block_role[i] != BlockRole::kLintel || !(bound[i] > masonry)) continue;
+    if (!is_segment(i) || !(bound[i] > masonry)) continue;
     const double factor = bound[i] / masonry;
     added += (factor - 1) * m.mass[i];
     m.mass[i] *= factor;

@@ -1,5 +1,7 @@
 #include "model/space_places.h"
 
+#include "model/space_roles.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,6 +36,10 @@ bool is_named(const BodySpec& body, const std::string& pattern) {
   return body.id == pattern;
 }
 
+bool has_role(const BodySpec& body, const std::string& role) {
+  return role.empty() || (!body.fixed && role == word_of(kBlockRoleWords, role_of(body)));
+}
+
 }  // namespace
 
 SpacePlaces::SpacePlaces(const ModelSpec& spec, const SpaceAssembly& assembly)
@@ -59,7 +65,7 @@ std::vector<std::size_t> SpacePlaces::find(const PlaceSpec& place) const {
                                         within(c.z, place.z, place.depth)
                          : is_point ? holds_point(k, place)
                                     : true;
-    if (matches) found.push_back(k);
+    if (matches && has_role(assembly_.body[k], place.role)) found.push_back(k);
   }
   return found;
 }

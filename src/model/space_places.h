@@ -23,7 +23,7 @@ class SpacePlaces {
   [[nodiscard]] Vec3 in_file(Vec3 in_wall) const;
   [[nodiscard]] const geometry::Box3& box(std::size_t body) const { return box_[body]; }
 
-  // Bodies at a place, supports too; all of them where it says nothing.
+  // Bodies at a place, supports too; all of them where it says nothing. A role narrows it to free ones that have it.
   [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const;
   // The point that a place states, in the wall's axes; none where a coordinate is missing.
   [[nodiscard]] std::optional<Vec3> point_of(const PlaceSpec& place) const;

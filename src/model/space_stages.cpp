@@ -34,7 +34,7 @@ class SpaceStages {
         faults_(faults),
         places_(spec, assembly) {
     for (std::size_t k = 0; k < assembly.body.size(); ++k)
-      lowest_ = std::fmin(lowest_, places_.box(k).low.y);
+      if (!assembly.body[k].fixed) lowest_ = std::fmin(lowest_, places_.box(k).low.y);
   }
 
   void run() {
@@ -252,6 +252,7 @@ class SpaceStages {
       return fault("control", "", fixed ? "cannot steer a support" : "finds no block that moves",
                    "name a point in a block, or its id; supports are driven as they are");
     stage.control = id_[found.front()];
+    stage.load_height = assembly_.moments[found.front()].centroid.y - lowest_;
   }
 
   const ModelSpec& spec_;

@@ -99,7 +99,7 @@ class StageCompiler {
     refuse("face", !s.face.empty());
     refuse("pattern", s.pattern == Pattern::kArea);
     const auto is_deep = [](const PlaceSpec& p) {
-      return std::isfinite(p.z) || std::isfinite(p.depth);
+      return std::isfinite(p.z) || std::isfinite(p.depth) || !p.role.empty();
     };
     refuse("at", is_deep(s.at));
     refuse("control", is_deep(s.control));

@@ -94,6 +94,7 @@ const SolidBody* first_lintel(const Model& model) {
 }
 
 LintelMeasures lintel_measures(const Model& model, const State& s) {
+  if (model.in_space()) return lintel_measures_in_space(model, s);
   const SolidBody* body = first_lintel(model);
   if (body == nullptr) return {};
   const Solids& m = model.solids;
@@ -111,7 +112,8 @@ LintelMeasures lintel_measures(const Model& model, const State& s) {
 }  // namespace reading
 
 ShownColumns columns_of(const Model& model) {
-  ShownColumns of{.lintel_of_zones = reading::first_lintel(model) != nullptr};
+  ShownColumns of{.lintel_of_zones = reading::first_lintel(model) != nullptr ||
+                                     reading::first_lintel_in_space(model) != nullptr};
   for (const Stage& stage : model.stages)  // the curve is that of the last push
     if (stage.spec.kind == StageKind::kPush)
       of.held_head = stage.spec.across == Freedom::kBlocked && !model.in_space();

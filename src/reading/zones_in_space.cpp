@@ -120,6 +120,94 @@ std::vector<BeyondLimit> beyond_limits_in_space(const Model& model, const State&
   return found;
 }
 
+// Stations of a lintel from its left end to its right one: along its longer level direction, towards +x, or +z.
+class LintelStations {
+ public:
+  LintelStations(const SpaceSolids& m, const SpaceSolidBody& body) : m_(m), body_(body) {
+    const Vec3 a = m.node[at(body.node(body.count[0], 0, 0))] - m.node[at(body.node(0, 0, 0))],
+               c = m.node[at(body.node(0, 0, body.count[2]))] - m.node[at(body.node(0, 0, 0))];
+    runs_along_c_ = length(c) > length(a);
+    along_ = runs_along_c_ ? c / length(c) : a / length(a);
+    is_reversed_ = along_.x < -1e-9 || (std::fabs(along_.x) <= 1e-9 && along_.z < 0);
+    if (is_reversed_) along_ = -1.0 * along_;
+  }
+  [[nodiscard]] int count() const { return body_.count[runs_along_c_ ? 2 : 0]; }
+
+  // Sag, mean through the section at a station.
+  [[nodiscard]] double sag(const State& s, int station) const {
+    double sum = 0, n = 0;
+    each_place(1,
+               [&](int across, int up) { sum -= s.node_uy[at(node(station, up, across))], ++n; });
+    return sum / n;
+  }
+  // Turn of a section, from its lowest nodes to its highest, in the plane of the lintel and the vertical.
+  [[nodiscard]] double turn(const State& s, int station) const {
+    const int top = body_.count[1];
+    double along = 0, high = 0;
+    for (int across = 0; across <= others(); ++across) {
+      const std::size_t low = at(node(station, 0, across)), up = at(node(station, top, across));
+      const Vec3 between = m_.node[up] - m_.node[low] + moved_of(s, up) - moved_of(s, low);
+      along += dot(between, along_), high += between.y;
+    }
+    return std::atan2(-along, high);
+  }
+  // Axial force in one layer of zones across it.
+  [[nodiscard]] double axial(const State& s, int layer) const {
+    const Vec3 up = m_.node[at(node(0, body_.count[1], 0))] - m_.node[at(node(0, 0, 0))],
+               wide = m_.node[at(node(0, 0, others()))] - m_.node[at(node(0, 0, 0))];
+    const double area = length(cross(up, wide)) / (body_.count[1] * others());
+    double force = 0;
+    each_place(0, [&](int across, int row) {
+      const int i = is_reversed_ ? count() - 1 - layer : layer;
+      const std::size_t z =
+          at(runs_along_c_ ? body_.zone(across, row, i) : body_.zone(i, row, across));
+      const auto [xx, yy, zz, xy, yz, zx] =
+          solids::hexahedron_stress(shape_of(m_, z), displacements(m_, s, z));
+      const Vec3 d = along_;
+      force += area * (xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z +
+                       2 * (xy * d.x * d.y + yz * d.y * d.z + zx * d.z * d.x));
+    });
+    return force;
+  }
+
+ private:
+  [[nodiscard]] int others() const { return body_.count[runs_along_c_ ? 0 : 2]; }
+  [[nodiscard]] int node(int station, int up, int across) const {
+    const int i = is_reversed_ ? count() - station : station;
+    return runs_along_c_ ? body_.node(across, up, i) : body_.node(i, up, across);
+  }
+  // Of a section: its zones, or with `more` = 1 its nodes.
+  template <class Act>
+  void each_place(int more, const Act& act) const {
+    for (int across = 0; across < others() + more; ++across)
+      for (int up = 0; up < body_.count[1] + more; ++up) act(across, up);
+  }
+
+  const SpaceSolids& m_;
+  const SpaceSolidBody& body_;
+  bool runs_along_c_ = false, is_reversed_ = false;
+  Vec3 along_;
+};
+
+const SpaceSolidBody* first_lintel_in_space(const Model& model) {
+  for (const SpaceSolidBody& body : model.space.solids.bodies)
+    if (body.role == BlockRole::kLintel) return &body;
+  return nullptr;
+}
+
+LintelMeasures lintel_measures_in_space(const Model& model, const State& s) {
+  const SpaceSolidBody* body = first_lintel_in_space(model);
+  if (body == nullptr) return {};
+  const LintelStations lintel(model.space.solids, *body);
+  const int last = lintel.count(), left = last / 2, right = (last + 1) / 2;
+  LintelMeasures now;
+  now.deflection = 0.5 * (lintel.sag(s, left) + lintel.sag(s, right)) -
+                   0.5 * (lintel.sag(s, 0) + lintel.sag(s, last));
+  now.end_rotation = lintel.turn(s, last) - lintel.turn(s, 0);
+  now.axial = 0.5 * (lintel.axial(s, (last - 1) / 2) + lintel.axial(s, last / 2));
+  return now;
+}
+
 }  // namespace reading
 
 std::vector<SpaceZoneReading> read_space_zones(const Model& model, const State& state) {

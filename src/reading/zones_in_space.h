@@ -21,6 +21,8 @@ struct RigidSide {
 // Body i: its mean displacement by mass, without a turn.
 [[nodiscard]] BlockReading body_in_space(const Model& model, const State& state, int body);
 
+[[nodiscard]] const SpaceSolidBody* first_lintel_in_space(const Model& model);
+[[nodiscard]] LintelMeasures lintel_measures_in_space(const Model& model, const State& state);
 [[nodiscard]] double strain_energy_in_space(const Model& model, const State& state);
 [[nodiscard]] std::vector<BeyondLimit> beyond_limits_in_space(const Model& model,
                                                               const State& state);

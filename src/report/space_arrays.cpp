@@ -8,6 +8,7 @@
 // A zone of a deformable block is shown as a body of its own, which moves and turns as its mean does, so that a
 // lintel is seen to bend.
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "report/wall_arrays.h"
@@ -161,6 +162,37 @@ Json load_of(const Model& model) {
   return nullptr;
 }
 
+// Ties, diaphragms and springs: their ends at the start, of a spring both where it holds its block; -1: the ground.
+Json links_of(const Model& model, const Vec3& middle) {
+  const Links& l = model.links;
+  const std::vector<LinkReading> rest = read_links(model, initial_state(model));
+  const auto place = [&](const Vec3& end) {
+    const Vec3 p = end - middle;
+    return Json{p.x, p.y, p.z};
+  };
+  const auto body = [&](BlockId block) {
+    return block == kGroundBlock ? kGroundBlock : shown_as(model, block);
+  };
+  Json list = Json::array();
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    list.push_back({{"name", l.name[k]},
+                    {"kind", word_of(kLinkKindWords, l.kind[k])},
+                    {"a", body(l.a[k])},
+                    {"b", body(l.b[k])},
+                    {"from", place(rest[k].ends[0])},
+                    {"to", place(rest[k].ends[1])},
+                    {"along", {l.span_x[k], l.span_y[k], l.span_z[k]}}});
+  return list;
+}
+
+// As docs/theory/links.md has it: one that has yielded keeps a part of its elongation; a limit of 0 has no flow.
+std::uint8_t state_of(const Links& links, std::size_t k, const LinkReading& link) {
+  constexpr double kYielded = 1e-6;  // of the elongation at the limit
+  const double limit = link.plastic > 0 ? links.tension[k] : links.compression[k];
+  if (limit > 0 && std::fabs(link.plastic) * links.stiffness[k] > kYielded * limit) return 2;
+  return link.force == 0 && (links.tension[k] == 0 || links.compression[k] == 0) ? 1 : 0;
+}
+
 }  // namespace
 
 void add_space(Bundle& bundle, const Model& model, Json& wall) {
@@ -171,6 +203,7 @@ void add_space(Bundle& bundle, const Model& model, Json& wall) {
                 {"load", load_of(model)}};
   const std::vector<BodySpec> bodies = bodies_shown(model);
   add_names(bundle, bodies, space);
+  if (model.links.n > 0) space["links"] = links_of(model, middle);
   wall["space"] = space;
   wall["joints"] = joint_count(model);
   Parts parts;
@@ -218,6 +251,12 @@ void SpaceFrames::add(const Model& model, const State& state) {
     damage_.push_back(shown ? share_byte(joint.damage) : std::uint8_t{0});
     crushing_.push_back(share_byte(joint.crushing));
   }
+  if (model.links.n == 0) return;
+  const std::vector<LinkReading> links = read_links(model, state);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    link_force_.push_back(links[k].force);
+    link_state_.push_back(state_of(model.links, k, links[k]));
+  }
 }
 
 void SpaceFrames::write(Bundle& bundle, int count) const {
@@ -228,6 +267,9 @@ void SpaceFrames::write(Bundle& bundle, int count) const {
   bundle.add_rounded("frame.stress", stress_, count);
   bundle.add("frame.damage", std::span<const std::uint8_t>(damage_));
   bundle.add("frame.crushing", std::span<const std::uint8_t>(crushing_));
+  if (link_force_.empty()) return;
+  bundle.add_rounded("frame.link_force", link_force_);
+  bundle.add("frame.link_state", std::span<const std::uint8_t>(link_state_));
 }
 
 }  // namespace wythe::report

@@ -41,6 +41,8 @@ class SpaceFrames {
   std::vector<double> moved_, turned_;           // (n_frame, n_body, 3) [m], [rad]
   std::vector<double> opening_, slip_, stress_;  // (n_frame, n_joint) [m], [m], [Pa]
   std::vector<std::uint8_t> damage_, crushing_;
+  std::vector<double> link_force_;        // (n_frame, n_link) tension + [N]
+  std::vector<std::uint8_t> link_state_;  // the same: 0 holds, 1 slack or a gap, 2 yielded
 };
 
 // States in the order they are to be shown; every one has the same blocks and joints.

@@ -97,6 +97,8 @@ class Draw {
   template <class T>
   void table(const char*, T& value, const Key& key) {
     if (!foreign(key) && (!key.optional || !coin(3))) describe(*this, value);
+    if constexpr (std::is_same_v<T, PlaceSpec>)
+      if (!value.role.empty()) value.role = "slab";  // it must be a word of BlockRole
   }
   template <class T>
   void list(const char*, std::vector<T>& values, const Key& key) {

@@ -8,6 +8,7 @@ import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
 import { capital, knows, num, pageUnit, phrase, qty, say, type Said } from "./texts";
+import { collapseInSpace } from "./limit_space";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
 
@@ -90,7 +91,7 @@ function collapse(wall: Wall, limits: any[]): HTMLElement | null {
   return figure.element;
 }
 
-function limitLoads(opinion: any, wall: Wall | null): Child {
+function limitLoads(opinion: any, wall: Wall | null, bundle: Bundle): Child {
   const limits = opinion.limit_loads as any[];
   if (limits.length === 0) return null;
   const list = table(
@@ -114,7 +115,7 @@ function limitLoads(opinion: any, wall: Wall | null): Child {
   );
   return [
     h("p", { class: "soft" }, say("limit_load.lead")),
-    h("div", { id: "limit-loads" }, list, wall ? h("div", { class: "pair" }, collapse(wall, limits)) : null),
+    h("div", { id: "limit-loads" }, list, wall ? h("div", { class: "pair" }, collapse(wall, limits)) : collapseInSpace(bundle, limits)),
   ];
 }
 
@@ -322,7 +323,7 @@ export function limitSections(bundle: Bundle): Section[] {
       title: say("section.mechanisms"),
       content: opinion.mechanisms.length > 0 ? h("div", { class: "stack" }, mechanisms(opinion)) : null,
     },
-    { id: "limits", title: say("section.limits"), content: limitLoads(opinion, wall) },
+    { id: "limits", title: say("section.limits"), content: limitLoads(opinion, wall, bundle) },
     { id: "verdict", title: say("section.verdict"), content: verdict(opinion) },
     { id: "numbers", title: say("section.numbers"), content: numbers(opinion) },
     { id: "inputs", title: say("section.inputs"), content: inputTables(header.inputs, header.note) },

@@ -12,6 +12,18 @@ export interface Load {
   driven: number[]; // bodies; none: all of them
 }
 
+// A tie, a strip of a floor or a spring; a: -1 is the ground. Of a spring `along` is the way its block is held.
+export interface SolidLink {
+  name: string;
+  kind: "tie" | "diaphragm" | "spring";
+  a: number;
+  b: number;
+  from: Vec;
+  to: Vec;
+  along: Vec;
+}
+export const kLinkStates = ["holds", "slack", "yielded"] as const;
+
 // Lists within lists, one after the other: parts of a body, vertices and faces of a part, corners of a face.
 export interface Solids {
   count: number; // bodies
@@ -19,6 +31,7 @@ export interface Solids {
   joints: number;
   middle: Vec;
   load: Load | null;
+  links: SolidLink[];
   names: string[];
   materials: string[];
   material: Numbers; // of each body
@@ -43,7 +56,7 @@ export interface Solids {
 export function readSolids(bundle: Bundle): Solids | null {
   const wall = bundle.header.wall;
   if (!wall?.space) return null;
-  const { names, materials, supports, middle, load } = wall.space;
+  const { names, materials, supports, middle, load, links } = wall.space;
   const get = (name: string): Numbers => bundle.array(`space.${name}`);
   const solids: Solids = {
     count: names.length,
@@ -51,6 +64,7 @@ export function readSolids(bundle: Bundle): Solids | null {
     joints: wall.joints,
     middle,
     load,
+    links: links ?? [],
     names,
     materials,
     material: get("material"),
@@ -128,6 +142,8 @@ export interface SolidState {
   stress: Numbers; // mean across it, tension + [Pa]
   damage: Numbers; // 0-255
   crushing: Numbers;
+  linkForce: Numbers; // (n_link) tension + [N]; of pages without links none
+  linkState: Numbers; // places in kLinkStates
 }
 
 export class SolidStates {
@@ -147,10 +163,12 @@ export class SolidStates {
       stress: get("stress"),
       damage: get("damage"),
       crushing: get("crushing"),
+      linkForce: solids.links.length > 0 ? get("link_force") : new Float32Array(0),
+      linkState: solids.links.length > 0 ? get("link_state") : new Float32Array(0),
     };
   }
   at(frame: number): SolidState {
-    const { count, joints } = this.solids;
+    const { count, joints, links } = this.solids;
     const slice = (name: keyof SolidState, n: number): Numbers =>
       this.arrays[name].subarray(frame * n, (frame + 1) * n);
     return {
@@ -161,6 +179,8 @@ export class SolidStates {
       stress: slice("stress", joints),
       damage: slice("damage", joints),
       crushing: slice("crushing", joints),
+      linkForce: slice("linkForce", links.length),
+      linkState: slice("linkState", links.length),
     };
   }
 }
@@ -238,6 +258,11 @@ export class Poses {
       c = 3 * body;
     return this.carried(body, from[i] - centroid[c], from[i + 1] - centroid[c + 1], from[i + 2] - centroid[c + 2]);
   }
+  private carriedFrom(body: number, [x, y, z]: Vec): Vec {
+    const { centroid } = this.states.solids,
+      c = 3 * body;
+    return this.carried(body, x - centroid[c], y - centroid[c + 1], z - centroid[c + 2]);
+  }
   private carried(body: number, x: number, y: number, z: number): Vec {
     const { data } = this,
       k = 8 * body;
@@ -256,6 +281,11 @@ export class Poses {
       cy = qz * x - qx * z + w * y,
       cz = qx * y - qy * x + w * z;
     return [x + 2 * (qy * cz - qz * cy), y + 2 * (qz * cx - qx * cz), z + 2 * (qx * cy - qy * cx)];
+  }
+  // Both ends of a link; an end in the ground stays.
+  link(l: SolidLink): [Vec, Vec] {
+    const end = (body: number, from: Vec): Vec => (body < 0 ? from : this.carriedFrom(body, from));
+    return [end(l.a, l.from), end(l.b, l.to)];
   }
   // A corner of a joint's polygon, half way between its two faces.
   between(j: number, corner: number): Vec {

@@ -22,6 +22,12 @@ export interface Marks {
   joints: Int32Array;
   look: Uint8Array;
 }
+// How a link is drawn above the picture.
+export interface LinkMark {
+  colour: Rgb;
+  width: number; // [px]
+  dash: number[];
+}
 export interface Scene {
   camera: Camera;
   poses: Poses;
@@ -30,6 +36,7 @@ export interface Scene {
   cut: Cut | null;
   clear: boolean; // blocks are seen through
   farthest: number; // that anything has moved in the picture [m]
+  links: LinkMark[]; // of each link
   palette: { paper: Rgb; edge: Rgb; ink: Rgb; load: Rgb };
 }
 export interface Picture {
@@ -216,7 +223,9 @@ function arrow(to: CanvasRenderingContext2D, x: number, y: number, dx: number, d
 }
 
 // Axes at the lower left, an arrow of the load, a length to measure by.
-export function drawOver(to: CanvasRenderingContext2D, solids: Solids, { camera, poses, palette }: Scene, length: { metres: number; words: string }): void {
+export function drawOver(to: CanvasRenderingContext2D, solids: Solids, scene: Scene, length: { metres: number; words: string }): void {
+  const { camera, poses, palette } = scene;
+  drawLinks(to, solids, scene);
   const axes = camera.axes();
   to.lineWidth = 1.5;
   to.font = "600 12px system-ui, sans-serif";
@@ -250,6 +259,40 @@ export function drawOver(to: CanvasRenderingContext2D, solids: Solids, { camera,
   to.font = "12px system-ui, sans-serif";
   write(length.words, right - long / 2, camera.height - 24);
   if (solids.load) loadArrow(to, solids, camera, poses, cssOf(palette.load));
+}
+
+// Links are seen through blocks, as a plan shows them; a spring is a coil from its block to the ground.
+function drawLinks(to: CanvasRenderingContext2D, solids: Solids, { camera, poses, cut, links, palette }: Scene): void {
+  solids.links.forEach((link, k) => {
+    const [p, q] = poses.link(link);
+    if (isCutAway(cut, p) && isCutAway(cut, q)) return;
+    const [x, y] = camera.see(p),
+      [u, v] = camera.see(q),
+      look = links[k];
+    const ends: [number, number][] = link.kind === "spring" ? coilOf(camera, q, link.along) : [[x, y], [u, v]];
+    for (const [colour, width, dash] of [[palette.paper, look.width + 2.5, []], [look.colour, look.width, look.dash]] as const) {
+      to.strokeStyle = to.fillStyle = cssOf(colour);
+      to.lineWidth = width;
+      to.setLineDash(dash as number[]);
+      to.beginPath();
+      ends.forEach(([a, b]) => to.lineTo(a, b));
+      to.stroke();
+      to.setLineDash([]);
+      for (const [a, b] of link.kind === "spring" ? [[u, v]] : [[x, y], [u, v]]) {
+        to.beginPath();
+        to.arc(a, b, 0.5 * width + 1.5, 0, 7);
+        to.fill();
+      }
+    }
+  });
+}
+function coilOf(camera: Camera, from: Vec, along: Vec): [number, number][] {
+  const axes = camera.axes(),
+    side = (k: number): number => along.reduce((sum, d, i) => sum + d * axes[k][i], 0);
+  const [dx, dy] = [-side(0), side(1)],
+    [x, y] = camera.see(from);
+  const at = (far: number, off: number): [number, number] => [x + far * dx - off * dy, y + far * dy + off * dx];
+  return [at(0, 0), ...[5, -5, 5, -5, 5].map((off, k) => at(6 * (k + 1), off)), at(36, 0), at(36, -9), at(36, 9)];
 }
 
 // At the middle of what it drives, outside of it.

@@ -2,8 +2,8 @@
 // those of the page's style, by class.
 import { h } from "./dom";
 import { legend, swatch } from "./figure";
-import { crackOfFace, groupOf, type SolidState, type SolidStates } from "./space";
-import type { Marks, Rgb } from "./space_paint";
+import { crackOfFace, groupOf, kLinkStates, type SolidState, type SolidStates } from "./space";
+import type { LinkMark, Marks, Rgb } from "./space_paint";
 import { num, phrase, say } from "./texts";
 import { kSteps, roundSteps, stepOf } from "./wall";
 
@@ -13,6 +13,7 @@ export const kBodies = ["stone", "moved", "turned", "damage", "material", "group
 export type OfBodies = (typeof kBodies)[number];
 const kStones = ["stone0", "stone1", "stone2", "stone3"];
 const kGroups = 7; // that have a colour of their own
+const kLinkColours = { holds: "curve", slack: "soft", yielded: "slip" }; // of the page's style
 const kWider = [0.2, 1, 3, 10]; // openings and slips from which on a crack is drawn thicker [mm]
 
 // Colours and widths as the page's style has them, by class.
@@ -115,6 +116,14 @@ export class Shown {
       joints[count++] = j;
     }
     return { count, joints, look };
+  }
+  // Of each link; the style of the plane's, and what has yielded in the colour of slipped cracks.
+  links(state: SolidState, styles: Styles): LinkMark[] {
+    return this.states.solids.links.map((link, k) => {
+      const how = kLinkStates[state.linkState[k]],
+        width = link.kind === "diaphragm" ? 4 : 2.5;
+      return { colour: styles.variable(kLinkColours[how]), width: how === "yielded" ? width + 1.5 : width, dash: how === "slack" ? [5, 4] : [] };
+    });
   }
   tints(state: SolidState, styles: Styles, picked: number): Uint8Array {
     const { solids } = this.states;
@@ -230,7 +239,11 @@ export class Shown {
     };
     const row = (name: string, what: HTMLElement | null): HTMLElement | null =>
       what && h("div", { class: "key-row" }, h("b", {}, name), what);
-    return h("div", {}, row(say("space.faces"), faces()), row(say("space.bodies"), bodies()));
+    const links = (): HTMLElement | null =>
+      this.states.solids.links.length === 0
+        ? null
+        : legend(kLinkStates.map((how): [SVGSVGElement, string] => [swatch(`link-mark ${how}`), say(`link.${how}`)]));
+    return h("div", {}, row(say("space.faces"), faces()), row(say("space.bodies"), bodies()), row(say("space.links"), links()));
   }
 }
 

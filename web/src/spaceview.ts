@@ -10,6 +10,7 @@ import {
   Camera,
   crackOfFace,
   fittingSize,
+  kLinkStates,
   Planes,
   Poses,
   readSolids,
@@ -45,12 +46,17 @@ export function viewOf(
 }
 
 const kCutSteps = 200;
+const kMostLinks = 8; // whose forces are told
 const kViews: Record<string, [number, number]> = {
   front: [0, 0],
   side: [Math.PI / 2, 0],
   top: [0, Math.PI / 2],
   oblique: [0.6, 0.42],
 };
+
+// A mechanism has neither a displacement nor a force.
+const wordsOf = (info: FrameInfo): string[] =>
+  [info.label, Number.isFinite(info.displacement) ? qty(info.displacement, "mm") : "", Number.isFinite(info.reaction) ? qty(info.reaction, "kN") : ""].filter((w) => w !== "");
 
 export class SpaceView implements View {
   readonly element: HTMLElement;
@@ -64,6 +70,7 @@ export class SpaceView implements View {
   private readonly over = h("canvas", { class: "over", "aria-hidden": "true" });
   private readonly key = h("div", { class: "wall-key" });
   private readonly caption = h("output", { class: "wall-caption" });
+  private readonly links = h("output", { class: "link-forces" });
   private readonly picked = h("output", { class: "picked-body", "aria-live": "polite" });
   private readonly camera = new Camera();
   private readonly planes: Planes;
@@ -103,6 +110,7 @@ export class SpaceView implements View {
       this.stage,
       gl ? null : h("p", { class: "note small no-webgl", role: "status" }, say("space.no_webgl")),
       this.picked,
+      this.links,
       this.key,
       this.player.element,
       this.caption,
@@ -201,6 +209,7 @@ export class SpaceView implements View {
       poses: this.poses,
       tints: this.shown.tints(state, styles, this.lit),
       marks: this.shown.marks(state, styles),
+      links: this.shown.links(state, styles),
       cut: this.cut,
       clear: this.clear,
       farthest: 2 * this.scale * farthest,
@@ -214,10 +223,24 @@ export class SpaceView implements View {
   }
   private tell(): void {
     const info = this.spec.info[this.look.frame];
-    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN")].filter((w) => w !== "");
+    const words = wordsOf(info);
     this.caption.textContent = [...words, scaleWords(this.scale)].join(" · ");
     this.player.tell(words.join(", "));
     this.picked.replaceChildren(...(this.lit >= 0 ? this.bodyLines(this.lit).map((l) => h("span", {}, l)) : []));
+    this.links.replaceChildren(...this.linkLines().map((l) => h("span", {}, l)));
+  }
+  // The force and state of each link, those that have yielded first; of many the first few.
+  private linkLines(): string[] {
+    const { solids } = this.spec.states,
+      state = this.spec.states.at(this.look.frame);
+    const order = solids.links.map((_, k) => k).sort((a, b) => Number(state.linkState[b] === 2) - Number(state.linkState[a] === 2) || a - b);
+    const lines = order.slice(0, kMostLinks).map((k) => {
+      const how = kLinkStates[state.linkState[k]];
+      const words = `${solids.links[k].name}: ${qty(state.linkForce[k] / 1e3, "kN", 3)}`;
+      return how === "holds" ? words : `${words}, ${say(`link.${how}`)}`;
+    });
+    if (order.length > kMostLinks) lines.push(say("space.links.more", { n: order.length - kMostLinks }));
+    return lines;
   }
   private bodyLines(b: number): string[] {
     const { solids } = this.spec.states,
@@ -454,7 +477,7 @@ export class SpaceView implements View {
     this.scale = fittingSize(this.spec.states, frame);
     this.lit = -1;
     this.shown.faces = "cracks";
-    const words = [info.label, qty(info.displacement, "mm"), qty(info.reaction, "kN"), scaleWords(this.scale)];
+    const words = [...wordsOf(info), scaleWords(this.scale)];
     this.poses.set(frame, this.scale);
     const scene = { ...this.compose(frame, new Styles()), camera };
     const canvas = this.copyOf(scene, width, tallest);
@@ -464,7 +487,7 @@ export class SpaceView implements View {
     this.shown.faces = faces;
     if (theme) root.dataset.theme = theme;
     this.redraw();
-    return h("figure", {}, canvas, h("figcaption", {}, words.filter((w) => w !== "").join(" · ")));
+    return h("figure", {}, canvas, h("figcaption", {}, words.join(" · ")));
   }
 
   // --- pointer and keys ----------------------------------------------------------------------------

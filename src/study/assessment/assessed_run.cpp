@@ -25,10 +25,9 @@ std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
 std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vector<double>& levels) {
   std::vector<std::vector<BlockId>> found(levels.size());
   const double foot = study::foot_of(model);
-  for (BlockId b = 0; b < block_count(model); ++b) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3& corner : outline_of(model, b))
-      low = std::fmin(low, corner.y - foot), high = std::fmax(high, corner.y - foot);
+  for (const BlockId b : study::moving_blocks(model)) {
+    const study::Extent extent = study::extent_of(model, b);
+    const double low = extent.low - foot, high = extent.high - foot;
     const double slack = 1e-6 * high;
     for (std::size_t k = 0; k < levels.size(); ++k)
       if (levels[k] > low + slack && levels[k] <= high + slack) found[k].push_back(b);
@@ -96,17 +95,20 @@ bool drives(const Stage& stage) {
          stage.spec.kind == StageKind::kTilt;
 }
 
-// What pulls at the wall across gravity before or while it is pushed: dead loads, and ties drawn taut
+// What pulls at the wall along the push before or while it is pushed: dead loads, and ties drawn taut
 // against a rigid anchor. Sum of sizes [N]: two that cancel count.
 double thrust_on(const Model& model, const Stage& push) {
+  const Links& links = model.links;
   double sum = 0;
   for (const Stage& stage : model.stages) {
-    for (const PointLoad& load : stage.loads) sum += std::fabs(load.fx);
+    for (const PointLoad& load : stage.loads)
+      sum += std::fabs(load.fx * push.drive_x + load.fz * push.drive_z);
     if (&stage == &push) break;
   }
-  for (std::size_t k = 0; k < static_cast<std::size_t>(model.links.n); ++k)
-    if (model.links.a[k] == kGroundBlock && model.links.span_x[k] != 0)
-      sum += std::fabs(model.links.prestress[k]);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(links.n); ++k)
+    if (links.a[k] == kGroundBlock &&
+        links.span_x[k] * push.drive_x + links.span_z[k] * push.drive_z != 0)
+      sum += std::fabs(links.prestress[k]);
   return sum;
 }
 
@@ -127,6 +129,13 @@ Message barred_by_stages(const Model& model, const Stage& push) {
 }  // namespace
 
 namespace study {
+
+// Of a wall in space, which has no piers (study/modes/in_space.h names these).
+std::string mechanism_in_space(const std::string& name) {
+  if (name == "in-plane shear" || name == "sliding") return "shear";
+  if (name == "in-plane rocking" || name == "rocking") return "flexure";
+  return name.empty() || name == "unclear" || name == "none" ? "" : kOutOfPlane;
+}
 
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
 std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
@@ -154,7 +163,7 @@ JudgedPush judged_push(const Model& model) {
     if (drives(stage)) last = &stage;
   push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
   if (last == nullptr) return push;
-  push.is_horizontal = last->drive_y == 0;
+  push.is_horizontal = std::fabs(last->drive_y) < 1e-12;
   push.is_patterned = last->spec.pattern != Pattern::kNone;
   push.barred = barred_by_stages(model, *last);
   return push;
@@ -164,6 +173,12 @@ namespace {
 double counted_mass(const FloorSpec& floor, const Model& model) {  // of its load [kg/m]
   return floor.load > 0 ? floor.load / model.solve.gravity : 0;
 }
+double length_of(const FloorSpec& floor, const Model& model) {
+  if (model.in_space())
+    return length(
+        Vec3{floor.to.x - floor.from.x, floor.to.y - floor.from.y, floor.to.z - floor.from.z});
+  return std::isnan(floor.width) ? model.anatomy.length : floor.width;
+}
 }  // namespace
 
 std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model) {
@@ -172,8 +187,7 @@ std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& mode
   for (const FloorSpec& floor : spec.floor) {
     const double counted = counted_mass(floor, model);
     if (!(floor.mass > 1.001 * counted)) continue;
-    const double width = std::isnan(floor.width) ? model.anatomy.length : floor.width;
-    left_out += (floor.mass - counted) * width;
+    left_out += (floor.mass - counted) * length_of(floor, model);
     names.push_back(as_text(floor.name));
   }
   if (!(left_out > 1.001 * spec.assessment.added_mass)) return {};
@@ -192,28 +206,50 @@ std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) 
   }
   const double foot = foot_of(model);
   double top = 0;
-  for (BlockId b = 0; b < block_count(model); ++b)
-    for (const Vec3& corner : outline_of(model, b)) top = std::fmax(top, corner.y - foot);
+  for (const BlockId b : moving_blocks(model))
+    top = std::fmax(top, extent_of(model, b).high - foot);
   if (spec.assessment.added_height > top * (1 + 1e-9))
     notes.push_back({"assessment.note.added_height",
                      {{"height_m", spec.assessment.added_height}, {"top_m", top}}});
   return notes;
 }
 
+namespace {
+// What codes ask of piers, which a wall in space does not know.
+void caution_in_space(const AssessmentSpec& spec, const FailureMode& mode, JudgedPush& push) {
+  if (push.mechanism == kOutOfPlane)
+    push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
+  else if (mode.name == "sliding")  // in its plane or out of it: the name does not say
+    push.cautions.push_back({"assessment.caution.sliding"});
+  else if (push.mechanism != "shear" &&
+           value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)
+    push.cautions.push_back({"assessment.caution.no_piers"});
+}
+
+}  // namespace
+
 }  // namespace study
 
 CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPush push,
                              const FailureMode& mode, const PushedWall& wall) {
-  push.mechanism = mechanism_of(mode);
+  push.mechanism = model.in_space() ? mechanism_in_space(mode.name) : mechanism_of(mode);
   push.cautions = cautions_of_masses(spec, model);
+  if (model.in_space()) caution_in_space(spec.assessment, mode, push);
   push.drifts = wall.storeys;
   push.storeys_known = !wall.storeys.empty();
   push.piers = wall.piers;
   for (PierDrift& pier : push.piers) pier.mechanism = mechanism_of(mode, pier.element);
-  return assess(spec.assessment, push, [&](double displacement) {
+  CodeAssessment out = assess(spec.assessment, push, [&](double displacement) {
     const MassAndShape shape = mass_and_shape(wall, displacement);
     return std::isfinite(shape.read_at) ? shape : mass_and_linear_shape(spec.assessment, model);
   });
+  if (!model.in_space()) return out;
+  std::erase_if(out.notes, [](const Message& note) {
+    return note.code == "assessment.note.out_of_plane" ||
+           note.code == "assessment.note.whole_drift";
+  });
+  out.notes.push_back({"assessment.note.space_drift"});
+  return out;
 }
 
 PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Result& result) {

@@ -9,12 +9,19 @@ namespace wythe::study {
 
 // The stage whose curve is judged; null: the model has no push.
 [[nodiscard]] const Stage* push_of(const Model& model);
+// Blocks that move, deformable ones too, as read_block() numbers them.
+[[nodiscard]] std::vector<BlockId> moving_blocks(const Model& model);
+// Lowest and highest point of a block at the start [m].
+struct Extent {
+  double low = 0, high = 0;
+};
+[[nodiscard]] Extent extent_of(const Model& model, BlockId block);
 // Lowest point of the moving blocks [m]; heights count from it.
 [[nodiscard]] double foot_of(const Model& model);
 // Result::readings of a push, each displacement once, ascending, beyond its start: they depend neither on
 // the states asked for nor on frames, so that a sample is judged as a run of it.
 [[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
-// How far each block went along the push from its start to this state [m].
+// How far each block went along the push from its start to this state, by its number; supports 0 [m].
 [[nodiscard]] std::vector<double> moved_at(const Model& model, const Result& result,
                                            const Snapshot& state);
 // The sums of PushedWall::moved; `masses` takes blocks, loads and added.
@@ -32,7 +39,8 @@ namespace wythe::study {
 // Of these, what makes its numbers unsafe: mass of floors that nothing counts.
 [[nodiscard]] std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model);
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known; of
-// one pier where it is named.
+// one pier where it is named. In space by the name of the mode; kOutOfPlane where the wall leaves its plane.
+inline constexpr const char* kOutOfPlane = "out of plane";
 [[nodiscard]] std::string mechanism_of(const FailureMode& mode, const std::string& pier = "");
 
 }  // namespace wythe::study

@@ -2,6 +2,8 @@
 // to A.8). Blocks by their weight, loads that stand on them by F / g, the mass that the file adds.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "study/assessment/assessment_parts.h"
 #include "wythe/reading.h"
@@ -16,20 +18,51 @@ const Stage* push_of(const Model& model) {
   return nullptr;
 }
 
+std::vector<BlockId> moving_blocks(const Model& model) {
+  std::vector<BlockId> blocks;
+  const int supports = model.in_space() ? model.space.n_support : 0;
+  for (BlockId b = 0; b < model.n_block; ++b) blocks.push_back(b);
+  const auto bodies =
+      model.in_space() ? model.space.solids.bodies.size() : model.solids.bodies.size();
+  for (std::size_t k = 0; k < bodies; ++k)
+    blocks.push_back(model.n_block + supports + static_cast<BlockId>(k));
+  return blocks;
+}
+
+Extent extent_of(const Model& model, BlockId block) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Extent extent{kFar, -kFar};
+  const auto take = [&](const Vec3& corner) {
+    extent.low = std::fmin(extent.low, corner.y), extent.high = std::fmax(extent.high, corner.y);
+  };
+  if (!model.in_space()) {
+    for (const Vec3& corner : outline_of(model, block)) take(corner);
+    return extent;
+  }
+  const int zones = block - model.n_block - model.space.n_support;
+  const BodySpec& body = zones < 0
+                             ? model.space.body[static_cast<std::size_t>(block)]
+                             : model.space.solids.bodies[static_cast<std::size_t>(zones)].body;
+  for (const Polyhedron& part : body.part)
+    for (const Vec3& corner : part.vertex) take(corner);
+  return extent;
+}
+
 double foot_of(const Model& model) {
   double least = std::numeric_limits<double>::infinity();
-  for (BlockId b = 0; b < block_count(model); ++b)
-    for (const Vec3& corner : outline_of(model, b)) least = std::fmin(least, corner.y);
+  for (const BlockId b : moving_blocks(model)) least = std::fmin(least, extent_of(model, b).low);
   return least;
 }
 
 std::vector<double> moved_at(const Model& model, const Result& result, const Snapshot& state) {
   const Stage* push = push_of(model);
+  const Vec3 along{push->drive_x, push->drive_y, push->drive_z};
   const Snapshot& start = result.snapshots.front();  // "start" of the push
-  std::vector<double> moved(static_cast<std::size_t>(block_count(model)));
-  for (std::size_t b = 0; b < moved.size(); ++b)
-    moved[b] = push->drive_x * (read_block(model, state.state, static_cast<BlockId>(b)).moved.x -
-                                read_block(model, start.state, static_cast<BlockId>(b)).moved.x);
+  const std::vector<BlockId> blocks = moving_blocks(model);
+  std::vector<double> moved(blocks.empty() ? 0 : static_cast<std::size_t>(blocks.back()) + 1, 0.0);
+  for (const BlockId b : blocks)
+    moved[static_cast<std::size_t>(b)] = dot(
+        along, read_block(model, state.state, b).moved - read_block(model, start.state, b).moved);
   return moved;
 }
 
@@ -61,6 +94,12 @@ struct Part {
 // The mass of a deformable block lies in its nodes.
 double mass_of(const Model& model, BlockId block) {
   if (block < model.n_block) return model.heavy_mass[static_cast<std::size_t>(block)];
+  if (model.in_space()) {
+    const SpaceSolids& solids = model.space.solids;
+    const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
+    const auto first = solids.node_heavy_mass.begin() + solids.bodies[number].first_node;
+    return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);
+  }
   const SolidBody& body = model.solids.bodies[static_cast<std::size_t>(block - model.n_block)];
   double mass = 0;
   for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
@@ -73,7 +112,7 @@ std::vector<Part> parts_of(const AssessmentSpec& spec, const Model& model, doubl
   std::vector<Part> parts;
   const State rest = initial_state(model);
   const double foot = study::foot_of(model);
-  for (BlockId b = 0; b < block_count(model); ++b) {
+  for (const BlockId b : study::moving_blocks(model)) {
     const double mass = spec.masonry_share * mass_of(model, b);
     parts.push_back({mass, read_block(model, rest, b).start.y - foot, b});
     out.blocks += mass;
@@ -100,10 +139,8 @@ std::vector<Part> parts_of(const AssessmentSpec& spec, const Model& model, doubl
 double moved_at_height(const Model& model, const std::vector<double>& moved, double height) {
   const double y = study::foot_of(model) + height;
   double mass = 0, sum = 0, nearest = std::numeric_limits<double>::infinity(), at_nearest = 0;
-  for (BlockId b = 0; b < block_count(model); ++b) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3& corner : outline_of(model, b))
-      low = std::fmin(low, corner.y), high = std::fmax(high, corner.y);
+  for (const BlockId b : study::moving_blocks(model)) {
+    const auto [low, high] = study::extent_of(model, b);
     const double u = moved[static_cast<std::size_t>(b)];
     const double off = std::fmax(0.0, std::fmax(low - y, y - high));
     if (off < nearest) nearest = off, at_nearest = u;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "core/real.h"
@@ -24,10 +25,12 @@ std::vector<std::size_t> gather(const std::vector<double>& values, double same,
   return of;
 }
 
-std::vector<double> correlations(const std::vector<double>& x, FieldKernel kernel, double length) {
+template <class Distance>
+std::vector<double> correlations(std::size_t n, const Distance& distance, FieldKernel kernel,
+                                 double length) {
   std::vector<double> c;
-  for (const double a : x)
-    for (const double b : x) c.push_back(correlation_at(kernel, a - b, length));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k) c.push_back(correlation_at(kernel, distance(i, k), length));
   return c;
 }
 
@@ -77,6 +80,36 @@ FieldFactor factor_of(std::vector<double> c, std::size_t n) {
 FieldGrid::FieldGrid(const std::vector<double>& x, const std::vector<double>& y, double same)
     : column_(gather(x, same, x_)), row_(gather(y, same, y_)) {}
 
+FieldGrid::FieldGrid(const std::vector<double>& x, const std::vector<double>& z,
+                     const std::vector<double>& y, double same)
+    : row_(gather(y, same, y_)) {
+  std::vector<double> lines_x, lines_z;
+  const std::vector<std::size_t> i = gather(x, same, lines_x), k = gather(z, same, lines_z);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> number;
+  for (std::size_t p = 0; p < x.size(); ++p) number[{i[p], k[p]}] = 0;
+  for (auto& [place, column] : number) {
+    column = x_.size();
+    x_.push_back(lines_x[place.first]);
+    z_.push_back(lines_z[place.second]);
+  }
+  for (std::size_t p = 0; p < x.size(); ++p) column_.push_back(number[{i[p], k[p]}]);
+}
+
+double FieldGrid::between_columns(std::size_t i, std::size_t k) const {
+  const double dx = x_[i] - x_[k], dz = z_.empty() ? 0 : z_[i] - z_[k];
+  return dz == 0 ? dx : std::sqrt(dx * dx + dz * dz);
+}
+
+double FieldGrid::width() const {
+  const auto extent = [](const std::vector<double>& v) {
+    if (v.empty()) return 0.0;
+    const auto [low, high] = std::minmax_element(v.begin(), v.end());
+    return *high - *low;
+  };
+  const double wide = extent(x_), deep = extent(z_);
+  return deep == 0 ? wide : std::sqrt(wide * wide + deep * deep);
+}
+
 bool FieldGrid::is_grid() const {
   const auto nx = static_cast<double>(x_.size()), ny = static_cast<double>(y_.size());
   return cubed(x_.size()) / 3 + cubed(y_.size()) / 3 + nx * ny * (nx + ny) <=
@@ -90,17 +123,19 @@ double FieldGrid::cost() const {
 }
 
 void FieldGrid::correlate(FieldKernel kernel, double along, double across) {
+  const auto columns = [&](std::size_t i, std::size_t k) { return between_columns(i, k); };
+  const auto rows = [&](std::size_t i, std::size_t k) { return y_[i] - y_[k]; };
   if (is_grid()) {
-    along_ = factor_of(correlations(x_, kernel, along), x_.size());
-    across_ = factor_of(correlations(y_, kernel, across), y_.size());
+    along_ = factor_of(correlations(x_.size(), columns, kernel, along), x_.size());
+    across_ = factor_of(correlations(y_.size(), rows, kernel, across), y_.size());
     return;
   }
   const std::size_t n = column_.size();
   std::vector<double> c(n * n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      c[i * n + j] = correlation_at(kernel, x_[column_[i]] - x_[column_[j]], along) *
-                     correlation_at(kernel, y_[row_[i]] - y_[row_[j]], across);
+      c[i * n + j] = correlation_at(kernel, columns(column_[i], column_[j]), along) *
+                     correlation_at(kernel, rows(row_[i], row_[j]), across);
   along_ = factor_of(std::move(c), n);
   across_ = {};
 }

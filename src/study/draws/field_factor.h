@@ -2,7 +2,7 @@
 //
 //   z = F w,  w independent standard normal   =>   cov(z) = F F^T = C
 //
-// Both kernels are products of one of dx and one of dy, so on a grid of nx columns and ny rows C is the
+// Both kernels are products of one of dx (in space of the distance in plan) and one of dy, so on a grid of nx columns and ny rows C is the
 // Kronecker product of two small matrices, and Z = Fx W Fy^T has C for its covariance, exactly, with
 // nx^3 + ny^3 instead of (nx ny)^3 operations. A wall of courses lies on such a grid.
 //
@@ -35,6 +35,9 @@ struct FieldFactor {
 class FieldGrid {
  public:
   FieldGrid(const std::vector<double>& x, const std::vector<double>& y, double same);
+  // In space: columns are places in plan, and their distance is that in plan.
+  FieldGrid(const std::vector<double>& x, const std::vector<double>& z,
+            const std::vector<double>& y, double same);
 
   // Operations to factor and draw, on the grid or place by place: the cheaper of both.
   [[nodiscard]] double cost() const;
@@ -45,12 +48,16 @@ class FieldGrid {
   // z of each place from numbers() independent ones.
   [[nodiscard]] std::vector<double> draw(const std::vector<double>& w) const;
 
-  [[nodiscard]] const std::vector<double>& columns() const { return x_; }
-  [[nodiscard]] const std::vector<double>& rows() const { return y_; }
+  [[nodiscard]] std::size_t columns() const { return x_.size(); }
+  [[nodiscard]] std::size_t rows() const { return y_.size(); }
+  // From the first column to the last, in plan the diagonal of their box; from the lowest row to the highest [m].
+  [[nodiscard]] double width() const;
+  [[nodiscard]] double height() const { return y_.back() - y_.front(); }
 
  private:
   [[nodiscard]] bool is_grid() const;
-  std::vector<double> x_, y_;
+  [[nodiscard]] double between_columns(std::size_t i, std::size_t k) const;
+  std::vector<double> x_, z_, y_;          // z_ of columns, empty in a plane
   std::vector<std::size_t> column_, row_;  // of each place
   FieldFactor along_, across_;             // of a grid; else along_ alone, of the places
 };

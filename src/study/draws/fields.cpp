@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -18,6 +20,7 @@
 #include "geometry/shape.h"
 #include "model/field_places.h"
 #include "model/size.h"
+#include "model/space.h"
 #include "study/draws/field_factor.h"
 #include "study/draws/formula.h"
 #include "study/draws/sampling.h"
@@ -48,10 +51,25 @@ struct Field {
   [[nodiscard]] bool follows() const { return !spec->formula.empty(); }
 };
 
+// What a field asks of a wall, in its plane or in space.
+struct FieldWall {
+  double half_unit = kUnset,
+         course = kUnset;  // [m]; in space the side of a cube of the usual block's volume
+  std::function<std::vector<FieldPlace>(const FieldTarget&)> places;
+};
+
+FieldGrid grid_of(const std::vector<FieldPlace>& places) {
+  std::vector<double> x, y, z;
+  for (const FieldPlace& p : places) x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
+  const bool is_plane =
+      std::all_of(z.begin(), z.end(), [&](double one) { return one == z.front(); });
+  return is_plane ? FieldGrid(x, y, kSame) : FieldGrid(x, z, y, kSame);
+}
+
 class Checker {
  public:
-  Checker(const ModelSpec& spec, const Assembly& assembly, FaultList& faults)
-      : spec_(spec), assembly_(assembly), faults_(faults) {}
+  Checker(const ModelSpec& spec, const FieldWall& wall, FaultList& faults)
+      : spec_(spec), wall_(wall), faults_(faults) {}
 
   void check(std::vector<Field>& fields) {
     for (Field& field : fields) {
@@ -88,7 +106,7 @@ class Checker {
     }
     field.target = *target;
     field.mean = mean_of(spec_, *target);
-    field.places = field_places(spec_, assembly_, *target);
+    field.places = wall_.places(*target);
     if (!paths_.insert(path).second)
       refuse(field, "path", path, "has a field already", "leave one of the two");
     if (!target->material.empty() && !spec_.material.contains(target->material)) {
@@ -174,10 +192,8 @@ class Checker {
       refuse(field, "by", "course", "some of its joints belong to no course",
              "write along and across, or by = \"joint\"");
     if (s.by != FieldBy::kPlace) return;
-    std::vector<double> x, y;
-    for (const FieldPlace& p : field.places) x.push_back(p.x), y.push_back(p.y);
-    const FieldGrid grid(x, y, kSame);
-    const double unit = assembly_.report.half_unit, course = assembly_.report.course;
+    const FieldGrid grid = grid_of(field.places);
+    const double unit = wall_.half_unit, course = wall_.course;
     if (s.along < kShortest * unit && s.across < kShortest * course)
       refuse(
           field, "along", fmt::format("{:g} mm, across = {:g} mm", 1e3 * s.along, 1e3 * s.across),
@@ -185,8 +201,7 @@ class Checker {
                       "joints are independent",
                       1e3 * unit, 1e3 * course),
           "write by = \"joint\", which says so");
-    const double wide = grid.columns().back() - grid.columns().front();
-    const double high = grid.rows().back() - grid.rows().front();
+    const double wide = grid.width(), high = grid.height();
     if (s.along > kLongest * wide && s.across > kLongest * high && field.places.size() > 1)
       refuse(
           field, "along", fmt::format("{:g} m, across = {:g} m", s.along, s.across),
@@ -197,7 +212,7 @@ class Checker {
       refuse(field, "", fmt::format("{} places", field.places.size()),
              fmt::format("are too many: they lie on {} columns and {} rows, which takes {:.1e} "
                          "operations, at most {:.0e} are done",
-                         grid.columns().size(), grid.rows().size(), grid.cost(), kMostWork),
+                         grid.columns(), grid.rows(), grid.cost(), kMostWork),
              "write by = \"unit\" or \"joint\"");
   }
 
@@ -235,7 +250,7 @@ class Checker {
   }
 
   const ModelSpec& spec_;
-  const Assembly& assembly_;
+  const FieldWall& wall_;
   FaultList& faults_;
   std::set<std::string> paths_;
 };
@@ -287,15 +302,14 @@ void refuse_matrix(const std::vector<Field*>& group, const CorrelationMatrix& ma
 class Waves {
  public:
   explicit Waves(const std::vector<Field*>& group) : spec_(*group.front()->spec) {
-    std::vector<double> x, y;
+    std::vector<FieldPlace> places;
     for (const Field* field : group)
       for (const FieldPlace& p : field->places) {
-        x.push_back(p.x);
-        y.push_back(p.y);
+        places.push_back(p);
         label_.push_back(label_of(p));
       }
     if (spec_.by == FieldBy::kPlace) {
-      grid_.emplace(x, y, kSame);
+      grid_ = grid_of(places);
       grid_->correlate(spec_.kernel, spec_.along, spec_.across);
       return;
     }
@@ -458,6 +472,32 @@ void follow(const Field& field, const std::vector<Field>& fields, FaultList& fau
   }
 }
 
+std::optional<FieldWall> plane_wall(const ModelSpec& spec) {
+  FaultList faults;
+  const auto assembly = std::make_shared<const Assembly>(geometry::build_assembly(spec, faults));
+  if (!faults.empty()) return std::nullopt;
+  return FieldWall{
+      assembly->report.half_unit, assembly->report.course,
+      [&spec, assembly](const FieldTarget& of) { return field_places(spec, *assembly, of); }};
+}
+
+std::optional<FieldWall> space_wall(const ModelSpec& spec) {
+  FaultList faults;
+  const auto assembly =
+      std::make_shared<const geometry::SpaceAssembly>(assemble_space(spec, faults));
+  if (!faults.empty()) return std::nullopt;
+  std::vector<double> volume;
+  for (std::size_t k = 0; k < assembly->body.size(); ++k)
+    if (!assembly->body[k].fixed) volume.push_back(assembly->moments[k].volume);
+  if (volume.empty()) return std::nullopt;
+  const auto middle = volume.begin() + static_cast<std::ptrdiff_t>(volume.size() / 2);
+  std::nth_element(volume.begin(), middle, volume.end());
+  const double side = std::cbrt(*middle);
+  return FieldWall{side, side, [&spec, assembly](const FieldTarget& of) {
+                     return field_places(spec, *assembly, of);
+                   }};
+}
+
 }  // namespace
 
 void draw_fields(ModelSpec& spec) {
@@ -465,12 +505,12 @@ void draw_fields(ModelSpec& spec) {
   FaultList elsewhere;
   check_size(spec, elsewhere);
   if (!elsewhere.empty()) return;
-  const Assembly assembly = geometry::build_assembly(spec, elsewhere);
-  if (!elsewhere.empty()) return;
+  const std::optional<FieldWall> wall = spec.body.empty() ? plane_wall(spec) : space_wall(spec);
+  if (!wall) return;  // said where it is compiled
   std::vector<Field> fields;
   for (auto& [name, field] : spec.field) fields.push_back({name, &field, {}, kUnset, {}});
   FaultList faults;
-  Checker(spec, assembly, faults).check(fields);
+  Checker(spec, *wall, faults).check(fields);
   faults.throw_if_any();
   for (const std::vector<Field*>& group : groups_of(fields)) draw_group(group, faults);
   faults.throw_if_any();

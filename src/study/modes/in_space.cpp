@@ -455,6 +455,16 @@ Message mechanism_of(const std::vector<Moved>& part, const Joints& joints, Failu
            {"pieces_percent", 100 * (1 - residual(pieces))}}};
 }
 
+// A slab outweighs many stones, and a mode is of walls: it counts only where nothing else moves.
+void leave_slabs_out(const Model& model, double least, std::vector<Moved>& blocks) {
+  const auto is_slab = [&](const Moved& b) {
+    return model.anatomy.block_role[static_cast<std::size_t>(b.id)] == BlockRole::kSlab;
+  };
+  if (std::any_of(blocks.begin(), blocks.end(),
+                  [&](const Moved& b) { return !is_slab(b) && length(b.moved) >= least; }))
+    std::erase_if(blocks, is_slab);
+}
+
 }  // namespace
 
 FailureMode name_in_space(const Model& model, const State& state) {
@@ -468,6 +478,7 @@ FailureMode name_in_space(const Model& model, const State& state) {
     return mode;
   }
   std::vector<Moved> part = read_blocks(model, state);
+  leave_slabs_out(model, kMoved * joints.size, part);
   const double all = mass_of(part);
   double most = 0;
   for (const Moved& b : part) most = std::fmax(most, length(b.moved));

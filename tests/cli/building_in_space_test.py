@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""Buildings in space from the command line: floor slabs, roles, studies of the builder's keys, fields, assessment, tables."""
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+WYTHE = os.environ.get("WYTHE", "build/release/wythe")
+
+JOINT = """
+[material.joint]
+use = "limestone_dry"
+normal_stiffness = "5 GPa/m"
+shear_stiffness = "2 GPa/m"
+friction_tan = 0.6
+residual_friction_tan = 0.6
+compressive_strength = "unlimited"
+"""
+PIERS = """
+[wall]
+height = "0.9 m"
+thickness = "0.3 m"
+[wall.unit]
+length = "1.2 m"
+height = "0.3 m"
+density = "2000 kg/m^3"
+split = "none"
+[[plan_wall]]
+name = "left"
+line = [["0 m", "0 m"], ["0 m", "1.2 m"]]
+[[plan_wall]]
+name = "right"
+line = [["3 m", "0 m"], ["3 m", "1.2 m"]]
+[[slab]]
+name = "deck"
+walls = ["left", "right"]
+bearing = "150 mm"
+thickness = "0.2 m"
+material = "concrete"
+joint = "bearing"
+load = "2 kPa"
+[material.concrete]
+density = "2500 kg/m^3"
+""" + JOINT + JOINT.replace("joint", "bearing").replace("0.6", "0.4")
+GRAVITY = """
+[[stage]]
+name = "gravity"
+"""
+PUSH = """
+[[stage]]
+name = "push"
+at = { role = "slab" }
+direction = "-x"
+velocity = "10 mm/s"
+until = "3 mm"
+damping = 0.4
+"""
+# A pier in its plane: 0.6 m wide, squat enough to slide or rock at once.
+PIER = """
+[wall]
+height = "0.9 m"
+thickness = "0.2 m"
+[wall.unit]
+length = "300 mm"
+height = "150 mm"
+density = "2000 kg/m^3"
+split = "none"
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["0.6 m", "0 m"]]
+""" + JOINT + GRAVITY
+
+
+def wythe(*arguments):
+    return subprocess.run([WYTHE, *map(str, arguments)], capture_output=True, text=True)
+
+
+def rows(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class BuildingInSpace(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def file(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def summary(self, name, *arguments):
+        out = self.folder / name
+        ended = wythe(*arguments, "--out", out, "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return json.loads((out / "summary.json").read_text(encoding="utf-8"))
+
+    def refused(self, path, *words):
+        ended = wythe("check", path)
+        self.assertEqual(ended.returncode, 2, ended.stdout)
+        for word in words:
+            self.assertIn(word, ended.stderr)
+
+    # Samples differ, and each is what its replay is: same curve, to the digits of the tables.
+    def assert_replays(self, out):
+        ended = wythe("export", out, "--out", self.folder / "tables")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        last = {row["sample"]: row["reaction_kN"] for row in rows(self.folder / "tables/curves.csv")}
+        self.assertEqual(len(set(last.values())), 3, last)
+        for number in (1, 2, 3):
+            self.summary(f"replay{number}", "replay", out, "--sample", number)
+            own = rows(self.folder / f"replay{number}/force_displacement.csv")[-1]["reaction_kN"]
+            self.assertAlmostEqual(float(own), float(last[str(number)]), delta=1e-9 + 1e-6 * abs(float(own)))
+
+    def test_a_slab_is_told_runs_and_its_folder_runs_again(self):
+        model = self.file("model.toml", PIERS + GRAVITY + PUSH)
+        told = wythe("check", model).stdout
+        self.assertIn("slab deck: underside at 0.900 m", told)
+        self.assertIn("on the walls left, right", told)
+        first = self.summary("first", "run", model)
+        again = self.summary("again", "run", self.folder / "first/model.used.toml")
+        self.assertEqual(first["state_hash"], again["state_hash"])
+        blocks = json.loads((self.folder / "first/blocks.json").read_text(encoding="utf-8"))["blocks"]
+        self.assertEqual([b["role"] for b in blocks if b["id"] == "deck"], ["slab"])
+        # friction of the bearing holds less than that of the walls' joints: the slab slides off by itself
+        slid = 0.4 * (3.0 * 1.2) * (0.2 * 2500 * 9.81 + 2000) * 1e-3
+        self.assertLess(first["peak_reaction_kN"], 1.02 * slid)
+        free = self.summary("free", "run", model, "--set", "slab.deck.load=0 kPa")
+        self.assertLess(free["peak_reaction_kN"], first["peak_reaction_kN"])
+
+    def test_roles_are_words_that_are_known(self):
+        self.refused(self.file("a.toml", PIERS + GRAVITY + PUSH.replace('"slab"', '"slap"')), "is no role", "slab")
+        self.refused(self.file("b.toml", PIERS + GRAVITY + PUSH.replace('"slab"', '"lintel"')), "finds no block")
+
+    def test_bad_slabs_are_refused_with_place_value_and_cure(self):
+        model = PIERS + GRAVITY
+        self.refused(self.file("a.toml", model.replace('"150 mm"', '"450 mm"')), "slab.0.bearing", "0.45 m", "thick")
+        self.refused(self.file("b.toml", model.replace('["left", "right"]', '["left", "rihgt"]')), "slab.0.walls.1", "right")
+        self.refused(self.file("c.toml", model.replace('thickness = "0.2 m"\nmaterial', 'level = "0.5 m"\nthickness = "0.2 m"\nmaterial')),
+                     "slab.0.level", "bed joint")
+        self.refused(self.file("d.toml", model.replace('joint = "bearing"', 'joint = "felt"')), "slab.0.joint", "no such material")
+
+    def test_a_study_varies_the_builders_numbers(self):
+        self.file("model.toml", PIERS + GRAVITY + PUSH)
+        study = """
+[study]
+model = "model.toml"
+samples = 3
+seed = 5
+[variable.t]
+path = "plan_wall.left.thickness"
+distribution = "uniform"
+low = "0.25 m"
+high = "0.4 m"
+[variable.q]
+path = "slab.deck.load"
+distribution = "uniform"
+low = "1 kPa"
+high = "4 kPa"
+"""
+        path = self.file("study.toml", study)
+        out = self.folder / "campaign"
+        ended = wythe("campaign", path, "--out", out, "--quiet", "--jobs", "2")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assert_replays(out)
+        self.file("study.toml", study.replace("left.thickness", "left.thicknes"))
+        self.refused(path, "did you mean plan_wall.left.thickness")
+
+    def test_fields_in_a_campaign_are_those_of_each_sample_alone(self):
+        push = '[[stage]]\nname = "push"\nat = { block = "front.c05*" }\ndirection = "+x"\nvelocity = "10 mm/s"\nuntil = "1 mm"\n'
+        self.file("model.toml", PIER + push)
+        path = self.file("study.toml", """
+[study]
+model = "model.toml"
+samples = 3
+seed = 5
+[variable.mu]
+path = "material.joint.normal_stiffness"
+distribution = "lognormal"
+mean = "5 GPa/m"
+cov = 0.1
+[field.mu]
+cov = 0.3
+along = "0.5 m"
+across = "0.3 m"
+""")
+        out = self.folder / "campaign"
+        ended = wythe("campaign", path, "--out", out, "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assert_replays(out)
+
+    def test_an_assessment_in_space_says_what_it_does_not_know(self):
+        assessment = '[assessment]\ncode = "{}"\n[assessment.spectrum]\nkind = "en1998"\nground_acceleration = "0.5 m/s^2"\nground = "B"\n'
+        push = '[[stage]]\nname = "push"\nat = {{ block = "front.c05*" }}\ndirection = "{}"\nvelocity = "5 mm/s"\nuntil = "{}"\ndamping = 0.4\n'
+        model = self.file("in.toml", PIER + push.format("+x", "12 mm") + assessment.format("circolare_2019"))
+        text = json.dumps(self.summary("in", "run", model)["assessment"])
+        self.assertIn("of the control point over its height", text)
+        self.assertNotIn("out-of-plane failure is not modelled", text)
+        model = self.file("out.toml", PIER + push.format("+z", "30 mm") + assessment.format("circolare_2019"))
+        summary = self.summary("out", "run", model)
+        self.assertIn(summary["failure_mode"]["name"], ("sliding", "overturning"))
+        self.assertRegex(summary["assessment"]["sentence"], "leaves its plane|in the wall's plane or out of it")
+        self.assertFalse(summary["assessment"]["may_be_signed"])
+
+    def test_tables_of_a_run_in_space_have_all_three_coordinates(self):
+        model = self.file("model.toml", PIERS + GRAVITY + PUSH)
+        self.summary("run", "run", model)
+        ended = wythe("export", self.folder / "run", "--out", self.folder / "tables")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        blocks = rows(self.folder / "tables/state_blocks.csv")
+        deck = [row for row in blocks if row["role"] == "slab"]
+        self.assertAlmostEqual(float(deck[0]["z_m"]), 0.6, delta=1e-9)
+        self.assertAlmostEqual(float(deck[-1]["displacement_x_mm"]), -3, delta=0.3)
+        joints = rows(self.folder / "tables/state_joints.csv")
+        self.assertLess(min(float(row["displacement_x_mm"]) for row in joints), -0.5)
+        self.assertIn("displacement_z_mm", joints[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
