@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <set>
 #include <thread>
 
 #include "campaign_table.h"
@@ -429,6 +430,8 @@ int check_study_file(const CheckArguments& a) {
   for (const Message& note : notes_of(study, build({})))
     fmt::print("note: {}\n", readable(text_of(note)));
   print_refusals(samples, build);
+  std::set<std::string> said;
+  if (!study.shaking.is_asked()) print_record_notes(base, said);
   double seconds = study.shaking.is_asked()
                        ? print_shakes_asked(study, samples, build) / samples.n_sample()
                        : estimate(base).seconds;

@@ -1,6 +1,6 @@
 #include "shaking_table.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +47,12 @@ std::string reason_of(const LimitStateFragility& f) {
 
 }  // namespace
 
+void print_record_notes(const Model& model, std::set<std::string>& said) {
+  for (const Message& note : model.anatomy.notes)
+    if (note.code.starts_with("shake.") && said.insert(text_of(note)).second)
+      fmt::print("note: {}\n", readable(text_of(note)));
+}
+
 std::string intensity_text(const ShakingSpec& shaking, double intensity) {
   return fmt::format("{:.6g} {}", intensity, unit_of(shaking.measure));
 }
@@ -56,13 +62,16 @@ double print_shakes_asked(const StudySpec& study, const SampleTable& samples,
   const ShakingSpec& shaking = study.shaking;
   std::vector<double> seconds(shaking.record.size(), -1);
   double least = 0, most = 0;
+  std::set<std::string> said;
   const ShakeCount count = count_shakes(study);
   for (int s = 0; s < samples.n_sample(); ++s) {
     double& one = seconds[static_cast<std::size_t>(case_of(study, s).record)];
     if (one < 0) one = 0;
     if (one > 0) continue;
     try {
-      one = estimate(compile(build(settings_of(samples, s)))).seconds;
+      const Model model = compile(build(settings_of(samples, s)));
+      one = estimate(model).seconds;
+      print_record_notes(model, said);
     } catch (const InputError&) {  // its values are refused: another sample tells
     }
   }
@@ -89,6 +98,7 @@ void print_shaking(const ShakingStatistics& s) {
                intensity_text(s.shaking, s.lost[i].intensity), s.lost[i].status,
                s.lost[i].reason.empty() ? "" : ", " + readable(text_of(s.lost[i].reason)));
   if (s.lost.size() > kLostShown) fmt::print("  and {} more\n", s.lost.size() - kLostShown);
+  if (!s.damping.empty()) fmt::print("damping: {}\n", fmt::join(texts_of(s.damping), "; "));
   if (!s.shaking.is_asked()) return;
   fmt::print("{:<24} {:>4} {:>8} {:>12} {:>22} {:>7} {:>16}\n", "limit state", "n", "reached",
              fmt::format("median {}", measure), "95 % interval", "beta", "95 % interval");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "model/shaking.h"
 #include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
@@ -59,6 +60,7 @@ Statistics full_statistics(const Campaign& campaign) {
   Statistics statistics = statistics_of(campaign);
   const ModelSpec base = model_builder(campaign.study)({});
   statistics.project = base.project;
+  if (statistics.shaking.is_told()) statistics.shaking.damping = damping_of(base);
   if (is_asked(base.assessment))
     statistics.assessment = assess_campaign(campaign, base, compile(base));
   return statistics;

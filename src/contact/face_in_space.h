@@ -135,5 +135,10 @@ template <class Real>
   const Real e1 = s1 - plastic_1, e2 = s2 - plastic_2;
   return {e1, e2, square_root(e1 * e1 + e2 * e2)};
 }
+// What `other` has along the direction of `shear`.
+template <class Real>
+[[nodiscard]] WYTHE_INLINE Real along(const Shear<Real>& shear, const Shear<Real>& other) {
+  return (shear.e1 * other.e1 + shear.e2 * other.e2) / maximum(shear.e, Real(1e-300));
+}
 
 }  // namespace wythe::contact

@@ -139,6 +139,10 @@ struct Answer {
   Real sigma, tau;                    // [Pa]
   Real tension_damage, damage;        // d_t, d [-]
   Real friction, fracture, crushing;  // dissipated in this step [N/m]
+  // What friction above took as the work of sliding, at the pressure of this step's end: plastic slip with its sign
+  // [m] and its work [N/m]; the same of dilatancy, which gives work back.
+  Real slipped, slip_work;
+  Real lifted, lift_work;
 };
 
 // Crushing return: updates p and gives the work done in crushing [N/m].
@@ -379,22 +383,25 @@ template <class V, class C, class Real>
 // Work of what is left of the shear stress above the cap: it slides.
 template <class C, class Real>
 WYTHE_INLINE void slide_under_cap(const LawConstants<C>& m, const Capped<Real>& capped,
-                                  History<Real>& h, Real& tau, Real& friction) {
-  const Real zero(0.0);
+                                  History<Real>& h, Answer<Real>& answer) {
+  const Real zero(0.0), tau = answer.tau;
   const Real excess = magnitude(tau) - capped.limit;
   const auto slides = capped.outside & (excess > zero);
   if (!any(slides)) return;
   const Real slip = select(slides, excess * m.inv_ks, zero);
-  friction = friction + Real(0.5) * (magnitude(tau) + capped.limit) * slip;
+  const Real work = Real(0.5) * (magnitude(tau) + capped.limit) * slip;
+  answer.friction = answer.friction + work;
+  answer.slip_work = answer.slip_work + work;
+  answer.slipped = answer.slipped + sign(tau) * slip;
   h.slip = h.slip + slip;
   h.plastic_slip = h.plastic_slip + sign(tau) * slip;
-  tau = select(slides, sign(tau) * capped.limit, tau);
+  answer.tau = select(slides, sign(tau) * capped.limit, tau);
 }
 
-// Slip from `before` to h.slip lifts a closed joint; gives the work done against the pressure [N/m].
+// Slip from `before` to h.slip lifts a closed joint, against the pressure.
 template <class C, class Real>
-[[nodiscard]] WYTHE_INLINE Real lift(const LawConstants<C>& m, Real sigma, Real before,
-                                     History<Real>& h) {
+WYTHE_INLINE void lift(const LawConstants<C>& m, Real sigma, Real before, History<Real>& h,
+                       Answer<Real>& answer) {
   const Real zero(0.0), one(1.0), half(0.5);
   const Real sn = zero - sigma;
   const Real fade = half * (maximum(zero, one - before * m.inv_lift_slip) +
@@ -403,7 +410,9 @@ template <class C, class Real>
       m.tan_lift * fade * maximum(zero, one - sn * m.inv_lift_stress) * (h.slip - before);
   const Real lifted = select(sn > zero, rise, zero);
   h.crush = h.crush - lifted;
-  return sn * lifted;
+  answer.lifted = lifted;
+  answer.lift_work = sn * lifted;
+  answer.friction = answer.friction - answer.lift_work;
 }
 
 // --- one step ----------------------------------------------------------------------------------------
@@ -429,10 +438,12 @@ WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield,
                              History<Real>& h, Answer<Real>& answer) {
   const Real zero(0.0);
   h.shear_damage = maximum(h.shear_damage, damage_of_slip<V>(m, yield, h.slip));
-  answer.tau = m.ks * (s - h.plastic_slip);
-  const Real trial = magnitude(answer.tau);
+  const Real trial_tau = m.ks * (s - h.plastic_slip);
+  answer.tau = trial_tau;
+  const Real trial = magnitude(trial_tau);
   const Real start = stress_at<V>(m, yield, h.shear_damage);
   answer.friction = answer.fracture = zero;
+  answer.slipped = answer.slip_work = answer.lifted = answer.lift_work = zero;
   const auto slides = trial > start;
   if (!any(slides)) return;
   const Real increment =
@@ -445,6 +456,8 @@ WYTHE_INLINE void shear_step(const LawConstants<C>& m, const Yield<Real>& yield,
   const Real worked = Real(0.5) * (start + magnitude(answer.tau)) * increment;
   answer.friction = minimum(worked, maximum(zero, yield.residual) * increment);
   answer.fracture = worked - answer.friction;
+  answer.slipped = sign(trial_tau) * increment;
+  answer.slip_work = worked;
 }
 
 // Tensile stress of an open point, before (`strength`) any damage of this step in shear.
@@ -496,8 +509,8 @@ template <class V, class C, class Real>
   const Real slip_before = h.slip;
   shear_step<V>(m, yield, s, h, answer);
   if (cap) {
-    slide_under_cap(m, capped, h, answer.tau, answer.friction);
-    answer.friction = answer.friction - lift(m, compression, slip_before, h);
+    slide_under_cap(m, capped, h, answer);
+    lift(m, compression, slip_before, h, answer);
     compression = m.kn * minimum(w + h.crush, zero);
   }
 
@@ -521,6 +534,28 @@ template <class V, class C, class Real>
   answer.tension_damage = one - left;
   answer.damage = one - all_left;
   return answer;
+}
+
+// What friction takes in a step of an undamped motion, from what update() said of it [N/m]. update() knows where the step
+// ends, and takes the pressure there for that of the whole step. Forces act at whole steps and velocities at half steps, so
+// a joint's work in a step is (f + f_before)/2 . Delta u, exactly (docs/theory/integration.md, 4.15). `w_before` and
+// `s_before` are opening and slip of the step before, `before` the history then; all of it stays first order in the
+// time step without them where pressure and slip change together. A point that was open then pressed on nothing: what
+// update() said of it holds.
+template <class V, class C, class Real>
+[[nodiscard]] WYTHE_INLINE Real friction_taken(const LawConstants<C>& m, const Answer<Real>& answer,
+                                               const History<Real>& before, Real w_before,
+                                               Real s_before) {
+  const Real zero(0.0), half(0.5);
+  const Real tau_before = m.ks * (s_before - before.plastic_slip);
+  Real friction =
+      answer.friction + (half * (answer.tau + tau_before) * answer.slipped - answer.slip_work);
+  if (choice_of<V>(m).cap) {
+    const Real pressed =
+        maximum(zero, zero - answer.sigma) + maximum(zero, zero - m.kn * (w_before + before.crush));
+    friction = friction - (half * pressed * answer.lifted - answer.lift_work);
+  }
+  return select(w_before + before.crush < zero, friction, answer.friction);
 }
 
 }  // namespace wythe::contact

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/csv.h"
+#include "model/shaking.h"
 
 namespace wythe::io {
 
@@ -37,6 +38,10 @@ std::string history_csv(const ShakeHistory& history, bool in_space) {
     head(name);
   for (const std::string& point : history.point)
     for (int k = 0; k < axes; ++k) head(fmt::format("{}_u{}_mm", point, names[k]));
+  for (const std::string& storey : history.storey) {
+    head(fmt::format("{}_drift_x_percent", storey));
+    if (in_space) head(fmt::format("{}_drift_z_percent", storey));
+  }
   for (std::size_t r = 0; r < history.row.size(); ++r) {
     const ShakeRow& row = history.row[r];
     text += fmt::format("\n{:.10g}", row.time);
@@ -52,6 +57,11 @@ std::string history_csv(const ShakeHistory& history, bool in_space) {
     put(row.drift, 1e2), put(row.opening, 1e3), put(row.slip, 1e3), put(row.kinetic, 1);
     for (std::size_t p = 0; p < history.point.size(); ++p)
       each(history.motion[r * history.point.size() + p], 1e3);
+    for (std::size_t k = 0; k < history.storey.size(); ++k) {
+      const auto [x, z] = storey_drift(history, r, k);
+      put(x, 1e2);
+      if (in_space) put(z, 1e2);
+    }
   }
   return text + '\n';
 }

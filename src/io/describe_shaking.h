@@ -98,6 +98,11 @@ void describe_shaking(Visitor& v, StageSpec& s, Kinds shake) {
           .fallback = "none", .example = "{ fraction = 0.02, frequency = \"20 Hz\" }",
           .doc = "Dashpots at closed points in proportion to their stiffness: the fraction grows with "
                  "frequency. They shorten the time step, often many times; a note says how often."});
+  v.table("maxwell_damping", s.maxwell_damping, {.kinds = shake, .in_braces = true, .optional = true,
+          .fallback = "none", .example = "{ fraction = 0.05, frequency = \"10 Hz\" }",
+          .doc = "A spring and a dashpot in series beside each closed contact: the fraction is largest at its frequency f, "
+                 "and 2 f f' / (f^2 + f'^2) of that at f'. Rigid motion is free of it, and it hardly shortens the time "
+                 "step: 5 % by a tenth."});
   v.number("restitution", s.restitution, {.range = {.low = 0, .high = 1}, .kinds = shake,
            .fallback = "1: elastic", .example = "0.1",
            .doc = "Share of its speed with which a block comes back that falls flat on another or on the "

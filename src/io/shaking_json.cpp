@@ -1,5 +1,7 @@
 #include "io/shaking_json.h"
 
+#include "io/message_json.h"
+
 namespace wythe::io {
 namespace {
 
@@ -81,6 +83,7 @@ Json shaking_json(const ShakingStatistics& s) {
   Json json = {{"records", s.records}, {"walls", s.walls}, {"samples", s.samples},
                {"shakes", s.shakes},   {"stood", s.stood}, {"collapsed", s.collapsed},
                {"lost", Json::array()}};
+  if (!s.damping.empty()) put(json, "damping_of_shakes", s.damping);
   if (s.shaking.is_asked()) {
     json["measure"] = word_of(kIntensityMeasureWords, s.shaking.measure);
     if (!std::isnan(s.shaking.period)) json["period_s"] = number(s.shaking.period);

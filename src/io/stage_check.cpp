@@ -260,6 +260,7 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
   };
   check_fraction("mass_damping", stage.mass_damping);
   check_fraction("joint_damping", stage.joint_damping);
+  check_fraction("maxwell_damping", stage.maxwell_damping);
 }
 
 // What a kind asks beyond its required keys.

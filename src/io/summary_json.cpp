@@ -279,7 +279,8 @@ Json tested_range_json(const TestedRange& range) {
 
 Json vector_json(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-Json shaking_json(const Model& model, const ShakeReadings& r) {
+Json shaking_json(const Model& model, const Result& result) {
+  const ShakeReadings& r = result.shaking;
   Json records = Json::array(), points = Json::array();
   for (const AppliedRecord& a : r.record)
     records.push_back({{"record", a.source},
@@ -299,14 +300,22 @@ Json shaking_json(const Model& model, const ShakeReadings& r) {
                       {"peak_displacement_mm", 1e3 * r.motion[k].peak},
                       {"peak_at_s", r.motion[k].at},
                       {"residual_displacement_mm", 1e3 * r.motion[k].residual}});
+  Json storeys = Json::array();
+  for (std::size_t k = 0; k < r.storey.size(); ++k)
+    storeys.push_back({{"name", r.storey[k].storey},
+                       {"height_m", result.history.storey_height[k]},
+                       {"peak_drift_percent", 1e2 * r.storey[k].peak},
+                       {"peak_at_s", r.storey[k].at},
+                       {"residual_drift_percent", 1e2 * r.storey[k].residual}});
   Json damping = Json::array();
   for (const Stage& stage : model.stages) {
     const StageSpec& s = stage.spec;
     if (s.kind != StageKind::kShake) continue;
     damping.push_back({{"stage", s.name}, {"local", s.damping}});
     Json& json = damping.back();
-    for (const auto& [name, viscous] :
-         {std::pair("mass", s.mass_damping), {"joints", s.joint_damping}})
+    for (const auto& [name, viscous] : {std::pair("mass", s.mass_damping),
+                                        {"joints", s.joint_damping},
+                                        {"maxwell", s.maxwell_damping}})
       if (std::isfinite(viscous.fraction))
         json[name] = {{"fraction", viscous.fraction}, {"frequency_Hz", viscous.frequency}};
     if (std::isfinite(s.restitution)) json["restitution"] = s.restitution;
@@ -319,6 +328,7 @@ Json shaking_json(const Model& model, const ShakeReadings& r) {
           {"largest_opening_mm", 1e3 * r.largest_opening},
           {"largest_slip_mm", 1e3 * r.largest_slip},
           {"points", points},
+          {"storeys", storeys},
           {"records", records},
           {"damping", damping}};
 }
@@ -365,7 +375,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
     json["assessment"] = io::assessment_json(assess_run(spec, model, result));
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
   if (result.shaking.was_shaken) {
-    json["shaking"] = shaking_json(model, result.shaking);
+    json["shaking"] = shaking_json(model, result);
     io::put(json["shaking"], "sentence", shaken_sentence(model, result));
   }
   json["curve_of"] = word_of(kStageKindWords, result.curve_of);

@@ -53,6 +53,9 @@ std::string state_hash(const State& s) {
   for (const FreeContact& c : s.free_contacts) {
     hash.add(&c, 5 * sizeof(std::int32_t));
     for (const double number : {c.rest, c.area, c.slip_x, c.slip_y, c.slip_z}) hash.add(number);
+    if (c.maxwell_n != 0 || c.maxwell_x != 0 || c.maxwell_y != 0 || c.maxwell_z != 0)
+      for (const double number : {c.maxwell_n, c.maxwell_x, c.maxwell_y, c.maxwell_z})
+        hash.add(number);
   }
   for (const HandOver& h : s.hand_overs) {
     hash.add(&h, 2 * sizeof(std::int32_t));

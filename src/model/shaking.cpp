@@ -334,30 +334,84 @@ double fraction_of_restitution(double restitution) {
   return 0.5 * (low + high);
 }
 
+MaxwellElement maxwell_element(double fraction, double frequency) {
+  const double share =
+      8 * fraction * fraction + 4 * fraction * std::sqrt(1 + 4 * fraction * fraction);
+  return {share, 1 / (2 * M_PI * frequency * std::sqrt(1 + share))};
+}
+
+double share_of_step(double omega_max, const Dashpots& d) {
+  const double stiffer = std::sqrt(1 + d.spring_share);
+  const double xi = 0.5 * d.rate / (omega_max * stiffer);
+  return (std::sqrt(1 + xi * xi) - xi) / stiffer;
+}
+
+namespace {
+
+// One row a joint.
+void put_dashpots(const Model& m, Dashpots& d) {
+  for (std::size_t j = 0; j < at(m.n_joint); ++j) {
+    const JointMaterial& law = m.materials[at(m.joint_material[j])];
+    const double share = mass_between(m, j) / m.area[j];
+    const auto dashpot = [&](double stiffness) {
+      return d.proportional * stiffness + 2 * d.impact * std::sqrt(stiffness * share);
+    };
+    d.normal.push_back(dashpot(law.normal_stiffness));
+    d.shear.push_back(dashpot(law.shear_stiffness));
+  }
+}
+
+}  // namespace
+
 void set_dashpots(Model& m) {
   for (Stage& stage : m.stages) {
     const StageSpec& s = stage.spec;
-    const bool bounces = is_set(s.restitution) && s.restitution < 1;
-    if (s.kind != StageKind::kShake || (!bounces && !is_set(s.joint_damping.fraction))) continue;
-    const double impact = bounces ? 2 * fraction_of_restitution(s.restitution) : 0.0;
-    const double proportional = is_set(s.joint_damping.fraction)
-                                    ? s.joint_damping.fraction / (M_PI * s.joint_damping.frequency)
-                                    : 0.0;
+    if (s.kind != StageKind::kShake) continue;
     Dashpots& d = stage.dashpots;
-    for (std::size_t j = 0; j < at(m.n_joint); ++j) {
-      const JointMaterial& law = m.materials[at(m.joint_material[j])];
-      const double share = mass_between(m, j) / m.area[j];
-      const auto dashpot = [&](double stiffness) {
-        return proportional * stiffness + impact * std::sqrt(stiffness * share);
-      };
-      d.normal.push_back(dashpot(law.normal_stiffness));
-      d.shear.push_back(dashpot(law.shear_stiffness));
+    if (is_set(s.restitution) && s.restitution < 1)
+      d.impact = fraction_of_restitution(s.restitution);
+    if (is_set(s.joint_damping.fraction))
+      d.proportional = s.joint_damping.fraction / (M_PI * s.joint_damping.frequency);
+    if (is_set(s.maxwell_damping.fraction)) {
+      const MaxwellElement e =
+          maxwell_element(s.maxwell_damping.fraction, s.maxwell_damping.frequency);
+      d.spring_share = e.share, d.relaxation = e.relaxation;
+      m.anatomy.notes.push_back({"shake.maxwell",
+                                 {{"stage", s.name},
+                                  {"fraction_percent", 100 * s.maxwell_damping.fraction},
+                                  {"frequency_hz", s.maxwell_damping.frequency},
+                                  {"stiffer_percent", 100 * e.share},
+                                  {"times", std::sqrt(1 + e.share)}}});
     }
+    const bool has_dashpots = d.impact > 0 || d.proportional > 0;
+    if (!has_dashpots && !(d.spring_share > 0)) continue;
+    put_dashpots(m, d);
+    if (!has_dashpots) continue;
     d.rate = m.in_space() ? dashpot_rate_in_space(m, d) : dashpot_rate(m, d);
-    const double xi = 0.5 * d.rate / m.omega_max;
     m.anatomy.notes.push_back(
-        {"shake.dashpots", {{"stage", s.name}, {"times", 1 / (std::sqrt(1 + xi * xi) - xi)}}});
+        {"shake.dashpots", {{"stage", s.name}, {"times", 1 / share_of_step(m.omega_max, d)}}});
   }
+}
+
+std::vector<Message> damping_of(const ModelSpec& spec) {
+  const auto shakes = std::find_if(spec.stage.begin(), spec.stage.end(),
+                                   [](const StageSpec& s) { return s.kind == StageKind::kShake; });
+  if (shakes == spec.stage.end()) return {};
+  std::vector<Message> out;
+  const auto viscous = [&](const char* code, const ViscousSpec& v) {
+    if (is_set(v.fraction))
+      out.push_back(
+          {code, {{"fraction_percent", 100 * v.fraction}, {"frequency_hz", v.frequency}}});
+  };
+  viscous("damping.mass", shakes->mass_damping);
+  viscous("damping.joints", shakes->joint_damping);
+  viscous("damping.maxwell", shakes->maxwell_damping);
+  if (is_set(shakes->restitution))
+    out.push_back({"damping.restitution", {{"restitution", shakes->restitution}}});
+  if (is_set(shakes->damping) && shakes->damping > 0)
+    out.push_back({"damping.local", {{"share", shakes->damping}}});
+  if (out.empty()) out.push_back({"damping.none"});
+  return out;
 }
 
 std::string record_hash(const std::vector<double>& times,

@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "wythe/error.h"
 #include "wythe/model.h"
+#include "wythe/shaking.h"
 
 namespace wythe {
 
@@ -35,9 +37,31 @@ void set_dashpots(Model& model);
 [[nodiscard]] double dashpot_rate(const Model& model, const Dashpots& dashpots);
 [[nodiscard]] double dashpot_rate_in_space(const Model& model, const Dashpots& dashpots);
 
+// A spring of `share` times the stiffness of its contact and a dashpot in series with it, which relaxes in `relaxation`
+// [s]: together with the contact they give `fraction` of critical damping at `frequency` [Hz], their largest
+// (docs/theory/dynamics.md, 14.8).
+struct MaxwellElement {
+  double share, relaxation;
+};
+[[nodiscard]] MaxwellElement maxwell_element(double fraction, double frequency);
+// The longest stable step of a wall with these dashpots over that without, by the bound on its highest frequency [1/s]
+// (14.5, 14.10).
+[[nodiscard]] double share_of_step(double omega_max, const Dashpots& dashpots);
+
 // Fraction of critical damping with which a mass on a spring that only presses comes back with a share
 // `restitution` of its speed (docs/theory/dynamics.md, 14.6).
 [[nodiscard]] double fraction_of_restitution(double restitution);
+
+// What damps the shakes of a model, in words: of the first stage that shakes it; empty where none does.
+[[nodiscard]] std::vector<Message> damping_of(const ModelSpec& spec);
+
+// Drift of storey k at a row along x and z: its top against its foot, over its height.
+[[nodiscard]] inline std::pair<double, double> storey_drift(const ShakeHistory& h, std::size_t row,
+                                                            std::size_t k) {
+  const PointMotion* tops = &h.storey_top[row * h.storey.size()];
+  const PointMotion foot = k > 0 ? tops[k - 1] : PointMotion{};
+  return {(tops[k][0] - foot[0]) / h.storey_height[k], (tops[k][2] - foot[2]) / h.storey_height[k]};
+}
 
 // The fingerprint of a record's numbers, 16 hex digits.
 [[nodiscard]] std::string record_hash(const std::vector<double>& times,

@@ -109,7 +109,8 @@ contact::Answer<double> answer_of(const LawConstants<double>& law, const PointMo
                                   contact::History<double>& h) {
   if (contact::knows_whole<V>(law) && contact::is_whole<V>(law, h)) {
     const contact::Whole<double> whole = contact::whole_point(law, at.w, at.s);
-    if (whole.stays) return {whole.sigma + 0.0, whole.tau, 0, 0, 0, 0, 0};  // + 0: never -0
+    if (whole.stays)
+      return {whole.sigma + 0.0, whole.tau, 0, 0, 0, 0, 0, 0, 0, 0, 0};  // + 0: never -0
   }
   return contact::update<V>(law, at.w, at.s, h);
 }

@@ -378,6 +378,8 @@ Json stage_of(const Stage& stage) {
   add("mass_damping_at", s.mass_damping.frequency, "Hz", 1);
   add("joint_damping", s.joint_damping.fraction, "%", 1e2);
   add("joint_damping_at", s.joint_damping.frequency, "Hz", 1);
+  add("maxwell_damping", s.maxwell_damping.fraction, "%", 1e2);
+  add("maxwell_damping_at", s.maxwell_damping.frequency, "Hz", 1);
   add("restitution", s.restitution, "", 1);
   if (s.stop_below > 0) add("stop_below", s.stop_below, "", 1);
   add("duration", s.duration, "s", 1);

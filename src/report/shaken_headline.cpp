@@ -39,6 +39,8 @@ class ShakenHeadline {
                                                   {"low", texts_.number(end(f, 0))},
                                                   {"high", with_unit(end(f, 1))}});
     if (told == 0) words += " " + texts_.say("shaken.nothing");
+    if (const std::string how = damping(); !how.empty())
+      words += " " + texts_.say("shaken.damping", {{"how", how}});
     return words;
   }
   [[nodiscard]] std::string warning() const {
@@ -72,6 +74,16 @@ class ShakenHeadline {
   }
 
  private:
+  // A list of texts, each in every language where they differ (said.h).
+  [[nodiscard]] std::string damping() const {
+    std::string words;
+    if (!shaking_.contains("damping_of_shakes")) return words;
+    for (const Json& one : shaking_.at("damping_of_shakes")) {
+      const Json& text = one.is_array() ? one.at(texts_.place()) : one;
+      words += (words.empty() ? "" : "; ") + escaped(text.get<std::string>());
+    }
+    return words;
+  }
   static bool is_told(const Json& f) { return f.at("verdict") == "told"; }
   static std::string underscored(std::string word) {
     for (char& c : word)

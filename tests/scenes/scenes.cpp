@@ -320,6 +320,7 @@ StageSpec shake_stage(double amplitude, double period) {
   shake.record = {record};
   shake.restitution = 0.5;
   shake.mass_damping = {0.02, 10};
+  shake.maxwell_damping = {0.05, 20};
   shake.interval = 2e-3;
   return shake;
 }

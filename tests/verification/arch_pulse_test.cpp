@@ -302,5 +302,32 @@ TEST(ArchUnderPulse, SH21_the_first_swing_is_that_of_its_four_hinges) {
   }
 }
 
+// Without any damping its stones rattle: what friction takes of that is in the ledger.
+TEST(ArchUnderPulse, the_ledger_of_the_undamped_arch_closes) {
+  ModelSpec spec = shaken_arch(5, 0.8);
+  spec.stage.back().restitution = 1;
+  spec.stage.back().free_vibration = 1;
+  double motion = 0;
+  for (const auto& [fraction, most] : {std::pair(0.5, 2e-2), {0.1, 2e-3}}) {
+    spec.solve.step_fraction = fraction;
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    const Result result = solve(model, state);
+    const double share = result.energy.gap / result.energy.loads;
+    verify({"EL02",
+            fmt::format(
+                "undamped arch under a pulse, {:g} of the longest step: what the ledger misses",
+                fraction),
+            "of the work of loads", 0, most, "contacts that open and close within a step", true},
+           share);
+    EXPECT_GT(result.energy.friction, 0.8 * result.energy.loads);
+    const double peak = result.shaking.motion.front().peak;
+    if (motion > 0) {
+      EXPECT_NEAR(peak, motion, 0.02 * motion);
+    }
+    motion = peak;
+  }
+}
+
 }  // namespace
 }  // namespace wythe::verification

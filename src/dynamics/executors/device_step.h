@@ -352,7 +352,7 @@ void DeviceExecutor<Device>::set(int lane, const Controls& c) {
   wall.steps = c.dt > 0;
   const State* state = wall.state;
   const double rows[kWallRows] = {c.dt, c.damping, state == nullptr ? 0.0 : state->gravity_x,
-                                  state == nullptr ? 0.0 : state->gravity_y};
+                                  state == nullptr ? 0.0 : state->gravity_y, time_before(c)};
   for (int row = 0; row < kWallRows; ++row) wall_[of(lane, row)] = rows[row];
   for (std::size_t k = 0; k < model_.stages.size(); ++k)
     load_scale_.here[of(lane, static_cast<std::int64_t>(k))] =

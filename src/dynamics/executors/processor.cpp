@@ -134,6 +134,7 @@ void Processor::put(int lane, const Model& model, State& state) {
   wall.model = &model;
   wall.state = &state;
   wall.brakes = {};
+  wall.brakes.maxwell.put(state);
   put_wall(layout_, bank_of(lane).tables, lane % width_, model, state);
   if (free_) free_->put(state, wall.view);
   set(lane, {});
@@ -158,6 +159,7 @@ void Processor::set(int lane, const Controls& controls) {
   now = controls;
   view(lane).of_wall(kDt) = controls.dt;
   view(lane).of_wall(kDamping) = controls.damping;
+  view(lane).of_wall(kTimeBefore) = time_before(controls);
   if (!same || controls.dt == 0) set_rates(view(lane), controls.dt, controls.mass_scaling);
 }
 
@@ -177,9 +179,14 @@ void Processor::begin_step() {
 
 void Processor::brake() {
   for (Wall& wall : wall_) {
-    if (wall.model == nullptr || wall.controls.dashpots == nullptr) continue;
+    if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
+    if (wall.controls.dashpots == nullptr) {
+      wall.brakes.maxwell.let_go();
+      continue;
+    }
     prepare_brakes(*wall.model, wall.brakes);
-    brake_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.brakes);
+    brake_joints(layout_, wall.view, *wall.model, *wall.controls.dashpots, wall.controls.dt,
+                 wall.brakes);
   }
 }
 
@@ -214,12 +221,14 @@ void Processor::run(Pass pass) {
 void Processor::bring_up(int lane, State& state) const {
   const Wall& wall = wall_[at(lane)];
   read_wall(layout_, wall.view.t, static_cast<int>(wall.view.lane), *wall.model, state);
+  wall.brakes.maxwell.bring_up(state);
   if (free_) free_->bring_up(state);
 }
 
 void Processor::meet() {
   if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
-  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].view, workers_);
+  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].controls.dashpots, wall_[0].view,
+             workers_);
 }
 
 void Processor::drive() {
@@ -255,7 +264,7 @@ void Processor::end_step() {
         *ledger[term] = sum;
       }
     }
-    if (free_) free_->moved(wall.controls.dt, wall.view);
+    if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
           braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);

@@ -290,8 +290,11 @@ Message warning_of(const Result& result) {
     return {"doubt.held_factor", {{"factor", result.load_factor}}};
   const RateVerdict& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
-  if (result.energy.gap_ratio > dynamics::kLedger)
+  if (result.energy.gap_ratio > dynamics::kLedger) {
+    if (result.shaking.was_shaken && result.curve.empty())
+      return {"shake.energy_missing", {{"gap_percent", 100 * result.energy.gap_ratio}}};
     return dynamics::energy_missing(result.energy.gap_ratio);
+  }
   if (result.validity.overlap_lost <= result.responses.displacement_at_peak)
     return {"doubt.slid_off", {{"displacement_mm", 1e3 * result.validity.overlap_lost}}};
   return {};

@@ -1,8 +1,9 @@
-// Dashpots at the closed points of joints, and damping in proportion to mass (docs/theory/dynamics.md). Only
-// shakes that ask for them have any, so they are taken one by one after the joints, as links are before them,
-// and add to the forces that blocks gather.
+// Dashpots and Maxwell elements at the closed points of joints, and damping in proportion to mass
+// (docs/theory/dynamics.md). Only shakes that ask for them have any, so they are taken one by one after the joints, as
+// links are before them, and add to the forces that blocks gather.
 //
-//   at a point with  w_e < 0:   sigma += c_n dw/dt, so that it only presses;  tau += c_s ds/dt within friction
+//   at a point with  w_e < 0:   sigma += c_n dw/dt + q_n, so that it only presses;  tau += c_s ds/dt + q_s within friction
+//                               q <- exp(-dt / T) q + share k (1 - exp(-dt / T)) T / dt  Delta w      (Maxwell elements)
 //
 // Rates are those of the half step before: the step is bounded for that (stage_time_step). A force works on
 // the mean of the velocities before and after, so its work is counted once both are known.
@@ -11,37 +12,82 @@
 #include <vector>
 
 #include "contact/parameters.h"
+#include "dynamics/passes/drive.h"
 #include "dynamics/passes/joints.h"
 #include "dynamics/passes/wall.h"
 
 namespace wythe::dynamics {
 
 // Viscous stresses of a point whose elastic ones are known, both limited to what a closed joint can bear.
-struct PointRate {
-  double opening, slip_1, slip_2;  // [m/s]
-};
 struct PointStress {
   double normal, shear_1, shear_2;  // [Pa]
 };
-[[nodiscard]] WYTHE_INLINE PointStress brake_point(const PointStress& elastic,
-                                                   const PointRate& rate, double c_normal,
-                                                   double c_shear, double friction) {
-  if (!(elastic.normal < 0)) return {0, 0, 0};
-  const double normal = minimum(c_normal * rate.opening, -elastic.normal);
+struct ViscousStress {
+  PointStress all, spring;  // spring: what of it the Maxwell element bears
+};
+// `dashpot` and `spring`: what they would give without that limit.
+[[nodiscard]] WYTHE_INLINE ViscousStress brake_point(const PointStress& elastic,
+                                                     const PointStress& dashpot,
+                                                     const PointStress& spring, double friction) {
+  if (!(elastic.normal < 0)) return {{0, 0, 0}, {0, 0, 0}};
+  const double normal = minimum(dashpot.normal + spring.normal, -elastic.normal);
   const double x = elastic.shear_1, y = elastic.shear_2;
-  const double u = c_shear * rate.slip_1, v = c_shear * rate.slip_2;
+  const double u = dashpot.shear_1 + spring.shear_1, v = dashpot.shear_2 + spring.shear_2;
   const double wanted = square_root(u * u + v * v);
   const double left = -friction * (elastic.normal + normal) - square_root(x * x + y * y);
   const double share = wanted > 0 ? clip(left / wanted, 0.0, 1.0) : 0.0;
-  return {normal, share * u, share * v};
+  return {
+      {normal, share * u, share * v},
+      {minimum(spring.normal, -elastic.normal), share * spring.shear_1, share * spring.shear_2}};
 }
 
-// What a wall's dashpots need beside its tables: velocities before the step, forces on the blocks; nothing of
-// it outlives a step.
+// What a step does to the stress q of a Maxwell element whose contact has the stiffness k and moves by s at a constant
+// rate: q <- kept q + gain k s, exactly.
+struct MaxwellStep {
+  double kept = 0, gain = 0;
+  [[nodiscard]] WYTHE_INLINE double of(double q, double stiffness, double moved) const {
+    return kept * q + gain * stiffness * moved;
+  }
+};
+[[nodiscard]] inline MaxwellStep maxwell_step(const Dashpots& dashpots, double dt) {
+  if (!(dashpots.spring_share > 0)) return {};
+  const double h = dt / dashpots.relaxation, kept = exp_of_minus(h);
+  return {kept, dashpots.spring_share * (1 - kept) / h};
+}
+
+// Stresses of the Maxwell elements of a wall's points: they belong to its state.
+struct MaxwellStresses {
+  std::vector<double> normal, shear_1, shear_2;  // empty where no stage has such elements
+  bool bears = false;                            // not all are zero
+
+  void put(const State& s) {
+    normal = s.maxwell_normal, shear_1 = s.maxwell_shear, shear_2 = s.maxwell_shear_2;
+    bears = true;
+  }
+  void bring_up(State& s) const {
+    s.maxwell_normal = normal, s.maxwell_shear = shear_1, s.maxwell_shear_2 = shear_2;
+  }
+  // In a stage without them they carry nothing.
+  void let_go() {
+    for (std::vector<double>* all : {&normal, &shear_1, &shear_2})
+      if (bears) std::fill(all->begin(), all->end(), 0.0);
+    bears = false;
+  }
+  [[nodiscard]] PointStress of(std::size_t p) const {
+    return {normal[p], shear_1[p], shear_2.empty() ? 0.0 : shear_2[p]};
+  }
+  void keep(std::size_t p, const PointStress& q) {
+    normal[p] = q.normal, shear_1[p] = q.shear_1;
+    if (!shear_2.empty()) shear_2[p] = q.shear_2;
+  }
+};
+
+// What a wall's dashpots need beside its tables: velocities before the step, forces on the blocks.
 struct Brakes {
   std::vector<double> friction;               // of each joint's law
   std::vector<std::array<double, 3>> before;  // velocities of blocks
   std::vector<std::array<double, 4>> force;   // of joints: fx, fy on a, moments on a and b
+  MaxwellStresses maxwell;                    // outlives the step
 };
 
 inline void prepare_brakes(const Model& m, Brakes& brakes) {
@@ -130,16 +176,23 @@ inline BrakedJoint braked_joint(const WallView& wall, const Model& m, std::size_
 
 // Viscous forces of all joints, added to those of the law.
 inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
-                         const Dashpots& dashpots, Brakes& brakes) {
+                         const Dashpots& dashpots, double dt, Brakes& brakes) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
+  const MaxwellStep maxwell = maxwell_step(dashpots, dt);
+  const bool springs = maxwell.gain > 0;
+  brakes.maxwell.bears = springs;
   for (int i = 0; i < m.n_block; ++i)
     brakes.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};
   for (const Chunk& chunk : l.chunks[kJoints]) {
     for (int n = 0; n < chunk.n; ++n) {
       const std::size_t j = at(chunk.first + n);
       brakes.force[j] = {0, 0, 0, 0};
-      if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0)
+      const std::size_t first = j * at(chunk.points);
+      if (wall.t.joint[l.number(l.joint_place[j], kJointRows, kArea, 1)] == 0) {
+        for (int k = 0; springs && k < chunk.points; ++k)
+          brakes.maxwell.keep(first + at(k), {0, 0, 0});
         continue;  // a free contact has its place
+      }
       const JointMaterial& law = m.materials[at(m.joint_material[j])];
       const BrakedJoint joint = braked_joint(wall, m, j, brakes);
       double fn = 0, ft = 0, gn = 0, gt = 0;
@@ -151,10 +204,20 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
         };
         const double w = joint.jn + xi * joint.dn + history(1);
         const double s = joint.jt + xi * joint.dt - history(2);
-        const PointStress viscous =
+        const double rate_n = joint.rate_n + xi * joint.grows_n;
+        const double rate_t = joint.rate_t + xi * joint.grows_t;
+        PointStress spring{0, 0, 0};
+        if (springs) {
+          const PointStress q = brakes.maxwell.of(first + at(k));
+          spring = {maxwell.of(q.normal, law.normal_stiffness, dt * rate_n),
+                    maxwell.of(q.shear_1, law.shear_stiffness, dt * rate_t), 0};
+        }
+        const ViscousStress both =
             brake_point({law.normal_stiffness * w, law.shear_stiffness * s, 0},
-                        {joint.rate_n + xi * joint.grows_n, joint.rate_t + xi * joint.grows_t, 0},
-                        dashpots.normal[j], dashpots.shear[j], brakes.friction[j]);
+                        {dashpots.normal[j] * rate_n, dashpots.shear[j] * rate_t, 0}, spring,
+                        brakes.friction[j]);
+        if (springs) brakes.maxwell.keep(first + at(k), both.spring);
+        const PointStress& viscous = both.all;
         fn += share * viscous.normal, gn += share * viscous.normal * xi;
         ft += share * viscous.shear_1, gt += share * viscous.shear_1 * xi;
       }
@@ -189,7 +252,7 @@ inline double braking_work(const WallView& wall, const Model& m, const Brakes& b
 
 // Velocities fall as exp(-alpha t): the work of that in a step [J].
 inline double damp_by_mass(const WallView& wall, double alpha, double dt) {
-  const double kept = (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
+  const double kept = kept_by_mass(alpha, dt);
   double energy = 0;
   for (int i = 0; i < wall.blocks; ++i) {
     if (!(wall.block(i, kIsFree) > 0)) continue;

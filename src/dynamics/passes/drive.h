@@ -32,6 +32,16 @@ struct Controls {
   const Dashpots* dashpots = nullptr;  // of a shake; null: none
 };
 
+// What damping by mass leaves of velocities in a step.
+[[nodiscard]] WYTHE_INLINE double kept_by_mass(double alpha, double dt) {
+  return (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
+}
+// In which the velocities that the joints see have moved the wall (kTimeBefore).
+[[nodiscard]] WYTHE_INLINE double time_before(const Controls& controls) {
+  const double kept = kept_by_mass(controls.mass_damping, controls.dt);
+  return kept > 0 ? controls.dt / kept : controls.dt;
+}
+
 // The load on its turned block, times `scale`.
 WYTHE_INLINE void add_load(const PointLoad& load, double scale, const WallView& wall) {
   const BlockId i = load.block;

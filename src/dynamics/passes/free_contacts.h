@@ -21,6 +21,7 @@
 #include "core/parallel.h"
 #include "core/rotation.h"
 #include "dynamics/executors/executor.h"
+#include "dynamics/passes/contact_dashpots.h"
 #include "dynamics/passes/near_pairs.h"
 #include "model/free_shapes.h"
 #include "wythe/model.h"
@@ -50,6 +51,9 @@ struct alignas(64) FreePair {
   double stored = 0;    // energy [J]
   double friction = 0;  // works [J]
   double lost = 0;
+  // of its dashpots, within on_a and on_b; rates of a and b before the blocks move
+  Push viscous_a{}, viscous_b{};
+  Push rates_a{}, rates_b{};
 };
 // How far a body can have moved.
 struct Travel {
@@ -72,10 +76,10 @@ class FreeContacts {
   // A wall takes its place with the contacts and hand-overs of its state.
   void put(const State& state, const View& wall);
   void bring_up(State& state) const;
-  // Forces at the present poses, into the wall's rows for free contacts; works into the ledger.
-  void act(State& state, double dt, const View& wall, Workers& workers);
+  // Forces at the present poses, into the wall's rows for free contacts; works into the ledger. `dashpots`: null for none.
+  void act(State& state, double dt, const Dashpots* dashpots, const View& wall, Workers& workers);
   // After the blocks have moved.
-  void moved(double dt, const View& wall);
+  void moved(State& state, double dt, const View& wall);
 
   // How much of a dead load still presses its block.
   [[nodiscard]] double load_share(BlockId block, const View& wall) const {
@@ -129,6 +133,8 @@ class FreeContacts {
   }
   void meet(std::size_t number, double dt, bool looks);
   static void part_company(FreePair& pair);
+  void brake(FreePair& pair, double area_before, const typename Bodies::Rubbed& rubbed,
+             double dt) const;
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
@@ -164,6 +170,7 @@ class FreeContacts {
   bool searched_ = false, strayed_ = false, finite_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
+  const Dashpots* dashpots_ = nullptr;  // of this step
 };
 
 // --- who may touch --------------------------------------------------------------------------------------
@@ -289,7 +296,20 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::moved(double dt, const View& wall) {
+void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
+  double power = 0;
+  for (std::size_t n = 0; dashpots_ != nullptr && n < awake_.size(); ++n) {
+    const Near& near = near_[awake_[n]];
+    if (near.slot < 0 || !pair_of(near).touches) continue;
+    const FreePair& pair = pair_of(near);
+    const auto on = [&](std::int32_t body, const Push& push, const Push& before) {
+      const Push now = bodies_.rates_of(body, wall);
+      power += 0.5 * (dot(push.f, before.f + now.f) + dot(push.m, before.m + now.m));
+    };
+    on(pair.memory.a, pair.viscous_a, pair.rates_a);
+    on(pair.memory.b, pair.viscous_b, pair.rates_b);
+  }
+  if (power != 0) state.work_damping += dt * power;
   bodies_.add_travel(dt, wall, travel_);
   for (std::size_t i = 0; i < travel_.size(); ++i) {
     travel_[i].all += rounding_;
@@ -368,6 +388,7 @@ void FreeContacts<Bodies>::part_company(FreePair& pair) {
   pair.friction += shear_energy(pair.memory, pair.law);
   pair.touches = false;
   pair.memory.area = pair.memory.slip_x = pair.memory.slip_y = pair.memory.slip_z = 0;
+  pair.memory.maxwell_n = pair.memory.maxwell_x = pair.memory.maxwell_y = pair.memory.maxwell_z = 0;
   pair.pressed = pair.stored = 0;
 }
 
@@ -395,6 +416,7 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
     sleep(inside > 0 ? minimum(room, inside) : -inside);
   };
   pair.friction = pair.lost = 0;
+  pair.viscous_a = pair.viscous_b = {};
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
@@ -413,6 +435,7 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
       if (pair.touches) {  // the contact goes on over another face
         pair.lost += bodies_.stiffness(pair.law) * (before - overlap.energy);
         pair.friction += bodies_.turn_slip(pair, meeting, face.feature);
+        m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
       }
       m.feature = face.feature;
     }
@@ -422,14 +445,34 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
     return sleep(0);
   }
   pair.touches = true;
-  bodies_.rub(pair, meeting, overlap, dt);
+  const double before = m.area;
+  const typename Bodies::Rubbed rubbed = bodies_.rub(pair, meeting, overlap, dt);
+  if (dashpots_ != nullptr && dt > 0) brake(pair, before, rubbed, dt);
+}
+
+template <class Bodies>
+void FreeContacts<Bodies>::brake(FreePair& pair, double area_before,
+                                 const typename Bodies::Rubbed& rubbed, double dt) const {
+  FreeContact& m = pair.memory;
+  const double a = bodies_.inverse_mass(m.a), b = bodies_.inverse_mass(m.b);
+  const ViscousForce f = brake_contact(
+      {pair.law.kn * m.area, pair.law.ks * m.area, pair.pressed, rubbed.held, rubbed.opened,
+       rubbed.slid, 1 / (a + b), bodies_.mobility(m, rubbed), area_before},
+      *dashpots_, pair.law.tan_friction, dt, m);
+  bodies_.spread(f, rubbed, m.feature >= 0, pair.viscous_a, pair.viscous_b);
+  pair.on_a = pair.on_a + pair.viscous_a;
+  pair.on_b = pair.on_b + pair.viscous_b;
+  pair.rates_a = bodies_.rates_now(m.a);
+  pair.rates_b = bodies_.rates_now(m.b);
 }
 
 // --- the step -------------------------------------------------------------------------------------------
 
 template <class Bodies>
-void FreeContacts<Bodies>::act(State& state, double dt, const View& wall, Workers& workers) {
+void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots, const View& wall,
+                               Workers& workers) {
   constexpr int kPairChunk = 256;
+  dashpots_ = dashpots;
   if (!finite_) return;  // the wall runs away, which others say
   const bool looks = state.step % kLookEvery == 0;
   std::vector<std::size_t> gave_way;
@@ -472,119 +515,6 @@ void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
   }
 }
 
-// --- from joints to free contacts -----------------------------------------------------------------------
-
-// All joints of a pair at once: those that still hold keep the others.
-template <class Bodies>
-std::vector<std::size_t> FreeContacts<Bodies>::find_hand_overs(const View& wall) {
-  std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < jointed_.size(); ++k) {
-    Jointed& pair = jointed_[k];
-    bool gives = false;
-    for (auto n = pair.first; !pair.handed_over && n < pair.end; ++n)
-      gives = gives || bodies_.gives_way(joint_of_[at(n)], wall);
-    for (auto n = pair.first; gives && n < pair.end; ++n)
-      gives = !bodies_.holds(joint_of_[at(n)], wall);
-    if (!gives) continue;
-    pair.handed_over = true;
-    found.push_back(k);
-  }
-  return found;
-}
-
-// Where a joint was crushed the blocks overlap by more than they press: as much of it rests as makes the contact press
-// with the joint's normal force.
-template <class Bodies>
-void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>& on_a) const {
-  constexpr int kHalvings = 60;
-  const typename Bodies::Meeting meeting = bodies_.meeting(pair.memory);
-  const std::int32_t feature = pair.memory.feature;
-  const double wanted = -dot(on_a, bodies_.normal_of(meeting, feature));
-  const auto presses = [&](double rest) {
-    return bodies_.stiffness(pair.law) * bodies_.pressing(bodies_.overlap(meeting, feature, rest));
-  };
-  if (presses(0) <= wanted) return;
-  double low = 0, high = -bodies_.overlap(meeting, feature, 0).lowest;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (low + high);
-    (presses(middle) > wanted ? low : high) = middle;
-  }
-  pair.memory.rest = high;
-}
-
-// What the joints gave in this step and the free contact does not, stays as a force that fades.
-template <class Bodies>
-void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {
-  Push before, after;
-  double energy = 0;
-  for (auto k = pair.first; k < pair.end; ++k) {
-    before = before + bodies_.push_of(joint_of_[at(k)], pair.a, wall);
-    energy += bodies_.elastic_energy(joint_of_[at(k)], wall);
-    bodies_.release(joint_of_[at(k)], wall);
-  }
-  const std::span<Near> contacts = near_of(pair.a, pair.b);
-  const double pressed = pressed_by(contacts);
-  double bears = 0;
-  for (const Near& near : contacts) {
-    if (near.slot < 0) continue;
-    FreePair& p = pair_of(near);
-    if (!p.touches) continue;
-    const auto again = [&] { meet(at(&near - near_.data()), 0.0, false); };
-    const Vector<double> share = (p.pressed / pressed) * before.f;
-    rest_on_crushed(p, share);
-    again();
-    if (!p.touches) continue;
-    bodies_.take_over_shear(p, share);
-    again();
-    after = after + p.on_a;
-    energy -= p.stored;
-    bears += p.pressed;
-  }
-  state.lost_in_hand_over += energy;
-  if (!(bears > 0)) return;  // the joint's force stood on nothing
-  const Vector<double> f = bodies_.into(pair.a, before.f - after.f, wall);
-  const Vector<double> m = bodies_.into(pair.a, before.m - after.m, wall);
-  const HandOver rest{pair.a, pair.b, 1, bears, f.x, f.y, f.z, m.x, m.y, m.z};
-  const auto place = std::lower_bound(
-      hand_overs_.begin(), hand_overs_.end(), rest,
-      [](const HandOver& p, const HandOver& q) { return bodies_of(p) < bodies_of(q); });
-  apply(*hand_overs_.insert(place, rest), wall);
-}
-
-template <class Bodies>
-void FreeContacts<Bodies>::apply(const HandOver& h, const View& wall) {
-  const Push a{
-      bodies_.out_of(h.a, h.share * Vector<double>{h.force_x, h.force_y, h.force_z}, wall),
-      bodies_.out_of(h.a, h.share * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall)};
-  const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
-  bodies_.add(h.a, h.b, a, {-1.0 * a.f, -1.0 * (a.m + cross(arm, a.f))}, wall);
-  acts_ = true;
-}
-
-// Less of each as its contact unloads, and as the bodies slide or turn on each other: the difference belongs to the poses
-// in which they were handed over. What it works goes into the ledger.
-template <class Bodies>
-void FreeContacts<Bodies>::fade_hand_overs(State& state, double dt, const View& wall) {
-  for (HandOver& h : hand_overs_) {
-    const double pressed = pressed_by(near_of(h.a, h.b));
-    // b is carried to the centroid of a, where the force acts
-    const Vector<double> arm = bodies_.place_of(h.a, wall) - bodies_.place_of(h.b, wall);
-    const Push va = bodies_.rates_of(h.a, wall), vb = bodies_.rates_of(h.b, wall);
-    const Vector<double> slides = va.f - (vb.f + cross(vb.m, arm)), turns = va.m - vb.m;
-    const double moved =
-        square_root(dot(slides, slides)) / (kForgottenSlip * bodies_.size_of(h.a)) +
-        square_root(dot(turns, turns)) / kForgottenTurn;
-    const double share = minimum(h.share - dt * moved, pressed / h.pressed);
-    const double mean = 0.5 * (h.share + maximum(share, 0.0));
-    const Vector<double> f =
-        bodies_.out_of(h.a, mean * Vector<double>{h.force_x, h.force_y, h.force_z}, wall);
-    const Vector<double> m =
-        bodies_.out_of(h.a, mean * Vector<double>{h.moment_x, h.moment_y, h.moment_z}, wall);
-    state.lost_in_hand_over -= dt * (dot(f, slides) + dot(m, turns));
-    h.share = share;
-  }
-  std::erase_if(hand_overs_, [](const HandOver& h) { return !(h.share > 0); });
-  for (const HandOver& h : hand_overs_) apply(h, wall);
-}
-
 }  // namespace wythe::dynamics
+
+#include "dynamics/passes/hand_overs.h"

@@ -54,6 +54,22 @@ template <class Real>
   return {pose.c0 + dx, pose.c1 + dy, arm_x + dx, arm_y + dy};
 }
 
+// Where a block was in the step before: by its velocity, whose time `dt` is (kTimeBefore), so to rounding.
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE Rows<Real> pose_before(const Tables& t, const Access& access,
+                                                  const std::int32_t* id, std::ptrdiff_t spot) {
+  const Rows<Real> pose = access.rows(t.pose, id, spot);
+  const Real dt = access.of_wall(t.wall, kTimeBefore), one(1.0);
+  const auto moved = [&](BlockRow velocity) __attribute__((always_inline)) {
+    return dt * access.of(t.block, kBlockRows, velocity, id, spot);
+  };
+  const Real turn = Real(0.5) * moved(kOmega), square = turn * turn;  // small: its sine and cosine
+  const Real sine = turn * (one - square * Real(1.0 / 6.0));
+  const Real cosine = one - Real(0.5) * square * (one - square * Real(1.0 / 12.0));
+  return {pose.c0 - moved(kVx), pose.c1 - moved(kVy), pose.c2 * cosine + pose.c3 * sine,
+          pose.c3 * cosine - pose.c2 * sine};
+}
+
 // Sums over the points of a joint, in its (n, t) axes: F = sum f, G = sum xi f.
 template <class Real>
 struct FaceForce {
@@ -201,10 +217,11 @@ struct FacePoints {
     });
   }
   // The whole law: the one place where all of the history advances. Whether it did, whether any is open
-  // and whether all are whole.
-  WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, FaceForce<Real>& sum,
-                            JointWork<Real>& work, bool_of_t<Real>& moved, bool_of_t<Real>& open,
-                            bool& whole) const {
+  // and whether all are whole. jump_before() is asked where a point slides, for the work of that.
+  template <class Before>
+  WYTHE_INLINE void advance(Real area, const FaceJump<Real>& jump, const Before& jump_before,
+                            FaceForce<Real>& sum, JointWork<Real>& work, bool_of_t<Real>& moved,
+                            bool_of_t<Real>& open, bool& whole) const {
     const History before = load();
     History now = before;
     const Points w = opening(jump);
@@ -212,7 +229,12 @@ struct FacePoints {
     store(now);
     add(area, a.sigma, a.tau, sum);
     const Points share = shares(area);
-    const Points friction = a.friction * share, fracture = a.fracture * share,
+    Points taken = a.friction;
+    if (any((magnitude(a.slipped) > Points(Real(0.0))).any_part())) {
+      const FaceJump<Real> then = jump_before();
+      taken = contact::friction_taken<V>(law, a, before, opening(then), slip(then));
+    }
+    const Points friction = taken * share, fracture = a.fracture * share,
                  crushing = a.crushing * share;
     for_each_part<n>([&](auto k) __attribute__((always_inline)) {
       work = {work.friction + friction.template part<k>(),
@@ -247,9 +269,9 @@ WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, c
 // history: a face is kMoving wherever a history comes from outside (put_wall).
 enum Way : std::uint8_t { kMoving, kWhole, kClosed, kOpen };
 
-template <class V, int n, bool one_slip, class Access, class Real>
+template <class V, int n, bool one_slip, class Access, class Before, class Real>
 WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
-                                          Real area, const FaceJump<Real>& jump,
+                                          Real area, const FaceJump<Real>& jump, Before before,
                                           JointWork<Real>& work) {
   const Real zero(0.0);
   FaceForce<Real> sum{zero, zero, zero, zero};
@@ -257,7 +279,7 @@ WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdi
   bool whole = contact::knows_whole<V>(run.law_at(spot));
   each_points<V, n, one_slip>(
       run, spot, [&](const auto& points) __attribute__((always_inline)) {
-        points.advance(area, jump, sum, work, moved, open, whole);
+        points.advance(area, jump, before, sum, work, moved, open, whole);
       });
   run.access.mark(run.way, spot,
                   whole        ? kWhole
@@ -303,19 +325,99 @@ template <class V, int n, bool one_slip, bool closed, class Access, class Real>
 }
 
 // Forces of a face. Short ways store no history, but for the opening of whole points; a face that moved in
-// the last step is asked for none.
-template <class V, int n, bool one_slip, class Access, class Real>
+// the last step is asked for none. `before` gives the jump of the step before.
+template <class V, int n, bool one_slip, class Access, class Before, class Real>
 [[nodiscard]] WYTHE_INLINE FaceForce<Real> face_force(const FaceRun<Access>& run,
                                                       std::ptrdiff_t spot, Real area,
-                                                      const FaceJump<Real>& jump,
+                                                      const FaceJump<Real>& jump, Before before,
                                                       JointWork<Real>& work) {
   const std::uint8_t way = run.access.marked(run.way, spot);
   FaceForce<Real> sum;
   if (way == kWhole && whole_face<V, n, one_slip>(run, spot, area, jump, sum)) return sum;
   if (way == kClosed && resting_face<V, n, one_slip, true>(run, spot, area, jump, sum)) return sum;
   if (way == kOpen && resting_face<V, n, one_slip, false>(run, spot, area, jump, sum)) return sum;
-  return moving_face<V, n, one_slip>(run, spot, area, jump, work);
+  return moving_face<V, n, one_slip>(run, spot, area, jump, before, work);
 }
+
+// Row of the geometry of joint j.
+template <class Access>
+[[nodiscard]] WYTHE_INLINE typename Access::Real joint_row(const Tables& t, const Access& access,
+                                                           std::ptrdiff_t j, JointRow row) {
+  return access.shared(t.joint, j * kJointRows + row);
+}
+
+// A face between two blocks in these poses: their arms, tangent, jump of its centre, lever of its points.
+template <class Real>
+struct PairPlace {
+  FaceMotion<Real> a, b;
+  Real tx, ty, jx, jy, lever;
+  FaceJump<Real> jump;
+};
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE PairPlace<Real> pair_in(const Tables& t, const Access& access,
+                                                   std::ptrdiff_t j, const Rows<Real>& pose_a,
+                                                   const Rows<Real>& pose_b) {
+  const auto of = [&](JointRow row) __attribute__((always_inline)) {
+    return joint_row(t, access, j, row);
+  };
+  PairPlace<Real> p;
+  p.a = face_motion(pose_a, turn_of(pose_a), of(kArmAX), of(kArmAY));
+  p.b = face_motion(pose_b, turn_of(pose_b), of(kArmBX), of(kArmBY));
+  // cosine and sine of phi and of delta/2
+  const Real cc = pose_a.c2 * pose_b.c2, ss = pose_a.c3 * pose_b.c3;
+  const Real sc = pose_a.c3 * pose_b.c2, cs = pose_a.c2 * pose_b.c3;
+  const Real cos = cc - ss, sin = sc + cs;
+  const Real tx0 = of(kTangentX), ty0 = of(kTangentY);
+  p.tx = cos * tx0 - sin * ty0, p.ty = sin * tx0 + cos * ty0;
+  const Real reach = of(kHalfLength);
+  p.lever = reach * (cc + ss);
+  p.jx = p.b.move_x - p.a.move_x, p.jy = p.b.move_y - p.a.move_y;
+  p.jump = {p.jy * p.tx - p.jx * p.ty, p.jx * p.tx + p.jy * p.ty, Real(2.0) * reach * (cs - sc),
+            Real(0.0)};
+  return p;
+}
+
+// A face on the ground.
+template <class Real>
+struct GroundPlace {
+  FaceMotion<Real> b;
+  Turn<Real> turn;
+  FaceJump<Real> jump;
+};
+template <class Access, class Real = typename Access::Real>
+[[nodiscard]] WYTHE_INLINE GroundPlace<Real> ground_in(const Tables& t, const Access& access,
+                                                       std::ptrdiff_t j, const Rows<Real>& pose) {
+  const auto of = [&](JointRow row) __attribute__((always_inline)) {
+    return joint_row(t, access, j, row);
+  };
+  GroundPlace<Real> g;
+  g.turn = turn_of(pose);
+  g.b = face_motion(pose, g.turn, of(kArmBX), of(kArmBY));
+  const Real tx = of(kTangentX), ty = of(kTangentY), reach = of(kHalfLength);
+  g.jump = {g.b.move_y * tx - g.b.move_x * ty, g.b.move_x * tx + g.b.move_y * ty,
+            reach * g.turn.sine, reach * g.turn.drop};
+  return g;
+}
+
+// The jump of the step before, for faces that slide: few at a time, so that it is no part of the loops.
+template <class Access, bool on_ground>
+WYTHE_OUTLINE FaceJump<typename Access::Real> jump_before(const Tables& t, const Access& access,
+                                                          std::ptrdiff_t j) {
+  const auto b = pose_before(t, access, t.joint_b, j);
+  if constexpr (on_ground)
+    return ground_in(t, access, j, b).jump;
+  else
+    return pair_in(t, access, j, pose_before(t, access, t.joint_a, j), b).jump;
+}
+template <class Access, bool on_ground>
+struct JumpBefore {
+  const Tables* tables;
+  Access access;
+  std::ptrdiff_t j;
+  WYTHE_INLINE FaceJump<typename Access::Real> operator()() const {
+    return jump_before<Access, on_ground>(*tables, access, j);
+  }
+};
 
 // Joints of one law, one support and one number of points.
 template <class V, bool on_ground, int n, class A>
@@ -340,55 +442,36 @@ struct Joints {
 
  private:
   [[nodiscard]] WYTHE_INLINE Real geometry(std::ptrdiff_t spot, JointRow row) const {
-    return run.access.shared(t.joint, spot * kJointRows + row);
+    return joint_row(t, run.access, spot, row);
   }
 
   WYTHE_INLINE void pair(std::ptrdiff_t j, Work& work) const {
     const Real half(0.5);
-    const Rows<Real> pose_a = run.access.rows(t.pose, t.joint_a, j);
-    const Rows<Real> pose_b = run.access.rows(t.pose, t.joint_b, j);
-    const FaceMotion<Real> a =
-        face_motion(pose_a, turn_of(pose_a), geometry(j, kArmAX), geometry(j, kArmAY));
-    const FaceMotion<Real> b =
-        face_motion(pose_b, turn_of(pose_b), geometry(j, kArmBX), geometry(j, kArmBY));
-    // cosine and sine of phi and of delta/2
-    const Real cc = pose_a.c2 * pose_b.c2, ss = pose_a.c3 * pose_b.c3;
-    const Real sc = pose_a.c3 * pose_b.c2, cs = pose_a.c2 * pose_b.c3;
-    const Real cos = cc - ss, sin = sc + cs;
-    const Real tx0 = geometry(j, kTangentX), ty0 = geometry(j, kTangentY);
-    const Real tx = cos * tx0 - sin * ty0, ty = sin * tx0 + cos * ty0;
-    const Real reach = geometry(j, kHalfLength);
-    const Real jx = b.move_x - a.move_x, jy = b.move_y - a.move_y;
-    const FaceForce<Real> f =
-        face_force<V, n, true>(run, j, geometry(j, kArea),
-                               FaceJump<Real>{jy * tx - jx * ty, jx * tx + jy * ty,
-                                              Real(2.0) * reach * (cs - sc), Real(0.0)},
-                               work);
+    const PairPlace<Real> p = pair_in(t, run.access, j, run.access.rows(t.pose, t.joint_a, j),
+                                      run.access.rows(t.pose, t.joint_b, j));
+    const FaceForce<Real> f = face_force<V, n, true>(
+        run, j, geometry(j, kArea), p.jump, JumpBefore<Access, on_ground>{&t, run.access, j}, work);
     // back to the wall's axes: n = (-ty, tx)
-    const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
-    const Real couple = reach * (cc + ss) * f.gn;
-    const Real cx = half * jx, cy = half * jy;
-    run.access.keep_rows({fx, fy, ((a.arm_x + cx) * fy - (a.arm_y + cy) * fx) + couple,
-                          ((b.arm_y - cy) * fx - (b.arm_x - cx) * fy) - couple},
+    const Real fx = f.ft * p.tx - f.fn * p.ty, fy = f.ft * p.ty + f.fn * p.tx;
+    const Real couple = p.lever * f.gn;
+    const Real cx = half * p.jx, cy = half * p.jy;
+    run.access.keep_rows({fx, fy, ((p.a.arm_x + cx) * fy - (p.a.arm_y + cy) * fx) + couple,
+                          ((p.b.arm_y - cy) * fx - (p.b.arm_x - cx) * fy) - couple},
                          t.force, j);
   }
 
   // The tangent of the ground stands still, and it has no lever.
   WYTHE_INLINE void ground(std::ptrdiff_t j, Work& work) const {
-    const Rows<Real> pose = run.access.rows(t.pose, t.joint_b, j);
-    const Turn<Real> turn = turn_of(pose);
-    const FaceMotion<Real> b = face_motion(pose, turn, geometry(j, kArmBX), geometry(j, kArmBY));
+    const GroundPlace<Real> g = ground_in(t, run.access, j, run.access.rows(t.pose, t.joint_b, j));
     const Real tx = geometry(j, kTangentX), ty = geometry(j, kTangentY);
-    const Real reach = geometry(j, kHalfLength);
     const FaceForce<Real> f = face_force<V, n, false>(
-        run, j, geometry(j, kArea),
-        FaceJump<Real>{b.move_y * tx - b.move_x * ty, b.move_x * tx + b.move_y * ty,
-                       reach * turn.sine, reach * turn.drop},
-        work);
+        run, j, geometry(j, kArea), g.jump, JumpBefore<Access, on_ground>{&t, run.access, j}, work);
     const Real fx = f.ft * tx - f.fn * ty, fy = f.ft * ty + f.fn * tx;
     // the turned face is h ((1 + drop) t + sine n)
-    const Real couple = reach * ((Real(1.0) + turn.drop) * f.gn - turn.sine * f.gt);
-    run.access.keep_rows({fx, fy, Real(0.0), (b.arm_y * fx - b.arm_x * fy) - couple}, t.force, j);
+    const Real couple =
+        geometry(j, kHalfLength) * ((Real(1.0) + g.turn.drop) * f.gn - g.turn.sine * f.gt);
+    run.access.keep_rows({fx, fy, Real(0.0), (g.b.arm_y * fx - g.b.arm_x * fy) - couple}, t.force,
+                         j);
   }
 };
 

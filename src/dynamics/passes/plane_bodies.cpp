@@ -173,7 +173,8 @@ double PlaneBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(pair.memory, pair.law);
 }
 
-void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt) const {
+PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap,
+                                     double dt) const {
   const std::int32_t feature = pair.memory.feature;
   const bool of_a = feature >= 0;
   const EdgeAxes& axes = axes_of(m, feature);
@@ -226,6 +227,35 @@ void PlaneBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   const Push on_ref{{-fx, -fy, 0}, {0, 0, -(moment + (origin.x * fy - origin.y * fx))}};
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
+  return {dt * (vx * n.x + vy * n.y),
+          {way, 0, 0},
+          {stiff * slip, 0, 0},
+          arm.x,
+          arm.y,
+          ox,
+          oy,
+          n.x,
+          n.y,
+          x.x,
+          x.y};
+}
+
+double PlaneBodies::mobility(const FreeContact& c, const Rubbed& r) const {
+  const bool of_a = c.feature >= 0;
+  const auto of = [&](std::int32_t body, double x, double y) {
+    if (body >= m_.n_block) return 0.0;
+    return 1 / m_.mass[at(body)] + (x * x + y * y) / m_.inertia[at(body)];
+  };
+  return of(of_a ? c.a : c.b, r.ref_x, r.ref_y) + of(of_a ? c.b : c.a, r.other_x, r.other_y);
+}
+
+void PlaneBodies::spread(const ViscousForce& f, const Rubbed& r, bool of_a, Push& on_a,
+                         Push& on_b) {
+  const double fx = -f.normal * r.nx - f.shear.x * r.tx, fy = -f.normal * r.ny - f.shear.x * r.ty;
+  const Push on_other{{fx, fy, 0}, {0, 0, r.other_x * fy - r.other_y * fx}};
+  const Push on_ref{{-fx, -fy, 0}, {0, 0, -(r.ref_x * fy - r.ref_y * fx)}};
+  on_a = of_a ? on_ref : on_other;
+  on_b = of_a ? on_other : on_ref;
 }
 
 void PlaneBodies::take_over_shear(FreePair& pair, const Vector<double>& on_a) const {

@@ -58,8 +58,27 @@ class PlaneBodies {
   [[nodiscard]] static Vector<double> normal_of(const Meeting& meeting, std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
+  // What dashpots ask of a contact: how it has moved in the step, friction along the slip, where and along what: the
+  // centre of pressure from both centroids, normal and slip, of the body `other` on the one that has the face.
+  struct Rubbed {
+    double opened;              // [m]
+    Vector<double> slid, held;  // [m], [N]
+    double ref_x, ref_y, other_x, other_y, nx, ny, tx, ty;
+  };
   // Friction of a step, then force and moments.
-  void rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  [[nodiscard]] double inverse_mass(std::int32_t body) const {
+    return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
+  }
+  // 1 / mass that feels a force at the centre of pressure, along any direction [1/kg].
+  [[nodiscard]] double mobility(const FreeContact& contact, const Rubbed& rubbed) const;
+  // A viscous force on both bodies; `of_a`: body a has the face.
+  static void spread(const ViscousForce& force, const Rubbed& rubbed, bool of_a, Push& on_a,
+                     Push& on_b);
+  // As look_at() found them.
+  [[nodiscard]] const Push& rates_now(std::int32_t body) const {
+    return now_[static_cast<std::size_t>(body)].rates;
+  }
   // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
   void take_over_shear(FreePair& pair, const Vector<double>& on_a) const;
 

@@ -76,35 +76,18 @@ struct Edges {
 
   WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t c, Work& work) const {
-    const Real one(1.0), half(0.5);
-    const Rows<Real> pose = run.access.rows(t.pose, t.edge_block, c);
-    const Real share_0 = geometry(c, kShare0), share_1 = geometry(c, kShare1);
-    const Real px = node(kNodeUx, t.edge_p, c), py = node(kNodeUy, t.edge_p, c);
-    const Real qx = node(kNodeUx, t.edge_q, c), qy = node(kNodeUy, t.edge_q, c);
-    const auto on_edge = [&](Real from, Real to, Real share) __attribute__((always_inline)) {
-      return (one - share) * from + share * to;
-    };
-    const EdgePoint<Real> e0 = edge_point(pose, geometry(c, kArm0X), geometry(c, kArm0Y),
-                                          on_edge(px, qx, share_0), on_edge(py, qy, share_0));
-    const EdgePoint<Real> e1 = edge_point(pose, geometry(c, kArm1X), geometry(c, kArm1Y),
-                                          on_edge(px, qx, share_1), on_edge(py, qy, share_1));
-    // t turned by theta_a; n on its left
-    const Real cosine = one - Real(2.0) * pose.c3 * pose.c3, sine = Real(2.0) * pose.c3 * pose.c2;
-    const Real tx0 = geometry(c, kEdgeTangentX), ty0 = geometry(c, kEdgeTangentY);
-    const Real tx = cosine * tx0 - sine * ty0, ty = sine * tx0 + cosine * ty0;
-    const Real n0 = e0.jump_y * tx - e0.jump_x * ty, t0 = e0.jump_x * tx + e0.jump_y * ty;
-    const Real n1 = e1.jump_y * tx - e1.jump_x * ty, t1 = e1.jump_x * tx + e1.jump_y * ty;
-    const FaceForce<Real> f = face_force<V, 2, false>(
-        run, c, geometry(c, kEdgeArea),
-        FaceJump<Real>{half * (n0 + n1), half * (t0 + t1), half * (n1 - n0), half * (t1 - t0)},
-        work);
+    const Real half(0.5);
+    const Place e = place_of(c, run.access.rows(t.pose, t.edge_block, c), ends_of(c));
+    const FaceForce<Real> f =
+        face_force<V, 2, false>(run, c, geometry(c, kEdgeArea), e.jump, JumpBefore{this, c}, work);
     // sums back to the points, in the wall's axes
     const Real fn0 = half * (f.fn - f.gn), fn1 = half * (f.fn + f.gn);
     const Real ft0 = half * (f.ft - f.gt), ft1 = half * (f.ft + f.gt);
-    const Real x0 = ft0 * tx - fn0 * ty, y0 = ft0 * ty + fn0 * tx;
-    const Real x1 = ft1 * tx - fn1 * ty, y1 = ft1 * ty + fn1 * tx;
-    const Real moment = (e0.arm_x * y0 - e0.arm_y * x0) + (e1.arm_x * y1 - e1.arm_y * x1);
+    const Real x0 = ft0 * e.tx - fn0 * e.ty, y0 = ft0 * e.ty + fn0 * e.tx;
+    const Real x1 = ft1 * e.tx - fn1 * e.ty, y1 = ft1 * e.ty + fn1 * e.tx;
+    const Real moment = (e.e0.arm_x * y0 - e.e0.arm_y * x0) + (e.e1.arm_x * y1 - e.e1.arm_y * x1);
     run.access.keep_rows({x0 + x1, y0 + y1, moment, Real(0.0)}, t.edge_block_force, c);
+    const Real share_0 = geometry(c, kShare0), share_1 = geometry(c, kShare1);
     const Real to_q_x = share_0 * x0 + share_1 * x1, to_q_y = share_0 * y0 + share_1 * y1;
     run.access.keep_rows(
         {to_q_x - (x0 + x1), to_q_y - (y0 + y1), Real(0.0) - to_q_x, Real(0.0) - to_q_y},
@@ -112,6 +95,57 @@ struct Edges {
   }
 
  private:
+  // The ends of the edge [m].
+  struct Ends {
+    Real px, py, qx, qy;
+  };
+  // Both points of a contact, the tangent now, and the jump as the law takes it.
+  struct Place {
+    EdgePoint<Real> e0, e1;
+    Real tx, ty;
+    FaceJump<Real> jump;
+  };
+  [[nodiscard]] WYTHE_INLINE Ends ends_of(std::ptrdiff_t c) const {
+    return {node(kNodeUx, t.edge_p, c), node(kNodeUy, t.edge_p, c), node(kNodeUx, t.edge_q, c),
+            node(kNodeUy, t.edge_q, c)};
+  }
+  [[nodiscard]] WYTHE_INLINE Place place_of(std::ptrdiff_t c, const Rows<Real>& pose,
+                                            const Ends& end) const {
+    const Real one(1.0), half(0.5);
+    const Real share_0 = geometry(c, kShare0), share_1 = geometry(c, kShare1);
+    const auto on_edge = [&](Real from, Real to, Real share) __attribute__((always_inline)) {
+      return (one - share) * from + share * to;
+    };
+    Place p;
+    p.e0 = edge_point(pose, geometry(c, kArm0X), geometry(c, kArm0Y),
+                      on_edge(end.px, end.qx, share_0), on_edge(end.py, end.qy, share_0));
+    p.e1 = edge_point(pose, geometry(c, kArm1X), geometry(c, kArm1Y),
+                      on_edge(end.px, end.qx, share_1), on_edge(end.py, end.qy, share_1));
+    // t turned by theta_a; n on its left
+    const Real cosine = one - Real(2.0) * pose.c3 * pose.c3, sine = Real(2.0) * pose.c3 * pose.c2;
+    const Real tx0 = geometry(c, kEdgeTangentX), ty0 = geometry(c, kEdgeTangentY);
+    const Real tx = cosine * tx0 - sine * ty0, ty = sine * tx0 + cosine * ty0;
+    p.tx = tx, p.ty = ty;
+    const Real n0 = p.e0.jump_y * tx - p.e0.jump_x * ty, t0 = p.e0.jump_x * tx + p.e0.jump_y * ty;
+    const Real n1 = p.e1.jump_y * tx - p.e1.jump_x * ty, t1 = p.e1.jump_x * tx + p.e1.jump_y * ty;
+    p.jump = {half * (n0 + n1), half * (t0 + t1), half * (n1 - n0), half * (t1 - t0)};
+    return p;
+  }
+  // The jump of the step before, for contacts that slide.
+  struct JumpBefore {
+    const Edges* edges;
+    std::ptrdiff_t c;
+    WYTHE_OUTLINE FaceJump<Real> operator()() const {
+      const Edges& of = *edges;
+      const Real dt = of.run.access.of_wall(of.t.wall, kTimeBefore);
+      Ends end = of.ends_of(c);
+      end.px = end.px - dt * of.node(kNodeVx, of.t.edge_p, c);
+      end.py = end.py - dt * of.node(kNodeVy, of.t.edge_p, c);
+      end.qx = end.qx - dt * of.node(kNodeVx, of.t.edge_q, c);
+      end.qy = end.qy - dt * of.node(kNodeVy, of.t.edge_q, c);
+      return of.place_of(c, pose_before(of.t, of.run.access, of.t.edge_block, c), end).jump;
+    }
+  };
   [[nodiscard]] WYTHE_INLINE Real geometry(std::ptrdiff_t c, EdgeRow row) const {
     return run.access.shared(t.edge, c * kEdgeRows + row);
   }

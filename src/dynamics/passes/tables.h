@@ -116,7 +116,9 @@ inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.s
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
 inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
 // Numbers of a wall that every step brings along.
-enum WallRow { kDt, kDamping, kGravityX, kGravityY, kWallRows };
+// kTimeBefore: in which its present velocities have moved the wall; the time step, unless damping by mass has changed
+// them since.
+enum WallRow { kDt, kDamping, kGravityX, kGravityY, kTimeBefore, kWallRows };
 
 // Runs of entities that one call of a kernel takes. Groups: of 8 neighbours, or single entities.
 struct Chunk {
@@ -164,7 +166,7 @@ struct Tables {
   // each wall its own
   double* law;         // of a chunk kStrengths rows and kOthers, or as many a group where they are
                        // graded; of neighbours a number a lane
-  double* block;       // (n_block, kBlockRows)
+  double* block;       // (n_block, kBlockRows); then the ground, at rest
   double* cold;        // (n_block, kColdRows)
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
   double* history;     // (points, kHistoryRows)
@@ -278,7 +280,7 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   visit(t.node_edge_entry, l.contact_entries);
   visit(t.shapes, l.shapes);
   own(t.law, n(l.laws) * (l.kind == Layout::kWalls ? 1 : kGroup));
-  own(t.block, n(l.blocks) * kBlockRows);
+  own(t.block, n(l.blocks + kGroup) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.history, n(l.history));
   own(t.force, 4 * n(l.joints + l.links + l.frees));

@@ -5,6 +5,7 @@
 #include "contact/face_in_space.h"
 #include "dynamics/passes/blocks.h"
 #include "dynamics/space/joints.h"
+#include "dynamics/space/turning.h"
 
 namespace wythe::dynamics::space {
 
@@ -25,45 +26,6 @@ template <class Real>
             minus * lambda * magnitude(f.z) * sign(v.z)};
   const Real pace = square_root(maximum(dot(v, v), Real(1e-300)));
   return (minus * lambda * square_root(dot(f, f)) / pace) * v;
-}
-
-// Principal axes, at the start, and 1 / inertia about them.
-template <class Real>
-struct Inertia {
-  Vector<Real> axis[3];
-  Real inverse[3];
-
-  // Rate of rotation of the angular momentum m, both in the block's axes.
-  [[nodiscard]] WYTHE_INLINE Vector<Real> rate(const Vector<Real>& m) const {
-    return (inverse[0] * dot(axis[0], m)) * axis[0] + (inverse[1] * dot(axis[1], m)) * axis[1] +
-           (inverse[2] * dot(axis[2], m)) * axis[2];
-  }
-};
-
-// The turn q of a free body with angular momentum m (in its own axes) after dt: rotations about axes 3, 2, 1,
-// 2, 3 with weights 1/2, 1/2, 1, 1/2, 1/2 (Dullweber, Leimkuhler, McLachlan 1997), each with the half angle
-// (1, phi/2) / sqrt(1 + phi^2/4) of Cayley, so that no sine is needed; then one step back to length 1.
-template <class Real>
-[[nodiscard]] WYTHE_INLINE Quaternion<Real> spin(Quaternion<Real> q, Vector<Real> m,
-                                                 const Inertia<Real>& body, Real dt) {
-  const Real one(1.0), half(0.5), two(2.0);
-  const auto about = [&](int k, Real weight) __attribute__((always_inline)) {
-    const Vector<Real>& axis = body.axis[k];
-    const Real along = dot(axis, m);
-    const Real x = half * weight * dt * body.inverse[k] * along;
-    const Real c = one / square_root(one + x * x), s = x * c;
-    // m turned by -phi about the axis: along it nothing changes
-    const Real cosine = one - two * s * s, sine = two * s * c;
-    m = cosine * m + (two * s * s * along) * axis + sine * cross(m, axis);
-    q = q * Quaternion<Real>{c, s * axis};
-  };
-  about(2, half);
-  about(1, half);
-  about(0, one);
-  about(1, half);
-  about(2, half);
-  const Real length = Real(1.5) - half * (q.w * q.w + dot(q.v, q.v));
-  return {length * q.w, length * q.v};
 }
 
 // Contact force on block i of wall `lane`: the joints of which it is side a, then those of which it is b.

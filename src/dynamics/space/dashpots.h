@@ -18,6 +18,7 @@ struct Brakes {
   std::vector<Twist> before;                      // of blocks
   std::vector<contact::BlockLoads<double>> load;  // of joints
   std::vector<Vec> support;                       // velocities
+  MaxwellStresses maxwell;                        // outlives the step
 };
 
 inline Brakes::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
@@ -51,8 +52,11 @@ inline void prepare_brakes(const WallView& w, const Model& m, const Controls& co
 template <class Face>
 contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<double>& rate,
                                        const Chunk& chunk, int n, const WallView& w, const Model& m,
-                                       const Dashpots& dashpots, double friction) {
+                                       const Controls& controls, Brakes& brakes) {
   const auto j = static_cast<std::size_t>(chunk.first + n);
+  const Dashpots& dashpots = *controls.dashpots;
+  const double dt = controls.dt, c_n = dashpots.normal[j], c_s = dashpots.shear[j];
+  const MaxwellStep maxwell = maxwell_step(dashpots, dt);
   const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
   const contact::FaceGap<double> gap = face.gap();
   contact::FaceLoad<double> sum{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -66,10 +70,19 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
     const double r1 = m.space.point_r1[p], r2 = m.space.point_r2[p];
     const double share = m.area[j] * m.space.point_share[p];
     const Vec g = gap.j + r1 * gap.a + r2 * gap.b, v = rate.j + r1 * rate.a + r2 * rate.b;
-    const PointStress viscous = brake_point(
+    PointStress spring{0, 0, 0};
+    if (maxwell.gain > 0) {
+      const PointStress q = brakes.maxwell.of(p);
+      spring = {maxwell.of(q.normal, law.normal_stiffness, dt * v.z),
+                maxwell.of(q.shear_1, law.shear_stiffness, dt * v.x),
+                maxwell.of(q.shear_2, law.shear_stiffness, dt * v.y)};
+    }
+    const ViscousStress both = brake_point(
         {law.normal_stiffness * (g.z + history(1)), law.shear_stiffness * (g.x - history(2)),
          law.shear_stiffness * (g.y - history(chunk.rows - 1))},
-        {v.z, v.x, v.y}, dashpots.normal[j], dashpots.shear[j], friction);
+        {c_n * v.z, c_s * v.x, c_s * v.y}, spring, brakes.friction[j]);
+    if (maxwell.gain > 0) brakes.maxwell.keep(p, both.spring);
+    const PointStress& viscous = both.all;
     const Vec f = share * Vec{viscous.shear_1, viscous.shear_2, viscous.normal};
     sum.f = sum.f + f;
     sum.r1 = sum.r1 + r1 * f;
@@ -79,8 +92,8 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
 }
 
 inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const WallView& w,
-                                               const Model& m, const Dashpots& dashpots,
-                                               const Brakes& brakes) {
+                                               const Model& m, const Controls& controls,
+                                               Brakes& brakes) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const std::size_t j = at(chunk.first + n);
   const Space& s = m.space;
@@ -99,7 +112,7 @@ inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const 
     return brake_face(face,
                       {face.frame.in(jump), turns(face.grown_1, face.frame.t1),
                        turns(face.grown_2, face.frame.t2)},
-                      chunk, n, w, m, dashpots, brakes.friction[j]);
+                      chunk, n, w, m, controls, brakes);
   }
   const Brakes::Twist& ta = brakes.before[at(a)];
   const contact::PairFace<double> face(pose(a), pose(b), vec(s.arm_a[j]), vec(s.arm_b[j]),
@@ -109,20 +122,25 @@ inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const 
                    cross(mean, face.jump);
   const Vec d = face.frame.in(tb.rate - ta.rate);
   return brake_face(face, {face.frame.in(jump), {0, d.z, -d.y}, {-d.z, 0, d.x}}, chunk, n, w, m,
-                    dashpots, brakes.friction[j]);
+                    controls, brakes);
 }
 
 // Viscous forces of all joints, added to those of the law.
 inline void brake_joints(const WallView& w, const Model& m, const Controls& controls,
                          Brakes& brakes) {
   prepare_brakes(w, m, controls, brakes);
+  brakes.maxwell.bears = controls.dashpots->spring_share > 0;
   for (const Chunk& chunk : w.layout->joints)
     for (int n = 0; n < chunk.n; ++n) {
       const auto j = static_cast<std::size_t>(chunk.first + n);
       brakes.load[j] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-      if (w.t.face[w.layout->number(w.layout->joint_place[j], kFaceRows, kFaceArea, 1)] == 0)
+      if (w.t.face[w.layout->number(w.layout->joint_place[j], kFaceRows, kFaceArea, 1)] == 0) {
+        for (int p = m.space.point_begin[j]; brakes.maxwell.bears && p < m.space.point_begin[j + 1];
+             ++p)
+          brakes.maxwell.keep(static_cast<std::size_t>(p), {0, 0, 0});
         continue;  // a free contact has its place
-      const contact::BlockLoads<double> l = brake_joint(chunk, n, w, m, *controls.dashpots, brakes);
+      }
+      const contact::BlockLoads<double> l = brake_joint(chunk, n, w, m, controls, brakes);
       brakes.load[j] = l;
       const std::int32_t e = w.layout->joint_place[j];
       const auto add = [&](double* rows, const Vec& v) {
@@ -168,7 +186,7 @@ inline void add_carried(const WallView& w, const Model& m, const State& s) {
 
 // Velocities fall as exp(-alpha t): the work of that in a step [J].
 inline double damp_by_mass(const WallView& w, double alpha, double dt) {
-  const double kept = (1 - 0.5 * alpha * dt) / (1 + 0.5 * alpha * dt);
+  const double kept = kept_by_mass(alpha, dt);
   double energy = 0;
   for (int i = 0; i < w.blocks; ++i) {
     if (!(w.body(i, kFree) > 0)) continue;

@@ -100,6 +100,8 @@ void SpaceProcessor::put(int lane, const Model& model, State& state) {
   wall.model = &model;
   wall.state = &state;
   wall.brakes = {};
+  wall.has_stepped = false;
+  wall.brakes.maxwell.put(state);
   put_wall(wall.view, model, state);
   if (free_) free_->put(state, wall.view);
   wall.zones.reset();
@@ -128,7 +130,19 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
   wall.controls = controls;
   wall.view.of_wall(kStep) = controls.dt;
   wall.view.of_wall(kLambda) = controls.damping;
+  wall.view.of_wall(kTimeBefore) = time_before(controls);
+  if (!wall.has_stepped) keep_support_step(wall);  // after a restart the best that is known
   if (!same || controls.dt == 0) set_rates(wall.view, controls.dt, controls.mass_scaling);
+}
+
+// How far driven supports go in a step, for the joints of the next one.
+void SpaceProcessor::keep_support_step(Wall& wall) {
+  const Controls& c = wall.controls;
+  const Vec step =
+      c.push == nullptr ? Vec{0, 0, 0} : (c.dt * c.drive_velocity) * vec(c.push->drive());
+  wall.view.of_wall(kSupportStep) = step.x;
+  wall.view.of_wall(kSupportStep + 1) = step.y;
+  wall.view.of_wall(kSupportStep + 2) = step.z;
 }
 
 void SpaceProcessor::begin_step() {
@@ -162,9 +176,13 @@ void SpaceProcessor::begin_step() {
 }
 
 void SpaceProcessor::brake() {
-  for (Wall& wall : wall_)
-    if (wall.model != nullptr && wall.controls.dashpots != nullptr)
+  for (Wall& wall : wall_) {
+    if (wall.model == nullptr || !(wall.controls.dt > 0)) continue;
+    if (wall.controls.dashpots == nullptr)
+      wall.brakes.maxwell.let_go();
+    else
       brake_joints(wall.view, *wall.model, wall.controls, wall.brakes);
+  }
 }
 
 void SpaceProcessor::run_chunk(Kernel kernel, Bank& bank, const Chunk& chunk, double* works) const {
@@ -206,18 +224,22 @@ void SpaceProcessor::run(Pass pass) {
 void SpaceProcessor::bring_up(int lane, State& state) const {
   const Wall& wall = wall_[at(lane)];
   read_wall(wall.view, *wall.model, state);
+  wall.brakes.maxwell.bring_up(state);
   if (wall.zones) wall.zones->bring_up(state);
   if (free_) free_->bring_up(state);
 }
 
 void SpaceProcessor::meet() {
   if (!free_ || wall_[0].model == nullptr || !(wall_[0].controls.dt > 0)) return;
-  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].view, workers_);
+  free_->act(*wall_[0].state, wall_[0].controls.dt, wall_[0].controls.dashpots, wall_[0].view,
+             workers_);
 }
 
 void SpaceProcessor::drive() {
   for (Wall& wall : wall_) {
     wall.reaction = 0;
+    wall.has_stepped = true;
+    keep_support_step(wall);
     if (wall.controls.push == nullptr) continue;
     State& s = *wall.state;
     WallWork work{s.work_drive, s.work_damping, s.work_loads};
@@ -242,7 +264,7 @@ void SpaceProcessor::end_step() {
       for (std::size_t k = at(lane % width_); k < works->size(); k += at(width_))
         *ledger[k / at(width_) % kTerms] += (*works)[k];
     if (wall.zones) wall.zones->tell(*wall.state);
-    if (free_) free_->moved(wall.controls.dt, wall.view);
+    if (free_) free_->moved(*wall.state, wall.controls.dt, wall.view);
     if (wall.controls.dashpots != nullptr)
       wall.state->work_damping +=
           braking_work(wall.view, *wall.model, wall.brakes, wall.controls.dt);

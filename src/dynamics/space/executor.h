@@ -57,6 +57,7 @@ class SpaceProcessor final : public Executor {
     double reaction = 0;
     WallView view;
     Brakes brakes;
+    bool has_stepped = false;
     std::unique_ptr<ZoneRun> zones;  // null without deformable blocks
   };
   // As many walls as one pack takes, with memory of their own.
@@ -69,6 +70,7 @@ class SpaceProcessor final : public Executor {
   void begin_step() override;
   void run(Pass pass) override;
   void run_zones(Pass pass);
+  static void keep_support_step(Wall& wall);
   void meet() override;
   void brake() override;
   void drive() override;

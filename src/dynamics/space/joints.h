@@ -5,6 +5,7 @@
 #include "contact/face_in_space.h"
 #include "dynamics/passes/joints.h"
 #include "dynamics/space/tables.h"
+#include "dynamics/space/turning.h"
 
 namespace wythe::dynamics::space {
 
@@ -69,6 +70,25 @@ struct Joints {
   }
 
  private:
+  // The gap of the step before, for faces that slide.
+  [[nodiscard]] WYTHE_OUTLINE contact::FaceGap<Real> gap_before(std::ptrdiff_t j) const {
+    const auto vector = [&](int row) {
+      return shared_vector<Real>(access, t.face, j * kFaceRows + row);
+    };
+    const contact::Pose<Real> b = pose_before(t, access, t.joint_b, j);
+    if constexpr (on_support) {
+      const Rows<Real> moved = access.rows(t.support, t.joint_a, j);
+      const auto step = [&](int c) { return moved.c3 * access.of_wall(t.wall, kSupportStep + c); };
+      return contact::SupportFace<Real>(
+                 {moved.c0 - step(0), moved.c1 - step(1), moved.c2 - step(2)}, b, vector(kArmB),
+                 vector(kTangent), vector(kNormal))
+          .gap();
+    } else {
+      return contact::PairFace<Real>(pose_before(t, access, t.joint_a, j), b, vector(kArmA),
+                                     vector(kArmB), vector(kTangent), vector(kNormal))
+          .gap();
+    }
+  }
   [[nodiscard]] WYTHE_INLINE contact::Pose<Real> pose(const std::int32_t* id,
                                                       std::ptrdiff_t j) const {
     const Rows<Real> shift = access.rows(t.shift, id, j), turn = access.rows(t.turn, id, j);
@@ -205,7 +225,8 @@ struct Joints {
     const Vector<Real> none{zero, zero, zero};
     contact::FaceLoad<Real> sum{none, none, none};
     bool_of_t<Real> moved = zero > zero, open = zero > zero;
-    bool is_whole = contact::knows_whole<V>(law);
+    bool is_whole = contact::knows_whole<V>(law), knows_then = false;
+    contact::FaceGap<Real> then{none, none, none};
     for (int k = 0; k < chunk.points; ++k) {
       const std::ptrdiff_t row = first(j, k, remembered() + 1);
       Real plastic_1, plastic_2;
@@ -218,7 +239,15 @@ struct Joints {
       const Real slid_1 = slid * p.shear.e1, slid_2 = slid * p.shear.e2;
       store(row, now, plastic_1 + slid_1, plastic_2 + slid_2);
       add(p, a.sigma, law.ks * (p.shear.e1 - slid_1), law.ks * (p.shear.e2 - slid_2), sum);
-      work = {work.friction + a.friction * p.share, work.fracture + a.fracture * p.share,
+      Real friction = a.friction;
+      if (any(magnitude(a.slipped) > zero)) {
+        if (!knows_then) then = gap_before(j);
+        knows_then = true;
+        const Asked q = asked(first(j, k, kPointRows), area, then, plastic_1, plastic_2);
+        friction =
+            contact::friction_taken<V>(law, a, before, q.w, contact::along(p.shear, q.shear));
+      }
+      work = {work.friction + friction * p.share, work.fracture + a.fracture * p.share,
               work.crushing + a.crushing * p.share};
       moved = moved | contact::moves(before, now);
       open = open | (p.w + now.crush > zero);

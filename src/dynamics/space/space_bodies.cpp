@@ -196,7 +196,8 @@ double SpaceBodies::turn_slip(FreePair& pair, const Meeting& m, std::int32_t to)
   return before - shear_energy(c, pair.law);
 }
 
-void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, double dt) const {
+SpaceBodies::Rubbed SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap,
+                                     double dt) const {
   FreeContact& c = pair.memory;
   const bool of_a = c.feature >= 0;
   const Facet& facet = facet_of(m, c.feature);
@@ -252,6 +253,29 @@ void SpaceBodies::rub(FreePair& pair, const Meeting& m, const Overlap& overlap, 
   const Push on_ref{-1.0 * force, -1.0 * (moment + cross(origin, force))};
   pair.on_a = of_a ? on_ref : on_other;
   pair.on_b = of_a ? on_other : on_ref;
+  return {dt * dot(v, z), way, stiff * slip, arm, arm_other, x, y, z, radius};
+}
+
+// Of all directions the most, by the least inertia.
+double SpaceBodies::mobility(const FreeContact& c, const Rubbed& r) const {
+  const bool of_a = c.feature >= 0;
+  const auto of = [&](std::int32_t body, const Vec& arm) {
+    if (body >= m_.n_block) return 0.0;
+    const Vec3& inertia = m_.space.inertia[at(body)];
+    const double least = minimum(inertia.x, minimum(inertia.y, inertia.z));
+    return 1 / m_.mass[at(body)] + (dot(arm, arm) + r.radius * r.radius) / least;
+  };
+  return of(of_a ? c.a : c.b, r.ref) + of(of_a ? c.b : c.a, r.other);
+}
+
+void SpaceBodies::spread(const ViscousForce& f, const Rubbed& r, bool of_a, Push& on_a,
+                         Push& on_b) {
+  const Vec force = -f.normal * r.z - f.shear.x * r.x - f.shear.y * r.y;
+  const Vec twist = (-r.radius * f.shear.z) * r.z;
+  const Push on_other{force, cross(r.other, force) + twist};
+  const Push on_ref{-1.0 * force, -1.0 * (cross(r.ref, force) + twist)};
+  on_a = of_a ? on_ref : on_other;
+  on_b = of_a ? on_other : on_ref;
 }
 
 void SpaceBodies::take_over_shear(FreePair& pair, const Vec& on_a) const {

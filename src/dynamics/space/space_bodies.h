@@ -55,7 +55,24 @@ class SpaceBodies {
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
   // Friction of a step, then force and moments.
-  void rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  // What dashpots ask of a contact, as in the plane.
+  struct Rubbed {
+    double opened;            // [m]
+    Vec slid, held;           // along x, y and the twist times `radius` [m], [N]
+    Vec ref, other, x, y, z;  // centre of pressure from both centroids; axes
+    double radius;            // [m]
+  };
+  Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  [[nodiscard]] double inverse_mass(std::int32_t body) const {
+    return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
+  }
+  [[nodiscard]] double mobility(const FreeContact& contact, const Rubbed& rubbed) const;
+  static void spread(const ViscousForce& force, const Rubbed& rubbed, bool of_a, Push& on_a,
+                     Push& on_b);
+  // As look_at() found them.
+  [[nodiscard]] const Push& rates_now(std::int32_t body) const {
+    return now_[static_cast<std::size_t>(body)].rates;
+  }
   // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
   void take_over_shear(FreePair& pair, const Vec& on_a) const;
 

@@ -82,7 +82,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   const std::size_t group = l.grouped() ? kGroup : 1;
   to.take(t.face, joints * kFaceRows);
   to.take(t.point, at(l.points) * group);
-  to.take(t.axes, blocks * kAxisRows);
+  to.take(t.axes, (blocks + kGroup) * kAxisRows);  // then what rests
   to.take(t.joint_a, joints);
   to.take(t.joint_b, joints);
   to.take(t.block_begin, blocks + 1);
@@ -94,7 +94,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.link_b, at(l.n_link));
   to.take(t.special, blocks);
   to.take(t.law, at(l.laws) * group * walls);
-  to.take(t.body, blocks * kBodyRows * walls);
+  to.take(t.body, (blocks + kGroup) * kBodyRows * walls);
   to.take(t.still, blocks * kStillRows * walls);
   to.take(t.history, at(l.history) * group * walls);
   to.take(t.wall, kWallRows * walls);

@@ -64,8 +64,8 @@ struct Tables {
              nullptr;  // rows of four: of joints, of links, of free contacts, of contacts of zones
   std::uint8_t* way = nullptr;
 };
-// Numbers of a wall that every step brings along.
-enum WallRow { kStep, kLambda, kGravity, kWallRows = 5 };
+// Numbers of a wall that every step brings along; kTimeBefore as in the plane, kSupportStep how far driven supports move.
+enum WallRow { kStep, kLambda, kGravity, kTimeBefore = 5, kSupportStep, kWallRows = 9 };
 
 struct Layout {
   Layout(const Model& model, dynamics::Layout::Kind kind);

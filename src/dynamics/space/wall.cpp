@@ -233,6 +233,13 @@ void read_wall(const WallView& w, const Model& m, State& s) {
   each_number(w, m, s, [](double& to, double of) { to = of; });
 }
 
+contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& w) {
+  const double dt = w.of_wall(kTimeBefore);
+  const Quaternion<double> q = w.turn(i);
+  return {w.shift(i) - dt * w.body_vector(i, kV),
+          spin(q, turned_back(q, w.body_vector(i, kL)), inertia_of(i, w), -dt)};
+}
+
 void set_rates(const WallView& w, double dt, double mass_scaling) {
   const auto over = [](double a, double b) { return b > 0 ? a / b : 0.0; };
   for (int i = 0; i < w.blocks; ++i) {

@@ -77,6 +77,8 @@ void put_wall(const WallView& wall, const Model& model, const State& state);
 // Its motion and history, into the state's own arrays.
 void read_wall(const WallView& wall, const Model& model, State& state);
 
+// Where block i was in the step before (turning.h).
+[[nodiscard]] contact::Pose<double> pose_before(std::ptrdiff_t i, const WallView& wall);
 void set_rates(const WallView& wall, double dt, double mass_scaling);
 // Marks the blocks that the drive moves.
 void choose_driven(const WallView& wall, const std::vector<BlockId>& blocks);

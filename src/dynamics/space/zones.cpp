@@ -82,6 +82,48 @@ void ZoneRun::deform(Workers* workers) {
   });
 }
 
+// A contact as its rigid block and its nodes stand: the turned face and the side.
+struct ZoneRun::Meeting {
+  contact::Pose<double> pose;
+  Vec t1, t2, n, node[4];
+};
+ZoneRun::Meeting ZoneRun::meeting(std::size_t c, const contact::Pose<double>& pose,
+                                  double back) const {
+  const Vec t1 = turned(pose.q, vec(s_.contact_tangent[c]));
+  const Vec n = turned(pose.q, vec(s_.contact_normal[c]));
+  Meeting m{pose, t1, cross(n, t1), n, {}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t i = at(s_.contact_node[4 * c + k]);
+    m.node[k] = u_[i] - back * v_[i];
+  }
+  return m;
+}
+
+// A point of it: from a's centroid, and how far the side is from the face.
+ZoneRun::Spot ZoneRun::spot(std::size_t c, std::size_t p, const Meeting& m) const {
+  const double* share = &s_.node_share[4 * (p - at(s_.point_begin.front()))];
+  const Vec t0 = vec(s_.contact_tangent[c]), across = cross(vec(s_.contact_normal[c]), t0);
+  const Vec on_side =
+      (share[0] * m.node[0] + share[1] * m.node[1]) + (share[2] * m.node[2] + share[3] * m.node[3]);
+  const Vec arm =
+      vec(s_.contact_arm[c]) + m_.space.point_r1[p] * t0 + m_.space.point_r2[p] * across;
+  const Vec swung = swing(m.pose.q, arm), jump = on_side - (m.pose.u + swung);
+  return {arm + swung + jump, {dot(jump, m.t1), dot(jump, m.t2), dot(jump, m.n)}};
+}
+
+// The same in the step before; supports as in joints.h.
+ZoneRun::Meeting ZoneRun::meeting_before(std::size_t c, const WallView& w) const {
+  const double dt = w.of_wall(kTimeBefore);
+  const BlockId block = s_.contact_block[c];
+  if (block < w.blocks) return meeting(c, pose_before(block, w), dt);
+  const auto moved = [&](int k) {
+    const std::int32_t support = block - w.blocks;
+    return w.of_four(w.t.support, support, k) -
+           w.of_four(w.t.support, support, kDriven) * w.of_wall(kSupportStep + k);
+  };
+  return meeting(c, {{moved(0), moved(1), moved(2)}, {1, {0, 0, 0}}}, dt);
+}
+
 // The points of one contact through the law of variant V.
 template <class V>
 void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
@@ -91,39 +133,40 @@ void ZoneRun::ask(std::size_t c, const WallView& w, JointWork<double>& work) {
   const auto support = [&](int k) { return w.of_four(w.t.support, block - w.blocks, k); };
   const Vec moved = on_block ? w.shift(block) : Vec{support(0), support(1), support(2)};
   const Quaternion<double> q = on_block ? w.turn(block) : Quaternion<double>{1, {0, 0, 0}};
-  const Vec t0 = vec(s_.contact_tangent[c]), n0 = vec(s_.contact_normal[c]);
-  const Vec across = cross(n0, t0), t1 = turned(q, t0), n = turned(q, n0), t2 = cross(n, t1);
+  const Meeting m = meeting(c, {moved, q}, 0);
   Vec sum{0, 0, 0}, moment{0, 0, 0}, side[4] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-  Vec node[4];
-  for (std::size_t k = 0; k < 4; ++k) node[k] = u_[at(s_.contact_node[4 * c + k])];
   const std::size_t first = at(s_.point_begin.front());
   for (auto p = at(s_.point_begin[c]); p < at(s_.point_begin[c + 1]); ++p) {
     const double* share = &s_.node_share[4 * (p - first)];
-    const Vec on_side =
-        (share[0] * node[0] + share[1] * node[1]) + (share[2] * node[2] + share[3] * node[3]);
-    const Vec arm =
-        vec(s_.contact_arm[c]) + m_.space.point_r1[p] * t0 + m_.space.point_r2[p] * across;
-    const Vec swung = swing(q, arm), jump = on_side - (moved + swung);
+    const Spot now = spot(c, p, m);
     Point& point = point_[p - first];
     contact::History<double> h = point.history;
     const contact::Shear<double> shear =
-        contact::shear_of(dot(jump, t1), dot(jump, t2), h.plastic_slip, point.plastic_2);
+        contact::shear_of(now.gap.x, now.gap.y, h.plastic_slip, point.plastic_2);
     const double before = h.plastic_slip;
     h.plastic_slip = 0;
-    const contact::Answer<double> a = contact::update<V>(law, dot(jump, n), shear.e, h);
+    const contact::History<double> then = h;
+    const contact::Answer<double> a = contact::update<V>(law, now.gap.z, shear.e, h);
+    const double area = s_.contact_area[c] * m_.space.point_share[p];
+    double friction = a.friction;
+    if (a.slipped != 0) {
+      const Vec gap = spot(c, p, meeting_before(c, w)).gap;
+      const double along =
+          contact::along(shear, contact::shear_of(gap.x, gap.y, before, point.plastic_2));
+      friction = contact::friction_taken<V>(law, a, then, gap.z, along);
+    }
     const double slid =
         h.plastic_slip / std::max(shear.e, 1e-300);  // share of e that is plastic now
     const double slid_1 = slid * shear.e1, slid_2 = slid * shear.e2;
     h.plastic_slip = before + slid_1;
     point.history = h;
     point.plastic_2 += slid_2;
-    const double area = s_.contact_area[c] * m_.space.point_share[p];
-    const Vec f = area * (a.sigma * n + (law.ks * (shear.e1 - slid_1)) * t1 +
-                          (law.ks * (shear.e2 - slid_2)) * t2);
-    work = {work.friction + a.friction * area, work.fracture + a.fracture * area,
+    const Vec f = area * (a.sigma * m.n + (law.ks * (shear.e1 - slid_1)) * m.t1 +
+                          (law.ks * (shear.e2 - slid_2)) * m.t2);
+    work = {work.friction + friction * area, work.fracture + a.fracture * area,
             work.crushing + a.crushing * area};
     sum = sum + f;
-    moment = moment + cross(arm + swung + jump, f);
+    moment = moment + cross(now.arm, f);
     for (int k = 0; k < 4; ++k) side[k] = side[k] - share[k] * f;
   }
   std::copy_n(side, 4, side_force_.begin() + static_cast<std::ptrdiff_t>(4 * c));

@@ -46,6 +46,15 @@ class ZoneRun {
     contact::History<double> history;
     double plastic_2 = 0;
   };
+  struct Meeting;
+  struct Spot {
+    Vec arm, gap;  // gap along t1, t2 and n
+  };
+  // With the nodes where they were a time `back` ago.
+  [[nodiscard]] Meeting meeting(std::size_t contact, const contact::Pose<double>& pose,
+                                double back) const;
+  [[nodiscard]] Meeting meeting_before(std::size_t contact, const WallView& wall) const;
+  [[nodiscard]] Spot spot(std::size_t contact, std::size_t point, const Meeting& m) const;
   template <class V>
   void ask(std::size_t contact, const WallView& wall, JointWork<double>& work);
 

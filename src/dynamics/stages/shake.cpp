@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/shaking.h"
 #include "wythe/reading.h"
@@ -34,18 +35,36 @@ double tilt_of(const Model& m, const State& s, std::size_t i) {
   return 2 * std::acos(std::min(1.0, std::fabs(s.qw[i])));
 }
 
+// The blocks that hold the top of each storey; empty where a storey has none, or the wall no storeys.
+std::vector<std::vector<BlockId>> storey_tops(const Model& m) {
+  std::vector<std::vector<BlockId>> found(m.anatomy.storey_top.size());
+  for (BlockId b = 0; b < m.n_block; ++b) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3& corner : outline_of(m, b))
+      low = std::fmin(low, corner.y), high = std::fmax(high, corner.y);
+    const double slack = 1e-6 * m.anatomy.height;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (m.anatomy.storey_top[k] > low + slack && m.anatomy.storey_top[k] <= high + slack)
+        found[k].push_back(b);
+  }
+  const bool is_whole =
+      std::none_of(found.begin(), found.end(), [](const auto& blocks) { return blocks.empty(); });
+  return is_whole ? found : std::vector<std::vector<BlockId>>{};
+}
+
 class Shake final : public StageRun {
  public:
   Shake(WallUnderWay& wall, const Stage& stage)
       : StageRun(wall, stage),
         n_(wall.record.recording.numbers),
         result_(wall.record.result),
+        tops_(storey_tops(model_)),
         duration_(shake_duration(stage)),
         interval_(shake_interval(stage)) {
     if (!stage.driven_motion.empty()) drive(stage);
     if (std::isfinite(stage.spec.mass_damping.fraction))
       controls_.mass_damping = decay_of(stage.spec.mass_damping);
-    if (!stage.dashpots.normal.empty()) controls_.dashpots = &stage.dashpots;
+    if (stage.dashpots.any()) controls_.dashpots = &stage.dashpots;
     if (state_.stage_time == 0) begin();
     if (!(state_.stage_time < duration_)) end({});
   }
@@ -77,8 +96,7 @@ class Shake final : public StageRun {
   void begin() {
     state_.drive_displacement = 0;
     ShakeHistory& h = result_.history;
-    if (h.row.empty())
-      for (const WatchedPoint& point : model_.watched) h.point.push_back(point.name);
+    if (h.row.empty()) name_places(h);
     if (n_.shake_start < 0)  // a push between two shakes forgets it
       n_.shake_start = state_.time - (h.row.empty() ? 0 : h.row.back().time);
     n_.shake_rows = static_cast<std::int64_t>(result_.history.row.size());
@@ -87,6 +105,29 @@ class Shake final : public StageRun {
     keep_state("start of " + stage_.spec.name);
     sample();
     take_row();
+  }
+
+  void name_places(ShakeHistory& h) const {
+    for (const WatchedPoint& point : model_.watched) h.point.push_back(point.name);
+    for (std::size_t k = 0; k < tops_.size(); ++k) {
+      const std::vector<double>& top = model_.anatomy.storey_top;
+      h.storey.push_back(model_.anatomy.storey_name[k]);
+      h.storey_height.push_back(top[k] - (k > 0 ? top[k - 1] : 0));
+    }
+  }
+
+  // The mean of these blocks by mass.
+  [[nodiscard]] PointMotion mean_of(const std::vector<BlockId>& blocks) const {
+    PointMotion sum = {};
+    double mass = 0;
+    for (const BlockId b : blocks) {
+      const double m = model_.mass[at(b)];
+      sum[0] += m * state_.ux[at(b)], sum[1] += m * state_.uy[at(b)];
+      if (model_.in_space()) sum[2] += m * state_.uz[at(b)];
+      mass += m;
+    }
+    for (double& u : sum) u /= mass;
+    return sum;
   }
 
   [[nodiscard]] std::int64_t rows_in_stage() const {
@@ -129,6 +170,8 @@ class Shake final : public StageRun {
       if (&point == model_.watched.data() && point.height > 0)
         row.drift = std::hypot(u.x, u.z) / point.height;
     }
+    for (const std::vector<BlockId>& blocks : tops_)
+      result_.history.storey_top.push_back(mean_of(blocks));
     result_.history.row.push_back(row);
     take_frame();
   }
@@ -206,6 +249,7 @@ class Shake final : public StageRun {
 
   RecordingNumbers& n_;
   Result& result_;
+  std::vector<std::vector<BlockId>> tops_;  // of storeys
   double duration_, interval_;
 };
 
@@ -221,6 +265,24 @@ AppliedRecord applied(const GroundMotion& m, bool of_base) {
           m.duration(),
           m.velocity.back(),
           m.displacement.back()};
+}
+
+// Peaks and residuals of each storey's drift.
+std::vector<StoreyDrift> read_storeys(const ShakeHistory& h, std::size_t tail) {
+  std::vector<StoreyDrift> out;
+  for (std::size_t k = 0; k < h.storey.size(); ++k) {
+    StoreyDrift storey{h.storey[k], 0, 0, 0};
+    double x = 0, z = 0;
+    for (std::size_t r = 0; r < h.row.size(); ++r) {
+      const auto [dx, dz] = storey_drift(h, r, k);
+      const double drift = std::hypot(dx, dz);
+      if (drift > storey.peak) storey.peak = drift, storey.at = h.row[r].time;
+      if (r >= tail) x += dx, z += dz;
+    }
+    storey.residual = std::hypot(x, z) / static_cast<double>(h.row.size() - tail);
+    out.push_back(storey);
+  }
+  return out;
 }
 
 }  // namespace
@@ -292,6 +354,7 @@ void read_shaking(const Model& model, Result& result) {
     peak.residual = length(mean) / static_cast<double>(rows - tail);
     r.motion.push_back(peak);
   }
+  r.storey = read_storeys(h, tail);
   for (const ShakeRow& row : h.row) {
     r.peak_base_shear =
         std::max(r.peak_base_shear, std::hypot(row.base_force[0], row.base_force[2]));

@@ -7,6 +7,7 @@
 #include "dynamics/meters/residual.h"
 #include "dynamics/stages/recorder.h"
 #include "dynamics/stages/shake.h"
+#include "model/shaking.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -35,9 +36,7 @@ double stage_time_step(const Model& model, const Stage& stage) {
                               : model.solve.step_fraction;
   const double step = fraction * 2.0 / model.omega_max *
                       std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
-  if (stage.dashpots.rate == 0) return step;
-  const double xi = 0.5 * stage.dashpots.rate / model.omega_max;
-  return step * (std::sqrt(1 + xi * xi) - xi);
+  return stage.dashpots.any() ? step * share_of_step(model.omega_max, stage.dashpots) : step;
 }
 
 double driven_path(const Stage& stage) {
