@@ -540,22 +540,24 @@ template <class V, class C, class Real>
 // ends, and takes the pressure there for that of the whole step. Forces act at whole steps and velocities at half steps, so
 // a joint's work in a step is (f + f_before)/2 . Delta u, exactly (docs/theory/integration.md, 4.15). `w_before` and
 // `s_before` are opening and slip of the step before, `before` the history then; all of it stays first order in the
-// time step without them where pressure and slip change together. A point that was open then pressed on nothing: what
-// update() said of it holds.
+// time step without them where pressure and slip change together. A stress before cannot have been beyond the first
+// yield under the pressure before; where a state was put in by hand there was no step before, and that bounds it.
 template <class V, class C, class Real>
 [[nodiscard]] WYTHE_INLINE Real friction_taken(const LawConstants<C>& m, const Answer<Real>& answer,
                                                const History<Real>& before, Real w_before,
                                                Real s_before) {
   const Real zero(0.0), half(0.5);
-  const Real tau_before = m.ks * (s_before - before.plastic_slip);
+  const Real pressed_before = maximum(zero, zero - m.kn * (w_before + before.crush));
+  const Real most = m.c_res + m.c_drop + (m.tan_res + m.tan_drop) * pressed_before;
+  const Real reached = m.ks * (s_before - before.plastic_slip);
+  const Real tau_before = sign(reached) * minimum(magnitude(reached), most);
   Real friction =
       answer.friction + (half * (answer.tau + tau_before) * answer.slipped - answer.slip_work);
   if (choice_of<V>(m).cap) {
-    const Real pressed =
-        maximum(zero, zero - answer.sigma) + maximum(zero, zero - m.kn * (w_before + before.crush));
+    const Real pressed = maximum(zero, zero - answer.sigma) + pressed_before;
     friction = friction - (half * pressed * answer.lifted - answer.lift_work);
   }
-  return select(w_before + before.crush < zero, friction, answer.friction);
+  return friction;
 }
 
 }  // namespace wythe::contact

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/text.h"
 #include "geometry/polygon.h"
 #include "geometry/text.h"
 
@@ -118,17 +119,55 @@ bool names_pair(const ContactRule& rule, const std::string& a, const std::string
          (rule.between[0] == b && rule.between[1] == a);
 }
 
-void check_rules(const Shape& shape, FaultList& faults) {
+// A rule that names what no block is would do nothing, and its joints keep another law.
+void check_rules(const Shape& shape, const BlockNames& blocks, FaultList& faults) {
+  std::vector<std::string> known{"ground"};
+  for (const auto& [material, id] : blocks) known.push_back(material);
   for (std::size_t i = 0; i < shape.contact.size(); ++i) {
-    if (shape.contact[i].between.size() == 2) continue;
-    add_fault(faults, "contact." + std::to_string(i) + ".between",
-              std::to_string(shape.contact[i].between.size()) + " names",
-              "a contact rule names two block materials",
-              "write e.g. between = [\"masonry\", \"ground\"]");
+    const std::vector<std::string>& between = shape.contact[i].between;
+    const std::string path = "contact." + std::to_string(i) + ".between";
+    if (between.size() != 2)
+      add_fault(faults, path, std::to_string(between.size()) + " names",
+                "a contact rule names two block materials",
+                "write e.g. between = [\"masonry\", \"ground\"]");
+    for (const std::string& name : between)
+      if (name != "ground" && !blocks.contains(name))
+        add_fault(faults, path, "\"" + name + "\"", "is no material of a block",
+                  name_advice(name, known));
   }
 }
 
+// Names that a block may bear: tables of the model, and what contact rules call blocks.
+std::vector<std::string> names_of_materials(const Shape& shape) {
+  std::vector<std::string> names{"masonry"};
+  for (const auto& [name, density] : shape.material) names.push_back(name);
+  for (const ContactRule& rule : shape.contact)
+    names.insert(names.end(), rule.between.begin(), rule.between.end());
+  return names;
+}
+
 }  // namespace
+
+bool is_material(const Shape& shape, const std::string& path, const std::string& name,
+                 FaultList& faults) {
+  const std::vector<std::string> known = names_of_materials(shape);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+  add_fault(faults, path, "\"" + name + "\"", "there is no such material",
+            "add [material." + name + "] with its density; " + name_advice(name, known));
+  return false;
+}
+
+void check_names(const Shape& shape, const BlockNames& blocks, FaultList& faults) {
+  check_rules(shape, blocks, faults);
+  const std::vector<std::string> known = names_of_materials(shape);
+  for (const auto& [material, id] : blocks) {
+    if (std::find(known.begin(), known.end(), material) != known.end()) continue;
+    const std::string meant = nearest_name(material, known);
+    if (!meant.empty())
+      add_fault(faults, "wall.blocks." + id + ".material", "\"" + material + "\"",
+                "there is no such material", "did you mean " + meant + "?");
+  }
+}
 
 std::string outline_problem(const Polygon& corners) {
   if (!is_finite(corners)) return "a corner is missing or not a finite number";
@@ -147,7 +186,9 @@ std::vector<Block> blocks_from_file(const Shape& shape, FaultList& faults) {
   }
   refuse_repeated_ids(shape, faults);
   check_densities(shape, faults);
-  check_rules(shape, faults);
+  BlockNames names;
+  for (const BlockSpec& block : shape.block) names.try_emplace(block.material, block.id);
+  check_names(shape, names, faults);
   std::vector<Block> blocks;
   for (const BlockSpec& stated : shape.block) {
     Block block;

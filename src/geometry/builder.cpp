@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "geometry/blocks_file.h"
 #include "geometry/polyhedron.h"
 #include "geometry/text.h"
 
@@ -32,6 +33,7 @@ void name_all(const std::vector<Table>& tables, const char* key, std::set<std::s
 
 void Site::check_material(const std::string& path, const std::string& name,
                           FaultList& faults) const {
+  if (!name.empty()) (void)is_material(Shape(model), path, name, faults);
   const auto found = model.material.find(name);
   const bool weighs = found != model.material.end() && !std::isnan(found->second.density);
   if (weighs || !std::isnan(model.wall.unit.density)) return;
@@ -52,6 +54,13 @@ std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& note
   const auto take = [&](std::vector<BuiltBody> built) {
     std::move(built.begin(), built.end(), std::back_inserter(bodies));
   };
+  for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i) {
+    const PlanWallSpec& wall = site.spec.plan_wall[i];
+    const std::string table = "plan_wall." + std::to_string(i);
+    for (const auto& [key, name] :
+         {std::pair(".material", wall.material), {".core_material", wall.core_material}})
+      if (!name.empty()) (void)is_material(Shape(site.model), table + key, name, faults);
+  }
   std::vector<StraightWall> walls;
   if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, walls, notes, faults));
   if (faults.empty()) build_slabs(site, walls, bodies, notes, faults);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "geometry/blocks_file.h"
 #include "geometry/builder.h"
 #include "geometry/convex_parts.h"
 #include "geometry/polygon_in_space.h"
@@ -117,6 +118,18 @@ class SlabBuilder {
     add_fault(faults_, path_ + "." + key, value, problem, cure);
   }
 
+  // The masonry's density would be a wrong weight for a slab, so it never stands in.
+  void check_density() {
+    const std::string path = path_ + ".material";
+    if (spec_.material == "masonry") return site_.check_material(path, spec_.material, faults_);
+    const auto own = site_.model.material.find(spec_.material);
+    if (is_material(Shape(site_.model), path, spec_.material, faults_) &&
+        (own == site_.model.material.end() || std::isnan(own->second.density)))
+      add_fault(faults_, "material." + spec_.material + ".density", "",
+                "is missing: slab " + spec_.name + " weighs what it says",
+                "write e.g. density = \"2500 kg/m^3\"");
+  }
+
   void check_numbers() {
     for (const FloorSpec& floor : site_.model.floor)
       if (floor.name == spec_.name && (spec_.load > 0 || spec_.mass > 0))
@@ -128,7 +141,7 @@ class SlabBuilder {
       refuse("material", "", "is missing: it gives the slab its density",
              "write e.g. material = \"concrete\", with density under [material.concrete]");
     else
-      site_.check_material(path_ + ".material", spec_.material, faults_);
+      check_density();
     if (!spec_.joint.empty() && !site_.model.material.contains(spec_.joint))
       refuse("joint", "\"" + spec_.joint + "\"", "there is no such material",
              "add [material." + spec_.joint + "], or name another");

@@ -51,14 +51,10 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
 }
 
 // A rule for two kinds of block of which the wall has none changes nothing, and nobody would see it.
-void refuse_unknown_contacts(const ModelSpec& spec, FaultList& faults) {
-  std::set<std::string> kinds{"ground"};
-  for (const BodySpec& body : spec.body) kinds.insert(body.material);
-  for (std::size_t k = 0; k < spec.contact.size(); ++k)
-    for (const std::string& name : spec.contact[k].between)
-      if (!kinds.contains(name))
-        faults.add({"", fmt::format("contact.{}.between", k), name, "is no material of a block",
-                    fmt::format("write two of {}", fmt::join(kinds, ", ")), 0});
+void check_materials_of_blocks(const ModelSpec& spec, FaultList& faults) {
+  geometry::BlockNames names;
+  for (const BodySpec& body : spec.body) names.try_emplace(body.material, body.id);
+  geometry::check_names(geometry::Shape(spec), names, faults);
 }
 
 // Materials by name, each checked the first time it is used.
@@ -471,7 +467,7 @@ PrincipalAxes principal_axes(const std::array<double, 6>& inertia) {
 
 SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
   refuse_plane_parts(spec, faults);
-  refuse_unknown_contacts(spec, faults);
+  check_materials_of_blocks(spec, faults);
   check_points(spec.solve, faults);
   return geometry::assemble(spec.body, faults);
 }

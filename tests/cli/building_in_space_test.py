@@ -143,6 +143,20 @@ class BuildingInSpace(unittest.TestCase):
                      "slab.0.level", "bed joint")
         self.refused(self.file("d.toml", model.replace('joint = "bearing"', 'joint = "felt"')), "slab.0.joint", "no such material")
 
+    # The masonry's density in its place would change the weight, and nothing would say so.
+    def test_materials_that_are_misspelt_or_have_no_density_are_refused(self):
+        model = PIERS + GRAVITY
+        self.refused(self.file("a.toml", model.replace('material = "concrete"', 'material = "concret"')),
+                     "slab.0.material", "concret", "did you mean concrete?")
+        self.refused(self.file("b.toml", model.replace('density = "2500 kg/m^3"', 'youngs_modulus = "30 GPa"')),
+                     "material.concrete.density", "deck")
+        self.refused(self.file("c.toml", model.replace('name = "left"\n', 'name = "left"\nmaterial = "stoen"\n')),
+                     "plan_wall.0.material", "stoen", "[material.stoen]")
+        rule = '[[contact]]\nbetween = ["masonry", "{}"]\nmaterial = "bearing"\n'
+        self.refused(self.file("d.toml", model + rule.format("concret")), "contact.0.between", "did you mean concrete?")
+        named = self.file("e.toml", model.replace('name = "left"\n', 'name = "left"\nmaterial = "stone"\n') + rule.format("stone"))
+        self.assertEqual(wythe("check", named).returncode, 0, wythe("check", named).stderr)
+
     def test_a_study_varies_the_builders_numbers(self):
         self.file("model.toml", PIERS + GRAVITY + PUSH)
         study = """

@@ -103,8 +103,7 @@ TEST(Ledger, a_deformable_block_that_slides_to_and_fro) {
   spec.block.back().material = "soft";
   spec.block.back().zone.zones = 2;
   spec.block.push_back(scenes::rectangle("rider", 0, 0.2, 0.4, 0.1));
-  // it leaves the table now and then: points that were open in the step before are booked to first order
-  expect_second_order("deformable block sliding to and fro", spec, 1e-3);
+  expect_second_order("deformable block sliding to and fro", spec, 2e-4);
   expect_second_order("deformable block sliding in space", scenes::prisms(spec), 2e-4);
 }
 
@@ -116,8 +115,8 @@ TEST(Ledger, a_joint_with_dilatancy_that_slides_to_and_fro) {
   joint.friction_angle = joint.residual_friction_angle = degrees(25);
   joint.mode_1_energy = 0.1, joint.mode_2_energy = 1;
   joint.dilatancy_slip = 0.05;
-  // what is left of its bond breaks, and its points open and close, within a few of the coarse steps
-  expect_second_order("joint with dilatancy sliding to and fro", on_a_table(joint), 0.1);
+  // what is left of its bond breaks within a few of the coarse steps
+  expect_second_order("joint with dilatancy sliding to and fro", on_a_table(joint), 2e-2);
 }
 
 }  // namespace
