@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "model/shaking.h"
 #include "wythe/assessment.h"
@@ -56,11 +57,33 @@ void read_result(const ModelSpec& spec, const Model& model, Result& result) {
   if (is_asked(spec.assessment)) result.pushed = read_pushed_wall(spec, model, result);
 }
 
+// The damping of the stage that takes the records; of what samples draw, the name of the input.
+std::vector<Message> damping_of_study(const StudySpec& study, const ModelSpec& base) {
+  const auto shake = std::find_if(base.stage.begin(), base.stage.end(), [&](const StageSpec& s) {
+    return s.name == study.shaking.stage;
+  });
+  if (shake == base.stage.end()) return {};
+  const std::vector<std::string> tables{
+      "stage." + shake->name + ".", "stage." + std::to_string(shake - base.stage.begin()) + "."};
+  std::map<std::string, std::string> drawn;
+  const auto look = [&](const InputSpec& input) {
+    for (const std::string& table : tables)
+      if (input.path.starts_with(table)) {
+        const std::size_t end = input.path.find('.', table.size());
+        drawn.emplace(input.path.substr(table.size(), end - table.size()), input.name);
+      }
+  };
+  for (const VariableSpec& input : study.variable) look(input);
+  for (const DependentSpec& input : study.dependent) look(input);
+  return damping_of(*shake, drawn);
+}
+
 Statistics full_statistics(const Campaign& campaign) {
   Statistics statistics = statistics_of(campaign);
   const ModelSpec base = model_builder(campaign.study)({});
   statistics.project = base.project;
-  if (statistics.shaking.is_told()) statistics.shaking.damping = damping_of(base);
+  if (statistics.shaking.is_told())
+    statistics.shaking.damping = damping_of_study(campaign.study, base);
   if (is_asked(base.assessment))
     statistics.assessment = assess_campaign(campaign, base, compile(base));
   return statistics;

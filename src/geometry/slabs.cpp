@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -346,7 +347,8 @@ class SlabBuilder {
     if (std::fabs(slab.level - stated) > kMargin)
       notes_.push_back({"slab.moved",
                         {{"slab", spec_.name},
-                         {"by_mm", 1e3 * (slab.level - stated)},
+                         {"from_m", stated},
+                         {"to_m", slab.level},
                          {"wall", slab.on.front()->name}}});
   }
 
@@ -511,6 +513,7 @@ std::vector<FloorSpec> floors_of_slabs(const Site& site, const std::vector<Built
 std::vector<ContactRule> contacts_of_slabs(const Site& site, const std::vector<BuiltBody>& bodies,
                                            FaultList& faults) {
   std::vector<ContactRule> rules;
+  std::set<std::size_t> clash;  // slabs whose material others have
   for (std::size_t k = 0; k < site.spec.slab.size(); ++k) {
     const SlabSpec& slab = site.spec.slab[k];
     for (std::size_t i = 0; i < k; ++i)
@@ -521,6 +524,11 @@ std::vector<ContactRule> contacts_of_slabs(const Site& site, const std::vector<B
     if (slab.joint.empty()) continue;
     for (const BuiltBody& other : bodies) {
       const std::string& material = other.body.material;
+      if (material == slab.material && other.body.role != "slab" && clash.insert(k).second)
+        add_fault(faults, fmt::format("slab.{}.joint", k), "\"" + slab.joint + "\"",
+                  "would hold inside the masonry too: " + other.body.id +
+                      " has the slab's material, " + material + ", and joints go by materials",
+                  "give the slab a material of its own name");
       const auto is_known = [&](const ContactRule& rule) {
         return rule.between == std::vector{slab.material, material};
       };

@@ -80,7 +80,7 @@ void describe(Visitor& v, FloorSpec& s) {
   v.quantity("mass", s.mass, {.unit = "kg/m", .shown = "kg/m", .range = kNotNegative,
              .example = "1200 kg/m",
              .doc = "Inertia a length of wall that moves with the blocks. Not needed for weight or for "
-                    "patterns of forces; it slows a push down (docs/theory/integration.md)."});
+                    "patterns of forces; it slows a push down (docs/theory/integration.md). A shake needs it: a load without mass is not shaken."});
 }
 
 // --- ties, diaphragms, springs -------------------------------------------------------------------

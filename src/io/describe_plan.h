@@ -131,7 +131,7 @@ void describe(Visitor& v, SlabSpec& s) {
              .doc = "Load on all of it beside its own weight, downwards; it becomes a `[[floor]]` of its name."});
   v.quantity("mass", s.mass, {.unit = "kg/m^2", .shown = "kg/m^2", .range = kNotNegative, .example = "250 kg/m^2",
              .doc = "Inertia beside its own that moves with it. Not needed for weight or for patterns of forces "
-                    "(docs/theory/integration.md)."});
+                    "(docs/theory/integration.md); a shake needs it."});
 }
 
 template <class Visitor>

@@ -89,7 +89,8 @@ void describe_shaking(Visitor& v, StageSpec& s, Kinds shake) {
              .kinds = shake, .example = "2 s", .doc = "How long the wall is watched after the record."});
   v.quantity("interval", s.interval, {.unit = "s", .shown = "s", .range = kPositive, .kinds = shake,
              .fallback = "5 ms, or the shake by 4000", .example = "0.01 s",
-             .doc = "Time between rows of `history.csv`."});
+             .doc = "Time between rows of `history.csv`. Peaks are read from them, so they lie 10 ms apart at most, "
+                    "or the shake by 4000."});
   v.table("mass_damping", s.mass_damping, {.kinds = shake, .in_braces = true, .optional = true,
           .fallback = "none", .example = "{ fraction = 0.02, frequency = \"4 Hz\" }",
           .doc = "Viscous damping in proportion to mass, of motion against the base. It brakes rocking and "

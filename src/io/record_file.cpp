@@ -67,6 +67,7 @@ class RecordReader {
     }
     const std::size_t width = head.empty() ? lines.cells().size() : head.size();
     if (!choose_columns(head, width)) return n;
+    check_head(head);
     for (; more && !enough(context_.faults); more = lines.next()) read_row(lines, n);
     return n;
   }
@@ -92,6 +93,59 @@ class RecordReader {
         path_ + ".column", 0, record_.column, "is no column of accelerations in " + file_,
         all.empty() ? fmt::format("write a number from 1 to {}", width) : "write one of: " + all);
     return false;
+  }
+
+  // Units and quantities that the head names: "time_ms", "acc [m/s2]", "acceleration_g", "velocity_m_s".
+  void check_head(const std::vector<std::string>& head) {
+    const auto words_of = [&](int column) {
+      std::set<std::string> words;
+      std::string word;
+      for (const char c : lower(head[static_cast<std::size_t>(column)]) + ' ') {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+          word += c;
+        else if (!word.empty())
+          words.insert(std::exchange(word, ""));
+      }
+      return words;
+    };
+    const auto are_there = [&](int column) {
+      return column >= 0 && column < static_cast<int>(head.size());
+    };
+    if (are_there(time_)) {
+      const std::set<std::string> words = words_of(time_);
+      for (const char* name : {"ms", "msec", "milliseconds", "min", "minutes"})
+        if (words.contains(name))
+          fault(1, head[static_cast<std::size_t>(time_)], "has times that are not in seconds",
+                "write the times in seconds, under time_s");
+    }
+    if (!are_there(column_)) return;
+    const std::string& name = head[static_cast<std::size_t>(column_)];
+    if (!is_of_accelerations(lower(name), 1, name)) return;
+    const std::set<std::string> words = words_of(column_);
+    if (words.contains("mm") || words.contains("mg"))
+      fault(1, name, "is in a unit that is not known here", "write it in g, m/s2 or cm/s2");
+    else if (words.contains("cm") || words.contains("gal"))
+      compare_unit(RecordUnit::kCentimetres, name, 1);
+    else if (words.contains("m"))
+      compare_unit(RecordUnit::kMetres, name, 1);
+    else if (words.contains("g"))
+      compare_unit(RecordUnit::kGravity, name, 1);
+  }
+
+  // Velocities and displacements come in the same kinds of files.
+  bool is_of_accelerations(const std::string& head, int line, const std::string& value) {
+    for (const char* other : {"velocity", "displacement", "vel_", "disp_"})
+      if (head.find(other) != std::string::npos) {
+        fault(line, value, "is no column of accelerations",
+              "give the accelerations of this record");
+        return false;
+      }
+    return true;
+  }
+  void compare_unit(RecordUnit unit, const std::string& stated, int line) {
+    if (record_.unit != RecordUnit::kNone && unit != record_.unit)
+      fault(line, stated, "is the file's unit, and the model file states another",
+            fmt::format("write {}.unit = \"{}\"", path_, word_of(kRecordUnitWords, unit)));
   }
 
   void read_row(const CsvLines& lines, Numbers& n) {
@@ -164,9 +218,11 @@ class RecordReader {
     if (unit == RecordUnit::kNone)
       return fault(line, stated, "is no unit of accelerations that is known here",
                    "write the file's numbers as a CSV in g, m/s2 or cm/s2");
-    if (record_.unit != RecordUnit::kNone && unit != record_.unit)
-      fault(line, stated, "is the file's unit, and the model file states another",
-            fmt::format("write {}.unit = \"{}\"", path_, word_of(kRecordUnitWords, unit)));
+    if (stated == "cm/s" || stated == "m/s" || stated == "cm/sec" || stated == "m/sec")
+      return fault(line, stated, "is a unit of velocities",
+                   "give the accelerations of this record");
+    if (is_of_accelerations(head, line, std::string(trimmed(head))))
+      compare_unit(unit, stated, line);
   }
 
   // "npts=  4000, dt=   .0050 sec" or "4000   .0050   npts, dt".

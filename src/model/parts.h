@@ -14,6 +14,9 @@ using BlockMap = std::vector<BlockId>;
 [[nodiscard]] constexpr bool is_solid(BlockId block) { return block < kGroundBlock; }
 [[nodiscard]] constexpr int solid_of(BlockId block) { return -2 - block; }
 
+// A joint's law in [material.*] that no joint has, such as a misspelt "foundation", is told.
+void note_idle_materials(const ModelSpec& spec, Model& model);
+
 class FieldValues;  // field_places.h
 
 // A face of a deformable block and its joint material.

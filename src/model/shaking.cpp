@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/hash.h"
 
@@ -127,6 +128,10 @@ class ShakeCompiler {
             fmt::format("makes {:.3g} rows, at most a million are kept",
                         longest / stage_.spec.interval),
             "write a longer one");
+    if (stage_.spec.interval > longest_interval(longest))
+      note("shake.rows", {{"stage", stage_.spec.name},
+                          {"interval_s", longest_interval(longest)},
+                          {"stated_s", stage_.spec.interval}});
   }
 
   // What models made by programs may lack; files are checked where they are read.
@@ -308,11 +313,28 @@ void compile_watched(const std::vector<HistorySpec>& history, const WallPlaces& 
   model.watched.push_back({"top", block, {}, centroid(block).y - places.lowest});
 }
 
+// A load that presses but has no mass makes a shaken wall safer than it is.
+static void note_loads_without_mass(const Stage& shake, double pressed, double bare, Model& model) {
+  constexpr double kSome = 0.02;  // of the wall's weight
+  double carried = 0;
+  for (const PointLoad& mass : shake.carried) carried += mass.fx * model.solve.gravity;
+  if (pressed - carried > kSome * bare * model.solve.gravity)
+    model.anatomy.notes.push_back(
+        {"shake.loads_without_mass",
+         {{"stage", shake.spec.name}, {"load_kN", 1e-3 * pressed}, {"mass_kN", 1e-3 * carried}}});
+}
+
 void carry_floors(const std::vector<double>& bare, Model& model) {
-  for (Stage& stage : model.stages)
-    for (std::size_t i = 0; stage.spec.kind == StageKind::kShake && i < bare.size(); ++i)
+  double pressed = 0;
+  const double all = std::accumulate(bare.begin(), bare.end(), 0.0);
+  for (Stage& stage : model.stages) {
+    for (const PointLoad& load : stage.loads) pressed += std::fmax(0, -load.fy);
+    if (stage.spec.kind != StageKind::kShake) continue;
+    for (std::size_t i = 0; i < bare.size(); ++i)
       if (model.mass[i] > bare[i])
         stage.carried.push_back({static_cast<BlockId>(i), 0, 0, model.mass[i] - bare[i], 0});
+    note_loads_without_mass(stage, pressed, all, model);
+  }
 }
 
 double fraction_of_restitution(double restitution) {
@@ -393,23 +415,26 @@ void set_dashpots(Model& m) {
   }
 }
 
-std::vector<Message> damping_of(const ModelSpec& spec) {
-  const auto shakes = std::find_if(spec.stage.begin(), spec.stage.end(),
-                                   [](const StageSpec& s) { return s.kind == StageKind::kShake; });
-  if (shakes == spec.stage.end()) return {};
+std::vector<Message> damping_of(const StageSpec& shake,
+                                const std::map<std::string, std::string>& drawn) {
   std::vector<Message> out;
-  const auto viscous = [&](const char* code, const ViscousSpec& v) {
-    if (is_set(v.fraction))
-      out.push_back(
-          {code, {{"fraction_percent", 100 * v.fraction}, {"frequency_hz", v.frequency}}});
+  const auto tell = [&](const char* key, bool is_stated, const Message& stated) {
+    if (const auto input = drawn.find(key); input != drawn.end())
+      out.push_back({"damping.drawn", {{"key", key}, {"input", input->second}}});
+    else if (is_stated)
+      out.push_back(stated);
   };
-  viscous("damping.mass", shakes->mass_damping);
-  viscous("damping.joints", shakes->joint_damping);
-  viscous("damping.maxwell", shakes->maxwell_damping);
-  if (is_set(shakes->restitution))
-    out.push_back({"damping.restitution", {{"restitution", shakes->restitution}}});
-  if (is_set(shakes->damping) && shakes->damping > 0)
-    out.push_back({"damping.local", {{"share", shakes->damping}}});
+  const auto viscous = [&](const char* key, const char* code, const ViscousSpec& v) {
+    tell(key, is_set(v.fraction),
+         {code, {{"fraction_percent", 100 * v.fraction}, {"frequency_hz", v.frequency}}});
+  };
+  viscous("mass_damping", "damping.mass", shake.mass_damping);
+  viscous("joint_damping", "damping.joints", shake.joint_damping);
+  viscous("maxwell_damping", "damping.maxwell", shake.maxwell_damping);
+  tell("restitution", is_set(shake.restitution),
+       {"damping.restitution", {{"restitution", shake.restitution}}});
+  tell("damping", is_set(shake.damping) && shake.damping > 0,
+       {"damping.local", {{"share", shake.damping}}});
   if (out.empty()) out.push_back({"damping.none"});
   return out;
 }

@@ -1,7 +1,9 @@
 // Shakes: records, driven blocks and watched points in the user's words -> motions, numbers and dashpots.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -52,8 +54,16 @@ struct MaxwellElement {
 // `restitution` of its speed (docs/theory/dynamics.md, 14.6).
 [[nodiscard]] double fraction_of_restitution(double restitution);
 
-// What damps the shakes of a model, in words: of the first stage that shakes it; empty where none does.
-[[nodiscard]] std::vector<Message> damping_of(const ModelSpec& spec);
+// The longest time between rows of a shake [s]: peaks are read from rows, and a wall that rocks or vibrates moves to and fro
+// between rows that lie further apart.
+inline constexpr double kMostShakeRows = 4000;  // where the model does not say
+[[nodiscard]] inline double longest_interval(double duration) {
+  return std::max(0.01, duration / kMostShakeRows);
+}
+
+// What damps a shake, in words. `drawn`: keys of the stage that samples of a study draw, each with its input's name.
+[[nodiscard]] std::vector<Message> damping_of(const StageSpec& shake,
+                                              const std::map<std::string, std::string>& drawn);
 
 // Drift of storey k at a row along x and z: its top against its foot, over its height.
 [[nodiscard]] inline std::pair<double, double> storey_drift(const ShakeHistory& h, std::size_t row,

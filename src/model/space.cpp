@@ -42,6 +42,7 @@ void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
   };
   refuse("storey", !spec.storey.empty());
   refuse("region", !spec.region.empty());
+  refuse("ring_beam", !spec.ring_beam.empty());
   refuse("wall.opening", !spec.wall.opening.empty());
   refuse("wall.beam", std::isfinite(spec.wall.beam.height));
   refuse("wall.foundation", !spec.wall.foundation.empty());
@@ -309,6 +310,19 @@ void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
                    assembly.moments[at(rigid)].centroid});
 }
 
+// As in the plane (geometry/assembly.cpp).
+void note_foundation(const ModelSpec& spec, Model& model) {
+  std::set<std::string> names;
+  const std::string& named = spec.wall.joints.joint;
+  for (std::size_t j = at(model.n_pair); j < at(model.n_joint); ++j) {
+    const std::string& name = model.material_names[at(model.joint_material[j])];
+    if (name == (named.empty() ? "joint" : named)) names.insert("[material." + name + "]");
+  }
+  if (!spec.material.contains("foundation") && !names.empty())
+    model.anatomy.notes.push_back(
+        {"material.no_foundation", {{"materials", fmt::format("{}", fmt::join(names, ", "))}}});
+}
+
 void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
                  const std::vector<BlockId>& id, const FieldValues& fields, Model& model,
                  FaultList& faults) {
@@ -373,6 +387,8 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   model.n_pair = static_cast<int>(std::count_if(
       joints.begin(), joints.end(), [&](const Placed& joint) { return joint.a < model.n_block; }));
   compile_space_contacts(solids, choice, model, faults);
+  note_foundation(spec, model);
+  note_idle_materials(spec, model);
 }
 
 // Of each block first the joints of which it is side a, then those of which it is b.

@@ -154,8 +154,28 @@ class BuildingInSpace(unittest.TestCase):
                      "plan_wall.0.material", "stoen", "[material.stoen]")
         rule = '[[contact]]\nbetween = ["masonry", "{}"]\nmaterial = "bearing"\n'
         self.refused(self.file("d.toml", model + rule.format("concret")), "contact.0.between", "did you mean concrete?")
+        # joints go by materials: the bearing's law would hold in all beds of a wall of the slab's material
+        for text in (model.replace('material = "concrete"', 'material = "masonry"'),
+                     model.replace('name = "right"\n', 'name = "right"\nmaterial = "concrete"\n')):
+            self.refused(self.file("f.toml", text), "slab.0.joint", "has the slab's material", "own name")
         named = self.file("e.toml", model.replace('name = "left"\n', 'name = "left"\nmaterial = "stone"\n') + rule.format("stone"))
         self.assertEqual(wythe("check", named).returncode, 0, wythe("check", named).stderr)
+
+    # What is not built may not stand in the report as if it were.
+    def test_a_ring_beam_in_space_is_refused(self):
+        ring = '[[ring_beam]]\nname = "tie"\ny = "0.8 m"\nheight = "200 mm"\nmaterial = "concrete"\n'
+        self.refused(self.file("a.toml", PIERS + ring + GRAVITY), "ring_beam", "in space")
+
+    def test_laws_that_no_joint_has_and_loads_without_mass_are_told(self):
+        told = wythe("check", self.file("a.toml", PIERS + JOINT.replace("joint", "fundation") + GRAVITY)).stdout
+        self.assertIn("no [material.foundation]", told)
+        self.assertIn("no joint has the law of [material.fundation]", told)
+        shake = '[[stage]]\nname = "quake"\nrecord = { pulse = "half_cycle", amplitude = "1 m/s^2", period = "0.2 s" }\n'
+        told = wythe("check", self.file("b.toml", PIERS + GRAVITY + shake)).stdout
+        self.assertIn("give floors and slabs their mass", told)
+        mass = 'load = "2 kPa"\nmass = "204 kg/m^2"'
+        told = wythe("check", self.file("c.toml", PIERS.replace('load = "2 kPa"', mass) + GRAVITY + shake)).stdout
+        self.assertNotIn("give floors and slabs their mass", told)
 
     def test_a_study_varies_the_builders_numbers(self):
         self.file("model.toml", PIERS + GRAVITY + PUSH)

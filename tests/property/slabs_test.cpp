@@ -206,7 +206,8 @@ TEST(Slabs, a_level_within_10_mm_of_a_bed_joint_moves_there_and_says_so) {
   ASSERT_TRUE(b.faults.empty()) << told(b.faults);
   EXPECT_NEAR(b.under, 2.9 * 2.3 - kInside, 1e-9);
   EXPECT_TRUE(std::any_of(b.notes.begin(), b.notes.end(), [](const Message& note) {
-    return note.code == "slab.moved" && std::fabs(note.number("by_mm") + 6) < 1e-6;
+    return note.code == "slab.moved" &&
+           std::fabs(note.number("to_m") - note.number("from_m") + 0.006) < 1e-9;
   }));
 }
 

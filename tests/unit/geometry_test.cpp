@@ -547,22 +547,6 @@ TEST(geometry_blocks_file, materials_with_a_density_bring_their_own) {
   EXPECT_EQ(density_of(spec, wall.blocks[1]), 2700);
 }
 
-// A slip would leave the joint its common law, or the block the unit's density, and nothing would say so.
-TEST(geometry_blocks_file, names_of_materials_that_nearly_are_others_are_refused) {
-  ModelSpec spec = blocks_wall({box("a", 0, 0, 1, 1), box("b", 0, 1, 1, 2)});
-  spec.block[1].material = "stone";
-  spec.contact = {{{"stone", "masonry"}, "lime"}};
-  spec.material["lime"] = {};
-  (void)build(spec);
-  spec.contact[0].between[1] = "masonrry";
-  EXPECT_TRUE(mentions(fault_at(spec, "contact.0.between").cure, "did you mean masonry?"));
-  spec.contact[0].between[1] = "masonry";
-  spec.block[0].material = "stoen";
-  EXPECT_TRUE(mentions(fault_at(spec, "wall.blocks.a.material").cure, "did you mean stone?"));
-  spec.block[0].material = "slate";  // a name of its own
-  EXPECT_EQ(fault_at(spec, "wall.blocks.a.material").cure, "");
-}
-
 TEST(geometry_blocks_file, overlaps_name_both_blocks_and_the_area) {
   const Fault fault =
       fault_at(blocks_wall({box("a", 0, 0, 1, 1), box("b", 0.5, 0.5, 1.5, 1.5)}), "wall.blocks.b");

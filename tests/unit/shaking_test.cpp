@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -147,7 +148,7 @@ TEST_F(RecordFile, at2_is_read_by_its_head) {
 // A step that is stated beside a column of times does not make the times the motion.
 TEST_F(RecordFile, the_second_of_two_columns_is_the_motion) {
   const std::vector<double> expected = {0.1 * 9.81, 0.2 * 9.81, -0.1 * 9.81};
-  for (const char* head : {"Time(s),Acc(m/s2)\n", "seconds,acc\n", "when,what\n", ""})
+  for (const char* head : {"Time(s),Acc(g)\n", "seconds,acc\n", "when,what\n", ""})
     for (const char* step : {"", ", step = \"0.01 s\""}) {
       write("a.csv", std::string(head) + "0,0.1\n0.01,0.2\n0.02,-0.1\n");
       const std::string lines =
@@ -175,6 +176,28 @@ TEST_F(RecordFile, units_of_at2_are_told_apart) {
   says(refusal(kAsked), {"the model file states another", "\"m/s2\""});
   file("FURLONGS");
   says(refusal(kAsked), {"is no unit of accelerations"});
+}
+
+// A head may say what the numbers are; one that says something else than the model is refused.
+TEST_F(RecordFile, units_in_the_head_of_a_csv_are_compared) {
+  const auto told = [&](const char* head, const char* unit) {
+    write("a.csv", std::string(head) + "\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+    return refusal(std::string("record = { file = \"a.csv\", unit = \"") + unit + "\" }\n");
+  };
+  for (const char* head : {"time_s,acceleration_g", "t,a (g)", "time,north", "time,acc"})
+    EXPECT_EQ(told(head, "g"), "accepted") << head;
+  for (const char* head : {"time_s,acc_m_s2", "t [s],a [m/s^2]"}) {
+    EXPECT_EQ(told(head, "m/s2"), "accepted") << head;
+    says(told(head, "g"), {"a.csv:1", "the model file states another", "\"m/s2\""});
+  }
+  says(told("time,a [cm/s2]", "m/s2"), {"the model file states another", "\"cm/s2\""});
+  says(told("time,acceleration_g", "m/s2"), {"the model file states another", "\"g\""});
+  says(told("time_ms,acc", "g"), {"time_ms", "not in seconds"});
+  says(told("t [ms],acc", "g"), {"not in seconds"});
+  says(told("time,velocity_cm_s", "cm/s2"), {"is no column of accelerations"});
+  write("v.AT2",
+        "PEER NGA\nx\nVELOCITY TIME HISTORY IN UNITS OF CM/S\nNPTS= 3, DT= .0050 SEC,\n 1 2 3\n");
+  says(refusal("record = [{ file = \"v.AT2\", unit = \"cm/s2\" }]\n"), {"is a unit of velocities"});
 }
 
 TEST_F(RecordFile, faults_are_named_with_their_lines) {
@@ -329,6 +352,23 @@ TEST(Shake, a_toppled_block_is_a_collapse_and_a_rocking_one_is_not) {
   EXPECT_EQ(falls.status, SolveStatus::kCollapsed);
   EXPECT_EQ(falls.reason.code, "block.toppled");
   EXPECT_TRUE(falls.shaking.collapsed);
+}
+
+// Peaks are read from rows: a block that rocks to and fro between two of them would seem to stand still.
+TEST(Shake, rows_far_apart_do_not_hide_the_motion) {
+  ModelSpec spec = lone_block(0.3, 1.2, 2);
+  StageSpec shake = shaken_by(PulseShape::kHalfCycle, 4, 0.8);
+  shake.restitution = 0.2;
+  spec.stage.push_back(shake);
+  const Result usual = shaken(spec);
+  spec.stage.back().interval = 100;
+  const Result far = shaken(spec);
+  EXPECT_GT(usual.shaking.motion.front().peak, 1e-3);
+  EXPECT_NEAR(far.shaking.motion.front().peak, usual.shaking.motion.front().peak,
+              0.02 * usual.shaking.motion.front().peak);
+  const std::vector<Message> notes = compile(spec).anatomy.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(),
+                          [](const Message& n) { return n.code == "shake.rows"; }));
 }
 
 TEST(Shake, a_mirrored_record_mirrors_the_answer) {

@@ -12,8 +12,8 @@ void Executor::step() {
   run(kJoints);  //          openings and slips, the law, forces of joints      passes/joints.h
   run(kZones);   //          forces of deformable blocks on their nodes         passes/solids.h
   run(kEdges);   //          the law between these and rigid blocks
-  brake();       //          dashpots of shaken walls                           passes/dashpots.h
-  meet();  //          free contacts, and joints that give way to them    passes/free_contacts.h
+  meet();   //          free contacts, and joints that give way to them    passes/free_contacts.h
+  brake();  //          dashpots of the joints that are left               passes/dashpots.h
   run(kBlocks);  //          central differences with local damping, poses      passes/blocks.h
   run(kNodes);   //          the same for nodes                                 passes/solids.h
   drive();       //          the driven blocks, and their reaction              passes/drive.h

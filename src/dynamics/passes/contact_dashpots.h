@@ -1,7 +1,7 @@
 // Dashpots and Maxwell elements of free contacts (docs/theory/dynamics.md, 14.11): one of each at the centre of pressure, along
 // the normal and along the slip, in proportion to what the contact bears on now.
 //
-//   dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      the mean of a step, so that no step is too long
+//   dashpot           c = beta K + 2 xi sqrt(K m),   f = c v / (1 + c dt / 2m')      the mean rate of a step
 //   Maxwell element   as at joints (dashpots.h); K falls: the force falls with it; K grows: the force stays
 //
 // m = m_a m_b / (m_a + m_b), m' the mass that feels the force there, rotation included.

@@ -180,6 +180,7 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
   const bool springs = maxwell.gain > 0;
+  if (!springs) brakes.maxwell.let_go();
   brakes.maxwell.bears = springs;
   for (int i = 0; i < m.n_block; ++i)
     brakes.before[at(i)] = {wall.block(i, kVx), wall.block(i, kVy), wall.block(i, kOmega)};

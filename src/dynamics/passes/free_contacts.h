@@ -246,7 +246,6 @@ void FreeContacts<Bodies>::bring_up(State& state) const {
 }
 
 // All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
-// All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
 template <class Bodies>
 auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<Near> {
   std::vector<Box> boxes;
@@ -447,7 +446,10 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
   pair.touches = true;
   const double before = m.area;
   const typename Bodies::Rubbed rubbed = bodies_.rub(pair, meeting, overlap, dt);
-  if (dashpots_ != nullptr && dt > 0) brake(pair, before, rubbed, dt);
+  if (dashpots_ == nullptr)
+    m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
+  else if (dt > 0)
+    brake(pair, before, rubbed, dt);
 }
 
 template <class Bodies>

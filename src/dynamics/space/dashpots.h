@@ -129,6 +129,7 @@ inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const 
 inline void brake_joints(const WallView& w, const Model& m, const Controls& controls,
                          Brakes& brakes) {
   prepare_brakes(w, m, controls, brakes);
+  if (!(controls.dashpots->spring_share > 0)) brakes.maxwell.let_go();
   brakes.maxwell.bears = controls.dashpots->spring_share > 0;
   for (const Chunk& chunk : w.layout->joints)
     for (int n = 0; n < chunk.n; ++n) {

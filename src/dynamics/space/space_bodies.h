@@ -54,7 +54,6 @@ class SpaceBodies {
   [[nodiscard]] static Vec normal_of(const Meeting& meeting, std::int32_t feature);
   // The slip as seen along another face; gives the energy that has no part in it.
   [[nodiscard]] static double turn_slip(FreePair& pair, const Meeting& meeting, std::int32_t to);
-  // Friction of a step, then force and moments.
   // What dashpots ask of a contact, as in the plane.
   struct Rubbed {
     double opened;            // [m]

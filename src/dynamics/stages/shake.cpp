@@ -294,9 +294,10 @@ double shake_duration(const Stage& stage) {
 }
 
 double shake_interval(const Stage& stage) {
-  constexpr double kUsual = 5e-3, kMostRows = 4000;
-  if (std::isfinite(stage.spec.interval)) return stage.spec.interval;
-  return std::max(kUsual, shake_duration(stage) / kMostRows);
+  constexpr double kUsual = 5e-3;
+  const double longest = longest_interval(shake_duration(stage));
+  if (std::isfinite(stage.spec.interval)) return std::min(stage.spec.interval, longest);
+  return std::max(kUsual, shake_duration(stage) / kMostShakeRows);
 }
 
 std::unique_ptr<StageRun> make_shake(WallUnderWay& wall, const Stage& stage) {

@@ -1,0 +1,47 @@
+// Names of materials that blocks bear: a slip is refused. It would leave a joint its common law, or a block the unit's density,
+// and nothing would say so. In space: tests/cli/building_in_space_test.py.
+#include <gtest/gtest.h>
+
+#include "geometry/assembly.h"
+
+namespace wythe::geometry {
+namespace {
+
+BlockSpec square(const std::string& id, double y, const std::string& material) {
+  BlockSpec block;
+  block.id = id;
+  block.polygon = {{0, y}, {1, y}, {1, y + 1}, {0, y + 1}};
+  block.material = material;
+  return block;
+}
+
+// The cure at `path`; "" where nothing is refused there.
+std::string cure(const ModelSpec& spec, const std::string& path) {
+  FaultList faults;
+  (void)build_assembly(spec, faults);
+  for (const Fault& fault : faults.all())
+    if (fault.path == path) return fault.cure;
+  return "";
+}
+
+TEST(BlockNames, one_that_nearly_is_another_is_refused) {
+  ModelSpec spec;
+  spec.wall.blocks = "blocks.json";
+  spec.wall.thickness = 1;
+  spec.wall.unit.density = 2000;
+  spec.block = {square("a", 0, "masonry"), square("b", 1, "stone")};
+  spec.contact = {{{"stone", "masonry"}, "lime"}};
+  for (const char* name : {"joint", "lime"}) spec.material[name] = {};
+  EXPECT_EQ(cure(spec, "contact.0.between"), "");
+  spec.contact[0].between[1] = "masonrry";
+  EXPECT_EQ(cure(spec, "contact.0.between"), "did you mean masonry?");
+  spec.contact[0].between[1] = "masonry";
+  spec.block[0].material = "stoen";
+  EXPECT_EQ(cure(spec, "wall.blocks.a.material"), "did you mean stone?");
+  spec.contact[0].between[1] = "ground";
+  spec.block[0].material = "slate";  // a name of its own
+  EXPECT_EQ(cure(spec, "wall.blocks.a.material"), "");
+}
+
+}  // namespace
+}  // namespace wythe::geometry
