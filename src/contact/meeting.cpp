@@ -15,10 +15,12 @@ PartEdges::PartEdges(const FreeShapes& shapes) {
       outline.push_back(shapes.corner_y[i]);
     }
     const Range fresh{static_cast<std::int32_t>(edge.size()),
-                      static_cast<std::int32_t>(last - first)};
+                      static_cast<std::int32_t>(last - first),
+                      static_cast<std::int32_t>(shape.size())};
     const auto [place, is_new] = known.try_emplace(outline, fresh);
     range.push_back(place->second);
     if (!is_new) continue;
+    shape.push_back(fresh);
     corner.insert(corner.end(), outline.begin(), outline.end());
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t next = i + 1 == last ? first : i + 1;

@@ -50,9 +50,10 @@ struct Part {
 // Corners and edges of all parts; parts of one shape share them, so that they stay in the cache.
 struct PartEdges {
   struct Range {
-    std::int32_t first, corners;
+    std::int32_t first, corners, shape;
   };
   std::vector<Range> range;  // of each part
+  std::vector<Range> shape;  // of each shape
   std::vector<double> corner;
   std::vector<EdgeAxes> edge;
   explicit PartEdges(const FreeShapes& shapes);

@@ -33,14 +33,16 @@ struct End {
   State state;
 };
 
-End run_on(const Model& model, dynamics::Executor& executor) {
+End run_on(const Model& model, dynamics::Executor& executor, const Dashpots* dashpots = nullptr) {
   End end;
   end.state = initial_state(model);
   executor.put(0, model, end.state);
   const SolveOptions options;
   dynamics::WallRun run(model, end.state, options, executor.access(0));
   while (!run.ended()) {
-    executor.set(0, run.next());
+    dynamics::Controls controls = run.next();
+    controls.dashpots = dashpots;
+    executor.set(0, controls);
     executor.step();
     run.look(executor.reaction(0));
   }
@@ -85,6 +87,18 @@ TEST(Collapse, no_instruction_set_and_no_number_of_threads_changes_a_bit) {
     }
   expect_collapsed(*first);
   expect_collapsed(*first_in_space);
+}
+
+// Where there are dashpots, contacts are taken one by one, here by dashpots that resist nothing.
+TEST(Collapse, contacts_taken_one_by_one_have_the_bits_of_those_in_packs) {
+  const Model model = compile(collapse(false));
+  Dashpots none;
+  none.normal.assign(static_cast<std::size_t>(model.n_joint), 0.0);
+  none.shear = none.normal;
+  dynamics::Processor in_packs(model, 1), one_by_one(model, 1);
+  const End packed = run_on(model, in_packs), single = run_on(model, one_by_one, &none);
+  expect_collapsed(packed);
+  expect_same(single, packed, "one by one");
 }
 
 // Each is let go by its lanes and ends as it does alone.

@@ -12,23 +12,13 @@
 #include "reading/free_contacts.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
+#include "scenes/shares.h"
 
 namespace wythe {
 namespace {
 
 using scenes::Rig;
-
-// Repeatable numbers in [-1, 1].
-class Shares {
- public:
-  double next() {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
-  }
-
- private:
-  std::uint64_t state_ = 11;
-};
+using scenes::Shares;
 
 // A bevelled box and a bevelled wedge, as two bodies.
 FreeShapes two_shapes() {

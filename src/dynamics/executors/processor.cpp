@@ -122,7 +122,7 @@ Processor::Processor(const Model& model, int lanes, int threads, const Kernels& 
     set(lane, {});
   }
   if (model_.free.any() && lanes == 1)
-    free_ = std::make_unique<FreeContacts<PlaneBodies>>(model_, layout_);
+    free_ = std::make_unique<FreeContacts<PlaneBodies>>(model_, layout_, kernels_.width);
 }
 
 Processor::~Processor() = default;

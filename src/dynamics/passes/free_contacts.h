@@ -5,8 +5,8 @@
 //   every kLookEvery whether a pair's joints have given way, and whether another face has become the contact's
 //   when due         which pairs may touch (near_pairs.h)
 //
-// A pair that is apart by s sleeps: first until the ways of its two bodies have grown by s together, then as long as they
-// have moved and turned against each other by less. That changes no bit.
+// A pair that is apart by s sleeps: first until the straight paths of its two bodies, and what these stray from them, have
+// brought them together by s, then as long as they have moved and turned against each other by less. That changes no bit.
 // What a restart needs goes into the State by bring_up(). What depends on the dimension is in Bodies:
 // PlaneBodies (plane_bodies.h), SpaceBodies (dynamics/space/space_bodies.h).
 #pragma once
@@ -43,23 +43,26 @@ struct Push {
 // Two parts that may touch; it fills four lines of a cache.
 struct alignas(64) FreePair {
   FreeContact memory;
-  contact::FreeLaw law{};
-  bool touches = false;
+  contact::FreeLaw law{};  // once they touch
   // of this step
   Push on_a{}, on_b{};
   double pressed = 0;   // normal force [N]
   double stored = 0;    // energy [J]
   double friction = 0;  // works [J]
   double lost = 0;
-  // of its dashpots, within on_a and on_b; rates of a and b before the blocks move
+  [[nodiscard]] bool touches() const { return memory.area > 0; }
+};
+static_assert(sizeof(FreePair) == 256);
+// Of the dashpots of such a pair, within on_a and on_b; rates of a and b before the blocks move.
+struct BrakedPair {
   Push viscous_a{}, viscous_b{};
   Push rates_a{}, rates_b{};
 };
 // How far a body can have moved.
 struct Travel {
-  double all = 0;                 // since the last search, each of its points [m]
   double turned = 0;              // by turning alone, since the wall took its place [m]
   Vector<double> place{0, 0, 0};  // of its centroid
+  Vector<double> rate{0, 0, 0};   // of its centroid, at the last search [m/s]
 };
 // Energy of the elastic slip [J].
 [[nodiscard]] inline double shear_energy(const FreeContact& m, const contact::FreeLaw& law) {
@@ -71,7 +74,8 @@ class FreeContacts {
  public:
   using View = typename Bodies::View;
 
-  FreeContacts(const Model& model, const typename Bodies::Layout& layout);
+  // `width`: of the packs that the wall's joints lie in.
+  FreeContacts(const Model& model, const typename Bodies::Layout& layout, int width);
 
   // A wall takes its place with the contacts and hand-overs of its state.
   void put(const State& state, const View& wall);
@@ -104,15 +108,40 @@ class FreeContacts {
   struct Near {
     std::int32_t a, b, part_a, part_b;
     std::int32_t slot;  // in pairs_; -1: none, for it neither presses nor remembers
-    // It touches not before both ways have grown to `until` together; nor while the parts, which were `apart` when b
-    // was at `offset` from a and both had turned by `turned`, have not come together by that [m]
-    double until = 0, apart = 0, turned = 0;
+    std::int32_t feature = contact::kNoFeature;  // that was asked last
+    // It touches not while the parts, which were `apart` when b was at `offset` from a and both had turned by
+    // `turned`, have not come together by that [m]
+    double apart = 0, turned = 0;
     Vector<double> offset{0, 0, 0};
   };
+  // What is asked of each of them in every step. It touches not before what both bodies have strayed has grown to
+  // `until` together [m], less what they come together, on straight paths, at the speed `closing` [m/s].
+  struct Watch {
+    std::int32_t a, b;
+    double until = 0, closing = 0;
+  };
+  // Up to which a pair sleeps that is apart by `distance`.
+  void let_sleep(Watch& watch, double distance) const {
+    constexpr double kMore = 1 + 1e-9;  // for rounding
+    const Vector<double> v = travel_[at(watch.b)].rate - travel_[at(watch.a)].rate;
+    watch.closing = kMore * square_root(dot(v, v));
+    watch.until = strayed_of(watch) + distance + watch.closing * since_search_;
+  }
+  [[nodiscard]] double strayed_of(const Watch& w) const {
+    return strayed_by_[at(w.a)] + strayed_by_[at(w.b)];
+  }
+  [[nodiscard]] double left_of(const Watch& w) const {
+    return w.until - w.closing * since_search_ - strayed_of(w);
+  }
 
+  void begin_ways() {
+    std::fill(way_.begin(), way_.end(), 0.0);
+    std::fill(strayed_by_.begin(), strayed_by_.end(), 0.0);
+    since_search_ = 0;
+  }
   [[nodiscard]] std::vector<Near> find_near(double dt, const View& wall);
   void search(double dt, const View& wall);
-  [[nodiscard]] bool sleeps(Near& near) const;
+  [[nodiscard]] bool sleeps_on(const Near& near, Watch& watch) const;
   void give_slot(Near& near);
   void let_go(Near& near);
   void wake(const View& wall, Workers& workers);
@@ -131,10 +160,11 @@ class FreeContacts {
     for (std::size_t line = 0; line < sizeof(FreePair); line += kLine)
       __builtin_prefetch(pair + line, 1);
   }
+  void meet_all(std::size_t first, std::size_t end, double dt, bool looks);
   void meet(std::size_t number, double dt, bool looks);
   static void part_company(FreePair& pair);
-  void brake(FreePair& pair, double area_before, const typename Bodies::Rubbed& rubbed,
-             double dt) const;
+  void brake(FreePair& pair, BrakedPair& braked, double area_before,
+             const typename Bodies::Rubbed& rubbed, double dt) const;
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
@@ -158,29 +188,39 @@ class FreeContacts {
   std::vector<Jointed> jointed_;  // sorted by bodies
 
   std::vector<Near> near_;             // sorted by bodies and parts
+  std::vector<Watch> watch_;           // of each
   std::vector<FreePair> pairs_;        // of each, where there was room
+  std::vector<BrakedPair> braked_;     // of each of these, where there are dashpots
   std::vector<std::int32_t> spare_;    // slots of pairs_ that are free
   std::vector<std::size_t> awake_;     // of near_, those of this step, in order
   std::vector<std::int32_t> in_play_;  // their bodies, each once
   std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
   std::vector<Travel> travel_;  // of each body
+  // Of each, since the last search: how far each of its points can have moved, and how far off the straight path that
+  // its centroid was on then [m].
+  std::vector<double> way_, strayed_by_;
+  double since_search_ = 0;     // [s]
   std::vector<double> margin_;  // within which each was looked for [m]
   double rounding_;             // of a place, in a step [m]
   bool searched_ = false, strayed_ = false, finite_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
   const Dashpots* dashpots_ = nullptr;  // of this step
+  bool braked_before_ = true;           // that before had some, or is not known
 };
 
 // --- who may touch --------------------------------------------------------------------------------------
 
 template <class Bodies>
-FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::Layout& layout)
+FreeContacts<Bodies>::FreeContacts(const Model& model, const typename Bodies::Layout& layout,
+                                   int width)
     : model_(model),
-      bodies_(model, layout),
+      bodies_(model, layout, width),
       is_in_play_(at(model.n_block + model.free.n_fixed), 0),
       travel_(is_in_play_.size()),
+      way_(is_in_play_.size(), 0.0),
+      strayed_by_(is_in_play_.size(), 0.0),
       margin_(is_in_play_.size(), 0.0) {
   const FreeShapes& f = model.free;
   double far = 0;
@@ -218,14 +258,16 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
     for (auto k = pair.first; pair.handed_over && k < pair.end; ++k)
       bodies_.release(joint_of_[at(k)], wall);
   }
-  near_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
+  bodies_.end_release(wall);
+  near_.clear(), watch_.clear(), pairs_.clear(), spare_.clear(), awake_.clear();
   for (const FreeContact& memory : state.free_contacts) {
     const auto& [a, b, part_a, part_b] = key_of(memory);
     near_.push_back({a, b, part_a, part_b, static_cast<std::int32_t>(pairs_.size())});
-    pairs_.push_back(
-        {.memory = memory, .law = bodies_.law_of(memory.a, memory.b), .touches = memory.area > 0});
+    watch_.push_back({a, b});
+    pairs_.push_back({.memory = memory, .law = bodies_.law_of(memory.a, memory.b)});
   }
-  bodies_.add_travel(0, wall, travel_);
+  bodies_.add_travel(0, wall, travel_, way_, strayed_by_);
+  begin_ways();
   hand_overs_ = state.hand_overs;
   searched_ = strayed_ = false;
   finite_ = acts_ = true;
@@ -237,7 +279,7 @@ void FreeContacts<Bodies>::bring_up(State& state) const {
   for (const Near& near : near_) {
     if (near.slot < 0) continue;
     const FreePair& pair = pairs_[at(near.slot)];
-    if (pair.touches || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
+    if (pair.touches() || pair.memory.rest > 0) state.free_contacts.push_back(pair.memory);
   }
   state.hand_overs = hand_overs_;
   for (const Jointed& pair : jointed_)
@@ -276,19 +318,28 @@ auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector
 template <class Bodies>
 void FreeContacts<Bodies>::search(double dt, const View& wall) {
   std::vector<Near> found = find_near(dt, wall);
+  std::vector<Watch> watch;
+  watch.reserve(found.size());
+  for (const Near& near : found) watch.push_back({near.a, near.b});
   // what is known of those that were there before
-  auto next = found.begin();
-  for (Near& old : near_) {
-    while (next != found.end() && key_of(*next) < key_of(old)) ++next;
-    if (next != found.end() && key_of(*next) == key_of(old)) {
-      old.until -= travel_[at(old.a)].all + travel_[at(old.b)].all;
-      *next = old;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    Near& old = near_[k];
+    while (next < found.size() && key_of(found[next]) < key_of(old)) ++next;
+    if (next < found.size() && key_of(found[next]) == key_of(old)) {
+      watch[next].until = left_of(watch_[k]);
+      found[next] = old;
     } else {
       let_go(old);
     }
   }
   near_ = std::move(found);
-  for (Travel& way : travel_) way.all = 0;
+  watch_ = std::move(watch);
+  begin_ways();
+  for (std::size_t i = 0; i < travel_.size(); ++i)
+    travel_[i].rate = bodies_.rates_of(static_cast<std::int32_t>(i), wall).f;
+  for (Watch& each : watch_)
+    if (each.until > 0) let_sleep(each, each.until);
   strayed_ = false;
   searched_ = true;
   ++searches_;
@@ -299,36 +350,39 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
   double power = 0;
   for (std::size_t n = 0; dashpots_ != nullptr && n < awake_.size(); ++n) {
     const Near& near = near_[awake_[n]];
-    if (near.slot < 0 || !pair_of(near).touches) continue;
+    if (near.slot < 0 || !pair_of(near).touches()) continue;
     const FreePair& pair = pair_of(near);
+    const BrakedPair& braked = braked_[at(near.slot)];
     const auto on = [&](std::int32_t body, const Push& push, const Push& before) {
       const Push now = bodies_.rates_of(body, wall);
       power += 0.5 * (dot(push.f, before.f + now.f) + dot(push.m, before.m + now.m));
     };
-    on(pair.memory.a, pair.viscous_a, pair.rates_a);
-    on(pair.memory.b, pair.viscous_b, pair.rates_b);
+    on(pair.memory.a, braked.viscous_a, braked.rates_a);
+    on(pair.memory.b, braked.viscous_b, braked.rates_b);
   }
   if (power != 0) state.work_damping += dt * power;
-  bodies_.add_travel(dt, wall, travel_);
+  since_search_ += dt;
+  bodies_.add_travel(dt, wall, travel_, way_, strayed_by_);
   for (std::size_t i = 0; i < travel_.size(); ++i) {
-    travel_[i].all += rounding_;
+    way_[i] += rounding_;
+    strayed_by_[i] += rounding_;
     travel_[i].turned += rounding_;
-    strayed_ = strayed_ || travel_[i].all > margin_[i];
-    finite_ = finite_ && travel_[i].all < 1e300;  // nor is what is no number
+    strayed_ = strayed_ || way_[i] > margin_[i];
+    finite_ = finite_ && way_[i] < 1e300;  // nor is what is no number
   }
 }
 
+// A pair whose time is up, by how its bodies have moved against each other.
 template <class Bodies>
-bool FreeContacts<Bodies>::sleeps(Near& near) const {
+bool FreeContacts<Bodies>::sleeps_on(const Near& near, Watch& watch) const {
   constexpr double kRounding = 1e-11;  // of what follows [m]
-  const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
-  if (near.until > a.all + b.all) return true;
   if (!(near.apart > 0)) return false;
+  const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
   const Vector<double> drift = (b.place - a.place) - near.offset;
   const double left =
       near.apart - square_root(dot(drift, drift)) - (a.turned + b.turned - near.turned) - kRounding;
   if (!(left > 0)) return false;
-  near.until = a.all + b.all + left;
+  let_sleep(watch, left);
   return true;
 }
 
@@ -341,16 +395,16 @@ void FreeContacts<Bodies>::give_slot(Near& near) {
   }
   near.slot = spare_.back();
   spare_.pop_back();
-  FreePair& pair = pair_of(near) = {};
-  pair.memory.a = near.a, pair.memory.b = near.b;
-  pair.memory.part_a = near.part_a, pair.memory.part_b = near.part_b;
-  pair.memory.feature = contact::kNoFeature;
-  pair.law = bodies_.law_of(near.a, near.b);
+  FreePair& pair = pair_of(near);
+  pair.memory = {near.a, near.b, near.part_a, near.part_b, near.feature};
+  pair.pressed = pair.stored = pair.friction = pair.lost = 0;
 }
 
 template <class Bodies>
 void FreeContacts<Bodies>::let_go(Near& near) {
-  if (near.slot >= 0) spare_.push_back(near.slot);
+  if (near.slot < 0) return;
+  near.feature = pair_of(near).memory.feature;
+  spare_.push_back(near.slot);
   near.slot = -1;
 }
 
@@ -365,8 +419,12 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
     is_in_play_[at(body)] = 1;
     in_play_.push_back(body);
   };
-  for (std::size_t k = 0; k < near_.size(); ++k) {
-    if (sleeps(near_[k])) continue;
+  const double* const strayed = strayed_by_.data();
+  const double now = since_search_;
+  for (std::size_t k = 0, all = watch_.size(); k < all; ++k) {
+    Watch& watch = watch_[k];
+    if (watch.until - watch.closing * now - (strayed[watch.a] + strayed[watch.b]) > 0) continue;
+    if (sleeps_on(near_[k], watch)) continue;
     awake_.push_back(k);
     give_slot(near_[k]);
     enters(near_[k].a);
@@ -385,7 +443,6 @@ void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
 template <class Bodies>
 void FreeContacts<Bodies>::part_company(FreePair& pair) {
   pair.friction += shear_energy(pair.memory, pair.law);
-  pair.touches = false;
   pair.memory.area = pair.memory.slip_x = pair.memory.slip_y = pair.memory.slip_z = 0;
   pair.memory.maxwell_n = pair.memory.maxwell_x = pair.memory.maxwell_y = pair.memory.maxwell_z = 0;
   pair.pressed = pair.stored = 0;
@@ -394,6 +451,7 @@ void FreeContacts<Bodies>::part_company(FreePair& pair) {
 template <class Bodies>
 void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
   Near& near = near_[number];
+  Watch& watch = watch_[number];
   FreePair& pair = pair_of(near);
   FreeContact& m = pair.memory;
   const typename Bodies::Meeting meeting = bodies_.meeting(m);
@@ -402,27 +460,27 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
     near.apart = distance;
     near.offset = b.place - a.place;
     near.turned = a.turned + b.turned;
-    near.until = a.all + b.all + distance;
+    let_sleep(watch, distance);
   };
-  near.until = near.apart = 0;
+  watch.until = near.apart = 0;
   // Nothing presses before the parts come closer by `room`; out of each other they are when they part by the rest
   // of it. What was crushed then counts no more.
   const auto rest = [&](double room) {
-    if (pair.touches) part_company(pair);
+    if (pair.touches()) part_company(pair);
     if (m.rest == 0) return sleep(room);
     const double inside = m.rest - room;
     if (inside <= 0) m.rest = 0;
     sleep(inside > 0 ? minimum(room, inside) : -inside);
   };
   pair.friction = pair.lost = 0;
-  pair.viscous_a = pair.viscous_b = {};
+  if (dashpots_ != nullptr) braked_[at(near.slot)] = {};
 
   typename Bodies::Overlap overlap{};
   const bool known = m.feature != contact::kNoFeature;
   if (known) overlap = bodies_.overlap(meeting, m.feature, m.rest);
   if (known && overlap.lowest > 0) return rest(overlap.lowest);  // along the last face
-  if (!pair.touches || looks || !(overlap.cover > 0)) {
-    const bool stays = pair.touches && overlap.cover > 0;
+  if (!pair.touches() || looks || !(overlap.cover > 0)) {
+    const bool stays = pair.touches() && overlap.cover > 0;
     const contact::Face face = bodies_.face(meeting, stays ? m.feature : contact::kNoFeature);
     if (face.distance + m.rest >= 0) {
       m.feature = face.feature;
@@ -431,7 +489,7 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
     if (face.feature != m.feature) {
       const double before = overlap.energy;
       overlap = bodies_.overlap(meeting, face.feature, m.rest);
-      if (pair.touches) {  // the contact goes on over another face
+      if (pair.touches()) {  // the contact goes on over another face
         pair.lost += bodies_.stiffness(pair.law) * (before - overlap.energy);
         pair.friction += bodies_.turn_slip(pair, meeting, face.feature);
         m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
@@ -440,20 +498,42 @@ void FreeContacts<Bodies>::meet(std::size_t number, double dt, bool looks) {
     }
   }
   if (!(overlap.cover > 0)) {  // passes beside the face
-    if (pair.touches) part_company(pair);
+    if (pair.touches()) part_company(pair);
     return sleep(0);
   }
-  pair.touches = true;
+  if (!pair.touches()) pair.law = bodies_.law_of(m.a, m.b);
   const double before = m.area;
   const typename Bodies::Rubbed rubbed = bodies_.rub(pair, meeting, overlap, dt);
-  if (dashpots_ == nullptr)
-    m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
-  else if (dt > 0)
-    brake(pair, before, rubbed, dt);
+  if (dashpots_ != nullptr && dt > 0) brake(pair, braked_[at(near.slot)], before, rubbed, dt);
+}
+
+// Those of the pairs awake that only go on along their faces are taken in packs.
+template <class Bodies>
+void FreeContacts<Bodies>::meet_all(std::size_t first, std::size_t end, double dt, bool looks) {
+  typename Bodies::Packed packed;
+  const auto press = [&] {
+    bodies_.press(packed, dt);
+    for (int k = 0; k < packed.n; ++k)
+      if (!bodies_.take(packed, k, pair_of(near_[packed.number[k]])))
+        meet(packed.number[k], dt, false);
+    packed.n = 0;
+  };
+  const bool in_packs = !looks && dashpots_ == nullptr;
+  for (std::size_t n = first; n < end; ++n) {
+    fetch_ahead(n);
+    const FreePair& pair = pair_of(near_[awake_[n]]);
+    if (!in_packs || !pair.touches() || !bodies_.add_to(packed, pair)) {
+      meet(awake_[n], dt, looks);
+      continue;
+    }
+    packed.number[packed.n++] = awake_[n];
+    if (packed.n == kGroup) press();
+  }
+  if (packed.n > 0) press();
 }
 
 template <class Bodies>
-void FreeContacts<Bodies>::brake(FreePair& pair, double area_before,
+void FreeContacts<Bodies>::brake(FreePair& pair, BrakedPair& braked, double area_before,
                                  const typename Bodies::Rubbed& rubbed, double dt) const {
   FreeContact& m = pair.memory;
   const double a = bodies_.inverse_mass(m.a), b = bodies_.inverse_mass(m.b);
@@ -461,11 +541,11 @@ void FreeContacts<Bodies>::brake(FreePair& pair, double area_before,
       {pair.law.kn * m.area, pair.law.ks * m.area, pair.pressed, rubbed.held, rubbed.opened,
        rubbed.slid, 1 / (a + b), bodies_.mobility(m, rubbed), area_before},
       *dashpots_, pair.law.tan_friction, dt, m);
-  bodies_.spread(f, rubbed, m.feature >= 0, pair.viscous_a, pair.viscous_b);
-  pair.on_a = pair.on_a + pair.viscous_a;
-  pair.on_b = pair.on_b + pair.viscous_b;
-  pair.rates_a = bodies_.rates_now(m.a);
-  pair.rates_b = bodies_.rates_now(m.b);
+  bodies_.spread(f, rubbed, m.feature >= 0, braked.viscous_a, braked.viscous_b);
+  pair.on_a = pair.on_a + braked.viscous_a;
+  pair.on_b = pair.on_b + braked.viscous_b;
+  braked.rates_a = bodies_.rates_now(m.a);
+  braked.rates_b = bodies_.rates_now(m.b);
 }
 
 // --- the step -------------------------------------------------------------------------------------------
@@ -475,19 +555,23 @@ void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots
                                Workers& workers) {
   constexpr int kPairChunk = 256;
   dashpots_ = dashpots;
+  // in a stage without them Maxwell elements carry nothing
+  for (std::size_t k = 0; dashpots == nullptr && braked_before_ && k < pairs_.size(); ++k) {
+    FreeContact& m = pairs_[k].memory;
+    m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
+  }
+  braked_before_ = dashpots != nullptr;
   if (!finite_) return;  // the wall runs away, which others say
   const bool looks = state.step % kLookEvery == 0;
   std::vector<std::size_t> gave_way;
   if (looks) gave_way = find_hand_overs(wall);
   if (!searched_ || strayed_ || !gave_way.empty()) search(dt, wall);
   wake(wall, workers);
+  if (dashpots_ != nullptr) braked_.resize(pairs_.size());
   const auto chunks = static_cast<int>((awake_.size() + kPairChunk - 1) / kPairChunk);
   workers.for_each_chunk(chunks, [&](int chunk) {
-    const std::size_t end = std::min(awake_.size(), at(chunk + 1) * kPairChunk);
-    for (std::size_t n = at(chunk) * kPairChunk; n < end; ++n) {
-      fetch_ahead(n);
-      meet(awake_[n], dt, looks);
-    }
+    meet_all(at(chunk) * kPairChunk, std::min(awake_.size(), at(chunk + 1) * kPairChunk), dt,
+             looks);
   });
   if (acts_) bodies_.clear_rows(wall);
   acts_ = false;
@@ -508,7 +592,7 @@ void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
       state.lost_in_hand_over += pair.lost;
       pair.friction = pair.lost = 0;
     }
-    if (!pair.touches) {
+    if (!pair.touches()) {
       if (pair.memory.rest == 0) let_go(near);
       continue;
     }

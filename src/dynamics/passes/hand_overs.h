@@ -60,12 +60,12 @@ void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const Vi
   for (const Near& near : contacts) {
     if (near.slot < 0) continue;
     FreePair& p = pair_of(near);
-    if (!p.touches) continue;
+    if (!p.touches()) continue;
     const auto again = [&] { meet(at(&near - near_.data()), 0.0, false); };
     const Vector<double> share = (p.pressed / pressed) * before.f;
     rest_on_crushed(p, share);
     again();
-    if (!p.touches) continue;
+    if (!p.touches()) continue;
     bodies_.take_over_shear(p, share);
     again();
     after = after + p.on_a;

@@ -20,6 +20,7 @@
 #include "contact/short_ways.h"
 #include "core/several.h"
 #include "dynamics/passes/access.h"
+#include "dynamics/passes/ways.h"
 
 namespace wythe::dynamics {
 
@@ -264,11 +265,6 @@ WYTHE_INLINE void each_points(const FaceRun<Access>& run, std::ptrdiff_t spot, c
   }
 }
 
-// Which way a face took in the last step, and so the one to try first in the next. It decides what a step
-// takes, never what it gives: each way finds out whether it holds. Only kWhole is taken at its word as to the
-// history: a face is kMoving wherever a history comes from outside (put_wall).
-enum Way : std::uint8_t { kMoving, kWhole, kClosed, kOpen };
-
 template <class V, int n, bool one_slip, class Access, class Before, class Real>
 WYTHE_OUTLINE FaceForce<Real> moving_face(const FaceRun<Access>& run, std::ptrdiff_t spot,
                                           Real area, const FaceJump<Real>& jump, Before before,
@@ -434,6 +430,8 @@ struct Joints {
 
   WYTHE_INLINE void take_part(int part) { run.access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t spot, Work& work) const {
+    if constexpr (Access::one_wall)
+      if (run.access.marked(run.way, spot) == kGone) return;
     if constexpr (on_ground)
       ground(spot, work);
     else

@@ -1,6 +1,7 @@
 #include "dynamics/passes/near_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace wythe::dynamics {
@@ -8,20 +9,44 @@ namespace {
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-// The axis along which the moving boxes are spread most: there the fewest are open at a time.
-int widest_axis(const std::vector<Box>& boxes, std::int32_t moving) {
-  int widest = 0;
-  double most = -1;
+// Axes by how far the moving boxes are spread along them, the widest first: there the fewest are open at a time.
+std::array<int, 3> axes_by_spread(const std::vector<Box>& boxes, std::int32_t moving) {
+  double spread[3];
   for (int k = 0; k < 3; ++k) {
     double low = 1e300, high = -1e300;
     for (std::size_t i = 0; i < at(moving); ++i) {
       low = std::min(low, boxes[i].low[k]);
       high = std::max(high, boxes[i].low[k]);
     }
-    if (high - low > most) most = high - low, widest = k;
+    spread[k] = high - low;
   }
-  return widest;
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return spread[i] > spread[j]; });
+  return axes;
 }
+
+// Strips across the sweep, twice as wide as a moving box is on the average: boxes in different strips are not compared.
+struct Strips {
+  double low = 1e300, width = 1;
+  std::size_t count = 1;
+
+  Strips(const std::vector<Box>& boxes, std::int32_t moving, int axis) {
+    double high = -1e300, sizes = 0;
+    for (std::size_t i = 0; i < at(moving); ++i) {
+      low = std::min(low, boxes[i].low[axis]);
+      high = std::max(high, boxes[i].high[axis]);
+      sizes += boxes[i].high[axis] - boxes[i].low[axis];
+    }
+    width = 2 * sizes / std::max(1, moving);
+    if (width > 0 && high > low)
+      count = static_cast<std::size_t>(std::min((high - low) / width, 1.0 * moving)) + 1;
+  }
+  // In which a place lies; what is outside belongs to the first or the last.
+  [[nodiscard]] std::size_t of(double place) const {
+    const double strip = (place - low) / width, last = static_cast<double>(count - 1);
+    return strip > 0 ? static_cast<std::size_t>(std::min(strip, last)) : 0;
+  }
+};
 
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
@@ -41,31 +66,43 @@ Pairs sorted(const Pairs& pairs, std::int32_t moving) {
 }  // namespace
 
 Pairs near_pairs(const std::vector<Box>& boxes, std::int32_t moving, double margin) {
-  const int x = widest_axis(boxes, moving), y = (x + 1) % 3, z = (x + 2) % 3;
+  const std::array<int, 3> axes = axes_by_spread(boxes, moving);
+  const int x = axes[0], y = axes[1], z = axes[2];
   const double gap = 2 * margin;
-  const auto apart = [gap](const Box& a, const Box& b, int axis) {
-    return a.low[axis] > b.high[axis] + gap || b.low[axis] > a.high[axis] + gap;
-  };
   std::vector<std::int32_t> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
     const double li = boxes[at(i)].low[x], lj = boxes[at(j)].low[x];
     return li != lj ? li < lj : i < j;
   });
-  Pairs pairs;
-  std::vector<std::int32_t> open;  // whose box has begun and may not have ended
+  // each in all strips that it reaches, in the order of the sweep
+  const Strips strips(boxes, moving, y);
+  std::vector<std::vector<std::int32_t>> of_strip(strips.count);
   for (const std::int32_t i : order) {
-    const Box& box = boxes[at(i)];
-    std::size_t kept = 0;
-    for (const std::int32_t j : open) {
-      const Box& other = boxes[at(j)];
-      if (other.high[x] + gap < box.low[x]) continue;
-      open[kept++] = j;
-      if (apart(box, other, y) || apart(box, other, z)) continue;
-      if (const auto [a, b] = std::minmax(i, j); a < moving) pairs.emplace_back(a, b);
+    const std::size_t last = strips.of(boxes[at(i)].high[y] + gap);
+    for (std::size_t k = strips.of(boxes[at(i)].low[y]); k <= last; ++k) of_strip[k].push_back(i);
+  }
+  Pairs pairs;
+  std::vector<Box> in_strip;
+  for (std::size_t strip = 0; strip < strips.count; ++strip) {
+    const std::vector<std::int32_t>& bodies = of_strip[strip];
+    in_strip.clear();
+    for (const std::int32_t i : bodies) in_strip.push_back(boxes[at(i)]);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Box& box = in_strip[i];
+      const double end = box.high[x] + gap;
+      for (std::size_t j = i + 1; j < bodies.size() && in_strip[j].low[x] <= end; ++j) {
+        const Box& other = in_strip[j];
+        const auto apart = [&](int axis) {
+          return other.low[axis] > box.high[axis] + gap || box.low[axis] > other.high[axis] + gap;
+        };
+        if (apart(y) || apart(z)) continue;
+        // two that share several strips meet in the first of these alone
+        if (strips.of(std::max(box.low[y], other.low[y])) != strip) continue;
+        if (const auto [a, b] = std::minmax(bodies[i], bodies[j]); a < moving)
+          pairs.emplace_back(a, b);
+      }
     }
-    open.resize(kept);
-    open.push_back(i);
   }
   return sorted(pairs, moving);
 }

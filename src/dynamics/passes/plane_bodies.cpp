@@ -1,6 +1,7 @@
 #include "dynamics/passes/plane_bodies.h"
 
 #include "contact/parameters.h"
+#include "dynamics/passes/ways.h"
 #include "model/free_shapes.h"
 
 namespace wythe::dynamics {
@@ -31,11 +32,14 @@ const BodyFrame& frame_of(const PlaneBodies::Meeting& m, std::int32_t feature) {
 
 }  // namespace
 
-PlaneBodies::PlaneBodies(const Model& model, const Layout& layout)
+PlaneBodies::PlaneBodies(const Model& model, const Layout& layout, int width)
     : m_(model),
       layout_(layout),
+      width_(width),
       edges_(model.free),
-      now_(at(model.n_block + model.free.n_fixed), Now{{0, 0, 1, 0}, {}}) {
+      now_(at(model.n_block + model.free.n_fixed), Now{{0, 0, 1, 0}, 0, 0, 0, 0}),
+      corner_rows_(rows_of_corners(edges_)),
+      press_(press_kernel(width)) {
   const FreeShapes& f = model.free;
   double size = 0;
   for (std::size_t i = 0; i < at(model.n_block); ++i) {
@@ -93,15 +97,19 @@ double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
          reach_[at(i)] * magnitude(wall.block(i, kOmega));
 }
 
-void PlaneBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const {
-  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they moved
+void PlaneBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
+                             std::vector<double>& way, std::vector<double>& strayed) const {
+  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
   for (BlockId i = 0; i < m_.n_block; ++i) {
-    const double turned = kMore * dt * reach_[at(i)] * magnitude(wall.block(i, kOmega));
-    const double went = magnitude(wall.block(i, kVx)) + magnitude(wall.block(i, kVy));
     Travel& w = travel[at(i)];
-    w.all += kMore * dt * went + turned;
+    const Vector<double> now{m_.centroid_x[at(i)] + wall.ux(i), m_.centroid_y[at(i)] + wall.uy(i),
+                             0};
+    const double dx = now.x - w.place.x, dy = now.y - w.place.y;
+    const double turned = kMore * dt * reach_[at(i)] * magnitude(wall.block(i, kOmega));
+    way[at(i)] += magnitude(dx) + magnitude(dy) + turned;
+    strayed[at(i)] += magnitude(dx - dt * w.rate.x) + magnitude(dy - dt * w.rate.y) + turned;
     w.turned += turned;
-    w.place = {m_.centroid_x[at(i)] + wall.ux(i), m_.centroid_y[at(i)] + wall.uy(i), 0};
+    w.place = now;
   }
 }
 
@@ -131,7 +139,8 @@ Vector<double> PlaneBodies::out_of(std::int32_t body, const Vector<double>& v,
 // --- two parts ------------------------------------------------------------------------------------------
 
 void PlaneBodies::look_at(std::int32_t body, const WallView& wall) {
-  now_[at(body)] = {frame_of(body, wall), rates_of(body, wall)};
+  const Push rates = rates_of(body, wall);
+  now_[at(body)] = {frame_of(body, wall), rates.f.x, rates.f.y, rates.m.z, 0};
 }
 
 PlaneBodies::Meeting PlaneBodies::meeting(const FreeContact& c) const {
@@ -185,8 +194,8 @@ PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Ove
   const double place = overlap.area > 0 ? overlap.moment / overlap.area : 0.0;
   const Direction2 arm = turned(ref, axes.x + axes.ax * place, axes.y + axes.ay * place);
   const double ox = ref.x + arm.x - other.x, oy = ref.y + arm.y - other.y;
-  const Push& of_ref = now_[at(of_a ? pair.memory.a : pair.memory.b)].rates;
-  const Push& of_other = now_[at(of_a ? pair.memory.b : pair.memory.a)].rates;
+  const Push of_ref = rates_now(of_a ? pair.memory.a : pair.memory.b);
+  const Push of_other = rates_now(of_a ? pair.memory.b : pair.memory.a);
   // arms and axis as they were half a step ago, in the middle of that motion
   const auto back = [&](const Push& rates, double rx, double ry) {
     const double half = 0.5 * dt * rates.m.z;
@@ -240,6 +249,53 @@ PlaneBodies::Rubbed PlaneBodies::rub(FreePair& pair, const Meeting& m, const Ove
           x.y};
 }
 
+bool PlaneBodies::add_to(Packed& packed, const FreePair& pair) const {
+  const FreeContact& c = pair.memory;
+  const bool of_a = c.feature >= 0;
+  const auto part_a = at(m_.free.part_begin[at(c.a)] + c.part_a);
+  const auto part_b = at(m_.free.part_begin[at(c.b)] + c.part_b);
+  const contact::PartEdges::Range &ref = edges_.range[of_a ? part_a : part_b],
+                                  &other = edges_.range[of_a ? part_b : part_a];
+  if (other.corners > kMostCorners) return false;
+  PressGroup& g = packed.group;
+  const int k = packed.n;
+  g.ref[k] = 2 * (of_a ? c.a : c.b);
+  g.other[k] = 2 * (of_a ? c.b : c.a);
+  g.edge[k] = 2 * (ref.first + (of_a ? c.feature : -1 - c.feature));
+  g.corners[k] = kCornerRows * other.shape;
+  const int rows = (other.corners + 1) / 2;
+  g.corner_rows = k == 0 ? rows : std::max(g.corner_rows, rows);
+  g.rest[k] = c.rest, g.area[k] = c.area, g.slip[k] = c.slip_x;
+  g.kn[k] = pair.law.kn, g.ks[k] = pair.law.ks, g.thickness[k] = pair.law.thickness;
+  g.tan_friction[k] = pair.law.tan_friction;
+  return true;
+}
+
+void PlaneBodies::press(Packed& packed, double dt) const {
+  PressGroup& g = packed.group;
+  const int last = packed.n - 1;
+  for (int k = packed.n; k < kGroup; ++k) {
+    for (std::int32_t* row : {g.ref, g.other, g.edge, g.corners}) row[k] = row[last];
+    for (double* row : {g.rest, g.area, g.slip, g.kn, g.ks, g.tan_friction, g.thickness})
+      row[k] = row[last];
+  }
+  press_({&now_.front().frame.x, &edges_.edge.front().x, corner_rows_.data(), dt}, g);
+}
+
+bool PlaneBodies::take(const Packed& packed, int k, FreePair& pair) {
+  const PressGroup& g = packed.group;
+  if (!(g.cover[k] > 0)) return false;
+  pair.memory.area = g.area_now[k];
+  pair.memory.slip_x = g.slip_now[k];
+  pair.pressed = g.pressed[k];
+  pair.stored = g.stored[k];
+  pair.friction = g.friction[k];
+  const bool of_a = pair.memory.feature >= 0;
+  (of_a ? pair.on_b : pair.on_a) = {{g.fx[k], g.fy[k], 0}, {0, 0, g.on_other[k]}};
+  (of_a ? pair.on_a : pair.on_b) = {{-g.fx[k], -g.fy[k], 0}, {0, 0, g.on_ref[k]}};
+  return true;
+}
+
 double PlaneBodies::mobility(const FreeContact& c, const Rubbed& r) const {
   const bool of_a = c.feature >= 0;
   const auto of = [&](std::int32_t body, double x, double y) {
@@ -278,15 +334,15 @@ void PlaneBodies::clear_rows(const WallView& wall) const {
 // for.
 void PlaneBodies::add(std::int32_t a, std::int32_t b, const Push& on_a, const Push& on_b,
                       const WallView& wall) const {
-  const auto put = [&](std::int32_t row, const Push& push) {
-    wall.of_four(wall.t.force, wall.first_free + row, 0) += push.f.x;
-    wall.of_four(wall.t.force, wall.first_free + row, 1) += push.f.y;
-    wall.of_four(wall.t.force, wall.first_free + row, 2) += push.m.z;
-  };
+  double* const rows = wall.t.force + 4 * wall.first_free;
   const bool fixed = b >= m_.n_block;
+  const auto put = [rows](std::int32_t body, const Push& push) {
+    double* const row = rows + 4 * static_cast<std::ptrdiff_t>(body);
+    row[0] += push.f.x, row[1] += push.f.y, row[2] += push.m.z;
+  };
   put(a, on_a);
   put(fixed ? wall.blocks : b, on_b);
-  wall.of_four(wall.t.force, wall.first_free + wall.blocks, 3) +=
+  rows[4 * static_cast<std::ptrdiff_t>(wall.blocks) + 3] +=
       (fixed ? 1.0 : 2.0) * (magnitude(on_b.f.x) + magnitude(on_b.f.y));
 }
 
@@ -427,9 +483,9 @@ void PlaneBodies::release(JointId joint, const WallView& wall) const {
       wall.t.history[layout_.point_number(chunk, n, k, row, 1)] = 0;
 }
 
-// No face is known to be whole or at rest any more.
+// No other face is known to be whole or at rest any more.
 void PlaneBodies::end_release(const WallView& wall) const {
-  std::fill_n(wall.t.joint_way, layout_.joints, std::uint8_t{0});
+  mark_gone(wall.t.joint_b, wall.t.n_block, layout_.joints, width_, wall.t.joint_way);
 }
 
 }  // namespace wythe::dynamics

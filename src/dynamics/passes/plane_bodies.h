@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/passes/free_contacts.h"
+#include "dynamics/passes/pressing.h"
 #include "dynamics/passes/wall.h"
 
 namespace wythe::dynamics {
@@ -20,15 +21,18 @@ class PlaneBodies {
     contact::BodyFrame frame_a, frame_b;
   };
 
-  PlaneBodies(const Model& model, const Layout& layout);
+  // `width`: of the packs that its joints lie in.
+  PlaneBodies(const Model& model, const Layout& layout, int width);
 
   [[nodiscard]] double margin() const { return margin_; }  // of boxes [m]
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(BlockId block,
                                 const WallView& wall) const;  // of any point, at most
-  // To the way of each body what its points can have moved in the last step, at most; where they are now.
-  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const;
+  // To the way of each body what its points can have moved in the last step, at most, and by how much they can have
+  // strayed from the path of their body's rate at the last search; where they are now.
+  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
+                  std::vector<double>& way, std::vector<double>& strayed) const;
   [[nodiscard]] double size_of(BlockId block) const {
     return 2 * reach_[static_cast<std::size_t>(block)];
   }
@@ -67,6 +71,17 @@ class PlaneBodies {
   };
   // Friction of a step, then force and moments.
   Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  // Up to eight contacts that go on along their faces, taken together (pressing.h).
+  struct Packed {
+    int n = 0;
+    std::size_t number[kGroup];  // whatever the caller calls them
+    PressGroup group;
+  };
+  // As the last of a pack; false where a part has too many corners.
+  [[nodiscard]] bool add_to(Packed& packed, const FreePair& pair) const;
+  void press(Packed& packed, double dt) const;
+  // What the step gave the contact k of a pack; false where nothing presses along its face any more.
+  [[nodiscard]] static bool take(const Packed& packed, int k, FreePair& pair);
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
     return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
   }
@@ -76,8 +91,9 @@ class PlaneBodies {
   static void spread(const ViscousForce& force, const Rubbed& rubbed, bool of_a, Push& on_a,
                      Push& on_b);
   // As look_at() found them.
-  [[nodiscard]] const Push& rates_now(std::int32_t body) const {
-    return now_[static_cast<std::size_t>(body)].rates;
+  [[nodiscard]] Push rates_now(std::int32_t body) const {
+    const Now& now = now_[static_cast<std::size_t>(body)];
+    return {{now.vx, now.vy, 0}, {0, 0, now.spin}};
   }
   // The slip that gives a contact the joints' force on a along its face, as far as friction holds it.
   void take_over_shear(FreePair& pair, const Vector<double>& on_a) const;
@@ -113,17 +129,20 @@ class PlaneBodies {
                                                     const WallView& wall) const;
   [[nodiscard]] contact::BodyFrame frame_of(std::int32_t body, const WallView& wall) const;
 
-  // Of a body in this step.
-  struct Now {
+  // Of a body in this step: two rows of four for pressing.h.
+  struct alignas(64) Now {
     contact::BodyFrame frame;
-    Push rates;
+    double vx, vy, spin, unused;
   };
 
   const Model& m_;
   const Layout& layout_;
+  const int width_;
   contact::PartEdges edges_;
-  std::vector<contact::FreeLaw> law_;          // of each material, for a thickness of 1 m
-  std::vector<Now> now_;                       // of each body that look_at() has seen
+  std::vector<contact::FreeLaw> law_;  // of each material, for a thickness of 1 m
+  std::vector<Now> now_;               // of each body that look_at() has seen
+  std::vector<double> corner_rows_;    // of each shape (pressing.h)
+  PressKernel press_;
   std::vector<double> reach_, height_;         // of each moving block [m]
   std::vector<std::pair<int, int>> chunk_of_;  // of each joint, and its number there
   double margin_ = 0;

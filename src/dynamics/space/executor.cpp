@@ -88,7 +88,7 @@ SpaceProcessor::SpaceProcessor(const Model& model, int lanes, int threads, const
     set(lane, {});
   }
   if (model_.free.any() && lanes == 1)
-    free_ = std::make_unique<FreeContacts<SpaceBodies>>(model_, layout_);
+    free_ = std::make_unique<FreeContacts<SpaceBodies>>(model_, layout_, kernels_.width);
 }
 
 SpaceProcessor::~SpaceProcessor() = default;

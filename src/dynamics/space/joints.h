@@ -54,6 +54,8 @@ struct Joints {
 
   WYTHE_INLINE void take_part(int part) { access.take_part(part); }
   WYTHE_INLINE void at(std::ptrdiff_t j, Work& work) const {
+    if constexpr (Access::one_wall)
+      if (access.marked(t.way, j) == kGone) return;
     const auto vector = [&](int row) {
       return shared_vector<Real>(access, t.face, j * kFaceRows + row);
     };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/parameters.h"
+#include "dynamics/passes/ways.h"
 #include "model/free_shapes.h"
 
 namespace wythe::dynamics::space {
@@ -27,9 +28,10 @@ const SpaceFrame& frame_of(const SpaceBodies::Meeting& m, std::int32_t feature) 
 
 }  // namespace
 
-SpaceBodies::SpaceBodies(const Model& model, const Layout& layout)
+SpaceBodies::SpaceBodies(const Model& model, const Layout& layout, int width)
     : m_(model),
       layout_(layout),
+      width_(width),
       now_(at(model.n_block + model.free.n_fixed), Now{{{0, 0, 0}, {1, {0, 0, 0}}}, {}}) {
   parts_ = free_parts(model);
   double size = 0;
@@ -96,22 +98,22 @@ double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
   return length(rates.f) + reach_[at(body)] * length(rates.m);
 }
 
-void SpaceBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const {
-  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they moved
-  for (std::int32_t i = 0; i < m_.n_block; ++i) {
-    // a momentum turns a body no faster than about the axis of its least inertia
-    double light = 0;
-    for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(i, kInverse + k));
-    const double turned = kMore * dt * reach_[at(i)] * light * length(wall.body_vector(i, kL));
+void SpaceBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
+                             std::vector<double>& way, std::vector<double>& strayed) const {
+  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
+  for (std::int32_t i = 0; i < m_.n_block + m_.free.n_fixed; ++i) {
+    double turned = 0;
+    if (i < m_.n_block) {
+      // a momentum turns a body no faster than about the axis of its least inertia
+      double light = 0;
+      for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(i, kInverse + k));
+      turned = kMore * dt * reach_[at(i)] * light * length(wall.body_vector(i, kL));
+    }
     Travel& w = travel[at(i)];
-    w.all += kMore * dt * length(wall.body_vector(i, kV)) + turned;
+    const Vec now = place_of(i, wall), went = now - w.place;
+    way[at(i)] += length(went) + turned;
+    strayed[at(i)] += length(went - dt * w.rate) + turned;
     w.turned += turned;
-    w.place = place_of(i, wall);
-  }
-  for (std::int32_t i = m_.n_block; i < m_.n_block + m_.free.n_fixed; ++i) {
-    const Vec now = place_of(i, wall);
-    Travel& w = travel[at(i)];
-    w.all += kMore * length(now - w.place);
     w.place = now;
   }
 }
@@ -451,9 +453,9 @@ void SpaceBodies::release(JointId joint, const WallView& wall) const {
       remembered(joint, k, row, wall) = 0;
 }
 
-// No face is known to be at rest any more.
+// No other face is known to be at rest any more.
 void SpaceBodies::end_release(const WallView& wall) const {
-  std::fill_n(wall.t.way, layout_.n_joint, std::uint8_t{0});
+  mark_gone(wall.t.joint_b, wall.t.n_block, layout_.n_joint, width_, wall.t.way);
 }
 
 }  // namespace wythe::dynamics::space

@@ -21,14 +21,17 @@ class SpaceBodies {
     contact::SpaceFrame frame_a, frame_b;
   };
 
-  SpaceBodies(const Model& model, const Layout& layout);
+  // `width`: of the packs that its joints lie in.
+  SpaceBodies(const Model& model, const Layout& layout, int width);
 
   [[nodiscard]] double margin() const { return margin_; }  // of boxes [m]
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
-  // To the way of each body what its points can have moved in the last step, at most; where they are now.
-  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel) const;
+  // To the way of each body what its points can have moved in the last step, at most, and by how much they can have
+  // strayed from the path of their body's rate at the last search; where they are now.
+  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
+                  std::vector<double>& way, std::vector<double>& strayed) const;
   [[nodiscard]] double size_of(BlockId block) const {
     return 2 * reach_[static_cast<std::size_t>(block)];
   }
@@ -61,7 +64,16 @@ class SpaceBodies {
     Vec ref, other, x, y, z;  // centre of pressure from both centroids; axes
     double radius;            // [m]
   };
+  // Friction of a step, then force and moments.
   Rubbed rub(FreePair& pair, const Meeting& meeting, const Overlap& overlap, double dt) const;
+  // Contacts in space are taken one by one.
+  struct Packed {
+    int n = 0;
+    std::size_t number[kGroup];
+  };
+  [[nodiscard]] static bool add_to(Packed&, const FreePair&) { return false; }
+  static void press(Packed&, double) {}
+  [[nodiscard]] static bool take(const Packed&, int, FreePair&) { return false; }
   [[nodiscard]] double inverse_mass(std::int32_t body) const {
     return body < m_.n_block ? 1 / m_.mass[static_cast<std::size_t>(body)] : 0.0;
   }
@@ -115,6 +127,7 @@ class SpaceBodies {
 
   const Model& m_;
   const Layout& layout_;
+  const int width_;
   contact::SpaceParts parts_;
   std::vector<contact::FreeLaw> law_;          // of each material, for a thickness of 1 m
   std::vector<Now> now_;                       // of each body that look_at() has seen

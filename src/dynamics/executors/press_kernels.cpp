@@ -1,0 +1,35 @@
+// The scalar kernel for pairs that press, and the choice between those there are.
+#include <algorithm>
+
+#include "contact/meeting.h"
+#include "dynamics/passes/pressing.h"
+
+namespace wythe::dynamics {
+
+#if defined(__x86_64__)
+void press_sse2(const PressTables& tables, PressGroup& group);
+void press_avx2(const PressTables& tables, PressGroup& group);
+void press_avx512(const PressTables& tables, PressGroup& group);
+#endif
+
+std::vector<double> rows_of_corners(const contact::PartEdges& edges) {
+  std::vector<double> rows;
+  for (const contact::PartEdges::Range& shape : edges.shape)
+    for (int k = 0; k < kMostCorners; ++k) {
+      const auto corner = static_cast<std::size_t>(shape.first + std::min(k, shape.corners - 1));
+      rows.push_back(edges.corner[2 * corner]);
+      rows.push_back(edges.corner[2 * corner + 1]);
+    }
+  return rows;
+}
+
+PressKernel press_kernel(int width) {
+#if defined(__x86_64__)
+  if (width == 8) return press_avx512;
+  if (width == 4) return press_avx2;
+  if (width == 2) return press_sse2;
+#endif
+  return press<double>;
+}
+
+}  // namespace wythe::dynamics
