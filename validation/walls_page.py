@@ -11,6 +11,7 @@ MEANING = {"shear": "crack diagonally through joints and units", "sliding": "sli
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
 HELD = "src/study/modes/tested_walls.h"
+VERIFIED, IN_SPACE = "docs/verification.md", "validation/in_space.csv"  # what stands for walls in space
 LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote
 
@@ -69,6 +70,39 @@ def statistic_table(found):
 
 def bound_text(value, is_bound, unit="", digits=3):
     return ("> " if is_bound else "") + f"{value:.{digits}g}{unit}"
+
+
+def verified():
+    """(case, what) -> (reference, computed, deviation) of docs/verification.md, as the tests wrote it."""
+    found = {}
+    for line in open(VERIFIED, encoding="utf-8"):
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if len(cells) == 7 and cells[0] not in ("case", "---"):
+            found[cells[0], cells[1]] = cells[2], cells[3], cells[4]
+    return found
+
+
+def shortened(value):
+    """"4729.556 Pa" -> "4730 Pa": four digits are enough to compare."""
+    number, _, unit = value.partition(" ")
+    digits = f"{float(number):.4g}" if abs(float(number)) < 1e4 else f"{float(number):.0f}"
+    return f"{digits} {unit}".strip()
+
+
+def space_table():
+    """Walls in space against what is known of them: rows of validation/in_space.csv, figures of docs/verification.md. `bracket`: the
+    test says that it stands below and falls above, and no figure of its own."""
+    known, rows = verified(), []
+    for row in walls.read_csv(IN_SPACE):
+        if (row["case"], row["row"]) not in known:
+            raise KeyError(f"{IN_SPACE}: docs/verification.md has no row {row['case']}, {row['row']}; run the tests and "
+                           "tools/verification_table, or correct the row")
+        reference, ours, deviation = known[row["case"], row["row"]]
+        percent = 100 * float(deviation.split()[0])
+        difference = f"{percent:+.1f} %" if abs(percent) >= 0.05 else "below 0.1 %"
+        rows.append([row["what"], row["reference"], shortened(reference), row["bracket"] or shortened(ours),
+                     "within 3 %" if row["bracket"] else difference, row["case"]])
+    return table(["what was run", "reference", "by it", "ours", "difference", "test"], rows)
 
 
 def wall_rows(name):
@@ -214,6 +248,7 @@ def write(page, held=HELD):
               readme_part(".", "Changes").split("\n", 2)[2], "", "## What a setting moves", ""]
     for name in list(walls.SETS)[1:]:
         lines += settings_table(name)
+    lines += ["## Walls in space", "", readme_part(".", "In space"), ""] + space_table()
     lines += ["## Misses", "", readme_part(".", "Misses"), "", readme_part(".", "Further"), ""]
     with open(page, "w", encoding="utf-8") as file:
         file.write("\n".join(lines).rstrip() + "\n")

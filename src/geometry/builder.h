@@ -63,7 +63,9 @@ struct WallEnd {
   int other_end = -1;    // at a corner
   bool toothed = false;  //
   double reach = 0;      // of the masonry beyond the line's end, negative where it stops before [m]
-  int passes = 0;        // courses that go through are those with (course + phase) % 2 == passes
+  Vec2 face{};           // oblique, and it ends there: dot(face, plan) >= face_at is what stays
+  double face_at = 0;
+  int passes = 0;  // courses that go through are those with (course + phase) % 2 == passes
 };
 
 // A wall that ends on this one.

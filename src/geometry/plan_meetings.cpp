@@ -10,9 +10,10 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kSamePlace = 1e-4;   // between points of two lines [m]
-constexpr double kRightAngle = 1e-6;  // cosine between two walls that meet
-constexpr double kLeastLap = 0.25;    // of a half unit: what a tooth reaches beyond the other wall
+constexpr double kSamePlace = 1e-4;    // between points of two lines [m]
+constexpr double kRightAngle = 1e-6;   // cosine between two walls that meet
+constexpr double kLeastSine = 0.7071;  // of the angle between two walls that meet: 45 degrees
+constexpr double kLeastLap = 0.25;     // of a half unit: what a tooth reaches beyond the other wall
 
 template <class E, std::size_t N>
 void take_word(const std::string& stated, const Word<E> (&words)[N], const std::string& path,
@@ -132,6 +133,8 @@ Vec2 point(const StraightWall& wall, int e) {
   return {wall.from.x + s * wall.along.x, wall.from.y + s * wall.along.y};
 }
 
+Vec2 back(Vec2 v) { return {-v.x, -v.y}; }
+
 struct Foot {
   double along, off;  // of a point: on the line, and off it [m]
 };
@@ -229,30 +232,69 @@ class Meetings {
     return true;
   }
 
-  bool is_square(int i, int k, Vec2 p) {
-    const double cosine = dot(at(i).along, at(k).along);
-    if (std::fabs(cosine) < kRightAngle) return true;
-    const bool straight = std::fabs(cross(at(i).along, at(k).along)) < kRightAngle;
-    refuse(at(k), p,
-           straight ? "goes straight on from " + at(i).name + ", or back over it"
-                    : "meets " + at(i).name + " at another angle than 90 degrees",
-           straight ? "make them one line" : "draw corners at right angles");
+  // At right angles, or butted at 45 degrees and more.
+  bool may_meet(int i, int k, Vec2 p) {
+    const double sine = std::fabs(cross(at(i).along, at(k).along));
+    if (is_square(i, k)) return true;
+    if (sine < kRightAngle)
+      refuse(at(k), p, "goes straight on from " + at(i).name + ", or back over it",
+             "make them one line");
+    else if (is_toothed(at(i), at(k)))
+      refuse(at(k), p,
+             "meets " + at(i).name + " at another angle than 90 degrees, where teeth do not fit",
+             "write meets = \"butted\" for one of them, or draw the corner at a right angle");
+    else if (sine < kLeastSine)
+      refuse(at(k), p, "meets " + at(i).name + " at an angle of less than 45 degrees",
+             "draw it steeper, or end the line beside the other wall's face");
+    else
+      return true;
     return false;
+  }
+  bool is_square(int i, int k) { return std::fabs(dot(at(i).along, at(k).along)) < kRightAngle; }
+  // From its end e into a wall.
+  Vec2 into(int i, int e) { return e == 0 ? at(i).along : back(at(i).along); }
+
+  // End e of wall i stands against the face of wall k: its units are cut by that plane. Their axis comes to it t/2s from
+  // the line of k, one edge |c| T/2s before (t, T thicknesses of k and i; c, s cosine and sine of the angle between them).
+  void stand_against(int i, int e, int k) {
+    const Vec2 d = into(i, e), p = point(at(i), e);
+    const double sine = std::fabs(cross(d, at(k).along)), cosine = std::fabs(dot(d, at(k).along));
+    const double t = at(k).thickness;
+    WallEnd& end = at(i).end[e];
+    end.reach = -0.5 * t;
+    if (is_square(i, k)) return;
+    end.reach = -0.5 * (t - at(i).thickness * cosine) / sine;
+    end.face = dot(d, at(k).across) > 0 ? at(k).across : back(at(k).across);
+    end.face_at = dot(end.face, p) + 0.5 * t;
   }
 
   void corner(int i, int e, int k, int f) {
     const Vec2 p = point(at(i), e);
-    if (is_taken(i, e, p) || is_taken(k, f, p) || !is_square(i, k, p) || !is_level(i, k, p)) return;
+    if (is_taken(i, e, p) || is_taken(k, f, p) || !may_meet(i, k, p) || !is_level(i, k, p)) return;
     const bool toothed = is_toothed(at(i), at(k));
-    at(i).end[e] = {EndKind::kCorner, k, f, toothed, 0.5 * at(k).thickness, 0};
-    at(k).end[f] = {EndKind::kCorner, i, e, toothed, (toothed ? 0.5 : -0.5) * at(i).thickness, 0};
+    at(i).end[e] = {.kind = EndKind::kCorner, .other = k, .other_end = f, .toothed = toothed};
+    at(k).end[f] = {.kind = EndKind::kCorner, .other = i, .other_end = e, .toothed = toothed};
+    // i reaches as far as the end of k stands against its face
+    const Vec2 d = into(k, f);
+    const double sine = std::fabs(cross(d, at(i).along)), out = -dot(d, into(i, e));
+    at(i).end[e].reach = is_square(i, k)
+                             ? 0.5 * at(k).thickness
+                             : std::fmax(0, 0.5 * (at(i).thickness * out + at(k).thickness) / sine);
+    if (toothed)
+      at(k).end[f].reach = 0.5 * at(i).thickness;
+    else
+      stand_against(k, f, i);
   }
 
   void tee(int i, int e, int k, double along) {
     const Vec2 p = point(at(i), e);
-    if (is_taken(i, e, p) || !is_square(i, k, p) || !is_level(i, k, p)) return;
+    if (is_taken(i, e, p) || !may_meet(i, k, p) || !is_level(i, k, p)) return;
     const bool toothed = is_toothed(at(i), at(k));
-    at(i).end[e] = {EndKind::kTee, k, -1, toothed, (toothed ? 0.5 : -0.5) * at(k).thickness, 0};
+    at(i).end[e] = {.kind = EndKind::kTee, .other = k, .toothed = toothed};
+    if (toothed)
+      at(i).end[e].reach = 0.5 * at(k).thickness;
+    else
+      stand_against(i, e, k);
     at(k).tees.push_back({i, e, along});
   }
 

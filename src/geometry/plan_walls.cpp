@@ -11,6 +11,7 @@
 #include "geometry/checks.h"
 #include "geometry/courses.h"
 #include "geometry/openings.h"
+#include "geometry/solid_cut.h"
 #include "geometry/text.h"
 
 namespace wythe::geometry {
@@ -421,8 +422,17 @@ class WallBuilder {
                        block.id.substr(end));
   }
 
-  void keep(const std::string& id, const std::string& material, const Polyhedron& part, int course,
+  // What is beyond the face of a wall that it stands against at an angle is cut off; false where nothing is left.
+  bool cut_at_faces(Polyhedron& part) const {
+    for (const WallEnd& end : wall_.end)
+      if (end.face.x != 0 || end.face.y != 0)
+        part = cut(part, axes_.place(end.face, 0), end.face_at).above;
+    return !part.vertex.empty();
+  }
+
+  bool keep(const std::string& id, const std::string& material, Polyhedron part, int course,
             int wythe = 0) {
+    if (!cut_at_faces(part)) return false;
     BuiltBody built;
     built.body.id = id;
     if (!material.empty()) built.body.material = material;
@@ -431,15 +441,18 @@ class WallBuilder {
     built.course = course;
     built.wythe = wythe;
     bodies_.push_back(std::move(built));
+    return true;
   }
 
   void add_solids(const Block& block) {
     const std::vector<double> n = depths();
     const std::string id = name_of(block);
     const int course = block.course - storey().first_course;
-    if (n.size() == 2 || is_through(block))
-      return keep(id + (n.size() > 2 ? ".t" : ""), spec_.material,
-                  prism(block.outline, n.front(), n.back()), course);
+    if (n.size() == 2 || is_through(block)) {
+      keep(id + (n.size() > 2 ? ".t" : ""), spec_.material,
+           prism(block.outline, n.front(), n.back()), course);
+      return;
+    }
     for (std::size_t k = 0; k + 1 < n.size(); ++k) {
       const bool core = n.size() == 4 && k == 1 && !spec_.core_material.empty();
       keep(fmt::format("{}.w{}", id, k + 1), core ? spec_.core_material : spec_.material,
@@ -461,9 +474,9 @@ class WallBuilder {
     const double half = wall_.thickness / 2;
     const auto add = [&](const std::string& id, const std::string& material,
                          const Polygon& outline) {
-      keep(wall_.name + "." + id, material.empty() ? spec_.material : material,
-           prism(outline, -half, half), -1);
-      if (!id.starts_with("arch"))
+      const bool stays = keep(wall_.name + "." + id, material.empty() ? spec_.material : material,
+                              prism(outline, -half, half), -1);
+      if (stays && !id.starts_with("arch"))
         bodies_.back().body.role = id.starts_with("sill") ? "sill" : "lintel";
     };
     const std::string number = std::to_string(opening.index);
@@ -499,11 +512,10 @@ class WallBuilder {
       else
         runs.push_back(slot);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      keep(wall_.name + ".ground" + (k == 0 ? "" : std::to_string(k + 1)), spec_.material,
-           prism(outline_of(Rect{runs[k].x0, -courses().step, runs[k].x1, 0}), -wall_.thickness / 2,
-                 wall_.thickness / 2),
-           -1);
-      bodies_.back().body.fixed = true;
+      const Rect run{runs[k].x0, -courses().step, runs[k].x1, 0};
+      if (keep(wall_.name + ".ground" + (k == 0 ? "" : std::to_string(k + 1)), spec_.material,
+               prism(outline_of(run), -wall_.thickness / 2, wall_.thickness / 2), -1))
+        bodies_.back().body.fixed = true;
     }
   }
 

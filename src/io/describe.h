@@ -478,7 +478,8 @@ void describe(Visitor& v, SolveSpec& s) {
            .doc = "Scaling of the inertia in the gravity and load stages before the first push."});
   v.flag("raise_light_inertia", s.raise_light_inertia, {.example = "true",
          .doc = "Lintels, plates and beams whose own stable step is shorter than the masonry's get "
-                "more inertia, but not weight, until it is as long; a note says how much."});
+                "more inertia, but not weight, until it is as long; a note says how much. In "
+                "space nodes of zones gain at most 3 % of the wall's mass; beyond that the step is shorter."});
   v.quantity("collapse_displacement", s.collapse_displacement, {.unit = "m", .shown = "mm",
              .range = kPositive,
              .fallback = "the smallest block height; with free contacts the run goes on",

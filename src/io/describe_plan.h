@@ -40,8 +40,8 @@ void describe(Visitor& v, PlanWallSpec& s) {
   v.quantity("gable", s.gable, {.unit = "m", .shown = "m", .range = kDistance, .example = "1.2 m",
              .doc = "Height of a gable's top above `height`, in the middle; units are cut along both slopes."});
   v.choice("meets", s.meets, kMeetingWords, {.example = "butted",
-           .doc = "How it meets others at right angles. `toothed`: courses pass through by turns, if both walls say "
-                  "so. `butted`: a plane joint; at a corner the wall listed first goes through."});
+           .doc = "How it meets others. `toothed`: courses pass through by turns, at right angles, if both walls say "
+                  "so. `butted`: a plane joint, at 45 degrees or more; at a corner the wall listed first goes through."});
   v.text("material", s.material, {.fallback = "masonry", .example = "old_stone",
          .doc = "Name of its blocks' material: a density, and what `[[contact]]` calls them, e.g. for a dry joint between "
                 "two walls."});

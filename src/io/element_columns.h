@@ -18,6 +18,15 @@ inline constexpr ElementColumn<BlockReading> kBlockColumns[] = {
   {"rotation_mrad", "mrad", "how far it turned, anticlockwise +", [](const BlockReading& b) { return 1e3 * b.turned.by.z; }},
 };
 
+// rotation_mrad means the same as in the plane: its part about z.
+inline constexpr ElementColumn<BlockReading> kSpaceBlockColumns[] = {
+  {"rotation_mrad", "mrad", "how far it turned about z alone, anticlockwise +", [](const BlockReading& b) { return 1e3 * b.turned.by.z; }},
+  {"rotation_x_mrad", "mrad", "how far it turned: part along x of the rotation vector", [](const BlockReading& b) { return 1e3 * b.turned.by.x; }},
+  {"rotation_y_mrad", "mrad", "part along y of the rotation vector", [](const BlockReading& b) { return 1e3 * b.turned.by.y; }},
+  {"rotation_z_mrad", "mrad", "part along z of the rotation vector, as rotation_mrad", [](const BlockReading& b) { return 1e3 * b.turned.by.z; }},
+  {"rotation_total_mrad", "mrad", "length of the rotation vector: the angle it turned", [](const BlockReading& b) { return 1e3 * length(b.turned.by); }},
+};
+
 inline constexpr ElementColumn<JointReading> kJointColumns[] = {
   {"opening_mm", "mm", "opening at its wider end; negative where it is closed", [](const JointReading& j) { return j.opening * 1e3; }},
   {"slip_mm", "mm", "slip along the joint, of its points that of largest magnitude", [](const JointReading& j) { return j.slip * 1e3; }},

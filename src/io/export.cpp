@@ -199,8 +199,9 @@ struct Wall {
   std::vector<int> zone_body;
   std::vector<std::size_t> corner_begin = {0};  // of the joints' places
   std::vector<std::size_t> cell_begin = {0};    // of the convex parts of blocks
+  bool all_turns;  // rotations about all axes; not in the plane, nor in runs before there were any
 
-  explicit Wall(const Model& of) : model(of), start(initial_state(of)) {
+  explicit Wall(const Model& of) : model(of), start(initial_state(of)), all_turns(of.in_space()) {
     for (JointId j = 0; j < joint_count(model); ++j) {
       const std::vector<Vec3> places = places_of(model, start, j);
       joint.push_back(mean_of(places));
@@ -231,7 +232,10 @@ WallState state_of(const Wall& wall, const Snapshot& snapshot) {
   WallState state{.label = snapshot.label, .displacement = 1e3 * snapshot.displacement};
   for (BlockId b = 0; b < model.n_block; ++b) {
     const BlockReading now = read_block(model, snapshot.state, b);
-    take_values(kBlockColumns, now, now.moved, state.blocks);
+    if (wall.all_turns)
+      take_values(kSpaceBlockColumns, now, now.moved, state.blocks);
+    else
+      take_values(kBlockColumns, now, now.moved, state.blocks);
   }
   const std::vector<JointReading> joints = read_wall(model, snapshot.state).joints;
   for (std::size_t j = 0; j < joints.size(); ++j)
@@ -304,7 +308,7 @@ class StateTables {
     const Model& model = wall.model;
     ++count;
     in_space_ = model.in_space();
-    if (!blocks_) open_tables(model.in_space());
+    if (!blocks_) open_tables(model.in_space(), wall.all_turns);
     for (BlockId b = 0; b < model.n_block; ++b) {
       const BlockReading at = read_block(model, wall.start, b);
       add_row(*blocks_, {sample, number, state},
@@ -332,12 +336,14 @@ class StateTables {
     int sample, number;
     const WallState& state;
   };
-  void open_tables(bool in_space) {
+  void open_tables(bool in_space, bool all_turns) {
+    const std::vector<ExportColumn> own = {
+        {"block", "", "number of the block, from 0"},
+        {"role", "", "masonry, lintel, plate, beam, sill or slab", true},
+        {"course", "", "number of its course, from 0; -1: none"}};
     blocks_.emplace(sink_, kBlocks,
-                    state_columns({{"block", "", "number of the block, from 0"},
-                                   {"role", "", "masonry, lintel, plate, beam, sill or slab", true},
-                                   {"course", "", "number of its course, from 0; -1: none"}},
-                                  in_space, kBlockColumns));
+                    all_turns ? state_columns(own, in_space, kSpaceBlockColumns)
+                              : state_columns(own, in_space, kBlockColumns));
     joints_.emplace(
         sink_, kJoints,
         state_columns(
@@ -457,10 +463,16 @@ void export_run_states(const std::string& folder, StateTables& tables) {
   if (!fs::exists(inside(file("blocks", 0)), error)) return;
   const std::string series = read_text(inside("run.pvd"), kMostJson);
   const Model model = compile(read_model(inside("model.used.toml")));
-  const Wall wall(model);
+  Wall wall(model);
+  const auto knows = [&](const char* array) {
+    return read_file(inside(file("blocks", 0)), kMostPacked).find(array) != std::string::npos;
+  };
+  wall.all_turns = wall.all_turns && knows("\"rotation_total_mrad\"");
   for (int number = 0; fs::exists(inside(file("blocks", number)), error); ++number) {
     WallState state{.label = "", .displacement = displacement_in(series, file("blocks", number))};
-    state.blocks = elements_in(inside(file("blocks", number)), kBlockColumns, wall.cell_begin);
+    const std::string blocks = inside(file("blocks", number));
+    state.blocks = wall.all_turns ? elements_in(blocks, kSpaceBlockColumns, wall.cell_begin)
+                                  : elements_in(blocks, kBlockColumns, wall.cell_begin);
     state.joints = elements_in(inside(file("joints", number)), kJointColumns,
                                one_each(wall.joint.size()), &wall.corner_begin, &wall.joint);
     const std::vector<std::size_t> zones = one_each(wall.zone.size());

@@ -165,8 +165,10 @@ std::string blocks_vtu(const Model& model, const State& state) {
   }
   return mesh_vtu(mesh, state,
                   data_array("displacement_mm", displacement, 3) +
-                      arrays_of(kBlockColumns, blocks) + data_array("role", role) +
-                      data_array("course", course) + data_array("block", block));
+                      (model.in_space() ? arrays_of(kSpaceBlockColumns, blocks)
+                                        : arrays_of(kBlockColumns, blocks)) +
+                      data_array("role", role) + data_array("course", course) +
+                      data_array("block", block));
 }
 
 std::string joints_vtu(const Model& model, const State& state) {

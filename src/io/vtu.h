@@ -13,7 +13,8 @@
 
 namespace wythe::io {
 
-// Cells: blocks. displacement_mm (3), rotation_mrad, role (BlockRole), course, block (BlockId).
+// Cells: blocks. displacement_mm (3), rotation_mrad (in space about z alone, and rotation_x_mrad, _y_, _z_ and
+// rotation_total_mrad beside it), role (BlockRole), course, block (BlockId).
 [[nodiscard]] std::string blocks_vtu(const Model& model, const State& state);
 
 // Cells: joints, then the contacts of deformable blocks (kind 5, joint -1). Opening, slip, damages,

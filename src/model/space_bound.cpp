@@ -201,10 +201,34 @@ void add_contacts(const Model& m, std::vector<Matrix6>& sum) {
   }
 }
 
-// As step_bound.cpp in the plane: nodes that would rule the step against the bound `limit` of the rigid blocks get
-// inertia, not weight; says which body gained what.
-void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
-  constexpr double kMuch = 0.03;
+constexpr double kMostRaised =
+    0.03;  // of the wall's mass: what nodes may gain; more of it drags on a push
+
+// The bound to which nodes are raised: that of the rigid blocks, `least`, or so much more that they gain no more than
+// kMostRaised of the wall's mass. What they would gain falls as it grows.
+double bound_to_raise_to(const Model& m, double least, const std::vector<double>& bound) {
+  const SpaceSolids& s = m.space.solids;
+  const double wall = std::accumulate(m.mass.begin(), m.mass.end(), 0.0) +
+                      std::accumulate(s.node_mass.begin(), s.node_mass.end(), 0.0);
+  const auto drags = [&](double limit) {
+    double added = 0;
+    for (std::size_t i = 0; i < bound.size(); ++i)
+      added += std::fmax(0, bound[i] / limit - 1) * s.node_mass[i];
+    return added > kMostRaised * wall;
+  };
+  if (!drags(least)) return least;
+  double low = least, high = *std::max_element(bound.begin(), bound.end());
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (drags(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+// As step_bound.cpp in the plane: nodes that would rule the step against the bound `rigid` of the rigid blocks get
+// inertia, not weight, up to kMostRaised; what that leaves shortens the step. Says which body gained what.
+void raise_light_nodes(Model& m, double rigid, std::vector<double>& bound) {
+  const double limit = bound_to_raise_to(m, rigid, bound);
   SpaceSolids& s = m.space.solids;
   const double blocks = std::accumulate(m.mass.begin(), m.mass.end(), 0.0);
   for (const SpaceSolidBody& body : s.bodies) {
@@ -223,13 +247,15 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
     }
     if (added <= 0) continue;
     const double of_wall = added / (blocks + before);
-    m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.nodes_drag" : "inertia.nodes_raised",
-                               {{"block", body.body.id},
-                                {"of_block_percent", 100 * added / before},
-                                {"of_wall_percent", 100 * of_wall},
-                                {"times", worst},
-                                {"x_m", s.node[at_node].x},
-                                {"y_m", s.node[at_node].y}}});
+    Message note{limit > rigid ? "inertia.nodes_shared" : "inertia.nodes_raised",
+                 {{"block", body.body.id},
+                  {"of_block_percent", 100 * added / before},
+                  {"of_wall_percent", 100 * of_wall},
+                  {"times", worst},
+                  {"x_m", s.node[at_node].x},
+                  {"y_m", s.node[at_node].y}}};
+    if (limit > rigid) note.arguments.emplace_back("shorter", std::sqrt(limit / rigid));
+    m.anatomy.notes.push_back(std::move(note));
   }
 }
 
@@ -237,7 +263,8 @@ void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
 double bound_nodes(Model& m, double blocks) {
   std::vector<double> bound = space_node_bounds(m);
   if (bound.empty()) return blocks;
-  if (m.solve.raise_light_inertia && blocks > 0) raise_light_nodes(m, blocks, bound);
+  const bool raises = m.solve.raise_light_inertia && blocks > 0;
+  if (raises) raise_light_nodes(m, blocks, bound);
   const auto greatest = std::max_element(bound.begin(), bound.end());
   if (!(*greatest > blocks)) return blocks;
   const auto node = static_cast<int>(greatest - bound.begin());
@@ -245,7 +272,7 @@ double bound_nodes(Model& m, double blocks) {
   const auto body = std::find_if(s.bodies.begin(), s.bodies.end(), [&](const SpaceSolidBody& one) {
     return node < one.first_node + one.n_node;
   });
-  if (blocks > 0)
+  if (blocks > 0 && !raises)
     m.anatomy.notes.push_back({"step.ruled_by_node",
                                {{"block", body->body.id},
                                 {"x_m", s.node[at(node)].x},

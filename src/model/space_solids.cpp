@@ -9,6 +9,7 @@
 
 #include "geometry/polygon_in_space.h"
 #include "model/space_points.h"
+#include "model/space_roles.h"
 #include "solids/elasticity.h"
 #include "solids/hexahedron.h"
 
@@ -127,7 +128,8 @@ class BodyBuilder {
     SpaceSolidBody& added = s_.bodies.back();
     added.body = body;
     added.centroid = centroid;
-    const bool spans = body.id.find(".lintel") != std::string::npos;
+    const bool spans = body.role.empty() ? body.id.find(".lintel") != std::string::npos
+                                         : role_of(body) == BlockRole::kLintel;
     added.role = spans ? BlockRole::kLintel : BlockRole::kMasonry;
     added.tension_limit = found->second.tension_limit;
     added.compression_limit = found->second.compression_limit;

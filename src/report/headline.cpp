@@ -508,10 +508,10 @@ class LimitHeadline {
                                        {"hypothesis", hypothesis()},
                                        {"means", hypothesis(".means")}}));
     const Json& loads = o_.at("limit_loads");
-    if (loads.size() > 1)
+    if (loads.size() > 1 && load(extreme(false)) != load(extreme(true)))
       add(texts_.say("limit.bracket",
                      {{"low", bold(load(extreme(false)))}, {"high", bold(load(extreme(true)))}}));
-    else if (!loads.empty())
+    else if (!loads.empty())  // where joints have no bond all strengths may give one load
       add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
     if (passing() == 0) add(texts_.say("limit.none_passes"));
     return words.empty() ? texts_.say("limit.nothing") : words;

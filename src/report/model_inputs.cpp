@@ -249,10 +249,12 @@ Json openings_of(const ModelSpec& spec) {
   return list;
 }
 
-// "x = 0.4 m, y = 3.1 m", the block or the beam.
+// The point, with z in space; the block or the beam.
 std::string place_words(const PlaceSpec& at) {
   if (at.beam) return "beam";
-  return at.block.empty() ? fmt::format("({:.4g} m, {:.4g} m)", at.x, at.y) : at.block;
+  if (!at.block.empty()) return at.block;
+  return std::isnan(at.z) ? fmt::format("({:.4g} m, {:.4g} m)", at.x, at.y)
+                          : fmt::format("({:.4g} m, {:.4g} m, {:.4g} m)", at.x, at.y, at.z);
 }
 
 // What lies on the wall, ties it or holds it: [kind, name, where, rows].
@@ -291,7 +293,10 @@ void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
     carried.word("material", r.material);
   }
   for (const FloorSpec& f : spec.floor) {
-    carried.add("floor", f.name, level_words(f.storey, f.y) + stretch_words(f.x, f.width));
+    const bool in_space = !std::isnan(f.from.z);  // along a line of its own
+    carried.add("floor", f.name,
+                in_space ? place_words(f.from) + " – " + place_words(f.to)
+                         : level_words(f.storey, f.y) + stretch_words(f.x, f.width));
     carried.number("line_load", f.load, "kN/m", 1e-3);
     if (!f.joists.empty()) carried.number("joists", static_cast<double>(f.joists.size()), "", 1);
     carried.number("bearing", f.bearing, "mm", 1e3);

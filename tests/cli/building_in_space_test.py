@@ -2,11 +2,14 @@
 """Buildings in space from the command line: floor slabs, roles, studies of the builder's keys, fields, assessment, tables."""
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
 import tempfile
 import unittest
+
+from cli_test import Held
 
 WYTHE = os.environ.get("WYTHE", "build/release/wythe")
 
@@ -130,6 +133,124 @@ class BuildingInSpace(unittest.TestCase):
         self.assertLess(first["peak_reaction_kN"], 1.02 * slid)
         free = self.summary("free", "run", model, "--set", "slab.deck.load=0 kPa")
         self.assertLess(free["peak_reaction_kN"], first["peak_reaction_kN"])
+
+    # Killed after a checkpoint, resumed, killed again: the state of a run that nobody disturbed, to the last bit.
+    def test_a_building_that_was_killed_ends_as_if_nobody_had(self):
+        model = self.file("model.toml", PIERS + GRAVITY + PUSH)
+        whole = self.summary("whole", "run", model)
+        out = self.folder / "killed"
+        Held("checkpoint 2 written", "run", model, "--out", out, "--checkpoint", "1 ns", "--quiet").kill()
+        Held("checkpoint 1 written", "run", "--resume", out, "--quiet").kill()
+        ended = wythe("run", "--resume", out, "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        after = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+        self.assertEqual(after["state_hash"], whole["state_hash"])
+        self.assertEqual(after["peak_reaction_kN"], whole["peak_reaction_kN"])
+
+    # Tables in another order number blocks and joints otherwise: sums round otherwise, no more. Below the slab's sliding
+    # that is 1e-9 of the force; friction that yields does not spread it, so the peak holds it too.
+    def test_the_order_of_the_tables_does_not_matter(self):
+        head, rest = PIERS.split("[[plan_wall]]", 1)
+        left, rest = rest.split("[[plan_wall]]", 1)
+        right, rest = rest.split("[[slab]]", 1)
+        materials = rest.split("[material.concrete]", 1)[1]
+        decks = [f"""
+[[slab]]
+name = "deck{k}"
+outline = [["0 m", "{z} m"], ["3 m", "{z} m"], ["3 m", "{z + 0.5} m"], ["0 m", "{z + 0.5} m"]]
+level = "0.9 m"
+thickness = "0.2 m"
+material = "concrete"
+joint = "bearing"
+load = "{1 + k} kPa"
+""" for k, z in enumerate((0.0, 0.7))]
+        walls = ["[[plan_wall]]" + left, "[[plan_wall]]" + right]
+        materials = "[material.concrete]" + materials
+        answers = []
+        for order in (1, -1):
+            text = head + "".join(walls[::order]) + "".join(decks[::order]) + materials + GRAVITY + PUSH
+            name = f"order{order}"
+            summary = self.summary(name, "run", self.file(f"{name}.toml", text))
+            curve = [float(row["reaction_kN"]) for row in rows(self.folder / name / "force_displacement.csv")]
+            answers.append((summary, curve))
+        (first, one), (second, other) = answers
+        self.assertEqual((first["blocks"], first["joints"]), (second["blocks"], second["joints"]))
+        self.assertEqual(first["failure_mode"]["name"], second["failure_mode"]["name"])
+        self.assertEqual(len(one), len(other))
+        peak = max(map(abs, one))
+        self.assertGreater(peak, 1)
+        self.assertLess(max(abs(a - b) for a, b in zip(one, other)), 1e-6 * peak)
+        self.assertAlmostEqual(first["peak_reaction_kN"], second["peak_reaction_kN"], delta=1e-6 * peak)
+
+    # A wall that falls about its foot: its blocks turn about x, and rotation_mrad, about z alone, says nothing of it.
+    def test_rotations_in_space_are_told_about_all_axes(self):
+        push = '[[stage]]\nname = "push"\nat = { block = "front.c05*" }\ndirection = "+z"\nvelocity = "5 mm/s"\nuntil = "20 mm"\n'
+        self.summary("run", "run", self.file("model.toml", PIER.replace('"0.2 m"', '"0.1 m"') + push))
+        ended = wythe("export", self.folder / "run", "--out", self.folder / "tables")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        table = rows(self.folder / "tables/state_blocks.csv")
+        for row in table:
+            about = [float(row[f"rotation_{axis}_mrad"]) for axis in "xyz"]
+            self.assertAlmostEqual(float(row["rotation_total_mrad"]), math.hypot(*about), delta=1e-9)
+            self.assertEqual(float(row["rotation_mrad"]), about[2])
+        top = table[-1]
+        self.assertAlmostEqual(float(top["displacement_z_mm"]), 20, delta=1)
+        lean = float(top["displacement_z_mm"]) / (float(top["y_m"]))  # of a wall that turns about its foot, small angles
+        self.assertAlmostEqual(float(top["rotation_total_mrad"]), lean, delta=0.05 * lean)
+        self.assertLess(abs(float(top["rotation_mrad"])), 0.01 * lean)
+        # a run of before has rotation_mrad alone, and its table too
+        for path in (self.folder / "run").glob("state_blocks_*.vtu"):
+            path.write_bytes(path.read_bytes().replace(b"rotation_total_mrad", b"rotation_other_mrad"))
+        ended = wythe("export", self.folder / "run", "--out", self.folder / "before")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertNotIn("rotation_x_mrad", rows(self.folder / "before/state_blocks.csv")[0])
+        self.assertEqual(float(rows(self.folder / "before/state_blocks.csv")[-1]["rotation_mrad"]), float(top["rotation_mrad"]))
+
+    # More inertia than that of a lintel's own part of the wall would brake what moves: the step pays for the rest.
+    def test_a_light_lintel_of_zones_does_not_drag(self):
+        text = PIER.replace('line = [["0 m", "0 m"], ["0.6 m", "0 m"]]', '''line = [["0 m", "0 m"], ["1.8 m", "0 m"]]
+[[plan_wall.opening]]
+x = "0.6 m"
+y = "0 m"
+width = "0.6 m"
+height = "0.6 m"
+lintel = { kind = "timber", bearing = "150 mm", depth = "150 mm", material = "timber", model = "zones" }
+[material.timber]
+density = "600 kg/m^3"
+youngs_modulus = "10 GPa"
+shear_modulus = "4.2 GPa"''')
+        push = '[[stage]]\nname = "push"\nat = { block = "front.c05*" }\ndirection = "+x"\nvelocity = "5 mm/s"\nuntil = "1 mm"\ndamping = 0.2\n'
+        model = self.file("model.toml", text + push)
+        told = wythe("check", model).stdout
+        self.assertRegex(told, r"lintel0: inertia .* 3\.0 % of the wall's, .* times shorter than the rigid blocks need")
+        own, raised = (self.summary(name, "run", model, "--set", f"solve.raise_light_inertia={name}") for name in ("false", "true"))
+        self.assertGreater(raised["time_step_s"], own["time_step_s"])
+        self.assertAlmostEqual(raised["peak_reaction_kN"] / own["peak_reaction_kN"], 1, delta=0.02)
+        self.assert_tells_zones(self.folder / "true")
+
+    # Of the lintel: all zones of each state, six stresses whose invariants are those of the principal ones; at rest it sags,
+    # pulled below and pressed above.
+    def assert_tells_zones(self, run):
+        ended = wythe("export", run, "--out", self.folder / "zones")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        table = rows(self.folder / "zones/state_zones.csv")
+        states = {row["state"] for row in table}
+        self.assertEqual(len(table), len(states) * len({row["zone"] for row in table}))
+        for row in table:
+            xx, yy, zz, xy, yz, zx = (float(row[f"stress_{name}_MPa"]) for name in ("x", "y", "z", "xy", "yz", "zx"))
+            p = [float(row[f"principal_{k}_MPa"]) for k in (1, 2, 3)]
+            size = max(abs(one) for one in p) + 1e-9
+            self.assertEqual(p, sorted(p, reverse=True))
+            self.assertAlmostEqual(sum(p), xx + yy + zz, delta=1e-6 * size)
+            second = xx * yy + yy * zz + zz * xx - xy * xy - yz * yz - zx * zx
+            self.assertAlmostEqual(p[0] * p[1] + p[1] * p[2] + p[2] * p[0], second, delta=1e-6 * size * size)
+            self.assertTrue(0.45 <= float(row["x_m"]) <= 1.35 and 0.6 <= float(row["y_m"]) <= 0.75 and 0 < abs(float(row["z_m"])) < 0.1)
+        first = [row for row in table if row["state"] == "0" and abs(float(row["x_m"]) - 0.9) < 0.1]
+        below, above = ([float(row["stress_x_MPa"]) for row in first if (float(row["y_m"]) > 0.675) == high] for high in (False, True))
+        self.assertGreater(min(below), max(above))
+        columns = json.loads((self.folder / "zones/columns.json").read_text(encoding="utf-8"))
+        self.assertIn("stress_zx_MPa", json.dumps(columns))
+        self.assertIn("lintel_deflection_mm", rows(run / "force_displacement.csv")[0])
 
     def test_roles_are_words_that_are_known(self):
         self.refused(self.file("a.toml", PIERS + GRAVITY + PUSH.replace('"slab"', '"slap"')), "is no role", "slab")

@@ -77,6 +77,7 @@ velocity = "20 mm/s"
 until = "1 mm"
 """
 BLOCK_ARRAYS = {"displacement_mm", "rotation_mrad", "role", "course"}
+SPACE_TURNS = {"rotation_x_mrad", "rotation_y_mrad", "rotation_z_mrad", "rotation_total_mrad"}
 JOINT_ARRAYS = {"opening_mm", "slip_mm", "damage", "damage_tension", "damage_shear",
                 "normal_stress_MPa", "shear_stress_MPa", "crushing", "kind"}
 
@@ -157,7 +158,7 @@ def check_space(out):
     litres = [v for body in LITRES.values() for v in body]
     first = last = None
     for path in blocks:
-        grid, found = check_grid(path, 42, BLOCK_ARRAYS | {"block"}, len(litres))
+        grid, found = check_grid(path, 42, BLOCK_ARRAYS | SPACE_TURNS | {"block"}, len(litres))
         assert [int(found["block"].GetTuple1(i)) for i in range(4)] == [0, 1, 2, 2], path
         cells = []
         for i, expected in enumerate(litres):

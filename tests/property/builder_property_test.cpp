@@ -104,6 +104,39 @@ TEST(Builder, a_wall_that_ends_on_another_fills_its_volume_wherever_it_stands) {
     }
 }
 
+// A wall that stands against another at an angle is cut by its face: its axis ends there, and its end is T/sin long. The
+// one that goes through reaches beyond the corner until that end is covered.
+TEST(Builder, butted_walls_at_an_angle_are_cut_by_the_face_they_stand_against) {
+  for (const double degrees : {50.0, 75.0, 90.0, 110.0, 135.0})
+    for (const double turned : {0.0, 0.4})
+      for (const bool tee : {false, true}) {
+        const double angle = degrees * M_PI / 180, s = std::sin(angle), c = std::cos(angle);
+        const auto at = [&](double x, double y) {
+          return std::array<double, 2>{std::cos(turned) * x - std::sin(turned) * y,
+                                       std::sin(turned) * x + std::cos(turned) * y};
+        };
+        const double from = tee ? 1.5 : 0;  // where b begins on a; at a corner a's first point
+        PlanWallSpec a = wall("a", {at(0, 0), at(3, 0)}),
+                     b = wall("b", {at(from, 0), at(from + 1.425 * c, 1.425 * s)});
+        b.thickness = 0.2, a.meets = Meeting::kButted, a.fit = b.fit = "cut";
+        const Built built = build(plan({a, b}));
+        const std::string what = std::to_string(degrees) + (tee ? " tee" : " corner");
+        ASSERT_TRUE(built.faults.empty()) << what << told(built.faults);
+        const double reach = tee ? 0 : std::max(0.0, (0.2 - kThick * c) / (2 * s));
+        EXPECT_NEAR(built.volume, 1.2 * ((3 + reach) * kThick + (1.425 - kThick / (2 * s)) * 0.2),
+                    1e-9)
+            << what;
+        double shared = 0;
+        for (const JointFace& face : built.assembly.faces) {
+          const auto wall_of = [&](int k) { return built.body[static_cast<std::size_t>(k)].wall; };
+          const bool fixed = built.assembly.body[static_cast<std::size_t>(face.a)].fixed;
+          if (!fixed && wall_of(face.a) != wall_of(face.b)) shared += face.area;
+        }
+        EXPECT_NEAR(shared, 1.2 * 0.2 / s, 1e-9) << what;
+        EXPECT_EQ(built.assembly.lost_faces, 0) << what;
+      }
+}
+
 TEST(Builder, walls_of_different_heights_meet_up_to_the_lower) {
   for (const double height : {0.7, 1.9}) {
     PlanWallSpec a = wall("a", {{0, 0}, {2.925, 0}}), b = wall("b", {{0, 0}, {0, 1.425}}, height),
@@ -345,6 +378,9 @@ TEST(Builder, walls_that_do_not_meet_are_refused_by_place) {
   expect_refused(plan({a, wall("b", {{1, 0.05}, {1, 2}})}), "plan_wall.1.line", "off the middle");
   expect_refused(plan({a, wall("b", {{1, -1}, {1, 2}})}), "plan_wall.1.line", "crosses");
   expect_refused(plan({a, wall("b", {{0, 0}, {1, 2}})}), "plan_wall.1.line", "another angle");
+  PlanWallSpec flat = wall("b", {{0, 0}, {2, 1}});
+  flat.meets = Meeting::kButted;
+  expect_refused(plan({a, flat}), "plan_wall.1.line", "less than 45 degrees");
   expect_refused(plan({a, wall("b", {{3, 0}, {5, 0}})}), "plan_wall.1.line", "straight on");
   expect_refused(plan({a, wall("b", {{0, 0}, {0, 2}}), wall("c", {{0, 0}, {0, -2}})}),
                  "plan_wall.1.line", "more than two");

@@ -224,6 +224,119 @@ TEST_P(ModesInSpace, a_force_that_fell_is_not_called_none) {
   EXPECT_EQ(name_failure_mode(w.model, result).name, "none");
 }
 
+// --- walls that a slab ties -------------------------------------------------------------------------------
+
+constexpr double kApart = 3.0;
+
+// Two walls along x, 3 m apart, and a slab across their tops; `right_length` of the second, `right_from` where it begins.
+std::vector<BodySpec> tied_walls(double right_length = kLong, double right_from = 0) {
+  std::vector<BodySpec> all{box("floor", {-1, -0.2, -1}, {8, 0.2, 6}, true)};
+  const auto wall = [&](const std::string& name, double from, double length, double z) {
+    for (int course = 0; course < 8; ++course)
+      for (double x = course % 2 == 1 ? -0.2 : 0; x < length - 0.1; x += 0.4) {
+        const double at = std::max(x, 0.0), to = std::min(x + 0.4, length);
+        all.push_back(box(name + ".c0" + std::to_string(course) + "u" + std::to_string(all.size()),
+                          {from + at, 0.2 * course, z}, {to - at, 0.2, kThick}));
+      }
+  };
+  wall("front", 0, kLong, 0);
+  wall("back", right_from, right_length, kApart);
+  all.push_back(
+      box("deck", {0, 1.6, 0}, {std::min(kLong, right_from + right_length), 0.2, kApart + kThick}));
+  all.back().role = "slab";
+  return all;
+}
+const auto is_front = [](Vec3 c) { return c.y < 1.6 && c.z < 1.5; };
+const auto is_back = [](Vec3 c) { return c.y < 1.6 && c.z > 1.5; };
+const auto is_deck = [](Vec3 c) { return c.y > 1.6; };
+
+// Both walls lean to +z by `front` and `back` about their toes; the slab lies on their inner edges and moves as they do.
+Wall leaning(const Frame& frame, double front, double back) {
+  Wall w(tied_walls(), frame);
+  w.move(is_front, {front, 0, 0}, {0, 0, kThick});
+  w.move(is_back, {back, 0, 0}, {0, 0, kApart + kThick});
+  const double t = 0.5 * (front + back);
+  w.move(is_deck, {}, {}, {0, 1.6 * (std::cos(t) - 1) + kThick * std::sin(t), 1.6 * std::sin(t)});
+  return w;
+}
+
+TEST_P(ModesInSpace, walls_that_a_slab_ties_overturn_together_about_lines_of_their_own) {
+  for (const double degrees : {1.0, 4.0, 15.0}) {
+    const FailureMode mode = leaning(frame(), degrees * kDegree, degrees * kDegree).mode();
+    EXPECT_EQ(mode.name, "overturning") << degrees;
+    EXPECT_EQ(mode.sentence.code, "space.together");
+    EXPECT_NEAR(mode.sentence.number("degrees"), degrees, 0.01 * degrees);
+    const std::string said = text_of(mode.sentence);
+    EXPECT_NE(said.find("wall front at height"), std::string::npos) << said;
+    EXPECT_NE(said.find("wall back at height"), std::string::npos) << said;
+  }
+}
+
+TEST_P(ModesInSpace, walls_whose_turns_differ_do_not_overturn_together) {
+  EXPECT_EQ(leaning(frame(), 2 * kDegree, 1 * kDegree).name(), "unclear");
+  EXPECT_EQ(leaning(frame(), 2 * kDegree, -2 * kDegree).name(), "unclear");
+}
+
+// Equal turns alone say little: a foot that slides away, a wall that hangs from its top, a turn about the other axis.
+TEST_P(ModesInSpace, equal_turns_about_no_foot_get_no_name) {
+  const double t = 2 * kDegree;
+  Wall slides(tied_walls(), frame());
+  slides.move(is_front, {t, 0, 0}, {0, 0, kThick}, {0, 0, 0.03});
+  slides.move(is_back, {t, 0, 0}, {0, 0, kApart + kThick}, {0, 0, 0.03});
+  EXPECT_EQ(slides.name(), "unclear");
+  Wall one(tied_walls(), frame());
+  one.move(is_front, {t, 0, 0}, {0, 0, kThick});
+  one.move(is_back, {}, {}, {0, 0, 0.8 * t});
+  EXPECT_EQ(one.name(), "unclear");
+  Wall hangs(tied_walls(), frame());
+  hangs.move(is_front, {-t, 0, 0}, {0, 1.6, kThick});
+  hangs.move(is_back, {-t, 0, 0}, {0, 1.6, kApart + kThick});
+  EXPECT_EQ(hangs.name(), "unclear");
+  Wall twists(tied_walls(), frame());
+  twists.move(is_front, {t, 0, 0}, {0, 0, kThick});
+  twists.move(is_back, {0, 0, -t}, {kLong, 0, 0});
+  EXPECT_EQ(twists.name(), "unclear");
+}
+
+TEST_P(ModesInSpace, walls_that_do_not_fall_because_of_a_slab_that_slips_are_not_named) {
+  const double t = 2 * kDegree;
+  Wall w = leaning(frame(), t, t);
+  w.move(is_deck, {}, {}, {0.02, 0, 0});  // beside their way
+  const FailureMode mode = w.mode();
+  EXPECT_EQ(mode.name, "unclear");
+  EXPECT_EQ(mode.sentence.code, "space.slab_slips");
+  // a slab that stays where another wall holds it, while one wall leaves it, hides nothing
+  Wall leaves(tied_walls(), frame());
+  leaves.move(is_front, {-t, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(leaves.name(), "overturning");
+  // and one that goes far beyond the walls is what fails
+  Wall slides(tied_walls(), frame());
+  slides.move(is_front, {-0.2 * kDegree, 0, 0}, {0, 0, 0});
+  slides.move(is_deck, {}, {}, {0.1, 0, 0});
+  EXPECT_EQ(slides.name(), "sliding");
+}
+
+// Seen from above two walls are far longer across than along: their own planes count, not the plan of both.
+TEST_P(ModesInSpace, walls_that_rock_together_in_their_planes_are_told_from_those_that_leave_them) {
+  for (const double from : {0.0, 0.8}) {  // same toes, and toes apart
+    Wall w(tied_walls(1.6, from), frame());
+    const double t = -2 * kDegree;
+    w.move(is_front, {0, 0, t}, {kLong, 0, 0});
+    w.move(is_back, {0, 0, t}, {from + 1.6, 0, 0});
+    const FailureMode mode = w.mode();
+    // one rigid piece explains 85 % of it or not, by how far the toes are apart
+    EXPECT_TRUE(mode.name == "rocking" || mode.name == "in-plane rocking") << mode.sentence;
+    EXPECT_NE(text_of(mode.sentence).find("walls front, back"), std::string::npos);
+  }
+  std::vector<BodySpec> far = tied_walls(0.8), piers;
+  for (const BodySpec& body : far)  // two piers of 0.8 m, 3 m apart: long only across
+    if (body.part[0].vertex[0].x < 0.75 || body.fixed || body.role == "slab") piers.push_back(body);
+  Wall w(piers, frame());
+  w.move(is_front, {2 * kDegree, 0, 0}, {0, 0, kThick});
+  w.move(is_back, {2 * kDegree, 0, 0}, {0, 0, kApart + kThick});
+  EXPECT_EQ(w.name(), "overturning");
+}
+
 INSTANTIATE_TEST_SUITE_P(Turned, ModesInSpace, testing::Values(0.0, 0.7, 2.5));
 
 }  // namespace

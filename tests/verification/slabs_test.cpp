@@ -170,5 +170,87 @@ until = "4 mm"
          r.result.responses.peak_reaction);
 }
 
+// --- shakes of a building with a slab that friction alone holds
+
+// The acceleration of the base along +z grows from 0 to A within R (slowly for the springs of the joints: at once it would
+// set the slab swinging, and let it go with the speed A/omega), stays for T, then the base goes on at its speed. A rigid
+// slab that rests at friction mu goes along up to mu g. Beyond, with d = A - mu g, it lags from the moment R mu g/A on
+//   in the rise   v = d S/2,   s = d S^2/6,   S = R (1 - mu g/A)
+//   then          v + d T,     s + v T + d T^2/2
+// and comes to the base's speed within v^2/(2 mu g) more.
+constexpr double kFriction = 0.3, kRecordStep = 1e-3;
+constexpr int kRise = 100, kStay = 160;  // steps of the record, then zeros; linear between
+double slid_back(double acceleration) {
+  const double holds = kFriction * kG, d = acceleration - holds;
+  if (d <= 0) return 0;
+  const double slips = kRise * kRecordStep * (1 - holds / acceleration),
+               stays = (kStay + 0.5) * kRecordStep;
+  const double v = d * slips / 2, end = v + d * stays;
+  return d * slips * slips / 6 + v * stays + d * stays * stays / 2 + end * end / (2 * holds);
+}
+
+// How far the slab lies behind its walls at the end, and how far these moved on the ground [m].
+struct Lag {
+  double of_slab = 0, of_walls = 0;
+};
+Lag lag_of(double acceleration, bool walls_are_fixed) {
+  std::string numbers;
+  for (int k = 0; k <= 400; ++k) {
+    const double share = k > kRise + kStay ? 0.0 : std::fmin(1.0, static_cast<double>(k) / kRise);
+    numbers += (k > 0 ? ", " : "") + std::to_string(share * acceleration);
+  }
+  ModelSpec spec = parse_model(two_walls(R"(
+joint = "bearing"
+[material.bearing]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = 0.3
+residual_friction_tan = 0.3
+compressive_strength = "unlimited"
+)" + std::string(kGravity) + R"(
+[[stage]]
+name = "quake"
+free_vibration = "0.4 s"
+record = { step = "1 ms", unit = "m/s2", direction = "+z", accelerations = [)" +
+                                         numbers + "] }\n"),
+                               "two.toml");
+  for (BodySpec& body : spec.body)
+    if (walls_are_fixed) body.fixed = body.role != "slab";
+  const Ran r = solved(spec);
+  EXPECT_EQ(r.result.status, SolveStatus::kCompleted) << r.result.reason;
+  Lag lag;
+  for (BlockId b = 0; b < r.model.n_block; ++b) {
+    const BlockReading now = read_block(r.model, r.state, b);
+    (now.role == BlockRole::kSlab ? lag.of_slab : lag.of_walls) = now.moved.z;
+  }
+  lag.of_slab -= lag.of_walls;
+  return lag;
+}
+
+TEST(Slab, a_slab_that_only_rests_slides_in_a_shake_from_mu_g_on) {
+  EXPECT_NEAR(lag_of(0.97 * kFriction * kG, true).of_slab, 0, 2e-5);
+  for (const double ratio : {1.1, 1.5}) {
+    const double acceleration = ratio * kFriction * kG;
+    verify({"SL4",
+            "slab on fixed walls, base at " + std::to_string(ratio).substr(0, 3) +
+                " mu g: it slides back by",
+            "m", slid_back(acceleration), 0.01, "an elastic start of some microns; step of time"},
+           -lag_of(acceleration, true).of_slab);
+  }
+}
+
+// Walls that stand on friction of 0.6 and rock from g/2 on, had they no slab on them: they go with the base.
+TEST(Slab, on_walls_that_stand_free_it_slides_as_on_fixed_ones) {
+  const double acceleration = 1.2 * kFriction * kG;
+  const Lag lag = lag_of(acceleration, false);
+  verify({"SL4", "slab on free walls, base at 1.2 mu g: it slides back by", "m",
+          slid_back(acceleration), 0.03, "walls that sway on their feet"},
+         -lag.of_slab);
+  EXPECT_LT(std::fabs(lag.of_walls), 2e-4);
+}
+
 }  // namespace
 }  // namespace wythe

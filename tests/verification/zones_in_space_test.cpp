@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "reading/zones_in_space.h"
 #include "record.h"
 #include "scenes/space_rig.h"
 #include "scenes/zones_in_space.h"
@@ -231,6 +232,79 @@ TEST(ZonesInSpace, a_column_in_the_engine_bends_by_forces_and_twists) {
   verify({"SP42", "column of zones in space: twist, against the torsion constant of its mesh",
           "rad", kMoment * (l / (g * j) + 2 / (c.ks * polar)), 0.03, "the ends do not warp freely"},
          load_cap(c, {}, {0, kMoment, 0}).turned.y);
+}
+
+// --- the sag of a lintel ---------------------------------------------------------------------------------------
+
+// A lintel of zones on two bearings of length b, under its own weight w a length, along x or z. The bearings are soft, so
+// their pressure is even and acts at their middles, L apart; ends of c = b/2 stick out. Turned by t about its axis, an end
+// leans on its bearing by kn wide b^3/12 t, and drags its lower edge along it: a thrust H = ks wide b t deep/2, which acts
+// deep/2 below the axis. Together that is k t with k = kn wide b^3/12 + ks wide b deep^2/4, which is little. Sag of the middle against the ends, and the turn of one end against the
+// other, of a beam with shear:
+//   M = w c^2/2 + k t,   t = (w L^3/24 - M L/2)/EI
+//   sag = 5 w L^4/384 EI - M L^2/8 EI + w L^2/8 kGA + t c - w c^4/8 EI,   turn = 2 (t - w c^3/6 EI)
+// A zone of length a has its weight at its ends, so the moment is straight between them, by w a^2/12 less in the mean; and it
+// knows one curvature, of the mean moment, which takes a^2/12 int M' m' dx: w L^2 a^2/96 EI each. Poisson's ratio is 0, as
+// beams know none.
+struct Lintel {
+  double span = 1.9, bearing = 0.1, deep = 0.1, wide = 0.2, zone = 0.1, kn = 1e8,
+         youngs_modulus = 1e10;
+  double poisson_ratio = 0, density = 2400;
+};
+struct Sag {
+  double sag = 0, turn = 0, axial = 0;
+};
+Sag closed_form(const Lintel& l) {
+  const double area = l.deep * l.wide, w = l.density * 9.81 * area, c = l.bearing / 2,
+               ei = l.youngs_modulus * l.wide * std::pow(l.deep, 3) / 12,
+               shear = 5.0 / 6 * area * l.youngs_modulus / (2 * (1 + l.poisson_ratio)),
+               drag = 0.4 * l.kn * l.wide * l.bearing * l.deep / 2,
+               k = l.kn * l.wide * std::pow(l.bearing, 3) / 12 + drag * l.deep / 2, span = l.span;
+  const double t = (w * std::pow(span, 3) / 24 - w * c * c * span / 4) / (ei + k * span / 2);
+  const double moment = w * c * c / 2 + k * t;
+  return {5 * w * std::pow(span, 4) / (384 * ei) - moment * span * span / (8 * ei) +
+              w * span * span / (8 * shear) + t * c - w * std::pow(c, 4) / (8 * ei) -
+              w * span * span * l.zone * l.zone / (48 * ei),
+          2 * (t - w * std::pow(c, 3) / (6 * ei)), -drag * t};
+}
+Sag of_zones(const Lintel& l, bool along_z) {
+  const double all = l.span + l.bearing;
+  const auto place = [&](double along, double y, double across) {
+    return along_z ? Vec3{across, y, along} : Vec3{along, y, across};
+  };
+  std::vector<BodySpec> bodies{
+      scenes::box_body("left", place(0, -0.2, 0), place(l.bearing, 0, l.wide), true),
+      scenes::box_body("right", place(all - l.bearing, -0.2, 0), place(all, 0, l.wide), true),
+      scenes::box_body("lintel", place(0, 0, 0), place(all, l.deep, l.wide)),
+      scenes::box_body("stone", place(0, -0.2, 1), place(0.2, 0, 1.2)),
+      scenes::box_body("floor", place(-1, -0.4, 0.5), place(1, -0.2, 2), true)};
+  bodies[2].role = "lintel", bodies[2].material = "stuff";
+  bodies[2].zone.zones = 2, bodies[2].zone.length = l.zone;
+  ModelSpec spec = scenes::in_space(bodies, scenes::elastic_joint(l.kn, 0.4 * l.kn), 2000);
+  spec.material["stuff"] = scenes::elastic_body(l.youngs_modulus, l.poisson_ratio, l.density);
+  spec.solve.raise_light_inertia = false;
+  SpaceRig rig(compile(spec));
+  rig.set_gravity({0, -9.81, 0});
+  rig.controls.damping = 0.4;
+  rig.put();
+  rig.run(1.0);
+  const reading::LintelMeasures now = reading::lintel_measures_in_space(rig.model, rig.state);
+  return {now.deflection, now.end_rotation, now.axial};
+}
+
+TEST(ZonesInSpace, a_lintel_on_two_bearings_sags_as_a_beam) {
+  const Lintel lintel;
+  const Sag hand = closed_form(lintel);
+  const char* why = "shear of beam theory; how the bearings hold the ends";
+  for (const bool along_z : {false, true}) {
+    const std::string along = along_z ? "lintel of zones along z: " : "lintel of zones along x: ";
+    const Sag zones = of_zones(lintel, along_z);
+    verify({"SP43", along + "sag of its middle under its weight", "m", hand.sag, 0.005, why},
+           zones.sag);
+    verify({"SP43", along + "turn of one end against the other", "rad", hand.turn, 0.005, why},
+           zones.turn);
+    verify({"SP43", along + "thrust from its bearings", "N", hand.axial, 0.02, why}, zones.axial);
+  }
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ test("a link that has yielded has its colour in the picture", async () => {
   const coloured = () =>
     page.locator("#wall .space-stage .over").evaluate((over) => {
       const probe = document.createElement("canvas").getContext("2d");
-      probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--slip").trim();
+      probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--open").trim();
       probe.fillRect(0, 0, 1, 1);
       const [r, g, b] = probe.getImageData(0, 0, 1, 1).data,
         { data } = over.getContext("2d").getImageData(0, 0, over.width, over.height);
@@ -120,6 +120,28 @@ test("a link that has yielded has its colour in the picture", async () => {
   await page.keyboard.press("End");
   assert.ok((await coloured()) > 100, "the tie from pier to pier");
   await screenshot(page, "space_links_1440_light", "#wall");
+});
+
+test("what is taken for granted, and where loads lie, is that of a wall in space", async () => {
+  const text = await page.locator("body").evaluate((body) => body.textContent);
+  assert.doesNotMatch(text, /works in its own plane/);
+  assert.doesNotMatch(text, /\bnan\b/);
+  assert.match(text, / m\) – \(/); // from, to
+});
+
+// Of a tie that holds and one that has yielded nobody should have to compare two blues.
+test("what holds and what has yielded have colours that nobody mixes up", async () => {
+  for (const scheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme: scheme });
+    const apart = await page.locator("#wall .link-mark").evaluateAll((marks) => {
+      const colour = (mark) => getComputedStyle(mark).stroke.match(/\d+/g).slice(0, 3).map(Number),
+        of = (name) => marks.find((mark) => mark.classList.contains(name)),
+        [a, b] = [colour(of("holds")), colour(of("yielded"))];
+      return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    });
+    assert.ok(apart > 150, `${scheme}: ${apart} of 441`);
+  }
+  await page.emulateMedia({ colorScheme: "light" });
 });
 
 test("on a phone and on paper too, in Italian too", async () => {

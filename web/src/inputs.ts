@@ -198,9 +198,10 @@ export function inputTables(inputs: any, note: string): Child {
   ];
 }
 
-// What the method takes for granted, whatever the model.
+// What the method takes for granted, whatever the model; in space nothing keeps a wall in its plane.
 export function assumptions(
-  keys = ["plane", "rigid", "contacts", "law", "quasi_static", "deterministic"],
+  header: any,
+  keys = [...(header.wall?.space ? [] : ["plane"]), "rigid", "contacts", "law", "quasi_static", "deterministic"],
 ): HTMLElement {
   return h(
     "div",

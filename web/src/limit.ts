@@ -331,7 +331,7 @@ export function limitSections(bundle: Bundle): Section[] {
       id: "provenance",
       title: say("section.provenance"),
       content: [
-        assumptions(),
+        assumptions(header),
         provenanceTable([
           [say("provenance.program"), `wythe ${p.version} (${p.commit})`],
           [say("provenance.compiler"), `${p.compiler}, ${p.flags}`],

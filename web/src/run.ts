@@ -516,7 +516,7 @@ class RunPage {
     const s = this.s;
     return [
       h("p", { class: "soft" }, say("provenance.lead")),
-      assumptions(),
+      assumptions(this.header),
       provenanceTable([
         [say("provenance.program"), `wythe ${s.provenance.version} (${s.provenance.commit})`],
         [

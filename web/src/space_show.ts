@@ -13,7 +13,7 @@ export const kBodies = ["stone", "moved", "turned", "damage", "material", "group
 export type OfBodies = (typeof kBodies)[number];
 const kStones = ["stone0", "stone1", "stone2", "stone3"];
 const kGroups = 7; // that have a colour of their own
-const kLinkColours = { holds: "curve", slack: "soft", yielded: "slip" }; // of the page's style
+const kLinkColours = { holds: "curve", slack: "soft", yielded: "open" }; // of the page's style
 const kWider = [0.2, 1, 3, 10]; // openings and slips from which on a crack is drawn thicker [mm]
 
 // Colours and widths as the page's style has them, by class.
@@ -117,7 +117,7 @@ export class Shown {
     }
     return { count, joints, look };
   }
-  // Of each link; the style of the plane's, and what has yielded in the colour of slipped cracks.
+  // Of each link; the style of the plane's, and what has yielded in the colour of open cracks.
   links(state: SolidState, styles: Styles): LinkMark[] {
     return this.states.solids.links.map((link, k) => {
       const how = kLinkStates[state.linkState[k]],

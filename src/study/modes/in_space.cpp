@@ -1,10 +1,11 @@
 #include "study/modes/in_space.h"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <cmath>
+#include <string>
 
-#include "core/rotation.h"
+#include "study/modes/space_pieces.h"
 #include "wythe/reading.h"
 
 namespace wythe::study {
@@ -16,123 +17,12 @@ constexpr double kTakesPart =
 constexpr double kStandsFor =
     1.0 / 3;                        // of what moved, by mass: what a mechanism of the wall holds
 constexpr double kSomeWall = 0.02;  // of the wall, by mass: what is more than a loose stone
-constexpr double kRigid = 0.15;     // of the motion: what rigid pieces may leave unexplained
-constexpr double kTurns =
-    0.5;  // of the shift: what the turn moves the furthest corner, from which a piece turns
 constexpr double kMain = 2.0 / 3;   // of what moves, by mass: a piece that drags the others along
 constexpr double kOffPlane = 0.15;  // of the motion: what may leave the wall's plane
 constexpr double kThin = 0.1;       // thickness over length, squared: what has a plane
+constexpr double kParallel = 0.95;  // cosine from which on two walls are parallel
 constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
 constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
-constexpr std::size_t kMostPieces = 4;
-
-using Turn = Quaternion<double>;
-
-struct Moved {
-  BlockId id;
-  Vec3 start, moved;
-  Turn turned;
-  double mass;
-  double radius;  // of gyration, for its own turn [m]
-  Vec3 longest;   // its longest side's direction where that lies level; 0 where none does
-  const BodySpec* body = nullptr;
-};
-
-// What moves as one: its centre, a shift and a turn; how much of the motion that leaves out.
-struct Piece {
-  std::vector<Moved> blocks;
-  Vec3 centre, shift;
-  Turn turned{1, {0, 0, 0}};
-  Vec3 turn;  // the same as a vector [rad]
-  double mass = 0, all = 0, missed = 0;
-  bool turns = false;  // its axis passes near by: it does more than shift
-  [[nodiscard]] double residual() const { return all > 0 ? std::sqrt(missed / all) : 0; }
-};
-
-Vector<double> vec(Vec3 v) { return {v.x, v.y, v.z}; }
-Vec3 vec3(const Vector<double>& v) { return {v.x, v.y, v.z}; }
-
-Turn turn_by(Vec3 by) {
-  const double angle = length(by);
-  if (angle == 0) return {1, {0, 0, 0}};
-  return {std::cos(angle / 2), std::sin(angle / 2) / angle * vec(by)};
-}
-Vec3 vector_of(Turn q) {
-  if (q.w < 0) q = {-q.w, -1.0 * q.v};
-  const double sine = length(vec3(q.v));
-  return sine > 0 ? 2 * std::atan2(sine, q.w) / sine * vec3(q.v) : Vec3{};
-}
-Turn back(const Turn& q) { return {q.w, -1.0 * q.v}; }
-
-// The solution of a symmetric 3 x 3 system; 0 where it has none.
-Vec3 solve(const std::array<Vec3, 3>& row, Vec3 right) {
-  const double det = dot(row[0], cross(row[1], row[2]));
-  if (!(std::fabs(det) > 0)) return {};
-  const Vec3 a = cross(row[1], row[2]), b = cross(row[2], row[0]), c = cross(row[0], row[1]);
-  return (right.x * a + right.y * b + right.z * c) / det;
-}
-
-// What a piece says of a block: by its turn, what it leaves of its way and of its own turn.
-struct Told {
-  Vec3 arm, by_turn, off, twist;
-};
-Told told(const Piece& piece, const Moved& b) {
-  const Vec3 r = b.start - piece.centre, by_turn = vec3(swing(piece.turned, vec(r)));
-  return {r + by_turn, by_turn, b.moved - piece.shift - by_turn,
-          vector_of(b.turned * back(piece.turned))};
-}
-double missed(const Piece& piece, const Moved& b) {
-  const Told t = told(piece, b);
-  return b.mass * (dot(t.off, t.off) + b.radius * b.radius * dot(t.twist, t.twist));
-}
-
-// One step of Gauss and Newton to the turn that explains most.
-Vec3 turn_further(const Piece& piece) {
-  std::array<Vec3, 3> row{};
-  Vec3 right;
-  for (const Moved& b : piece.blocks) {
-    const Told t = told(piece, b);
-    const Vec3 r = t.arm;
-    const double own = b.mass * (dot(r, r) + b.radius * b.radius);
-    row[0] = row[0] + Vec3{own - b.mass * r.x * r.x, -b.mass * r.x * r.y, -b.mass * r.x * r.z};
-    row[1] = row[1] + Vec3{-b.mass * r.x * r.y, own - b.mass * r.y * r.y, -b.mass * r.y * r.z};
-    row[2] = row[2] + Vec3{-b.mass * r.x * r.z, -b.mass * r.y * r.z, own - b.mass * r.z * r.z};
-    right = right + b.mass * (cross(r, t.off) + b.radius * b.radius * t.twist);
-  }
-  return solve(row, right);
-}
-
-void fit(Piece& piece) {
-  piece.mass = piece.all = piece.missed = 0;
-  Vec3 centre, shift;
-  for (const Moved& b : piece.blocks) {
-    piece.mass += b.mass;
-    centre = centre + b.mass * b.start;
-    shift = shift + b.mass * b.moved;
-  }
-  piece.centre = centre / piece.mass;
-  piece.shift = shift / piece.mass;
-  piece.turned = {1, {0, 0, 0}};
-  for (int k = 0; k < 4; ++k) piece.turned = turn_by(turn_further(piece)) * piece.turned;
-  piece.turn = vector_of(piece.turned);
-  double furthest = 0;
-  for (const Moved& b : piece.blocks) {
-    const Vec3 own = vector_of(b.turned);
-    piece.all += b.mass * (dot(b.moved, b.moved) + b.radius * b.radius * dot(own, own));
-    piece.missed += missed(piece, b);
-    for (const Polyhedron& part : b.body->part)
-      for (const Vec3& corner : part.vertex)
-        furthest =
-            std::fmax(furthest, length(vec3(swing(piece.turned, vec(corner - piece.centre)))));
-  }
-  piece.turns = furthest >= kTurns * length(piece.shift) && furthest > 0;
-}
-
-double residual(const std::vector<Piece>& pieces) {
-  double all = 0, left = 0;
-  for (const Piece& piece : pieces) all += piece.all, left += piece.missed;
-  return all > 0 ? std::sqrt(left / all) : 0;
-}
 
 std::vector<Moved> read_blocks(const Model& model, const State& state) {
   std::vector<Moved> blocks;
@@ -171,9 +61,8 @@ double mass_of(const std::vector<Moved>& blocks) {
 struct Joints {
   double movement = 0, size = 0, opened = 0, slid = 0, slid_off = 0;
 };
-Joints read_joints(const Model& model, const State& state) {
+Joints read_joints(const Model& model, const WallReading& wall) {
   Joints sum;
-  const WallReading wall = read_wall(model, state);
   double moved = 0, off = 0, all = 0;
   for (const JointReading& joint : wall.joints) {
     const double area = joint.shape.area, size = std::sqrt(area);
@@ -191,96 +80,6 @@ Joints read_joints(const Model& model, const State& state) {
   if (all > 0) sum.size /= all;
   if (moved > 0) sum.slid_off = off / moved;
   return sum;
-}
-
-// --- pieces -----------------------------------------------------------------------------------------------
-
-// Seen from above: which way blocks lie across their length, and how thick that is over how long, squared.
-struct Plan {
-  Vec3 normal;
-  double thin = 1;
-};
-Plan plan_of(const std::vector<Moved>& blocks) {
-  double mass = 0, xx = 0, xz = 0, zz = 0;
-  Vec3 mean;
-  for (const Moved& b : blocks) mass += b.mass, mean = mean + b.mass * b.start;
-  mean = mean / mass;
-  for (const Moved& b : blocks) {
-    const Vec3 r = b.start - mean;
-    xx += b.mass * r.x * r.x, xz += b.mass * r.x * r.z, zz += b.mass * r.z * r.z;
-  }
-  const double half = 0.5 * (xx - zz), root = std::hypot(half, xz), middle = 0.5 * (xx + zz);
-  const double angle = 0.5 * std::atan2(xz, half);  // of the long way
-  return {{-std::sin(angle), 0, std::cos(angle)},
-          middle > 0 ? (middle - root) / (middle + root) : 1.0};
-}
-
-// The cut of a piece in two, by height, along or across, that explains most.
-std::array<Piece, 2> cut_in_two(const Piece& piece) {
-  std::array<Piece, 2> best;
-  double least = 1e300;
-  const Vec3 up{0, 1, 0}, normal = plan_of(piece.blocks).normal;
-  for (const Vec3& along : {up, cross(up, normal), normal}) {
-    const auto place = [&](const Moved& b) { return dot(b.start, along); };
-    std::vector<Moved> sorted = piece.blocks;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const Moved& a, const Moved& b) { return place(a) < place(b); });
-    const std::size_t every = sorted.size() / 64;
-    std::size_t since = every;
-    for (std::size_t k = 1; k < sorted.size(); ++k) {
-      const bool at_once = place(sorted[k]) - place(sorted[k - 1]) < 0.1 * sorted[k].radius;
-      if (at_once || ++since <= every) continue;
-      since = 0;
-      std::array<Piece, 2> now;
-      const auto cut = sorted.begin() + static_cast<std::ptrdiff_t>(k);
-      now[0].blocks.assign(sorted.begin(), cut);
-      now[1].blocks.assign(cut, sorted.end());
-      for (Piece& part : now) fit(part);
-      const double left = now[0].missed + now[1].missed;
-      if (left < least) least = left, best = now;
-    }
-  }
-  return best;
-}
-
-// Each block goes to the piece that explains it best, until none changes.
-void sort_out(std::vector<Piece>& pieces) {
-  for (int round = 0; round < 10; ++round) {
-    std::vector<Piece> next(pieces.size());
-    bool changed = false;
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      for (const Moved& b : pieces[p].blocks) {
-        std::size_t best = p;
-        for (std::size_t q = 0; q < pieces.size(); ++q)
-          if (missed(pieces[q], b) < missed(pieces[best], b)) best = q;
-        changed = changed || best != p;
-        next[best].blocks.push_back(b);
-      }
-    if (!changed || std::any_of(next.begin(), next.end(),
-                                [](const Piece& piece) { return piece.blocks.empty(); }))
-      return;
-    for (Piece& piece : next) fit(piece);
-    if (residual(next) > residual(pieces)) return;
-    pieces = std::move(next);
-  }
-}
-
-// As few rigid pieces as explain the motion; as many as there may be where none do.
-std::vector<Piece> pieces_of(const Piece& whole) {
-  std::vector<Piece> pieces{whole};
-  while (pieces.size() < kMostPieces && residual(pieces) > kRigid) {
-    const auto worst =
-        std::max_element(pieces.begin(), pieces.end(),
-                         [](const Piece& a, const Piece& b) { return a.missed < b.missed; });
-    const std::array<Piece, 2> two = cut_in_two(*worst);
-    if (two[0].blocks.empty()) break;
-    *worst = two[0];
-    pieces.push_back(two[1]);
-    sort_out(pieces);
-  }
-  std::sort(pieces.begin(), pieces.end(),
-            [](const Piece& a, const Piece& b) { return a.centre.y < b.centre.y; });
-  return pieces;
 }
 
 // --- names ------------------------------------------------------------------------------------------------
@@ -389,7 +188,107 @@ Sideways bends_sideways(const std::vector<Piece>& pieces) {
   return found;
 }
 
-Message some_pieces(const std::vector<Piece>& pieces, Vec3 normal, FailureMode& mode) {
+// --- walls that move together ---------------------------------------------------------------------------------
+
+// Masonry that joints hold together, and what of it takes part.
+struct Wall {
+  std::vector<Moved> all, part;
+};
+
+// The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.
+std::string wall_of(const std::string& id) {
+  for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
+    const std::string_view rest = std::string_view(id).substr(dot + 1);
+    const bool unit = rest.size() > 1 && rest[0] == 'c' && std::isdigit(rest[1]) != 0;
+    if (unit || rest.starts_with("lintel") || rest.starts_with("sill") || rest.starts_with("arch"))
+      return id.substr(0, dot);
+  }
+  return "";
+}
+
+// "walls left, right", or how many blocks where they bear no names of walls.
+Message walls_of(const std::vector<Moved>& blocks) {
+  constexpr std::size_t kMostNames = 6;
+  std::vector<std::string> names;
+  for (const Moved& b : blocks) {
+    const std::string name = wall_of(b.body->id);
+    if (name.empty()) return {"space.blocks", {{"blocks", blocks.size()}}};
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::string list;
+  for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
+    list += (k > 0 ? ", " : "") + names[k];
+  if (names.size() > kMostNames) list += ", ...";
+  return {names.size() == 1 ? "space.wall" : "space.walls", {{"names", list}}};
+}
+
+// Whether a piece turns about a line at the foot of its walls: some corner of them below its centre would hardly move
+// with it. Their lowest stones need not take part.
+bool stands_on_its_hinge(const Piece& piece, const std::vector<Wall>& walls) {
+  const auto is_of = [&](const Wall& wall) {
+    return std::any_of(wall.part.begin(), wall.part.end(), [&](const Moved& b) {
+      return std::any_of(piece.blocks.begin(), piece.blocks.end(),
+                         [&](const Moved& own) { return own.id == b.id; });
+    });
+  };
+  double least = 1e300, most = 0, foot = 0;
+  for (const Wall& wall : walls) {
+    if (!is_of(wall)) continue;
+    for (const Moved& b : wall.all)
+      for (const Polyhedron& part : b.body->part)
+        for (const Vec3& corner : part.vertex) {
+          const double way = length(piece.way_of(corner));
+          if (way < least) least = way, foot = corner.y;
+          most = std::fmax(most, way);
+        }
+  }
+  return least <= kRigid * most && foot < piece.centre.y;
+}
+
+// The pieces that turn as the heaviest does, each about a level line at its own foot; how much they weigh.
+struct Alike {
+  std::vector<const Piece*> pieces;
+  double mass = 0, all = 0;
+};
+Alike turn_alike(const std::vector<Piece>& pieces, const std::vector<Wall>& walls) {
+  const Piece& main = *std::max_element(
+      pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass < b.mass; });
+  Alike found;
+  for (const Piece& piece : pieces) {
+    found.all += piece.mass;
+    const bool alike = length(piece.turn - main.turn) <= kRigid * length(main.turn);
+    if (!alike || !piece.turns || !is_level(piece.turn) || !stands_on_its_hinge(piece, walls))
+      continue;
+    found.mass += piece.mass;
+    found.pieces.push_back(&piece);
+  }
+  return found;
+}
+
+// Walls that overturn by equal turns about parallel lines, as a slab between them makes them do; "" where they do not.
+Message overturn_together(const std::vector<Piece>& pieces, const std::vector<Wall>& walls,
+                          FailureMode& mode) {
+  const Alike alike = turn_alike(pieces, walls);
+  note(mode, "mass of pieces that turn alike about their feet", alike.mass / alike.all, 1 - kRigid);
+  if (alike.pieces.size() < 2 || alike.mass < (1 - kRigid) * alike.all) return {};
+  mode.name = "overturning";
+  std::vector<Message> lines;
+  double degrees = 0;
+  for (const Piece* piece : alike.pieces) {
+    const Vec3 hinge = hinge_of(*piece);
+    degrees += piece->mass / alike.mass * length(piece->turn) * 180 / M_PI;
+    lines.push_back({"space.line",
+                     {{"walls", walls_of(piece->blocks)},
+                      {"y_m", hinge.y},
+                      {"x_m", hinge.x},
+                      {"z_m", hinge.z}}});
+  }
+  return {"space.together",
+          {{"pieces", alike.pieces.size()}, {"degrees", degrees}, {"lines", std::move(lines)}}};
+}
+
+Message some_pieces(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, Vec3 normal,
+                    FailureMode& mode) {
   const double count = static_cast<double>(pieces.size());
   if (bends_upwards(pieces)) {
     mode.name = "bending";
@@ -402,6 +301,7 @@ Message some_pieces(const std::vector<Piece>& pieces, Vec3 normal, FailureMode& 
     mode.name = sideways.oblique ? "two-way bending" : "horizontal bending";
     return {sideways.oblique ? "space.two_way" : "space.sideways", {{"pieces", count}}};
   }
+  if (Message together = overturn_together(pieces, walls, mode); !together.empty()) return together;
   const auto main = std::max_element(
       pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass < b.mass; });
   double all = 0;
@@ -431,15 +331,34 @@ Message in_its_plane(const std::vector<Piece>& pieces, const Joints& joints, Fai
           {{"percent", 100 * (rocks ? rocking / all : slip)}, {"slip_percent", 100 * slip}}};
 }
 
-// The mechanism of the blocks that take part.
-Message mechanism_of(const std::vector<Moved>& part, const Joints& joints, FailureMode& mode) {
+// Across the walls that take part, where they are thin and parallel; 0 where they are not. A wall is what joints hold
+// together: the plan of two walls side by side tells of their distance, not of their planes.
+Vec3 normal_of(const std::vector<Wall>& walls) {
+  double all = 0, parallel = 0, heaviest = 0;
+  Vec3 normal;
+  for (const Wall& wall : walls) {
+    const double mass = mass_of(wall.part);
+    if (mass > heaviest) heaviest = mass, normal = plan_of(wall.part).normal;
+  }
+  for (const Wall& wall : walls) {
+    const Plan plan = plan_of(wall.part);
+    const bool counts = plan.thin <= kThin && std::fabs(dot(plan.normal, normal)) > kParallel;
+    all += mass_of(wall.part);
+    if (counts) parallel += mass_of(wall.part);
+  }
+  return parallel >= (1 - kRigid) * all ? normal : Vec3{};
+}
+
+// The mechanism of the blocks that take part, wall by wall.
+Message mechanism_of(const std::vector<Wall>& walls, const Joints& joints, FailureMode& mode) {
   Piece whole;
-  whole.blocks = part;
+  for (const Wall& wall : walls)
+    whole.blocks.insert(whole.blocks.end(), wall.part.begin(), wall.part.end());
+  const std::vector<Moved>& part = whole.blocks;
   fit(whole);
   note(mode, "motion that one rigid piece explains", 1 - whole.residual(), 1 - kRigid);
   mode.scores["one piece"] = 1 - whole.residual();
-  const Plan plan = plan_of(part);
-  const Vec3 normal = plan.thin <= kThin ? plan.normal : Vec3{};
+  const Vec3 normal = normal_of(walls);
   if (whole.residual() <= kRigid) return one_piece(whole, normal, mode);
   if (length(normal) > 0) {
     const double off = off_plane(part, normal);
@@ -449,27 +368,74 @@ Message mechanism_of(const std::vector<Moved>& part, const Joints& joints, Failu
   const std::vector<Piece> pieces = pieces_of(whole);
   mode.scores["pieces"] = 1 - residual(pieces);
   note(mode, "motion that up to four rigid pieces explain", 1 - residual(pieces), 1 - kRigid);
-  if (residual(pieces) <= kRigid) return some_pieces(pieces, normal, mode);
+  if (residual(pieces) <= kRigid) return some_pieces(pieces, walls, normal, mode);
   return {"space.unclear",
           {{"percent", 100 * (1 - whole.residual())},
            {"pieces_percent", 100 * (1 - residual(pieces))}}};
 }
 
-// A slab outweighs many stones, and a mode is of walls: it counts only where nothing else moves.
+bool is_slab(const Model& model, BlockId block) {
+  return block >= 0 && block < model.n_block &&
+         model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kSlab;
+}
+
+// A slab outweighs many stones, and a mode is of walls: it counts only where it goes far beyond them.
 void leave_slabs_out(const Model& model, double least, std::vector<Moved>& blocks) {
-  const auto is_slab = [&](const Moved& b) {
-    return model.anatomy.block_role[static_cast<std::size_t>(b.id)] == BlockRole::kSlab;
+  double most = 0;
+  for (const Moved& b : blocks) most = std::fmax(most, length(b.moved));
+  least = std::fmax(least, kTakesPart * most);
+  if (std::any_of(blocks.begin(), blocks.end(), [&](const Moved& b) {
+        return !is_slab(model, b.id) && length(b.moved) >= least;
+      }))
+    std::erase_if(blocks, [&](const Moved& b) { return is_slab(model, b.id); });
+}
+
+// Slabs that move along, but otherwise than the walls that take part: how far the furthest one slips on them, over
+// its own way. The name of the walls leaves that out.
+struct Slip {
+  double share = 0, way = 0;
+};
+Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vector<Moved>& part,
+                   double most) {
+  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
+  const auto takes_part = [&](BlockId b) {
+    return b >= 0 && b < model.n_block && takes[static_cast<std::size_t>(b)];
   };
-  if (std::any_of(blocks.begin(), blocks.end(),
-                  [&](const Moved& b) { return !is_slab(b) && length(b.moved) >= least; }))
-    std::erase_if(blocks, is_slab);
+  Slip slip;
+  for (const JointReading& joint : wall.joints) {
+    const BlockId a = joint.shape.a, b = joint.shape.b;
+    const BlockId slab = is_slab(model, a) ? a : b, other = slab == a ? b : a;
+    if (!is_slab(model, slab) || !takes_part(other)) continue;
+    const double way = length(wall.blocks[static_cast<std::size_t>(slab)].moved);
+    if (way < kTakesPart * most || joint.slip <= slip.share * way) continue;
+    slip = {joint.slip / way, joint.slip};
+  }
+  return slip;
+}
+
+// The walls of which something takes part; a wall is what hangs together of `masonry`.
+std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& masonry,
+                             const std::vector<Moved>& part) {
+  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
+  std::vector<Wall> walls;
+  for (std::vector<Moved>& all : clusters_of(model, masonry)) {
+    Wall wall;
+    for (const Moved& b : all)
+      if (takes[static_cast<std::size_t>(b.id)]) wall.part.push_back(b);
+    wall.all = std::move(all);
+    if (!wall.part.empty()) walls.push_back(std::move(wall));
+  }
+  return walls;
 }
 
 }  // namespace
 
 FailureMode name_in_space(const Model& model, const State& state) {
   FailureMode mode;
-  const Joints joints = read_joints(model, state);
+  const WallReading wall = read_wall(model, state);
+  const Joints joints = read_joints(model, wall);
   mode.evidence.push_back(
       {"joints", "largest movement over the joint's size", joints.movement, kMoved, "-"});
   if (joints.movement < kMoved) {
@@ -479,6 +445,7 @@ FailureMode name_in_space(const Model& model, const State& state) {
   }
   std::vector<Moved> part = read_blocks(model, state);
   leave_slabs_out(model, kMoved * joints.size, part);
+  const std::vector<Moved> masonry = part;
   const double all = mass_of(part);
   double most = 0;
   for (const Moved& b : part) most = std::fmax(most, length(b.moved));
@@ -494,7 +461,18 @@ FailureMode name_in_space(const Model& model, const State& state) {
                      {{"blocks", count}, {"percent", 100 * taking / all}, {"mm", 1e3 * most}}};
     return mode;
   }
-  mode.sentence = mechanism_of(part, joints, mode);
+  const std::vector<Wall> walls = walls_with(model, masonry, part);
+  mode.sentence = mechanism_of(walls, joints, mode);
+  if (walls.size() > 1 && mode.name != "unclear" && mode.sentence.code != "space.together")
+    mode.sentence = {"space.of_walls",
+                     {{"walls", walls_of(part)}, {"shows", std::move(mode.sentence)}}};
+  const Slip slip = slip_of_slabs(model, wall, part, most);
+  if (slip.share >= kTakesPart && mode.name != "unclear") {
+    note(mode, "slip of a slab on what takes part, over its own way", slip.share, kTakesPart);
+    mode.sentence = {"space.slab_slips",
+                     {{"mm", 1e3 * slip.way}, {"shows", std::move(mode.sentence)}}};
+    mode.name = "unclear";
+  }
   if (joints.slid_off >= kSlidOff) {
     note(mode, "area of moved joints that is pressed beyond its face", joints.slid_off, kSlidOff);
     mode.sentence = {"mode.slid_off", {{"shows", std::move(mode.sentence)}}};

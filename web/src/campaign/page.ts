@@ -72,7 +72,7 @@ function study(campaign: Campaign): Child {
 
 function provenance(campaign: Campaign): Child {
   return [
-    isShaken(campaign) ? assumptions(["rigid", "law", "base", "records", "single_shake"]) : assumptions(),
+    isShaken(campaign) ? assumptions(campaign.header, ["rigid", "law", "base", "records", "single_shake"]) : assumptions(campaign.header),
     provenanceTable([
       [say("provenance.program"), campaign.header.provenance || "–"],
       [
