@@ -6,6 +6,7 @@
 #include <map>
 
 #include "dynamics/meters/residual.h"
+#include "model/shaking.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/said.h"
@@ -143,6 +144,10 @@ void add_shaking(Bundle& bundle, const Model& model, const Result& result) {
     put("base_shear_kN", 1e-3 * on(h.row[k].base_force));
     put("displacement_mm", 1e3 * on(h.motion[k * h.point.size()]));
     put("opening_mm", 1e3 * h.row[k].opening);
+    for (std::size_t storey = 0; storey < h.storey.size(); ++storey) {
+      const auto [x, z] = storey_drift(h, k, storey);
+      put(fmt::format("storey_{}_percent", storey).c_str(), 1e2 * on({x, 0, z}));
+    }
   }
   for (const auto& [name, values] : columns)
     bundle.add("shake." + name, std::span<const float>(values));

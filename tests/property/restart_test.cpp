@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
+#include "scenes/solids.h"
 #include "scenes/whole_result.h"
 #include "scenes/zones.h"
 #include "scenes/zones_in_space.h"
@@ -161,6 +163,26 @@ TEST(Restart, in_a_hold_after_a_push_gives_the_same_result) {
   hold.duration = 0.02;
   spec.stage.push_back(hold);
   expect_invisible(spec, kPiece, {"push", "hold"});
+}
+
+// How far a support went in the last step is in no state: the record tells it.
+TEST(Restart, a_support_that_shakes_what_lies_on_it_in_pieces_gives_the_same_result) {
+  ModelSpec spec = scenes::in_space({scenes::box("floor", {-1, -0.2, -1}, {2, 0.2, 2}, true),
+                                     scenes::box("a", {-0.2, 0, -0.15}, {0.4, 0.3, 0.3}),
+                                     scenes::box("b", {-0.2, 0.3, -0.15}, {0.4, 0.3, 0.3})},
+                                    scenes::dry_joint(1e9, 4e8, std::atan(0.3)));
+  spec.solve.contacts = Contacts::kFree;
+  spec.stage = {scenes::gravity_stage(), scenes::shake_stage(8, 0.2)};
+  spec.stage.back().record.front().at.block = "floor";
+  spec.stage.back().free_vibration = 0.01;
+  for (const double restitution : {1.0, 0.2}) {
+    spec.stage.back().restitution = restitution;
+    const End whole = run(spec, 0);
+    ASSERT_EQ(whole.result.status, SolveStatus::kCompleted) << whole.result.reason;
+    EXPECT_EQ(run(spec, kPiece).whole, whole.whole);
+    const State& end = whole.result.snapshots.back().state;
+    EXPECT_EQ(std::count(end.handed_over.begin(), end.handed_over.end(), 1.0), 1);
+  }
 }
 
 TEST(Restart, a_shaken_wall_in_pieces_gives_the_same_result) {

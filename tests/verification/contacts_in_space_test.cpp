@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "contact/meeting_in_space.h"
 #include "dynamics/meters/residual.h"
@@ -118,6 +119,155 @@ TEST(ContactInSpace, forces_are_the_same_on_the_way_back) {
   EXPECT_EQ(there, back);
   for (std::size_t k = 1; k < there.size(); ++k)
     EXPECT_LT(std::fabs(there[k] - there[k - 1]), 0.03 * there[0]) << "no jump at " << k;
+}
+
+// --- LMGC90's U-shape and its edges, there and back -------------------------------------------------------
+
+// What part 1 does to part 0 by its force on part 1 in the wall's axes, and where; the face is remembered, as contacts do.
+struct Pressed {
+  Vec force{0, 0, 0}, place{0, 0, 0};
+  double energy = 0, spread = 0;
+};
+class Pair {
+ public:
+  Pair(const SpaceParts& parts, int second)
+      : a_(contact::part_of(parts, 0)), b_(contact::part_of(parts, second)) {}
+
+  Pressed at(const SpaceFrame& here, const SpaceFrame& there) {
+    const SpaceFrame ba = contact::seen_from(here, there), ab = contact::seen_from(there, here);
+    const contact::Face face = contact::face_of(a_, b_, ba, ab, last_, 0.25 * kBevel);
+    last_ = face.feature;
+    if (face.distance >= 0) return {};
+    const bool of_a = face.feature >= 0;
+    const contact::Facet& f = of_a ? a_.facet[face.feature] : b_.facet[-1 - face.feature];
+    const SpaceOverlap o = of_a ? contact::overlap_on(a_, face.feature, b_, ba)
+                                : contact::overlap_on(b_, -1 - face.feature, a_, ab);
+    if (!(o.cover > 0)) return {};
+    const SpaceFrame& frame = of_a ? here : there;
+    const auto out = [&](const Vec& v) {
+      return turned(frame.turn, v.x * f.x + v.y * f.y + v.z * f.z);
+    };
+    const Vec middle = f.origin + (-o.moment.y / o.force.z) * f.x + (o.moment.x / o.force.z) * f.y;
+    return {(of_a ? 1.0 : -1.0) * out(o.force), frame.at + turned(frame.turn, middle), o.energy,
+            o.spread};
+  }
+
+ private:
+  SpacePart a_, b_;
+  std::int32_t last_ = contact::kNoFeature;
+};
+
+// Along a way and back. The same forces, but within half a bevel of where two faces are equally good: there
+// the one that was before stays. No force jumps by more than `jump` of the largest, and what goes in comes back.
+void there_and_back(Pair pair, const SpaceFrame& here, const std::function<SpaceFrame(double)>& way,
+                    double jump, bool turns = false) {
+  constexpr int kSteps = 4000;
+  std::vector<Pressed> there, back;
+  for (int k = 0; k <= kSteps; ++k) there.push_back(pair.at(here, way(1.0 * k / kSteps)));
+  for (int k = kSteps; k >= 0; --k) back.push_back(pair.at(here, way(1.0 * k / kSteps)));
+  std::reverse(back.begin(), back.end());
+  double most = 0, work = 0;
+  for (const Pressed& p : there) most = std::max(most, std::sqrt(dot(p.force, p.force)));
+  ASSERT_GT(most, 0);
+  int other = 0;
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    const Vec d = there[k].force - back[k].force;
+    other += std::sqrt(dot(d, d)) > 1e-9 * most;
+    if (k == 0) continue;
+    const Vec step = there[k].force - there[k - 1].force;
+    if (!turns) {
+      EXPECT_LT(std::sqrt(dot(step, step)), jump * most) << "no jump at " << k;
+    }
+    EXPECT_LT(std::fabs(std::sqrt(dot(there[k].force, there[k].force)) -
+                        std::sqrt(dot(there[k - 1].force, there[k - 1].force))),
+              jump * most);
+    const Vec moved = way(1.0 * static_cast<double>(k) / kSteps).at -
+                      way(1.0 * static_cast<double>(k - 1) / kSteps).at;
+    work += 0.5 * dot(there[k].force + there[k - 1].force, moved);
+  }
+  EXPECT_LE(other, turns ? kSteps / 50 : 0);
+  double stored = 0;
+  for (const Pressed& p : there) stored = std::max(stored, p.energy);
+  EXPECT_NEAR(work, there.front().energy - there.back().energy, 0.02 * stored);
+}
+
+TEST(ContactInSpace, a_u_shape_shares_a_rectangle_with_each_leg) {
+  Cubes cubes;  // on the first an inverted U whose legs are 0.2 m wide, seen from between them
+  for (const double x : {-0.3, 0.1})
+    cubes.parts.add(box("leg", {x, -0.3, 0}, {0.2, 0.6, 0.4}).part[0], {}, kBevel);
+  const SpaceFrame here = frame({0, 0, 0}), there = frame({0, -0.3, 0.3 - kDeep});
+  for (const int leg : {2, 3}) {
+    const SpacePart a = contact::part_of(cubes.parts, 0), b = contact::part_of(cubes.parts, leg);
+    const contact::Face face =
+        contact::face_of(a, b, contact::seen_from(here, there), contact::seen_from(there, here),
+                         contact::kNoFeature, 0.25 * kBevel);
+    ASSERT_GE(face.feature, 0);
+    SpaceOverlap overlap =
+        contact::overlap_on(a, face.feature, b, contact::seen_from(here, there), 0, true);
+    const contact::Facet& f = a.facet[face.feature];
+    for (Vec& p : overlap.polygon) p = f.origin + p.x * f.x + p.y * f.y;
+    const double low = leg == 2 ? -0.3 : 0.1;
+    expect_polygon(overlap, {{low, -0.3}, {low + 0.2, -0.3}, {low + 0.2, 0}, {low, 0}});
+    EXPECT_NEAR(overlap.force.z, 0.06 * kDeep, 5e-3 * 0.06 * kDeep);
+    // over the side of the cube and back
+    there_and_back(
+        Pair(cubes.parts, leg), here,
+        [](double s) {
+          return frame({0.25 * s, -0.3 - 0.29 * s, 0.3 - kDeep});
+        },
+        5e-3);
+  }
+}
+
+// Two edges that cross press where they cross, upwards: on the bevel of one.
+TEST(ContactInSpace, edges_that_cross_press_where_they_cross) {
+  const Cubes cubes;
+  const double half = 0.3 * std::sqrt(2.0), deep = 2e-3;
+  const SpaceFrame here = frame({0, 0, 0}, M_PI / 4, {1, 0, 0});
+  const auto across = [&](double x, double y) {
+    return frame({x, y, 2 * half - deep}, M_PI / 4, {0, 1, 0});
+  };
+  for (const double x : {-0.2, 0.0, 0.15}) {
+    const Pressed p = Pair(cubes.parts, 1).at(here, across(x, 0.05));
+    EXPECT_GT(p.force.z, 0);
+    EXPECT_NEAR(p.force.x, 0, 1e-9 * p.force.z);
+    EXPECT_NEAR(p.force.y, 0, 1e-9 * p.force.z);
+    EXPECT_NEAR(p.place.x, x, deep);
+    EXPECT_NEAR(p.place.y, 0, deep);
+    EXPECT_NEAR(p.place.z, half, 2 * deep);
+  }
+  // along its edge, over the end of it; and down on it
+  there_and_back(
+      Pair(cubes.parts, 1), here, [&](double s) { return across(0.4 * s, 0.05); }, 0.12);
+  there_and_back(
+      Pair(cubes.parts, 1), here,
+      [&](double s) {
+        return frame({0.1, 0.05, 2 * half + 1e-3 - 3e-3 * s}, M_PI / 4, {0, 1, 0});
+      },
+      0.02);
+}
+
+// Two edges along each other press all along, on one face or on the other.
+TEST(ContactInSpace, edges_along_each_other_press_all_along) {
+  const Cubes cubes;
+  const double half = 0.3 * std::sqrt(2.0), deep = 2e-3;
+  const SpaceFrame here = frame({0, 0, 0}, M_PI / 4, {1, 0, 0});
+  const auto above = [&](double x, double y) {
+    return frame({x, y, 2 * half - deep}, M_PI / 4, {1, 0, 0});
+  };
+  for (const double y : {-2e-4, 2e-4}) {
+    const Pressed p = Pair(cubes.parts, 1).at(here, above(0, y));
+    EXPECT_GT(p.force.z, 0);
+    EXPECT_GT(p.force.y * y, 0) << "to the side where it lies";
+    EXPECT_NEAR(p.place.x, 0, 1e-6);
+    EXPECT_NEAR(p.place.y, 0, deep);
+    EXPECT_NEAR(p.spread, 0.6 * 0.6 / 12, 1e-3);
+  }
+  there_and_back(
+      Pair(cubes.parts, 1), here, [&](double s) { return above(0.7 * s, 5e-4); }, 5e-3);
+  // over the edge, where the other face takes its place
+  there_and_back(
+      Pair(cubes.parts, 1), here, [&](double s) { return above(0, 4e-3 * (s - 0.5)); }, 0.05, true);
 }
 
 // As in the plane: the slop chooses between faces that are passed, not whether one separates.
@@ -253,6 +403,59 @@ TEST(ContactInSpace, friction_sticks_and_slides_at_its_tangent_in_any_direction)
       EXPECT_NEAR(std::hypot(moved.x, moved.z), 0.5 * pulled * 0.0625, 0.05 * moved.x);
       EXPECT_NEAR(moved.x, moved.z, 1e-6);
     }
+  }
+}
+
+// A support starts at once with v below a block at rest: friction pulls it at mu g until it goes along, v / (mu g)
+// later, and v^2 / (2 mu g) behind.
+TEST(ContactInSpace, a_support_that_moves_drags_what_lies_on_it) {
+  constexpr double kSpeed = 1, kFriction = 0.3;
+  ModelSpec spec =
+      on_a_table({box("block", {-0.6, 0, -0.1}, {0.2, 0.04, 0.2})}, std::atan(kFriction));
+  spec.body.front().part = box("table", {-1, -0.2, -0.5}, {3, 0.2, 1}, true).part;
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("table", Direction::kPlusX, 1, 1)};
+  SpaceRig rig(compile(spec));
+  rig.controls.damping = 0.5;
+  let_go(rig);
+  rig.run(0.2);
+  rig.controls.damping = 0;
+  const double work = dynamics::energy_ledger(rig.model, rig.state, 1).drive,
+               start = rig.state.ux[0];
+  const double rubbed = rig.state.dissipated_friction;
+  rig.drive(1, kSpeed);
+  rig.run(0.2);
+  const double pull = kFriction * kG, weight = rig.model.mass[0] * kG;
+  EXPECT_NEAR(rig.state.vx[0], 0.2 * pull, 0.01 * pull);
+  EXPECT_NEAR(rig.state.ux[0] - start, 0.5 * pull * 0.04, 2e-4);
+  double reaction = 0;
+  for (int k = 0; k < 400; ++k) reaction += rig.advance() / 400;
+  EXPECT_NEAR(reaction, kFriction * weight, 0.01 * kFriction * weight);
+  rig.run(0.4);
+  const double behind = kSpeed * kSpeed / (2 * pull);
+  EXPECT_NEAR(rig.state.vx[0], kSpeed, 2e-3);
+  EXPECT_NEAR(rig.state.support_x[0] - (rig.state.ux[0] - start), behind, 5e-3 * behind);
+  const EnergyLedger e = dynamics::energy_ledger(rig.model, rig.state, 1);
+  EXPECT_NEAR(e.friction - rubbed, kFriction * weight * behind, 0.01 * weight * behind);
+  EXPECT_NEAR(e.drive - work, 2 * kFriction * weight * behind, 0.01 * weight * behind);
+  EXPECT_LT(std::fabs(e.gap), 2e-3 * e.friction);
+}
+
+// It comes from afar and strikes a block that sleeps: without loss the block leaves at twice the speed.
+TEST(ContactInSpace, a_support_that_moves_wakes_what_it_strikes) {
+  ModelSpec spec = on_a_table({box("block", {-0.6, 0, -0.1}, {0.2, 0.2, 0.2})}, std::atan(1e-4));
+  spec.body.push_back(box("ram", {-1, 0.02, -0.1}, {0.1, 0.16, 0.2}, true));
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("ram", Direction::kPlusX, 1, 1)};
+  for (const double speed : {0.5, 3.0}) {
+    SpaceRig rig(compile(spec));
+    rig.controls.damping = 0;
+    rig.controls.dt *= 0.3;  // an impact is right to 1 % there
+    let_go(rig);
+    rig.drive(1, speed);
+    rig.run(0.29 / speed);
+    EXPECT_NEAR(rig.state.ux[0], 0, 1e-4) << "before it is struck";
+    rig.run(0.03 / speed);
+    EXPECT_NEAR(rig.state.vx[0], 2 * speed, 0.05 * speed);
+    EXPECT_GT(0.3 + rig.state.ux[0], rig.state.support_x.back()) << "ahead of the ram";
   }
 }
 

@@ -7,6 +7,7 @@
 #include "model/shaking.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
+#include "verification/held_wall.h"
 #include "verification/record.h"
 #include "wythe/solve.h"
 
@@ -360,113 +361,7 @@ TEST(Shaking, rocking_under_many_pulses_is_that_of_the_rocking_equation) {
          std::sqrt(squares / runs));
 }
 
-// --- a wall held at its top that cracks at half height: two bodies ------------------------------------------------
-
-//    o  held sideways, free to rise       The lower body turns by theta about its toe, the upper by phi the other
-//    /  h                                 way about its lower edge on the other face. One freedom: phi follows from
-//    \  h                                 the top's place. Masses of both are 1.
-struct HeldWall {
-  double b, h;  // half of the thickness, height of one body
-
-  struct Place {
-    double x1, y1, a1, x2, y2, a2;
-  };
-  // Bent to +x by theta >= 0.
-  [[nodiscard]] Place at(double theta) const {
-    const double c = std::cos(theta), s = std::sin(theta);
-    double phi = theta;
-    for (int k = 0; k < 8; ++k)
-      phi -= (b - 2 * b * c + h * s + b * std::cos(phi) - h * std::sin(phi)) /
-             (-b * std::sin(phi) - h * std::cos(phi));
-    const double ax = b - 2 * b * c + h * s, ay = 2 * b * s + h * c;
-    const double cp = std::cos(phi), sp = std::sin(phi);
-    return {b - b * c + 0.5 * h * s,    b * s + 0.5 * h * c,        -theta,
-            ax + b * cp - 0.5 * h * sp, ay + b * sp + 0.5 * h * cp, phi};
-  }
-  // theta'' at this place and rate, under an acceleration of the base towards +x.
-  [[nodiscard]] double pull(double theta, double rate, double base) const {
-    constexpr double d = 1e-5;
-    const double at0 = std::fmax(theta, 2 * d), i2 = (4 * b * b + h * h) / 12;
-    const auto slope = [&](double t) {
-      const Place p = at(t - d), q = at(t + d);
-      const auto over = [&](double Place::*m) { return (q.*m - p.*m) / (2 * d); };
-      return Place{over(&Place::x1), over(&Place::y1), over(&Place::a1),
-                   over(&Place::x2), over(&Place::y2), over(&Place::a2)};
-    };
-    const auto mass = [&](const Place& v) {
-      return v.x1 * v.x1 + v.y1 * v.y1 + v.x2 * v.x2 + v.y2 * v.y2 +
-             i2 * (v.a1 * v.a1 + v.a2 * v.a2);
-    };
-    const Place v = slope(at0);
-    const double grows = (mass(slope(at0 + d)) - mass(slope(at0 - d))) / (2 * d);
-    return (-base * (v.x1 + v.x2) - kG * (v.y1 + v.y2) - 0.5 * grows * rate * rate) / mass(v);
-  }
-  // Of the rate, what an impact leaves: moments of the impulses about the new mechanism vanish.
-  [[nodiscard]] double kept() const {
-    const double i2 = (4 * b * b + h * h) / 12, same = 0.5 * h * h + 2 * i2, lift = 10 * b * b;
-    return (same - lift) / (same + lift);
-  }
-  [[nodiscard]] double uplift() const { return 4 * kG * b / h; }
-};
-
-// Largest way of the lower body's centre over b; 9 where the wall falls.
-double bent(const HeldWall& w, const GroundMotion& base, double seconds) {
-  constexpr double h = 2e-4;
-  double theta = 0, rate = 0, side = 0, most = 0;
-  for (double t = 0; t < seconds; t += h) {
-    const auto a = [&](double at) { return side * base.acceleration_at(at); };
-    if (side == 0) {
-      const double now = base.acceleration_at(t + h);
-      if (std::fabs(now) <= w.uplift()) continue;
-      side = now < 0 ? 1 : -1;  // bent to +x where the base goes to -x
-    }
-    const double k1 = w.pull(theta, rate, a(t));
-    const double k2 = w.pull(theta + h / 2 * rate, rate + h / 2 * k1, a(t + h / 2));
-    const double k3 =
-        w.pull(theta + h / 2 * rate + h * h / 4 * k1, rate + h / 2 * k2, a(t + h / 2));
-    const double k4 = w.pull(theta + h * rate + h * h / 2 * k2, rate + h * k3, a(t + h));
-    theta += h * rate + h * h / 6 * (k1 + k2 + k3);
-    rate += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    if (theta < 0) {
-      theta = 0;
-      rate *= -w.kept();
-      side = -side;
-      if (rate < 1e-3) side = rate = 0;
-    }
-    most = std::fmax(most, w.at(theta).x1 / w.b);
-    if (theta > 0.9) return 9;
-  }
-  return most;
-}
-
-double shaken_bend(const HeldWall& w, const RecordSpec& record, double stiffness) {
-  std::vector<BlockSpec> blocks{scenes::rectangle("lower", 0, 0, 2 * w.b, w.h),
-                                scenes::rectangle("upper", 0, w.h, 2 * w.b, w.h)};
-  ModelSpec spec = scenes::assembly(
-      blocks, scenes::dry_joint(stiffness, 0.4 * stiffness, degrees(70)), 1.0, 2000);
-  spec.solve.point_rule = PointRule::kCorners;
-  spec.solve.points_per_face = 2;
-  SpringSpec top;
-  top.name = "top";
-  top.at.x = w.b, top.at.y = 2 * w.h;
-  top.stiffness = 1e9;  // at 1e8, and hinges of 1e10 Pa/m, the mean is 0.031, rms 0.053
-  spec.spring = {top};
-  StageSpec shake = plain_shake();
-  shake.record = {record};
-  shake.restitution = 0;
-  shake.free_vibration = 2;
-  spec.stage = {scenes::gravity_stage(), shake};
-  HistorySpec lower;
-  lower.name = "lower";
-  lower.at.block = "lower";
-  spec.history = {lower};
-  const Shaken s = shaken(spec);
-  if (s.result.status == SolveStatus::kCollapsed) return 9;
-  EXPECT_EQ(s.result.status, SolveStatus::kCompleted) << s.result.reason;
-  double most = 0;
-  for (const PointMotion& u : s.result.history.motion) most = std::fmax(most, std::fabs(u[0]));
-  return most / w.b;
-}
+// --- a wall held at its top that cracks at half height (held_wall.h) ------------------------------------------
 
 TEST(Shaking, a_wall_held_at_its_top_bends_as_two_rocking_bodies) {
   const HeldWall w{0.12, 1.5};
@@ -495,6 +390,74 @@ TEST(Shaking, a_wall_held_at_its_top_bends_as_two_rocking_bodies) {
   verify({"SH07", "the same: root of the mean square", "-", 0, 8e-2,
           "springs in the hinges and at the top; restitution 0.05 where it says 0", true},
          std::sqrt(squares / runs));
+}
+
+// --- drifts of storeys ------------------------------------------------------------------------------------
+
+// One flat stone a storey, each 0.1 m high; between them friction of tangent 0.2, below them none slides.
+ModelSpec stones_of_storeys(int storeys) {
+  ModelSpec spec;
+  spec.wall.length = 2;
+  spec.wall.thickness = 0.3;
+  spec.wall.unit.length = 2;
+  spec.wall.unit.height = 0.1;
+  spec.wall.unit.density = 2000;
+  spec.wall.unit.split = Split::kNone;
+  spec.material["joint"] = scenes::dry_joint(1e10, 4e9, std::atan(0.2));
+  spec.material["rough"] = scenes::dry_joint(1e10, 4e9, std::atan(2.0));
+  for (int k = 0; k < storeys; ++k) {
+    StoreySpec storey;
+    storey.name = k == 0 ? "ground" : "first";
+    storey.height = 0.1;
+    storey.unit.split = Split::kNone;
+    if (k == 0) storey.joints.joint = "rough";
+    spec.storey.push_back(storey);
+  }
+  StageSpec shake = plain_shake();
+  RecordSpec record;
+  record.unit = RecordUnit::kMetres;
+  record.times = {0, 1e-6, 0.2, 0.2 + 1e-6};
+  record.accelerations = {0, 4, 4, 0};
+  shake.record = {record};
+  shake.free_vibration = 0.5;
+  spec.stage = {scenes::gravity_stage(), shake};
+  return spec;
+}
+
+// What a stone that does not slide drifts is elastic: m a / (k_s A), and twice that where the base starts at once.
+TEST(Shaking, a_stiff_storey_on_a_shaken_base_has_no_drift) {
+  const Shaken s = shaken(stones_of_storeys(1));
+  ASSERT_EQ(s.result.status, SolveStatus::kCompleted) << s.result.reason;
+  ASSERT_EQ(s.result.shaking.storey.size(), 1U);
+  const double elastic = 2 * (2000 * 0.1) * 4 / 4e9 / 0.1;
+  EXPECT_LT(s.result.shaking.storey[0].peak, 1.1 * elastic);
+  EXPECT_LT(s.result.shaking.storey[0].residual, elastic);
+}
+
+// The upper stone slides as Newmark's block, a T^2/2 (a/(mu g) - 1), backwards; that is the drift of its storey, and the
+// ground storey has none.
+TEST(Shaking, the_storey_whose_stone_slides_has_the_drift) {
+  const Shaken s = shaken(stones_of_storeys(2));
+  ASSERT_EQ(s.result.status, SolveStatus::kCompleted) << s.result.reason;
+  const ShakeReadings& r = s.result.shaking;
+  ASSERT_EQ(r.storey.size(), 2U);
+  EXPECT_EQ(r.storey[0].storey, "ground");
+  EXPECT_EQ(r.storey[1].storey, "first");
+  const double way = 0.5 * 4 * 0.04 * (4 / (0.2 * kG) - 1), drift = way / 0.1;
+  EXPECT_NEAR(r.storey[1].peak, drift, 5e-3 * drift);
+  EXPECT_NEAR(r.storey[1].residual, drift, 5e-3 * drift);
+  EXPECT_LT(r.storey[0].peak, 1e-3 * drift);
+  const ShakeHistory& h = s.result.history;
+  EXPECT_NEAR(storey_drift(h, h.row.size() - 1, 1).first, -drift, 5e-3 * drift);
+  // halfway through the pulse: (a - mu g) t^2 / 2
+  for (std::size_t k = 0; k < h.row.size() && h.row[k].time < 0.2; ++k)
+    EXPECT_NEAR(storey_drift(h, k, 1).first,
+                -0.5 * (4 - 0.2 * kG) * h.row[k].time * h.row[k].time / 0.1, 5e-3 * drift);
+  // it rests as soon as friction has brought it to the base's speed, after a T / (mu g)
+  for (std::size_t k = 0; k < h.row.size(); ++k) {
+    if (h.row[k].time < 4 * 0.2 / (0.2 * kG)) continue;
+    EXPECT_NEAR(storey_drift(h, k, 1).first, -drift, 5e-3 * drift);
+  }
 }
 
 }  // namespace

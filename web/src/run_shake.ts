@@ -118,6 +118,80 @@ class ShakeView {
     return plot.svg;
   }
 
+  // A strip for each storey, the uppermost above, on one scale.
+  storeys(): Figure | null {
+    const names = ((this.s.storeys ?? []) as any[]).map((storey) => String(storey.name));
+    if (names.length === 0 || !(`shake.storey_0_percent` in this.bundle.header.arrays)) return null;
+    const columns = names.map((_, k) => this.column(`storey_${k}_percent`));
+    return new Figure({
+      id: "shake-storeys",
+      title: say("shake.storeys"),
+      wide: true,
+      draw: (width) => this.drawStoreys(width, names, columns),
+      caption: say("shake.storeys.caption", this.words),
+      sheet: () => ({
+        head: ["time_s", ...names.map((name) => `${name}_drift_percent`)],
+        rows: this.time.map((t, i) => [t, ...columns.map((c) => c[i])]),
+      }),
+    });
+  }
+  private drawStoreys(width: number, names: string[], columns: number[][]): SVGSVGElement {
+    const range = rangeOf([0, ...columns.flat()]);
+    const air = 0.08 * (range[1] - range[0] || 1);
+    let below = 0;
+    const strips: SVGSVGElement[] = [];
+    for (let k = names.length - 1; k >= 0; --k) {
+      const plot = new Plot({
+        width,
+        height: Math.max(150, Math.min(200, 0.2 * width)),
+        x: [0, this.time[this.time.length - 1] || 1],
+        y: [range[0] - air, range[1] + air],
+        xLabel: k === 0 ? say("axis.time") : "",
+        yLabel: say("axis.shake.storey", { storey: names[k] }),
+        title: say("shake.storeys.alt", { storey: names[k] }),
+      });
+      plot.line(this.line(columns[k]), "force");
+      plot.svg.setAttribute("y", String(below));
+      below += plot.spec.height;
+      strips.push(plot.svg);
+    }
+    return svg(
+      "svg",
+      {
+        class: "plot",
+        viewBox: `0 0 ${width} ${below}`,
+        width,
+        height: below,
+        role: "img",
+        "aria-label": say("shake.storeys.alt", { storey: names.join(", ") }),
+      },
+      ...strips,
+    ) as SVGSVGElement;
+  }
+  private storeyTable(): Child {
+    const storeys = (this.s.storeys ?? []) as any[];
+    if (storeys.length === 0) return null;
+    return table(
+      [
+        { head: say("shake.storey"), left: true },
+        { head: say("shake.height") },
+        { head: say("shake.peak") },
+        { head: say("shake.peak_at") },
+        { head: say("shake.residual") },
+      ],
+      [...storeys]
+        .reverse()
+        .map((p) => [
+          p.name,
+          qty(p.height_m, "m"),
+          qty(p.peak_drift_percent, "%", 2),
+          qty(p.peak_at_s, "s"),
+          qty(p.residual_drift_percent, "%", 2),
+        ]),
+      say("shake.storeys"),
+    );
+  }
+
   tables(gap: number): Child {
     const s = this.s;
     return [
@@ -149,6 +223,7 @@ class ShakeView {
         ]),
         say("shake.points"),
       ),
+      this.storeyTable(),
       table(
         [
           { head: say("shake.record"), left: true },
@@ -182,6 +257,6 @@ export function shakeSection(bundle: Bundle): Section {
   const section = { id: "shake", title: say("section.shake.numbers"), content: null as Child };
   if (!isShaken(bundle)) return section;
   const view = new ShakeView(bundle);
-  section.content = [view.loops().element, view.tables(bundle.header.summary.energy_J?.gap_ratio ?? 0)];
+  section.content = [view.loops().element, view.storeys()?.element ?? null, view.tables(bundle.header.summary.energy_J?.gap_ratio ?? 0)];
   return section;
 }

@@ -28,6 +28,7 @@ struct Controls {
   double mass_scaling = 1;             // inertia only; weights stay
   const Stage* push = nullptr;         // null when nothing is driven
   double drive_velocity = 0;           // along the push [m/s]
+  double drive_before = kUnset;        // the same in the step before; unset: as that step had it
   double mass_damping = 0;             // alpha of a shake: velocities fall as exp(-alpha t) [1/s]
   const Dashpots* dashpots = nullptr;  // of a shake; null: none
 };

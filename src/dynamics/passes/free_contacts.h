@@ -165,6 +165,7 @@ class FreeContacts {
   static void part_company(FreePair& pair);
   void brake(FreePair& pair, BrakedPair& braked, double area_before,
              const typename Bodies::Rubbed& rubbed, double dt) const;
+  void let_maxwell_go();
   void sum_up(State& state, const View& wall);
   [[nodiscard]] std::vector<std::size_t> find_hand_overs(const View& wall);
   void hand_over(State& state, const Jointed& pair, const View& wall);
@@ -200,14 +201,12 @@ class FreeContacts {
   // Of each, since the last search: how far each of its points can have moved, and how far off the straight path that
   // its centroid was on then [m].
   std::vector<double> way_, strayed_by_;
-  double since_search_ = 0;     // [s]
-  std::vector<double> margin_;  // within which each was looked for [m]
-  double rounding_;             // of a place, in a step [m]
-  bool searched_ = false, strayed_ = false, finite_ = true;
+  std::vector<double> margin_;          // within which each was looked for [m]
+  double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
+  bool searched_ = false, strayed_ = false, finite_ = true, braked_before_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
   const Dashpots* dashpots_ = nullptr;  // of this step
-  bool braked_before_ = true;           // that before had some, or is not known
 };
 
 // --- who may touch --------------------------------------------------------------------------------------
@@ -555,12 +554,7 @@ void FreeContacts<Bodies>::act(State& state, double dt, const Dashpots* dashpots
                                Workers& workers) {
   constexpr int kPairChunk = 256;
   dashpots_ = dashpots;
-  // in a stage without them Maxwell elements carry nothing
-  for (std::size_t k = 0; dashpots == nullptr && braked_before_ && k < pairs_.size(); ++k) {
-    FreeContact& m = pairs_[k].memory;
-    m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
-  }
-  braked_before_ = dashpots != nullptr;
+  let_maxwell_go();
   if (!finite_) return;  // the wall runs away, which others say
   const bool looks = state.step % kLookEvery == 0;
   std::vector<std::size_t> gave_way;

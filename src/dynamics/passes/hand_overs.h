@@ -44,6 +44,16 @@ void FreeContacts<Bodies>::rest_on_crushed(FreePair& pair, const Vector<double>&
   pair.memory.rest = high;
 }
 
+// In a stage without Maxwell elements they carry nothing.
+template <class Bodies>
+void FreeContacts<Bodies>::let_maxwell_go() {
+  for (std::size_t k = 0; dashpots_ == nullptr && braked_before_ && k < pairs_.size(); ++k) {
+    FreeContact& m = pairs_[k].memory;
+    m.maxwell_n = m.maxwell_x = m.maxwell_y = m.maxwell_z = 0;
+  }
+  braked_before_ = dashpots_ != nullptr;
+}
+
 // What the joints gave in this step and the free contact does not, stays as a force that fades.
 template <class Bodies>
 void FreeContacts<Bodies>::hand_over(State& state, const Jointed& pair, const View& wall) {

@@ -17,7 +17,7 @@ struct Brakes {
   std::vector<double> friction;                   // of each joint's law
   std::vector<Twist> before;                      // of blocks
   std::vector<contact::BlockLoads<double>> load;  // of joints
-  std::vector<Vec> support;                       // velocities
+  std::vector<Vec> support;                       // of each its velocity before the step
   MaxwellStresses maxwell;                        // outlives the step
 };
 
@@ -32,8 +32,14 @@ inline Brakes::Twist twist_of(std::ptrdiff_t i, const WallView& w) {
   return {w.body_vector(i, kV), turned(q, body.rate(turned_back(q, w.body_vector(i, kL))))};
 }
 
-inline void prepare_brakes(const WallView& w, const Model& m, const Controls& controls,
-                           Brakes& brakes) {
+// Of a support in its last step.
+inline Vec velocity_of(std::int32_t support, const WallView& w) {
+  if (!w.is_driven_support(support)) return {0, 0, 0};
+  const Vec step{w.of_wall(kSupportStep), w.of_wall(kSupportStep + 1), w.of_wall(kSupportStep + 2)};
+  return (1 / w.of_wall(kStep)) * step;
+}
+
+inline void prepare_brakes(const WallView& w, const Model& m, Brakes& brakes) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   if (brakes.friction.empty())
     for (const std::int32_t material : m.joint_material)
@@ -41,11 +47,8 @@ inline void prepare_brakes(const WallView& w, const Model& m, const Controls& co
   brakes.load.resize(at(m.n_joint));
   brakes.before.resize(at(m.n_block));
   for (int i = 0; i < m.n_block; ++i) brakes.before[at(i)] = twist_of(i, w);
-  brakes.support.assign(at(m.space.n_support), {0, 0, 0});
-  if (controls.push == nullptr) return;
-  for (const BlockId id : controls.push->driven)
-    if (id >= m.n_block)
-      brakes.support[at(id - m.n_block)] = controls.drive_velocity * vec(controls.push->drive());
+  brakes.support.resize(at(m.space.n_support));
+  for (int i = 0; i < m.space.n_support; ++i) brakes.support[at(i)] = velocity_of(i, w);
 }
 
 // Viscous forces of a face whose gap and the gap's rate are known.
@@ -128,7 +131,7 @@ inline contact::BlockLoads<double> brake_joint(const Chunk& chunk, int n, const 
 // Viscous forces of all joints, added to those of the law.
 inline void brake_joints(const WallView& w, const Model& m, const Controls& controls,
                          Brakes& brakes) {
-  prepare_brakes(w, m, controls, brakes);
+  prepare_brakes(w, m, brakes);
   if (!(controls.dashpots->spring_share > 0)) brakes.maxwell.let_go();
   brakes.maxwell.bears = controls.dashpots->spring_share > 0;
   for (const Chunk& chunk : w.layout->joints)
@@ -163,7 +166,8 @@ inline double braking_work(const WallView& w, const Model& m, const Brakes& brak
     Load<double>& b = on[at(m.joint_b[j])];
     b = {b.f - l.f, b.m + l.on_b};
     if (static_cast<int>(j) >= m.n_pair) {
-      power += dot(l.f, brakes.support[at(m.joint_a[j] - m.n_block)]);
+      const std::int32_t support = m.joint_a[j] - m.n_block;
+      power += 0.5 * dot(l.f, brakes.support[at(support)] + velocity_of(support, w));
       continue;
     }
     Load<double>& a = on[at(m.joint_a[j])];

@@ -1,6 +1,7 @@
 #include "dynamics/space/executor.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/executors/processor.h"
 #include "dynamics/space/space_bodies.h"
@@ -131,15 +132,18 @@ void SpaceProcessor::set(int lane, const Controls& controls) {
   wall.view.of_wall(kStep) = controls.dt;
   wall.view.of_wall(kLambda) = controls.damping;
   wall.view.of_wall(kTimeBefore) = time_before(controls);
-  if (!wall.has_stepped) keep_support_step(wall);  // after a restart the best that is known
+  // from the clock alone, where a stage says it: the same bits after a restart
+  if (std::isfinite(controls.drive_before))
+    keep_support_step(wall, controls.drive_before);
+  else if (!wall.has_stepped)
+    keep_support_step(wall, controls.drive_velocity);
   if (!same || controls.dt == 0) set_rates(wall.view, controls.dt, controls.mass_scaling);
 }
 
-// How far driven supports go in a step, for the joints of the next one.
-void SpaceProcessor::keep_support_step(Wall& wall) {
+// How far driven supports go in a step, for the contacts of the next one.
+void SpaceProcessor::keep_support_step(Wall& wall, double velocity) {
   const Controls& c = wall.controls;
-  const Vec step =
-      c.push == nullptr ? Vec{0, 0, 0} : (c.dt * c.drive_velocity) * vec(c.push->drive());
+  const Vec step = c.push == nullptr ? Vec{0, 0, 0} : (c.dt * velocity) * vec(c.push->drive());
   wall.view.of_wall(kSupportStep) = step.x;
   wall.view.of_wall(kSupportStep + 1) = step.y;
   wall.view.of_wall(kSupportStep + 2) = step.z;
@@ -239,8 +243,10 @@ void SpaceProcessor::drive() {
   for (Wall& wall : wall_) {
     wall.reaction = 0;
     wall.has_stepped = true;
-    keep_support_step(wall);
-    if (wall.controls.push == nullptr) continue;
+    if (wall.controls.push == nullptr) {
+      keep_support_step(wall, 0);
+      continue;
+    }
     State& s = *wall.state;
     WallWork work{s.work_drive, s.work_damping, s.work_loads};
     wall.reaction =
@@ -249,6 +255,7 @@ void SpaceProcessor::drive() {
     s.work_damping = work.damping;
     s.work_loads = work.loads;
     s.drive_displacement += wall.controls.dt * wall.controls.drive_velocity;
+    keep_support_step(wall, wall.controls.drive_velocity);
   }
 }
 

@@ -70,7 +70,7 @@ class SpaceProcessor final : public Executor {
   void begin_step() override;
   void run(Pass pass) override;
   void run_zones(Pass pass);
-  static void keep_support_step(Wall& wall);
+  static void keep_support_step(Wall& wall, double velocity);
   void meet() override;
   void brake() override;
   void drive() override;

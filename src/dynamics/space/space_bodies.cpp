@@ -4,6 +4,7 @@
 
 #include "contact/parameters.h"
 #include "dynamics/passes/ways.h"
+#include "dynamics/space/dashpots.h"
 #include "model/free_shapes.h"
 
 namespace wythe::dynamics::space {
@@ -126,8 +127,12 @@ Vec SpaceBodies::place_of(std::int32_t body, const WallView& wall) const {
   return frame_of(body, wall).at;
 }
 
+// Of driven supports in their last step.
 Push SpaceBodies::rates_of(std::int32_t body, const WallView& wall) const {
-  if (body >= m_.n_block) return {};
+  if (const std::int32_t support = body - m_.n_block; support >= 0) {
+    if (support >= m_.space.n_support || !(wall.of_wall(kStep) > 0)) return {};
+    return {velocity_of(support, wall), {0, 0, 0}};
+  }
   const Quaternion<double> q = wall.turn(body);
   const Vec l = turned_back(q, wall.body_vector(body, kL));
   Vec spin{0, 0, 0};
@@ -438,12 +443,11 @@ void SpaceBodies::restore(const WallView& wall) const {
   }
 }
 
-// Between what rests and itself, without an area. A support that is driven slides below it: without an area that
-// is nothing.
+// Between what rests and itself, without an area.
 void SpaceBodies::release(JointId joint, const WallView& wall) const {
   const std::int32_t place = layout_.joint_place[at(joint)];
   const bool on_support = m_.joint_a[at(joint)] >= m_.n_block;
-  wall.t.joint_a[place] = on_support ? m_.joint_a[at(joint)] - m_.n_block : wall.t.n_block;
+  wall.t.joint_a[place] = on_support ? m_.space.n_support : wall.t.n_block;
   wall.t.joint_b[place] = wall.t.n_block;
   wall.t.face[layout_.number(place, kFaceRows, kFaceArea, 1)] = 0;
   for (double* table : {wall.t.force, wall.t.moment_a, wall.t.moment_b})

@@ -100,7 +100,7 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
   to.take(t.wall, kWallRows * walls);
   to.take(t.shift, 4 * (blocks + 1) * walls);
   to.take(t.turn, 4 * (blocks + 1) * walls);
-  to.take(t.support, 4 * at(std::max(1, m.space.n_support)) * walls);
+  to.take(t.support, 4 * at(m.space.n_support + 1) * walls);
   to.take(t.link, at(l.n_link) * kSpaceLinkRows * walls);
   // of joints, of links, of free contacts: one a body; of contacts of zones
   for (double** rows : {&t.force, &t.moment_a, &t.moment_b})
@@ -110,9 +110,9 @@ void place(const Layout& l, const Model& m, Tables& t, Placed& to) {
 
 void fill_joints(const Layout& l, const Model& m, Tables& t) {
   std::fill_n(t.joint_b, l.n_joint, t.n_block);
-  for (const Chunk& chunk : l.joints)  // what fills up a group rests: a pose, or support 0
+  for (const Chunk& chunk : l.joints)  // what fills up a group rests: a pose, or a support
     std::fill_n(t.joint_a + chunk.begin * l.group(), (chunk.end - chunk.begin) * l.group(),
-                chunk.on_ground ? 0 : t.n_block);
+                chunk.on_ground ? m.space.n_support : t.n_block);
   for (const Chunk& chunk : l.joints)
     for (int n = 0; n < chunk.n; ++n) {
       const int j = chunk.first + n;

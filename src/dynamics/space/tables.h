@@ -57,8 +57,8 @@ struct Tables {
   // each wall its own
   double *law = nullptr, *body = nullptr, *still = nullptr, *history = nullptr, *wall = nullptr;
   double *shift = nullptr, *turn = nullptr;  // rows of four: u and w of the turn; its x, y, z
-  double* support = nullptr;                 // rows of four: how far it was driven, and kDriven
-  double* link = nullptr;                    // (links, kSpaceLinkRows)
+  double* support = nullptr;  // rows of four: how far it was driven, and kDriven; the last rests
+  double* link = nullptr;     // (links, kSpaceLinkRows)
   double *force = nullptr, *moment_a = nullptr,
          *moment_b =
              nullptr;  // rows of four: of joints, of links, of free contacts, of contacts of zones

@@ -155,7 +155,10 @@ double drive_supports(const Stage& push, const WallView& w, double velocity, Wal
       const double along[3] = {p.x, p.y, p.z};
       w.of_four(w.t.support, id - w.blocks, c) += dt * velocity * along[c];
     }
-  work.drive += reaction * velocity * dt;
+  // as of blocks, the mean of the steps before and after
+  const Vec before{w.of_wall(kSupportStep), w.of_wall(kSupportStep + 1),
+                   w.of_wall(kSupportStep + 2)};
+  work.drive += reaction * 0.5 * (dot(before, p) + velocity * dt);
   return reaction;
 }
 

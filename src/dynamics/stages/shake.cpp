@@ -81,8 +81,10 @@ class Shake final : public StageRun {
     state_.gravity_y = -model_.solve.gravity - base.y;
     state_.gravity_z = -base.z;
     const GroundMotion& driven = stage_.driven_motion;
-    if (!driven.empty())
+    if (!driven.empty()) {
       controls_.drive_velocity = (driven.displacement_at(t + dt) - driven.displacement_at(t)) / dt;
+      controls_.drive_before = (driven.displacement_at(t) - driven.displacement_at(t - dt)) / dt;
+    }
   }
 
   void look(double) override {

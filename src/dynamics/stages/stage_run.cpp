@@ -277,6 +277,7 @@ class Push : public StageRun {
     const double start =
         smooth_step((state_.stage_time - state_.turn_time + controls_.dt) / stage_.spec.ramp);
     controls_.drive_velocity = sense() * velocity() * start;
+    controls_.drive_before = velocity_before();
   }
 
   void look(double reaction) override {
@@ -347,6 +348,15 @@ class Push : public StageRun {
     const double wanted = smooth_step(2.0 - ratio / stage_.spec.fast_below);
     const double most = std::min(1.0, kSettleEvery * controls_.dt / stage_.spec.ramp);
     state_.pace += clip(wanted - state_.pace, -most, most);
+  }
+  // Of the step before; a turn comes after the smooth start.
+  [[nodiscard]] double velocity_before() const {
+    const double ran = state_.stage_time - state_.turn_time;
+    if (ran > 0) return sense_ * velocity() * smooth_step(ran / stage_.spec.ramp);
+    if (state_.target == 0) return 0;
+    const auto last = static_cast<std::size_t>(state_.target) - 1;
+    const double from = last > 0 ? targets_[last - 1] : 0.0;
+    return (targets_[last] >= from ? 1.0 : -1.0) * velocity();
   }
   // Where the push goes in this step: kept, for the step may pass the target.
   double sense() { return sense_ = target() >= displacement() ? 1.0 : -1.0; }
