@@ -309,6 +309,8 @@ Message some_pieces(const std::vector<Piece>& pieces, const std::vector<Wall>& w
   note(mode, "mass of the heaviest piece", main->mass / all, kMain);
   if (main->mass >= kMain * all) {
     Message shows = one_piece(*main, normal, mode);
+    if (walls.size() > 1)
+      shows = {"space.of_walls", {{"walls", walls_of(main->blocks)}, {"shows", std::move(shows)}}};
     return {"space.drags",
             {{"shows", std::move(shows)}, {"percent", 100 * (1 - main->mass / all)}}};
   }
@@ -463,7 +465,9 @@ FailureMode name_in_space(const Model& model, const State& state) {
   }
   const std::vector<Wall> walls = walls_with(model, masonry, part);
   mode.sentence = mechanism_of(walls, joints, mode);
-  if (walls.size() > 1 && mode.name != "unclear" && mode.sentence.code != "space.together")
+  const bool names_its_walls =
+      mode.sentence.code == "space.together" || mode.sentence.code == "space.drags";
+  if (walls.size() > 1 && mode.name != "unclear" && !names_its_walls)
     mode.sentence = {"space.of_walls",
                      {{"walls", walls_of(part)}, {"shows", std::move(mode.sentence)}}};
   const Slip slip = slip_of_slabs(model, wall, part, most);
