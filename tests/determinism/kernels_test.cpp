@@ -2,30 +2,19 @@
 // points, blocks that turn little and much, runs that do not fill the last pack.
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "dynamics/executors/processor.h"
 #include "scenes/scenes.h"
+#include "scenes/shares.h"
 #include "scenes/zones.h"
 
 namespace wythe {
 namespace {
 
 using dynamics::Kernels;
-
-// Repeatable numbers in [-1, 1] (a linear congruential generator; quality does not matter here).
-class Shares {
- public:
-  double next() {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
-  }
-
- private:
-  std::uint64_t state_ = 7;
-};
+using scenes::Shares;
 
 // Blocks displaced at random: some joints open, some slide, some crush.
 State scattered(const Model& model, double turn) {
