@@ -1,11 +1,12 @@
 // Arches of the builder against what is known of them: the thinnest semicircle that stands, and the forces of a flat
-// arch.
+// arch; on supports that part.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/assembly.h"
+#include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"
 #include "wythe/error.h"
@@ -202,6 +203,137 @@ TEST(Arch, a_symmetric_wall_with_an_arch_settles_symmetrically) {
       EXPECT_NEAR(twin->moved.y, block.moved.y, 0.01 * largest);
     }
   }
+}
+
+// --- an arch whose supports part -------------------------------------------------------------------------
+
+constexpr double kMeanRadius = 1, kDepthOfArch = 0.2;
+constexpr int kStonesOfArch = 10;
+
+Vec2 at_ray(double radius, int ray) {
+  const double angle = M_PI * ray / kStonesOfArch;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+// Stones 0 to 9 from the right to the left, a support each; the right one lies on the ground and can be driven.
+ModelSpec arch_on_supports() {
+  const double in = kMeanRadius - kDepthOfArch / 2, out = kMeanRadius + kDepthOfArch / 2;
+  std::vector<BlockSpec> blocks;
+  for (int k = 0; k < kStonesOfArch; ++k) {
+    BlockSpec stone;
+    stone.id = "stone" + std::to_string(k);
+    for (const Vec2 p : {at_ray(in, k), at_ray(out, k), at_ray(out, k + 1), at_ray(in, k + 1)})
+      stone.polygon.push_back({p.x, p.y});
+    blocks.push_back(stone);
+  }
+  blocks.push_back(scenes::rectangle("right", kMeanRadius - 0.5, -0.2, 1, 0.2));
+  blocks.push_back(scenes::rectangle("left", -kMeanRadius - 0.5, -0.2, 1, 0.2));
+  blocks.back().fixed = true;
+  blocks.push_back(scenes::rectangle("ground", -4, -0.4, 8, 0.2));
+  blocks.back().fixed = true;
+  ModelSpec spec = scenes::assembly(std::move(blocks), scenes::dry_joint(20e9, 10e9, degrees(45)),
+                                    kThickness, kDensity);
+  spec.solve.contacts = Contacts::kFree;
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("right", Direction::kPlusX, 1, 1)};
+  return spec;
+}
+
+// A symmetric arch of three hinges by rigid pieces (Ochsendorf 2006): hinges in the crown outside and, inside, at the
+// joint of each haunch where the thrust is least at the start. As the supports part by s, the upper pieces turn about
+// them; the rise between the hinges falls, and the thrust grows.
+struct ThreeHinges {
+  double in, out;  // radii on which hinges lie
+  Vec2 haunch;
+  int hinge = 0;  // joint of the haunch
+  static constexpr int kCrown = kStonesOfArch / 2;
+
+  explicit ThreeHinges(double depth) : in(kMeanRadius - depth / 2), out(kMeanRadius + depth / 2) {
+    double most = 0;
+    int first = 0;
+    for (int joint = 0; joint < kCrown; ++joint) {
+      hinge = joint, haunch = at_ray(in, joint);
+      if (thrust(0) > most) most = thrust(0), first = joint;
+    }
+    hinge = first, haunch = at_ray(in, first);
+  }
+
+  // All stones weigh 1; their centroids lie on this radius (isosceles trapezoids).
+  static Vec2 centroid(int stone) {
+    const double half = M_PI / kStonesOfArch / 2, a = kMeanRadius - kDepthOfArch / 2,
+                 b = kMeanRadius + kDepthOfArch / 2;
+    const double radius = 2.0 / 3 * std::cos(half) * (a * a + a * b + b * b) / (a + b);
+    return {radius * std::cos((2 * stone + 1) * half), radius * std::sin((2 * stone + 1) * half)};
+  }
+  [[nodiscard]] double rise(double s) const {
+    const double wide = haunch.x + s / 2;
+    return std::sqrt(haunch.x * haunch.x + (out - haunch.y) * (out - haunch.y) - wide * wide);
+  }
+  [[nodiscard]] double thrust(double s) const {
+    const double turn =
+        std::atan2(rise(s), -haunch.x - s / 2) - std::atan2(out - haunch.y, -haunch.x);
+    double moment = 0;  // of the upper piece about its haunch
+    for (int k = hinge; k < kCrown; ++k) {
+      const Vec2 c = centroid(k);
+      moment -= std::cos(turn) * (c.x - haunch.x) - std::sin(turn) * (c.y - haunch.y);
+    }
+    return moment / rise(s);
+  }
+  // About the outside of a foot the thrust overturns, and the weights of half the arch hold.
+  [[nodiscard]] bool stands(double s) const {
+    double holds = (kCrown - hinge) * (out - haunch.x);
+    for (int k = 0; k < hinge; ++k) holds += out - centroid(k).x;
+    return thrust(s) * haunch.y < holds;
+  }
+  [[nodiscard]] double spread_that_fells() const {
+    double low = 0, high = 0.9 * 2 * (std::hypot(haunch.x, out - haunch.y) - haunch.x);
+    while (high - low > 1e-9) {
+      const double middle = (low + high) / 2;
+      (stands(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+};
+
+// Supports part slowly: joints turn into free contacts at the hinges, the arch sinks as its hinges say, falls where
+// its thrust leaves the feet, and lies in pieces on the ground.
+TEST(Arch, CF30_on_supports_that_part_falls_where_its_hinges_say) {
+  const ThreeHinges hinges(kDepthOfArch), inward(0.98 * kDepthOfArch);
+  const double foreseen = hinges.spread_that_fells();
+  scenes::Rig rig(compile(arch_on_supports()));
+  rig.state.gravity_y = -kGravity;
+  rig.settle(1e-6);
+  rig.controls.damping = 0.3;
+  const std::size_t stone = kStonesOfArch / 2, support = kStonesOfArch;  // beside the crown
+  const auto parted = [&] { return rig.state.ux[support]; };
+  const auto sunk = [&] {  // the outer corner of that stone in the crown
+    const Vec2 c = ThreeHinges::centroid(kStonesOfArch / 2);
+    const double x = -c.x, y = hinges.out - c.y;
+    const double turn = rig.state.theta[stone];
+    return -(rig.state.uy[stone] + std::sin(turn) * x + (std::cos(turn) - 1) * y);
+  };
+  rig.drive(1, 0.02);
+  while (parted() < 0.8 * foreseen) rig.run(0.05);
+  rig.drive(1, 0.002);
+  while (parted() < 0.95 * foreseen) rig.run(0.05);
+  const double sinks = hinges.rise(0) - hinges.rise(parted());
+  EXPECT_NEAR(sunk(), sinks, inward.rise(0) - inward.rise(parted()) - sinks);
+  while (parted() < 1.5 * foreseen && rig.state.vy[stone] > -0.05) rig.run(0.05);
+  verify(
+      {"CF30", "spread of its supports that fells a semicircular arch, t / R = 0.2", "m", foreseen,
+       1 - inward.spread_that_fells() / foreseen, "hinges that lie 1 % of the depth further in"},
+      parted());
+  rig.drive(1, 0);
+  rig.run(5);
+  double motion = 0;
+  for (std::size_t k = 0; k < kStonesOfArch; ++k) {
+    const double height = ThreeHinges::centroid(static_cast<int>(k)).y + rig.state.uy[k];
+    EXPECT_GT(height, -0.2) << "stone " << k << " is in the ground";
+    EXPECT_LT(height, 0.6) << "stone " << k << " still stands";
+    motion = std::fmax(motion, std::hypot(rig.state.vx[k], rig.state.vy[k]));
+  }
+  EXPECT_LT(motion, 1e-3);
+  const EnergyLedger energy = rig.energy();
+  EXPECT_LT(std::fabs(energy.gap), 1e-2 * rig.model.weight * hinges.out);
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ namespace wythe::dynamics {
 inline constexpr int kLookEvery = 64;  // steps between looks at joints and at faces of contacts
 // Bodies are looked for as far around each as it goes in so many steps at its present speed.
 inline constexpr int kSearchAhead = 16;
+// Pairs that may wake in so many steps, as the bodies move now, are asked in every step; the others after that time.
+inline constexpr int kLookAhead = 64;
 // After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
@@ -134,10 +136,13 @@ class FreeContacts {
     return w.until - w.closing * since_search_ - strayed_of(w);
   }
 
+  void look_ahead();
+  void add_travel(double dt, const View& wall);
   void begin_ways() {
     std::fill(way_.begin(), way_.end(), 0.0);
     std::fill(strayed_by_.begin(), strayed_by_.end(), 0.0);
     since_search_ = 0;
+    slack_ = 0;
   }
   [[nodiscard]] std::vector<Near> find_near(double dt, const View& wall);
   void search(double dt, const View& wall);
@@ -193,7 +198,8 @@ class FreeContacts {
   std::vector<FreePair> pairs_;        // of each, where there was room
   std::vector<BrakedPair> braked_;     // of each of these, where there are dashpots
   std::vector<std::int32_t> spare_;    // slots of pairs_ that are free
-  std::vector<std::size_t> awake_;     // of near_, those of this step, in order
+  std::vector<std::size_t> soon_;      // of near_, those that may wake soon, in order
+  std::vector<std::size_t> awake_;     // of these, those of this step
   std::vector<std::int32_t> in_play_;  // their bodies, each once
   std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
@@ -203,6 +209,10 @@ class FreeContacts {
   std::vector<double> way_, strayed_by_;
   std::vector<double> margin_;          // within which each was looked for [m]
   double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
+  // None but those of `soon_` wakes before `slack_` is used up: they come together at `fastest_` at most [m, m/s].
+  double slack_ = 0, fastest_ = 0;
+  int looked_ = 0;                      // steps since that was found
+  double last_dt_ = 0, last_way_ = 0;  // of the last step; the most that a body strayed in it [s, m]
   bool searched_ = false, strayed_ = false, finite_ = true, braked_before_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
@@ -265,7 +275,8 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
     watch_.push_back({a, b});
     pairs_.push_back({.memory = memory, .law = bodies_.law_of(memory.a, memory.b)});
   }
-  bodies_.add_travel(0, wall, travel_, way_, strayed_by_);
+  add_travel(0, wall);
+  last_way_ = 0;  // they were nowhere before
   begin_ways();
   hand_overs_ = state.hand_overs;
   searched_ = strayed_ = false;
@@ -361,14 +372,33 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
   }
   if (power != 0) state.work_damping += dt * power;
   since_search_ += dt;
-  bodies_.add_travel(dt, wall, travel_, way_, strayed_by_);
-  for (std::size_t i = 0; i < travel_.size(); ++i) {
-    way_[i] += rounding_;
-    strayed_by_[i] += rounding_;
-    travel_[i].turned += rounding_;
-    strayed_ = strayed_ || way_[i] > margin_[i];
-    finite_ = finite_ && way_[i] < 1e300;  // nor is what is no number
-  }
+  add_travel(dt, wall);
+}
+
+// Adds what the points of each body can have moved in the last step, at most.
+template <class Bodies>
+void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
+  double most = 0;
+  bool strayed = false, finite = true;
+  bodies_.for_each_way(dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
+    Travel& travel = travel_[at(body)];
+    const Vector<double> went = now - travel.place;
+    const double turns = turned + rounding_;
+    const double strays = Bodies::at_most(went - dt * travel.rate) + turns;
+    const double way = way_[at(body)] + (Bodies::at_most(went) + turns);
+    way_[at(body)] = way;
+    strayed_by_[at(body)] += strays;
+    travel.turned += turns;
+    travel.place = now;
+    most = maximum(most, strays);
+    strayed |= way > margin_[at(body)];
+    finite &= way < 1e300;  // nor is what is no number
+  });
+  strayed_ = strayed_ || strayed;
+  finite_ = finite_ && finite;
+  constexpr double kMore = 1 + 1e-9;  // for rounding
+  slack_ -= kMore * (dt * fastest_ + 2 * most);
+  last_dt_ = dt, last_way_ = most;
 }
 
 // A pair whose time is up, by how its bodies have moved against each other.
@@ -407,23 +437,38 @@ void FreeContacts<Bodies>::let_go(Near& near) {
   near.slot = -1;
 }
 
+// Which pairs may wake in the next steps, as their bodies move now; the others need not be asked before.
+template <class Bodies>
+void FreeContacts<Bodies>::look_ahead() {
+  soon_.clear();
+  slack_ = 1e300, fastest_ = 0, looked_ = 0;
+  for (const Watch& watch : watch_) fastest_ = maximum(fastest_, watch.closing);
+  const double near = kLookAhead * (last_dt_ * fastest_ + 2 * last_way_);
+  for (std::size_t k = 0; k < watch_.size(); ++k) {
+    const double left = left_of(watch_[k]);
+    if (left > near)
+      slack_ = minimum(slack_, left);
+    else
+      soon_.push_back(k);
+  }
+}
+
 // Which pairs may touch in this step, and where their bodies are.
 template <class Bodies>
 void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
   constexpr std::size_t kBodyChunk = 256;
-  awake_.clear();
+  constexpr double kRounding = 1e-11;  // of sums of ways [m]
   in_play_.clear();
   const auto enters = [&](std::int32_t body) {
     if (is_in_play_[at(body)] != 0) return;
     is_in_play_[at(body)] = 1;
     in_play_.push_back(body);
   };
-  const double* const strayed = strayed_by_.data();
-  const double now = since_search_;
-  for (std::size_t k = 0, all = watch_.size(); k < all; ++k) {
+  if (!(slack_ > kRounding) || ++looked_ > kLookAhead) look_ahead();
+  awake_.clear();
+  for (const std::size_t k : soon_) {
     Watch& watch = watch_[k];
-    if (watch.until - watch.closing * now - (strayed[watch.a] + strayed[watch.b]) > 0) continue;
-    if (sleeps_on(near_[k], watch)) continue;
+    if (left_of(watch) > 0 || sleeps_on(near_[k], watch)) continue;
     awake_.push_back(k);
     give_slot(near_[k]);
     enters(near_[k].a);

@@ -97,22 +97,6 @@ double PlaneBodies::speed_of(BlockId i, const WallView& wall) const {
          reach_[at(i)] * magnitude(wall.block(i, kOmega));
 }
 
-void PlaneBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
-                             std::vector<double>& way, std::vector<double>& strayed) const {
-  constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
-  for (BlockId i = 0; i < m_.n_block; ++i) {
-    Travel& w = travel[at(i)];
-    const Vector<double> now{m_.centroid_x[at(i)] + wall.ux(i), m_.centroid_y[at(i)] + wall.uy(i),
-                             0};
-    const double dx = now.x - w.place.x, dy = now.y - w.place.y;
-    const double turned = kMore * dt * reach_[at(i)] * magnitude(wall.block(i, kOmega));
-    way[at(i)] += magnitude(dx) + magnitude(dy) + turned;
-    strayed[at(i)] += magnitude(dx - dt * w.rate.x) + magnitude(dy - dt * w.rate.y) + turned;
-    w.turned += turned;
-    w.place = now;
-  }
-}
-
 double PlaneBodies::fall_of(BlockId block, const WallView& wall) const { return -wall.uy(block); }
 
 Vector<double> PlaneBodies::place_of(std::int32_t body, const WallView& wall) const {

@@ -29,10 +29,19 @@ class PlaneBodies {
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(BlockId block,
                                 const WallView& wall) const;  // of any point, at most
-  // To the way of each body what its points can have moved in the last step, at most, and by how much they can have
-  // strayed from the path of their body's rate at the last search; where they are now.
-  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
-                  std::vector<double>& way, std::vector<double>& strayed) const;
+  // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
+  template <class Each>
+  void for_each_way(double dt, const WallView& wall, Each each) const {
+    constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
+    for (BlockId i = 0; i < m_.n_block; ++i)
+      each(i,
+           Vector<double>{m_.centroid_x[static_cast<std::size_t>(i)] + wall.ux(i),
+                          m_.centroid_y[static_cast<std::size_t>(i)] + wall.uy(i), 0},
+           kMore * dt * reach_[static_cast<std::size_t>(i)] * magnitude(wall.block(i, kOmega)));
+  }
+  [[nodiscard]] static double at_most(const Vector<double>& way) {
+    return magnitude(way.x) + magnitude(way.y);
+  }
   [[nodiscard]] double size_of(BlockId block) const {
     return 2 * reach_[static_cast<std::size_t>(block)];
   }

@@ -99,24 +99,13 @@ double SpaceBodies::speed_of(std::int32_t body, const WallView& wall) const {
   return length(rates.f) + reach_[at(body)] * length(rates.m);
 }
 
-void SpaceBodies::add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
-                             std::vector<double>& way, std::vector<double>& strayed) const {
+double SpaceBodies::turned_in(double dt, std::int32_t body, const WallView& wall) const {
   constexpr double kMore = 1.05;  // damping by mass may have slowed blocks since they turned
-  for (std::int32_t i = 0; i < m_.n_block + m_.free.n_fixed; ++i) {
-    double turned = 0;
-    if (i < m_.n_block) {
-      // a momentum turns a body no faster than about the axis of its least inertia
-      double light = 0;
-      for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(i, kInverse + k));
-      turned = kMore * dt * reach_[at(i)] * light * length(wall.body_vector(i, kL));
-    }
-    Travel& w = travel[at(i)];
-    const Vec now = place_of(i, wall), went = now - w.place;
-    way[at(i)] += length(went) + turned;
-    strayed[at(i)] += length(went - dt * w.rate) + turned;
-    w.turned += turned;
-    w.place = now;
-  }
+  if (body >= m_.n_block) return 0;
+  // a momentum turns a body no faster than about the axis of its least inertia
+  double light = 0;
+  for (int k = 0; k < 3; ++k) light = maximum(light, wall.body(body, kInverse + k));
+  return kMore * dt * reach_[at(body)] * light * length(wall.body_vector(body, kL));
 }
 
 double SpaceBodies::fall_of(BlockId block, const WallView& wall) const {

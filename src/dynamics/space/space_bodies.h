@@ -28,10 +28,15 @@ class SpaceBodies {
   [[nodiscard]] contact::FreeLaw law_of(std::int32_t a, std::int32_t b) const;
   [[nodiscard]] Box box_of(std::int32_t body, const WallView& wall) const;
   [[nodiscard]] double speed_of(std::int32_t body, const WallView& wall) const;
-  // To the way of each body what its points can have moved in the last step, at most, and by how much they can have
-  // strayed from the path of their body's rate at the last search; where they are now.
-  void add_travel(double dt, const WallView& wall, std::vector<Travel>& travel,
-                  std::vector<double>& way, std::vector<double>& strayed) const;
+  // each(body, where its centroid is now, what its points can have moved by its turning in the last step, at most).
+  template <class Each>
+  void for_each_way(double dt, const WallView& wall, Each each) const {
+    for (std::int32_t i = 0; i < m_.n_block + m_.free.n_fixed; ++i)
+      each(i, place_of(i, wall), turned_in(dt, i, wall));
+  }
+  [[nodiscard]] static double at_most(const Vector<double>& way) {
+    return square_root(dot(way, way));
+  }
   [[nodiscard]] double size_of(BlockId block) const {
     return 2 * reach_[static_cast<std::size_t>(block)];
   }
@@ -103,6 +108,8 @@ class SpaceBodies {
   void end_release(const WallView& wall) const;
 
  private:
+  // By turning alone in the last step, what its points can have moved, at most [m].
+  [[nodiscard]] double turned_in(double dt, std::int32_t body, const WallView& wall) const;
   // The gap of a joint, and how far its sides have turned against each other.
   struct Jump {
     contact::FaceGap<double> gap;
