@@ -37,8 +37,14 @@ State ledger_since(State now, const State& start) {
   return now;
 }
 
+// The engine books friction by the stresses at both ends of a step (docs/theory/integration.md, 4.15), a bare kernel by that
+// at its end: they differ by half of what the stress changes in a step in which a point slides.
+constexpr double kFrictionTolerance = 0.02;
+
 void refuse_unless_same(const std::string& kernel, const State& bare, const State& engine) {
-  const double gap = difference(bare, engine);
+  double gap = difference(bare, engine);
+  if (std::fabs(bare.dissipated_friction / engine.dissipated_friction - 1) > kFrictionTolerance)
+    gap = 1;
   if (!(gap < kTolerance))
     throw std::runtime_error(fmt::format(
         "bare kernel {}: {:.1e} from the engine after {} steps, more than {:.0e}: it computes "
@@ -104,8 +110,8 @@ double difference(const State& bare, const State& engine) {
     }
     if (gap > 0) worst = std::max(worst, gap / size);
   }
-  for (const auto work : {&State::work_loads, &State::work_damping, &State::dissipated_friction,
-                          &State::dissipated_fracture, &State::dissipated_crushing})
+  for (const auto work : {&State::work_loads, &State::work_damping, &State::dissipated_fracture,
+                          &State::dissipated_crushing})
     if (const double gap = std::fabs(bare.*work - engine.*work); gap > 0)
       worst = std::max(worst, gap / std::fabs(engine.*work));
   return worst;

@@ -30,7 +30,7 @@ struct Cracked {
 [[nodiscard]] const Cracked& graded();
 
 // Largest difference between a bare kernel's state after 200 steps and the engine's, each array (and
-// the ledger) relative to its largest value. Rounding alone makes 1e-11.
+// the ledger but friction) relative to its largest value. Rounding alone makes 1e-11.
 [[nodiscard]] double difference(const State& bare, const State& engine);
 [[nodiscard]] State engine_after(int steps);
 // Throws std::runtime_error where a kernel computes something else.

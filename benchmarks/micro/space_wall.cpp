@@ -137,6 +137,10 @@ const SpaceWall& space_wall() {
   static const SpaceWall wall(8, 14, 2e-3);
   return wall;
 }
+const SpaceWall& still_wall() {
+  static const SpaceWall wall(8, 14, 2e-6);
+  return wall;
+}
 const SpaceWall& large_wall() {
   static const SpaceWall wall(60, 48, 2e-6);
   return wall;

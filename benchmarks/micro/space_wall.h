@@ -23,7 +23,9 @@ struct SpaceWall {
 };
 // About 200 blocks and 5 000 points: fits the cache.
 [[nodiscard]] const SpaceWall& space_wall();
-// About 5 000 polyhedra: does not.
+// The same, whole: nothing has cracked. What a step costs there beside large_wall() is what the memory costs.
+[[nodiscard]] const SpaceWall& still_wall();
+// About 5 000 polyhedra, whole: does not.
 [[nodiscard]] const SpaceWall& large_wall();
 
 [[nodiscard]] std::vector<const SpaceKernels*> bare_space_here();

@@ -148,10 +148,11 @@ void report_space(benchmark::State& bench, const SpaceWall& wall, int walls) {
   bench.SetLabel("state " + wall.hash);
 }
 
-void bare_space(benchmark::State& bench, const SpaceKernels& kernels, bool many) {
-  BareSpaceRun run(space_wall(), kernels, many);
+void bare_space(benchmark::State& bench, const SpaceWall& wall, const SpaceKernels& kernels,
+                bool many) {
+  BareSpaceRun run(wall, kernels, many);
   for (auto _ : bench) run.step();
-  report_space(bench, space_wall(), many ? kernels.lanes : 1);
+  report_space(bench, wall, many ? kernels.lanes : 1);
   bench.counters["bytes_per_point"] = run.bytes_per_point();
 }
 
@@ -218,7 +219,7 @@ void add_all() {
     for (const bool many : {false, true})
       if (!many || set->lanes > 1)
         add(std::string(many ? "bare_space_walls/" : "bare_space_joints/") + set->name,
-            [set, many](auto& b) { bare_space(b, *set, many); });
+            [set, many](auto& b) { bare_space(b, space_wall(), *set, many); });
   for (const auto* set : dynamics::space::kernels_here()) {
     add("engine_space_joints/" + std::string(set->name),
         [set](auto& b) { engine_space(b, space_wall(), 1, *set); });
@@ -226,8 +227,20 @@ void add_all() {
       add("engine_space_walls/" + std::string(set->name),
           [set](auto& b) { engine_space(b, space_wall(), set->width, *set); });
   }
-  add("engine_space_large",
-      [](auto& b) { engine_space(b, large_wall(), 1, *dynamics::space::kernels_here().back()); });
+  // whole, within the cache and beyond it
+  using Build = const SpaceWall& (*)();
+  const auto engine_on = [](Build wall) {
+    return [wall](benchmark::State& b) {
+      engine_space(b, wall(), 1, *dynamics::space::kernels_here().back());
+    };
+  };
+  const auto bare_on = [](Build wall) {
+    return [wall](benchmark::State& b) { bare_space(b, wall(), *bare_space_here().back(), false); };
+  };
+  add("engine_space_still", engine_on(still_wall));
+  add("engine_space_large", engine_on(large_wall));
+  add("bare_space_still", bare_on(still_wall));
+  add("bare_space_large", bare_on(large_wall));
   // each joint with a law of its own
   add("graded_joints", [](auto& b) { engine_joints(b, 1, dynamics::kernels_in_use(), graded()); });
   add("graded_walls/4", [](auto& b) { engine_walls(b, 4, 1, graded()); });

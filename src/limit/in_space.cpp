@@ -70,6 +70,10 @@ double capacity_of(const Model& m, const JointYield& y, int point, double compre
   return y.cohesion * m.space.point_share[at(point)] + y.friction * compression;
 }
 
+bool slides(const JointYield& y) { return !std::isinf(y.cohesion); }
+// Against sliding; where nothing does, the circle is a point.
+bool resists(const JointYield& y) { return y.cohesion > 0 || y.friction > 0; }
+
 // Where the line of link k goes, from a to b, and its ends seen from the centroids.
 struct LinkPlace {
   Vec3 way, arm_a, arm_b;
@@ -101,7 +105,18 @@ class StaticProgramme {
         lp_.add_row(balance_[6 * i + c], -wanted[c] / u_.force, -wanted[c] / u_.force);
     }
     if (!sum_.empty()) lp_.add_row(sum_, 0, 0);
+    if (y_.circles) add_circles();
     add_facets();
+  }
+
+  void add_circles() {
+    for (int j = 0; j < m_.n_joint; ++j) {
+      const JointYield& y = y_.joint[at(j)];
+      if (!slides(y) || !resists(y)) continue;
+      for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
+        lp_.add_circle({{{{column(p), y.friction}}, {{column(p) + 1, 1}}, {{column(p) + 2, 1}}}},
+                       capacity_of(m_, y, p, 0) / u_.force);
+    }
   }
 
   void add_facets() {
@@ -185,9 +200,10 @@ class StaticProgramme {
       const double share = m_.space.point_share[at(p)] / u_.force;
       const Place place = place_of(m_, j, p);
       const Vec3 ways[] = {place.n, place.t1, place.t2};
+      const double shear = y_.circles && slides(y) && !resists(y) ? 0 : kFree;
       for (int c = 0; c < 3; ++c) {
         const int k = c == 0 ? lp_.add_column(-y.tension * share, y.compression * share, 0)
-                             : lp_.add_column(-kFree, kFree, 0);
+                             : lp_.add_column(-shear, shear, 0);
         act(m_.joint_b[at(j)], k, ways[c], place.arm_b);
         act(m_.joint_a[at(j)], k, -1.0 * ways[c], place.arm_a);
       }
@@ -248,6 +264,23 @@ class StaticProgramme {
   std::size_t slack_ = 0, facets_ = 0;
 };
 
+// The largest share by which a shear passes its circle.
+double friction_excess(const Model& m, const Units& units, const SpaceStaticAnswer& answer,
+                       const SpaceYield& yield) {
+  double most = 0;
+  for (int j = 0; j < m.n_joint; ++j) {
+    const JointYield& y = yield.joint[at(j)];
+    if (!slides(y)) continue;
+    for (int p = m.space.point_begin[at(j)]; p < m.space.point_begin[at(j) + 1]; ++p) {
+      const double s = std::hypot(answer.shear_1[at(p)], answer.shear_2[at(p)]);
+      const double radius = capacity_of(m, y, p, answer.compression[at(p)]);
+      if (s - radius > kNothing * units.force)
+        most = std::fmax(most, radius > 0 ? s / radius - 1 : 1.0);
+    }
+  }
+  return most;
+}
+
 // Adds a facet where a shear passes its circle; returns the largest share by which one does. Where the sum of a
 // face's shears is too large too, each of its points gets a facet in that direction: cut one by one, they would
 // pass the excess on to each other.
@@ -256,7 +289,7 @@ double cut_circles(const Model& m, const Units& units, const SpaceStaticAnswer& 
   double most = 0;
   for (int j = 0; j < m.n_joint; ++j) {
     const JointYield& y = yield.joint[at(j)];
-    if (std::isinf(y.cohesion)) continue;
+    if (!slides(y)) continue;
     const int begin = m.space.point_begin[at(j)], end = m.space.point_begin[at(j) + 1];
     double sum_1 = 0, sum_2 = 0, sum_radius = 0;
     for (int p = begin; p < end; ++p) {
@@ -266,10 +299,10 @@ double cut_circles(const Model& m, const Units& units, const SpaceStaticAnswer& 
       if (s - radius <= kNothing * units.force) continue;
       const double share = radius > 0 ? s / radius - 1 : 1.0;
       most = std::fmax(most, share);
-      if (share > kFrictionCircle) yield.facet.push_back({j, p, s1 / s, s2 / s});
+      if (share > yield.tolerance) yield.facet.push_back({j, p, s1 / s, s2 / s});
     }
     const double sum = std::hypot(sum_1, sum_2);
-    if (sum - sum_radius <= std::fmax(kFrictionCircle * sum_radius, kNothing * units.force))
+    if (sum - sum_radius <= std::fmax(yield.tolerance * sum_radius, kNothing * units.force))
       continue;
     for (int p = begin; p < end; ++p) yield.facet.push_back({j, p, sum_1 / sum, sum_2 / sum});
   }
@@ -322,6 +355,12 @@ class KinematicProgramme {
     return lp_.add_column(0, kFree, capacity / u_.force);
   }
 
+  // How far a point slips, and its slip.
+  int add_circle(double capacity) {
+    capacity_.insert(capacity_.end(), {capacity / u_.force, 0, 0});
+    return lp_.add_circle_columns(capacity / u_.force);
+  }
+
   void add_motion(std::vector<Entry>& row, BlockId block, double sign, const Vec3& way,
                   const Vec3& arm) const {
     if (!moves(m_, block)) return;
@@ -341,6 +380,12 @@ class KinematicProgramme {
     const double share = m_.space.point_share[at(p)];
     std::vector<Entry> slip_1 = jump(j, place, place.t1), slip_2 = jump(j, place, place.t2),
                        opening = jump(j, place, place.n);
+    if (y_.circles && slides(y) && resists(y)) {
+      const int multiplier = add_circle(capacity_of(m_, y, p, 0));
+      slip_1.push_back({multiplier + 1, 1});
+      slip_2.push_back({multiplier + 2, 1});
+      opening.push_back({multiplier, -y.friction});
+    }
     for (const Facet* f : facets_of_[at(p)]) {
       const int multiplier = add_multiplier(capacity_of(m_, y, p, 0));
       slip_1.push_back({multiplier, f->e1});
@@ -349,8 +394,10 @@ class KinematicProgramme {
     }
     if (!std::isinf(y.tension)) opening.push_back({add_multiplier(y.tension * share), -1.0});
     if (!std::isinf(y.compression)) opening.push_back({add_multiplier(y.compression * share), 1.0});
-    lp_.add_row(slip_1, 0, 0);
-    lp_.add_row(slip_2, 0, 0);
+    if (!y_.circles || !slides(y) || resists(y)) {
+      lp_.add_row(slip_1, 0, 0);
+      lp_.add_row(slip_2, 0, 0);
+    }
     lp_.add_row(opening, 0, 0);
   }
 
@@ -454,14 +501,20 @@ SpaceYield space_yield(const Model& model, const LimitOptions& options, double t
   for (int j = 0; j < model.n_joint; ++j) {
     const JointMaterial& m = model.materials[at(model.joint_material[at(j)])];
     yield.joint.push_back(yield_of_joint(m, times * model.area[at(j)], options));
-    if (std::isinf(yield.joint.back().cohesion)) continue;
+  }
+  return yield;
+}
+
+void use_facets(const Model& model, SpaceYield& yield) {
+  yield.circles = false;
+  for (int j = 0; j < model.n_joint; ++j) {
+    if (!slides(yield.joint[at(j)])) continue;
     for (int p = model.space.point_begin[at(j)]; p < model.space.point_begin[at(j) + 1]; ++p)
       for (int k = 0; k < kFacets; ++k) {
         const double angle = 2 * M_PI * k / kFacets;
         yield.facet.push_back({j, p, std::cos(angle), std::sin(angle)});
       }
   }
-  return yield;
 }
 
 Units units_of(const Model& model, const SpaceLoads& loads) {
@@ -477,12 +530,21 @@ Units units_of(const Model& model, const SpaceLoads& loads) {
 
 SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, SpaceYield& yield,
                                const Units& units, const Watch& watch) {
+  if (yield.circles) {
+    StaticProgramme programme(model, loads, yield, units);
+    programme.build(false);
+    SpaceStaticAnswer answer = programme.solve(watch);
+    if (answer.status == ProgrammeStatus::kOptimal)
+      answer.friction_excess = friction_excess(model, units, answer, yield);
+    if (answer.status != ProgrammeStatus::kFailed) return answer;
+    use_facets(model, yield);
+  }
   StaticProgramme programme(model, loads, yield, units);
   programme.build(false);
   SpaceStaticAnswer answer = programme.solve(watch);
   for (int round = 0; answer.status == ProgrammeStatus::kOptimal; ++round) {
     answer.friction_excess = cut_circles(model, units, answer, yield);
-    if (answer.friction_excess <= kFrictionCircle || round == kRounds) break;
+    if (answer.friction_excess <= yield.tolerance || round == kRounds) break;
     programme.add_facets();
     answer = programme.solve(watch);
   }

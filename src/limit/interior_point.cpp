@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "limit/cones.h"
 #include "limit/sparse_factor.h"
 
 namespace wythe::limit {
@@ -24,6 +25,7 @@ constexpr double kAstray = 100;    // times as far off as the best point
 constexpr double kRegular = 1e-9;  // on the systems' diagonal; refinement takes it back
 constexpr double kMostRegular = 1e-6;
 constexpr int kRefinements = 10;
+constexpr int kHalvings = 40;      // of a step that round-off took out of a circle's cone
 constexpr double kShorten = 0.99;  // of the step to the boundary
 constexpr double kProof = 1e-8;    // of a ray's residual, to its fall
 
@@ -61,11 +63,12 @@ class InteriorPoint {
         gt_(g_.transpose()),
         c_(vector_of(f.c)),
         b_(vector_of(f.b)),
-        h_(vector_of(f.h)) {
+        h_(vector_of(f.h)),
+        cones_(m_ - 3 * f.circles, f.circles) {
     scale_ = std::max({1.0, largest(b_), largest(h_)});
     b_ /= scale_;
     h_ /= scale_;
-    q_ = {Vector::Zero(n_), Vector::Zero(p_), Vector::Ones(m_), Vector::Ones(m_)};
+    q_ = {Vector::Zero(n_), Vector::Zero(p_), cones_.unit(), cones_.unit()};
     build_system();
   }
 
@@ -146,7 +149,7 @@ class InteriorPoint {
     return true;
   }
 
-  // --- the systems  [0 A' G'; A 0 0; G 0 -S/Z] ----------------------------------------------------
+  // --- the systems  [0 A' G'; A 0 0; G 0 -W W] ----------------------------------------------------
 
   void build_system() {
     const int size = n_ + p_ + m_;
@@ -159,6 +162,7 @@ class InteriorPoint {
     };
     put(a_, n_);
     put(g_, n_ + p_);
+    for_pairs([&](int, int, int, int low, int high) { entries.emplace_back(high, low, 0.0); });
     Matrix lower(size, size);
     lower.setFromTriplets(entries.begin(), entries.end());
     order_ = elimination_order();
@@ -169,15 +173,32 @@ class InteriorPoint {
     system_.makeCompressed();
     std::vector<double> signs(static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i) {
-      const int at = order_.indices()[i];
-      for (Matrix::InnerIterator e(system_, at); e; ++e)
-        if (e.row() == at) diagonal_.push_back(&e.valueRef());
-      signs[at] = i < n_ ? 1 : -1;
+      diagonal_.push_back(entry(i, i));
+      signs[order_.indices()[i]] = i < n_ ? 1 : -1;
     }
+    for_pairs([&](int, int, int, int low, int high) { pair_.push_back(entry(high, low)); });
     factor_.analyse(system_, std::move(signs));
   }
 
-  // Unknowns that an inequality holds, and for each the first of those it shares an inequality with.
+  // Rows i < j of each circle, and their places in the system.
+  template <class Look>
+  void for_pairs(const Look& look) const {
+    for (int k = 0; k < cones_.circles(); ++k)
+      for (int i = 0; i < 3; ++i)
+        for (int j = i + 1; j < 3; ++j) {
+          const int first = n_ + p_ + cones_.first_row(k);
+          look(k, i, j, first + i, first + j);
+        }
+  }
+  // Where the system keeps the entry of two places.
+  [[nodiscard]] double* entry(int one, int other) {
+    const int a = order_.indices()[one], b = order_.indices()[other];
+    for (Matrix::InnerIterator e(system_, std::max(a, b)); e; ++e)
+      if (e.row() == std::min(a, b)) return &e.valueRef();
+    return nullptr;
+  }
+
+  // Unknowns that an inequality or a circle holds, and for each the first of those it shares one with.
   void group_unknowns(std::vector<char>& held, std::vector<int>& group) const {
     held.assign(static_cast<std::size_t>(n_), 0);
     group.resize(static_cast<std::size_t>(n_));
@@ -186,8 +207,9 @@ class InteriorPoint {
       while (group[i] != i) i = group[i] = group[group[i]];
       return i;
     };
+    int first = -1;
     for (int row = 0; row < m_; ++row) {
-      int first = -1;
+      if (row < cones_.plain() || (row - cones_.plain()) % 3 == 0) first = -1;
       for (Matrix::InnerIterator i(gt_, row); i; ++i) {
         const int unknown = static_cast<int>(i.row());
         held[unknown] = 1;
@@ -246,10 +268,16 @@ class InteriorPoint {
   }
 
   void factorise() {
-    spring_ = q_.s.cwiseQuotient(q_.z);
+    cones_.scale(q_.s, q_.z);
     for (int i = 0; i < n_; ++i) *diagonal_[i] = regular_;
     for (int i = 0; i < p_; ++i) *diagonal_[n_ + i] = -regular_;
-    for (int i = 0; i < m_; ++i) *diagonal_[n_ + p_ + i] = -spring_[i] - regular_;
+    for (int i = 0; i < cones_.plain(); ++i)
+      *diagonal_[n_ + p_ + i] = -cones_.squared(i) - regular_;
+    for (int k = 0; k < cones_.circles(); ++k)
+      for (int i = 0; i < 3; ++i)
+        *diagonal_[n_ + p_ + cones_.first_row(k) + i] = -cones_.squared(k, i, i) - regular_;
+    auto place = pair_.begin();
+    for_pairs([&](int k, int i, int j, int, int) { **place++ = -cones_.squared(k, i, j); });
     factor_.factorise(system_.valuePtr());
   }
 
@@ -270,7 +298,7 @@ class InteriorPoint {
       const Three next{found.x + d.head(n_), found.y + d.segment(n_, p_), found.z + d.tail(m_)};
       left.x = right.x - at_ * next.y - gt_ * next.z;
       left.y = right.y - a_ * next.x;
-      left.z = right.z - g_ * next.x + spring_.cwiseProduct(next.z);
+      left.z = right.z - g_ * next.x + cones_.squared_times(next.z);
       const double error = std::max({largest(left.x), largest(left.y), largest(left.z)});
       if (!(error <= before)) break;
       found = next;
@@ -283,32 +311,36 @@ class InteriorPoint {
   // --- the step: predictor and corrector, after Mehrotra ------------------------------------------
 
   void step() {
-    const double mu = (q_.s.dot(q_.z) + q_.tau * q_.kappa) / (m_ + 1);
+    const double mu = (q_.s.dot(q_.z) + q_.tau * q_.kappa) / (cones_.degree() + 1);
     const Three one = solve_system({-c_, b_, h_});
     const auto fall = [&](const Three& t) { return c_.dot(t.x) + b_.dot(t.y) + h_.dot(t.z); };
     const double denominator = q_.kappa / q_.tau - fall(one);
     Iterate d;
     double sigma = 0, alpha = 0;
     for (const bool corrects : {false, true}) {
-      Vector sz = -q_.s.cwiseProduct(q_.z);
+      Vector sz = -cones_.product(q_.s, q_.z);
       double tk = -q_.kappa * q_.tau;
       if (corrects) {
-        sz += Vector::Constant(m_, sigma * mu) - d.s.cwiseProduct(d.z);
+        sz += sigma * mu * cones_.unit() - cones_.product_of_changes(d.s, d.z);
         tk += sigma * mu - d.kappa * d.tau;
       }
       const double rest = 1 - sigma;
-      const Three two =
-          solve_system({-rest * rx_, rest * ry_, rest * rz_ - sz.cwiseQuotient(q_.z)});
+      const Three two = solve_system({-rest * rx_, rest * ry_, rest * rz_ - cones_.lead(sz, q_.z)});
       d.tau = (-rest * rt_ + tk / q_.tau + fall(two)) / denominator;
       d.x = two.x + d.tau * one.x;
       d.y = two.y + d.tau * one.y;
       d.z = two.z + d.tau * one.z;
-      d.s = (sz - q_.s.cwiseProduct(d.z)).cwiseQuotient(q_.z);
+      d.s = cones_.change(sz, q_.s, q_.z, d.z);
       d.kappa = (tk - q_.kappa * d.tau) / q_.tau;
       alpha = longest(d);
       sigma = std::pow(1 - alpha, 3);
     }
     alpha = std::min(1.0, kShorten * alpha);
+    // round-off must not carry a circle over its edge
+    for (int i = 0; i < kHalvings; ++i) {
+      if (cones_.is_inside(q_.s + alpha * d.s) && cones_.is_inside(q_.z + alpha * d.z)) break;
+      alpha *= 0.5;
+    }
     q_.x += alpha * d.x;
     q_.y += alpha * d.y;
     q_.z += alpha * d.z;
@@ -323,10 +355,7 @@ class InteriorPoint {
     const auto look = [&](double value, double change) {
       if (change < 0) alpha = std::min(alpha, -value / change);
     };
-    for (int i = 0; i < m_; ++i) {
-      look(q_.s[i], d.s[i]);
-      look(q_.z[i], d.z[i]);
-    }
+    alpha = cones_.longest(q_.z, d.z, cones_.longest(q_.s, d.s, alpha));
     look(q_.tau, d.tau);
     look(q_.kappa, d.kappa);
     return alpha;
@@ -335,14 +364,16 @@ class InteriorPoint {
   int n_, p_, m_;
   Matrix a_, g_, at_, gt_;
   Vector c_, b_, h_;
+  Cones cones_;
   double scale_ = 1;  // of b and h
   double regular_ = kRegular;
   Iterate q_;
   double falls_ = 0, rises_ = 0, rt_ = 0;  // c.x, -b.y - h.z
-  Vector rx_, ry_, rz_, spring_;           // spring_: S/Z
+  Vector rx_, ry_, rz_;
   Matrix system_;
   Order order_, back_;
   std::vector<double*> diagonal_;  // of system_: x, y, z
+  std::vector<double*> pair_;      // of system_: for_pairs()
   SparseFactor factor_;
 };
 

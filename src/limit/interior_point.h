@@ -1,7 +1,9 @@
-// Interior-point method for sparse linear programmes of many thousand rows.
+// Interior-point method for sparse linear programmes of many thousand rows, with circles.
 //
-//   minimise c.x   with   A x = b,   G x <= h                    x has no bounds of its own
-//   its dual:  maximise -b.y - h.z   with   A'y + G'z + c = 0,   z >= 0
+//   minimise c.x   with   A x = b,   G x + s = h,   s in K       x has no bounds of its own
+//   its dual:  maximise -b.y - h.z   with   A'y + G'z + c = 0,   z in K
+//
+// K: s >= 0, and for the last three rows of each circle s0 >= |(s1, s2)| (cones.h).
 //
 // Homogeneous and self-dual: it ends with both answers, or with a proof that there is none. Called by
 // linear_program.cpp alone. Reference: E. D. Andersen and K. D. Andersen, in High Performance
@@ -32,6 +34,7 @@ struct Triplets {
 struct InequalityForm {
   std::vector<double> c, b, h;
   Triplets equal, below;  // A, G
+  int circles = 0;        // of three rows each, the last ones of G
 };
 
 struct InteriorAnswer {

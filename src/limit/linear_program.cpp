@@ -61,13 +61,24 @@ int LinearProgramme::add_column(double low, double high, double cost) {
 int LinearProgramme::add_row(const std::vector<Entry>& entries, double low, double high) {
   for (const Entry& e : entries) {
     if (e.value == 0) continue;
-    row_of_.push_back(rows());
+    row_of_.push_back(static_cast<int>(row_low_.size()));
     column_of_.push_back(e.column);
     value_.push_back(e.value);
   }
   row_low_.push_back(low);
   row_high_.push_back(high);
-  return rows() - 1;
+  return static_cast<int>(row_low_.size()) - 1;
+}
+
+void LinearProgramme::add_circle(std::array<std::vector<Entry>, 3> rows, double capacity) {
+  circle_rows_.push_back({std::move(rows), capacity});
+}
+
+int LinearProgramme::add_circle_columns(double cost) {
+  circle_columns_.push_back(add_column(-kFree, kFree, cost));
+  add_column(-kFree, kFree, 0);
+  add_column(-kFree, kFree, 0);
+  return circle_columns_.back();
 }
 
 void LinearProgramme::load() {
@@ -135,8 +146,9 @@ ProgrammeStatus LinearProgramme::solve_by_vertices(const Watch& watch) {
   return ProgrammeStatus::kUnbounded;
 }
 
-// Equations between unknowns that are free, not negative, or nil: the kinematic programme.
+// Equations between unknowns that are free, not negative, in circles, or nil: the kinematic programme.
 bool LinearProgramme::is_plain() const {
+  if (!circle_rows_.empty()) return false;
   for (std::size_t r = 0; r < row_low_.size(); ++r)
     if (row_low_[r] != row_high_[r]) return false;
   for (std::size_t j = 0; j < low_.size(); ++j) {
@@ -178,33 +190,68 @@ InequalityForm LinearProgramme::form() const {
     if (std::isfinite(high)) f.below.add(number(f.h, high), j, 1);
     if (std::isfinite(low)) f.below.add(number(f.h, -low), j, -1);
   }
+  add_circles(f);
   return f;
 }
 
+// Behind all inequalities: h - G x = (capacity + r0.x, r1.x, r2.x), and columns as they are.
+void LinearProgramme::add_circles(InequalityForm& f) const {
+  for (const CircleRows& circle : circle_rows_)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int row = static_cast<int>(f.h.size());
+      f.h.push_back(i == 0 ? circle.capacity : 0);
+      for (const Entry& e : circle.row[i]) f.below.add(row, e.column, -e.value);
+    }
+  for (const int first : circle_columns_)
+    for (int i = 0; i < 3; ++i) {
+      f.below.add(static_cast<int>(f.h.size()), first + i, -1);
+      f.h.push_back(0);
+    }
+  f.circles = static_cast<int>(circle_rows_.size() + circle_columns_.size());
+}
+
+LinearProgramme::DualPlaces LinearProgramme::dual_places() const {
+  DualPlaces d;
+  d.place.assign(low_.size(), -1);
+  d.is_free.assign(low_.size(), 0);
+  std::vector<char> in_circle(low_.size(), 0);
+  for (const int first : circle_columns_)
+    for (int i = 0; i < 3; ++i) in_circle[static_cast<std::size_t>(first + i)] = 1;
+  for (std::size_t j = 0; j < low_.size(); ++j) {
+    if (high_[j] == 0 || in_circle[j]) continue;
+    d.is_free[j] = low_[j] != 0;
+    d.place[j] = d.is_free[j] ? d.free++ : d.held++;
+  }
+  for (const int first : circle_columns_)
+    for (int i = 0; i < 3; ++i) d.place[static_cast<std::size_t>(first + i)] = d.held++;
+  return d;
+}
+
 // The dual of a plain programme has no unknown without an inequality, which the interior point likes:
-//   min c.x, A x = b, x >= 0 or free   ->   min -b.u, A'u <= c or = c
+//   min c.x, A x = b, x in K or free   ->   min -b.u, c - A'u in K or nil
 InequalityForm LinearProgramme::dual_form() const {
   InequalityForm f;
   for (const double right : row_low_) f.c.push_back(-right);
-  std::vector<int> place(low_.size(), -1);
-  for (std::size_t j = 0; j < low_.size(); ++j) {
-    if (high_[j] == 0) continue;
-    std::vector<double>& right = low_[j] == 0 ? f.h : f.b;
-    place[j] = static_cast<int>(right.size());
-    right.push_back(cost_[j]);
-  }
+  const DualPlaces d = dual_places();
+  f.b.resize(static_cast<std::size_t>(d.free));
+  f.h.resize(static_cast<std::size_t>(d.held));
+  f.circles = static_cast<int>(circle_columns_.size());
+  for (std::size_t j = 0; j < low_.size(); ++j)
+    if (d.place[j] >= 0)
+      (d.is_free[j] ? f.b : f.h)[static_cast<std::size_t>(d.place[j])] = cost_[j];
   for (std::size_t i = 0; i < value_.size(); ++i) {
     const auto j = static_cast<std::size_t>(column_of_[i]);
-    if (place[j] >= 0) (low_[j] == 0 ? f.below : f.equal).add(place[j], row_of_[i], value_[i]);
+    if (d.place[j] >= 0) (d.is_free[j] ? f.equal : f.below).add(d.place[j], row_of_[i], value_[i]);
   }
   return f;
 }
 
 void LinearProgramme::take_dual(const InteriorAnswer& answer) {
+  const DualPlaces d = dual_places();
   solution_.assign(low_.size(), 0);
-  std::size_t free = 0, held = 0;
   for (std::size_t j = 0; j < low_.size(); ++j)
-    if (high_[j] != 0) solution_[j] = low_[j] == 0 ? answer.z[held++] : answer.y[free++];
+    if (d.place[j] >= 0)
+      solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
 }
 
 ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
@@ -227,6 +274,7 @@ ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
 
 ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
   ray_.clear();
+  if (has_circles()) return solve_inside(watch);
   const bool inside = (prefers_inside_ || rows() > kMany) && loaded_rows_ == 0;
   const ProgrammeStatus status = inside ? solve_inside(watch) : solve_by_vertices(watch);
   if (status != ProgrammeStatus::kFailed) return status;

@@ -311,6 +311,37 @@ TEST(Lintel, a_bearing_that_would_grow_more_than_twofold_is_refused) {
   EXPECT_FALSE(says(first_refusal({"wall.opening.door.lintel.bearing=78 mm"}), "times"));
 }
 
+// Sizes and a material without a kind built nothing, and a note alone said so, in the plane and in space.
+TEST(Lintel, a_table_without_its_kind_is_refused_with_its_place) {
+  ModelSpec spec = scenes::small_wall();
+  spec.material["timber"].density = 500;
+  OpeningSpec& opening = spec.wall.opening[0];
+  const auto fault = [&](const ModelSpec& s) -> std::string {
+    try {
+      (void)compile(s);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(fault(spec), "");
+  opening.lintel.depth = 0.11, opening.lintel.bearing = 0.155;
+  opening.sill.material = "timber", opening.arch.depth = 0.11;
+  const std::string said = fault(spec);
+  for (const char* word : {"wall.opening.0.lintel.kind: missing", "gets no lintel",
+                           "kind = \"timber\" say", "wall.opening.0.sill.kind: missing",
+                           "gets no sill", "wall.opening.0.arch.kind: missing", "gets no arch"})
+    EXPECT_TRUE(says(said, word)) << word << "\n" << said;
+  const std::string house = std::string(WYTHE_SOURCE_DIR) + "/examples/stone_house/model.toml";
+  try {
+    (void)read_model(house, {"plan_wall.front.opening.door.lintel.kind="});
+    ADD_FAILURE() << "built";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(says(error.what(), "plan_wall.front.opening.door.lintel.kind: missing"))
+        << error.what();
+  }
+}
+
 TEST(Lintel, a_kind_that_is_no_known_word_is_said_to_have_no_effect) {
   ModelSpec spec = scenes::small_wall();
   spec.material["timber"].density = 500;

@@ -9,6 +9,7 @@
 
 #include "geometry/joint_faces.h"
 #include "record.h"
+#include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "scenes/space_rig.h"
 #include "wythe/limit.h"
@@ -161,6 +162,7 @@ struct Panel {
   double ft = 0, c = 0.15e6, weight = 1800 * kG;
   double from =
       0;  // where a bed's twist has its axis, over t: 0 its pressed edge, -0.5 (as z - t/2) its middle
+  double returned = 0;  // length of returns of the same masonry in the place of props
 };
 
 // Mean of sqrt(s^2 + z^2) over a patch of [-a, a] x [0, t], times its area: the cohesion of a face that twists about a
@@ -172,6 +174,18 @@ double twist(double a, double t, double from = 0) {
     for (int k = 0; k < n; ++k)
       sum += std::hypot(a * (2 * (i + 0.5) / n - 1), t * ((k + 0.5) / n + from));
   return sum * 2 * a * t / (n * n);
+}
+
+// Beside returns the side panels hinge at the inner corners and tear themselves off: in each course one joint of the
+// corner opens over the thickness, and between two courses the unit that runs through twists on a square of the next one.
+double work_at_returns(const Panel& p) {
+  if (p.returned == 0) return 0;
+  constexpr int n = 400;
+  double mean = 0;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k)
+      mean += std::hypot((i + 0.5) / n + p.from, (k + 0.5) / n + p.from) / (n * n);
+  return 2 * p.height * (p.ft * p.t * p.t / 2 + p.c * mean * p.t * p.t * p.t / p.h);
 }
 
 // Two side panels turn about the props by 1, one at the foot by 1/G; between them cracks in steps with the slope of the
@@ -194,27 +208,17 @@ double pressure_of_cracks(const Panel& p) {
     for (int k = 0; k < n; ++k) {
       const double x = (i + 0.5) / n * p.length / 2, y = (k + 0.5) / n * p.height;
       const bool turns = x < p.prop || y > slope * (x - p.prop);
-      swept += turns ? side * (x - p.prop) : foot * y;
+      const double share =
+          p.returned > 0 && x < p.prop ? 0.5 : 1;  // every other course is the return's
+      swept += turns ? share * side * (x - p.prop) : foot * y;
     }
   swept *= p.length * p.height / (n * n);
-  return (2 * reach / (p.l / 2) * step + upright * 2 * side * (p.height - meet) + of_foot +
-          lifted) /
+  return (2 * reach / (p.l / 2) * step + upright * 2 * side * (p.height - meet) + of_foot + lifted +
+          work_at_returns(p)) /
          swept;
 }
 
-ModelSpec propped(const Panel& p) {
-  std::vector<BodySpec> bodies{box("floor", {-0.3, -0.2, -0.3}, {2.2, 0.2, 0.6}, true)};
-  for (const double x : {0.0, p.length - p.prop}) {
-    bodies.push_back(box(x > 0 ? "right" : "left", {x, 0, p.t}, {p.prop, p.height, 0.1}, true));
-    bodies.back().material = "prop";
-  }
-  for (int c = 0; c < 8; ++c)
-    for (int u = 0; u < (c % 2 == 0 ? 8 : 9); ++u) {
-      const double from = std::max(0.0, p.l * (c % 2 == 0 ? u : u - 0.5)),
-                   to = std::min(p.length, p.l * (c % 2 == 0 ? u + 1 : u + 0.5));
-      bodies.push_back(box("c" + std::to_string(c) + "u" + std::to_string(u), {from, p.h * c, 0},
-                           {to - from, p.h, p.t}));
-    }
+ModelSpec panel_of(const Panel& p, const std::vector<BodySpec>& bodies) {
   JointMaterial joint = scenes::dry_joint(2e10, 8e9, 0);
   joint.tensile_strength = p.ft, joint.cohesion = p.c, joint.residual_cohesion = p.c;
   joint.mode_1_energy = 10, joint.mode_2_energy = 50;
@@ -223,8 +227,56 @@ ModelSpec propped(const Panel& p) {
   spec.contact = {{{"prop", "masonry"}, "smooth"}};
   StageSpec wind = scenes::push_stage("", Direction::kPlusZ, 2e-3, 5e-3);
   wind.pattern = Pattern::kArea;
+  wind.on.block = "c*";
   spec.stage = {scenes::gravity_stage(), wind};
   return spec;
+}
+
+// Units of a course from one end to the other along x (or z), those at its ends cut.
+void add_course(std::vector<BodySpec>& bodies, const Panel& p, const std::string& name, double from,
+                double to, double first, Vec3 corner, bool along_z) {
+  int u = 0;
+  for (double at = first; at < to - 1e-9; at += p.l) {
+    const double begin = std::max(from, at), end = std::min(to, at + p.l), size = end - begin;
+    bodies.push_back(
+        box(name + "u" + std::to_string(u++),
+            along_z ? Vec3{corner.x, corner.y, begin} : Vec3{begin, corner.y, corner.z},
+            along_z ? Vec3{p.t, p.h, size} : Vec3{size, p.h, p.t}));
+  }
+}
+
+void add_prop(std::vector<BodySpec>& bodies, const std::string& name, const Panel& p, double x,
+              double z) {
+  bodies.push_back(box(name, {x, 0, z}, {p.prop, p.height, 0.1}, true));
+  bodies.back().material = "prop";
+}
+
+ModelSpec propped(const Panel& p) {
+  std::vector<BodySpec> bodies{box("floor", {-0.3, -0.2, -0.3}, {2.2, 0.2, 0.6}, true)};
+  for (const double x : {0.0, p.length - p.prop})
+    add_prop(bodies, x > 0 ? "right" : "left", p, x, p.t);
+  for (int c = 0; c < 8; ++c)
+    add_course(bodies, p, "c" + std::to_string(c), 0, p.length, c % 2 == 0 ? 0 : -p.l / 2,
+               {0, p.h * c, 0}, false);
+  return panel_of(p, bodies);
+}
+
+// The same wall between returns, toothed at the corners: the front runs through in even courses, the returns in odd ones.
+// The far ends of the returns are held, as frames hold them in tests.
+ModelSpec with_returns(const Panel& p) {
+  std::vector<BodySpec> bodies{box("floor", {-0.3, -0.2, -0.3}, {2.2, 0.2, 1.2}, true)};
+  for (const double x : {0.0, p.length - p.t}) {
+    const std::string side = x > 0 ? "right" : "left";
+    add_prop(bodies, "hold_" + side, p, x, p.returned);
+    for (int c = 0; c < 8; ++c)
+      add_course(bodies, p, side + std::to_string(c), c % 2 == 0 ? p.t : 0, p.returned,
+                 c % 2 == 0 ? p.t : 0, {x, p.h * c, 0}, true);
+  }
+  for (int c = 0; c < 8; ++c) {
+    const double in = c % 2 == 0 ? 0 : p.t;
+    add_course(bodies, p, "c" + std::to_string(c), in, p.length - in, in, {0, p.h * c, 0}, false);
+  }
+  return panel_of(p, bodies);
 }
 
 TEST(SpaceWalls, two_way_bending_is_what_the_work_of_its_crack_lines_says) {
@@ -275,6 +327,52 @@ TEST(SpaceWalls, two_way_bending_falls_short_of_crack_lines_by_the_share_of_cohe
     EXPECT_NEAR(answer.load / (panel.length * panel.height) / row.ours, 1, 1e-3)
         << row.ft << " " << row.c;
   }
+}
+
+// Between returns of the same masonry. By its joints the wall must lie between crack lines whose beds twist about their
+// edges (an upper bound) and about their middles.
+//
+// The run has the same plastic joints: friction nil, so flow is associated, and energies so large that the strength left
+// at the end is 0.999 of the first. So it has to reach the limit load, but for 2 % of unbalance that a push may have,
+// 1 % that the last joints still have to come, and 0.03 of what is done by weight as the wall leans by 0.03 of its
+// thickness: 3 % in all. Joints of 20 GPa/m are not there yet at 3 mm: what lacks falls as 1/stiffness, from 11 % over 3.7 %
+// (8 times) and 1.8 % (16 times) to the 0.7 % of the 32 times here, where the force no longer rises.
+TEST(SpaceWalls, two_way_bending_between_returns_reaches_its_limit_load_in_time) {
+  Panel bonded;
+  bonded.ft = 0.1e6, bonded.returned = 0.5;
+  const double area = (bonded.length - bonded.t) * bonded.height, edge = pressure_of_cracks(bonded);
+  Panel middle = bonded;
+  middle.from = -0.5;
+  const double least = pressure_of_cracks(middle);
+  ModelSpec spec = with_returns(bonded);
+  spec.stage.back().velocity = 5e-3, spec.stage.back().until = 1.2e-3;
+  const double limit = limit_load(compile(spec), {.strength = JointStrength::kBonded}).load / area;
+  verify(
+      {"SP44", "wall between returns and its foot, two-way bending: pressure by virtual work", "Pa",
+       edge, 1 - least / edge, "beds twist between their edges (by hand) and their middles"},
+      limit);
+  EXPECT_LT(limit, edge);
+
+  const auto largest = [](const Result& result, double until) {
+    double most = 0;
+    for (const CurveRow& row : result.curve)
+      if (row.displacement <= until) most = std::max(most, row.reaction);
+    return most;
+  };
+  // joints that lose their bond over 0.2 mm break one after the other
+  const double brittle = largest(scenes::run(spec).result, 1) / area;
+  EXPECT_NEAR(brittle / limit, 0.67, 0.02);  // docs/validation.md
+
+  JointMaterial& joint = spec.material["joint"];
+  joint.mode_1_energy = 1e4, joint.mode_2_energy = 1e5;
+  joint.normal_stiffness *= 32, joint.shear_stiffness *= 32;
+  spec.stage.back().until = 3e-3;
+  const Result result = scenes::run(spec).result;
+  const double most = largest(result, 1);
+  EXPECT_LT(most, 1.01 * largest(result, 2e-3));
+  verify({"SP44", "the same in time: pressure by limit analysis", "Pa", limit, 0.03,
+          "2 % unbalance, 1 % still to come, 3 % lean of what the weight does"},
+         most / area);
 }
 
 // --- the faces that two cubes share, by the coordinates of another code's cases of detection
