@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 
 #include "core/limits.h"
 
@@ -45,6 +46,9 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::string nearest;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > 2 * kLongestName) continue;
+    // as many letters at least have to be added or taken away
+    const auto more = static_cast<int>(candidate.size()) - static_cast<int>(wanted.size());
+    if (std::abs(more) >= best) continue;
     const int distance = edit_distance(wanted, lower(candidate));
     if (distance < best) {
       best = distance;

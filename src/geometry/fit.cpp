@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/whole.h"
 #include "geometry/storeys.h"
 #include "geometry/text.h"
 
@@ -35,7 +36,7 @@ double change_of(const AxisAsk& ask, int count) {
 }
 
 int best_count(const AxisAsk& ask) {
-  const int below = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step)));
+  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
   return std::abs(change_of(ask, below)) <= std::abs(change_of(ask, below + 1)) ? below : below + 1;
 }
 
@@ -61,7 +62,7 @@ void note_end_joint(const AxisAsk& ask, int count, std::vector<Message>& notes) 
 }
 
 void refuse_fit(const AxisAsk& ask, FaultList& faults) {
-  const int below = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step)));
+  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
   const auto size = [&](int n) {
     return millimetres(ask.size_per_step * ask.extent / n - ask.joint);
   };
@@ -93,7 +94,7 @@ Axis fit_whole(const AxisAsk& ask, std::vector<Message>& notes, FaultList& fault
 }
 
 Axis lay_and_cut(const AxisAsk& ask, std::vector<Message>& notes) {
-  int count = std::max(1, static_cast<int>(std::floor(ask.extent / ask.step + 1e-9)));
+  int count = std::max(1, whole(std::floor(ask.extent / ask.step + 1e-9)));
   const double rest = ask.extent - count * ask.step;
   if (rest >= kSliver * ask.step) ++count;
   const double last = ask.extent - (count - 1) * ask.step;
@@ -167,7 +168,7 @@ double Axis::half_line(int q) const {
 }
 
 int Axis::nearest(double x) const {
-  const int guess = std::clamp(static_cast<int>(std::floor((x - origin) / step)), 0, count - 1);
+  const int guess = std::clamp(whole(std::floor((x - origin) / step)), 0, count - 1);
   return std::abs(x - line(guess)) <= std::abs(line(guess + 1) - x) ? guess : guess + 1;
 }
 

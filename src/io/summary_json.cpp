@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "dynamics/stages/shake.h"
+#include "dynamics/meters/still_moving.h"
 #include "io/assessment_json.h"
 #include "io/message_json.h"
 #include "study/answer_keys.h"

@@ -11,7 +11,9 @@ SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 GOOD = {
     "include/wythe/model.h": "#include <vector>\n",
     "src/model/model.cpp": '#include "wythe/model.h"\ndouble turn(const State& s) { return s.theta[0]; }\n',
-    "src/reading/joints.cpp": '#include "model/fields.h"\n',
+    "src/reading/joints.cpp": '#include "model/fields.h"\nnamespace wythe::study {\nstruct Piece {\n};\nstruct Piece::Whole {\n};\n}  // namespace wythe::study\n'
+                              "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\nstruct Piece {\n};\n}  // namespace wythe\n",
+    "src/reading/zones.cpp": "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\n}  // namespace wythe\n",
     "src/study/modes.cpp": '#include "model/parts.h"\n// s.theta and n_face_point are the plane\'s\n',
     "src/report/arrays.cpp": 'const char* kColumn = "frame.theta, wall.half_x";\n',
     "apps/main.cpp": '#include "wythe/model.h"\n',
@@ -27,6 +29,10 @@ BAD = [  # file, a line put at its end, what must be said
     ("src/report/arrays.cpp", "double e = model->half_y[j];", "half_y is the plane's"),
     ("src/io/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
     ("apps/main.cpp", "int p = joint * model.n_face_point;", "n_face_point is the plane's"),
+    ("src/study/modes.cpp", "namespace wythe {\nnamespace study {\nstruct Piece {\n};\n}  // namespace study\n}  // namespace wythe",
+     "src/study/modes.cpp:5: wythe::study::Piece is also the type of src/reading/joints.cpp:3"),
+    ("src/study/modes.cpp", "namespace wythe::study {\nclass Piece final : public Whole {\n};\n}  // namespace wythe::study",
+     "src/study/modes.cpp:4: wythe::study::Piece is also"),
 ]
 
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/text.h"
+#include "core/whole.h"
+#include "geometry/fit.h"
 #include "wythe/units.h"
 
 namespace wythe {
@@ -122,6 +124,19 @@ TEST(UnitTable, serves_threads_at_once) {
   EXPECT_EQ(wrong, std::vector<int>(4, 0));
 }
 
+// No int is as large as some places: the cast alone gave the first line for them.
+TEST(Axis, far_places_are_nearest_to_its_ends) {
+  geometry::Axis axis;
+  axis.extent = 2, axis.step = 0.5, axis.count = 4;
+  for (const double far : {3.0, 1e10, 1e12}) {
+    EXPECT_EQ(axis.nearest(far), 4) << far;
+    EXPECT_EQ(axis.nearest(-far), 0) << far;
+  }
+  EXPECT_EQ(whole(-1e300), -1'000'000'000);
+  EXPECT_EQ(whole(std::nan("")), 0);
+  EXPECT_EQ(whole(2.9), 2);
+}
+
 TEST(EditDistance, counts_slips) {
   EXPECT_EQ(edit_distance("length", "length"), 0);
   EXPECT_EQ(edit_distance("lenght", "length"), 1);  // a swap
@@ -133,6 +148,25 @@ TEST(NearestName, is_offered_only_when_near) {
   EXPECT_EQ(nearest_name("Thicknes", {"length", "thickness"}), "thickness");
   EXPECT_EQ(nearest_name("colour", {"length", "thickness"}), "");
   EXPECT_EQ(name_advice("colour", {"length", "thickness"}), "known here: length, thickness");
+}
+
+// Names that are too long or too short to be near are left out unseen: nobody notices but the clock.
+TEST(NearestName, is_the_first_of_the_least_distance) {
+  const std::vector<std::string> names = {"a",   "length",           "thickness",     "cohesion",
+                                          "bed", "tensile_strength", "shear_strength"};
+  for (const std::string& name : names)
+    for (std::size_t cut = 0; cut <= name.size(); ++cut)
+      for (const char* more : {"", "x", "xyz", "_strength"}) {
+        const std::string wanted = name.substr(0, cut) + more;
+        int best = std::max(1, static_cast<int>(wanted.size()) / 3) + 1;
+        std::string nearest;
+        for (const std::string& other : names)
+          if (edit_distance(wanted, other) < best) {
+            best = edit_distance(wanted, other);
+            nearest = other;
+          }
+        EXPECT_EQ(nearest_name(wanted, names), nearest) << wanted;
+      }
 }
 
 }  // namespace

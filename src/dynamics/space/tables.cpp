@@ -72,9 +72,16 @@ struct Placed {
   std::uint8_t* ways = nullptr;
   std::size_t n_number = 0, n_id = 0, n_way = 0;
 
-  void take(double*& table, std::size_t n) { table = numbers + n_number, n_number += n; }
-  void take(std::int32_t*& table, std::size_t n) { table = ids + n_id, n_id += n; }
-  void take(std::uint8_t*& table, std::size_t n) { table = ways + n_way, n_way += n; }
+  void take(double*& table, std::size_t n) { put(table, numbers, n_number, n); }
+  void take(std::int32_t*& table, std::size_t n) { put(table, ids, n_id, n); }
+  void take(std::uint8_t*& table, std::size_t n) { put(table, ways, n_way, n); }
+
+  // While it counts there is no memory, and nothing may be added to null.
+  template <class T>
+  static void put(T*& table, T* memory, std::size_t& used, std::size_t n) {
+    table = memory == nullptr ? nullptr : memory + used;
+    used += n;
+  }
 };
 
 void place(const Layout& l, const Model& m, Tables& t, Placed& to) {

@@ -124,7 +124,7 @@ struct StoredStates::Content {
 };
 
 StoredStates::StoredStates(const std::string& folder)
-    : content_(std::make_unique<Content>(opened(folder))) {}
+    : content_(new Content{opened(folder)}) {}  // make_unique asks for more than clang 14 knows
 
 StoredStates::~StoredStates() = default;
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/hash.h"
-#include "dynamics/stages/shake.h"
+#include "dynamics/meters/still_moving.h"
 #include "wythe/error.h"
 #include "wythe/ground_motion.h"
 

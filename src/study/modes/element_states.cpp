@@ -323,7 +323,7 @@ class SignReader {
     return masonry;
   }
   [[nodiscard]] double largest_piece() const {
-    const std::vector<Piece> pieces = broken_off(motion_, rules_);
+    const std::vector<PieceOff> pieces = broken_off(motion_, rules_);
     return pieces.empty() ? 0.0 : pieces.front().share;
   }
   // How far a crack has come, and how far it has to come.
@@ -395,10 +395,10 @@ double width_growth(const Pier& pier, const WallParts& parts,
   return growth;
 }
 
-std::vector<Piece> broken_off(const WallMotion& motion, const ModeRules& rules) {
+std::vector<PieceOff> broken_off(const WallMotion& motion, const ModeRules& rules) {
   constexpr double kHalf = 0.5;  // it may hang on at a hinge
-  std::vector<Piece> pieces = pieces_off(motion, rules.crack, rules.sliding);
-  std::erase_if(pieces, [&](const Piece& p) {
+  std::vector<PieceOff> pieces = pieces_off(motion, rules.crack, rules.sliding);
+  std::erase_if(pieces, [&](const PieceOff& p) {
     return p.torn < kHalf || p.share < (1 - rules.doubt) * rules.broken_off;
   });
   return pieces;

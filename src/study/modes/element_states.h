@@ -55,7 +55,7 @@ inline constexpr const char* kTopJoint = "top joint";
 // Pieces that have left the rest of the wall by `sliding`, along a crack for half of their outline at least:
 // what bends away along many small ones has not broken off. No loose stones: each is broken_off of the masonry or
 // more, as far as `doubt`. The heaviest first.
-[[nodiscard]] std::vector<Piece> broken_off(const WallMotion& motion, const ModeRules& rules);
+[[nodiscard]] std::vector<PieceOff> broken_off(const WallMotion& motion, const ModeRules& rules);
 
 // How surely each sign holds, from 0 to 1: the mean over crack widths from half to twice the rule's
 // of a ramp from `doubt` below the threshold to as much above. By element, then sign, as in

@@ -118,7 +118,7 @@ std::vector<double> ways_against_the_rest(const std::vector<BlockMotion>& blocks
 
 }  // namespace
 
-std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double parted) {
+std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack, double parted) {
   const std::vector<BlockMotion>& blocks = motion.blocks;
   const std::vector<double> ways = ways_against_the_rest(blocks, parted);
   std::vector<std::size_t> root(blocks.size());
@@ -137,13 +137,13 @@ std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double par
                       b = root_of(static_cast<std::size_t>(j.b));
     root[std::max(a, b)] = std::min(a, b);
   }
-  std::map<std::size_t, Piece> by_root;
+  std::map<std::size_t, PieceOff> by_root;
   double all = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     if (!is_masonry(blocks[b])) continue;
     all += blocks[b].mass;
     if (!is_off(static_cast<BlockId>(b))) continue;
-    Piece& piece = by_root[root_of(b)];
+    PieceOff& piece = by_root[root_of(b)];
     piece.blocks.push_back(b);
     piece.share += blocks[b].mass;
     piece.way += blocks[b].mass * ways[b];
@@ -161,7 +161,7 @@ std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double par
       if (std::hypot(j.widest, j.slip) >= crack) piece->second.torn += j.length();
     }
   }
-  std::vector<Piece> pieces;
+  std::vector<PieceOff> pieces;
   for (auto& [of, piece] : by_root) {
     piece.torn = around[of] > 0 ? piece.torn / around[of] : 0.0;
     piece.way /= piece.share;
@@ -169,7 +169,7 @@ std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double par
     pieces.push_back(std::move(piece));
   }
   std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return a.share > b.share; });
+                   [](const PieceOff& a, const PieceOff& b) { return a.share > b.share; });
   return pieces;
 }
 

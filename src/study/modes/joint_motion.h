@@ -57,14 +57,15 @@ using Chosen = std::function<bool(const BlockMotion&)>;
 
 // Blocks that have left the rest of the wall and hang together: their ways against the rigid motion of the
 // rest are `parted` or more, and so is the movement of no joint between them.
-struct Piece {
+struct PieceOff {
   std::vector<std::size_t> blocks;  // of masonry and lintels, into WallMotion::blocks
   double share = 0;                 // of the mass of all masonry and lintels
   double way = 0;                   // mean, of its blocks [m]
   double torn = 0;  // share of the length of the joints around it that opened or slid by `crack`
 };
 // The heaviest first. The rest of the wall is the half or more of it whose motion is nearest to rigid.
-[[nodiscard]] std::vector<Piece> pieces_off(const WallMotion& motion, double crack, double parted);
+[[nodiscard]] std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack,
+                                               double parted);
 
 // Sum of the joints that one straight line through a region crosses.
 struct LineSum {

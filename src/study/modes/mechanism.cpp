@@ -143,7 +143,7 @@ class Reader {
     const std::vector<BlockMotion>& blocks = wall_.motion.blocks;
     std::set<std::size_t> off;
     double share = 0, way = 0;
-    for (const Piece& piece : broken_off(wall_.motion, wall_.rules)) {
+    for (const PieceOff& piece : broken_off(wall_.motion, wall_.rules)) {
       off.insert(piece.blocks.begin(), piece.blocks.end());
       share += piece.share;
       way = std::max(way, piece.way);
