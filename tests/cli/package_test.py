@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The Debian packages: the same bytes twice, what is in each, and that each works from where it is unpacked. Installing them in a
 new Debian needs a network: tools/package --check."""
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import re
@@ -50,6 +52,18 @@ class Packages(unittest.TestCase):
         self.assertEqual(sums[0], sums[1])
         self.assertEqual(len(sums[0].splitlines()), len(NAMES) + (SOURCE / ".git").exists())
         call("sha256sum", "--check", "SHA256SUMS", cwd=self.folder / "one")
+
+    def test_a_second_build_is_compared_byte_by_byte(self):
+        loader = importlib.machinery.SourceFileLoader("package", str(SOURCE / "tools/package"))
+        package = importlib.util.module_from_spec(importlib.util.spec_from_loader("package", loader))
+        loader.exec_module(package)
+        if not list(BUILD.glob("python/wythe/_wythe.cpython-*.so")):
+            self.skipTest("the build has no Python module")
+        one, two = (package.digests(BUILD, self.folder / out) for out in ("one", "two"))
+        self.assertEqual(package.compared(one, two), [])
+        self.assertLessEqual({"wythe"} | {p.name for p in (self.folder / "one").glob("*.deb")}, set(one))
+        self.assertEqual(package.compared(one, {**two, "wythe": "other"}), ["wythe"])
+        self.assertEqual(package.compared(one, {name: sum_ for name, sum_ in two.items() if name != "wythe"}), ["wythe"])
 
     def test_no_file_holds_a_path_of_the_machine(self):
         for file in [p for p in self.root.rglob("*") if p.is_file()]:

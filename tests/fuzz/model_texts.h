@@ -30,6 +30,7 @@ bond = "running"
 length = "200 mm"
 height = "100 mm"
 density = "2000 kg/m^3"
+split = "none"
 )" + kJoint;
 
 inline const std::string kMeasured = R"([study]

@@ -130,6 +130,8 @@ void edit(study::Database& database, const std::string& bytes) {
   }
 }
 
+// The small store is of `wythe campaign tests/fuzz/store/study.toml`, in pages of 512 bytes (SQLite: VACUUM). Make it anew
+// when what a store holds has changed: the test of the corpus says so.
 void read_store(const std::string& bytes) {
   static const std::string kSmall = [] {
     std::ifstream file(WYTHE_SOURCE_DIR "/tests/data/store_v6.db", std::ios::binary);

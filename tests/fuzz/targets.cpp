@@ -31,10 +31,12 @@ struct Scratch {
   }
 };
 
+// In small letters: a reader that takes both repeats its input in them.
 std::string letters_of(const std::string& text) {
   std::string letters;
   for (const char c : text)
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) letters += c;
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return letters;
 }
 
