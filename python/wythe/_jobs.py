@@ -157,6 +157,8 @@ def _beside(raw: _wythe.Job, hear: Any) -> Any:
     done = threading.Event()
     _at_work.add(done)
     try:
+        if _ending:  # nobody would wait for it any more
+            raise SystemExit
         return raw.perform(hear_or_end)
     finally:
         done.set()

@@ -285,15 +285,7 @@ bool take_in(Block& host, const Block& part) {
 
 bool check_arch(const Shape& shape, int index, FaultList& faults) {
   const OpeningSpec& opening = shape.wall.opening[static_cast<std::size_t>(index)];
-  if (opening.arch.kind == ArchKind::kNone) {
-    const ArchSpec& arch = opening.arch;
-    if (!std::isnan(arch.depth) || !std::isnan(arch.rise) || !std::isnan(arch.skewback) ||
-        arch.voussoirs != 0 || !arch.material.empty())
-      add_fault(faults, key_of(index, "kind"), "",
-                "missing: without it " + opening_name(index, opening.name) + " gets no arch",
-                "write kind = \"segmental\", \"flat\" or \"round\", or leave arch out");
-    return false;
-  }
+  if (opening.arch.kind == ArchKind::kNone) return false;
   if (!opening.lintel.kind.empty())
     add_fault(faults, opening_path(index, "arch"), "",
               opening_name(index, opening.name) + " has a lintel and an arch",

@@ -134,6 +134,11 @@ void check_rules(const Shape& shape, const BlockNames& blocks, FaultList& faults
       if (name != "ground" && !blocks.contains(name))
         add_fault(faults, path, "\"" + name + "\"", "is no material of a block",
                   name_advice(name, known));
+    for (std::size_t k = 0; k < i && between.size() == 2; ++k)
+      if (names_pair(shape.contact[k], between[0], between[1]))
+        add_fault(faults, path, between[0] + ", " + between[1],
+                  "has a rule already, contact." + std::to_string(k),
+                  "keep one rule for each pair of materials");
   }
 }
 

@@ -40,18 +40,6 @@ void check_body(const Shape& shape, const std::string& path, const char* what,
                     faults);
 }
 
-// A table without its kind builds nothing: whoever writes sizes or a material wants a beam. Returns false.
-bool refuse_without_kind(const Shape& shape, int index, const Beam& beam,
-                         const std::string& material, FaultList& faults) {
-  if (std::isnan(beam.depth) && std::isnan(beam.bearing) && material.empty()) return false;
-  const std::string what = beam.what;
-  const OpeningSpec& opening = shape.wall.opening[static_cast<std::size_t>(index)];
-  add_fault(faults, beam.path(index, "kind"), "",
-            "missing: without it " + opening_name(index, opening.name) + " gets no " + what,
-            "write what it is made of, kind = \"timber\" say, or leave " + what + " out");
-  return false;
-}
-
 bool check_beam(const Shape& shape, int index, const Beam& beam, const std::string& material,
                 FaultList& faults) {
   check_body(shape, beam.path(index, "material"), beam.what, material, faults);
@@ -190,15 +178,13 @@ int whole_steps(double size, double step) { return std::max(1, whole(std::round(
 
 bool check_lintel(const Shape& shape, int index, FaultList& faults) {
   const LintelSpec& lintel = shape.wall.opening[static_cast<std::size_t>(index)].lintel;
-  if (lintel.kind.empty())
-    return refuse_without_kind(shape, index, beam_of(lintel), lintel.material, faults);
+  if (lintel.kind.empty()) return false;
   return check_beam(shape, index, beam_of(lintel), lintel.material, faults);
 }
 
 bool check_sill(const Shape& shape, int index, FaultList& faults) {
   const SillSpec& sill = shape.wall.opening[static_cast<std::size_t>(index)].sill;
-  if (sill.kind.empty())
-    return refuse_without_kind(shape, index, beam_of(sill), sill.material, faults);
+  if (sill.kind.empty()) return false;
   return check_beam(shape, index, beam_of(sill), sill.material, faults);
 }
 

@@ -438,7 +438,12 @@ class SlabBuilder {
     const double density = own != site_.model.material.end() && !std::isnan(own->second.density)
                                ? own->second.density
                                : site_.model.wall.unit.density;
-    notes_.push_back({"slab.lies",
+    const bool varies =
+        std::any_of(site_.model.field.begin(), site_.model.field.end(), [&](const auto& field) {
+          return field.second.path == "material." + spec_.material + ".density" ||
+                 (own == site_.model.material.end() && field.second.path == "wall.unit.density");
+        });
+    notes_.push_back({varies ? "slab.lies_in_field" : "slab.lies",
                       {{"slab", spec_.name},
                        {"level_m", slab.level},
                        {"area_m2", volume / spec_.thickness},

@@ -22,6 +22,7 @@
 #include "io/describe.h"
 #include "io/dxf.h"
 #include "io/json.h"
+#include "io/magnitude.h"
 #include "wythe/io.h"
 
 namespace wythe::io {
@@ -103,9 +104,9 @@ class BlocksReader {
   void read_thickness(const Json& json) {
     if (!json.contains("thickness") || json["thickness"].is_null()) return;
     const auto value = read_number(json["thickness"]);
-    if (!value || *value <= 0)
+    if (!value || *value <= 0 || !magnitude_problem(*value, "m").empty())
       return refuse("thickness", short_dump(json["thickness"]),
-                    "must be a number more than 0 and up to 10 km",
+                    "must be a number, 1 nm or more and up to 10 km",
                     R"(write e.g. "thickness": 0.2)");
     if (std::isnan(spec_.wall.thickness)) spec_.wall.thickness = *value;
   }
@@ -195,7 +196,7 @@ class BlocksReader {
     }
     if (json.contains("zone_length")) {
       const auto length = read_number(json["zone_length"]);
-      if (length && *length > 0)
+      if (length && *length > 0 && magnitude_problem(*length, "m").empty())
         zone.length = *length;
       else
         refuse(id + ".zone_length", short_dump(json["zone_length"]), "must be a number more than 0",

@@ -23,7 +23,7 @@ void describe(Visitor& v, ShakingSpec& s) {
   const char* const example = s.measure == IntensityMeasure::kPgv ? "0.2 m/s" : "2 m/s^2";
   const Key amount{.unit = unit, .shown = unit, .range = kPositive, .fallback = "none", .example = example};
   const auto with = [&](const char* doc) { Key key = amount; key.doc = doc; return key; };
-  v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kPositive, .fallback = "needed by sa",
+  v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kSpectralPeriod, .fallback = "needed by sa",
              .example = "0.3 s", .doc = "Period of `sa`."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "needed by sa", .example = "0.05",
            .doc = "Of critical, of `sa`."});

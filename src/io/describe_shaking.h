@@ -54,7 +54,7 @@ void describe(Visitor& v, ScaleSpec& s) {
   v.quantity("sa", s.sa, {.unit = "m/s^2", .shown = "m/s^2", .range = kPositive,
              .fallback = "none", .example = "5 m/s^2",
              .doc = "Pseudo-acceleration that the first component gets at `period` and `damping`."});
-  v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kPositive,
+  v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kSpectralPeriod,
              .fallback = "needed by sa", .example = "0.3 s", .doc = "Period of `sa`."});
   v.number("damping", s.damping, {.range = kBelowOne, .fallback = "0.05", .example = "0.05",
            .doc = "Of critical, of `sa`."});

@@ -31,6 +31,8 @@ inline constexpr Range kLength{.low = 0, .high = kLongest, .low_open = true};
 inline constexpr Range kDistance{.low = 0, .high = kLongest};
 inline constexpr Range kCoordinate{.low = -kLongest, .high = kLongest};
 inline constexpr Range kSpeed{.low = 0, .high = 100, .low_open = true, .high_open = true};
+// Below it a spectrum is the peak acceleration, above it the peak displacement.
+inline constexpr Range kSpectralPeriod{.low = 1e-3, .high = 100};  // [s]
 inline constexpr Range kPoisson{.low = 0, .high = 0.5, .high_open = true};
 inline constexpr Range kFromZero{.low = 0};
 inline constexpr Range kFromOne{.low = 1};

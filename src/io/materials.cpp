@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "io/magnitude.h"
 #include "io/stated_units.h"
 #include "io/toml_reader.h"
 #include "materials/library.h"
@@ -240,7 +241,8 @@ class Resolver {
         out.value = parse_quantity(text->get(), known.unit);
     } catch (const std::invalid_argument&) {
     }
-    out.spoiled = !out.known() || !known.range.holds(out.value);
+    out.spoiled = !out.known() || !known.range.holds(out.value) ||
+                  (std::isfinite(out.value) && !magnitude_problem(out.value, known.unit).empty());
     return out;
   }
 

@@ -185,6 +185,26 @@ BuilderSpec read_builder(const std::string& file, const toml::table& root, const
 
 namespace {
 
+// Keys of a beam that is not there, and of a blocks file that is not named.
+void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& faults) {
+  const WallSpec& wall = spec.wall;
+  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
+    if (stated) faults.add({"", path, "", problem, cure, 0});
+  };
+  const BeamSpec bare;
+  const bool has_beam = !std::isnan(wall.beam.height);
+  const char* const no_beam = "has no effect: the wall has no beam";
+  const char* const beam_cure = "give the beam its height, or leave this out";
+  refuse("wall.beam.density", !has_beam && wall.beam.density != bare.density, no_beam, beam_cure);
+  refuse("wall.beam.rotation", !has_beam && wall.beam.rotation != bare.rotation, no_beam,
+         beam_cure);
+  refuse("wall.beam.joint", !has_beam && wall.beam.joint != bare.joint, no_beam, beam_cure);
+  if (!wall.blocks.empty()) return;
+  const char* const no_file = "has no effect: the wall is built, and no blocks file is read";
+  refuse("wall.blocks_unit", has_unit, no_file, "leave it out, or name blocks");
+  refuse("wall.supports", !wall.supports.empty(), no_file, "leave it out, or name blocks");
+}
+
 // Keys of [wall] that say something of a wall in its plane, or of a file.
 void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
   const WallSpec& wall = spec.wall;
@@ -193,8 +213,6 @@ void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
   };
   refuse("wall.length", !std::isnan(wall.length),
          "has no meaning here: lines in plan have their own length", "leave it out");
-  refuse("wall.supports", !wall.supports.empty(),
-         "names blocks of a file; the builder lays its own supports", "leave it out");
   refuse("wall.blocks", !wall.blocks.empty(), "stands beside tables of the builder",
          "keep one of them: a run of the builder's model writes blocks.json, to which blocks can "
          "be added");
@@ -241,6 +259,13 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   io::read_records(context, spec);
   io::throw_faults(context);
   try {
+    FaultList idle;
+    io::refuse_keys_of_nothing(spec, static_cast<bool>(root["wall"]["blocks_unit"]), idle);
+    if (built.empty() && spec.wall.blocks.empty() && !spec.wall.up.empty())
+      idle.add({"", "wall.up", spec.wall.up,
+                "has no effect: this wall lies in its plane, where y points up",
+                "leave it out, or lay the wall with [[plan_wall]]", 0});
+    idle.throw_if_any();
     if (!built.empty()) io::build(built, spec);
     io::refuse_idle(spec, context);
     draw_fields(spec);

@@ -249,26 +249,15 @@ class RecordReader {
   int time_ = -1, column_ = 0;
 };
 
-// Where nearly all steps are equal and a few are twice that or more, lines are missing.
 void look_for_gaps(ReadContext& context, const std::string& file, const std::string& path,
                    const std::vector<double>& time) {
-  constexpr double kEqual = 0.01, kGap = 1.5, kMostAreEqual = 0.9;
-  if (time.size() < 10) return;
-  std::vector<double> step;
-  for (std::size_t k = 1; k < time.size(); ++k) step.push_back(time[k] - time[k - 1]);
-  std::vector<double> sorted = step;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double usual = *middle;
-  const auto equal = std::count_if(step.begin(), step.end(),
-                                   [&](double h) { return std::fabs(h - usual) < kEqual * usual; });
-  if (static_cast<double>(equal) < kMostAreEqual * static_cast<double>(step.size())) return;
-  for (std::size_t k = 0; k < step.size() && !enough(context.faults); ++k)
-    if (step[k] > kGap * usual)
-      context.faults.add(
-          {file, path + ".file", fmt::format("{:g} s to {:g} s", time[k], time[k + 1]),
-           fmt::format("lines are missing: elsewhere one follows each {:g} s", usual),
-           "complete the record; where it should be a straight line, write its points", 0});
+  for (const auto& [k, usual] : gaps_of(time)) {
+    if (enough(context.faults)) return;
+    context.faults.add({file, path + ".file", fmt::format("{:g} s to {:g} s", time[k], time[k + 1]),
+                        fmt::format("lines are missing: elsewhere one follows each {:g} s", usual),
+                        "complete the record; where it should be a straight line, write its points",
+                        0});
+  }
 }
 
 void check_sources(ReadContext& context, const RecordSpec& r, const std::string& path) {

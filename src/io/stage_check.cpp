@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -253,6 +254,17 @@ void check_shake(TableReader& reader, const StageSpec& stage) {
   if (reader.has("scale") && (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
     reader.refuse("scale", "must be one of factor, pga, pgv, or sa with its period (and damping)",
                   "write e.g. scale = { sa = \"5 m/s^2\", period = \"0.3 s\" }");
+  const bool drives =
+      std::any_of(stage.record.begin(), stage.record.end(), [&](const RecordSpec& r) {
+        return is_set(r.at.x) || is_set(r.at.width) || !r.at.block.empty() || r.at.beam ||
+               !r.at.role.empty();
+      });
+  for (const auto& [key, freedom] :
+       {std::pair("rotation", stage.rotation), {"across", stage.across}})
+    if (freedom == Freedom::kBlocked && !drives)
+      reader.refuse(key,
+                    "has no effect: it is of blocks that a record moves, and no record has `at`",
+                    "leave it out, or give a second record its blocks by `at`");
   const auto check_fraction = [&](const char* key, const ViscousSpec& viscous) {
     if (reader.has(key) && (!is_set(viscous.fraction) || !is_set(viscous.frequency)))
       reader.refuse(key, "needs a fraction and the frequency where it is met",

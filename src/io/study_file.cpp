@@ -13,6 +13,7 @@
 #include "core/text.h"
 #include "io/blocks_json.h"
 #include "io/describe_study.h"
+#include "io/magnitude.h"
 #include "io/model_key.h"
 #include "io/shaking_file.h"
 #include "io/toml_reader.h"
@@ -322,9 +323,12 @@ class StudyReader {
           throw QuantityError(fmt::format("{} is not {}", shown(item),
                                           plain ? "a number" : "a quantity with its unit"),
                               cure);
-        variable.values.push_back(plain
-                                      ? *item.value<double>()
-                                      : parse_quantity(item.as_string()->get(), variable.si_unit));
+        const double value = plain ? *item.value<double>()
+                                   : parse_quantity(item.as_string()->get(), variable.si_unit);
+        if (const std::string problem = magnitude_problem(value, variable.si_unit);
+            !problem.empty())
+          throw QuantityError(fmt::format("{} {}", shown(item), problem), cure);
+        variable.values.push_back(value);
       } catch (const QuantityError& error) {
         reader.refuse("values", error.problem(), error.cure());
       }

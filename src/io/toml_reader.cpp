@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "core/shape.h"
 #include "core/text.h"
+#include "io/magnitude.h"
 #include "io/range_text.h"
 #include "units/quantity_error.h"
 #include "wythe/io.h"
@@ -114,7 +115,11 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
   if (const auto value = unlimited(text->get(), key)) return value;
   try {
     const double value = parse_quantity(text->get(), key.unit);
-    if (key.range.holds(value)) return value;
+    if (key.range.holds(value)) {
+      const std::string problem = magnitude_problem(value, key.unit);
+      if (problem.empty()) return value;
+      return refuse_value(problem, "check its unit; write e.g. " + example);
+    }
     Key broken = key;  // of a length or speed below its range only that end is of interest
     if (value <= key.range.low && std::string_view(key.unit) != "rad")
       broken.range.high = std::numeric_limits<double>::infinity(), broken.range.high_open = false;
@@ -183,7 +188,12 @@ void TableReader::numbers(const char* name, std::vector<double>& values, const K
     return;
   }
   values.clear();
-  for (const toml::node& item : *array) values.push_back(*item.value<double>());
+  for (const toml::node& item : *array) {
+    const double value = *item.value<double>();
+    if (const std::string problem = magnitude_problem(value, "1"); !problem.empty())
+      return refuse(name, problem, cure_by_example(name, key, ValueKind::kBare));
+    values.push_back(value);
+  }
 }
 
 void TableReader::number(const char* name, double& value, const Key& key) {
@@ -197,6 +207,8 @@ void TableReader::number(const char* name, double& value, const Key& key) {
     refuse(name, "is not a finite number", cure);
   } else if (!key.range.holds(*read)) {
     refuse(name, range_problem(key), cure);
+  } else if (const std::string problem = magnitude_problem(*read, "1"); !problem.empty()) {
+    refuse(name, problem, cure);
   } else {
     value = *read;
   }

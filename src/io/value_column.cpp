@@ -9,6 +9,7 @@
 #include "core/limits.h"
 #include "core/text.h"
 #include "io/csv.h"
+#include "io/magnitude.h"
 #include "units/quantity_error.h"
 #include "wythe/units.h"
 
@@ -125,7 +126,11 @@ class ColumnReader {
     if (std::isnan(number))
       return refuse(cell, line_, "must be a finite number", "write it with a point, e.g. 0.15");
     // the quantity's own door: 0.15 MPa has the same bits here and in a model
-    values.push_back(unit_.empty() ? number : parse_quantity(cell + ' ' + unit_, request_.si_unit));
+    const double value =
+        unit_.empty() ? number : parse_quantity(cell + ' ' + unit_, request_.si_unit);
+    if (const std::string problem = magnitude_problem(value, request_.si_unit); !problem.empty())
+      return refuse(cell, line_, problem, "check the unit of its column");
+    values.push_back(value);
   }
 
   const ColumnRequest& request_;

@@ -197,6 +197,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   bound_step(model);
   set_dashpots(model);
   note_coarse_records(model);
+  note_storeys_without_top(model);
   note_idle_materials(spec, model);
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;

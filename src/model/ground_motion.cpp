@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wythe {
 namespace {
@@ -78,6 +79,12 @@ GroundMotion combined(const GroundMotion& a, const GroundMotion& b, double facto
   std::vector<double> time;
   std::set_union(a.time.begin(), a.time.end(), b.time.begin(), b.time.end(),
                  std::back_inserter(time));
+  // one that ends before the other ends at once, not along a line to the other's next sample
+  for (const auto& [one, other] : {std::pair(&a, &b), {&b, &a}})
+    if (one->time.back() < other->time.back() && one->acceleration.back() != 0) {
+      const double after = std::nextafter(one->time.back(), other->time.back());
+      time.insert(std::upper_bound(time.begin(), time.end(), one->time.back()), after);
+    }
   std::vector<double> sum;
   for (const double t : time) sum.push_back(a.acceleration_at(t) + factor * b.acceleration_at(t));
   GroundMotion m = ground_motion(std::move(time), std::move(sum));

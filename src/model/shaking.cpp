@@ -12,6 +12,7 @@ namespace wythe {
 namespace {
 
 constexpr double kStandardGravity = 9.80665;  // of what is told in g [m/s^2]
+constexpr double kLeastShake = 1e-4;          // less is no earthquake [g]
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 bool is_set(double number) { return !std::isnan(number); }
@@ -106,6 +107,7 @@ class ShakeCompiler {
       else
         add_to_base(std::move(motion), k);
     }
+    note_rest();
     relate();
     limit_rows();
   }
@@ -120,9 +122,15 @@ class ShakeCompiler {
 
   void limit_rows() {
     constexpr double kMostRows = 1e6;
+    constexpr double kTail =
+        0.1;  // of the rows: residuals are their mean (dynamics/stages/shake.cpp)
     double longest = stage_.driven_motion.duration();
     for (const GroundMotion& m : stage_.base) longest = std::max(longest, m.duration());
     longest += stage_.spec.free_vibration;
+    if (stage_.spec.free_vibration < kTail * longest)
+      note("shake.residuals_in_record", {{"stage", stage_.spec.name},
+                                         {"free_s", stage_.spec.free_vibration},
+                                         {"wanted_s", kTail * longest}});
     if (stage_.spec.interval * kMostRows < longest)
       fault("interval", fmt::format("{:g} s", stage_.spec.interval),
             fmt::format("makes {:.3g} rows, at most a million are kept",
@@ -166,17 +174,39 @@ class ShakeCompiler {
               "do not rise", "sort them, and write each time once");
         break;
       }
+    if (faults_.all().size() == before) check_times(times, k, listed ? "times" : "file");
     return faults_.all().size() == before;
+  }
+
+  void check_times(const std::vector<double>& times, std::size_t k, const char* name) {
+    constexpr double kLeast = 1e-6, kMost = 1e6;  // [s]: of an interval, of a record
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (times[i] - times[i - 1] < kLeast || !(times[i] - times[0] < kMost))
+        return fault(key_of(k, name), fmt::format("{:g} s after {:g} s", times[i], times[i - 1]),
+                     "are no times of a record in seconds", "write the times in seconds");
+    for (const Gap& gap : gaps_of(times))
+      return fault(key_of(k, name),
+                   fmt::format("{:g} s to {:g} s", times[gap.after], times[gap.after + 1]),
+                   fmt::format("times are missing: elsewhere one follows each {:g} s", gap.usual),
+                   "complete the record; where it should be a straight line, write its points");
   }
 
   double common_factor(const GroundMotion& first) {
     const ScaleSpec& s = stage_.spec.scale;
     if (is_set(s.factor)) return s.factor;
-    if (is_set(s.pga)) return s.pga / peak_acceleration(first);
-    if (is_set(s.pgv)) return s.pgv / peak_velocity(first);
+    if (is_set(s.pga)) return reach(s.pga, peak_acceleration(first));
+    if (is_set(s.pgv)) return reach(s.pgv, peak_velocity(first));
     if (!is_set(s.sa)) return 1;
     const double damping = is_set(s.damping) ? s.damping : 0.05;
-    return s.sa / pseudo_acceleration(first, s.period, damping);
+    return reach(s.sa, pseudo_acceleration(first, s.period, damping));
+  }
+  double reach(double wanted, double now) {
+    const double factor = wanted / now;
+    if (std::isfinite(factor)) return factor;
+    fault("scale", fmt::format("{:g}", wanted),
+          "cannot be reached: the first record has nothing to scale",
+          "give a record that shakes, or a pulse with an amplitude");
+    return 1;
   }
 
   void note(const char* code, std::vector<Argument> arguments) {
@@ -185,9 +215,12 @@ class ShakeCompiler {
 
   // A unit that is ten or a hundred times off shows by the size of the numbers.
   void weigh(const GroundMotion& m, std::size_t k) {
-    constexpr double kMost = 5, kLeast = 1e-4;  // [g]: no record lies beyond
+    constexpr double kMost = 5, kLeast = kLeastShake;  // [g]: no record lies beyond
     const double pga = peak_acceleration(m) / kStandardGravity;
     if (stage_.spec.record[k].pulse != PulseShape::kNone || (pga >= kLeast && pga <= kMost)) return;
+    if (pga == 0)
+      return fault(key_of(k, stage_.spec.record[k].file.empty() ? "accelerations" : "file"), "",
+                   "is zero throughout: nothing shakes", "give a record, or leave the stage out");
     fault(key_of(k, "unit"), fmt::format("{:.3g} g", pga),
           "is the peak acceleration with this unit, and no earthquake's",
           pga > kMost ? "numbers like these are often cm/s2" : "numbers like these are often g");
@@ -208,6 +241,7 @@ class ShakeCompiler {
                           {"pgv_mm_per_s", 1e3 * peak_velocity(m)},
                           {"duration_s", m.duration()},
                           {"factor", m.factor}});
+    note_coarse(m, k);
     const double left = std::fabs(m.velocity.back()), most = peak_velocity(m);
     if (left > kDrift * most)
       note("shake.baseline", {{"stage", stage_.spec.name},
@@ -215,6 +249,28 @@ class ShakeCompiler {
                               {"velocity_mm_per_s", 1e3 * m.velocity.back()},
                               {"percent", 100 * left / most},
                               {"displacement_mm", 1e3 * m.displacement.back()}});
+  }
+
+  // A wall that stands because nothing shakes it.
+  void note_rest() {
+    double most = peak_acceleration(stage_.driven_motion);
+    for (const GroundMotion& m : stage_.base) most = std::max(most, peak_acceleration(m));
+    if (most < kLeastShake * kStandardGravity)
+      note("shake.nothing", {{"stage", stage_.spec.name}, {"pga_g", most / kStandardGravity}});
+  }
+
+  // In the plane samples of the base are compared with the wall's first period (compile.cpp).
+  void note_coarse(const GroundMotion& m, std::size_t k) {
+    constexpr double kUsual = 0.0201;  // seconds between samples; older records have 0.02
+    const RecordSpec& r = stage_.spec.record[k];
+    const bool compared = !model_.in_space() && !says_something(r.at);
+    if (compared || r.pulse != PulseShape::kNone || m.time.size() < 3) return;
+    const double step = m.duration() / static_cast<double>(m.time.size() - 1);
+    if (step > kUsual)
+      note("shake.coarse_record", {{"stage", stage_.spec.name},
+                                   {"record", m.source},
+                                   {"step_ms", 1e3 * step},
+                                   {"frequency_hz", 0.5 / step}});
   }
 
   void add_to_base(GroundMotion motion, std::size_t k) {
@@ -383,12 +439,26 @@ void put_dashpots(const Model& m, Dashpots& d) {
   }
 }
 
+// Of a pulse of a few steps the wall feels the change of velocity alone.
+void note_brief_pulses(const Stage& stage, Model& m) {
+  constexpr double kFewest = 10;  // steps
+  const double step = 1 / m.omega_max;
+  for (const GroundMotion& motion : stage.base)
+    if (motion.duration() < kFewest * step)
+      m.anatomy.notes.push_back({"shake.brief",
+                                 {{"stage", stage.spec.name},
+                                  {"record", motion.source},
+                                  {"duration_ms", 1e3 * motion.duration()},
+                                  {"step_ms", 1e3 * step}}});
+}
+
 }  // namespace
 
 void set_dashpots(Model& m) {
   for (Stage& stage : m.stages) {
     const StageSpec& s = stage.spec;
     if (s.kind != StageKind::kShake) continue;
+    note_brief_pulses(stage, m);
     Dashpots& d = stage.dashpots;
     if (is_set(s.restitution) && s.restitution < 1)
       d.impact = fraction_of_restitution(s.restitution);
@@ -437,6 +507,49 @@ std::vector<Message> damping_of(const StageSpec& shake,
        {"damping.local", {{"share", shake.damping}}});
   if (out.empty()) out.push_back({"damping.none"});
   return out;
+}
+
+std::vector<std::vector<BlockId>> blocks_at_tops(const Model& m) {
+  const Anatomy& a = m.anatomy;
+  std::vector<std::vector<BlockId>> found(a.storey_top.size());
+  const double slack = 1e-6 * a.height;
+  for (BlockId b = 0; b < m.n_block && !found.empty(); ++b) {
+    const auto [low, high] = std::minmax_element(a.outline_y.begin() + a.outline_begin[at(b)],
+                                                 a.outline_y.begin() + a.outline_begin[at(b) + 1]);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (a.storey_top[k] > *low + slack && a.storey_top[k] <= *high + slack) found[k].push_back(b);
+  }
+  return found;
+}
+
+void note_storeys_without_top(Model& m) {
+  const bool shakes = std::any_of(m.stages.begin(), m.stages.end(),
+                                  [](const Stage& s) { return s.spec.kind == StageKind::kShake; });
+  if (!shakes) return;
+  const auto found = blocks_at_tops(m);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    if (found[k].empty())
+      return m.anatomy.notes.push_back(
+          {"shake.no_storeys", {{"storey", m.anatomy.storey_name[k]}}});
+}
+
+// Where nearly all steps are equal and a few are half again as long or more, samples are missing.
+std::vector<Gap> gaps_of(const std::vector<double>& time) {
+  constexpr double kEqual = 0.01, kGap = 1.5, kMostAreEqual = 0.9;
+  if (time.size() < 10) return {};
+  std::vector<double> step;
+  for (std::size_t k = 1; k < time.size(); ++k) step.push_back(time[k] - time[k - 1]);
+  std::vector<double> sorted = step;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = *middle;
+  const auto equal = std::count_if(step.begin(), step.end(),
+                                   [&](double h) { return std::fabs(h - usual) < kEqual * usual; });
+  if (static_cast<double>(equal) < kMostAreEqual * static_cast<double>(step.size())) return {};
+  std::vector<Gap> found;
+  for (std::size_t k = 0; k < step.size(); ++k)
+    if (step[k] > kGap * usual) found.push_back({k, usual});
+  return found;
 }
 
 std::string record_hash(const std::vector<double>& times,

@@ -65,6 +65,11 @@ inline constexpr double kMostShakeRows = 4000;  // where the model does not say
 [[nodiscard]] std::vector<Message> damping_of(const StageSpec& shake,
                                               const std::map<std::string, std::string>& drawn);
 
+// The blocks that hold the top of each storey of a wall in its plane.
+[[nodiscard]] std::vector<std::vector<BlockId>> blocks_at_tops(const Model& model);
+// Where a shake cannot tell the drifts of storeys.
+void note_storeys_without_top(Model& model);
+
 // Drift of storey k at a row along x and z: its top against its foot, over its height.
 [[nodiscard]] inline std::pair<double, double> storey_drift(const ShakeHistory& h, std::size_t row,
                                                             std::size_t k) {
@@ -72,6 +77,13 @@ inline constexpr double kMostShakeRows = 4000;  // where the model does not say
   const PointMotion foot = k > 0 ? tops[k - 1] : PointMotion{};
   return {(tops[k][0] - foot[0]) / h.storey_height[k], (tops[k][2] - foot[2]) / h.storey_height[k]};
 }
+
+// Samples that are missing from a record: behind which one, and how far apart others lie [s].
+struct Gap {
+  std::size_t after;
+  double usual;
+};
+[[nodiscard]] std::vector<Gap> gaps_of(const std::vector<double>& times);
 
 // The fingerprint of a record's numbers, 16 hex digits.
 [[nodiscard]] std::string record_hash(const std::vector<double>& times,

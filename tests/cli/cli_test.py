@@ -337,7 +337,7 @@ class Guards(Base):
             self.assertIn(word, done.stderr)
 
     def test_a_window_of_no_width_is_refused_with_the_least(self):
-        done = self.checked("output.window=1e-100 mm")
+        done = self.checked("output.window=2e-6 mm")
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn("--set: output.window", done.stderr)
         least = re.search(r'write window = "([^"]+)"', done.stderr).group(1)

@@ -7,12 +7,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "io/magnitude.h"
 #include "io/same_spec.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
@@ -38,7 +40,10 @@ double decimal(const Key& key) {
 }
 
 double within(const Key& key) {
-  const double value = coin(2) ? decimal(key) : any_bits();
+  const Magnitude m = magnitude_of(*key.unit ? key.unit : "1");
+  const double drawn = coin(2) ? decimal(key) : any_bits();
+  const double value =
+      drawn == 0 ? 0 : std::copysign(std::clamp(std::fabs(drawn), m.least, m.most), drawn);
   if (key.range.holds(value)) return value;
   if (key.range.holds(-value)) return -value;
   // Fold into a finite range, both ends left out.
@@ -124,7 +129,7 @@ void set_if_unset(double& value, double otherwise) {
 }
 
 void make_one_load(StageSpec& stage) {
-  const double load = std::abs(any_bits());
+  const double load = std::clamp(std::abs(any_bits()), 1e-3, 1e12);
   PlaceSpec point, far;
   point.x = -0.0, point.y = 0.7, point.z = 1.0 / 3;
   far.x = 1.0 / 3, far.y = 0.7, far.z = -0.0;
@@ -287,7 +292,9 @@ ModelSpec any_spec() {
   ModelSpec spec;
   Draw draw;
   describe(draw, spec);
-  spec.wall.blocks.clear();  // names a file, which would be read
+  spec.wall.blocks.clear();                          // names a file, which would be read
+  spec.wall.up.clear(), spec.wall.supports.clear();  // of such a file
+  if (std::isnan(spec.wall.beam.height)) spec.wall.beam = {};
   if (spec.stage.empty()) spec.stage.emplace_back();
   for (std::size_t i = 0; i < spec.stage.size(); ++i) make_valid(spec.stage[i], i);
   for (auto& [name, material] : spec.material) make_valid(material);

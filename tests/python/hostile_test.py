@@ -276,6 +276,22 @@ started.wait()
         done = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, check=False, env=CHILD)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
 
+    def test_a_job_that_begins_when_the_interpreter_has_stopped_the_others_is_not_performed(self):
+        code = """
+import atexit, threading
+class Raw:
+    def perform(self, hear):
+        print("performed")
+def late():
+    thread = threading.Thread(target=wythe._jobs._beside, args=(Raw(), None))
+    thread.start()
+    thread.join()
+atexit.register(late)  # before wythe's own, so it is called after that
+import wythe._jobs
+"""
+        done = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, check=False, env=CHILD)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
     def test_a_child_that_ends_while_its_parent_computes(self):
         code = f"""
 import os, sys, threading, wythe

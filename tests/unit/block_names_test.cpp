@@ -43,5 +43,19 @@ TEST(BlockNames, one_that_nearly_is_another_is_refused) {
   EXPECT_EQ(cure(spec, "wall.blocks.a.material"), "");
 }
 
+// The second of two rules was passed over in silence.
+TEST(BlockNames, a_pair_of_materials_has_one_rule) {
+  ModelSpec spec;
+  spec.wall.blocks = "blocks.json";
+  spec.wall.thickness = 1;
+  spec.wall.unit.density = 2000;
+  spec.block = {square("a", 0, "masonry"), square("b", 1, "stone")};
+  for (const char* name : {"joint", "lime", "clay"}) spec.material[name] = {};
+  spec.contact = {{{"stone", "masonry"}, "lime"}, {{"stone", "ground"}, "clay"}};
+  EXPECT_EQ(cure(spec, "contact.1.between"), "");
+  spec.contact.push_back({{"masonry", "stone"}, "clay"});
+  EXPECT_EQ(cure(spec, "contact.2.between"), "keep one rule for each pair of materials");
+}
+
 }  // namespace
 }  // namespace wythe::geometry

@@ -69,12 +69,38 @@ TEST(GroundMotion, the_sum_of_two_has_the_samples_of_both) {
   EXPECT_NEAR(sum.displacement_at(2), a.displacement_at(2) - b.displacement_at(2), 1e-15);
 }
 
+// The base goes on shaking when the record of the floor is over, which ends with an acceleration.
+TEST(GroundMotion, the_sum_of_two_of_different_length_is_that_of_their_ways) {
+  const GroundMotion a = ground_motion({0, 0.5, 1}, {0, 2, 3}),
+                     b = ground_motion({0, 0.4, 2}, {1, -1, 0.5});
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+    const GroundMotion sum = combined(one, other, -1);
+    for (const double t : {0.3, 0.99, 1.01, 1.5, 2.0, 2.5}) {
+      EXPECT_NEAR(sum.displacement_at(t), one.displacement_at(t) - other.displacement_at(t), 1e-12);
+      EXPECT_NEAR(sum.velocity_at(t), one.velocity_at(t) - other.velocity_at(t), 1e-12);
+    }
+  }
+}
+
 TEST(GroundMotion, restitution_and_fraction_belong_together) {
   EXPECT_NEAR(fraction_of_restitution(1), 0, 1e-12);
   EXPECT_NEAR(fraction_of_restitution(std::exp(-2.0)), 1, 1e-6);
   // psi = 30 degrees: exp(-tan 30 (pi - pi/3))
   EXPECT_NEAR(fraction_of_restitution(std::exp(-std::tan(M_PI / 6) * 2 * M_PI / 3)), 0.5, 1e-9);
   EXPECT_EQ(fraction_of_restitution(0), 2);
+}
+
+TEST(Shake, storeys_whose_top_no_block_holds_are_named) {
+  ModelSpec spec = read_model(WYTHE_SOURCE_DIR "/tests/data/shaken_storeys.toml");
+  Model model = compile(spec);
+  const auto told = [&] {
+    model.anatomy.notes.clear();
+    note_storeys_without_top(model);
+    return model.anatomy.notes.empty() ? "" : text_of(model.anatomy.notes.front());
+  };
+  EXPECT_EQ(told(), "");
+  model.anatomy.storey_top.back() += 0.3;
+  EXPECT_NE(told().find("storey first"), std::string::npos) << told();
 }
 
 // --- files ------------------------------------------------------------------------------------------------
@@ -226,6 +252,36 @@ TEST_F(RecordFile, a_wrong_unit_shows_by_its_size) {
   says(refusal("record = { file = \"b.csv\", unit = \"m/s2\" }\n"), {"unit", "often g"});
 }
 
+TEST_F(RecordFile, a_shake_that_shakes_nothing_is_told) {
+  const auto notes = [&](const std::string& lines) {
+    std::string all;
+    for (const std::string& note : texts_of(compile(parse(lines)).anatomy.notes))
+      all += note + "\n";
+    return all;
+  };
+  const std::string still =
+      "record = { pulse = \"cycle\", amplitude = \"0 m/s^2\", period = \"1 s\" }\n";
+  const std::string pulse =
+      "record = { pulse = \"cycle\", amplitude = \"2 m/s^2\", period = \"1 s\" }\n";
+  says(notes(still), {"nothing shakes"});
+  says(notes(pulse + "scale = { factor = 0 }\n"), {"nothing shakes"});
+  EXPECT_EQ(notes(pulse).find("nothing shakes"), std::string::npos);
+  for (const char* scale :
+       {"pga = \"1 m/s^2\"", "pgv = \"1 m/s\"", "sa = \"1 m/s^2\", period = \"1 s\""})
+    says(refusal(still + "scale = { " + scale + " }\n"), {"cannot be reached", "amplitude"});
+  says(refusal("record = { accelerations = [0, 0, 0], step = \"0.01 s\", unit = \"g\" }\n"),
+       {"zero throughout"});
+  says(notes("record = { pulse = \"cycle\", amplitude = \"2 m/s^2\", period = \"1e-5 s\" }\n"),
+       {"change of velocity alone"});
+  says(refusal(pulse + "scale = { sa = \"1 m/s^2\", period = \"1e-9 s\" }\n"), {"scale.period"});
+  std::string times = "0", values = "0";
+  for (int k = 1; k < 20; ++k)
+    times += fmt::format(", {}", k < 10 ? 0.01 * k : 0.01 * (k + 3)), values += ", 0.1";
+  says(refusal("record = { accelerations = [" + values + "], times = [" + times +
+               "], unit = \"g\" }\n"),
+       {"times are missing", "0.09 s to 0.13 s"});
+}
+
 TEST_F(RecordFile, a_changed_file_is_refused_where_its_hash_is_stated) {
   write("a.csv", kCsv);
   const std::string was =
@@ -254,6 +310,7 @@ TEST_F(RecordFile, a_shake_says_what_it_lacks) {
   says(refusal(pulse + "scale = { sa = \"1 m/s^2\" }\n"), {"with its period"});
   says(refusal(pulse + "mass_damping = { fraction = 0.02 }\n"), {"frequency"});
   says(refusal(pulse + "velocity = \"1 mm/s\"\n"), {"several kinds"});
+  says(refusal(pulse + "rotation = \"blocked\"\n"), {"rotation", "has no effect", "`at`"});
 }
 
 TEST_F(RecordFile, all_components_are_scaled_by_the_first) {

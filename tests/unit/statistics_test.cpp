@@ -381,6 +381,30 @@ TEST(CampaignStatistics, lower_bounds_alone_have_no_correlation) {
   for (const FirstOrderIndex& index : s.first_order) EXPECT_NE(index.quantity, "displacement_max");
 }
 
+// Pearson's r and the first-order index take each value as it is recorded, ranks do not.
+TEST(CampaignStatistics, what_takes_bounds_as_values_is_not_told_of_many_bounds) {
+  for (const int bounds : {2, 12}) {
+    Campaign campaign = sample_campaign(60);
+    for (int i = 0; i < 60; ++i) {
+      Responses& r = campaign.records[static_cast<std::size_t>(i)].responses;
+      r.displacement_max = 0.01 + 1e-4 * ((37 * i) % 60), r.censored_max = i < bounds;
+    }
+    const Statistics s = statistics_of(campaign);
+    const auto table = std::find_if(s.correlation.begin(), s.correlation.end(), [](const auto& t) {
+      return t.group == "all" && t.quantity == "displacement_max_mm";
+    });
+    ASSERT_NE(table, s.correlation.end());
+    const auto index = std::find_if(s.first_order.begin(), s.first_order.end(), [](const auto& f) {
+      return f.quantity == "displacement_max_mm";
+    });
+    ASSERT_NE(index, s.first_order.end());
+    EXPECT_EQ(table->censored, bounds);
+    EXPECT_EQ(std::isnan(table->input[0].pearson.value), bounds == 12);
+    EXPECT_EQ(std::isnan(index->index.value), bounds == 12);
+    EXPECT_FALSE(std::isnan(table->input[0].spearman.value));
+  }
+}
+
 TEST(CampaignStatistics, displacement_at_half_the_peak_is_a_bound_where_it_was_not_read) {
   std::vector<SampleRecord> records = {sample_record(1, 100e3, "FM-1"),
                                        sample_record(2, 100e3, "FM-1")};
@@ -462,6 +486,19 @@ TEST(CampaignStatistics, lower_bounds_alone_have_no_interval) {
   EXPECT_EQ(s.group[0].quantity[3].censored, 30);
   EXPECT_TRUE(std::isnan(s.group[0].quantity[3].mean.interval.low));
   EXPECT_FALSE(precise_enough("relative_interval(displacement_max) < 5 %", campaign));
+}
+
+TEST(CampaignStatistics, a_rule_says_how_many_values_are_lower_bounds) {
+  std::vector<SampleRecord> records;
+  for (int i = 1; i <= 30; ++i) {
+    records.push_back(sample_record(i, 100e3 + i, "FM-1"));
+    records.back().responses.displacement_max = 0.01 + 1e-6 * i;
+    records.back().responses.censored_max = i > 20;
+  }
+  Message said;
+  EXPECT_TRUE(
+      precise_enough("relative_interval(displacement_max) < 5 %", of_records(records), &said));
+  EXPECT_NE(text_of(said).find("10 values are lower bounds"), std::string::npos) << text_of(said);
 }
 
 // --- stop rule ---------------------------------------------------------------------------------

@@ -211,8 +211,9 @@ class FreeContacts {
   double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
   // None but those of `soon_` wakes before `slack_` is used up: they come together at `fastest_` at most [m, m/s].
   double slack_ = 0, fastest_ = 0;
-  int looked_ = 0;                      // steps since that was found
-  double last_dt_ = 0, last_way_ = 0;  // of the last step; the most that a body strayed in it [s, m]
+  int looked_ = 0;  // steps since that was found
+  double last_dt_ = 0,
+         last_way_ = 0;  // of the last step; the most that a body strayed in it [s, m]
   bool searched_ = false, strayed_ = false, finite_ = true, braked_before_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
@@ -297,64 +298,6 @@ void FreeContacts<Bodies>::bring_up(State& state) const {
       state.handed_over[at(joint_of_[at(k)])] = pair.handed_over ? 1.0 : 0.0;
 }
 
-// All parts of all bodies whose boxes, widened by their margins, meet; without those whose joints still hold.
-template <class Bodies>
-auto FreeContacts<Bodies>::find_near(double dt, const View& wall) -> std::vector<Near> {
-  std::vector<Box> boxes;
-  for (std::int32_t body = 0; body < static_cast<std::int32_t>(travel_.size()); ++body) {
-    const double speed = body < model_.n_block ? bodies_.speed_of(body, wall) : 0.0;
-    const double margin = bodies_.margin() + kSearchAhead * dt * speed;
-    boxes.push_back(bodies_.box_of(body, wall));
-    for (double& low : boxes.back().low) low -= margin;
-    for (double& high : boxes.back().high) high += margin;
-    margin_[at(body)] = margin;
-  }
-  const auto parts = [&](std::int32_t body) {
-    return model_.free.part_begin[at(body) + 1] - model_.free.part_begin[at(body)];
-  };
-  std::vector<Near> found;
-  found.reserve(near_.size());
-  auto joints = jointed_.begin();
-  for (const auto& pair : near_pairs(boxes, model_.n_block, 0.0)) {
-    while (joints != jointed_.end() && bodies_of(*joints) < pair) ++joints;
-    if (joints != jointed_.end() && bodies_of(*joints) == pair && !joints->handed_over) continue;
-    const auto [a, b] = pair;
-    for (std::int32_t i = 0; i < parts(a); ++i)
-      for (std::int32_t j = 0; j < parts(b); ++j) found.push_back({a, b, i, j, -1});
-  }
-  return found;
-}
-
-template <class Bodies>
-void FreeContacts<Bodies>::search(double dt, const View& wall) {
-  std::vector<Near> found = find_near(dt, wall);
-  std::vector<Watch> watch;
-  watch.reserve(found.size());
-  for (const Near& near : found) watch.push_back({near.a, near.b});
-  // what is known of those that were there before
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < near_.size(); ++k) {
-    Near& old = near_[k];
-    while (next < found.size() && key_of(found[next]) < key_of(old)) ++next;
-    if (next < found.size() && key_of(found[next]) == key_of(old)) {
-      watch[next].until = left_of(watch_[k]);
-      found[next] = old;
-    } else {
-      let_go(old);
-    }
-  }
-  near_ = std::move(found);
-  watch_ = std::move(watch);
-  begin_ways();
-  for (std::size_t i = 0; i < travel_.size(); ++i)
-    travel_[i].rate = bodies_.rates_of(static_cast<std::int32_t>(i), wall).f;
-  for (Watch& each : watch_)
-    if (each.until > 0) let_sleep(each, each.until);
-  strayed_ = false;
-  searched_ = true;
-  ++searches_;
-}
-
 template <class Bodies>
 void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
   double power = 0;
@@ -373,46 +316,6 @@ void FreeContacts<Bodies>::moved(State& state, double dt, const View& wall) {
   if (power != 0) state.work_damping += dt * power;
   since_search_ += dt;
   add_travel(dt, wall);
-}
-
-// Adds what the points of each body can have moved in the last step, at most.
-template <class Bodies>
-void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
-  double most = 0;
-  bool strayed = false, finite = true;
-  bodies_.for_each_way(dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
-    Travel& travel = travel_[at(body)];
-    const Vector<double> went = now - travel.place;
-    const double turns = turned + rounding_;
-    const double strays = Bodies::at_most(went - dt * travel.rate) + turns;
-    const double way = way_[at(body)] + (Bodies::at_most(went) + turns);
-    way_[at(body)] = way;
-    strayed_by_[at(body)] += strays;
-    travel.turned += turns;
-    travel.place = now;
-    most = maximum(most, strays);
-    strayed |= way > margin_[at(body)];
-    finite &= way < 1e300;  // nor is what is no number
-  });
-  strayed_ = strayed_ || strayed;
-  finite_ = finite_ && finite;
-  constexpr double kMore = 1 + 1e-9;  // for rounding
-  slack_ -= kMore * (dt * fastest_ + 2 * most);
-  last_dt_ = dt, last_way_ = most;
-}
-
-// A pair whose time is up, by how its bodies have moved against each other.
-template <class Bodies>
-bool FreeContacts<Bodies>::sleeps_on(const Near& near, Watch& watch) const {
-  constexpr double kRounding = 1e-11;  // of what follows [m]
-  if (!(near.apart > 0)) return false;
-  const Travel &a = travel_[at(near.a)], &b = travel_[at(near.b)];
-  const Vector<double> drift = (b.place - a.place) - near.offset;
-  const double left =
-      near.apart - square_root(dot(drift, drift)) - (a.turned + b.turned - near.turned) - kRounding;
-  if (!(left > 0)) return false;
-  let_sleep(watch, left);
-  return true;
 }
 
 template <class Bodies>
@@ -435,51 +338,6 @@ void FreeContacts<Bodies>::let_go(Near& near) {
   near.feature = pair_of(near).memory.feature;
   spare_.push_back(near.slot);
   near.slot = -1;
-}
-
-// Which pairs may wake in the next steps, as their bodies move now; the others need not be asked before.
-template <class Bodies>
-void FreeContacts<Bodies>::look_ahead() {
-  soon_.clear();
-  slack_ = 1e300, fastest_ = 0, looked_ = 0;
-  for (const Watch& watch : watch_) fastest_ = maximum(fastest_, watch.closing);
-  const double near = kLookAhead * (last_dt_ * fastest_ + 2 * last_way_);
-  for (std::size_t k = 0; k < watch_.size(); ++k) {
-    const double left = left_of(watch_[k]);
-    if (left > near)
-      slack_ = minimum(slack_, left);
-    else
-      soon_.push_back(k);
-  }
-}
-
-// Which pairs may touch in this step, and where their bodies are.
-template <class Bodies>
-void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
-  constexpr std::size_t kBodyChunk = 256;
-  constexpr double kRounding = 1e-11;  // of sums of ways [m]
-  in_play_.clear();
-  const auto enters = [&](std::int32_t body) {
-    if (is_in_play_[at(body)] != 0) return;
-    is_in_play_[at(body)] = 1;
-    in_play_.push_back(body);
-  };
-  if (!(slack_ > kRounding) || ++looked_ > kLookAhead) look_ahead();
-  awake_.clear();
-  for (const std::size_t k : soon_) {
-    Watch& watch = watch_[k];
-    if (left_of(watch) > 0 || sleeps_on(near_[k], watch)) continue;
-    awake_.push_back(k);
-    give_slot(near_[k]);
-    enters(near_[k].a);
-    enters(near_[k].b);
-  }
-  for (const std::int32_t body : in_play_) is_in_play_[at(body)] = 0;
-  const auto chunks = static_cast<int>((in_play_.size() + kBodyChunk - 1) / kBodyChunk);
-  workers.for_each_chunk(chunks, [&](int chunk) {
-    const std::size_t end = std::min(in_play_.size(), at(chunk + 1) * kBodyChunk);
-    for (std::size_t n = at(chunk) * kBodyChunk; n < end; ++n) bodies_.look_at(in_play_[n], wall);
-  });
 }
 
 // --- two parts ------------------------------------------------------------------------------------------
@@ -643,3 +501,4 @@ void FreeContacts<Bodies>::sum_up(State& state, const View& wall) {
 }  // namespace wythe::dynamics
 
 #include "dynamics/passes/hand_overs.h"
+#include "dynamics/passes/waking.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/shaking.h"
 #include "wythe/reading.h"
@@ -35,18 +34,9 @@ double tilt_of(const Model& m, const State& s, std::size_t i) {
   return 2 * std::acos(std::min(1.0, std::fabs(s.qw[i])));
 }
 
-// The blocks that hold the top of each storey; empty where a storey has none, or the wall no storeys.
+// The blocks that hold the top of each storey; none at all where a storey has none, which is noted before the run.
 std::vector<std::vector<BlockId>> storey_tops(const Model& m) {
-  std::vector<std::vector<BlockId>> found(m.anatomy.storey_top.size());
-  for (BlockId b = 0; b < m.n_block; ++b) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Vec3& corner : outline_of(m, b))
-      low = std::fmin(low, corner.y), high = std::fmax(high, corner.y);
-    const double slack = 1e-6 * m.anatomy.height;
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (m.anatomy.storey_top[k] > low + slack && m.anatomy.storey_top[k] <= high + slack)
-        found[k].push_back(b);
-  }
+  auto found = blocks_at_tops(m);
   const bool is_whole =
       std::none_of(found.begin(), found.end(), [](const auto& blocks) { return blocks.empty(); });
   return is_whole ? found : std::vector<std::vector<BlockId>>{};

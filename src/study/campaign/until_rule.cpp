@@ -115,10 +115,15 @@ std::vector<Clause> parsed(const std::string& rule) {
   return clauses;
 }
 
-// NaN below five samples, and where all are censored: lower bounds alone say nothing.
-double relative_half_width(const std::string& name, const Campaign& campaign) {
+// NaN below five samples, and where all are censored: lower bounds alone say nothing. With some of them it is that of
+// the mean up to the end of the push (docs/theory/statistics.md, 7.6), which is said.
+struct HalfWidth {
+  double relative = kUnset;
+  int bounds = 0;
+};
+HalfWidth half_width_of(const std::string& name, const Campaign& campaign) {
   study::Moments moments;
-  bool all_censored = true;
+  int bounds = 0;
   for (const Quantity& q : quantities()) {
     if (name != q.name && name != key_of(q)) continue;
     for (const SampleRecord& record : campaign.records) {
@@ -126,11 +131,12 @@ double relative_half_width(const std::string& name, const Campaign& campaign) {
       const Reading reading = q.read(record.responses);
       if (!reading.is_known()) continue;
       moments.add(reading.value);
-      all_censored = all_censored && reading.censored;
+      bounds += reading.censored || (name == "peak_reaction" && is_still_rising(record)) ? 1 : 0;
     }
   }
+  if (bounds == moments.n()) return {};
   const Estimate mean = moments.student();
-  return all_censored ? kUnset : mean.interval.width() / 2 / std::fabs(mean.value);
+  return {mean.interval.width() / 2 / std::fabs(mean.value), bounds};
 }
 
 double widest_share(const Campaign& campaign) {
@@ -145,15 +151,18 @@ double widest_share(const Campaign& campaign) {
 }
 
 // "peak_reaction ±1.24 % (asked 1 %)"
-Message words(const Clause& clause, double measure) {
+Message words(const Clause& clause, double measure, int bounds) {
   if (clause.function == "interval")
     return {"until.share", {{"width", measure}, {"asked", clause.limit}}};
   Message quantity = as_text(clause.argument);
   for (const Quantity& q : quantities())
     if (clause.argument == q.name || clause.argument == key_of(q)) quantity = {q.code};
-  Message words{std::isnan(measure) ? "until.not_known" : "until.mean",
+  Message words{std::isnan(measure) ? "until.not_known"
+                : bounds > 0        ? "until.mean_of_bounds"
+                                    : "until.mean",
                 {{"quantity", quantity}, {"asked_percent", clause.limit * 100}}};
   if (!std::isnan(measure)) words.arguments.emplace_back("half_percent", measure * 100);
+  if (!std::isnan(measure) && bounds > 0) words.arguments.emplace_back("bounds", bounds);
   return words;
 }
 
@@ -172,11 +181,10 @@ bool precise_enough(const std::string& rule, const Campaign& campaign, Message* 
   bool met = n >= kFewestSamples;
   if (!met) said.push_back({"until.needed", {{"samples", kFewestSamples}}});
   for (const Clause& clause : parsed(rule)) {
-    const double measure = clause.function == "interval"
-                               ? widest_share(campaign)
-                               : relative_half_width(clause.argument, campaign);
-    met = met && measure < clause.limit;
-    said.push_back(words(clause, measure));
+    const HalfWidth half = clause.function == "interval" ? HalfWidth{widest_share(campaign), 0}
+                                                         : half_width_of(clause.argument, campaign);
+    met = met && half.relative < clause.limit;
+    said.push_back(words(clause, half.relative, half.bounds));
   }
   if (measures) *measures = {"until.measures", {{"list", std::move(said)}}};
   return met;

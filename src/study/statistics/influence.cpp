@@ -84,9 +84,12 @@ CorrelationTable correlation_table(const Answered& samples, const Group& group,
   const std::vector<Reading> readings = readings_of(group, quantity);
   for (const Reading& r : readings) out.censored += r.censored ? 1 : 0;
   const std::vector<int> random = random_columns(samples.campaign.samples);
+  const Group known = with_value(group, quantity);
   std::vector<Column> inputs;
-  for (int k : random) inputs.push_back(input_of(with_value(group, quantity).record, k));
+  for (int k : random) inputs.push_back(input_of(known.record, k));
   out.input = correlate(inputs, readings);
+  if (is_censored(bounds_in(known, quantity), readings.size()))
+    for (Correlation& c : out.input) c.pearson = {};  // it would take bounds as values
   for (std::size_t i = 0; i < random.size(); ++i)
     out.input[i].input = samples.campaign.samples.column[random[i]].name;
   return out;
@@ -100,8 +103,10 @@ std::vector<FirstOrderIndex> first_order_indices(const Answered& samples) {
     if (all_censored(all, quantity)) continue;
     const Column response = values_of(readings_of(all, quantity));
     const Group known = with_value(all, quantity);
+    const bool censored = is_censored(bounds_in(known, quantity), response.size());
     for (int k : random_columns(samples.campaign.samples)) {
-      FirstOrderIndex index = first_order_index(input_of(known.record, k), response);
+      FirstOrderIndex index;
+      if (!censored) index = first_order_index(input_of(known.record, k), response);
       index.input = samples.campaign.samples.column[k].name;
       index.quantity = key_of(quantity);
       index.entangled = entangled_with(index.input, pairs);

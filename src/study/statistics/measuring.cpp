@@ -119,21 +119,6 @@ LeastSquares cubic_of(const Column& input, const Column& response) {
   return {std::move(terms), response};
 }
 
-// Lower bounds among the values; a peak at the end of a push is one.
-int bounds_in(const Group& known, const Quantity& quantity) {
-  int n = 0;
-  for (const SampleRecord* record : known.record)
-    n += quantity.read(record->responses).censored ||
-                 (std::string(quantity.name) == "peak_reaction" && is_still_rising(*record))
-             ? 1
-             : 0;
-  return n;
-}
-
-bool is_censored(int bounds, std::size_t n) {
-  return bounds > kFewCensored * static_cast<double>(n);
-}
-
 double width_of(double variance) { return 1 - std::sqrt(1 - std::clamp(variance, 0.0, 1.0)); }
 
 void take_response(const Answered& samples, const Quantity& quantity, std::vector<Measuring>& all) {
@@ -289,6 +274,20 @@ void tell_indices(const Columns& u, const Column& y, int degree, SurrogateIndice
 }
 
 }  // namespace
+
+int bounds_in(const Group& known, const Quantity& quantity) {
+  int n = 0;
+  for (const SampleRecord* record : known.record)
+    n += quantity.read(record->responses).censored ||
+                 (std::string(quantity.name) == "peak_reaction" && is_still_rising(*record))
+             ? 1
+             : 0;
+  return n;
+}
+
+bool is_censored(int bounds, std::size_t n) {
+  return bounds > kFewCensored * static_cast<double>(n);
+}
 
 Estimate variance_taken(const std::vector<double>& input, const std::vector<double>& response,
                         std::vector<double>& replicate) {

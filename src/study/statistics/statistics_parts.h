@@ -3,6 +3,7 @@
 // All read the answered samples only, in the order of their numbers.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct Group {
 [[nodiscard]] std::vector<Reading> readings_of(const Group& group, const Quantity& quantity);
 // Lower bounds alone, or no value at all, show no influence of anything.
 [[nodiscard]] bool all_censored(const Group& group, const Quantity& quantity);
+// Lower bounds among the values; a peak at the end of a push is one. And whether they are too many, more than one in
+// twenty, for what takes each value as it is recorded.
+[[nodiscard]] int bounds_in(const Group& known, const Quantity& quantity);
+[[nodiscard]] bool is_censored(int bounds, std::size_t n);
 [[nodiscard]] const Quantity& quantity_named(const std::string& name);
 [[nodiscard]] std::vector<double> values_of(const std::vector<Reading>& readings);
 // The random inputs, and one of them in some samples [SI].
