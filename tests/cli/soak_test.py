@@ -55,7 +55,7 @@ class Soak(unittest.TestCase):
             self.assertGreaterEqual(sum(one["executions"] for one in figures["fuzz"].values()), 7 * len(targets))
             text = page.read_text()
             self.assertTrue(text.startswith("above\n") and text.endswith("below\n") and "old" not in text, text)
-            self.assertIn(f"| {targets[0]} | {figures['fuzz'][targets[0]]['executions']} |", text)
+            self.assertIn(f"| `{targets[0]}` | {figures['fuzz'][targets[0]]['executions']} |", text)
 
     def test_a_fuzzer_that_does_nothing_is_no_soak(self):
         with tempfile.TemporaryDirectory() as folder:
