@@ -31,8 +31,6 @@ namespace wythe::dynamics {
 inline constexpr int kLookEvery = 64;  // steps between looks at joints and at faces of contacts
 // Bodies are looked for as far around each as it goes in so many steps at its present speed.
 inline constexpr int kSearchAhead = 16;
-// Pairs that may wake in so many steps, as the bodies move now, are asked in every step; the others after that time.
-inline constexpr int kLookAhead = 64;
 // After such a way nothing is left of what a hand-over could not give to the contact: over the size of a block; [rad].
 inline constexpr double kForgottenSlip = 0.05, kForgottenTurn = 0.05;
 
@@ -136,13 +134,11 @@ class FreeContacts {
     return w.until - w.closing * since_search_ - strayed_of(w);
   }
 
-  void look_ahead();
   void add_travel(double dt, const View& wall);
   void begin_ways() {
     std::fill(way_.begin(), way_.end(), 0.0);
     std::fill(strayed_by_.begin(), strayed_by_.end(), 0.0);
     since_search_ = 0;
-    slack_ = 0;
   }
   [[nodiscard]] std::vector<Near> find_near(double dt, const View& wall);
   void search(double dt, const View& wall);
@@ -198,8 +194,7 @@ class FreeContacts {
   std::vector<FreePair> pairs_;        // of each, where there was room
   std::vector<BrakedPair> braked_;     // of each of these, where there are dashpots
   std::vector<std::int32_t> spare_;    // slots of pairs_ that are free
-  std::vector<std::size_t> soon_;      // of near_, those that may wake soon, in order
-  std::vector<std::size_t> awake_;     // of these, those of this step
+  std::vector<std::size_t> awake_;     // of near_, those of this step, in order
   std::vector<std::int32_t> in_play_;  // their bodies, each once
   std::vector<std::uint8_t> is_in_play_;
   std::vector<HandOver> hand_overs_;
@@ -209,11 +204,6 @@ class FreeContacts {
   std::vector<double> way_, strayed_by_;
   std::vector<double> margin_;          // within which each was looked for [m]
   double since_search_ = 0, rounding_;  // [s]; of a place, in a step [m]
-  // None but those of `soon_` wakes before `slack_` is used up: they come together at `fastest_` at most [m, m/s].
-  double slack_ = 0, fastest_ = 0;
-  int looked_ = 0;  // steps since that was found
-  double last_dt_ = 0,
-         last_way_ = 0;  // of the last step; the most that a body strayed in it [s, m]
   bool searched_ = false, strayed_ = false, finite_ = true, braked_before_ = true;
   bool acts_ = true;  // rows of forces are not all zero
   int searches_ = 0;
@@ -277,7 +267,6 @@ void FreeContacts<Bodies>::put(const State& state, const View& wall) {
     pairs_.push_back({.memory = memory, .law = bodies_.law_of(memory.a, memory.b)});
   }
   add_travel(0, wall);
-  last_way_ = 0;  // they were nowhere before
   begin_ways();
   hand_overs_ = state.hand_overs;
   searched_ = strayed_ = false;

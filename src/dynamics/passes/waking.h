@@ -67,27 +67,21 @@ void FreeContacts<Bodies>::search(double dt, const View& wall) {
 // Adds what the points of each body can have moved in the last step, at most.
 template <class Bodies>
 void FreeContacts<Bodies>::add_travel(double dt, const View& wall) {
-  double most = 0;
   bool strayed = false, finite = true;
   bodies_.for_each_way(dt, wall, [&](std::int32_t body, const Vector<double>& now, double turned) {
     Travel& travel = travel_[at(body)];
     const Vector<double> went = now - travel.place;
     const double turns = turned + rounding_;
-    const double strays = Bodies::at_most(went - dt * travel.rate) + turns;
     const double way = way_[at(body)] + (Bodies::at_most(went) + turns);
     way_[at(body)] = way;
-    strayed_by_[at(body)] += strays;
+    strayed_by_[at(body)] += Bodies::at_most(went - dt * travel.rate) + turns;
     travel.turned += turns;
     travel.place = now;
-    most = maximum(most, strays);
     strayed |= way > margin_[at(body)];
     finite &= way < 1e300;  // nor is what is no number
   });
   strayed_ = strayed_ || strayed;
   finite_ = finite_ && finite;
-  constexpr double kMore = 1 + 1e-9;  // for rounding
-  slack_ -= kMore * (dt * fastest_ + 2 * most);
-  last_dt_ = dt, last_way_ = most;
 }
 
 // A pair whose time is up, by how its bodies have moved against each other.
@@ -104,36 +98,18 @@ bool FreeContacts<Bodies>::sleeps_on(const Near& near, Watch& watch) const {
   return true;
 }
 
-// Which pairs may wake in the next steps, as their bodies move now; the others need not be asked before.
-template <class Bodies>
-void FreeContacts<Bodies>::look_ahead() {
-  soon_.clear();
-  slack_ = 1e300, fastest_ = 0, looked_ = 0;
-  for (const Watch& watch : watch_) fastest_ = maximum(fastest_, watch.closing);
-  const double near = kLookAhead * (last_dt_ * fastest_ + 2 * last_way_);
-  for (std::size_t k = 0; k < watch_.size(); ++k) {
-    const double left = left_of(watch_[k]);
-    if (left > near)
-      slack_ = minimum(slack_, left);
-    else
-      soon_.push_back(k);
-  }
-}
-
 // Which pairs may touch in this step, and where their bodies are.
 template <class Bodies>
 void FreeContacts<Bodies>::wake(const View& wall, Workers& workers) {
   constexpr std::size_t kBodyChunk = 256;
-  constexpr double kRounding = 1e-11;  // of sums of ways [m]
+  awake_.clear();
   in_play_.clear();
   const auto enters = [&](std::int32_t body) {
     if (is_in_play_[at(body)] != 0) return;
     is_in_play_[at(body)] = 1;
     in_play_.push_back(body);
   };
-  if (!(slack_ > kRounding) || ++looked_ > kLookAhead) look_ahead();
-  awake_.clear();
-  for (const std::size_t k : soon_) {
+  for (std::size_t k = 0; k < watch_.size(); ++k) {
     Watch& watch = watch_[k];
     if (left_of(watch) > 0 || sleeps_on(near_[k], watch)) continue;
     awake_.push_back(k);
