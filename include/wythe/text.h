@@ -6,7 +6,7 @@
 
 namespace wythe {
 
-// The text with control characters written out (\x1b, \n). A text longer than `most` bytes is cut, and
+// The text with control characters and bytes that are no UTF-8 written out (\x1b, \n). A text longer than `most` bytes is cut, and
 // its length is stated.
 [[nodiscard]] std::string readable(const std::string& text, std::size_t most = 100'000);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/limits.h"
+#include "core/text.h"
 #include "wythe/text.h"
 
 namespace wythe {
@@ -19,13 +20,14 @@ std::string listed(const std::vector<Fault>& faults) {
 
 constexpr std::size_t kLongName = 300, kLongValue = 120, kLongSentence = 4000;
 
-// Bytes of the control character at `i`, 0 where there is none: C0, DEL, C1 (U+0080 to U+009F) and the
-// marks that turn the direction of what follows (U+200E to U+200F, U+202A to U+202E, U+2066 to U+2069).
-std::size_t control_at(const std::string& text, std::size_t i) {
+// Bytes at `i` that no terminal should see, 0 where there are none: C0, DEL, C1 (U+0080 to U+009F), the marks
+// that turn the direction of what follows (U+200E to U+200F, U+202A to U+202E, U+2066 to U+2069), and a byte
+// that is no part of a UTF-8 text.
+std::size_t unreadable_at(const std::string& text, std::size_t i) {
   const auto byte = [&](std::size_t k) {
     return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
   };
-  if (byte(i) < 0x20 || byte(i) == 0x7f) return 1;
+  if (byte(i) < 0x20 || byte(i) == 0x7f || utf8_size(text, i) == 0) return 1;
   if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) <= 0x9f) return 2;
   if (byte(i) != 0xe2) return 0;
   const unsigned last = byte(i + 2);
@@ -53,20 +55,22 @@ std::string readable(const std::string& text, std::size_t most) {
   std::string out;
   std::size_t i = 0;
   while (i < text.size() && out.size() < most) {
-    const std::size_t control = control_at(text, i);
+    const std::size_t hidden = unreadable_at(text, i);
     if (text[i] == '\n' || text[i] == '\t') {
       out += text[i] == '\n' ? "\\n" : "\\t";
       ++i;
       continue;
     }
-    for (std::size_t k = 0; k < control; ++k, ++i) {
+    for (std::size_t k = 0; k < hidden; ++k, ++i) {
       const auto byte = static_cast<unsigned char>(text[i]);
       out += {'\\', 'x', kDigit[byte >> 4], kDigit[byte & 15]};
     }
-    if (control == 0) out += text[i++];
+    if (hidden > 0) continue;
+    const std::size_t size = utf8_size(text, i);
+    out.append(text, i, size);
+    i += size;
   }
   if (i == text.size()) return out;
-  while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xc0) == 0x80) out += text[i++];
   return out + "... (" + std::to_string(text.size()) + " characters)";
 }
 

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/text.h"
 #include "wythe/error.h"
 
 namespace wythe {
@@ -81,24 +82,10 @@ std::size_t read_some(int descriptor, char* to, std::size_t room, const std::str
   }
 }
 
-// Length of the UTF-8 character at `i`; 0 where there is none, or a zero byte, which no text holds.
-std::size_t character_at(std::string_view text, std::size_t i) {
-  const auto byte = [&](std::size_t k) {
-    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
-  };
-  const unsigned first = byte(i);
-  if (first < 0x80) return first != 0 ? 1 : 0;
-  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4) return 0;
-  for (std::size_t k = 1; k < size; ++k)
-    if ((byte(i + k) & 0xc0) != 0x80) return 0;
-  return size;
-}
-
 void check_utf8(const std::string& path, std::string_view text) {
   int line = 1;
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t size = character_at(text, i);
+    const std::size_t size = utf8_size(text, i);
     if (size == 0)
       refuse(path, fmt::format("byte 0x{:02x}", static_cast<unsigned char>(text[i])),
              "is no part of a UTF-8 text", "save the file as UTF-8 in your editor", line);
@@ -127,15 +114,6 @@ int fill(int descriptor, std::string_view text) {
 }
 
 }  // namespace
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t size = character_at(text, i);
-    if (size == 0) return false;
-    i += size;
-  }
-  return true;
-}
 
 void check_input(const std::string& path) {
   struct stat there {};

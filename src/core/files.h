@@ -15,9 +15,6 @@ namespace wythe {
 // The same for a text: what is not UTF-8 is refused with its line.
 [[nodiscard]] std::string read_text(const std::string& path, std::size_t most);
 
-// Whether these bytes are a UTF-8 text.
-[[nodiscard]] bool is_utf8(std::string_view text);
-
 // Writes a file whole or not at all: temporary name in the same folder, every call checked, rename. A reader
 // never sees half a file, and a full disk leaves the previous version in place. Throws as below, and IoError
 // with the path and the system's reason.

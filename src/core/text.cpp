@@ -88,6 +88,32 @@ constexpr std::string_view kDigit =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 }  // namespace
 
+std::size_t utf8_size(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) {
+    return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+  };
+  const unsigned first = byte(i), second = byte(i + 1);
+  if (first < 0x80) return first != 0 ? 1 : 0;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  const std::size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  for (std::size_t k = 1; k < size; ++k)
+    if ((byte(i + k) & 0xc0) != 0x80) return 0;
+  // longer than need be, half of a pair of UTF-16, beyond the last character
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+      (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
+    return 0;
+  return size;
+}
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t size = utf8_size(text, i);
+    if (size == 0) return false;
+    i += size;
+  }
+  return true;
+}
+
 std::string base64(std::span<const std::uint8_t> bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);

@@ -1,6 +1,7 @@
 // Nearest names, for messages that say "did you mean ..."; and bytes as text.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,6 +25,10 @@ namespace wythe {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string joined(const std::vector<std::string>& parts, std::string_view between);
+
+// Bytes of the UTF-8 character at `i` (RFC 3629); 0 where there is none, and for a zero byte, which no text holds.
+[[nodiscard]] std::size_t utf8_size(std::string_view text, std::size_t i);
+[[nodiscard]] bool is_utf8(std::string_view text);
 
 // RFC 4648, with padding.
 [[nodiscard]] std::string base64(std::span<const std::uint8_t> bytes);

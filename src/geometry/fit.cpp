@@ -28,7 +28,8 @@ struct AxisAsk {
 
 // The extent that `count` steps are measured against: one joint is there or not.
 double measured(const AxisAsk& ask, int count) {
-  return std::clamp(count * ask.step, ask.extent, ask.extent + ask.joint);
+  // a joint below 0 is refused elsewhere; std::clamp must not see its bounds turned round
+  return std::clamp(count * ask.step, ask.extent, ask.extent + std::max(0.0, ask.joint));
 }
 
 double change_of(const AxisAsk& ask, int count) {

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fuzz/targets.h"
+#include "scenes/places.h"
 
 namespace wythe::fuzz {
 namespace {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 class Corpus : public testing::TestWithParam<Target> {};
 
 TEST_P(Corpus, is_answered_or_refused_in_our_own_words) {
-  const fs::path folder = fs::path(WYTHE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  const fs::path folder = fs::path(source_dir()) / "tests/fuzz/corpus" / GetParam().name;
   int files = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     std::ifstream file(entry.path(), std::ios::binary);
@@ -29,7 +30,7 @@ TEST_P(Corpus, is_answered_or_refused_in_our_own_words) {
 
 // A reader that refuses all of its corpus would be fed in vain: what lies behind the refusal is never reached.
 TEST_P(Corpus, holds_what_is_answered) {
-  const fs::path folder = fs::path(WYTHE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  const fs::path folder = fs::path(source_dir()) / "tests/fuzz/corpus" / GetParam().name;
   static_cast<void>(scratch());
   int answered = 0;
   std::string refusal;

@@ -16,6 +16,7 @@
 
 #include "geometry/shape.h"
 #include "io/same_spec.h"
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "wythe/error.h"
@@ -406,7 +407,7 @@ TEST(Compiler, a_joint_that_names_no_material_is_refused_with_its_use) {
 }
 
 TEST(Compiler, samples_of_the_tuff_study_share_one_shape_and_keep_their_bits) {
-  const StudySpec study = read_study(WYTHE_SOURCE_DIR "/examples/tuff_wall/study.toml");
+  const StudySpec study = read_study(source_dir() + "/examples/tuff_wall/study.toml");
   const SampleTable samples = draw_samples(study);
   const ModelBuilder build = model_builder(study);
   const Compiler compiler(build({}));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "wythe/solve.h"
 
@@ -36,8 +37,8 @@ std::string read(const std::string& path) {
 
 void expect_golden(const std::string& name, const ModelSpec& spec) {
   const std::string fresh = describe_run(spec);
-  std::ofstream(std::string(WYTHE_FRESH_DIR) + "/" + name + ".golden") << fresh;
-  EXPECT_EQ(fresh, read(std::string(WYTHE_GOLDEN_DIR) + "/" + name + ".golden"))
+  std::ofstream(fresh_dir() + "/" + name + ".golden") << fresh;
+  EXPECT_EQ(fresh, read(source_dir() + "/tests/regression/golden/" + name + ".golden"))
       << "changed on purpose? tools/bless --why \"...\"";
 }
 
@@ -55,7 +56,7 @@ TEST(Golden, small_wall_with_every_other_choice_of_the_law) {
 }
 
 TEST(Golden, first_millimetre_of_the_tuff_wall) {
-  expect_golden("tuff_wall_1mm", scenes::tuff_wall(WYTHE_SOURCE_DIR, 1e-3));
+  expect_golden("tuff_wall_1mm", scenes::tuff_wall(source_dir(), 1e-3));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ struct BondSize {
 // Two dry piers of five courses and a lintel of dry stones over them, with free contacts, pushed by `until` [m]
 // and let go: it comes down.
 [[nodiscard]] ModelSpec falling_portal(double until);
-// examples/tuff_wall/model.toml under WYTHE_SOURCE_DIR, pushed to `until` [m].
+// examples/tuff_wall/model.toml under source_dir(), pushed to `until` [m].
 [[nodiscard]] ModelSpec tuff_wall(const std::string& source_dir, double until);
 
 // The same with a prestressed tie that yields, one to an anchor, a floor and a wall across.

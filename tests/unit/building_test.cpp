@@ -11,6 +11,7 @@
 #include "geometry/assembly.h"
 #include "geometry/polygon.h"
 #include "io/model_key.h"
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "wythe/io.h"
 #include "wythe/model.h"
@@ -19,7 +20,7 @@
 namespace wythe::geometry {
 namespace {
 
-const std::string kFacade = WYTHE_SOURCE_DIR "/tests/data/two_storeys.toml";
+const std::string kFacade = source_dir() + "/tests/data/two_storeys.toml";
 
 // 2 m x 1 m of units 200 x 100 mm in `storeys` equal storeys; none: a plain wall.
 ModelSpec building(int storeys) {

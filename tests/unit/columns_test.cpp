@@ -10,6 +10,7 @@
 
 #include "io/curve_csv.h"
 #include "report/bundle.h"
+#include "scenes/places.h"
 #include "scenes/sample_run.h"
 #include "study/answer_keys.h"
 #include "study/distribution.h"
@@ -41,7 +42,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 std::string text_of(const char* page) {
-  std::ifstream file(std::string(WYTHE_SOURCE_DIR "/docs/reference/") + page);
+  std::ifstream file((source_dir() + "/docs/reference/") + page);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -212,7 +213,7 @@ TEST(Words, each_distribution_says_what_it_takes) {
 
 // A page in another language finds a text for every word that it may show.
 TEST(Words, of_a_page_have_their_texts) {
-  std::ifstream file(WYTHE_SOURCE_DIR "/src/report/assets/texts.json");
+  std::ifstream file(source_dir() + "/src/report/assets/texts.json");
   const report::Json texts = report::Json::parse(file);
   const auto expect_each = [&](const std::string& before, const auto& words) {
     for (const auto& [word, value] : words)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dynamics/passes/motion.h"
+#include "scenes/places.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "wythe/failure_mode.h"
@@ -239,7 +240,7 @@ TEST(Validity, lasts_on_ground_that_goes_on) {
 }
 
 TEST(Scenes, tuff_wall_is_the_paper_s) {
-  const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 1e-3));
+  const Model model = compile(scenes::tuff_wall(source_dir(), 1e-3));
   EXPECT_EQ(model.anatomy.masonry_blocks_before_lintels, 825);
   EXPECT_EQ(model.stages.back().spec.until, 1e-3);
 }

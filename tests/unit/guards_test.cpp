@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.h"
 #include "geometry/assembly.h"
 #include "model/size.h"
 #include "scenes/scenes.h"
@@ -366,6 +367,18 @@ TEST(Readable, control_characters_are_shown) {
             "a\\xe2\\x80\\xae"
             "b");  // turns what follows round
   EXPECT_EQ(readable("c\xc3\xa0 \xe2\x88\x9e"), "c\xc3\xa0 \xe2\x88\x9e");
+}
+
+TEST(Readable, bytes_that_are_no_text_are_shown) {
+  EXPECT_EQ(readable("wall\x86\xff"), "wall\\x86\\xff");
+  EXPECT_EQ(readable("a\xc3"), "a\\xc3");                            // a character cut short
+  EXPECT_EQ(readable("\xc0\xaf"), "\\xc0\\xaf");                     // "/" in two bytes
+  EXPECT_EQ(readable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");            // "/" in three
+  EXPECT_EQ(readable("\xed\xa0\x80"), "\\xed\\xa0\\x80");            // half of a pair of UTF-16
+  EXPECT_EQ(readable("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");   // beyond the last character
+  EXPECT_EQ(readable("\xf0\x9f\xa7\xb1"), "\xf0\x9f\xa7\xb1");       // a brick
+  EXPECT_TRUE(is_utf8("\xed\x9f\xbf\xee\x80\x80\xf4\x8f\xbf\xbf"));  // the last ones that are
+  EXPECT_FALSE(is_utf8("\xf0\x80\x80\x80"));
 }
 
 TEST(Readable, long_values_are_cut_between_characters) {

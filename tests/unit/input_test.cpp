@@ -17,6 +17,7 @@
 #include "io/csv.h"
 #include "io/dxf.h"
 #include "io/json.h"
+#include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "study/store/folder_lock.h"
 #include "unit/io_helpers.h"
@@ -350,7 +351,7 @@ TEST(OddCsv, blank_lines_comments_and_ends_of_any_system_are_one_format) {
 }
 
 TEST(Limits, stand_in_their_page) {
-  const std::string page = text_in(WYTHE_SOURCE_DIR "/docs/reference/limits.md");
+  const std::string page = text_in(source_dir() + "/docs/reference/limits.md");
   const auto megabytes = [](std::size_t bytes) {
     return "| " + std::to_string(bytes / 1'000'000) + " MB |";
   };

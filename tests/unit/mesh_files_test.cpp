@@ -18,6 +18,7 @@
 #include "io/bodies_file.h"
 #include "io/meshes.h"
 #include "scenes/mesh_texts.h"
+#include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "scenes/solids.h"
 #include "wythe/io.h"
@@ -35,9 +36,7 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-std::string data(const std::string& name) {
-  return std::string(WYTHE_SOURCE_DIR) + "/tests/data/compas/" + name;
-}
+std::string data(const std::string& name) { return source_dir() + "/tests/data/compas/" + name; }
 
 void write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;

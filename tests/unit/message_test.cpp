@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "core/messages.h"
+#include "scenes/places.h"
 
 namespace wythe {
 namespace {
@@ -131,8 +132,7 @@ std::set<std::string> names_in(const std::string& text) {
 std::vector<std::string> sources() {
   std::vector<std::string> all;
   for (const char* folder : {"include", "src", "apps"})
-    for (const auto& entry :
-         fs::recursive_directory_iterator(fs::path(WYTHE_SOURCE_DIR) / folder)) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(source_dir()) / folder)) {
       const std::string kind = entry.path().extension().string();
       if ((kind != ".cpp" && kind != ".h") || entry.path().filename() == "message.h")
         continue;  // its examples are no messages

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/places.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
@@ -153,9 +154,8 @@ TEST(Pattern, at_levels_counts_a_lintel_of_zones_where_it_is_nearest) {
 }
 
 ModelSpec dry_wall(const std::string& wall) {
-  ModelSpec spec =
-      read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
-                 {"wall.blocks=data/" + wall + ".json"});
+  ModelSpec spec = read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
+                              {"wall.blocks=data/" + wall + ".json"});
   StageSpec push;
   push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
   push.velocity = 2e-3, push.damping = 0.1, push.until = 0.05;

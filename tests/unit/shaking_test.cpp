@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "model/shaking.h"
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "unit/io_helpers.h"
 #include "wythe/solve.h"
@@ -91,7 +92,7 @@ TEST(GroundMotion, restitution_and_fraction_belong_together) {
 }
 
 TEST(Shake, storeys_whose_top_no_block_holds_are_named) {
-  ModelSpec spec = read_model(WYTHE_SOURCE_DIR "/tests/data/shaken_storeys.toml");
+  ModelSpec spec = read_model(source_dir() + "/tests/data/shaken_storeys.toml");
   Model model = compile(spec);
   const auto told = [&] {
     model.anatomy.notes.clear();

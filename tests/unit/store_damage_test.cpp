@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenes/changed_store.h"
+#include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
@@ -62,9 +63,9 @@ class OldStore : public testing::TestWithParam<int> {
  protected:
   void SetUp() override {
     fs::create_directories(out_);
-    fs::copy_file(fs::path(WYTHE_SOURCE_DIR) / "tests/data" /
-                      ("store_v" + std::to_string(GetParam()) + ".db"),
-                  store_path(out_));
+    fs::copy_file(
+        fs::path(source_dir()) / "tests/data" / ("store_v" + std::to_string(GetParam()) + ".db"),
+        store_path(out_));
   }
   TemporaryFolder folder_;
   std::string out_ = folder_ / "old";

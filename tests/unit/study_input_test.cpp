@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "io/describe_study.h"
 #include "io/same_spec.h"
+#include "scenes/places.h"
 #include "unit/study_text.h"
 #include "wythe/comparison.h"
 #include "wythe/io.h"
@@ -46,7 +47,7 @@ TEST(Study, example_is_understood) {
 
 TEST(Study, of_the_paper_is_table_2) {
   const SampleTable table =
-      draw_samples(read_study(WYTHE_SOURCE_DIR "/examples/tuff_wall/study.toml"));
+      draw_samples(read_study(source_dir() + "/examples/tuff_wall/study.toml"));
   EXPECT_EQ(table.n_sample(), 250);
   const double tan_ratio =
       std::tan(14.6 * std::numbers::pi / 180) / std::tan(16.2 * std::numbers::pi / 180);
@@ -188,7 +189,7 @@ TEST(Columns, derive_their_units) {
 
 // --- refusals of single samples ------------------------------------------------------------------
 
-StudySpec tuff_study() { return read_study(WYTHE_SOURCE_DIR "/examples/tuff_wall/study.toml"); }
+StudySpec tuff_study() { return read_study(source_dir() + "/examples/tuff_wall/study.toml"); }
 
 std::string refusal(const Texts& settings) {
   return in_one_line(refusal_of(settings, model_builder(tuff_study())));
@@ -255,7 +256,7 @@ struct KeyNames {
 };
 
 TEST(StudyReference, has_every_key) {
-  std::ifstream file(WYTHE_SOURCE_DIR "/docs/reference/study.md");
+  std::ifstream file(source_dir() + "/docs/reference/study.md");
   std::stringstream page;
   page << file.rdbuf();
   StudySpec spec;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scenes/mechanism.h"
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "study/modes/element_states.h"
 #include "wythe/failure_mode.h"
@@ -26,7 +27,7 @@ using scenes::moved;
 constexpr double kRoundOff = 1e-9;
 
 const Model& tuff_wall() {
-  static const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 50e-3));
+  static const Model model = compile(scenes::tuff_wall(source_dir(), 50e-3));
   return model;
 }
 

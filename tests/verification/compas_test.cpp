@@ -13,6 +13,7 @@
 #include "io/bodies_file.h"
 #include "io/meshes.h"
 #include "record.h"
+#include "scenes/places.h"
 #include "scenes/run.h"
 #include "scenes/scenes.h"
 #include "scenes/solids.h"
@@ -31,7 +32,7 @@ constexpr double kDensity = 2000, kG = 9.81;
 template <class IsSupport>
 std::vector<BodySpec> bodies_of(const std::string& name, double units_in_a_metre,
                                 const IsSupport& is_support) {
-  const std::string file = std::string(WYTHE_SOURCE_DIR) + "/tests/data/compas/" + name;
+  const std::string file = source_dir() + "/tests/data/compas/" + name;
   FaultList faults;
   std::vector<BodySpec> bodies =
       io::is_mesh_file(file)

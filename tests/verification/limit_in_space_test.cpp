@@ -6,6 +6,7 @@
 
 #include "limit/in_space.h"
 #include "record.h"
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -87,9 +88,8 @@ TEST(LimitInSpace, a_bonded_block_tears_at_its_bed) {
 
 TEST(LimitInSpace, walls_of_prisms_have_the_limit_loads_of_their_plane) {
   for (const char* name : {"wall1", "wall2", "wall4"}) {
-    const ModelSpec plane =
-        read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
-                   {std::string("wall.blocks=data/") + name + ".json"});
+    const ModelSpec plane = read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
+                                       {std::string("wall.blocks=data/") + name + ".json"});
     const double flat = limit_load(compile(plane), {}).load;
     ModelSpec solid = scenes::prisms(plane);
     double lowest = 1e9;
@@ -104,7 +104,7 @@ TEST(LimitInSpace, walls_of_prisms_have_the_limit_loads_of_their_plane) {
 }
 
 TEST(LimitInSpace, joint_forces_balance_every_block_and_respect_friction) {
-  const Model m = compile(read_model(WYTHE_SOURCE_DIR "/examples/wall_with_returns/model.toml"));
+  const Model m = compile(read_model(source_dir() + "/examples/wall_with_returns/model.toml"));
   const LimitAnswer answer = limit_load(m, {});
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-6);
   const Space& s = m.space;
@@ -147,7 +147,7 @@ TEST(LimitInSpace, joint_forces_balance_every_block_and_respect_friction) {
 }
 
 TEST(LimitInSpace, what_a_run_carries_is_below_its_limit_load) {
-  ModelSpec spec = read_model(WYTHE_SOURCE_DIR "/examples/wall_with_returns/model.toml");
+  ModelSpec spec = read_model(source_dir() + "/examples/wall_with_returns/model.toml");
   const double one = answer_of(spec).load;
   verify({"LP-S5", "limit load of the wall with returns, turned by 30 degrees", "-", one, 1e-6,
           "1e-6: what both theorems may differ by"},
@@ -164,7 +164,7 @@ TEST(LimitInSpace, what_a_run_carries_is_below_its_limit_load) {
 // Circles inside the interior point, and facets cut until no shear passes its circle by more than 1e-7: other rows, and at
 // these sizes another method, Clp. Outside of the circle by 1e-7 the load is larger by at most that.
 TEST(LimitInSpace, circles_carry_what_facets_do_that_are_cut_fine) {
-  ModelSpec bonded = read_model(WYTHE_SOURCE_DIR "/examples/wall_with_returns/model.toml");
+  ModelSpec bonded = read_model(source_dir() + "/examples/wall_with_returns/model.toml");
   JointMaterial& joint = bonded.material.begin()->second;
   joint.tensile_strength = 0.02e6, joint.cohesion = 0.03e6;
   joint.mode_1_energy = 4, joint.mode_2_energy = 3000;
@@ -243,7 +243,7 @@ TEST(LimitInSpace, a_push_on_a_block_is_a_force) {
 // Its floor slides, its stones turn: a hundred seconds by facets, two by circles.
 TEST(LimitInSpace, a_house_carries_what_both_theorems_say_and_more_than_its_run) {
   const LimitAnswer answer =
-      limit_load(compile(read_model(WYTHE_SOURCE_DIR "/examples/stone_house/model.toml")), {});
+      limit_load(compile(read_model(source_dir() + "/examples/stone_house/model.toml")), {});
   EXPECT_NEAR(answer.kinematic / answer.load, 1, 1e-7);
   EXPECT_EQ(answer.cuts, 0);
   EXPECT_LE(answer.friction_excess, 1e-6);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "verification/record.h"
@@ -42,9 +43,8 @@ ModelSpec with_stages(ModelSpec spec, StageSpec growing) {
 }
 
 Model ferris_wall(const std::string& name) {
-  return compile(
-      read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
-                 {"wall.blocks=data/" + name + ".json"}));
+  return compile(read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
+                            {"wall.blocks=data/" + name + ".json"}));
 }
 
 // The static and the kinematic programme are built apart; at the optimum they agree to `kGap`.
@@ -81,9 +81,8 @@ TEST(Pattern, Ferris_and_Tin_Loi_walls_reach_the_published_factors_and_fall_behi
   } walls[] = {
       {"wall1", 0.64, 1.6e-3, 1}, {"wall2", 0.563, 3e-3, 1}, {"wall4", 0.264, 25e-3, 0.75}};
   for (const auto& wall : walls) {
-    ModelSpec spec =
-        read_model(std::string(WYTHE_SOURCE_DIR) + "/validation/ferris_tinloi_walls/model.toml",
-                   {std::string("wall.blocks=data/") + wall.file + ".json"});
+    ModelSpec spec = read_model(source_dir() + "/validation/ferris_tinloi_walls/model.toml",
+                                {std::string("wall.blocks=data/") + wall.file + ".json"});
     StageSpec push;
     push.name = "push", push.kind = StageKind::kPush, push.pattern = Pattern::kMass;
     push.velocity = 2e-3, push.damping = 0.1, push.until = wall.until;
@@ -295,8 +294,7 @@ TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
 // Two storeys, six windows and a door. The figure is that of Clp's interior point on the static
 // programme alone, the one method of its that ends there. Processor time: others may share the machine.
 TEST(LimitLoad, facade_of_4660_blocks_within_a_minute) {
-  const Model model =
-      compile(read_model(std::string(WYTHE_SOURCE_DIR) + "/tests/verification/facade.toml"));
+  const Model model = compile(read_model(source_dir() + "/tests/verification/facade.toml"));
   ASSERT_EQ(model.n_block, 4660);
   const std::clock_t start = std::clock();
   const LimitAnswer answer = limit_load(model, {});
@@ -462,7 +460,7 @@ TEST(LimitLoad, only_a_strength_that_can_be_lost_is_a_bond) {
 // The paper's wall, the largest programme of this project. Processor time: others may share the
 // machine.
 TEST(LimitLoad, tuff_wall_within_ten_seconds) {
-  const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 0.05));
+  const Model model = compile(scenes::tuff_wall(source_dir(), 0.05));
   const auto answer_within = [&](const LimitOptions& options, double seconds) {
     const std::clock_t start = std::clock();
     const LimitAnswer answer = limit_load(model, options);

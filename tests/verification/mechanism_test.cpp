@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"
 #include "verification/record.h"
@@ -316,7 +317,7 @@ TEST(MacroBlock, a_lintel_of_zones_weighs_as_much_as_one_of_blocks) {
 TEST(MacroBlock, crushing_never_raises_a_curve) {
   for (const std::string source : {"small", "tuff"}) {
     const Model model =
-        source == "small" ? portal_wall() : compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 0.05));
+        source == "small" ? portal_wall() : compile(scenes::tuff_wall(source_dir(), 0.05));
     for (const char* mode : {"FM-1", "FM-4"}) {
       const Mechanism infinite = mechanism_of(model, mode, Hypothesis::kInfinite);
       const Mechanism first = mechanism_of(model, mode, Hypothesis::kMacroBlock1);
@@ -338,7 +339,7 @@ TEST(MacroBlock, crushing_never_raises_a_curve) {
 // Hand calculation of FM-4 on the paper's wall with its nominal sizes (half units of 154.5 mm make the
 // model 17 mm narrower in places): C1 (1.70, 0), C12 (1.70, 3.62), C23 (3.40, 2.64), C3 (5.10, 0).
 TEST(MacroBlock, tuff_wall_by_hand) {
-  const Model model = compile(scenes::tuff_wall(WYTHE_SOURCE_DIR, 0.05));
+  const Model model = compile(scenes::tuff_wall(source_dir(), 0.05));
   const double w = 1250 * 9.81 * 0.31;  // [N/m^2]
   const double pier = 200e3 + w * 1.70 * 3.62, spandrel = w * 1.70 * 0.98;
   const double ratio = 3.62 / (2.64 - 0.98);  // w3/w1; w2 = -w3: pier and opening are equally wide

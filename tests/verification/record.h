@@ -1,5 +1,5 @@
 // verify(): compares a number of the engine with its closed form and appends a row to
-// WYTHE_FRESH_DIR/verification.csv, from which tools/verification_table makes docs/verification.md.
+// fresh_dir()/verification.csv, from which tools/verification_table makes docs/verification.md.
 #pragma once
 
 #include <fmt/core.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include "scenes/places.h"
 
 namespace wythe::verification {
 
@@ -22,7 +23,7 @@ struct Claim {
 };
 
 inline void append_row(const Claim& claim, double computed, double deviation, bool passed) {
-  const std::filesystem::path folder = WYTHE_FRESH_DIR;
+  const std::filesystem::path folder = fresh_dir();
   std::filesystem::create_directories(folder);
   // one write in append mode: shards of the test program may run side by side
   std::ofstream file(folder / "verification.csv", std::ios::app);
