@@ -5,6 +5,7 @@ import importlib.util
 import json
 import os
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
@@ -85,6 +86,34 @@ class Turns(unittest.TestCase):
             with self.assertRaises(SystemExit) as told:
                 made.compile(sorted(made.commands), 1)
             self.assertIn("b.cpp", str(told.exception))
+
+
+class ContinuousIntegration(unittest.TestCase):
+    """.ci/run adds up what two commands count; neither can end without a count and pass."""
+
+    def last_line(self, tests, turn):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            for name, text in (("make", tests), ("tools/sanitize", turn), (".ci/run", (pathlib.Path(SOURCE) / ".ci/run").read_text())):
+                (folder / name).parent.mkdir(exist_ok=True)
+                (folder / name).write_text(text if name == ".ci/run" else f"#!/bin/sh\n{text}\n")
+                (folder / name).chmod(0o755)
+            (folder / "build/release").mkdir(parents=True)
+            (folder / "build/release/build.ninja").touch()
+            done = subprocess.run([folder / ".ci/run"], capture_output=True, text=True, check=False,
+                                  env=dict(os.environ, PATH=f"{folder}:{os.environ['PATH']}"))
+            return done.stdout.splitlines()[-1], done.returncode
+
+    def test_counts_are_added_and_silence_is_a_failure(self):
+        good = 'echo "10 passed, 0 failed"'
+        for tests, turn, expected in ((good, 'echo "5 passed, 0 failed"', ("15 passed, 0 failed", 0)),
+                                      (good, 'echo "5 passed, 1 failed"; exit 1', ("15 passed, 1 failed", 1)),
+                                      ('echo "10 passed, 2 failed"; exit 2', good, ("20 passed, 2 failed", 1)),
+                                      ("exit 2", good, ("0 passed, 1 failed", 1)),
+                                      (good, "exit 3", ("10 passed, 1 failed", 1)),
+                                      (good + "; exit 2", good, ("20 passed, 1 failed", 1)),
+                                      ('echo "0 passed, 0 failed"', 'echo "0 passed, 0 failed"', ("0 passed, 0 failed", 1))):
+            self.assertEqual(self.last_line(tests, turn), expected, (tests, turn))
 
 
 if __name__ == "__main__":
