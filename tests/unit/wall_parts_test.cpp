@@ -19,8 +19,7 @@ namespace wythe {
 namespace {
 
 using scenes::Mechanism;
-using scenes::mirror_name;
-using scenes::mirrored;
+using scenes::mirror_name, scenes::mirrored;
 using scenes::Motion;
 using scenes::moved;
 
