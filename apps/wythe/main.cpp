@@ -154,12 +154,14 @@ void add_store(CLI::App& app, StoreArguments& a, int& code) {
   CLI::App* check =
       command->add_subcommand("check", "read every byte: of a campaign, its shards and options");
   check->add_option("folder", a.folder, "folder of the campaign, or of its array")->required();
+  check->footer("example: wythe store check out/campaign");
   check->callback([&] { code = check_store(a); });
   CLI::App* rescue =
       command->add_subcommand("rescue", "copy the samples that still read into a new store");
   rescue->add_option("folder", a.folder, "folder of the damaged campaign")->required();
   rescue->add_option("--out", a.out, "folder for what is saved, made if absent")->required();
   add_language(rescue, a.language);
+  rescue->footer("example: wythe store rescue out/campaign --out out/rescued");
   rescue->callback([&] { code = rescue_store(a); });
 }
 
