@@ -7,14 +7,19 @@ if(archived MATCHES "^[0-9a-f]+")
 endif()
 find_program(GIT git)
 if(GIT)
+  # A repository around an unpacked archive, as of a home folder, is another one.
   execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --short=12 HEAD
     OUTPUT_VARIABLE head RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  if(NOT failed)
+  execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} rev-parse --show-cdup
+    OUTPUT_VARIABLE above OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT failed AND above STREQUAL "")
     set(commit "${head}")
-    # Only tracked files: a run's output folder in the tree does not make the build dirty.
+    # Tracked files, and new ones that are compiled in; a run's output folder in the tree does not make the build dirty.
     execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} status --porcelain --untracked-files=no
       OUTPUT_VARIABLE changes OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-    if(changes)
+    execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} ls-files --others --exclude-standard -- src include apps cmake python
+      OUTPUT_VARIABLE added OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(changes OR added)
       string(APPEND commit "-dirty")
     endif()
   endif()

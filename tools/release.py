@@ -16,6 +16,7 @@ import tarfile
 
 FLAGS = "-O3 -DNDEBUG -ffp-contract=off"  # of the preset "release"
 PROVENANCE = re.compile(r"wythe (\S+) \((\w+)(-dirty)?, ([^,]*), (\w*)(?:, (.*)|;.*)?\)")
+TOOLS = ("tools/package", "tools/release.py", "tools/program_help.py", "tools/shell_words.py")
 # prints the provenance of a library or a Python module without the rest of the package
 ASK_LIBRARY = "import ctypes, sys; f = ctypes.CDLL(sys.argv[1]).wythe_version; f.restype = ctypes.c_char_p; print(f().decode())"
 ASK_MODULE = """import importlib.machinery, importlib.util, sys
@@ -69,6 +70,7 @@ class Release:
         self.faults = []  # what --anyway lets pass, and the version then tells
         self.read_binaries()
         self.find_commit()
+        self.compare_tools()
         if self.faults and not anyway:
             sys.exit("\n".join(["no package was made:", *(f"- {said}" for _, said in self.faults),
                                 "For a package to try out, which says so in its version: --anyway"]))
@@ -109,9 +111,9 @@ class Release:
     def find_commit(self):
         """The whole name of the commit, its time, and the tag it stands at or after."""
         if (self.root / ".git").exists():
-            whole = git(self.root, "rev-parse", "--verify", "--quiet", f"{self.short}^{{commit}}")
+            whole = git(self.root, "rev-parse", "--verify", f"{self.short}^{{commit}}")
             if whole is None:
-                sys.exit(f"no package was made: the program is of commit {self.short}, which {self.root} does not have")
+                sys.exit(f"no package was made: the program is of commit {self.short}, which git does not find in {self.root}. Build again: make build")
             self.commit = whole.decode().strip()
             self.committed = int(git(self.root, "log", "-1", "--format=%ct", self.commit))
             tag = git(self.root, "describe", "--tags", "--match", "v[0-9]*", "--abbrev=40", self.commit)
@@ -121,6 +123,17 @@ class Release:
             if not re.fullmatch(r"[0-9a-f]{40}", words[0]) or not words[0].startswith(self.short):
                 sys.exit(f"no package was made: the program is of commit {self.short}, the sources in {self.root} of {words[0]}. Build again: make build")
             self.commit, self.committed, self.tag = words[0], int(words[1]), " ".join(words[2:])
+
+    def compare_tools(self):
+        """The tools that pack are those of the commit too: others would give other bytes."""
+        tar = self.archive()
+        if tar is None:
+            return
+        with tarfile.open(fileobj=io.BytesIO(tar)) as packed:
+            for name in TOOLS:
+                path = next((m for m in packed.getmembers() if m.name.split("/", 1)[-1] == name), None)
+                if path is None or packed.extractfile(path).read() != (self.root / name).read_bytes():
+                    self.faults.append(("tools", f"{name} is not the one of {self.short}, which the program was built from: build again"))
 
     def name_version(self):
         """0.1.0 at the tag v0.1.0 alone; before it 0.1.0~git..., which sorts below, after it 0.1.0+git..., which sorts above."""
@@ -141,7 +154,7 @@ class Release:
         """The commit as a tar; None in an unpacked archive and for changed sources, which are in no commit."""
         if not (self.root / ".git").exists() or any(name == "dirty" for name, _ in self.faults):
             return None
-        return git(self.root, "archive", "--format=tar", f"--prefix=wythe-{self.version}/", self.commit)
+        return git(self.root, "archive", "--format=tar", f"--prefix=wythe-{getattr(self, 'version', '')}/", self.commit)
 
     def sources(self, folder):
         """Where the files of the commit lie: unpacked in a folder; as they are where there is no commit to take them from."""
