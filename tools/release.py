@@ -160,8 +160,8 @@ class Release:
         """Where the files of the commit lie: unpacked in a folder; as they are where there is no commit to take them from."""
         if (tar := self.archive()) is None:
             return self.root
-        with tarfile.open(fileobj=io.BytesIO(tar)) as packed:
-            packed.extractall(folder, filter="data")
+        pathlib.Path(folder).mkdir(parents=True, exist_ok=True)
+        subprocess.run(["tar", "--extract", "--no-same-owner", f"--directory={folder}"], input=tar, check=True)
         return pathlib.Path(folder) / f"wythe-{self.version}"
 
     def tracked(self, tree, below):

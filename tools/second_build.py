@@ -10,7 +10,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tarfile
 import tempfile
 
 from release import call, git, plain
@@ -75,8 +74,7 @@ def unpack(file, folder):
     if file.suffix == ".deb":
         call("dpkg-deb", "--raw-extract", file, folder)
     else:
-        with tarfile.open(file) as packed:
-            packed.extractall(folder, filter="data")
+        call("tar", "--extract", "--same-permissions", "--gzip", f"--file={file}", f"--directory={folder}")
     return folder
 
 

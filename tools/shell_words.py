@@ -199,7 +199,8 @@ function __wythe_at
         test "$given" = "$argv[2..-1]"
         return
     end
-    test "$given[1..(count $argv)]" = "$argv"
+    set -l last (count $argv)
+    test "$given[1..$last]" = "$argv"
 end
 
 complete -c wythe -f
