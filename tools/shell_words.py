@@ -78,7 +78,7 @@ _wythe_at() {
 }
 
 _wythe() {
-  local word=${COMP_WORDS[COMP_CWORD]} command="" option="" past="" words kind i n=0
+  local word=${COMP_WORDS[COMP_CWORD]} command="" option="" past="" words kind found i n=0
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     past=${COMP_WORDS[i]}
@@ -107,12 +107,14 @@ _wythe() {
     [ -n "$words$kind" ] || _wythe_at "$command many"
   fi
   case $kind in
-    toml) mapfile -t COMPREPLY < <(compgen -f -X '!*.toml' -- "$word"; compgen -d -- "$word") ;;
-    csv) mapfile -t COMPREPLY < <(compgen -f -X '!*.csv' -- "$word"; compgen -d -- "$word") ;;
-    file) mapfile -t COMPREPLY < <(compgen -f -- "$word") ;;
-    folder) mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
-    *) mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"); return ;;
+    toml) found=$(compgen -f -X '!*.toml' -- "$word"; compgen -d -- "$word") ;;
+    csv) found=$(compgen -f -X '!*.csv' -- "$word"; compgen -d -- "$word") ;;
+    file) found=$(compgen -f -- "$word") ;;
+    folder) found=$(compgen -d -- "$word") ;;
+    *) found=$(compgen -W "$words" -- "$word") ;;
   esac
+  [ -z "$found" ] || mapfile -t COMPREPLY <<<"$found"
+  case $kind in "" | text) return ;; esac
   compopt -o filenames 2>/dev/null
 }
 complete -o bashdefault -o default -F _wythe wythe
