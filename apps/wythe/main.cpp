@@ -261,7 +261,32 @@ void add_picture(CLI::App& app, PictureArguments& a, int& code) {
   command->callback([&] { code = picture(a); });
 }
 
+// A script whose variable is empty hands over "", which must not mean 0 nor that the option is not there:
+// --slurm "" would run the whole campaign here.
+void refuse_empty(int argc, char** argv) {
+  std::vector<wythe::Fault> faults;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    const bool is_empty_option = argument.starts_with("--") && argument.ends_with("=") &&
+                                 argument.find('=') + 1 == argument.size() &&
+                                 std::string_view(argv[i - 1]) != "--set";
+    const bool is_blank = argument.find_first_not_of(" \t\r\n") == std::string::npos;
+    if (!is_blank && !is_empty_option) continue;
+    const std::string before = argv[i - 1];
+    std::string place = fmt::format("argument {}", i);
+    if (is_empty_option) place = argument.substr(0, argument.size() - 1);
+    if (is_blank && before.starts_with("--")) place = before;
+    faults.push_back({.file = place,
+                      .path = "",
+                      .value = "",
+                      .problem = "is empty",
+                      .cure = "give it a value, or leave it out"});
+  }
+  if (!faults.empty()) throw wythe::InputError(std::move(faults));
+}
+
 int parse_and_run(int argc, char** argv) {
+  refuse_empty(argc, argv);
   CLI::App app(
       "wythe pushes masonry walls until they fail: strength, drift, failure mode and their "
       "uncertainty");

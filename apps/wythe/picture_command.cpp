@@ -20,7 +20,29 @@ bool is_wanted(const Snapshot& s, const std::vector<double>& at_mm) {
 
 }  // namespace
 
+namespace {
+
+void check_numbers(const PictureArguments& a) {
+  const auto refuse = [](const char* option, double value, std::string problem, std::string cure) {
+    throw InputError({{.file = option,
+                       .path = "",
+                       .value = fmt::format("{}", value),
+                       .problem = std::move(problem),
+                       .cure = std::move(cure)}});
+  };
+  constexpr double kMostScale = 1e6;
+  if (!(a.scale >= 0 && a.scale <= kMostScale))
+    refuse("--scale", a.scale, fmt::format("must be a number from 0 to {:g}", kMostScale),
+           "write e.g. --scale 10, or leave it out for one that fits");
+  for (const double mm : a.at_mm)
+    if (!std::isfinite(mm))
+      refuse("--at", mm, "must be a finite number of millimetres", "write e.g. --at 10 20 40");
+}
+
+}  // namespace
+
 int picture(const PictureArguments& a) {
+  check_numbers(a);
   const Campaign campaign = read_campaign(a.folder);
   if (a.sample < 1 || a.sample > campaign.samples.n_sample())
     throw InputError(

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -41,6 +42,7 @@ std::FILE* stream_of(void* cookie, int buffering) {
 }  // namespace
 
 void make_streams_safe() {
+  std::signal(SIGXFSZ, SIG_IGN);  // of `ulimit -f`: the write fails, and its file is told
   for (int number = 0; number <= STDERR_FILENO; ++number) {
     if (isatty(number) != 0 || errno != EBADF) continue;
     std::FILE* nothing = std::fopen("/dev/null", "r+");  // takes the lowest number that is free

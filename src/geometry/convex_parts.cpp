@@ -343,6 +343,9 @@ std::vector<int> counted(std::size_t n) {
   return numbers;
 }
 
+// Of a solid: what follows looks at its faces pair by pair, for a second or two here.
+constexpr std::size_t kMostOfOneSolid = 10'000;
+
 void check_numbers(const Polyhedron& part) {
   for (const Vec3 v : part.vertex)
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
@@ -350,6 +353,10 @@ void check_numbers(const Polyhedron& part) {
   if (part.vertex.size() < 4 || part.face.size() < 4)
     throw Problem{fmt::format("{} corners, {} faces", part.vertex.size(), part.face.size()),
                   "encloses no space", "a solid has at least 4 corners and 4 faces"};
+  if (std::max(part.vertex.size(), part.face.size()) > kMostOfOneSolid)
+    throw Problem{fmt::format("{} corners, {} faces", part.vertex.size(), part.face.size()),
+                  fmt::format("has more than {} corners or faces", kMostOfOneSolid),
+                  "simplify its surface, or cut it into blocks (docs/reference/limits.md)"};
   for (const Corners& face : part.face)
     for (const std::int32_t i : face)
       if (i < 0 || at(i) >= part.vertex.size())

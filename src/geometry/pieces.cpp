@@ -34,7 +34,8 @@ class Surfaces {
       for (const std::int32_t i : faces[f]) corners.push_back(vertex[at(i)]);
       facets_.push_back(measured(std::move(corners)));
       for (std::size_t k = 0; k < faces[f].size(); ++k)
-        edges_[{faces[f][k], faces[f][(k + 1) % faces[f].size()]}].push_back(static_cast<int>(f));
+        if (const Edge edge = edge_of(faces[f], k); edge.first != edge.second)
+          edges_[edge].push_back(static_cast<int>(f));
     }
   }
 
@@ -48,7 +49,8 @@ class Surfaces {
       for (std::size_t i = 0; i < found.size(); ++i) {
         const auto& face = faces_[at(found[i])];
         for (std::size_t k = 0; k < face.size(); ++k) {
-          const int next = beyond(found[i], {face[k], face[(k + 1) % face.size()]});
+          const Edge edge = edge_of(face, k);
+          const int next = edge.first != edge.second ? beyond(found[i], edge) : -1;
           if (next < 0 || taken[at(next)]) continue;
           taken[at(next)] = true;
           found.push_back(next);
@@ -61,6 +63,11 @@ class Surfaces {
   }
 
  private:
+  // Two corners in one place make no edge.
+  static Edge edge_of(const std::vector<std::int32_t>& face, std::size_t k) {
+    return {face[k], face[(k + 1) % face.size()]};
+  }
+
   // The face that goes on at an edge; -1 where none does.
   [[nodiscard]] int beyond(int f, Edge edge) const {
     const auto back = edges_.find({edge.second, edge.first});
@@ -109,6 +116,23 @@ void weld_corners(const std::vector<Vec3>& vertex, FaceList& faces) {
   }
   for (auto& face : faces)
     for (std::int32_t& i : face) i = first[at(i)];
+}
+
+std::size_t most_faces_at_an_edge(const FaceList& faces) {
+  std::vector<Edge> edges;
+  for (const auto& face : faces)
+    for (std::size_t k = 0; k < face.size(); ++k)
+      if (const std::int32_t a = face[k], b = face[(k + 1) % face.size()]; a != b)
+        edges.emplace_back(std::min(a, b), std::max(a, b));
+  std::sort(edges.begin(), edges.end());
+  std::size_t most = 0;
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t next = first;
+    while (next < edges.size() && edges[next] == edges[first]) ++next;
+    most = std::max(most, next - first);
+    first = next;
+  }
+  return most;
 }
 
 std::vector<std::vector<int>> solids_of(const std::vector<Vec3>& vertex, const FaceList& faces) {

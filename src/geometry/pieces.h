@@ -25,4 +25,7 @@ void weld_corners(const std::vector<Vec3>& vertex, FaceList& faces);
 [[nodiscard]] std::vector<std::vector<int>> solids_of(const std::vector<Vec3>& vertex,
                                                       const FaceList& faces);
 
+// The most faces that meet at one edge: two of a solid, four or more where solids touch.
+[[nodiscard]] std::size_t most_faces_at_an_edge(const FaceList& faces);
+
 }  // namespace wythe::geometry

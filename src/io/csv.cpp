@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/limits.h"
@@ -50,11 +52,39 @@ void CsvLines::refuse(int most, const char* what) const {
                      .line = line_}});
 }
 
+namespace {
+
+// What turns a cell into a formula in some spreadsheet; the wide forms do so in Chinese and Japanese ones.
+bool is_formula(std::string_view text) {
+  constexpr std::string_view kStarts[] = {"=",  "+",      "-",      "@",      "\t",    "\r",
+                                          "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+  return std::any_of(std::begin(kStarts), std::end(kStarts),
+                     [&](std::string_view start) { return text.starts_with(start); });
+}
+
+constexpr char kGuard = '\'';
+
+}  // namespace
+
 std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
+  const bool guarded = is_formula(text) || text.starts_with(kGuard);
+  const std::string guard(guarded ? 1 : 0, kGuard);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return guard + text;
+  std::string out = "\"" + guard;
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
+}
+
+std::string text_of_cell(std::string_view cell) {
+  std::string text(cell);
+  if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') {
+    text.clear();
+    for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+      text += cell[i];
+      if (cell[i] == '"') ++i;  // written twice
+    }
+  }
+  return text.starts_with(kGuard) ? text.substr(1) : text;
 }
 
 std::string csv_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }

@@ -30,8 +30,11 @@ class CsvLines {
   int line_ = 0, rows_ = 0;
 };
 
-// Text as one cell (RFC 4180): quoted where it holds what would end it.
+// Text as one cell (RFC 4180): quoted where it holds what would end it. A spreadsheet runs a cell that begins
+// with = + - @ as a formula: such a text gets a ' in front, and so does one that begins with ' itself.
 [[nodiscard]] std::string csv_cell(const std::string& text);
+// The text of such a cell.
+[[nodiscard]] std::string text_of_cell(std::string_view cell);
 // The shortest digits that read back as the same number; "" for NaN.
 [[nodiscard]] std::string csv_cell(double value);
 

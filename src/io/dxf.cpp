@@ -60,7 +60,7 @@ class Groups {
 
   // False at the end of the file.
   bool next(Group& group) {
-    if (trimmed(rest_).empty()) return false;
+    if (rest_.find_first_not_of(" \t\r\n") == std::string_view::npos) return false;
     group.line = line_ + 1;
     const std::string_view code = take_line();
     const auto number = number_in<int>(code);
@@ -280,9 +280,11 @@ class DrawingReader {
 
   void finish(const Entity& entity) {
     if (entity.type.empty() || entity.on_paper || is_annotation(entity.type)) return;
-    auto& layers = drawing_.layers;
-    if (std::find(layers.begin(), layers.end(), entity.layer) == layers.end())
-      layers.push_back(entity.layer);
+    if (layers_.insert(entity.layer).second) drawing_.layers.push_back(entity.layer);
+    if (++entities_ > kMostEntities)
+      refuse(file_, "", fmt::format("has more than {} entities", kMostEntities),
+             "leave out of the drawing what is no masonry, or split it (docs/reference/limits.md)",
+             entity.line);
     if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE")
       return leave(entity, "is no closed polyline", cure_for(entity.type));
     add_outline(entity);
@@ -356,6 +358,8 @@ class DrawingReader {
   std::optional<int> stated_;  // $INSUNITS
   bool has_entities_ = false, in_vertex_ = false;
   std::size_t chords_ = 0;  // so far
+  int entities_ = 0;        // so far
+  std::set<std::string> layers_;
   Drawing drawing_;
 };
 

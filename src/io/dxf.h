@@ -17,6 +17,8 @@ namespace wythe::io {
 inline constexpr double kChordError =
     1e-3;                                // between an arc of a polyline and its chords, at most [m]
 inline constexpr int kMostChords = 360;  // of one arc
+inline constexpr int kMostEntities =
+    1'000'000;  // a drawing of 200 000 stones has two of each: its outline and its number
 inline constexpr int kMostOfAllChords =
     1'000'000;  // of a drawing: a vertex of 30 bytes may ask for 360 corners
 

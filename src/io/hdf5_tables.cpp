@@ -38,16 +38,6 @@ void check(herr_t answer, const std::string& path) {
   if (answer < 0) throw IoError(path + ": cannot be written as HDF5; is the disk full?");
 }
 
-std::string without_quotes(const std::string& cell) {
-  if (cell.size() < 2 || cell.front() != '"') return cell;
-  std::string text;
-  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
-    text += cell[i];
-    if (cell[i] == '"') ++i;  // written twice
-  }
-  return text;
-}
-
 }  // namespace
 
 struct Hdf5File::Table {
@@ -127,7 +117,7 @@ void Hdf5File::add_row(int number, const std::vector<std::string>& cells) {
   Table& table = *tables_[static_cast<std::size_t>(number)];
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     if (table.columns[c].is_text)
-      table.texts[c].push_back(without_quotes(cells[c]));
+      table.texts[c].push_back(text_of_cell(cells[c]));
     else
       table.numbers[c].push_back(cells[c].empty() ? std::numeric_limits<double>::quiet_NaN()
                                                   : number_in(cells[c]));

@@ -61,8 +61,9 @@ class MeshFaults {
 [[nodiscard]] BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
                                      const geometry::FaceList& faces);
 // Every solid as a body: `name` for one alone, else `name`1, `name`2 ...
+// A file in which very many faces meet at an edge, or are no part of a solid each, is refused before.
 [[nodiscard]] std::vector<BodySpec> bodies_of_solids(const std::string& name,
-                                                     const std::vector<Vec3>& vertex,
-                                                     geometry::FaceList faces);
+                                                     const std::vector<Vec3>& all,
+                                                     geometry::FaceList faces, MeshFaults& faults);
 
 }  // namespace wythe::io

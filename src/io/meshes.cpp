@@ -35,7 +35,7 @@ class ObjReader {
     std::erase_if(groups_, [](const Group& group) { return group.face.empty(); });
     if (groups_.size() == 1) {
       bodies = bodies_of_solids(groups_[0].name.empty() ? name_ : groups_[0].name, vertex_,
-                                groups_[0].face);
+                                groups_[0].face, faults_);
       for (BodySpec& body : bodies) set_material(body, groups_[0]);
     }
     for (std::size_t g = 0; groups_.size() > 1 && g < groups_.size(); ++g) {
@@ -79,10 +79,9 @@ class ObjReader {
   }
 
   void open_group(std::string_view name) {
-    const auto found = std::find_if(groups_.begin(), groups_.end(),
-                                    [&](const Group& group) { return group.name == name; });
-    current_ = static_cast<std::size_t>(found - groups_.begin());
-    if (found == groups_.end()) groups_.push_back({std::string(name), "", {}});
+    const auto [found, is_new] = place_.emplace(name, groups_.size());
+    current_ = found->second;
+    if (is_new) groups_.push_back({std::string(name), "", {}});
   }
 
   void read_face(const std::vector<std::string_view>& words, std::string_view line) {
@@ -109,6 +108,7 @@ class ObjReader {
   MeshFaults faults_;
   std::vector<Vec3> vertex_;
   std::vector<Group> groups_;
+  std::map<std::string, std::size_t> place_;  // of each group, by its name
   std::size_t current_ = 0;
   std::string material_;
 };
@@ -128,7 +128,7 @@ class StlReader {
     for (Solid& solid : solids_) {
       const bool has_own = solids_.size() > 1 && !solid.name.empty();
       for (BodySpec& body :
-           bodies_of_solids(has_own ? solid.name : name_, vertex_, std::move(solid.face)))
+           bodies_of_solids(has_own ? solid.name : name_, vertex_, std::move(solid.face), faults_))
         bodies.push_back(std::move(body));
     }
     return bodies;
@@ -288,11 +288,43 @@ BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
   return body;
 }
 
-std::vector<BodySpec> bodies_of_solids(const std::string& name, const std::vector<Vec3>& vertex,
-                                       geometry::FaceList faces) {
+namespace {
+
+// The corners that these faces use, in their order, and the faces with their numbers: a file of many solids
+// takes no time for those of others.
+std::vector<Vec3> take_own(const std::vector<Vec3>& vertex, geometry::FaceList& faces) {
+  std::vector<std::int32_t> used;
+  for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<Vec3> own;
+  for (const std::int32_t i : used) own.push_back(vertex[at(i)]);
+  for (auto& face : faces)
+    for (std::int32_t& i : face)
+      i = static_cast<std::int32_t>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
+  return own;
+}
+
+}  // namespace
+
+std::vector<BodySpec> bodies_of_solids(const std::string& name, const std::vector<Vec3>& all,
+                                       geometry::FaceList faces, MeshFaults& faults) {
+  constexpr std::size_t kMostAtAnEdge = 100;    // eight cubes around one have four
+  constexpr std::size_t kMostSolids = 250'000;  // docs/reference/limits.md
+  const std::vector<Vec3> vertex = take_own(all, faces);
   geometry::weld_corners(vertex, faces);
   std::vector<BodySpec> bodies;
+  if (const std::size_t most = geometry::most_faces_at_an_edge(faces); most > kMostAtAnEdge) {
+    faults.add(0, "", fmt::format("has an edge at which {} faces meet", most),
+               "save closed solids, each with surfaces of its own");
+    return bodies;
+  }
   const auto solids = geometry::solids_of(vertex, faces);
+  if (solids.size() > kMostSolids) {
+    faults.add(0, "", fmt::format("has {} surfaces, more than {}", solids.size(), kMostSolids),
+               "join faces at their corners, or split the file (docs/reference/limits.md)");
+    return bodies;
+  }
   for (const std::vector<int>& solid : solids) {
     geometry::FaceList own;
     for (const int f : solid) own.push_back(faces[at(f)]);

@@ -86,6 +86,9 @@ class Values {
   Form form_;
 };
 
+constexpr std::size_t kMostFaces = 2'000'000;  // as text 64 MB have no more; bytes are shorter
+constexpr std::size_t kMostCorners = 10'000;   // of a face, as of a solid
+
 class PlyReader {
  public:
   PlyReader(const MeshText& mesh, FaultList& given)
@@ -105,7 +108,7 @@ class PlyReader {
       faults_.add(0, "", "has no face", "save it as a mesh, not as points");
       return {};
     }
-    return bodies_of_solids(name_, vertex_, std::move(faces_));
+    return bodies_of_solids(name_, vertex_, std::move(faces_), faults_);
   }
 
  private:
@@ -157,6 +160,9 @@ class PlyReader {
     if (!count || *count > text_.size())
       return faults_.add(line, words[2], "is no count of elements this file can hold",
                          "save it again");
+    if (words[1] == "face" && *count > kMostFaces)
+      return faults_.add(line, words[2], fmt::format("are more than {} faces", kMostFaces),
+                         "simplify the surfaces, or split the file (docs/reference/limits.md)");
     elements_.push_back({std::string(words[1]), static_cast<std::size_t>(*count), {}});
   }
 
@@ -184,6 +190,12 @@ class PlyReader {
         const std::size_t n = property.count ? list_length(values, *property.count) : 1;
         const bool is_face = element.name == "face" && property.count &&
                              (property.name == "vertex_indices" || property.name == "vertex_index");
+        if (is_face && n > kMostCorners) {
+          faults_.add(0, fmt::format("face {}", i),
+                      fmt::format("has more than {} corners", kMostCorners),
+                      "simplify it (docs/reference/limits.md)");
+          return;
+        }
         if (is_face) faces_.emplace_back();
         for (std::size_t k = 0; k < n; ++k) {
           const double value = values.next(*property.type);

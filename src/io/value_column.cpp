@@ -30,9 +30,9 @@ bool is_unit_of(const std::string& unit, const std::string& si_unit) {
 }
 
 // The unit is what stands in brackets, or after the last _ where that is a unit of the right kind.
-Head head_of(std::string cell, const std::string& si_unit) {
-  if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-    cell = cell.substr(1, cell.size() - 2);
+Head head_of(const std::string& written, const std::string& si_unit) {
+  const std::string cell = text_of_cell(written);
+  if (cell.empty()) return {};
   const std::size_t bracket = cell.find_first_of("[(");
   if (bracket != std::string::npos && (cell.back() == ']' || cell.back() == ')'))
     return {cell, std::string(trimmed(cell.substr(0, bracket))),

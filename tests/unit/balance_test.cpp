@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "dynamics/meters/responses.h"
 
@@ -135,8 +136,50 @@ TEST(Verdict, a_ledger_that_misses_a_percent_knows_nothing) {
   Result result = pushed({});
   result.energy.gap_ratio = 0.02;
   EXPECT_EQ(judged(result).judgement, "unknown");
-  result.energy.gap_ratio = kUnset;
-  EXPECT_EQ(judged(result).judgement, "slow enough");
+}
+
+// Comparisons with what is no number hold never, so each limit must ask whether it is kept.
+TEST(Verdict, a_ledger_with_an_entry_that_is_no_number_knows_nothing) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  double EnergyLedger::*const entries[] = {
+      &EnergyLedger::loads,     &EnergyLedger::drive,    &EnergyLedger::kinetic,
+      &EnergyLedger::elastic,   &EnergyLedger::friction, &EnergyLedger::fracture,
+      &EnergyLedger::crushing,  &EnergyLedger::damping,  &EnergyLedger::gap,
+      &EnergyLedger::gap_ratio, &EnergyLedger::hand_over};
+  for (const double bad : {kUnset, kInfinite, -kInfinite})
+    for (double EnergyLedger::*const entry : entries) {
+      if (entry == &EnergyLedger::gap_ratio && bad < 0) continue;  // a share has no sign
+      Result result = pushed({});
+      result.energy.*entry = bad;
+      result.quasi_static = judged(result);
+      EXPECT_EQ(result.quasi_static.judgement, "unknown") << bad;
+      EXPECT_EQ(warning_of(result).code, "rate.unknown") << bad;
+      Result shaken;
+      shaken.shaking.was_shaken = true;
+      shaken.energy.*entry = bad;
+      shaken.quasi_static = dynamics::judge_quasi_static(shaken);
+      EXPECT_EQ(warning_of(shaken).code, "rate.unknown") << bad;
+    }
+}
+
+TEST(Verdict, a_curve_with_a_value_that_is_no_number_knows_nothing) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  double CurveRow::*const values[] = {&CurveRow::time,          &CurveRow::displacement,
+                                      &CurveRow::reaction,      &CurveRow::base_shear,
+                                      &CurveRow::kinetic_ratio, &CurveRow::unbalance_ratio,
+                                      &CurveRow::work_drive,    &CurveRow::work_damping};
+  for (const double bad : {kUnset, kInfinite, -kInfinite})
+    for (double CurveRow::*const value : values)
+      for (const std::size_t row : {5, 95, 100, 101, 190})  // of a peak at 100
+        for (const bool supports : {false, true}) {
+          Result result = pushed({});
+          result.responses = read_responses(result.curve);
+          result.curve[row].*value = bad;
+          EXPECT_EQ(dynamics::judge_quasi_static(result, supports).judgement, "unknown")
+              << bad << " in row " << row;
+          result.curve_of = StageKind::kBodyForce;
+          EXPECT_EQ(dynamics::judge_quasi_static(result).judgement, "unknown");
+        }
 }
 
 TEST(Verdict, a_load_that_waits_for_balance_is_slow_enough) {

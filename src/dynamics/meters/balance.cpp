@@ -72,6 +72,19 @@ constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces, at 
 constexpr double kLedger = 0.01;      // energy that the ledger misses
 constexpr double kApproach = 0.8;     // of the displacement at the peak: where the way to it begins
 
+// The larger of two, and not a number where either is none: a comparison with it holds never, and std::max
+// then drops it.
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+// Middle of all; not a number where any is none, which no order could place.
+double median(std::vector<double> of) {
+  if (of.empty()) return 0;
+  if (std::any_of(of.begin(), of.end(), [](double x) { return std::isnan(x); })) return kUnset;
+  const auto middle = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
+  std::nth_element(of.begin(), middle, of.end());
+  return *middle;
+}
+
 // Share of the drive's work that damping takes, median over the rows of the last fifth of the way to
 // the peak: a crack that snaps there releases energy at any rate, and stands in a row or two only.
 double damping_on_the_way(const Curve& curve, std::size_t peak) {
@@ -80,12 +93,9 @@ double damping_on_the_way(const Curve& curve, std::size_t peak) {
     const bool near = curve[i].displacement >= kApproach * curve[peak].displacement;
     if (!near && share.size() >= 3) break;
     const double drive = curve[i].work_drive - curve[i - 1].work_drive;
-    if (drive > 0) share.push_back((curve[i].work_damping - curve[i - 1].work_damping) / drive);
+    if (!(drive <= 0)) share.push_back((curve[i].work_damping - curve[i - 1].work_damping) / drive);
   }
-  if (share.empty()) return kUnset;
-  const auto middle = share.begin() + static_cast<std::ptrdiff_t>(share.size() / 2);
-  std::nth_element(share.begin(), middle, share.end());
-  return *middle;
+  return share.empty() ? kUnset : median(std::move(share));
 }
 
 void read_meters(const Curve& curve, std::size_t peak, RateVerdict& q) {
@@ -95,8 +105,8 @@ void read_meters(const Curve& curve, std::size_t peak, RateVerdict& q) {
     gap += curve[i].reaction - curve[i].base_shear;
     q.unbalance_ratio_mean += curve[i].unbalance_ratio;
     q.kinetic_ratio_mean += curve[i].kinetic_ratio;
-    q.unbalance_ratio_max = std::max(q.unbalance_ratio_max, curve[i].unbalance_ratio);
-    q.kinetic_ratio_max = std::max(q.kinetic_ratio_max, curve[i].kinetic_ratio);
+    q.unbalance_ratio_max = larger(q.unbalance_ratio_max, curve[i].unbalance_ratio);
+    q.kinetic_ratio_max = larger(q.kinetic_ratio_max, curve[i].kinetic_ratio);
   }
   const double count = static_cast<double>(s.last - s.first + 1);
   q.unbalance_ratio_mean /= count;
@@ -114,16 +124,35 @@ Message veto_of(const RateVerdict& q) {
 }
 
 Message reason_of(const RateVerdict& q) {
-  const double drag = std::max(q.shear_gap, q.damping_share);
+  const double drag = larger(q.shear_gap, q.damping_share);
   if (q.beyond > kLift * drag) return share("meter.beyond", q.beyond);
   if (q.shear_gap >= q.damping_share) return share("meter.shear_gap", q.shear_gap);
   return share("meter.damping", q.damping_share);
 }
 
+// Nothing is said for a run whose curve or meters hold what is no number.
+bool is_finite(const CurveRow& row) {
+  for (const double value :
+       {row.time, row.displacement, row.reaction, row.base_shear, row.unbalance_ratio,
+        row.kinetic_ratio, row.work_drive, row.work_damping})
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+RateVerdict not_known(const char* why) {
+  RateVerdict q;
+  q.judgement = "unknown";
+  q.verdict = {"rate.unknown", {{"why", Message{why}}}};
+  q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
+  q.unbalance_ratio_mean = q.unbalance_ratio_max = kUnset;
+  q.kinetic_ratio_mean = q.kinetic_ratio_max = kUnset;
+  return q;
+}
+
 // Judgement and sentence from the meters.
 void judge(RateVerdict& q) {
-  const double drag = std::max(q.shear_gap, q.damping_share);
-  q.lift = kScatter + std::max(kLift * drag, q.beyond);
+  const double drag = larger(q.shear_gap, q.damping_share);
+  q.lift = kScatter + larger(kLift * drag, q.beyond);
   const Message veto = veto_of(q);
   const double lift = 100 * q.lift;
   if (std::isnan(q.lift) || q.lift > kKnown) {
@@ -143,8 +172,17 @@ void judge(RateVerdict& q) {
   }
 }
 
-Message energy_missing(double gap_ratio) {
-  return {"rate.energy_missing", {{"gap_percent", 100 * gap_ratio}}};
+// Every entry is a number, and what they miss is little.
+bool is_balanced(const EnergyLedger& e) {
+  for (const double entry : {e.loads, e.drive, e.kinetic, e.elastic, e.friction, e.fracture,
+                             e.crushing, e.damping, e.hand_over, e.gap})
+    if (!std::isfinite(entry)) return false;
+  return e.gap_ratio <= kLedger;
+}
+
+Message energy_missing(const EnergyLedger& e) {
+  if (!std::isfinite(e.gap_ratio)) return {"rate.unknown", {{"why", Message{"balance.no_number"}}}};
+  return {"rate.energy_missing", {{"gap_percent", 100 * e.gap_ratio}}};
 }
 
 RateVerdict of_a_load(const Result& result) {
@@ -153,13 +191,6 @@ RateVerdict of_a_load(const Result& result) {
   q.judgement = "slow enough";
   q.verdict = {"rate.load"};
   return q;
-}
-
-double median(std::vector<double> of) {
-  if (of.empty()) return 0;
-  const auto middle = of.begin() + static_cast<std::ptrdiff_t>(of.size() / 2);
-  std::nth_element(of.begin(), middle, of.end());
-  return *middle;
 }
 
 // Supports that are driven, over the worst fifth of their way: in balance what they feel is what the other supports
@@ -186,17 +217,15 @@ RateVerdict of_supports(const Curve& curve) {
       unbalance.push_back(curve[i].unbalance_ratio);
       kinetic.push_back(curve[i].kinetic_ratio);
     }
-    const auto worst = [](double& most, double now) {
-      if (std::isnan(now) || now > most) most = now;  // not a number stays one
-    };
+    const auto worst = [](double& most, double now) { most = larger(most, now); };
     worst(q.shear_gap, median(gap));
     worst(q.damping_share, median(damping));
     worst(q.unbalance_ratio_mean, median(unbalance));
     if (part > 0) worst(q.kinetic_ratio_mean, median(kinetic));  // the start sets it in motion
-    for (const double u : unbalance) q.unbalance_ratio_max = std::max(q.unbalance_ratio_max, u);
-    for (const double k : kinetic) q.kinetic_ratio_max = std::max(q.kinetic_ratio_max, k);
+    for (const double u : unbalance) worst(q.unbalance_ratio_max, u);
+    for (const double k : kinetic) worst(q.kinetic_ratio_max, k);
   }
-  const double drag = std::max(q.shear_gap, q.damping_share);
+  const double drag = larger(q.shear_gap, q.damping_share);
   q.lift = kScatter + drag;
   const Message why =
       q.kinetic_ratio_mean > kKinetic ? share("meter.supports_motion", q.kinetic_ratio_mean)
@@ -258,21 +287,21 @@ RateVerdict judge_quasi_static(const Result& result, bool supports) {
   q.verdict = {"rate.no_push"};
   if (result.shaking.was_shaken && result.curve.empty())
     q.verdict = {"rate.shaken", {{"gap_percent", 100 * result.energy.gap_ratio}}};
-  if (is_load_controlled(result)) {
+  if (!std::all_of(curve.begin(), curve.end(), is_finite)) {
+    q = not_known("balance.no_number");
+  } else if (is_load_controlled(result)) {
     q = of_a_load(result);
   } else if (curve.size() > 1 && curve.size() < kFewestRows) {
-    q.judgement = "unknown";
-    q.verdict = {"rate.unknown", {{"why", Message{kTooFewRows}}}};
-    q.lift = q.shear_gap = q.damping_share = q.beyond = kUnset;
+    q = not_known(kTooFewRows);
   } else if (curve.size() >= kFewestRows && supports) {
     q = of_supports(curve);
     if (largest_in_balance(curve)) q = worse(q, of_a_push(curve));  // a capacity is read there
   } else if (curve.size() >= kFewestRows) {
     q = of_a_push(curve);
   }
-  if (result.energy.gap_ratio > kLedger && q.judgement != "no push") {
+  if (!is_balanced(result.energy) && q.judgement != "no push") {
     q.judgement = "unknown";
-    q.verdict = energy_missing(result.energy.gap_ratio);
+    q.verdict = energy_missing(result.energy);
   }
   return q;
 }
@@ -290,10 +319,11 @@ Message warning_of(const Result& result) {
     return {"doubt.held_factor", {{"factor", result.load_factor}}};
   const RateVerdict& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
-  if (result.energy.gap_ratio > dynamics::kLedger) {
-    if (result.shaking.was_shaken && result.curve.empty())
+  if (!dynamics::is_balanced(result.energy)) {
+    const bool is_number = std::isfinite(result.energy.gap_ratio);
+    if (is_number && result.shaking.was_shaken && result.curve.empty())
       return {"shake.energy_missing", {{"gap_percent", 100 * result.energy.gap_ratio}}};
-    return dynamics::energy_missing(result.energy.gap_ratio);
+    return dynamics::energy_missing(result.energy);
   }
   if (result.validity.overlap_lost <= result.responses.displacement_at_peak)
     return {"doubt.slid_off", {{"displacement_mm", 1e3 * result.validity.overlap_lost}}};

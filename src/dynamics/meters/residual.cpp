@@ -87,7 +87,8 @@ EnergyLedger energy_ledger(const Model& model, const State& s, double mass_scali
   e.gap = e.loads + e.drive - e.kinetic - e.elastic - e.friction - e.fracture - e.crushing -
           e.damping - e.hand_over;
   const double scale = std::fabs(e.loads) + std::fabs(e.drive) + e.elastic;
-  e.gap_ratio = scale == 0 ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
+  const bool nothing_happened = scale == 0 && std::isfinite(e.gap);
+  e.gap_ratio = nothing_happened ? 0.0 : std::fabs(e.gap) / scale;  // not a number stays one
   return e;
 }
 

@@ -61,6 +61,7 @@ struct RuleReader {
                 .problem = problem,
                 .cure = cure});
   }
+  static constexpr double kWidest = 1e6;
   double limit_of(const std::string& clause, const std::string& text) const {
     double value = 0;
     const char* end = text.data() + text.size();
@@ -70,6 +71,8 @@ struct RuleReader {
       fault(fmt::format("\"{}\": after < stands a number, with or without %", clause));
     } else if (!(value > 0) || !std::isfinite(value)) {
       fault(fmt::format("\"{}\": never met, the limit must be positive", clause));
+    } else if (value > kWidest) {
+      fault(fmt::format("\"{}\": asks for nothing, the limit is more than {:g}", clause, kWidest));
     }
     return unit.empty() ? value : value / 100;
   }

@@ -46,4 +46,8 @@ class Dependents {
   std::vector<std::string> si_unit_;
 };
 
+// The inputs as columns, units derived: variables in their order, then dependents.
+[[nodiscard]] std::vector<InputColumn> columns_of(const StudySpec& study,
+                                                  const Dependents& dependents);
+
 }  // namespace wythe

@@ -19,7 +19,6 @@
 #include "wythe/units.h"
 
 namespace wythe {
-namespace {
 
 std::vector<InputColumn> columns_of(const StudySpec& study, const Dependents& dependents) {
   std::vector<InputColumn> out;
@@ -38,6 +37,8 @@ std::vector<InputColumn> columns_of(const StudySpec& study, const Dependents& de
     if (column.si_unit != "1") column.to_unit = 1 / unit_factor(column.unit, column.si_unit);
   return out;
 }
+
+namespace {
 
 Columns design_of(const StudySpec& study, int batch) {
   std::vector<std::string> names;

@@ -13,8 +13,10 @@
 #include "study/distribution.h"
 #include "study/draws/dependents.h"
 #include "study/draws/formula_parser.h"
+#include "study/draws/result_columns.h"
 #include "study/draws/sampling.h"
 #include "units/quantity_error.h"
+#include "wythe/campaign.h"
 #include "wythe/failure_mode.h"
 #include "wythe/field_notes.h"
 #include "wythe/statistics.h"
@@ -221,6 +223,7 @@ class StudyCheck {
     check_fragility();
     const Dependents checked(study_, faults_);
     check_correlation(study_, faults_);
+    if (faults_.empty()) check_columns(checked);
     if (faults_.empty()) check_use();
     return faults_.all();
   }
@@ -381,6 +384,25 @@ class StudyCheck {
     if (!is_new)
       refuse(place + ".path", input.path, fmt::format("is set by {} too", known->second),
              "leave one of the two");
+  }
+
+  // Each input is a column of the results, named after it and its unit.
+  void check_columns(const Dependents& dependents) {
+    std::map<std::string, std::string> taken;  // title in small letters -> what it is of
+    for (const InputColumn& column : columns_of(study_, dependents)) {
+      const std::string place = (column.is_random ? "variable." : "dependent.") + column.name;
+      const std::string title = column_title(column);
+      const std::string cure = "rename it, e.g. " + column.name + "_input";
+      const auto [known, is_new] = taken.emplace(study::without_case(title), place);
+      if (study::is_result_column(title))
+        refuse(place, "", fmt::format("results have a column {} of their own", title), cure);
+      else if (!is_new)
+        refuse(place, "",
+               fmt::format("its column of the results, {}, has the name of that of {}, but for the "
+                           "case of letters",
+                           title, known->second),
+               cure);
+    }
   }
 
   const StudySpec& study_;
