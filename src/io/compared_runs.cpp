@@ -31,6 +31,8 @@ std::vector<CurveRow> first_loading(const std::vector<CurveRow>& rows) {
   return kept;
 }
 
+constexpr std::size_t kMostCompared = 200'000;  // a run has 200 rows unless it is asked for more
+
 std::vector<CurveRow> read_curve(const std::string& path) {
   const std::string text = read_text(path, kMostCsv);
   CsvLines lines(text, path);
@@ -49,6 +51,11 @@ std::vector<CurveRow> read_curve(const std::string& path) {
       throw IoError(path + ":" + std::to_string(lines.line()) +
                     ": needs finite numbers in its first four columns; run the model again");
     rows.push_back(row);
+    if (rows.size() > kMostCompared)
+      throw IoError(fmt::format(
+          "{}: has more than {} rows, which no page draws; run the model again with fewer "
+          "(output.rows, output.window)",
+          path, kMostCompared));
   }
   if (rows.empty()) throw IoError(path + ": holds no row; run wythe run to its end");
   return rows;

@@ -135,8 +135,10 @@ class RunHeadline {
     const std::string judgement = judgement_in(meter);
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
-    const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
-    if (judgement == "unknown" && !(gap > kGap)) add(texts_.say("run.unknown_rate"));
+    const Json& energy = member(s_, "energy_J");
+    const double gap = std::fabs(number_in(energy, "gap_ratio"));
+    const bool is_lost = energy.contains("gap_ratio") && std::isnan(gap);  // null: no number
+    if (is_lost || (judgement == "unknown" && !(gap > kGap))) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
       add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
     if (const double at = lost(false); std::isfinite(at))

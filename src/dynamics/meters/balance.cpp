@@ -172,17 +172,20 @@ void judge(RateVerdict& q) {
   }
 }
 
-// Every entry is a number, and what they miss is little.
-bool is_balanced(const EnergyLedger& e) {
+bool is_finite(const EnergyLedger& e) {
   for (const double entry : {e.loads, e.drive, e.kinetic, e.elastic, e.friction, e.fracture,
-                             e.crushing, e.damping, e.hand_over, e.gap})
+                             e.crushing, e.damping, e.hand_over, e.gap, e.gap_ratio})
     if (!std::isfinite(entry)) return false;
-  return e.gap_ratio <= kLedger;
+  return true;
 }
 
-Message energy_missing(const EnergyLedger& e) {
-  if (!std::isfinite(e.gap_ratio)) return {"rate.unknown", {{"why", Message{"balance.no_number"}}}};
-  return {"rate.energy_missing", {{"gap_percent", 100 * e.gap_ratio}}};
+// Every entry is a number, and what they miss is little.
+bool is_balanced(const EnergyLedger& e) { return is_finite(e) && e.gap_ratio <= kLedger; }
+
+// What is said where it is not; `code` where numbers tell how much is missing.
+Message energy_missing(const EnergyLedger& e, const char* code = "rate.energy_missing") {
+  if (!is_finite(e)) return {"rate.unknown", {{"why", Message{"balance.no_number"}}}};
+  return {code, {{"gap_percent", 100 * e.gap_ratio}}};
 }
 
 RateVerdict of_a_load(const Result& result) {
@@ -287,7 +290,8 @@ RateVerdict judge_quasi_static(const Result& result, bool supports) {
   q.verdict = {"rate.no_push"};
   if (result.shaking.was_shaken && result.curve.empty())
     q.verdict = {"rate.shaken", {{"gap_percent", 100 * result.energy.gap_ratio}}};
-  if (!std::all_of(curve.begin(), curve.end(), is_finite)) {
+  if (!std::all_of(curve.begin(), curve.end(),
+                   [](const CurveRow& row) { return is_finite(row); })) {
     q = not_known("balance.no_number");
   } else if (is_load_controlled(result)) {
     q = of_a_load(result);
@@ -320,9 +324,8 @@ Message warning_of(const Result& result) {
   const RateVerdict& q = result.quasi_static;
   if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
   if (!dynamics::is_balanced(result.energy)) {
-    const bool is_number = std::isfinite(result.energy.gap_ratio);
-    if (is_number && result.shaking.was_shaken && result.curve.empty())
-      return {"shake.energy_missing", {{"gap_percent", 100 * result.energy.gap_ratio}}};
+    if (result.shaking.was_shaken && result.curve.empty())
+      return dynamics::energy_missing(result.energy, "shake.energy_missing");
     return dynamics::energy_missing(result.energy);
   }
   if (result.validity.overlap_lost <= result.responses.displacement_at_peak)
