@@ -2,6 +2,8 @@
 //
 // A run is force_displacement.csv, summary.json and model.used.toml; a campaign its store. The bound
 // of a run is the limit load of its own model with all its joints' strength, without crushing.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -131,14 +131,12 @@ class RunHeadline {
     const std::string status = words_in(s_, "status");
     if (!status.empty() && status != "completed" && status != "collapsed")
       add(texts_.say("status." + status));
-    const Json& meter = member(s_, "quasi_static");
-    const std::string judgement = judgement_in(meter);
+    const std::string judgement = judgement_in(member(s_, "quasi_static"));
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
-    const Json& energy = member(s_, "energy_J");
-    const double gap = std::fabs(number_in(energy, "gap_ratio"));
-    const bool is_lost = energy.contains("gap_ratio") && std::isnan(gap);  // null: no number
-    if (is_lost || (judgement == "unknown" && !(gap > kGap))) add(texts_.say("run.unknown_rate"));
+    const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
+    const bool is_none = std::isnan(gap) && member(s_, "energy_J").contains("gap_ratio");
+    if (is_none || (judgement == "unknown" && !(gap > kGap))) add(texts_.say("run.unknown_rate"));
     if (gap > kGap)
       add(texts_.say("run.energy_gap", {{"gap", texts_.quantity(100 * gap, "%", 2)}}));
     if (const double at = lost(false); std::isfinite(at))

@@ -117,7 +117,7 @@ TEST(Headline, blocks_that_slid_off_before_the_peak_are_said_first) {
   EXPECT_EQ(said("1.5").rfind("Blocks slid off each other at 1.5\u202fmm", 0), 0u) << said("1.5");
   EXPECT_EQ(said("7").rfind("The wall resists", 0), 0u);
   EXPECT_NE(said("7").find("From 7\u202fmm on blocks have slid off each other"), std::string::npos);
-  EXPECT_EQ(said("null").rfind("Nothing shows that this run", 0), 0u) << said("null");
+  EXPECT_EQ(said("null").rfind("The wall resists", 0), 0u);
   EXPECT_EQ(said("null").find("slid off"), std::string::npos);
 }
 

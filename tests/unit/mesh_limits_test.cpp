@@ -8,6 +8,7 @@
 #include "io/meshes.h"
 #include "scenes/small_study.h"
 #include "wythe/io.h"
+#include "wythe/model.h"
 
 namespace wythe {
 namespace {
@@ -75,14 +76,14 @@ TEST(MeshLimits, a_solid_of_very_many_faces_is_refused) {
   const scenes::TemporaryFolder folder;
   write_text(folder / "round.obj", text + low + "\n" + high + "\n" + sides);
   try {
-    (void)parse_model(
+    (void)compile(parse_model(
         "[wall]\nblocks = \"round.obj\"\nblocks_unit = \"m\"\n[wall.unit]\ndensity = \"1800 "
         "kg/m^3\"\n"
         "[material.joint]\nnormal_stiffness = \"20 GPa/m\"\nshear_stiffness = \"8 GPa/m\"\n"
         "tensile_strength = \"0 MPa\"\ncohesion = \"0 MPa\"\nresidual_cohesion = \"0 MPa\"\n"
         "friction_angle = \"30 deg\"\nresidual_friction_angle = \"30 deg\"\n"
         "compressive_strength = \"unlimited\"\n[[stage]]\nname = \"gravity\"\n",
-        folder / "m.toml");
+        folder / "m.toml"));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("has more than 10000 corners or faces"),
