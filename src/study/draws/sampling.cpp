@@ -12,7 +12,6 @@
 #include <openturns/Normal.hxx>
 #include <openturns/NormalCopula.hxx>
 #include <openturns/RandomGenerator.hxx>
-#include <openturns/ResourceMap.hxx>
 #include <openturns/SobolSequence.hxx>
 #include <openturns/Triangular.hxx>
 #include <openturns/Uniform.hxx>
@@ -21,12 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <mutex>
 #include <numeric>
-#include <optional>
-#include <string>
 
 #include "core/check.h"
 #include "core/hash.h"
@@ -41,33 +37,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastEigenvalue = 6e-4;
 constexpr std::size_t kFewestPerColumn = 3;  // samples that make_uncorrelated() needs for each
 constexpr double kLeast = 0x1p-54;  // u lies in [kLeast, 1 - kLeast]: quantiles stay finite
-
-// OpenTURNS reads its settings at its first use: a damaged file in the caller's home ended the program, and a
-// changed one drew other samples from the same study. So they are read now, from the system's file alone.
-class WithoutVariable {
- public:
-  explicit WithoutVariable(const char* name) : name_(name) {
-    if (const char* value = std::getenv(name)) value_ = value;
-    ::unsetenv(name);
-  }
-  ~WithoutVariable() {
-    if (value_) ::setenv(name_, value_->c_str(), 1);
-  }
-  WithoutVariable(const WithoutVariable&) = delete;
-  WithoutVariable& operator=(const WithoutVariable&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> value_;
-};
-
-bool read_system_settings() {
-  const WithoutVariable home("HOME"), own("OPENTURNS_HOME"), path("OPENTURNS_CONFIG_PATH");
-  return OT::ResourceMap::GetSize() > 0;
-}
-
-// Before main, while no thread looks at the environment.
-[[maybe_unused]] const bool kSettingsAreRead = read_system_settings();
 
 std::mutex& generator_mutex() {
   static std::mutex mutex;
