@@ -1,11 +1,14 @@
-// Meshes that a careless reader would take hours or all memory for: each is told at once.
+// Meshes, drawings and records that a careless reader would take hours or all memory for: each is told at once.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "core/files.h"
+#include "core/limits.h"
 #include "io/dxf.h"
 #include "io/meshes.h"
+#include "scenes/places.h"
 #include "scenes/small_study.h"
 #include "wythe/io.h"
 #include "wythe/model.h"
@@ -114,6 +117,25 @@ TEST(DrawingLimits, of_entities_is_told) {
   std::string text;
   for (int i = 0; i < 1'000'001; ++i) text += "0\nLINE\n";
   EXPECT_NE(drawing(text, "").find("has more than 1000000 entities"), std::string::npos);
+}
+
+// All of an AT2 file may be one line: its faults are counted as they come.
+TEST(RecordLimits, a_line_of_words_gives_no_more_faults_than_are_told) {
+  std::string text = read_text(source_dir() + "/examples/shaken_parapet/model.toml", kMostToml);
+  const std::string file = "\"record.csv\"";
+  text.replace(text.find(file), file.size(), "\"record.at2\"");
+  std::string record =
+      "PEER\n1994\nACCELERATION TIME SERIES IN UNITS OF M/S/S\nNPTS= 4, DT= .01 SEC\n";
+  for (int i = 0; i < 200'000; ++i) record += "x ";
+  const scenes::TemporaryFolder folder;
+  write_text(folder / "record.at2", record);
+  try {
+    (void)parse_model(text, folder / "m.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_GT(error.faults().size(), kMostFaults);
+    EXPECT_LT(error.faults().size(), kMostFaults + 10);
+  }
 }
 
 }  // namespace
