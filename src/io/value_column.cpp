@@ -126,11 +126,15 @@ class ColumnReader {
     if (std::isnan(number))
       return refuse(cell, line_, "must be a finite number", "write it with a point, e.g. 0.15");
     // the quantity's own door: 0.15 MPa has the same bits here and in a model
-    const double value =
-        unit_.empty() ? number : parse_quantity(cell + ' ' + unit_, request_.si_unit);
-    if (const std::string problem = magnitude_problem(value, request_.si_unit); !problem.empty())
-      return refuse(cell, line_, problem, "check the unit of its column");
-    values.push_back(value);
+    try {
+      const double value =
+          unit_.empty() ? number : parse_quantity(cell + ' ' + unit_, request_.si_unit);
+      if (const std::string problem = magnitude_problem(value, request_.si_unit); !problem.empty())
+        return refuse(cell, line_, problem, "check the unit of its column");
+      values.push_back(value);
+    } catch (const QuantityError& error) {  // 1e308 GPa
+      refuse(cell, line_, error.problem(), error.cure());
+    }
   }
 
   const ColumnRequest& request_;

@@ -159,15 +159,19 @@ std::optional<Split> split_quantity(std::string_view text) {
 }
 
 // UDUNITS would read "1 200 mm" as 1 x 200 mm and "3 m 4" as 12 m: a slip of the hand, not a unit.
-void refuse_second_number(std::string_view text, std::string_view unit) {
-  if (unit.starts_with(','))
-    throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
+bool holds_number(std::string_view unit) {
   const bool leads =
       !unit.empty() && std::isdigit(static_cast<unsigned char>(unit[0])) && !unit.starts_with("1/");
   bool after_blank = false;
   for (std::size_t i = 1; i < unit.size(); ++i)
     after_blank |= unit[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(unit[i]));
-  if (leads || after_blank)
+  return leads || after_blank;
+}
+
+void refuse_second_number(std::string_view text, std::string_view unit) {
+  if (unit.starts_with(','))
+    throw QuantityError("has a decimal comma", "write the number with a point, e.g. 0.15");
+  if (holds_number(unit))
     throw QuantityError(fmt::format("'{}' is more than one number", text),
                         "write one number without blanks, then its unit");
 }
@@ -186,6 +190,9 @@ double checked_factor(const std::string& unit, std::string_view si_unit) {
 }  // namespace
 
 double unit_factor(std::string_view unit, std::string_view si_unit) {
+  if (unit != "1" && holds_number(unit))  // "1": of what has no unit
+    throw QuantityError(fmt::format("the unit {} has a number in it", unit),
+                        fmt::format("write a unit alone, e.g. {}", si_unit));
   return checked_factor(std::string(unit), si_unit);
 }
 

@@ -40,7 +40,8 @@ std::string letters_of(const std::string& text) {
   return letters;
 }
 
-// Without the bytes that a refusal writes out: "\x1bad_alloc" is a byte before "ad_alloc".
+// Without the bytes that a refusal writes out. "\x1bad_alloc" is a byte before "ad_alloc", and what looks written out
+// may stand in the input as it is: a library's word is there with these bytes and without them.
 std::string without_bytes(const std::string& said) {
   std::string left;
   for (std::size_t i = 0; i < said.size(); ++i)
@@ -56,7 +57,7 @@ void check_words(const std::string& message, const std::string& bytes) {
   const std::string said = without_bytes(message);
   for (const char* raw : {"json.exception", "_M_range", "std::", "basic_string", "bad_alloc",
                           "filesystem error", "stoul", "stod"})
-    if (said.find(raw) != std::string::npos &&
+    if (message.find(raw) != std::string::npos && said.find(raw) != std::string::npos &&
         letters_of(bytes).find(letters_of(raw)) == std::string::npos)
       throw std::logic_error("a library's words in a refusal: " + message);
 }
