@@ -42,7 +42,8 @@ std::FILE* stream_of(void* cookie, int buffering) {
 }  // namespace
 
 void make_streams_safe() {
-  std::signal(SIGXFSZ, SIG_IGN);  // of `ulimit -f`: the write fails, and its file is told
+  // of `ulimit -f`, of a reader that has left: the write fails, and that is told. What is started gets the default.
+  for (const int number : {SIGXFSZ, SIGPIPE}) std::signal(number, [](int) {});
   for (int number = 0; number <= STDERR_FILENO; ++number) {
     if (isatty(number) != 0 || errno != EBADF) continue;
     std::FILE* nothing = std::fopen("/dev/null", "r+");  // takes the lowest number that is free
@@ -57,6 +58,10 @@ int ended_with(int code) {
   std::fflush(stdout);
   std::cout.flush();
   if (failed == 0 && std::cout.good()) return code;
+  if (failed == EPIPE) {  // as `| head` expects, now that the work is done
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+  }
   fmt::print(
       stderr,
       "standard output: not all could be written ({}); make room, or name another place for it\n",

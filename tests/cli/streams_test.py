@@ -2,6 +2,7 @@
 """Standard streams that are closed or full: no result is damaged, nothing stops by itself, and what did not arrive is said."""
 import os
 import pathlib
+import signal
 import sys
 import subprocess
 import tempfile
@@ -24,6 +25,18 @@ class Streams(unittest.TestCase):
         """Of the shell, because it can close a stream."""
         return subprocess.run(["sh", "-c", f'exec "$@" {redirection}', "sh", WYTHE, *map(str, arguments)], cwd=self.folder,
                               capture_output=True, text=True, timeout=300, check=False)
+
+    def test_a_reader_that_has_left_stops_no_computation(self):
+        for stream, code in (("stderr", 0), ("stdout", -signal.SIGPIPE)):
+            with self.subTest(stream=stream):
+                reader, writer = os.pipe()
+                os.close(reader)
+                self.addCleanup(os.close, writer)
+                other = {"stdout": "stderr", "stderr": "stdout"}[stream]
+                done = subprocess.run([WYTHE, "campaign", "study.toml", "--samples", "2", "--out", stream], cwd=self.folder,
+                                      timeout=300, check=False, **{stream: writer, other: subprocess.PIPE})
+                self.assertEqual(done.returncode, code)
+                self.assertTrue((self.folder / stream / "report.html").exists())
 
     def campaign(self, out, redirection=""):
         return self.shell(redirection, "campaign", "study.toml", "--samples", "2", "--out", out)
