@@ -16,6 +16,12 @@ def read_table(path):
         return list(csv.DictReader(file))
 
 
+def as_version_5(store):
+    """Stores of that version have no checksums."""
+    store.executescript("DROP TABLE digest; DELETE FROM study WHERE key LIKE 'digest%';"
+                        "UPDATE study SET value = '5' WHERE key = 'schema_version'; PRAGMA user_version = 5")
+
+
 class Export(campaign_test.Base):
     """wythe export: what the tables say is what the store says, to the last digit."""
 
@@ -108,7 +114,7 @@ class Export(campaign_test.Base):
         # the reason of a refused sample is a text of several clauses
         with sqlite3.connect(self.copy()) as store:
             store.execute("UPDATE sample SET reason = ?, reason_message = '' WHERE sample = 1", ('à, "b"\r\nc',))
-            store.execute("PRAGMA user_version = 5")  # stores of that version have no checksums
+            as_version_5(store)
         self.export(self.out().rename(self.folder / "spoilt"))
         self.assertEqual(read_table(self.out() / "samples.csv")[0]["reason"], 'à, "b"\r\nc')
 
@@ -151,7 +157,7 @@ class Export(campaign_test.Base):
     def test_no_stored_states_is_said(self):
         with sqlite3.connect(self.copy()) as store:
             store.execute("DELETE FROM state")
-            store.execute("PRAGMA user_version = 5")
+            as_version_5(store)
         done = self.export(self.out().rename(self.folder / "stateless"))
         self.assertIn("no states are stored", done.stderr)
         self.assertFalse((self.out() / "state_joints.csv").exists())

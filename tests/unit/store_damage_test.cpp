@@ -76,7 +76,7 @@ TEST_P(OldStore, is_shown_as_the_present_one) {
   ASSERT_EQ(campaign.records.size(), 3U);
   const SampleRecord& pushed = campaign.records[0];
   // version 3 pushed more slowly, version 4 drew other samples
-  const double peak[] = {549.113, 549.113, 156.085, 192.190, 192.190};
+  const double peak[] = {549.113, 549.113, 156.085, 192.190, 192.190, 192.190};
   EXPECT_NEAR(pushed.responses.peak_reaction, peak[GetParam() - 1], 1e-3);
   EXPECT_EQ(pushed.curve.size(), 11U);
   EXPECT_NE(pushed.curve.back().base_shear, 0);
@@ -92,6 +92,20 @@ TEST_P(OldStore, is_shown_as_the_present_one) {
   EXPECT_EQ(read_states(out_, 1, model).size(), 1U);
   EXPECT_EQ(pushed.quasi_static.judgement, GetParam() < 3 ? "slow enough" : "too fast");
   EXPECT_TRUE(has(reported(out_), "\"answered\": 1"));
+}
+
+TEST_P(OldStore, is_whole_as_far_as_its_version_can_tell) {
+  EXPECT_EQ(said_by([&] { check_campaign(out_); }), "");
+  EXPECT_TRUE(has(said_by([&] { (void)rescue_campaign(out_, folder_ / "saved"); }), "older wythe"));
+  EXPECT_FALSE(fs::exists(folder_ / "saved"));
+}
+
+TEST_P(OldStore, replays_a_sample) {
+  const Campaign campaign = read_campaign(out_);
+  const SampleRun run =
+      run_sample(campaign.study, campaign.samples, 1, model_builder(campaign.study), {});
+  EXPECT_EQ(run.refused, "");
+  EXPECT_GT(run.result.steps, 0);
 }
 
 TEST_P(OldStore, lends_no_strength_to_walls_that_fell_before_the_push) {
@@ -246,7 +260,9 @@ TEST_F(ChangedStore, states_that_unpack_to_more_than_memory_are_refused) {
   EXPECT_GT(read_states(out_, 1, model).size(), 0U);
   Database(store_path(out_), Database::Access::kWrite)
       .execute(
-          "WITH RECURSIVE n(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM n WHERE i < 1100) "
+          "WITH RECURSIVE n(i) AS (SELECT count(*) FROM state WHERE sample = 1 UNION ALL SELECT i "
+          "+ 1 "
+          "FROM n WHERE i < 1100) "
           "INSERT INTO state SELECT 1, i, 'copy', 0, 0, blocks, points, data, NULL FROM n, "
           "(SELECT * FROM state WHERE sample = 1 LIMIT 1)");
   renew_checksums();

@@ -72,9 +72,7 @@ StoreHead head_of(const StudySpec& asked, const ModelBuilder& build,
   StoreHead head;
   head.shard = fmt::format("{}/{}", options.shard, options.shards);
   head.provenance = options.provenance;
-  head.load_height = model.stages.back().load_height;
-  for (const Stage& stage : model.stages)
-    if (stage.spec.kind == StageKind::kPush) head.load_height = stage.load_height;
+  head.load_height = load_height_of(model);
   return head;
 }
 

@@ -1,6 +1,5 @@
 // What is read out of a store: the campaign, its states, and the titles of its columns.
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "study/store/folder_lock.h"
@@ -96,11 +95,7 @@ StoreProgress campaign_progress(const std::string& folder) {
   StoreProgress progress;
   const int last = study::last_counted(store);
   progress.samples = store.samples().n_sample();
-  const std::string shard = store.head().shard;  // "2/4"
-  const std::size_t slash = shard.find('/');
-  const int first = std::atoi(shard.c_str()),
-            step = slash == std::string::npos ? 1 : std::atoi(shard.c_str() + slash + 1);
-  if (first < 1 || step < first) store.database().damaged("shard \"" + shard + "\" is none");
+  const auto [first, step] = *study::shard_of(store.head().shard);  // head() refuses others
   progress.shards = step;
   for (int s = first; s <= std::min(progress.samples, last); s += step) ++progress.total;
   study::Statement select(store.database(),
@@ -120,15 +115,21 @@ std::vector<Snapshot> read_states(const std::string& folder, int sample, const M
 }
 
 struct StoredStates::Content {
+  std::string folder;
   study::Store store;
 };
 
 StoredStates::StoredStates(const std::string& folder)
-    : content_(new Content{opened(folder)}) {}  // make_unique asks for more than clang 14 knows
+    : content_(new Content{folder, opened(folder)}) {
+}  // make_unique asks for more than clang 14 knows
 
 StoredStates::~StoredStates() = default;
 
 std::vector<Snapshot> StoredStates::of(int sample, const Model& model) {
+  if (content_->store.database().is_outdated()) {
+    const std::string folder = content_->folder;
+    content_.reset(new Content{folder, opened(folder)});
+  }
   content_->store.database().give_back();  // one sample at a time
   return content_->store.states(sample, model);
 }

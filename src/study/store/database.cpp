@@ -1,16 +1,23 @@
 #include "study/store/database.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <bit>
+#include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <thread>
 
 #include "core/files.h"
 #include "core/hash.h"
 #include "core/limits.h"
 #include "model/size.h"
+#include "study/store/read_only_vfs.h"
 #include "wythe/error.h"
 
 namespace wythe::study {
@@ -49,8 +56,21 @@ std::string advice(int code) {
   }
 }
 
-// A store in a folder that may not be written is read as it lies there.
-std::string address(const std::filesystem::path& file, bool lies_still) {
+bool is_of_disk(int code) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+    case SQLITE_NOMEM: return true;
+    default: return false;
+  }
+}
+
+std::string address(const std::string& file, const std::string& how) {
   std::string escaped;
   for (const char c : std::filesystem::absolute(file).string()) {
     if (c == '?' || c == '#' || c == '%')
@@ -58,13 +78,46 @@ std::string address(const std::filesystem::path& file, bool lies_still) {
     else
       escaped += c;
   }
-  return "file:" + escaped + (lies_still ? "?immutable=1" : "");
+  return "file:" + escaped + how;
+}
+
+bool is_there(const std::string& file) {
+  struct stat found {};
+  return ::stat(file.c_str(), &found) == 0 && found.st_size > 0;
+}
+
+// How a store is read without a trace: nothing beside it is made, recovered or removed.
+//   no -wal        as it lies there
+//   -wal and -shm  with the locks of who writes; of one that was killed the index is made in memory
+//   -wal alone     nobody has it open: without locks, the index in memory
+std::string way_to_read(const std::string& file) {
+  if (!is_there(file + "-wal") && !is_there(file + "-shm")) return "?immutable=1";
+  if (is_there(file + "-shm")) return std::string("?mode=ro&readonly_shm=1&vfs=") + read_only_vfs();
+  return std::string("?mode=ro&vfs=") + read_only_vfs_without_locks();
+}
+
+// Of a program that was stopped while it wrote, or that writes: the file by itself is half of each. An emptied one
+// begins with zeros.
+bool has_rollback_journal(const std::string& file) {
+  const int opened = ::open((file + "-journal").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  char first = 0;
+  const bool has_begun = opened >= 0 && ::read(opened, &first, 1) == 1 && first != 0;
+  if (opened >= 0) ::close(opened);
+  return has_begun;
 }
 
 }  // namespace
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-void Database::Close::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
+// A reader that has the store open keeps SQLite from emptying the journal when the last writer ends: what is stored is
+// put into the file itself first, so that the file is the whole campaign.
+void Database::Close::operator()(sqlite3* handle) const {
+  if (sqlite3_db_readonly(handle, "main") == 0) {
+    sqlite3_busy_timeout(handle, kPatience);
+    sqlite3_wal_checkpoint_v2(handle, "main", SQLITE_CHECKPOINT_FULL, nullptr, nullptr);
+  }
+  sqlite3_close_v2(handle);
+}
 
 Statement::Statement(Database& database, const std::string& sql) : database_(database) {
   if (const auto from = sql.find(" FROM "); from != std::string::npos)
@@ -170,6 +223,41 @@ std::string_view Statement::bytes() {
   return {data, static_cast<std::size_t>(size)};
 }
 
+bool Statement::equals(Statement& other, int at) {
+  sqlite3_stmt *a = statement_.get(), *b = other.statement_.get();
+  const int type = sqlite3_column_type(a, at);
+  if (type != sqlite3_column_type(b, at)) return false;
+  if (type == SQLITE_NULL) return true;
+  if (type == SQLITE_INTEGER) return sqlite3_column_int64(a, at) == sqlite3_column_int64(b, at);
+  if (type == SQLITE_FLOAT)
+    return std::bit_cast<std::uint64_t>(sqlite3_column_double(a, at)) ==
+           std::bit_cast<std::uint64_t>(sqlite3_column_double(b, at));
+  const void *here = sqlite3_column_blob(a, at), *there = sqlite3_column_blob(b, at);
+  const int size = sqlite3_column_bytes(a, at);
+  return size == sqlite3_column_bytes(b, at) &&
+         (size == 0 || std::memcmp(here, there, static_cast<std::size_t>(size)) == 0);
+}
+
+std::string Statement::column(int at) const { return sqlite3_column_name(statement_.get(), at); }
+
+std::string Statement::shown(int at) {
+  sqlite3_stmt* row = statement_.get();
+  const int type = sqlite3_column_type(row, at);
+  if (type == SQLITE_NULL) return "nothing";
+  if (type == SQLITE_FLOAT) return fmt::format("{}", sqlite3_column_double(row, at));
+  if (type == SQLITE_BLOB)
+    return fmt::format("other numbers in {} bytes", sqlite3_column_bytes(row, at));
+  const std::string text = reinterpret_cast<const char*>(sqlite3_column_text(row, at));
+  return type == SQLITE_TEXT ? "\"" + text + "\"" : text;
+}
+
+std::string_view Statement::packed_at(int at) {
+  sqlite3_stmt* row = statement_.get();
+  if (sqlite3_column_type(row, at) != SQLITE_BLOB) return {};
+  const auto* data = static_cast<const char*>(sqlite3_column_blob(row, at));
+  return {data, static_cast<std::size_t>(sqlite3_column_bytes(row, at))};
+}
+
 void Statement::add_row(Hash& hash) {
   sqlite3_stmt* row = statement_.get();
   for (int at = 0; at < sqlite3_column_count(row); ++at) {
@@ -194,39 +282,81 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
   const bool reads = access == Access::kRead;
   for (const char* of_sqlite : {"", "-wal", "-shm", "-journal"})
     (reads ? check_input : check_output)(name_ + of_sqlite);
-  const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
-  const bool writable = ::access(folder.c_str(), W_OK) == 0 && ::access(name_.c_str(), W_OK) == 0;
-  // A reader that may write takes the journal away when it is the last to close the file.
-  const bool only_reads = reads && !writable;
-  const bool lies_still = only_reads && !std::filesystem::exists(name_ + "-wal");
+  if (reads) {
+    open_to_read();
+    return;
+  }
   // nobody uses one connection from two threads at once: its lock took a tenth of a merge
-  int flags = SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX;
-  flags |= only_reads ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
-  if (!reads) flags |= SQLITE_OPEN_CREATE;
+  if (const int code = open("", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE); code != SQLITE_OK)
+    refuse(code);
+}
+
+int Database::open(const std::string& how, int flags) {
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(address(file, lies_still).c_str(), &handle, flags, nullptr);
+  const int code = sqlite3_open_v2(address(name_, how).c_str(), &handle,
+                                   flags | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
   handle_.reset(handle);
-  if (code != SQLITE_OK) refuse(code);
+  if (code != SQLITE_OK) return code;
   sqlite3_busy_timeout(handle, kPatience);
   // a store may come from anybody: no cell beyond what memory takes, no function called by its schema
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kMostPacked);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  if (reads) execute("PRAGMA query_only = 1");
+  return code;
 }
 
-void Database::attach(const std::filesystem::path& file, const std::string& as) {
-  for (const char* of_sqlite : {"", "-wal", "-shm"}) check_input(file.string() + of_sqlite);
-  const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
-  const bool writable = ::access(folder.c_str(), W_OK) == 0 && ::access(file.c_str(), W_OK) == 0;
-  const bool lies_still = !writable && !std::filesystem::exists(file.string() + "-wal");
-  try {
-    Statement(*this, "ATTACH DATABASE ? AS " + as).run(address(file, lies_still));
-  } catch (const IoError&) {
-    throw IoError(fmt::format("{}: {} (SQLite: {})", file.string(),
-                              advice(sqlite3_extended_errcode(handle_.get())),
-                              sqlite3_errmsg(handle_.get())));
+// Another program may begin or end between two looks at the files; then the way is chosen anew.
+void Database::open_to_read() {
+  constexpr int kTries = 50, kJournalTries = 10;
+  constexpr std::chrono::milliseconds kPause(20);
+  for (int tries = 1;; ++tries) {
+    if (has_rollback_journal(name_)) {
+      if (tries >= kJournalTries)
+        throw IoError(fmt::format(
+            "{}: another program is writing to it, or was stopped while it did ({}-journal is "
+            "there), and reading alone can't tell what holds; when no program has it open any "
+            "more, sqlite3 {} .tables puts it back to what was stored",
+            name_, name_, name_));
+      std::this_thread::sleep_for(kPause);
+      continue;
+    }
+    written_ = last_written();
+    const std::string way = way_to_read(name_);
+    lies_still_ = way == "?immutable=1";
+    int code = open(way, SQLITE_OPEN_READONLY);
+    if (code == SQLITE_OK && way.ends_with(read_only_vfs_without_locks()))
+      code =
+          sqlite3_exec(handle_.get(), "PRAGMA locking_mode = EXCLUSIVE", nullptr, nullptr, nullptr);
+    if (code == SQLITE_OK)
+      code =
+          sqlite3_exec(handle_.get(), "PRAGMA query_only = 1; SELECT count(*) FROM sqlite_schema",
+                       nullptr, nullptr, nullptr);
+    const bool is_as_it_was =
+        way == way_to_read(name_) && (!lies_still_ || written_ == last_written());
+    const int kind = code & 0xff;
+    if (code == SQLITE_OK && is_as_it_was) return;
+    const bool may_pass = !is_as_it_was || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY;
+    if (code != SQLITE_OK && (!may_pass || tries == kTries || !std::filesystem::exists(name_)))
+      refuse(code);
+    if (tries == kTries) return;
+    std::this_thread::sleep_for(kPause);
   }
+}
+
+std::int64_t Database::last_written() const {
+  struct stat of {};
+  if (::stat(name_.c_str(), &of) != 0) return 0;
+  return of.st_mtim.tv_sec * 1'000'000'000 + of.st_mtim.tv_nsec + of.st_size;
+}
+
+bool Database::is_outdated() const {
+  return lies_still_ && (written_ != last_written() || is_there(name_ + "-wal"));
+}
+
+// Read as it lay there, without a lock: what does not fit may be another program's doing.
+void Database::refuse_if_written() const {
+  if (lies_still_ && written_ != last_written())
+    throw IoError(name_ + ": another program wrote to it while it was read; repeat the command");
 }
 
 void Database::execute(const std::string& sql) {
@@ -247,12 +377,16 @@ void Database::take(double bytes) {
 }
 
 void Database::damaged(const std::string& what) const {
+  refuse_if_written();
   throw IoError(fmt::format("{}: is damaged: {}; {}", name_, what, kCure));
 }
 
 void Database::refuse(int code) {
-  throw IoError(fmt::format("{}: {} (SQLite: {})", name_, advice(code),
-                            handle_ ? sqlite3_errmsg(handle_.get()) : sqlite3_errstr(code)));
+  if ((code & 0xff) == SQLITE_CORRUPT) refuse_if_written();
+  const std::string reason = handle_ ? sqlite3_errmsg(handle_.get()) : sqlite3_errstr(code);
+  const std::string what = fmt::format("{}: {} (SQLite: {})", name_, advice(code), reason);
+  if (is_of_disk(code)) throw DiskError(name_, reason, what);
+  throw IoError(what);
 }
 
 Transaction::Transaction(Database& database) : database_(database) {

@@ -9,6 +9,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "wythe/error.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -18,6 +21,18 @@ class Hash;
 }
 
 namespace wythe::study {
+
+// The disk, or another program, refused; what the file holds may be whole.
+class DiskError : public IoError {
+ public:
+  DiskError(std::string file, std::string reason, const std::string& what)
+      : IoError(what), file_(std::move(file)), reason_(std::move(reason)) {}
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }  // as SQLite says it
+
+ private:
+  std::string file_, reason_;
+};
 
 struct Bytes {
   std::string_view data;
@@ -64,6 +79,12 @@ class Statement {
   // A whole number within these bounds, NULL is none; a number that is not infinite, NULL is none.
   [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most);
   [[nodiscard]] double finite();
+  // Of the row, by the place of the column: to the bit the other's; its name; its value for a message; packed bytes, or
+  // nothing where it holds something else.
+  [[nodiscard]] bool equals(Statement& other, int at);
+  [[nodiscard]] std::string column(int at) const;
+  [[nodiscard]] std::string shown(int at);
+  [[nodiscard]] std::string_view packed_at(int at);
   // The whole row into a hash: each value with its type and all its bits.
   void add_row(Hash& hash);
   // What else is wrong with the row: IoError that names the file, table and sample.
@@ -84,6 +105,8 @@ class Statement {
 
 class Database {
  public:
+  // A reader makes, recovers and removes nothing, neither the file nor what SQLite keeps beside it (-wal, -shm), and
+  // sees what is committed, also while a campaign writes there or after it was killed.
   enum class Access { kRead, kWrite };
   Database(const std::filesystem::path& file, Access access);
 
@@ -91,10 +114,10 @@ class Database {
   [[nodiscard]] std::int64_t integer(const std::string& sql);
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] sqlite3* handle() { return handle_.get(); }
-  // Makes the tables of another file `as`.table, to be read; IoError names that file.
-  void attach(const std::filesystem::path& file, const std::string& as);
   // Counts what is about to be unpacked from this file; throws where all of it is more than memory holds.
   void take(double bytes);
+  // For a reader that stays open: another program has written since, which this connection may not see.
+  [[nodiscard]] bool is_outdated() const;
   // What was taken so far is no longer held.
   void give_back() { taken_ = 0; }
   // Throws the last failure of SQLite as an IoError.
@@ -106,7 +129,14 @@ class Database {
   struct Close {
     void operator()(sqlite3* handle) const;
   };
+  int open(const std::string& how, int flags);
+  void open_to_read();
+  [[nodiscard]] std::int64_t last_written() const;  // changes with each change of the file
+  void refuse_if_written() const;
+
   std::string name_;
+  bool lies_still_ = false;  // read as it lies there
+  std::int64_t written_ = 0;
   double taken_ = 0;                                        // bytes
   double most_ = std::numeric_limits<double>::quiet_NaN();  // that may be taken; asked for once
   std::unique_ptr<sqlite3, Close> handle_;

@@ -1,5 +1,5 @@
 // merge_campaigns: everything is compared before the first byte is written, then rows are copied. Where two
-// stores hold the same sample, every number of it is compared but the time it took.
+// stores hold the same sample, every number of it is compared but the time it took (doubles.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,10 +12,9 @@
 #include <thread>
 #include <utility>
 
-#include "core/hash.h"
 #include "core/parallel.h"
+#include "study/store/doubles.h"
 #include "study/store/folder_lock.h"
-#include "study/store/record_rows.h"
 #include "study/store/store.h"
 #include "study/store/store_schema.h"
 #include "wythe/error.h"
@@ -23,58 +22,6 @@
 namespace wythe {
 namespace study {
 namespace {
-
-// What a sample answered, enough to see whether two shards contradict each other.
-struct Answer {
-  std::string status, state_hash, provenance;
-  std::uint64_t numbers = 0;  // hash of its row and its curve
-};
-
-// Every column of such a table that is a result, in SQL, as one exact text.
-std::string results_as_text(Database& database, const char* table) {
-  Statement columns(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
-  std::string text;
-  while (columns.step()) {
-    const std::string name = columns.text();
-    if (name == "wall_seconds" || name == "provenance") continue;
-    text += fmt::format("{}quote({})", text.empty() ? "" : " || ' ' || ", name);
-  }
-  return text;
-}
-
-class Answers {
- public:
-  explicit Answers(const std::string& folder)
-      : store_(folder, Store::Access::kRead),
-        select_(store_.database(),
-                fmt::format(
-                    "SELECT status, state_hash, provenance, {}, (SELECT data FROM curve WHERE "
-                    "curve.sample = sample.sample), (SELECT group_concat({}, '|') FROM (SELECT * "
-                    "FROM shake WHERE shake.sample = sample.sample ORDER BY position)) FROM sample "
-                    "WHERE sample = ?",
-                    results_as_text(store_.database(), "sample"),
-                    results_as_text(store_.database(), "shake"))) {}
-
-  Answer of(int sample) {
-    select_.bind(sample);
-    if (!select_.step()) store_.database().damaged(fmt::format("sample {} is missing", sample));
-    Answer answer;
-    answer.status = select_.text();
-    answer.state_hash = select_.text();
-    answer.provenance = select_.text();
-    Hash numbers;
-    numbers.add(select_.text());
-    numbers.add(select_.bytes());
-    numbers.add(select_.text());
-    answer.numbers = numbers.value();
-    select_.reset();
-    return answer;
-  }
-
- private:
-  Store store_;
-  Statement select_;
-};
 
 // A store that was read through before a byte of it is copied; or why it is not taken.
 struct Checked {
@@ -192,33 +139,33 @@ class Comparison {
       if (!is_new) twice[there->second].push_back(sample);
     }
     for (const auto& [folder, samples] : twice) {
-      Answers before(folder), now(store.folder);
-      for (const int sample : samples) {
-        const Answer a = before.of(sample), b = now.of(sample);
-        if (a.numbers != b.numbers) refuse_answer(sample, folder, a, store.folder, b);
-      }
+      SampleRows before(folder), now(store.folder);
+      for (const int sample : samples)
+        if (const auto difference = SampleRows::difference(now, before, sample))
+          refuse_answer(sample, *difference, {folder, before.run(sample)},
+                        {store.folder, now.run(sample)});
     }
   }
 
-  void refuse_answer(int sample, const std::string& before_folder, const Answer& before,
-                     const std::string& folder, const Answer& answer) {
+  using Run = std::pair<std::string, SampleRows::Run>;  // with its folder
+  void refuse_answer(int sample, const std::string& difference, const Run& there, const Run& here) {
+    const SampleRows::Run &before = there.second, &now = here.second;
     const bool is_run_otherwise =
-        before.status != answer.status || before.state_hash != answer.state_hash;
-    faults_.push_back(
-        {.file = folder,
-         .path = fmt::format("sample {}", sample),
-         .value = "",
-         .problem =
-             is_run_otherwise
-                 ? fmt::format(
-                       "{} with state {} here, run by {}; {} with state {} in {}, run by {}",
-                       answer.status, answer.state_hash, answer.provenance, before.status,
-                       before.state_hash, before_folder, before.provenance)
-                 : fmt::format(
-                       "the same state {} as in {}, but other results: one store was changed "
-                       "after its run (by {} here, by {} there)",
-                       answer.state_hash, before_folder, answer.provenance, before.provenance),
-         .cure = ""});
+        before.status != now.status || before.state_hash != now.state_hash;
+    const std::string problem =
+        is_run_otherwise
+            ? fmt::format("{} with state {} here, run by {}; {} with state {} in {}, run by {}",
+                          now.status, now.state_hash, now.provenance, before.status,
+                          before.state_hash, there.first, before.provenance)
+            : fmt::format(
+                  "the same state {} as in {}, but other results: one store was changed "
+                  "after its run (by {} here, by {} there)",
+                  now.state_hash, there.first, now.provenance, before.provenance);
+    faults_.push_back({.file = here.first,
+                       .path = fmt::format("sample {}", sample),
+                       .value = "",
+                       .problem = problem + ": " + difference,
+                       .cure = ""});
   }
 
   std::string first_;
@@ -247,8 +194,8 @@ class Source {
   std::vector<Statement> rows_;  // of each of result_tables()
 };
 
-// Samples that are not in `out` yet, in the order of their numbers, so that each page of it is written once.
-void copy_samples(Store& out, const std::vector<std::string>& folders) {
+// Whether any was copied: samples that are not in `out` yet, in the order of their numbers, so that each page of it is written once.
+bool copy_samples(Store& out, const std::vector<std::string>& folders) {
   constexpr std::size_t kTogether = 256;  // samples of a transaction
   const std::set<int> there = out.done();
   std::deque<Source> sources;  // their statements keep where they are
@@ -258,7 +205,7 @@ void copy_samples(Store& out, const std::vector<std::string>& folders) {
     for (const int sample : source.done())
       if (!there.contains(sample)) source_of.emplace(sample, sources.size() - 1);
   }
-  if (source_of.empty()) return;
+  if (source_of.empty()) return false;
   Database& database = out.database();
   std::vector<Statement> inserts;
   const std::vector<std::string> tables = result_tables();
@@ -281,6 +228,7 @@ void copy_samples(Store& out, const std::vector<std::string>& folders) {
     transaction->commit();
     transaction.reset();
   }
+  return true;
 }
 
 }  // namespace
@@ -306,11 +254,16 @@ void merge_campaigns(const std::vector<std::string>& folders, const std::string&
   store.database().execute("PRAGMA wal_autocheckpoint = 16384");  // pages
   if (const int has = store.samples().n_sample(); comparison.samples().n_sample() > has)
     store.add_samples(comparison.samples(), has + 1, comparison.spec());
+  bool is_more = false;
   for (std::size_t i = 0; i < folders.size(); i += kMostOpen)
-    study::copy_samples(
+    is_more |= study::copy_samples(
         store,
         {folders.begin() + static_cast<std::ptrdiff_t>(i),
          folders.begin() + static_cast<std::ptrdiff_t>(std::min(i + kMostOpen, folders.size()))});
+  // samples beyond those at which a rule was met were asked for: all count, until --resume asks a rule anew
+  if (is_more)
+    for (const char* key : {"until_met_at", "until_from"})
+      if (!store.value(key).empty()) store.set_value(key, "");
 }
 
 }  // namespace wythe

@@ -5,6 +5,7 @@
 #include <bit>
 #include <memory>
 
+#include "core/hash.h"
 #include "wythe/error.h"
 
 namespace wythe::study {
@@ -74,6 +75,12 @@ std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,
 }
 
 void check_packed(std::string_view bytes, const std::string& what) {
+  static_cast<void>(packed_content(bytes, what));
+}
+
+PackedContent packed_content(std::string_view bytes, const std::string& what) {
+  Hash hash;
+  std::uint64_t total = 0;
   struct FreeStream {
     void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
   };
@@ -86,8 +93,11 @@ void check_packed(std::string_view bytes, const std::string& what) {
     ZSTD_outBuffer out{part.data(), part.size(), 0};
     left = ZSTD_decompressStream(stream.get(), &out, &in);
     if (ZSTD_isError(left) != 0) refuse(what, ZSTD_getErrorName(left));
+    hash.add(part.data(), out.pos);
+    total += out.pos;
   }
   if (left != 0) refuse(what, "it ends early");
+  return {hash.value(), total};
 }
 
 }  // namespace wythe::study

@@ -4,6 +4,7 @@
 // other: float64 for curves (exactly as computed), float32 for states (pictures).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,5 +24,11 @@ namespace wythe::study {
 
 // Whether the bytes unpack to what their checksum says, whatever it is; IoError where not. Takes no memory for it.
 void check_packed(std::string_view bytes, const std::string& what);
+// A hash of what the bytes unpack to, and how much that is: equal for equal numbers, however they were packed.
+struct PackedContent {
+  std::uint64_t hash = 0, bytes = 0;
+  bool operator==(const PackedContent&) const = default;
+};
+[[nodiscard]] PackedContent packed_content(std::string_view bytes, const std::string& what);
 
 }  // namespace wythe::study

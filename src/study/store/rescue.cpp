@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "study/store/folder_lock.h"
 #include "study/store/packing.h"
 #include "study/store/store.h"
 #include "study/store/store_schema.h"
 #include "wythe/error.h"
+#include "wythe/rescue.h"
 
 namespace wythe {
 namespace study {
@@ -26,20 +31,50 @@ void check_older_states(Database& database) {
   }
 }
 
-// Whether the source has the sample; all its rows are then in `out`, and read as they should.
-bool copy_sample(Store& out, const SampleTable& table, int sample) {
-  Database& database = out.database();
-  Transaction transaction(database);
-  for (const std::string& rows : result_tables())
-    Statement(database,
-              fmt::format("INSERT INTO main.{0} SELECT * FROM damaged.{0} WHERE sample = ?", rows))
-        .run(sample);
-  const bool is_there = !out.records(table, sample, sample).empty();
-  if (!is_there) return false;
-  SampleDigests(database).check_states(sample);
-  transaction.commit();
-  return true;
-}
+// Where a rescue began, until it is through: it can be started again then.
+constexpr const char* kRescued = "rescued_from";
+
+// Samples one by one, from a store that is damaged somewhere into one that is not. What the source refuses is lost with
+// its sample; what the target's disk refuses ends the rescue.
+class Copier {
+ public:
+  Copier(Store& from, Store& out, const SampleTable& table)
+      : out_(out), table_(table), digests_(out.database()) {
+    for (const std::string& rows : result_tables()) {
+      tables_.push_back({rows, Statement(from.database(),
+                                         fmt::format("SELECT * FROM {} WHERE sample = ?", rows))});
+      inserts_.emplace_back(out.database(), insert_sql(rows, tables_.back().second.columns()));
+    }
+  }
+
+  // Whether the source has the sample; all its rows are then in `out`, and read as they should.
+  bool copy(int sample) {
+    Transaction transaction(out_.database());
+    for (std::size_t t = 0; t < inserts_.size(); ++t) {
+      Statement& rows = tables_[t].second;
+      rows.reset(), inserts_[t].reset();  // of a sample that was lost before
+      rows.bind(sample);
+      while (rows.step()) {
+        inserts_[t].bind_row(rows);
+        inserts_[t].run();
+      }
+      rows.reset();
+    }
+    const bool is_there = !out_.records(table_, sample, sample).empty();
+    out_.database().give_back();
+    if (!is_there) return false;
+    digests_.check_states(sample);
+    transaction.commit();
+    return true;
+  }
+
+ private:
+  Store& out_;
+  const SampleTable& table_;
+  SampleDigests digests_;
+  std::vector<std::pair<std::string, Statement>> tables_;
+  std::vector<Statement> inserts_;
+};
 
 // What each sample drew: as it is stored where its checksum holds, else as the study draws it.
 SampleTable trusted_inputs(Store& source) {
@@ -54,6 +89,154 @@ SampleTable trusted_inputs(Store& source) {
   return table;
 }
 
+// What a new store begins with, and why samples of the old one do not fit it.
+struct Beginning {
+  StudySpec spec;
+  SampleTable samples;
+  StoreHead head;
+  std::map<int, std::string> unfit;
+};
+
+Store source_of(const std::string& folder) {
+  if (!holds_store(folder)) throw IoError(folder + ": holds no campaign (no campaign.db)");
+  if (!Store(folder, Store::Access::kRead).is_current())
+    throw IoError(store_path(folder).string() +
+                  ": was written by an older wythe; rescue it with that one");
+  return {folder, Store::Access::kRead};
+}
+
+std::vector<int> numbers_of_samples(Database& database) {
+  std::vector<int> numbers;
+  Statement select(database, "SELECT sample FROM sample ORDER BY sample");
+  while (select.step())  // a damaged number is that of no sample
+    if (const std::int64_t sample = select.integer();
+        sample >= 1 && sample <= std::numeric_limits<int>::max())
+      numbers.push_back(static_cast<int>(sample));
+  return numbers;
+}
+
+// Of each stored sample whose inputs are not, bit for bit, what was drawn: the first that is not.
+std::map<int, std::string> not_drawn(Database& database, const SampleTable& drawn) {
+  std::map<int, std::string> unfit;
+  Statement select(
+      database,
+      "SELECT sample, position, value FROM sample_input WHERE sample = ? ORDER BY position");
+  for (const int sample : numbers_of_samples(database)) {
+    if (sample > drawn.n_sample()) {
+      unfit[sample] = fmt::format("the study draws {} samples", drawn.n_sample());
+      continue;
+    }
+    const std::vector<double>& due = drawn.value[static_cast<std::size_t>(sample - 1)];
+    std::size_t at = 0;
+    select.bind(sample);
+    while (select.step()) {
+      static_cast<void>(select.integer());
+      const bool is_next = select.integer() == static_cast<std::int64_t>(at);
+      const double value = select.number();
+      if (is_next && at < due.size() &&
+          (value == due[at] || (std::isnan(value) && std::isnan(due[at])))) {
+        ++at;
+        continue;
+      }
+      unfit.emplace(sample, at < due.size()
+                                ? fmt::format("its input {} is {} in the store, the study draws {}",
+                                              drawn.column[at].name, value, due[at])
+                                : fmt::format("the store has more than the {} inputs of the study",
+                                              due.size()));
+      break;
+    }
+    select.reset();
+    if (at < due.size())
+      unfit.emplace(sample, "its input " + drawn.column[at].name + " is missing in the store");
+  }
+  return unfit;
+}
+
+// The sizes of the designs: as stored, where they can be read and what they draw fits no worse.
+Beginning by_study(Store& source, StudySpec spec, const ModelBuilder& build) {
+  Beginning best{spec, draw_samples(spec), {}, {}};
+  best.unfit = not_drawn(source.database(), best.samples);
+  try {
+    Rows rows = rows_of(spec);
+    for (auto& [key, value] : rows)
+      if (key == "samples") value = source.value(key);
+    StudySpec grown = spec;
+    grown.batch = study_of(rows).batch;
+    const std::int64_t drawn =
+        source.database().integer("SELECT coalesce(max(sample), 0) FROM sample_input");
+    if (grown.batch != spec.batch && check_study(grown).empty() && count_samples(grown) == drawn) {
+      Beginning other{grown, draw_samples(grown), {}, {}};
+      other.unfit = not_drawn(source.database(), other.samples);
+      if (other.unfit.size() < best.unfit.size()) best = std::move(other);
+    }
+  } catch (const IoError&) {  // that row is damaged too
+  } catch (const InputError&) {
+  }
+  const std::size_t stored = numbers_of_samples(source.database()).size();
+  if (stored > 0 && best.unfit.size() == stored)
+    throw InputError(
+        {{.file = spec.file,
+          .path = "study",
+          .value = "",
+          .problem = fmt::format("draws none of the {} samples of {}: of sample {}, {}", stored,
+                                 source.database().name(), best.unfit.begin()->first,
+                                 best.unfit.begin()->second),
+          .cure = "name the study file of that campaign, with its --set, --seed and "
+                  "--samples (nothing was written)"}});
+  best.head.load_height = load_height_of(compile(build({})));
+  best.head.provenance = source.text_or("provenance", "");
+  best.head.shard = source.text_or("shard", "1/1");
+  if (!shard_of(best.head.shard)) best.head.shard = "1/1";  // then any sample may be in it
+  return best;
+}
+
+// Goes on with what an earlier one, that was ended by force or by the disk, has saved.
+Rescue rescued(Store& source, const std::string& folder, const std::string& out,
+               const Beginning& begin) {
+  const std::string name = std::filesystem::absolute(folder).lexically_normal().string();
+  const bool there = holds_store(out);
+  if (there && Store(out, Store::Access::kRead).value(kRescued) != name)
+    throw InputError({{.file = out,
+                       .path = "",
+                       .value = "",
+                       .problem = "holds a campaign already",
+                       .cure = "name another folder for what is rescued"}});
+  const FolderLock lock(out);
+  Rescue rescue;
+  try {
+    if (!there) create_store(out, begin.spec, begin.samples, begin.head);
+    Store store(out, Store::Access::kWrite);
+    if (!there) store.set_value(kRescued, name);
+    const std::set<int> saved = store.done();
+    Copier copier(source, store, begin.samples);
+    for (int sample = 1; sample <= begin.samples.n_sample(); ++sample) {
+      const auto unfit = begin.unfit.find(sample);
+      try {
+        if (unfit != begin.unfit.end())
+          rescue.lost.push_back({sample, unfit->second});
+        else
+          rescue.kept += saved.contains(sample) || copier.copy(sample) ? 1 : 0;
+      } catch (const DiskError& error) {
+        if (error.file() == store.database().name()) throw;
+        rescue.lost.push_back({sample, error.what()});
+      } catch (const IoError& error) {
+        rescue.lost.push_back({sample, error.what()});
+      }
+    }
+    for (const auto& [sample, why] : begin.unfit)
+      if (sample > begin.samples.n_sample()) rescue.lost.push_back({sample, why});
+    store.set_value(kRescued, "");
+  } catch (const DiskError& error) {
+    if (error.file() != store_path(out).string()) throw;
+    throw IoError(
+        fmt::format("{}: the disk refused ({}); {} samples are saved, the others were not looked "
+                    "at: start the same rescue again "
+                    "when there is room, it goes on",
+                    error.file(), error.reason(), rescue.kept));
+  }
+  return rescue;
+}
+
 }  // namespace
 }  // namespace study
 
@@ -66,38 +249,32 @@ void check_campaign(const std::string& folder) {
   static_cast<void>(store.study());
   static_cast<void>(store.head());
   store.check_whole();
-  if (store.is_current())
+  if (store.has_checksums())
     store.check_states();
   else
     study::check_older_states(store.database());
 }
 
 Rescue rescue_campaign(const std::string& folder, const std::string& out) {
-  study::Store source(folder, study::Store::Access::kRead);
-  if (!source.is_current())
-    throw IoError(source.database().name() +
-                  ": was written by an older wythe; rescue it with that one");
-  const SampleTable table = study::trusted_inputs(source);
-  if (study::holds_store(out))
-    throw InputError({{.file = out,
-                       .path = "",
-                       .value = "",
-                       .problem = "holds a campaign already",
-                       .cure = "name another folder for what is rescued"}});
-  const study::FolderLock lock(out);
-  study::create_store(out, source.study(), table, source.head());
-  study::Store store(out, study::Store::Access::kWrite);
-  store.database().attach(study::store_path(folder), "damaged");
-  Rescue rescue;
-  for (int sample = 1; sample <= table.n_sample(); ++sample) {
-    try {
-      rescue.kept += study::copy_sample(store, table, sample) ? 1 : 0;
-    } catch (const IoError& error) {
-      rescue.lost.push_back({sample, error.what()});
-    }
+  study::Store source = study::source_of(folder);
+  try {
+    const StudySpec spec = source.study();  // first: what is read of the samples goes by it
+    const SampleTable table = study::trusted_inputs(source);
+    return study::rescued(source, folder, out, {spec, table, source.head(), {}});
+  } catch (const study::StudyDamage& damage) {
+    throw IoError(
+        fmt::format("{}\nWithout the study no sample of it can be told to be right, so nothing was "
+                    "saved. If you have the study file: "
+                    "wythe store rescue DIR --out NEW --study FILE takes the study from there, and "
+                    "saves what fits it",
+                    damage.what()));
   }
-  store.database().execute("DETACH DATABASE damaged");
-  return rescue;
+}
+
+Rescue rescue_campaign(const std::string& folder, const std::string& out, const StudySpec& study,
+                       const ModelBuilder& build) {
+  study::Store source = study::source_of(folder);
+  return study::rescued(source, folder, out, study::by_study(source, study, build));
 }
 
 }  // namespace wythe

@@ -24,8 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
-
 // In the place of a first sample.
 constexpr int kWhole = std::numeric_limits<int>::min();
 
@@ -65,7 +63,21 @@ struct Binder {
 // Takes the columns of a row in order.
 struct Taker {
   Statement& statement;
-  void operator()(const char*, double& member) { member = statement.number(); }
+  bool bounded = false;  // no answer of this version is infinite
+  void operator()(const char* name, double& member) {
+    static const std::set<std::string> kRatios = {"unbalance_ratio_mean",
+                                                  "unbalance_ratio_max",
+                                                  "kinetic_ratio_mean",
+                                                  "kinetic_ratio_max",
+                                                  "shear_gap",
+                                                  "damping_share",
+                                                  "rate_lift",
+                                                  "force_beyond_peak",
+                                                  "energy_gap_ratio"};  // over what may be 0
+    member = statement.number();
+    if (bounded && std::isinf(member) && !kRatios.contains(name))
+      statement.damaged(std::string(name) + " is infinite");
+  }
   void operator()(const char*, bool& member) { member = statement.integer() != 0; }
   void operator()(const char*, std::int64_t& member) { member = statement.integer(); }
   void operator()(const char*, std::string& member) { member = statement.text(); }
@@ -137,10 +149,13 @@ struct ListReader {
     Statement select(store.database(),
                      fmt::format("SELECT sample, position{} FROM {} {} ORDER BY 1, 2",
                                  known_columns(store, table, names), table, where));
+    static const std::set<std::string> kMeasures = {"score", "evidence", "flag", "sign", "reading"};
+    const bool bounded = store.is_current() && !kMeasures.contains(table);
     while (select.step()) {
       const auto sample = static_cast<int>(select.integer(1, samples));
-      static_cast<void>(select.integer());
-      Taker taker{select};
+      const auto position = static_cast<std::int64_t>((lists[sample].*members).size());
+      static_cast<void>(select.integer(position, position));
+      Taker taker{select, bounded};
       columns(taker, (lists[sample].*members).emplace_back());
     }
   }
@@ -199,45 +214,6 @@ std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples,
         names);
   }
   return curves;
-}
-
-// Its states go on, and each pier was read at each of them: an assessment goes by them.
-template <class Refuse>
-void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
-  double before = 0;
-  for (const MovedRow& row : lists.moved) {
-    const MovedMass& m = row.mass;
-    if (!std::isfinite(m.first) || !std::isfinite(m.second) || !std::isfinite(m.mixed))
-      refuse("its moved masses hold what is not a number");
-    if (!(m.displacement > before)) refuse("its moved masses are not in order");
-    before = m.displacement;
-  }
-  const std::size_t states = lists.moved.size();
-  if (states > 0 ? lists.piers.size() % states != 0 : !lists.piers.empty())
-    refuse("a pier's drift is missing");
-  for (std::size_t i = 0; i < lists.piers.size(); ++i) {
-    const PierRow &row = lists.piers[i], &first = lists.piers[i - i % states];
-    if (!std::isfinite(row.at.drift) || row.element != first.element ||
-        row.at.displacement != lists.moved[i % states].mass.displacement)
-      refuse("a pier's drifts are not those of its states");
-  }
-}
-
-// What an answered sample says must be numbers and places that there are.
-void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
-  const auto refuse = [&](const std::string& what) {
-    database.damaged(fmt::format("sample {}: {}", record.sample, what));
-  };
-  for (const double input : record.inputs)
-    if (!std::isfinite(input)) refuse("it has run with an input that is no number");
-  for (const CurveRow& row : record.curve)
-    if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
-      refuse("its curve holds what is not a number");
-  check_pushed_wall(refuse, lists);
-  for (const SignRow& row : lists.signs)
-    if (row.of_element < 0 || row.of_element >= static_cast<std::int64_t>(lists.elements.size()))
-      refuse(
-          fmt::format("a sign belongs to element {} of {}", row.of_element, lists.elements.size()));
 }
 
 void write_study_rows(Database& database, const Rows& rows) {
@@ -301,45 +277,6 @@ Store::Store(const std::string& folder, Access access) : database_(store_path(fo
   if (access == Access::kWrite) database_.execute("PRAGMA synchronous = NORMAL");
 }
 
-void Store::check_version(Access access) {
-  const std::string& name = database_.name();
-  const std::int64_t application = database_.integer("PRAGMA application_id");
-  version_ = database_.integer("PRAGMA user_version");
-  if (application != kApplication)
-    throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
-  if (version_ > kSchemaVersion)
-    throw IoError(
-        fmt::format("{}: was written by a newer wythe (store version {}, this one reads up "
-                    "to {}); use that version or a later one",
-                    name, version_, kSchemaVersion));
-  if (version_ < 1)
-    throw IoError(fmt::format(
-        "{}: has store version {}, which no wythe wrote; restore it from a copy", name, version_));
-  check_tables();
-  if (is_current()) return;
-  if (access == Access::kWrite)
-    throw IoError(
-        fmt::format("{}: was written by an older wythe (store version {}, now {}); it can be read, "
-                    "reported and replayed; to add samples begin a campaign in another folder",
-                    name, version_, kSchemaVersion));
-  show_as_present();
-}
-
-// Tables that only hold rows: a view or a computed column would answer without end, a trigger write.
-void Store::check_tables() {
-  std::vector<std::string> names = result_tables();
-  names.insert(names.end(), {"study", "input", "sample_input"});
-  Statement select(
-      database_,
-      fmt::format("SELECT s.type, s.name FROM main.sqlite_schema s WHERE s.tbl_name IN "
-                  "('{}') AND (s.type IN ('view', 'trigger') OR EXISTS (SELECT 1 FROM "
-                  "pragma_table_xinfo(s.name) WHERE hidden > 0 OR dflt_value IS NOT NULL))",
-                  fmt::join(names, "', '")));
-  if (!select.step()) return;
-  const std::string type = select.text();
-  database_.damaged(fmt::format("its {} {} is none that wythe made", type, select.text()));
-}
-
 // Views of this connection's own; the file stays as it is. Columns that an older version has not read
 // as NULL (known_columns).
 void Store::show_as_present() {
@@ -388,6 +325,33 @@ void Store::set_value(const std::string& key, const std::string& value) {
   transaction.commit();
 }
 
+std::string Store::text_or(const std::string& key, const std::string& otherwise) {
+  try {
+    return value(key);
+  } catch (const IoError&) {
+    return otherwise;
+  }
+}
+
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.number);
+  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, other_error] = std::from_chars(slash + 1, end, shard.of);
+  if (other_error != std::errc() || rest != end || shard.number < 1 || shard.of < shard.number)
+    return std::nullopt;
+  if (text != fmt::format("{}/{}", shard.number, shard.of)) return std::nullopt;  // " 01/2"
+  return shard;
+}
+
+double load_height_of(const Model& model) {
+  double height = model.stages.back().load_height;
+  for (const Stage& stage : model.stages)
+    if (stage.spec.kind == StageKind::kPush) height = stage.load_height;
+  return height;
+}
+
 SampleDigests& Store::digests() {
   if (!digests_) digests_.emplace(database_);
   return *digests_;
@@ -403,14 +367,30 @@ Statement& Store::prepared(const std::string& sql) {
 
 StudySpec Store::study() {
   const OneMoment moment(database_);
-  if (is_current()) check_study_digest(database_);
-  Rows rows;
-  Statement select(database_, "SELECT key, value FROM study ORDER BY position");
-  while (select.step()) {
-    std::string key = select.text();
-    rows.emplace_back(std::move(key), select.text());
-  }
   try {
+    if (has_checksums()) check_study_digest(database_);
+    Rows rows;
+    Statement select(database_, "SELECT key, value FROM study ORDER BY position");
+    std::set<std::string> keys;
+    while (select.step()) {
+      std::string key = select.text();
+      if (!keys.insert(key).second)
+        database_.damaged(fmt::format("table study: {} stands there twice", key));
+      rows.emplace_back(std::move(key), select.text());
+    }
+    return study_in(rows);
+  } catch (const DiskError&) {
+    throw;
+  } catch (const IoError& error) {
+    throw StudyDamage(error.what());
+  }
+}
+
+StudySpec Store::study_in(const Rows& rows) {
+  try {
+    if (const std::string said = value_of(rows, "schema_version"); said != std::to_string(version_))
+      throw IoError(
+          fmt::format("schema_version: \"{}\", and the file is of version {}", said, version_));
     StudySpec spec = study_of(rows);
     if (const std::vector<Fault> faults = check_study(spec); !faults.empty())
       throw IoError(InputError(faults).what());
@@ -427,7 +407,10 @@ StoreHead Store::head() {
   if (error != std::errc() || end != height.data() + height.size() || !(metres >= 0) ||
       std::isinf(metres))
     database_.damaged(fmt::format("table study, load_height_m: \"{}\" is not a height", height));
-  return {value("shard"), value("provenance"), metres};
+  const std::string shard = value("shard");
+  if (!shard_of(shard))
+    database_.damaged(fmt::format("table study, shard: \"{}\" is none, such as 1/4", shard));
+  return {shard, value("provenance"), metres};
 }
 
 int Store::number_of_sample(const std::string& key) {
@@ -440,9 +423,7 @@ int Store::number_of_sample(const std::string& key) {
   return number;
 }
 
-SampleTable Store::samples(Inputs inputs) {
-  const OneMoment moment(database_);
-  if (is_current() && inputs == Inputs::kWhole) check_inputs_digest(database_);
+SampleTable Store::columns() {
   SampleTable table;
   Statement select(
       database_,
@@ -461,8 +442,16 @@ SampleTable Store::samples(Inputs inputs) {
     c.is_random = select.integer(0, 1) != 0;
     if (c.is_random) table.cut_off.push_back(select.number());
   }
+  return table;
+}
+
+SampleTable Store::samples(Inputs inputs) {
+  const OneMoment moment(database_);
+  if (has_checksums() && inputs == Inputs::kWhole) check_inputs_digest(database_);
+  SampleTable table = columns();
   table.value = read_inputs(database_, table.column.size());
   const StudySpec spec = study();
+  if (is_current()) check_columns_of(spec, table);
   if (table.column.empty()) table.value.resize(static_cast<std::size_t>(count_samples(spec)));
   if (const auto asked = count_samples(spec); asked != table.n_sample())
     database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
@@ -520,20 +509,23 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
 
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
   const OneMoment moment(database_);
-  if (is_current()) digests().check_states(sample);
+  if (has_checksums()) digests().check_states(sample);
   std::vector<Snapshot> states;
   const State rest = initial_state(model);
   const std::size_t numbers = state_arrays(rest).size();
   const auto blocks = static_cast<std::int64_t>(rest.ux.size());
   const auto points = static_cast<std::int64_t>(rest.kappa.size());
-  Statement select(database_,
-                   fmt::format("SELECT sample, label, displacement_m, reaction_N, blocks, points, "
-                               "data, {} FROM state WHERE sample = ? ORDER BY position",
-                               version_ < 4 ? "NULL" : "asked_m"));
+  Statement select(
+      database_,
+      fmt::format("SELECT sample, position, label, displacement_m, reaction_N, blocks, points, "
+                  "data, {} FROM state WHERE sample = ? ORDER BY position",
+                  version_ < 4 ? "NULL" : "asked_m"));
   select.bind(sample);
   while (select.step()) {
+    const auto position = static_cast<std::int64_t>(states.size());
     Snapshot& s = states.emplace_back();
     static_cast<void>(select.integer());
+    static_cast<void>(select.integer(position, position));
     s.label = select.text();
     s.displacement = select.finite();
     s.reaction = select.finite();
@@ -572,10 +564,12 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
   while (select.step()) {
     SampleRecord& record = records.emplace_back();
     record.sample = static_cast<int>(select.integer(1, table.n_sample()));
-    if (is_current()) digests().check_record(record.sample);
+    if (has_checksums()) digests().check_record(record.sample);
     record.curve = std::move(curves[record.sample]);
     record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
-    Taker taker{select};
+    if (records.size() > 1 && record.sample <= records[records.size() - 2].sample)
+      select.damaged("it stands there twice");
+    Taker taker{select, is_current()};
     each_column(taker, record);
     if (!is_outcome(record.status))
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
@@ -591,7 +585,7 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
       record.quasi_static.judgement =
           dynamics::judgement_of_older(text_of(record.quasi_static.verdict));
     }
-    check_answer(database_, record, lists[record.sample]);
+    check_answer(database_, record, lists[record.sample], is_current());
     put_lists(std::move(lists[record.sample]), record);
   }
   return records;

@@ -19,10 +19,14 @@
 #include "study/store/digest.h"
 #include "study/store/study_rows.h"
 #include "wythe/campaign.h"
+#include "wythe/error.h"
 
 namespace wythe::study {
 
-inline constexpr int kSchemaVersion = 6;  // older ones can be read, not written
+// Raised whenever a table, a column or the view `samples` changes: a test holds the checksum of all declarations beside
+// it. Stores of older versions can be read, not written.
+inline constexpr int kSchemaVersion = 7;
+inline constexpr int kFirstWithChecksums = 6;  // digest.h; made before table `shake` came, or after
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
@@ -34,6 +38,20 @@ struct StoreHead {
   std::string shard = "1/1";
   std::string provenance;
   double load_height = 0;  // [m]
+};
+
+// "2/4" as 2 and 4; nothing where it is no shard.
+struct Shard {
+  int number = 1, of = 1;
+};
+[[nodiscard]] std::optional<Shard> shard_of(const std::string& text);
+// Of the push, or of the last stage [m]: drifts of every sample refer to it.
+[[nodiscard]] double load_height_of(const Model& model);
+
+// What the store says of its study is damaged; its samples may be whole.
+class StudyDamage : public IoError {
+ public:
+  using IoError::IoError;
 };
 
 // A sample ready to be written; packing it needs no lock.
@@ -69,6 +87,8 @@ class Store {
   // Of one sample, whose wall this is; IoError where they are not states of it.
   [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
   [[nodiscard]] std::string value(const std::string& key);
+  [[nodiscard]] std::string text_or(const std::string& key,
+                                    const std::string& otherwise);  // where it is no text
   // A value that counts samples; 0 where it is empty.
   [[nodiscard]] int number_of_sample(const std::string& key);
 
@@ -76,7 +96,8 @@ class Store {
   void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
   void write(const PackedSample& sample);
   // False for an older schema, which is only shown as the present one.
-  [[nodiscard]] bool is_current() { return version_ == kSchemaVersion; }
+  [[nodiscard]] bool is_current() const { return version_ == kSchemaVersion; }
+  [[nodiscard]] bool has_checksums() const { return version_ >= kFirstWithChecksums; }
   // Reads every page and every row but the states, and compares all with their checksums (digest.h), which a
   // store before version 6 has not; IoError where one is damaged. A few samples at a time. `drawn`: what another
   // store of the same study drew, where this one says that it drew the same (inputs_digest()); then of its own
@@ -92,8 +113,13 @@ class Store {
  private:
   void check_version(Access access);
   void check_tables();
+  void check_columns(const std::string& table, const std::string& declaration);
+  void check_view();
+  void check_columns_of(const StudySpec& spec, const SampleTable& table);
+  [[nodiscard]] SampleTable columns();  // without values
   void show_as_present();
   void check_inputs_of(const SampleTable& drawn);
+  [[nodiscard]] StudySpec study_in(const Rows& rows);
   SampleDigests& digests();
   Statement& prepared(const std::string& sql);  // kept, ready for its binds
   Database database_;
@@ -107,6 +133,10 @@ class Store {
 // Shakes that count have numbers, and end as a run does.
 void check_shakes(Database& database, const SampleRecord& record,
                   const std::vector<ShakeAnswer>& shakes);
+struct RecordLists;
+// What an answered sample says must be numbers and places that there are.
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists,
+                  bool is_current);
 
 // Makes the file and what a campaign begins with.
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,

@@ -73,6 +73,21 @@ std::string schema_sql() {
   return sql + tables.sql;
 }
 
+const std::map<std::string, std::string>& declared_tables() {
+  static const std::map<std::string, std::string> kTables = [] {
+    constexpr std::string_view kBegin = "CREATE TABLE ";
+    std::map<std::string, std::string> tables;
+    const std::string sql = schema_sql();
+    for (std::size_t at = 0, end = 0; (end = sql.find(";\n", at)) != std::string::npos;
+         at = end + 2) {
+      const std::string one = sql.substr(at, end - at);
+      tables[one.substr(kBegin.size(), one.find(' ', kBegin.size()) - kBegin.size())] = one;
+    }
+    return tables;
+  }();
+  return kTables;
+}
+
 std::string samples_view_sql(const SampleTable& samples) {
   std::string sql = "DROP VIEW IF EXISTS samples;\nCREATE VIEW samples AS SELECT sample";
   for (std::size_t i = 0; i < samples.column.size(); ++i) {

@@ -1,13 +1,20 @@
 // The tables of the store as SQL, made from the lists of record_rows.h.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "wythe/study.h"
 
 namespace wythe::study {
 
+inline constexpr std::int64_t kApplication = 0x77797468;  // "wyth", PRAGMA application_id
+
 [[nodiscard]] std::string schema_sql();
+// The declaration of each table as SQLite keeps it, by its name.
+[[nodiscard]] const std::map<std::string, std::string>& declared_tables();
 // Tables that hold what samples answered.
 [[nodiscard]] std::vector<std::string> result_tables();
 // The view `samples`: inputs and responses in the units of samples.csv, one row a sample.

@@ -1,0 +1,187 @@
+// What is saved of a store whose own study is damaged, by a disk that fills, and by a rescue that was killed.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "scenes/changed_store.h"
+#include "scenes/places.h"
+#include "scenes/small_study.h"
+#include "study/store/database.h"
+#include "study/store/store.h"
+#include "study/store/store_schema.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/rescue.h"
+
+namespace wythe::study {
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::TemporaryFolder;
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+template <class Error, class Call>
+std::string refusal(Call call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class RescueStore : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    made_ = new TemporaryFolder;
+    run_campaign(study(), model_builder(study()), *made_ / "out", {.jobs = 1});
+  }
+  static void TearDownTestSuite() { delete made_; }
+  void SetUp() override { put_back(); }
+
+  static StudySpec study() { return scenes::small_study(3); }
+  void put_back() {
+    fs::remove_all(out_);
+    fs::remove_all(saved_);
+    fs::create_directories(out_);
+    fs::copy_file(store_path(*made_ / "out"), store_path(out_));
+  }
+  void change(const std::string& sql) {
+    Database(store_path(out_), Database::Access::kWrite).execute(sql);
+  }
+  Rescue by(const StudySpec& spec) {
+    return rescue_campaign(out_, saved_, spec, model_builder(spec));
+  }
+
+  static TemporaryFolder* made_;
+  TemporaryFolder folder_;
+  std::string out_ = folder_ / "out", saved_ = folder_ / "saved";
+};
+TemporaryFolder* RescueStore::made_ = nullptr;
+
+TEST_F(RescueStore, a_damaged_study_does_not_lose_the_samples) {
+  for (const char* sql :
+       {"UPDATE study SET value = 'x' WHERE key = 'digest'",
+        "UPDATE study SET value = 'x' WHERE key = 'digest_inputs'",
+        "UPDATE study SET value = 'x' WHERE key = 'digest_schema'",
+        "UPDATE study SET value = 'x' WHERE key = 'schema_version'",
+        "UPDATE study SET value = '7.5' WHERE key = 'load_height_m'",
+        "UPDATE study SET value = 'x' WHERE key = 'shard'",
+        "UPDATE study SET value = x'00ff' WHERE key = 'provenance'",
+        "UPDATE study SET value = substr(value, 9) WHERE key = 'model'",
+        "UPDATE study SET value = '3000000' WHERE key = 'samples'",
+        "DELETE FROM study WHERE key = 'seed'", "DELETE FROM study", "DELETE FROM input",
+        "UPDATE input SET name = 'fx'", "UPDATE input SET position = position + 1000"}) {
+    put_back();
+    change(sql);
+    const std::string said = refusal<IoError>([&] { (void)rescue_campaign(out_, saved_); });
+    if (!has(sql, "digest_inputs")) {
+      EXPECT_TRUE(has(said, "wythe store rescue DIR --out NEW --study FILE")) << sql << said;
+      EXPECT_FALSE(fs::exists(saved_)) << sql;
+    }
+    fs::remove_all(saved_);
+    const Rescue rescue = by(study());
+    EXPECT_EQ(rescue.kept, 3) << sql;
+    EXPECT_TRUE(rescue.lost.empty()) << sql << rescue.lost[0].why;
+    check_campaign(saved_);
+    EXPECT_EQ(samples_csv(read_campaign(saved_)), samples_csv(read_campaign(*made_ / "out")));
+    EXPECT_EQ(campaign_progress(saved_).total, 3);
+  }
+}
+
+TEST_F(RescueStore, what_is_damaged_beside_the_study_is_lost_by_name) {
+  change(
+      "UPDATE study SET value = 'x' WHERE key = 'digest';"
+      "UPDATE sample SET steps = steps + 1 WHERE sample = 2;"
+      "UPDATE sample_input SET value = value * 2 WHERE sample = 3");
+  const Rescue rescue = by(study());
+  EXPECT_EQ(rescue.kept, 1);
+  ASSERT_EQ(rescue.lost.size(), 2U);
+  EXPECT_TRUE(has(rescue.lost[0].why, "sample 2: its numbers are not what was stored"));
+  EXPECT_TRUE(has(rescue.lost[1].why, "its input ft is ")) << rescue.lost[1].why;
+}
+
+TEST_F(RescueStore, another_study_is_refused_before_anything_is_written) {
+  StudySpec other = study();
+  other.seed = 8;
+  const std::string said = refusal<InputError>([&] { (void)by(other); });
+  EXPECT_TRUE(has(said, "draws none of the 3 samples") && has(said, "of sample 1, its input ft is"))
+      << said;
+  EXPECT_FALSE(fs::exists(saved_));
+}
+
+TEST_F(RescueStore, of_a_design_that_grew_all_batches_are_saved) {
+  StudySpec more = study();
+  more.batch = {5};
+  run_campaign(more, model_builder(more), out_, {.jobs = 1, .resume = true});
+  change("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  EXPECT_EQ(by(study()).kept, 5);
+  EXPECT_EQ(read_campaign(saved_).study.batch, (std::vector<int>{3, 2}));
+}
+
+// A rescue that was killed has saved some samples; one started again goes on with them.
+TEST_F(RescueStore, a_killed_rescue_goes_on) {
+  EXPECT_EQ(rescue_campaign(out_, saved_).kept, 3);
+  EXPECT_TRUE(has(refusal<InputError>([&] { (void)rescue_campaign(out_, saved_); }),
+                  "holds a campaign already"));
+  {
+    Store store(saved_, Store::Access::kWrite);
+    store.set_value("rescued_from", fs::absolute(out_).lexically_normal().string());
+    for (const std::string& table : result_tables())
+      store.database().execute("DELETE FROM " + table + " WHERE sample > 1");
+  }
+  EXPECT_EQ(rescue_campaign(out_, saved_).kept, 3);
+  check_campaign(saved_);
+  EXPECT_EQ(samples_csv(read_campaign(saved_)), samples_csv(read_campaign(out_)));
+}
+
+// No file may grow beyond this, as on a full disk.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit now{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &now);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+// No sample is damaged because the disk is full; with more room the same rescue goes on to its end.
+TEST_F(RescueStore, a_full_disk_is_not_a_damaged_sample) {
+  int refused = 0;
+  for (rlim_t room = 64'000; room < 64'000'000; room += room / 4) {
+    const SmallDisk disk(room);
+    try {
+      const Rescue rescue = rescue_campaign(out_, saved_);
+      EXPECT_TRUE(rescue.lost.empty()) << rescue.lost[0].why;
+      EXPECT_EQ(rescue.kept, 3);
+      break;
+    } catch (const IoError& error) {
+      ++refused;
+      EXPECT_TRUE(has(error.what(), saved_)) << error.what();
+      EXPECT_TRUE(has(error.what(), "start the same rescue again")) << error.what();
+      EXPECT_FALSE(has(error.what(), "damaged")) << error.what();
+    }
+  }
+  EXPECT_GT(refused, 0);
+  check_campaign(saved_);
+  EXPECT_EQ(samples_csv(read_campaign(saved_)), samples_csv(read_campaign(out_)));
+}
+
+}  // namespace
+}  // namespace wythe::study
