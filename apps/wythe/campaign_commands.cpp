@@ -19,6 +19,7 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
+#include "wythe/rescue.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 #include "wythe/stored_states.h"
@@ -119,6 +120,21 @@ StudySpec asked_study(const CampaignArguments& a) {
   study.batch = stored;
   for (VariantSpec& option : study.option) option.study.batch = stored;
   return study;
+}
+
+// Of a study with options that of the folder's name.
+Rescue rescue_by_study(const StoreArguments& a) {
+  const StudySpec study = asked_study(a.by);
+  fs::path folder = fs::path(a.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // "out/base/"
+  const std::string name = folder.filename().string();
+  for (const VariantSpec& option : study.option)
+    if (option.folder == name)
+      return rescue_campaign(a.folder, a.out, option.study, model_builder(option.study));
+  if (!study.option.empty() && name != kBaseFolder)
+    refuse("--study", a.by.study, "has [[variant]], and none of its folders is called " + name,
+           "name the folder as the campaign did, e.g. out/" + std::string(kBaseFolder));
+  return rescue_campaign(a.folder, a.out, study, model_builder(study));
 }
 
 namespace {

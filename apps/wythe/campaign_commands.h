@@ -57,7 +57,11 @@ int status(const StatusArguments& arguments);
 // cluster_commands.cpp: whether stores are whole, and what can be saved of one that is not.
 struct StoreArguments {
   std::string folder, out, language = "en";
+  CampaignArguments
+      by;  // the study to go by where that of the store is damaged; by.study "": the stored one
 };
+// campaign_commands.cpp: the same with the study of a file.
+Rescue rescue_by_study(const StoreArguments& arguments);
 int check_store(const StoreArguments& arguments);
 int rescue_store(const StoreArguments& arguments);
 

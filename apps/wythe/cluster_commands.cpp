@@ -441,7 +441,7 @@ int check_store(const StoreArguments& a) {
 int rescue_store(const StoreArguments& a) {
   check_language(a.language);
   check_folder(a.out, FolderFor::kCampaign);
-  const Rescue rescue = rescue_campaign(a.folder, a.out);
+  const Rescue rescue = a.by.study.empty() ? rescue_campaign(a.folder, a.out) : rescue_by_study(a);
   for (const Rescue::Lost& lost : rescue.lost)
     fmt::print("sample {} is lost: {}\n", lost.sample, readable(lost.why));
   fmt::print("{} samples kept, {} lost; go on with wythe campaign STUDY.toml --out {} --resume\n",

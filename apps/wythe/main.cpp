@@ -161,6 +161,11 @@ void add_store(CLI::App& app, StoreArguments& a, int& code) {
       command->add_subcommand("rescue", "copy the samples that still read into a new store");
   rescue->add_option("folder", a.folder, "folder of the damaged campaign")->required();
   rescue->add_option("--out", a.out, "folder for what is saved, made if absent")->required();
+  rescue->add_option("--study", a.by.study,
+                     "the campaign's study file, where the study in the store is damaged");
+  rescue->add_option("--samples", a.by.samples, "as the campaign was given it, with --study");
+  rescue->add_option("--seed", a.by.seed, "as the campaign was given it, with --study");
+  add_overrides(rescue, a.by.overrides);
   add_language(rescue, a.language);
   rescue->footer("example: wythe store rescue out/campaign --out out/rescued");
   rescue->callback([&] { code = rescue_store(a); });

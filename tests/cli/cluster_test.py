@@ -209,6 +209,36 @@ class Stores(Base):
             shutil.rmtree(self.out())
         self.assertTrue(any(0 < n for n in kept), kept)
 
+    def test_a_damaged_study_is_taken_from_its_file(self):
+        with sqlite3.connect(self.copy()) as store:
+            store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
+        store.close()
+        saved = self.folder / "saved_by_study"
+        self.refused(wythe("store", "rescue", self.out(), "--out", saved), 4, "--study FILE", "nothing was saved")
+        self.refused(wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study, "--seed", 999), 2,
+                     "draws none of the 6 samples", "nothing was written")
+        self.assertFalse(saved.exists())
+        done = wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("6 samples kept, 0 lost", done.stdout)
+        self.assert_equals_whole(saved)
+
+    def test_status_and_check_leave_no_trace_of_a_killed_campaign(self):
+        with sqlite3.connect(self.copy(), isolation_level=None) as store:  # as a writer that ends by force leaves it
+            store.execute("PRAGMA journal_mode = WAL")
+            store.execute("PRAGMA wal_autocheckpoint = 0")
+            store.execute("UPDATE study SET value = value")
+            killed = self.folder / "left_by_force"
+            shutil.copytree(self.out(), killed)
+        store.close()
+        listed = {p.name: p.read_bytes() for p in killed.iterdir()}
+        self.assertIn("campaign.db-wal", listed)
+        for command in (["status", killed], ["store", "check", killed], ["merge", killed, "--out", self.folder / "merged_of_left"],
+                        ["replay", killed, "--sample", 1, "--out", self.folder / "replayed_of_left", "--quiet"]):
+            done = wythe(*command)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual({p.name: p.read_bytes() for p in killed.iterdir()}, listed, command)
+
     def test_what_is_no_store_is_not_rescued(self):
         self.copy().write_bytes(b"no database at all" * 1000)
         self.refused(wythe("store", "check", self.out()), 4, "store")
