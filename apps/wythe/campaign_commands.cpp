@@ -1,6 +1,6 @@
 #include "campaign_commands.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -114,7 +114,7 @@ StudySpec asked_study(const CampaignArguments& a) {
   const std::vector<int> stored = stored_batches(store);
   const int has = std::accumulate(stored.begin(), stored.end(), 0);
   const int asks = std::accumulate(study.batch.begin(), study.batch.end(), 0);
-  if (has != asks)
+  if (has != asks && !a.stored)
     fmt::print(stderr, "note: {} holds a design of {} samples, the study asks for {}{}\n", a.out,
                has, asks, asks > has ? fmt::format("; --samples {} adds the rest", asks) : "");
   study.batch = stored;
@@ -148,6 +148,58 @@ Device device_of(const std::string& word) {
                      .cure = "write cpu or gpu"}});
 }
 
+// The study that stores hold: of a shard whose study file is not there any more.
+StudySpec study_in(const std::string& folder) {
+  if (holds_campaign(folder)) return read_study_of(folder);
+  const std::string base = folder + "/" + kBaseFolder;
+  StudySpec study = read_study_of(base);
+  for (const std::string& inner : option_folders(folder)) {
+    if (fs::equivalent(inner, base)) continue;
+    VariantSpec& option = study.option.emplace_back();
+    option.study = read_study_of(inner);
+    option.name = option.study.variant;
+    option.folder = fs::path(inner).filename().string();
+  }
+  return study;
+}
+
+std::vector<std::string> variants_of(const StudySpec& study) {
+  std::vector<std::string> names;
+  for (const VariantSpec& option : study.option) names.push_back(option.name);
+  return names;
+}
+
+// The study of a shard whose stores were made beforehand: the file may not ask for anything else. What else differs
+// is refused where each store is opened.
+StudySpec stored_study(const CampaignArguments& a) {
+  if (!a.resume) refuse("--stored", "", "goes on with stores that are there", "add --resume");
+  if (!holds_campaign(a.out) && !holds_options(a.out))
+    refuse("--stored", a.out, "holds no store of a campaign",
+           "hand the array in again (wythe campaign STUDY.toml --slurm N): it makes the stores");
+  const StudySpec stored = study_in(a.out);
+  std::error_code error;
+  if (!fs::exists(a.study, error)) {
+    fmt::print(stderr, "note: {} is not there; the study that {} holds is run\n", readable(a.study),
+               readable(a.out));
+    return stored;
+  }
+  StudySpec study = asked_study(a);
+  const std::vector<std::string> was = variants_of(stored), is = variants_of(study);
+  const auto listed = [](const std::vector<std::string>& names) {
+    return names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", "));
+  };
+  if (was != is)
+    throw InputError(
+        {{.file = a.out,
+          .path = "variant",
+          .value = "",
+          .problem = fmt::format("was {} when the array was handed in, is {} now", listed(was),
+                                 listed(is)),
+          .cure = "put it back as it was, or begin another campaign in another folder (nothing "
+                  "stored was touched)"}});
+  return study;
+}
+
 int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) {
   (void)write_campaign_files(a.out, read_answers(a.out), a.language, hold_for_test);
   fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", outcome.done,
@@ -156,6 +208,8 @@ int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) 
 }
 
 }  // namespace
+
+void check_device(const std::string& word) { static_cast<void>(device_of(word)); }
 
 std::string resume_command(const CampaignArguments& a) {
   std::string line;
@@ -194,7 +248,7 @@ int campaign(const CampaignArguments& asked) {
   options.provenance = provenance_text();
   if (options.device == Device::kGpu) options.provenance += ", on the graphics processor";
   read_shard(a.shard, options);
-  const StudySpec study = asked_study(a);
+  const StudySpec study = a.stored ? stored_study(a) : asked_study(a);
   hold_for_test("model read");
   if (!study.option.empty()) return campaign_of_options(a, study, options);
   if (holds_options(a.out))
@@ -230,10 +284,12 @@ int merge(const MergeArguments& asked) {
   a.folders.clear();
   for (const std::string& folder : asked.folders) {
     const std::vector<std::string> shards = shard_folders(folder);
-    if (shards.empty())
+    if (shards.empty()) {
       a.folders.push_back(folder);
-    else
-      a.folders.insert(a.folders.end(), shards.begin(), shards.end());
+      continue;
+    }
+    a.folders.insert(a.folders.end(), shards.begin(), shards.end());
+    a.array = folder, a.tasks = static_cast<int>(shards.size());
   }
   if (!a.folders.empty() && holds_options(a.folders.front())) return merge_options(a);
   check_folder(a.out, FolderFor::kCampaign);
@@ -241,7 +297,14 @@ int merge(const MergeArguments& asked) {
   merge_campaigns(a.folders, a.out);
   const StoreProgress whole = campaign_progress(a.out);
   const int missing = whole.samples - whole.done;
-  if (missing > 0)
+  if (missing > 0 && !a.array.empty())
+    fmt::print(
+        stderr,
+        "note: the array is not complete: {} of {} samples have not run. wythe status {} "
+        "says which; wythe campaign STUDY.toml --out {} --slurm {}, as before, hands in what "
+        "is missing and joins it\n",
+        missing, whole.samples, shell_quoted(a.array), shell_quoted(a.array), a.tasks);
+  else if (missing > 0)
     fmt::print(stderr,
                "note: {} samples are in none of these shards; they can be run in {} with "
                "--resume\n",

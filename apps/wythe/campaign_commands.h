@@ -22,6 +22,8 @@ struct CampaignArguments {
   std::string samples, seed, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
+  bool stored =
+      false;  // with resume: only what the folder's stores hold, as the tasks of an array do
   std::string device = "cpu";
   std::string language = "en";       // of the report
   std::vector<std::string> command;  // as typed, to say how to go on
@@ -31,6 +33,8 @@ int campaign(const CampaignArguments& arguments);
 struct MergeArguments {
   std::vector<std::string> folders;
   std::string out, language = "en";
+  std::string array;  // that the folders are shards of, "": none; of so many tasks
+  int tasks = 0;
 };
 int merge(const MergeArguments& arguments);
 
@@ -44,17 +48,18 @@ int replay(const ReplayArguments& arguments);
 // The study with all options of the command; without --samples a resumed campaign keeps its size.
 StudySpec asked_study(const CampaignArguments& arguments);
 
-// cluster_commands.cpp: scripts for an array of Slurm; how far campaigns are.
-inline constexpr const char* kShardsFolder = "shards";
+// slurm_commands.cpp: a campaign as an array of Slurm.
 int cluster_campaign(const CampaignArguments& arguments);
+
+// store_commands.cpp: how far campaigns are, whether their stores are whole, what can be saved of one that is not.
+inline constexpr const char* kShardsFolder = "shards";
+std::string shards_of(const std::string& folder);
 // Folders of the shards that an array left in `folder`, by number.
 std::vector<std::string> shard_folders(const std::string& folder);
 struct StatusArguments {
   std::string folder;
 };
 int status(const StatusArguments& arguments);
-
-// cluster_commands.cpp: whether stores are whole, and what can be saved of one that is not.
 struct StoreArguments {
   std::string folder, out, language = "en";
   CampaignArguments
@@ -74,6 +79,7 @@ void check_inner_folder(const std::string& folder);
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure);
 std::string shell_quoted(const std::string& word);
+void check_device(const std::string& word);
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);

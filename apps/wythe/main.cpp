@@ -124,6 +124,9 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
                       "samples run at the same time (default: one a core); no change of results");
   command->add_option("--device", a.device, "cpu, or gpu in a program built with -DWYTHE_CUDA=ON");
   command->add_flag("--resume", a.resume, "continue the campaign that the folder holds");
+  command->add_flag(
+      "--stored", a.stored,
+      "with --resume: run what the folder's stores hold, no other study (tasks of an array)");
   command->add_option("--shard", a.shard, "I/N: only samples I, I + N, ...; join with wythe merge");
   command->add_option("--until", a.until,
                       "stop when precise enough, e.g. \"relative_interval(peak_reaction) < 1 %\"");
@@ -131,7 +134,8 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
                       "write scripts for a job array of N tasks, in DIR/slurm, and run nothing");
   command->add_flag("--submit", a.slurm.submit, "with --slurm: hand them to sbatch");
   command->add_option("--partition", a.slurm.partition, "with --slurm: partition of the cluster");
-  command->add_option("--time", a.slurm.time, "with --slurm: limit of a task, e.g. 12:00:00");
+  command->add_option("--time", a.slurm.time,
+                      "with --slurm: limit of a task as Slurm reads it, e.g. 12:00:00");
   command->add_option("--cores", a.slurm.cores,
                       "with --slurm: cores of a task (default: its whole node)");
   command->add_flag("--quiet", a.quiet, "no progress");

@@ -69,7 +69,7 @@ struct SampleRecord {
   std::vector<ShakeAnswer> shakes;  // in the order they ran; empty where nothing is shaken
   std::int64_t steps = 0;
   double time_step = 0;     // [s]
-  double wall_seconds = 0;  // run time on the clock; not in samples.csv, since it is no result
+  double wall_seconds = 0;  // of one core, all tries and shakes; no result: not in samples.csv
   std::string state_hash;
   std::string provenance;  // of the program that ran this sample
   [[nodiscard]] bool has_curve() const { return curve.size() > 1; }  // the first row is its start
@@ -175,7 +175,7 @@ struct SampleRun {
   Result result;  // of the last shake, where there are several
   bool retried = false;
   std::vector<ShakeAnswer> shakes;
-  double wall_seconds = 0;  // of all shakes
+  double wall_seconds = 0;  // of all tries and shakes
 };
 [[nodiscard]] SampleRun run_sample(const StudySpec& study, const SampleTable& samples, int sample,
                                    const ModelBuilder& build, const SolveOptions& options);

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 
 #include "scenes/changed_store.h"
@@ -383,6 +384,21 @@ TEST(Campaign, a_full_disk_stops_it_and_loses_nothing) {
   EXPECT_LT(kept, 6U);
   run(asked, folder / "out", {.resume = true});
   EXPECT_EQ(csv(folder / "out"), csv(folder / "undisturbed"));
+}
+
+// The time of one core: not that of a clock, which runs for the other samples of a lane and of a core too.
+TEST(Campaign, times_of_samples_add_up_to_what_the_cores_worked) {
+  const TemporaryFolder folder;
+  const std::clock_t before = std::clock();
+  run(scenes::small_study(16), folder / "out", {.jobs = 16});  // more than there are cores
+  const double worked = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  double sum = 0;
+  for (const SampleRecord& record : read_campaign(folder / "out").records) {
+    EXPECT_GT(record.wall_seconds, 0);
+    sum += record.wall_seconds;
+  }
+  EXPECT_LT(sum, 1.01 * worked);
+  EXPECT_GT(sum, 0.3 * worked);  // the rest: reading, drawing, naming of modes, the store
 }
 
 // --- one sample: retry --------------------------------------------------------------------------

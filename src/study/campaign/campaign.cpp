@@ -11,11 +11,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <numeric>
 
-#include "dynamics/executors/gpu.h"
+#include "study/campaign/plan.h"
 #include "study/campaign/sample_pool.h"
-#include "study/campaign/shakes.h"
 #include "study/store/folder_lock.h"
 #include "study/store/store.h"
 #include "wythe/error.h"
@@ -28,8 +26,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void refuse(Fault fault) { throw InputError({std::move(fault)}); }
-
-int total(const std::vector<int>& batch) { return std::accumulate(batch.begin(), batch.end(), 0); }
 
 void check_options(const StudySpec& asked, const CampaignOptions& options) {
   if (options.shards < 1 || options.shard < 1 || options.shard > options.shards)
@@ -53,101 +49,17 @@ void check_options(const StudySpec& asked, const CampaignOptions& options) {
             .cure = "run without --shard, or drop --until"});
 }
 
-// The base model has to stand by itself, and the device to be there; its drifts are those of every sample.
-StoreHead head_of(const StudySpec& asked, const ModelBuilder& build,
-                  const CampaignOptions& options) {
-  const ModelSpec base = build({});
-  const Model model = compile(base);
-  study::check_control_point(asked.shaking, model);
-  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
-    return stage.spec.kind == StageKind::kShake;
-  });
-  if (options.device == Device::kGpu && shakes)
-    throw InputError({{.file = "--device",
-                       .path = "",
-                       .value = "gpu",
-                       .problem = "does not take stages that shake the wall",
-                       .cure = "leave --device out"}});
-  if (options.device == Device::kGpu) static_cast<void>(dynamics::gpu_walls(model, 2));
-  StoreHead head;
-  head.shard = fmt::format("{}/{}", options.shard, options.shards);
-  head.provenance = options.provenance;
-  head.load_height = load_height_of(model);
-  return head;
-}
-
-// The design of a store only grows: what is asked beyond it becomes a batch of its own.
-std::vector<int> grown(const std::vector<int>& was, const std::vector<int>& asked,
-                       const std::string& store) {
-  if (total(asked) == total(was)) return was;
-  if (total(asked) < total(was))
-    refuse({.file = store,
-            .path = "samples",
-            .value = std::to_string(total(asked)),
-            .problem = fmt::format("the store holds a design of {} already, which can only grow",
-                                   total(was)),
-            .cure = fmt::format("write --samples {} or more", total(was))});
-  if (asked.size() > was.size() && std::equal(was.begin(), was.end(), asked.begin())) return asked;
-  std::vector<int> batch = was;
-  batch.push_back(total(asked) - total(was));
-  return batch;
-}
-
-void refuse_changes(Store& store, const StudySpec& was, const StudySpec& asked,
-                    const StoreHead& head) {
-  const std::string& name = store.database().name();
-  const StoreHead stored = store.head();
-  std::vector<Fault> faults = changes(was, asked, name);
-  if (stored.shard != head.shard)
-    faults.push_back({.file = name,
-                      .path = "shard",
-                      .value = "",
-                      .problem = fmt::format("was {} when the campaign began, is {} now",
-                                             stored.shard, head.shard),
-                      .cure = "give each shard a folder of its own"});
-  if (!faults.empty()) throw InputError(std::move(faults));
-}
-
-// A campaign as it is run: its study with the batches it has now, and all samples.
-struct Plan {
-  StudySpec spec;
-  SampleTable samples;
-  std::vector<Message> notes;
-};
-
-// Samples that are stored stay as they are, also where this version would draw others.
-Plan continue_store(Store& store, const StudySpec& asked, const StoreHead& head) {
-  store.check_whole();
-  const StudySpec was = store.study();
-  refuse_changes(store, was, asked, head);
-  Plan plan{asked, store.samples(), {}};
-  plan.spec.batch = grown(was.batch, asked.batch, store.database().name());
-  const SampleTable drawn = draw_samples(plan.spec);
-  const int stored = plan.samples.n_sample();
-  const auto first = drawn.value.begin(), next = first + stored;
-  if (!std::equal(first, next, plan.samples.value.begin()))
-    plan.notes.push_back({"store.other_draws"});
-  if (head.provenance != store.head().provenance)
-    plan.notes.push_back(
-        {"store.other_program", {{"began", store.head().provenance}, {"now", head.provenance}}});
-  if (drawn.n_sample() > stored) {
-    plan.samples.value.insert(plan.samples.value.end(), next, drawn.value.end());
-    set_more(plan.spec, plan.samples);
-    store.add_samples(plan.samples, stored + 1, plan.spec);
-  }
-  return plan;
-}
-
 // What all workers share; members after `mutex_` are touched under it only.
 class Runner {
  public:
-  Runner(Plan plan, Store& store, const ModelBuilder& build, const CampaignOptions& options,
-         const std::function<void(const CampaignProgress&)>& progress)
+  Runner(CampaignPlan plan, Store& store, const ModelBuilder& build, const CampaignOptions& options,
+         FolderLock& lock, const std::function<void(const CampaignProgress&)>& progress)
       : plan_(std::move(plan)),
         build_(build),
         compiler_(build({})),
         options_(options),
         progress_(progress),
+        lock_(lock),
         store_(store) {
     campaign_.study = plan_.spec;
     campaign_.samples = plan_.samples;
@@ -158,15 +70,16 @@ class Runner {
 
   CampaignOutcome run() {
     report(nullptr);
-    if (!halt_)
-      solve_samples({.samples = {plan_.spec, plan_.samples, build_, &compiler_},
-                     .left = static_cast<int>(pending_.size()),
-                     .jobs = options_.jobs,
-                     .device = options_.device,
-                     .halt = halt_,
-                     .look = [this] { heed_user(); },
-                     .take = [this] { return take(); },
-                     .keep = [this](SampleJob& job) { keep(job); }});
+    const PoolTask task{.samples = {plan_.spec, plan_.samples, build_, &compiler_},
+                        .left = static_cast<int>(pending_.size()),
+                        .jobs = options_.jobs,
+                        .device = options_.device,
+                        .halt = halt_,
+                        .look = [this] { heed_user(); },
+                        .take = [this] { return take(); },
+                        .keep = [this](SampleJob& job) { keep(job); }};
+    lock_.tell_workers(workers_of(task));
+    if (!halt_) solve_samples(task);
     CampaignOutcome outcome;
     outcome.done = done_;
     outcome.total = total_;
@@ -274,11 +187,12 @@ class Runner {
     progress_(p);
   }
 
-  const Plan plan_;
+  const CampaignPlan plan_;
   const ModelBuilder& build_;
   const Compiler compiler_;  // of the base model: samples share its assembly
   const CampaignOptions& options_;
   const std::function<void(const CampaignProgress&)>& progress_;
+  FolderLock& lock_;
   const Clock::time_point start_ = Clock::now();
   std::vector<int> pending_;
   int total_ = 0, until_from_ = 0;
@@ -309,13 +223,13 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
                    .problem = "holds a campaign already",
                    .cure = "--resume goes on with it; or name another folder"});
   const study::StoreHead head = study::head_of(asked, build, options);
-  study::Plan plan{asked, draw_samples(asked), {}};
-  const study::FolderLock lock(folder);
+  study::CampaignPlan plan{asked, draw_samples(asked), {}};
+  study::FolderLock lock(folder);
   if (!there) study::create_store(folder, asked, plan.samples, head);
   study::Store store(folder, study::Store::Access::kWrite);
   if (there) plan = study::continue_store(store, asked, head);
   for (Message& note : notes_of(asked, build({}))) plan.notes.push_back(std::move(note));
-  return study::Runner(std::move(plan), store, build, options, progress).run();
+  return study::Runner(std::move(plan), store, build, options, lock, progress).run();
 }
 
 bool holds_campaign(const std::string& folder) { return study::holds_store(folder); }

@@ -10,7 +10,8 @@
 namespace wythe {
 namespace {
 
-study::Store opened(const std::string& folder) {
+study::Store opened(const std::string& folder,
+                    study::Store::Access access = study::Store::Access::kRead) {
   const std::string base = folder + "/" + kBaseFolder;
   if (!study::holds_store(folder) && study::holds_store(base))
     throw InputError({{.file = folder,
@@ -24,7 +25,7 @@ study::Store opened(const std::string& folder) {
                        .value = "",
                        .problem = "holds no campaign (no campaign.db)",
                        .cure = "name the folder that wythe campaign --out wrote"}});
-  return {folder, study::Store::Access::kRead};
+  return {folder, access};
 }
 
 Campaign without_records(study::Store& store) {
@@ -91,7 +92,7 @@ Campaign read_answers(const std::string& folder) {
 }
 
 StoreProgress campaign_progress(const std::string& folder) {
-  study::Store store = opened(folder);
+  study::Store store = opened(folder, study::Store::Access::kRead);
   StoreProgress progress;
   const int last = study::last_counted(store);
   progress.samples = store.samples().n_sample();

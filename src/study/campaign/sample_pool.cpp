@@ -1,5 +1,7 @@
 #include "study/campaign/sample_pool.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <exception>
 #include <map>
@@ -15,6 +17,27 @@
 namespace wythe::study {
 namespace {
 
+// Seconds of its core that a thread took since it was last asked. A graphics processor's walls take the clock's
+// seconds: the thread only waits for them.
+class CoreTime {
+ public:
+  explicit CoreTime(Device device)
+      : clock_(device == Device::kGpu ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID) {
+    static_cast<void>(seconds());
+  }
+  double seconds() {
+    timespec now{};
+    ::clock_gettime(clock_, &now);
+    const double before = std::exchange(
+        now_, static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec));
+    return now_ - before;
+  }
+
+ private:
+  clockid_t clock_;
+  double now_ = 0;
+};
+
 class Pool {
  public:
   explicit Pool(const PoolTask& task) : task_(task) {}
@@ -22,9 +45,7 @@ class Pool {
   void run() {
     if (task_.left <= 0) return;
     const bool on_gpu = task_.device == Device::kGpu;
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int wanted = task_.jobs > 0 ? task_.jobs : cores;
-    const int jobs = std::min(on_gpu ? 1 : wanted, task_.left);
+    const int jobs = workers_of(task_);
     lanes_ = on_gpu ? dynamics::gpu_walls(base_model(), task_.left)
                     : std::min(dynamics::lanes_in_use(), (task_.left + jobs - 1) / jobs);
     {
@@ -60,6 +81,7 @@ class Pool {
     // a run reports a few times a second: the user's stop reaches every worker through the halt
     how.progress = [this](const Progress&) { task_.look(); };
     std::map<int, std::unique_ptr<SampleJob>> under_way;
+    CoreTime spent(task_.device);
     const bool on_gpu = task_.device == Device::kGpu;
     dynamics::LaneSolver lanes(
         lanes_, on_gpu ? dynamics::LaneSolver::Make(dynamics::gpu_stepper) : nullptr);
@@ -71,6 +93,7 @@ class Pool {
         const int sample = task_.take();
         if (sample == 0) break;
         auto job = std::make_unique<SampleJob>(task_.samples, sample);
+        job->took(spent.seconds());
         if (job->refused())
           task_.keep(*job);
         else
@@ -78,6 +101,8 @@ class Pool {
       }
       if (lanes.running() == 0) return;
       dynamics::LaneSolver::Ended ended = lanes.next();
+      const double each = spent.seconds() / static_cast<double>(under_way.size());
+      for (auto& [sample, wall] : under_way) wall->took(each);
       const auto job = under_way.find(ended.ticket);
       if (ended.result.status == SolveStatus::kInterrupted) return;
       job->second->take(std::move(ended.result));
@@ -97,6 +122,12 @@ class Pool {
 };
 
 }  // namespace
+
+int workers_of(const PoolTask& task) {
+  if (task.device == Device::kGpu) return std::min(1, task.left);
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::min(task.jobs > 0 ? task.jobs : cores, task.left);
+}
 
 void solve_samples(const PoolTask& task) { Pool(task).run(); }
 

@@ -3,7 +3,7 @@
 //   task.take() ──► lanes ──► task.keep(job), until take() gives 0 or `halt` is set
 //
 // Who asks decides which samples there are and what becomes of each (a store: campaign.cpp; memory:
-// batch.cpp). The bits of a sample depend on neither, nor on jobs, lanes or order.
+// batch.cpp). Each sample is told the time of one core that it took: its share of its pack's. The bits of a sample depend on neither, nor on jobs, lanes or order.
 #pragma once
 
 #include <atomic>
@@ -23,6 +23,9 @@ struct PoolTask {
   std::function<int()> take;             // the next sample, from 1; 0: there is none
   std::function<void(SampleJob&)> keep;  // one that has ended
 };
+
+// How many workers solve_samples() starts.
+[[nodiscard]] int workers_of(const PoolTask& task);
 
 // look(), take() and keep() are called by several workers at once. Returns when all workers have ended;
 // throws what the first failure threw. Samples that were under way at a halt are dropped.

@@ -93,7 +93,6 @@ void SampleJob::note_shake() {
 }
 
 bool SampleJob::wants_another() {
-  run_.wall_seconds += run_.result.wall_seconds;
   if (run_.result.status == SolveStatus::kUnstable && !retried_) {
     run_.spec.solve.step_fraction *= kRetryStep;
     run_.retried = retried_ = true;
@@ -129,8 +128,11 @@ SampleRun run_task(const SampleTask& task, int sample, const Solver& solver,
   SampleJob job(task, sample);
   SolveOptions how = options;
   how.read_modes_at = read_modes_at(task.spec);
-  for (bool go_on = !job.refused(); go_on; go_on = job.wants_another())
-    job.take(solver(job.model(), job.state(), how));
+  for (bool go_on = !job.refused(); go_on; go_on = job.wants_another()) {
+    Result result = solver(job.model(), job.state(), how);
+    job.took(result.wall_seconds);
+    job.take(std::move(result));
+  }
   return job.finish();
 }
 
@@ -144,13 +146,12 @@ SampleRecord record_of(const SampleRun& run, const SampleTable& samples, int sam
   record.retried = run.retried;
   record.steps = r.steps;
   record.time_step = r.time_step;
-  record.wall_seconds = r.wall_seconds;
+  record.wall_seconds = run.wall_seconds;
   record.curve = r.curve;
   if (!run.refused.empty()) return record;
   record.shakes = run.shakes;
   if (!run.shakes.empty() && !record.has_curve()) {
     sum_up(run.shakes, record);
-    record.wall_seconds = run.wall_seconds;
     record.steps = 0;
     for (const ShakeAnswer& shake : run.shakes) record.steps += shake.steps;
     return record;

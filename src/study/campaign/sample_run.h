@@ -38,6 +38,8 @@ class SampleJob {
   [[nodiscard]] const Model& model() const { return run_.model; }
   [[nodiscard]] State& state() { return state_; }
   void take(Result result) { run_.result = std::move(result); }
+  // Adds to its time: of a core, where many samples share one; on the clock, where it runs alone.
+  void took(double seconds) { run_.wall_seconds += seconds; }
   // True when there is more to run: the model now has half the step, since the result was unstable for the first
   // time, or its record another intensity.
   [[nodiscard]] bool wants_another();

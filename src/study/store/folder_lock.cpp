@@ -6,8 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 
@@ -25,10 +27,16 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "this machine";
 }
 
-std::string holder(int descriptor) {
-  std::array<char, 256> text{};
+// "process 17 on node3", then, below, "8 workers".
+std::string content(int descriptor) {
+  std::array<char, 512> text{};
   const ssize_t size = ::pread(descriptor, text.data(), text.size() - 1, 0);
-  return size > 0 ? std::string(trimmed(text.data())) : "unknown";
+  return size > 0 ? text.data() : "";
+}
+
+std::string holder(int descriptor) {
+  const std::string text = content(descriptor), line = text.substr(0, text.find('\n'));
+  return line.empty() ? "unknown" : std::string(trimmed(line));
 }
 
 // The file at `path` is still the one that was opened: its last holder may have removed it.
@@ -75,14 +83,40 @@ FolderLock::~FolderLock() {
   ::close(descriptor_);
 }
 
-std::string lock_holder(const std::string& folder) {
+void FolderLock::tell_workers(int workers) {
+  const std::string line = fmt::format("{} workers\n", workers);
+  const off_t end = ::lseek(descriptor_, 0, SEEK_END);
+  if (::pwrite(descriptor_, line.data(), line.size(), end) < 0) {
+    // a courtesy too
+  }
+}
+
+namespace {
+
+// What a lock that is held says; "": none is.
+template <class Read>
+auto of_held(const std::string& folder, const Read& read) {
   const std::string path = (std::filesystem::path(folder) / kLockName).string();
   const int opened = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (opened < 0) return "";
-  const bool is_held = ::flock(opened, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  std::string who = is_held ? holder(opened) : "";
+  decltype(read(opened)) said{};
+  if (opened < 0) return said;
+  if (::flock(opened, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) said = read(opened);
   ::close(opened);
-  return who;
+  return said;
+}
+
+}  // namespace
+
+std::string lock_holder(const std::string& folder) { return of_held(folder, holder); }
+
+int lock_workers(const std::string& folder) {
+  return of_held(folder, [](int descriptor) {
+    const std::string text = content(descriptor);
+    int workers = 0;
+    if (const std::size_t line = text.find('\n'); line != std::string::npos)
+      std::from_chars(text.data() + line + 1, text.data() + text.size(), workers);
+    return std::clamp(workers, 0, 1 << 16);
+  });
 }
 
 }  // namespace wythe::study

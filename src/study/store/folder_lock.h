@@ -13,6 +13,8 @@ class FolderLock {
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
+  // Says in the file how many workers run samples, for whoever asks how far the campaign is.
+  void tell_workers(int workers);
 
  private:
   std::string path_;
@@ -21,5 +23,7 @@ class FolderLock {
 
 // "process 17 on node3", which writes there now; "": none.
 [[nodiscard]] std::string lock_holder(const std::string& folder);
+// How many workers it said; 0: none, or nobody writes there.
+[[nodiscard]] int lock_workers(const std::string& folder);
 
 }  // namespace wythe::study

@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+"""What lies in a folder: wythe status tells who runs and what is left, wythe store checks and saves."""
+import fcntl
+import re
+import shutil
+import sqlite3
+import unittest
+
+from campaign_test import Base
+from cli_test import Held, wythe
+
+
+def tree(folder):
+    """Every file below a folder with its bytes, but SQLite's scratch file of shared memory."""
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*"))
+            if p.is_file() and not p.name.endswith("-shm")}
+
+
+def hold_lock(test, folder, words):
+    """Holds the lock of a store as a process would that runs it, until the test ends."""
+    file = (folder / "campaign.lock").open("w")
+    test.addCleanup(file.close)
+    file.write(words)
+    file.flush()
+    fcntl.flock(file, fcntl.LOCK_EX)
+    return file
+
+
+class Status(Base):
+    """wythe status, with stores that are made up: who runs, what is left."""
+
+    def setUp(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--slurm", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def fill(self, shard, done, seconds, failed=0):
+        """So many samples of a shard, of so many seconds each; the last ones without an answer."""
+        samples = [s for s in range(shard, 7, 3)][:done]
+        with sqlite3.connect(self.out() / f"shards/{shard}/campaign.db") as store:
+            columns = [c[1] for c in store.execute("PRAGMA table_info(sample)")]
+            for k, sample in enumerate(samples):
+                values = {"sample": sample, "wall_seconds": seconds,
+                          "status": "unstable" if k >= done - failed else "completed"}
+                known = [c for c in columns if c in values]
+                store.execute(f"INSERT INTO sample ({', '.join(known)}) VALUES ({', '.join('?' * len(known))})",
+                              [values[c] for c in known])
+        store.close()
+
+    def locked(self, shard, words="process 17 on node9\n4 workers\n"):
+        return hold_lock(self, self.out() / f"shards/{shard}", words)
+
+    def said(self):
+        before = tree(self.out())
+        done = wythe("status", self.out())
+        self.assertEqual(tree(self.out()), before)
+        return done
+
+    def test_lines_and_sum(self):
+        self.fill(1, 2, 600, failed=1)
+        self.fill(2, 1, 1200)
+        self.locked(2)
+        done = self.said()
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(done.stdout.splitlines(), [
+            "shard 1: 2 of 2 samples, 1 without an answer",
+            "shard 2: 1 of 2 samples, process 17 on node9 writes with 4 workers; about 5 min left",
+            "shard 3: 0 of 2 samples, not begun; about 27 min of one core left",
+            "all: 3 of 6 samples, 1 without an answer, 1 running, 1 not running; about 10 min left with the workers that run"])
+
+    def test_sum_when_nobody_runs(self):
+        self.fill(1, 1, 600)
+        self.assertEqual(self.said().stdout.splitlines()[-1],
+                         "all: 1 of 6 samples, 3 not running; about 50 min of one core left")
+
+    def test_end_is_no_earlier_than_that_of_the_slowest_shard(self):
+        self.fill(1, 1, 60)
+        self.fill(2, 1, 36000)
+        self.locked(1, "process 1 on a\n8 workers\n")
+        self.locked(2, "process 2 on b\n1 workers\n")
+        said = self.said().stdout
+        self.assertIn("shard 2: 1 of 2 samples, process 2 on b writes with 1 worker; about 10 h left", said)
+        self.assertIn("about 10 h left with the workers that run", said)
+
+    def test_lock_of_another_program_or_version_tells_no_workers(self):
+        self.fill(1, 1, 600)
+        for text in ("process 1 on a\n", "process 1 on a\nmany workers\n", "", "process 1 on a\n-5 workers\n"):
+            file = self.locked(1, text)
+            self.assertIn("writes; about 10 min of one core left", self.said().stdout)
+            file.close()
+
+    def test_finished_array(self):
+        for shard in (1, 2, 3):
+            self.fill(shard, 2, 60)
+        done = self.said()
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "all: 6 of 6 samples"))
+
+    def test_journal_of_a_killed_task_is_left_as_it_is(self):
+        held = Held("sample 1", "campaign", self.study, "--out", self.out() / "shards/1", "--shard", "1/3", "--resume",
+                    "--stored", "--jobs", "1", "--quiet")
+        running = self.said().stdout
+        self.assertRegex(running, r"shard 1: 1 of 2 samples, process \d+ on \S+ writes with 1 worker; about ")
+        held.kill()
+        self.assertTrue((self.out() / "shards/1/campaign.db-wal").exists())
+        self.assertIn("shard 1: 1 of 2 samples, not running", self.said().stdout)
+        self.assertEqual(self.resume(self.out() / "shards/1", "--shard", "1/3").returncode, 0)
+
+
+class Stores(Base):
+    """wythe store: whole ones, damaged ones, and what is saved of them."""
+
+    def spoil(self, place, length=16):
+        store = self.copy()
+        data = bytearray(store.read_bytes())
+        data[place:place + length] = bytes(b ^ 0xFF for b in data[place:place + length])
+        store.write_bytes(data)
+
+    def test_whole_store_is_whole(self):
+        done = wythe("store", "check", self.whole)
+        self.assertEqual((done.returncode, done.stdout), (0, f"{self.whole}: whole\n"))
+
+    def test_damaged_states_and_curves_are_found_and_the_other_samples_saved(self):
+        with sqlite3.connect(self.copy()) as store:
+            store.execute("UPDATE curve SET data = substr(data, 1, 20) || zeroblob(8) || substr(data, 29) "
+                          "WHERE sample = 2")
+            store.execute("UPDATE state SET data = substr(data, 1, length(data) - 5) || zeroblob(5) WHERE sample = 4")
+        store.close()
+        self.refused(wythe("store", "check", self.out()), 4, "sample 2", "store rescue")
+        saved = self.folder / "saved"
+        done = wythe("store", "rescue", self.out(), "--out", saved)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("4 samples kept, 2 lost", done.stdout)
+        self.assertRegex(done.stdout, r"sample 2 is lost: .*curve")
+        self.assertRegex(done.stdout, r"sample 4 is lost: .*state")
+        self.assertEqual(wythe("store", "check", saved).returncode, 0)
+        self.assertEqual(self.resume(saved).returncode, 0)
+        self.assert_equals_whole(saved)
+
+    def test_damaged_pages_cost_the_samples_on_them_alone(self):
+        size = (self.whole / "campaign.db").stat().st_size
+        kept = []
+        for k in range(1, 8):
+            self.spoil(size * k // 8, 512)
+            code = wythe("store", "check", self.out()).returncode
+            saved = self.folder / f"saved_{k}"
+            done = wythe("store", "rescue", self.out(), "--out", saved)
+            self.assertIn(done.returncode, (0, 4), done.stderr)
+            for raw in ("terminate", "what()", "std::"):
+                self.assertNotIn(raw, done.stdout + done.stderr)
+            if done.returncode == 0:
+                self.assertEqual(wythe("store", "check", saved).returncode, 0)
+                kept.append(int(re.search(r"(\d+) samples kept", done.stdout).group(1)))
+                if code == 0:
+                    self.assertEqual(kept[-1], 6)
+            shutil.rmtree(self.out())
+        self.assertTrue(any(0 < n for n in kept), kept)
+
+    def test_a_damaged_study_is_taken_from_its_file(self):
+        with sqlite3.connect(self.copy()) as store:
+            store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
+        store.close()
+        saved = self.folder / "saved_by_study"
+        self.refused(wythe("store", "rescue", self.out(), "--out", saved), 4, "--study FILE", "nothing was saved")
+        self.refused(wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study, "--seed", 999), 2,
+                     "draws none of the 6 samples", "nothing was written")
+        self.assertFalse(saved.exists())
+        done = wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("6 samples kept, 0 lost", done.stdout)
+        self.assert_equals_whole(saved)
+
+    def test_status_and_check_leave_no_trace_of_a_killed_campaign(self):
+        with sqlite3.connect(self.copy(), isolation_level=None) as store:  # as a writer that ends by force leaves it
+            store.execute("PRAGMA journal_mode = WAL")
+            store.execute("PRAGMA wal_autocheckpoint = 0")
+            store.execute("UPDATE study SET value = value")
+            killed = self.folder / "left_by_force"
+            shutil.copytree(self.out(), killed)
+        store.close()
+        listed = {p.name: p.read_bytes() for p in killed.iterdir()}
+        self.assertIn("campaign.db-wal", listed)
+        for command in (["status", killed], ["store", "check", killed], ["merge", killed, "--out", self.folder / "merged_of_left"],
+                        ["replay", killed, "--sample", 1, "--out", self.folder / "replayed_of_left", "--quiet"]):
+            done = wythe(*command)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual({p.name: p.read_bytes() for p in killed.iterdir()}, listed, command)
+
+    def test_what_is_no_store_is_not_rescued(self):
+        self.copy().write_bytes(b"no database at all" * 1000)
+        self.refused(wythe("store", "check", self.out()), 4, "store")
+        self.refused(wythe("store", "rescue", self.out(), "--out", self.folder / "none"), 4, "campaign.db")
+        self.assertFalse((self.folder / "none").exists())
+        self.refused(wythe("store", "rescue", self.whole, "--out", self.whole), 2, "holds a campaign already")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
