@@ -10,7 +10,14 @@ namespace {
 
 char* hidden_home = nullptr;  // the entry HOME=..., whose first letter is another
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define WYTHE_IS_SANITIZED
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define WYTHE_IS_SANITIZED
+#endif
+#ifndef WYTHE_IS_SANITIZED
 
 bool begins_with(const char* entry, const char* name) {
   for (; *name != '\0'; ++name, ++entry)

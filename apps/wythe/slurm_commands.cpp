@@ -10,7 +10,9 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -270,6 +272,9 @@ void hand_in(const std::string& script) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  constexpr int kJoinAlone = 3;  // of submit_script
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kJoinAlone)
+    throw IoError(script + ": Slurm took the array, but not the join; what to do stands above");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw IoError(script +
                   ": Slurm did not take the jobs (its words stand above); the scripts are written, "

@@ -203,7 +203,12 @@ std::string submit_script(const SlurmJob& job) {
            "array=$(sbatch --parsable array.sh)\n"
            "array=${array%%;*}\n"
            "echo \"array job $array\"\n"
-           "sbatch --dependency=afterany:\"$array\" merge.sh \"$array\"\n";
+           "if ! sbatch --dependency=afterany:\"$array\" merge.sh \"$array\"; then\n"
+           "  echo \"array job $array is in the queue, the join of its shards is not: hand that in "
+           "by\" >&2\n"
+           "  echo \"  cd '$PWD' && sbatch --dependency=afterany:$array merge.sh $array\" >&2\n"
+           "  exit 3\n"
+           "fi\n";
   if (!job.running.empty())
     return text + "echo \"nothing to hand in: what is left runs already\"\n";
   return text + "sbatch merge.sh\n";

@@ -28,8 +28,10 @@ std::vector<std::string> shard_folders(const std::string& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(shards_of(folder), error)) {
     const std::string name = entry.path().filename().string(),
                       path = shards_of(folder) + "/" + name;
+    const int number = std::atoi(name.c_str());
+    if (number < 1 || name != std::to_string(number)) continue;  // "1.bak", a copy by hand
     if (!holds_campaign(path) && !holds_options(path)) continue;
-    found.emplace_back(std::atoi(name.c_str()), path);
+    found.emplace_back(number, path);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> folders;
@@ -63,7 +65,8 @@ class Overview {
  private:
   void collect(const std::string& folder, const std::string& name, int depth) {
     const std::vector<std::string> shards = shard_folders(folder);
-    if (!shards.empty()) {  // what is joined already is in them
+    if (!shards.empty()) {  // what is joined already is in them: it counts once, and is checked too
+      if (!counts_) add_joined(folder, name.empty() ? "joined" : name + ", joined");
       add_shards(shards, name.empty() ? "" : name + ", ", depth);
     } else if (holds_campaign(folder)) {
       lines_.push_back({name, folder, counts_ ? campaign_progress(folder) : StoreProgress{},
@@ -77,6 +80,11 @@ class Overview {
       for (const std::string& one : inner)
         collect(folder + "/" + one, name.empty() ? one : name + ", " + one, depth + 1);
     }
+  }
+  void add_joined(const std::string& folder, const std::string& name) {
+    if (holds_campaign(folder)) lines_.push_back({name, folder, {}});
+    if (holds_options(folder))
+      for (const std::string& option : option_folders(folder)) lines_.push_back({name, option, {}});
   }
   // Those that are not there too, of shards by hand: each store knows how many there are.
   void add_shards(const std::vector<std::string>& shards, const std::string& name, int depth) {
@@ -221,6 +229,14 @@ int check_store(const StoreArguments& a) {
 int rescue_store(const StoreArguments& a) {
   check_language(a.language);
   check_folder(a.out, FolderFor::kCampaign);
+  const std::pair<const char*, const std::string*> with_study[] = {{"--samples", &a.by.samples},
+                                                                   {"--seed", &a.by.seed}};
+  for (const auto& [option, value] : with_study)
+    if (a.by.study.empty() && !value->empty())
+      refuse(option, *value, "is for a study that comes from its file", "give --study FILE too");
+  if (a.by.study.empty() && !a.by.overrides.empty())
+    refuse("--set", a.by.overrides.front(), "is for a study that comes from its file",
+           "give --study FILE too");
   const Rescue rescue = a.by.study.empty() ? rescue_campaign(a.folder, a.out) : rescue_by_study(a);
   for (const Rescue::Lost& lost : rescue.lost)
     fmt::print("sample {} is lost: {}\n", lost.sample, readable(lost.why));

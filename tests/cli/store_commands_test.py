@@ -168,6 +168,49 @@ class Stores(Base):
         self.assertIn("6 samples kept, 0 lost", done.stdout)
         self.assert_equals_whole(saved)
 
+    def test_a_study_of_another_wall_is_refused(self):
+        other = self.folder / "other_wall"
+        other.mkdir()
+        for path in self.study.parent.glob("*.*"):
+            if path.is_file() and path.suffix in (".toml", ".json"):
+                text = path.read_text()
+                (other / path.name).write_text(text.replace('density = "2000 kg/m^3"', 'density = "2600 kg/m^3"'))
+        saved = self.folder / "saved_by_other"
+        command = ["store", "rescue", self.out(), "--out", saved, "--study", other / self.study.name]
+        self.copy()
+        self.refused(wythe(*command), 2, "density", "did not stand in the model")  # the stored study says what it is
+        with sqlite3.connect(self.out() / "campaign.db") as store:
+            store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
+        store.close()
+        self.refused(wythe(*command), 2, "ends in another state", "of another wall", "nothing was saved")
+        self.assertFalse(saved.exists())
+
+    def test_check_reads_the_joined_store_of_an_array_too(self):
+        array = self.folder / "array"
+        for shard in (1, 2):
+            done = wythe("campaign", self.study, "--shard", f"{shard}/2", "--out", array / "shards" / str(shard), "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(wythe("merge", array, "--out", array).returncode, 0)
+        shutil.copytree(array / "shards/1", array / "shards/1.bak")
+        self.assertNotIn("1.bak", wythe("status", array).stdout)
+        self.assertEqual(wythe("store", "check", array).returncode, 0)
+        with sqlite3.connect(array / "campaign.db") as store:
+            store.execute("UPDATE sample SET peak_reaction_N = peak_reaction_N * 2 WHERE sample = 2")
+        store.close()
+        self.refused(wythe("store", "check", array), 4, "sample 2")
+
+    def test_inputs_that_are_no_numbers_cost_their_sample_at_most(self):
+        with sqlite3.connect(self.copy()) as store:
+            store.execute("UPDATE sample_input SET value = 'x' WHERE sample = 2 AND position = 0")
+        store.close()
+        saved = self.folder / "saved_without_one"
+        for more, kept in (([], "6 samples kept, 0 lost"), (["--study", self.study], "5 samples kept, 1 lost")):  # the first draws it anew
+            shutil.rmtree(saved, ignore_errors=True)
+            done = wythe("store", "rescue", self.out(), "--out", saved, *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(kept, done.stdout)
+        self.refused(wythe("store", "rescue", self.out(), "--out", saved, "--seed", 7), 2, "--seed", "--study FILE")
+
     def test_status_and_check_leave_no_trace_of_a_killed_campaign(self):
         with sqlite3.connect(self.copy(), isolation_level=None) as store:  # as a writer that ends by force leaves it
             store.execute("PRAGMA journal_mode = WAL")

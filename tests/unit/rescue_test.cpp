@@ -110,6 +110,8 @@ TEST_F(RescueStore, what_is_damaged_beside_the_study_is_lost_by_name) {
 TEST_F(RescueStore, another_study_is_refused_before_anything_is_written) {
   StudySpec other = study();
   other.seed = 8;
+  EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(other); }), "seed: was 7"));
+  change("UPDATE study SET value = 'x' WHERE key = 'digest'");  // what is stored proves nothing now
   const std::string said = refusal<InputError>([&] { (void)by(other); });
   EXPECT_TRUE(has(said, "draws none of the 3 samples") && has(said, "of sample 1, its input ft is"))
       << said;
@@ -125,14 +127,17 @@ TEST_F(RescueStore, of_a_design_that_grew_all_batches_are_saved) {
   EXPECT_EQ(read_campaign(saved_).study.batch, (std::vector<int>{3, 2}));
 }
 
-// A rescue that was killed has saved some samples; one started again goes on with them.
+// A rescue that was killed has saved some samples; one started again goes on with them. Not one of another store, nor
+// with another study.
 TEST_F(RescueStore, a_killed_rescue_goes_on) {
   EXPECT_EQ(rescue_campaign(out_, saved_).kept, 3);
-  EXPECT_TRUE(has(refusal<InputError>([&] { (void)rescue_campaign(out_, saved_); }),
+  EXPECT_EQ(rescue_campaign(out_, saved_).kept, 3);
+  fs::copy(out_, out_ + "_other", fs::copy_options::recursive);
+  EXPECT_TRUE(has(refusal<InputError>([&] { (void)rescue_campaign(out_ + "_other", saved_); }),
                   "holds a campaign already"));
+  fs::remove_all(out_ + "_other");
   {
     Store store(saved_, Store::Access::kWrite);
-    store.set_value("rescued_from", fs::absolute(out_).lexically_normal().string());
     for (const std::string& table : result_tables())
       store.database().execute("DELETE FROM " + table + " WHERE sample > 1");
   }

@@ -90,7 +90,7 @@ CampaignPlan continue_store(Store& store, const StudySpec& asked, const StoreHea
   const SampleTable drawn = draw_samples(plan.spec);
   const int stored = plan.samples.n_sample();
   const auto first = drawn.value.begin(), next = first + stored;
-  if (!std::equal(first, next, plan.samples.value.begin()))
+  if (!std::equal(first, next, plan.samples.value.begin(), same_inputs))
     plan.notes.push_back({"store.other_draws"});
   if (head.provenance != store.head().provenance)
     plan.notes.push_back(

@@ -88,11 +88,13 @@ bool is_there(const std::string& file) {
 
 // How a store is read without a trace: nothing beside it is made, recovered or removed.
 //   no -wal        as it lies there
-//   -wal and -shm  with the locks of who writes; of one that was killed the index is made in memory
+//   -wal and -shm  with the locks of who writes; of one that was killed the index is made in memory. Where SQLite
+//                  can't (SQLITE_PROTOCOL: nothing but the head of the journal was written), as without -shm
 //   -wal alone     nobody has it open: without locks, the index in memory
-std::string way_to_read(const std::string& file) {
+std::string way_to_read(const std::string& file, bool index_is_good = true) {
   if (!is_there(file + "-wal") && !is_there(file + "-shm")) return "?immutable=1";
-  if (is_there(file + "-shm")) return std::string("?mode=ro&readonly_shm=1&vfs=") + read_only_vfs();
+  if (is_there(file + "-shm") && index_is_good)
+    return std::string("?mode=ro&readonly_shm=1&vfs=") + read_only_vfs();
   return std::string("?mode=ro&vfs=") + read_only_vfs_without_locks();
 }
 
@@ -309,6 +311,7 @@ int Database::open(const std::string& how, int flags) {
 void Database::open_to_read() {
   constexpr int kTries = 50, kJournalTries = 10;
   constexpr std::chrono::milliseconds kPause(20);
+  bool index_is_good = true;
   for (int tries = 1;; ++tries) {
     if (has_rollback_journal(name_)) {
       if (tries >= kJournalTries)
@@ -321,7 +324,7 @@ void Database::open_to_read() {
       continue;
     }
     written_ = last_written();
-    const std::string way = way_to_read(name_);
+    const std::string way = way_to_read(name_, index_is_good);
     lies_still_ = way == "?immutable=1";
     int code = open(way, SQLITE_OPEN_READONLY);
     if (code == SQLITE_OK && way.ends_with(read_only_vfs_without_locks()))
@@ -332,10 +335,12 @@ void Database::open_to_read() {
           sqlite3_exec(handle_.get(), "PRAGMA query_only = 1; SELECT count(*) FROM sqlite_schema",
                        nullptr, nullptr, nullptr);
     const bool is_as_it_was =
-        way == way_to_read(name_) && (!lies_still_ || written_ == last_written());
+        way == way_to_read(name_, index_is_good) && (!lies_still_ || written_ == last_written());
     const int kind = code & 0xff;
     if (code == SQLITE_OK && is_as_it_was) return;
-    const bool may_pass = !is_as_it_was || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY;
+    const bool may_pass = !is_as_it_was || kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY ||
+                          (kind == SQLITE_PROTOCOL && index_is_good);
+    if (kind == SQLITE_PROTOCOL) index_is_good = false;
     if (code != SQLITE_OK && (!may_pass || tries == kTries || !std::filesystem::exists(name_)))
       refuse(code);
     if (tries == kTries) return;
@@ -400,6 +405,52 @@ Transaction::~Transaction() {
 void Transaction::commit() {
   database_.execute("COMMIT");
   open_ = false;
+}
+
+NewDatabase::NewDatabase(const std::filesystem::path& file)
+    : name_(file.string()), fresh_(name_ + ".new") {
+  check_output(name_);
+  remove_leftovers();
+  database_.emplace(fresh_, Database::Access::kWrite);
+}
+
+NewDatabase::~NewDatabase() {
+  if (!database_) return;
+  database_.reset();
+  remove_leftovers();
+}
+
+void NewDatabase::remove_leftovers() const {
+  std::error_code error;
+  for (const char* of_sqlite : {"", "-wal", "-shm", "-journal"})
+    std::filesystem::remove(fresh_ + of_sqlite, error);
+}
+
+void NewDatabase::refuse(const std::string& reason) const {
+  throw DiskError(
+      name_, reason,
+      fmt::format("{}: cannot be made, the disk refused (full, over quota, or gone: {}); nothing "
+                  "was stored, start again when it is mended",
+                  name_, reason));
+}
+
+void NewDatabase::put_in_place() {
+  database_.reset();  // what is in the journal goes into the file, and reaches the disk
+  const auto refuse_with = [&](const std::string& reason) {
+    remove_leftovers();
+    refuse(reason);
+  };
+  if (is_there(fresh_ + "-wal")) refuse_with("its journal could not be closed");
+  std::error_code error;
+  for (const char* of_sqlite : {"-wal", "-shm", "-journal"})  // of a file that is no more
+    std::filesystem::remove(name_ + of_sqlite, error);
+  if (::rename(fresh_.c_str(), name_.c_str()) != 0) refuse_with(std::strerror(errno));
+  const std::string folder = std::filesystem::path(name_).parent_path().string();
+  const int opened =
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  ::fsync(opened);  // its new name; some file systems know no such thing
+  ::close(opened);
 }
 
 }  // namespace wythe::study

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -154,6 +155,27 @@ class Transaction {
  private:
   Database& database_;
   bool open_ = true;
+};
+
+// A database that is made beside its place, FILE.new, and put there when it is whole: who is stopped before leaves none.
+class NewDatabase {
+ public:
+  // Throws as a Database that is opened to write.
+  explicit NewDatabase(const std::filesystem::path& file);
+  ~NewDatabase();
+  NewDatabase(const NewDatabase&) = delete;
+  NewDatabase& operator=(const NewDatabase&) = delete;
+  [[nodiscard]] Database& database() { return *database_; }
+  // Once, at the end. Throws DiskError.
+  void put_in_place();
+  // DiskError of the file in its place.
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+ private:
+  void remove_leftovers() const;
+
+  std::string name_, fresh_;
+  std::optional<Database> database_;
 };
 
 }  // namespace wythe::study

@@ -121,7 +121,7 @@ class Comparison {
     const std::size_t shared = std::min(store.samples.value.size(), samples_.value.size());
     if (!std::equal(store.samples.value.begin(),
                     store.samples.value.begin() + static_cast<std::ptrdiff_t>(shared),
-                    samples_.value.begin()))
+                    samples_.value.begin(), same_inputs))
       faults_.push_back({.file = store.folder,
                          .path = "samples",
                          .value = "",

@@ -6,13 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "core/hash.h"
 #include "study/store/folder_lock.h"
 #include "study/store/packing.h"
 #include "study/store/store.h"
 #include "study/store/store_schema.h"
+#include "study/store/study_rows.h"
 #include "wythe/error.h"
 #include "wythe/rescue.h"
 
@@ -30,9 +34,6 @@ void check_older_states(Database& database) {
                  fmt::format("{}: state {} of sample {}", database.name(), label, sample));
   }
 }
-
-// Where a rescue began, until it is through: it can be started again then.
-constexpr const char* kRescued = "rescued_from";
 
 // Samples one by one, from a store that is damaged somewhere into one that is not. What the source refuses is lost with
 // its sample; what the target's disk refuses ends the rescue.
@@ -78,8 +79,15 @@ class Copier {
 
 // What each sample drew: as it is stored where its checksum holds, else as the study draws it.
 SampleTable trusted_inputs(Store& source) {
-  SampleTable table = source.samples(Store::Inputs::kAnyhow);
-  if (source.inputs_are_whole()) return table;
+  SampleTable table;
+  try {
+    table = source.samples(Store::Inputs::kAnyhow);
+    if (source.inputs_are_whole()) return table;
+  } catch (const DiskError&) {
+    throw;
+  } catch (const IoError&) {  // a value is no number, a row is missing
+    return draw_samples(source.study());
+  }
   const SampleTable drawn = draw_samples(source.study());
   const std::set<int> stored = source.done();
   for (int sample = 1; sample <= std::min(table.n_sample(), drawn.n_sample()); ++sample) {
@@ -97,6 +105,25 @@ struct Beginning {
   std::map<int, std::string> unfit;
 };
 
+bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+// Whether a rescue goes on in `out` with what an earlier one saved there; else it begins.
+bool goes_on(const std::string& out, const Beginning& begin) {
+  if (!holds_store(out)) return false;
+  const auto refuse = [&](const char* problem, const char* cure) {
+    throw InputError({{.file = out, .path = "", .value = "", .problem = problem, .cure = cure}});
+  };
+  Store store(out, Store::Access::kRead);
+  if (store.value(kRescuedFrom) != begin.head.rescued_from)
+    refuse("holds a campaign already", "name another folder for what is rescued");
+  const std::vector<std::vector<double>> there = store.samples().value;
+  if (!std::equal(there.begin(), there.end(), begin.samples.value.begin(),
+                  begin.samples.value.end(), same_inputs))
+    refuse("holds a rescue with other inputs of the samples",
+           "give the study that it was begun with, or name another folder");
+  return true;
+}
+
 Store source_of(const std::string& folder) {
   if (!holds_store(folder)) throw IoError(folder + ": holds no campaign (no campaign.db)");
   if (!Store(folder, Store::Access::kRead).is_current())
@@ -105,51 +132,76 @@ Store source_of(const std::string& folder) {
   return {folder, Store::Access::kRead};
 }
 
-std::vector<int> numbers_of_samples(Database& database) {
+// Where the table does not read as a whole: all that may be in it.
+std::vector<int> numbers_of_samples(Database& database, int drawn) {
   std::vector<int> numbers;
-  Statement select(database, "SELECT sample FROM sample ORDER BY sample");
-  while (select.step())  // a damaged number is that of no sample
-    if (const std::int64_t sample = select.integer();
-        sample >= 1 && sample <= std::numeric_limits<int>::max())
-      numbers.push_back(static_cast<int>(sample));
+  try {
+    Statement select(database, "SELECT sample FROM sample ORDER BY sample");
+    while (select.step())  // a damaged number is that of no sample
+      if (const std::int64_t sample = select.integer();
+          sample >= 1 && sample <= std::numeric_limits<int>::max())
+        numbers.push_back(static_cast<int>(sample));
+  } catch (const DiskError&) {
+    throw;
+  } catch (const IoError&) {
+    numbers.resize(static_cast<std::size_t>(drawn));
+    std::iota(numbers.begin(), numbers.end(), 1);
+  }
   return numbers;
 }
 
-// Of each stored sample whose inputs are not, bit for bit, what was drawn: the first that is not.
+// Why a sample's stored inputs are not what was drawn, bit for bit; "" where they are.
+std::string other_inputs(Statement& select, int sample, const SampleTable& drawn) {
+  const std::vector<double>& due = drawn.value[static_cast<std::size_t>(sample - 1)];
+  std::size_t at = 0;
+  select.reset();
+  select.bind(sample);
+  while (select.step()) {
+    static_cast<void>(select.integer());
+    const bool is_next = select.integer() == static_cast<std::int64_t>(at);
+    const double value = select.number();
+    if (at >= due.size())
+      return fmt::format("the store has more than the {} inputs of the study", due.size());
+    if (!is_next || !is_same(value, due[at]))
+      return fmt::format("its input {} is {} in the store, the study draws {}",
+                         drawn.column[at].name, value, due[at]);
+    ++at;
+  }
+  return at < due.size() ? "its input " + drawn.column[at].name + " is missing in the store" : "";
+}
+
 std::map<int, std::string> not_drawn(Database& database, const SampleTable& drawn) {
   std::map<int, std::string> unfit;
   Statement select(
       database,
       "SELECT sample, position, value FROM sample_input WHERE sample = ? ORDER BY position");
-  for (const int sample : numbers_of_samples(database)) {
+  for (const int sample : numbers_of_samples(database, drawn.n_sample())) {
     if (sample > drawn.n_sample()) {
       unfit[sample] = fmt::format("the study draws {} samples", drawn.n_sample());
       continue;
     }
-    const std::vector<double>& due = drawn.value[static_cast<std::size_t>(sample - 1)];
-    std::size_t at = 0;
-    select.bind(sample);
-    while (select.step()) {
-      static_cast<void>(select.integer());
-      const bool is_next = select.integer() == static_cast<std::int64_t>(at);
-      const double value = select.number();
-      if (is_next && at < due.size() &&
-          (value == due[at] || (std::isnan(value) && std::isnan(due[at])))) {
-        ++at;
-        continue;
-      }
-      unfit.emplace(sample, at < due.size()
-                                ? fmt::format("its input {} is {} in the store, the study draws {}",
-                                              drawn.column[at].name, value, due[at])
-                                : fmt::format("the store has more than the {} inputs of the study",
-                                              due.size()));
-      break;
+    try {
+      if (const std::string why = other_inputs(select, sample, drawn); !why.empty())
+        unfit[sample] = why;
+    } catch (const DiskError&) {
+      throw;
+    } catch (const IoError& error) {
+      unfit[sample] = error.what();
     }
-    select.reset();
-    if (at < due.size())
-      unfit.emplace(sample, "its input " + drawn.column[at].name + " is missing in the store");
   }
   return unfit;
+}
+
+// Where the stored study is whole, it says what the study is.
+void refuse_another_study(Store& source, const StudySpec& spec) {
+  std::optional<StudySpec> stored;
+  try {
+    stored = source.study();
+  } catch (const StudyDamage&) {
+    return;
+  }
+  std::vector<Fault> faults = changes(*stored, spec, source.database().name());
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 // The sizes of the designs: as stored, where they can be read and what they draw fits no worse.
@@ -172,7 +224,7 @@ Beginning by_study(Store& source, StudySpec spec, const ModelBuilder& build) {
   } catch (const IoError&) {  // that row is damaged too
   } catch (const InputError&) {
   }
-  const std::size_t stored = numbers_of_samples(source.database()).size();
+  const std::size_t stored = numbers_of_samples(source.database(), best.samples.n_sample()).size();
   if (stored > 0 && best.unfit.size() == stored)
     throw InputError(
         {{.file = spec.file,
@@ -190,23 +242,18 @@ Beginning by_study(Store& source, StudySpec spec, const ModelBuilder& build) {
   return best;
 }
 
-// Goes on with what an earlier one, that was ended by force or by the disk, has saved.
-Rescue rescued(Store& source, const std::string& folder, const std::string& out,
-               const Beginning& begin) {
-  const std::string name = std::filesystem::absolute(folder).lexically_normal().string();
-  const bool there = holds_store(out);
-  if (there && Store(out, Store::Access::kRead).value(kRescued) != name)
-    throw InputError({{.file = out,
-                       .path = "",
-                       .value = "",
-                       .problem = "holds a campaign already",
-                       .cure = "name another folder for what is rescued"}});
+// Goes on with what an earlier one has saved: it was ended by force or by the disk, or its files were not written.
+Rescue rescued(Store& source, const std::string& folder, const std::string& out, Beginning begin) {
+  Hash place;
+  place.add(std::filesystem::absolute(folder).lexically_normal().string());
+  begin.head.rescued_from = place.text();
+  static_cast<void>(goes_on(out, begin));  // refuses before the folder is made
   const FolderLock lock(out);
+  const bool there = goes_on(out, begin);  // now nobody else begins
   Rescue rescue;
   try {
     if (!there) create_store(out, begin.spec, begin.samples, begin.head);
     Store store(out, Store::Access::kWrite);
-    if (!there) store.set_value(kRescued, name);
     const std::set<int> saved = store.done();
     Copier copier(source, store, begin.samples);
     for (int sample = 1; sample <= begin.samples.n_sample(); ++sample) {
@@ -225,7 +272,6 @@ Rescue rescued(Store& source, const std::string& folder, const std::string& out,
     }
     for (const auto& [sample, why] : begin.unfit)
       if (sample > begin.samples.n_sample()) rescue.lost.push_back({sample, why});
-    store.set_value(kRescued, "");
   } catch (const DiskError& error) {
     if (error.file() != store_path(out).string()) throw;
     throw IoError(
@@ -274,6 +320,7 @@ Rescue rescue_campaign(const std::string& folder, const std::string& out) {
 Rescue rescue_campaign(const std::string& folder, const std::string& out, const StudySpec& study,
                        const ModelBuilder& build) {
   study::Store source = study::source_of(folder);
+  study::refuse_another_study(source, study);
   return study::rescued(source, folder, out, study::by_study(source, study, build));
 }
 

@@ -14,6 +14,7 @@
 #include "core/messages.h"
 #include "dynamics/meters/balance.h"
 #include "model/size.h"
+#include "study/draws/study_check.h"
 #include "study/store/packing.h"
 #include "study/store/record_rows.h"
 #include "study/store/store_schema.h"
@@ -286,12 +287,10 @@ void Store::show_as_present() {
   database_.execute("PRAGMA query_only = 1");
 }
 
-void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
-                  const StoreHead& head) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(folder + ": cannot be made: " + error.message());
-  Database database(store_path(folder), Database::Access::kWrite);
+namespace {
+
+void fill_store(Database& database, const StudySpec& spec, const SampleTable& samples,
+                const StoreHead& head) {
   database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
   Transaction transaction(database);
   database.execute(schema_sql());
@@ -303,6 +302,7 @@ void create_store(const std::string& folder, const StudySpec& spec, const Sample
                              {"load_height_m", fmt::format("{}", head.load_height)},
                              {"until_met_at", ""},
                              {kSchemaDigest, schema_digest(database)}});
+  if (!head.rescued_from.empty()) rows.push_back({kRescuedFrom, head.rescued_from});
   write_study_rows(database, rows);
   write_columns(database, samples);
   write_inputs(database, samples, 1);
@@ -310,6 +310,22 @@ void create_store(const std::string& folder, const StudySpec& spec, const Sample
   database.execute(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplication,
                                kSchemaVersion));
   transaction.commit();
+}
+
+}  // namespace
+
+void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,
+                  const StoreHead& head) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
+  NewDatabase fresh(store_path(folder));
+  try {
+    fill_store(fresh.database(), spec, samples, head);
+  } catch (const DiskError& refusal) {
+    fresh.refuse(refusal.reason());
+  }
+  fresh.put_in_place();
 }
 
 std::string Store::value(const std::string& key) {
@@ -331,18 +347,6 @@ std::string Store::text_or(const std::string& key, const std::string& otherwise)
   } catch (const IoError&) {
     return otherwise;
   }
-}
-
-std::optional<Shard> shard_of(const std::string& text) {
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto [slash, error] = std::from_chars(text.data(), end, shard.number);
-  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
-  const auto [rest, other_error] = std::from_chars(slash + 1, end, shard.of);
-  if (other_error != std::errc() || rest != end || shard.number < 1 || shard.of < shard.number)
-    return std::nullopt;
-  if (text != fmt::format("{}/{}", shard.number, shard.of)) return std::nullopt;  // " 01/2"
-  return shard;
 }
 
 double load_height_of(const Model& model) {
@@ -392,7 +396,7 @@ StudySpec Store::study_in(const Rows& rows) {
       throw IoError(
           fmt::format("schema_version: \"{}\", and the file is of version {}", said, version_));
     StudySpec spec = study_of(rows);
-    if (const std::vector<Fault> faults = check_study(spec); !faults.empty())
+    if (const std::vector<Fault> faults = check_stored_study(spec); !faults.empty())
       throw IoError(InputError(faults).what());
     return spec;
   } catch (const IoError& error) {
@@ -410,7 +414,7 @@ StoreHead Store::head() {
   const std::string shard = value("shard");
   if (!shard_of(shard))
     database_.damaged(fmt::format("table study, shard: \"{}\" is none, such as 1/4", shard));
-  return {shard, value("provenance"), metres};
+  return {shard, value("provenance"), metres, value(kRescuedFrom)};
 }
 
 int Store::number_of_sample(const std::string& key) {

@@ -38,13 +38,19 @@ struct StoreHead {
   std::string shard = "1/1";
   std::string provenance;
   double load_height = 0;  // [m]
+  std::string
+      rescued_from{};  // which store, as a checksum of its place; "" where it is not a rescue
 };
+
+inline constexpr const char* kRescuedFrom = "rescued_from";  // its key in table study
 
 // "2/4" as 2 and 4; nothing where it is no shard.
 struct Shard {
   int number = 1, of = 1;
 };
 [[nodiscard]] std::optional<Shard> shard_of(const std::string& text);
+// Inputs of one sample, bit for bit but for the kind of zero; not a number is equal to itself.
+[[nodiscard]] bool same_inputs(const std::vector<double>& a, const std::vector<double>& b);
 // Of the push, or of the last stage [m]: drifts of every sample refer to it.
 [[nodiscard]] double load_height_of(const Model& model);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -322,6 +323,24 @@ void Store::check_states() {
 int last_counted(Store& store) {
   const int met = store.number_of_sample("until_met_at");
   return met == 0 ? std::numeric_limits<int>::max() : met;
+}
+
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.number);
+  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, other_error] = std::from_chars(slash + 1, end, shard.of);
+  if (other_error != std::errc() || rest != end || shard.number < 1 || shard.of < shard.number)
+    return std::nullopt;
+  if (text != fmt::format("{}/{}", shard.number, shard.of)) return std::nullopt;  // " 01/2"
+  return shard;
+}
+
+bool same_inputs(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double one, double other) {
+    return one == other || (std::isnan(one) && std::isnan(other));
+  });
 }
 
 }  // namespace wythe::study
