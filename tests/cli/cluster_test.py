@@ -576,8 +576,12 @@ exec {PROGRAM} "$@"
         self.assertEqual(done.returncode, 0, done.stderr)
         wait_for(lambda: self.state_of(f"{array}_2") == "PENDING", "task 2 back in the queue")
         self.assertIn("of 6 samples are stored", log.read_text())  # it stored what it had, in time
-        self.cluster.call("scontrol", "update", f"JobId={array}_2", "StartTime=now")
+        # not in the second in which it was stopped: a node refuses such a task, for its times are whole seconds ("credential revoked")
+        self.cluster.call("scontrol", "update", f"JobId={array}_2", "StartTime=now+3seconds")
         wait_for(lambda: not self.cluster.call("squeue", "-h").stdout.strip(), "the array, and the join of all of it")
+        logs = "".join(f"{path.name}:\n{path.read_text()}" for path in sorted((self.out() / "slurm").glob("*.log")))
+        self.assertIn("all: 24 of 24 samples", wythe("status", self.out()).stdout, logs)
+        self.assertEqual((self.out() / "samples.csv").read_bytes().count(b"\n"), 25, logs)
         self.assert_equals_whole(self.out())
         self.assertIn("all: 24 of 24 samples", wythe("status", self.out()).stdout)
 
