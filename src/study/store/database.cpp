@@ -409,7 +409,7 @@ void Transaction::commit() {
 
 NewDatabase::NewDatabase(const std::filesystem::path& file)
     : name_(file.string()), fresh_(name_ + ".new") {
-  check_output(name_);
+  for (const char* of_sqlite : {"", "-wal", "-shm", "-journal"}) check_output(name_ + of_sqlite);
   remove_leftovers();
   database_.emplace(fresh_, Database::Access::kWrite);
 }
