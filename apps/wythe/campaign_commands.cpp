@@ -19,7 +19,6 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/rescue.h"
 #include "wythe/solve.h"
 #include "wythe/statistics.h"
 #include "wythe/stored_states.h"
@@ -120,91 +119,6 @@ StudySpec asked_study(const CampaignArguments& a) {
   study.batch = stored;
   for (VariantSpec& option : study.option) option.study.batch = stored;
   return study;
-}
-
-namespace {
-
-std::vector<std::string> hashes_of(const std::string& state_hash,
-                                   const std::vector<ShakeAnswer>& shakes) {
-  std::vector<std::string> hashes;
-  for (const ShakeAnswer& shake : shakes) hashes.push_back(shake.state_hash);
-  if (shakes.empty()) hashes.push_back(state_hash);
-  return hashes;
-}
-
-// The study came from a file, and drawn values do not tell one wall from another: the sample with the fewest steps is
-// run again, and has to end in the state that is stored.
-void prove_study(const std::string& folder) {
-  const Campaign campaign = read_campaign(folder);
-  const SampleRecord* shortest = nullptr;
-  for (const SampleRecord& record : campaign.records)
-    if (record.steps > 0 && (shortest == nullptr || record.steps < shortest->steps))
-      shortest = &record;
-  if (shortest == nullptr) {
-    fmt::print(
-        stderr,
-        "note: no sample that ran is kept, so nothing shows that the study is of this wall\n");
-    return;
-  }
-  fmt::print("sample {} is run again, to see whether the study is of this wall\n",
-             shortest->sample);
-  std::fflush(stdout);
-  SolveOptions options;
-  const StopSignal stop;
-  options.stop = &stop.asked();
-  const SampleRun run = run_sample(campaign.study, campaign.samples, shortest->sample,
-                                   model_builder(campaign.study), options);
-  if (stop.asked())
-    throw IoError(folder + ": interrupted before the study was proved; rescue once more");
-  if (run.refused.empty() && hashes_of(run.result.state_hash, run.shakes) ==
-                                 hashes_of(shortest->state_hash, shortest->shakes))
-    return;
-  throw InputError(
-      {{.file = folder,
-        .path = "",
-        .value = fmt::format("sample {}", shortest->sample),
-        .problem = fmt::format("ends in another state than the stored one: the study "
-                               "file is of another wall, or another program ran it ({})",
-                               shortest->provenance),
-        .cure = "give the study file, with its model, as they were, and use the "
-                "program that ran the campaign; nothing was saved"}});
-}
-
-// What a rescue left in a folder that held no campaign before.
-void take_back(const std::string& folder) {
-  std::error_code error;
-  for (const char* of_sqlite : {"", "-wal", "-shm"})
-    fs::remove(folder + "/campaign.db" + of_sqlite, error);
-  fs::remove(folder + "/campaign.lock", error);
-  fs::remove(folder, error);  // where nothing else is in it
-}
-
-Rescue rescue_proved(const StoreArguments& a, const StudySpec& study) {
-  const bool there = holds_campaign(a.out);
-  const Rescue rescue = rescue_campaign(a.folder, a.out, study, model_builder(study));
-  try {
-    if (rescue.kept > 0) prove_study(a.out);
-  } catch (const InputError&) {
-    if (!there) take_back(a.out);
-    throw;
-  }
-  return rescue;
-}
-
-}  // namespace
-
-// Of a study with options that of the folder's name.
-Rescue rescue_by_study(const StoreArguments& a) {
-  const StudySpec study = asked_study(a.by);
-  fs::path folder = fs::path(a.folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();  // "out/base/"
-  const std::string name = folder.filename().string();
-  for (const VariantSpec& option : study.option)
-    if (option.folder == name) return rescue_proved(a, option.study);
-  if (!study.option.empty() && name != kBaseFolder)
-    refuse("--study", a.by.study, "has [[variant]], and none of its folders is called " + name,
-           "name the folder as the campaign did, e.g. out/" + std::string(kBaseFolder));
-  return rescue_proved(a, study);
 }
 
 namespace {

@@ -51,7 +51,7 @@ StudySpec asked_study(const CampaignArguments& arguments);
 // slurm_commands.cpp: a campaign as an array of Slurm.
 int cluster_campaign(const CampaignArguments& arguments);
 
-// store_commands.cpp: how far campaigns are, whether their stores are whole, what can be saved of one that is not.
+// store_commands.cpp: how far campaigns are, and whether their stores are whole.
 inline constexpr const char* kShardsFolder = "shards";
 std::string shards_of(const std::string& folder);
 // Folders of the shards that an array left in `folder`, by number.
@@ -65,10 +65,8 @@ struct StoreArguments {
   CampaignArguments
       by;  // the study to go by where that of the store is damaged; by.study "": the stored one
 };
-// campaign_commands.cpp: the same with the study of a file.
-Rescue rescue_by_study(const StoreArguments& arguments);
 int check_store(const StoreArguments& arguments);
-int rescue_store(const StoreArguments& arguments);
+int rescue_store(const StoreArguments& arguments);  // rescue_command.cpp
 
 // A folder within the one that results go to: InputError where it is a link, which would lead out of it.
 void check_inner_folder(const std::string& folder);

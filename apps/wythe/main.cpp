@@ -169,6 +169,8 @@ void add_store(CLI::App& app, StoreArguments& a, int& code) {
                      "the campaign's study file, where the study in the store is damaged");
   rescue->add_option("--samples", a.by.samples, "as the campaign was given it, with --study");
   rescue->add_option("--seed", a.by.seed, "as the campaign was given it, with --study");
+  rescue->add_option("--shard", a.by.shard,
+                     "which part of its campaign the store is, e.g. 2/4, with --study");
   add_overrides(rescue, a.by.overrides);
   add_language(rescue, a.language);
   rescue->footer("example: wythe store rescue out/campaign --out out/rescued");

@@ -10,7 +10,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -78,8 +77,7 @@ struct ClusterStudy {
 
 // Of file systems that tell no capitals apart, or drop a dot at the end.
 std::string folder_key(const std::string& name) {
-  std::string key;
-  for (const char c : name) key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::string key = small_letters(name);
   key.erase(key.find_last_not_of(". ") + 1);
   return key;
 }

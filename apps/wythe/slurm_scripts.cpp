@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "wythe/text.h"
+
 namespace wythe::app {
 namespace {
 
@@ -123,8 +125,7 @@ void check_slurm_name(const std::string& option, const std::string& word) {
 
 void check_slurm_time(const std::string& option, const std::string& text) {
   if (text.empty()) return;
-  std::string lower = text;
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = small_letters(text);
   if (lower == "unlimited" || lower == "infinite") return;
   const std::optional<long> seconds = slurm_seconds(text);
   if (!seconds) refuse(option, text, "is no time that Slurm reads", kTimeExample);

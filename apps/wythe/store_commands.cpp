@@ -1,12 +1,12 @@
-// What lies in a folder: how far its campaigns, shards, options and studies are, whether their stores are whole, and
-// what can be saved of one that is not. Everything is read from the stores alone: there is no accounting everywhere.
+// What lies in a folder: how far its campaigns, shards, options and studies are, and whether their stores are whole.
+// Everything is read from the stores alone: there is no accounting everywhere.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "campaign_commands.h"
 #include "progress.h"
@@ -22,6 +22,19 @@ namespace fs = std::filesystem;
 
 std::string shards_of(const std::string& folder) { return folder + "/" + kShardsFolder; }
 
+namespace {
+
+// Also where a store is there that does not read: it is not left out, whoever opens it says what is wrong.
+bool may_hold_campaign(const std::string& folder) {
+  try {
+    return holds_campaign(folder);
+  } catch (const IoError&) {
+    return true;
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> shard_folders(const std::string& folder) {
   std::vector<std::pair<int, std::string>> found;
   std::error_code error;
@@ -30,7 +43,7 @@ std::vector<std::string> shard_folders(const std::string& folder) {
                       path = shards_of(folder) + "/" + name;
     const int number = std::atoi(name.c_str());
     if (number < 1 || name != std::to_string(number)) continue;  // "1.bak", a copy by hand
-    if (!holds_campaign(path) && !holds_options(path)) continue;
+    if (!may_hold_campaign(path) && !holds_options(path)) continue;
     found.emplace_back(number, path);
   }
   std::sort(found.begin(), found.end());
@@ -50,7 +63,8 @@ int samples_of_shard(int samples, int shard, int shards) {
 struct Line {
   std::string name, folder;  // "": a shard that has not begun
   StoreProgress of;
-  int workers = 0;  // that run samples there now
+  int workers = 0;         // that run samples there now
+  std::string fault = "";  // why its store can't be read
 };
 
 // Campaigns below a folder: itself, its options, its shards, and those of the studies in it.
@@ -68,9 +82,8 @@ class Overview {
     if (!shards.empty()) {  // what is joined already is in them: it counts once, and is checked too
       if (!counts_) add_joined(folder, name.empty() ? "joined" : name + ", joined");
       add_shards(shards, name.empty() ? "" : name + ", ", depth);
-    } else if (holds_campaign(folder)) {
-      lines_.push_back({name, folder, counts_ ? campaign_progress(folder) : StoreProgress{},
-                        counts_ ? campaign_workers(folder) : 0});
+    } else if (may_hold_campaign(folder)) {
+      lines_.push_back(counts_ ? counted(name, folder) : Line{name, folder, {}});
     } else if (depth <= kDeepest) {
       std::error_code error;
       std::vector<std::string> inner;
@@ -81,6 +94,15 @@ class Overview {
         collect(folder + "/" + one, name.empty() ? one : name + ", " + one, depth + 1);
     }
   }
+  static Line counted(const std::string& name, const std::string& folder) {
+    Line line{name, folder, {}};
+    try {
+      line.of = campaign_progress(folder), line.workers = campaign_workers(folder);
+    } catch (const IoError& error) {
+      line.fault = error.what();
+    }
+    return line;
+  }
   void add_joined(const std::string& folder, const std::string& name) {
     if (holds_campaign(folder)) lines_.push_back({name, folder, {}});
     if (holds_options(folder))
@@ -90,27 +112,40 @@ class Overview {
   void add_shards(const std::vector<std::string>& shards, const std::string& name, int depth) {
     const auto called = [&](int shard) { return fmt::format("{}shard {}", name, shard); };
     const std::size_t before = lines_.size();
-    std::set<int> there;
+    std::map<int, std::size_t> there;  // by its number, where its lines end
     for (const std::string& shard : shards) {
       const int number = std::atoi(fs::path(shard).filename().c_str());
       collect(shard, called(number), depth + 1);
-      there.insert(number);
+      there[number] = lines_.size();
     }
-    if (lines_.size() == before || !counts_) return;
-    const StoreProgress like = lines_[before].of;
-    for (std::size_t k = before; k < lines_.size(); ++k)
-      if (lines_[k].of.shards != like.shards)
-        refuse("folder", lines_[k].folder,
-               fmt::format("is one of {} shards, {} of {}: together they are no campaign",
-                           lines_[k].of.shards, lines_[before].folder, like.shards),
-               "keep the shards of one array in a folder");
-    for (int shard = 1; shard <= like.shards; ++shard) {
+    const auto like =
+        std::find_if(lines_.begin() + static_cast<std::ptrdiff_t>(before), lines_.end(),
+                     [](const Line& line) { return line.fault.empty(); });
+    if (like == lines_.end() || !counts_) return;
+    StoreProgress none;
+    none.samples = like->of.samples, none.shards = like->of.shards;
+    std::size_t k = before;
+    for (const auto& [number, end] : there)
+      for (; k < end; ++k) {
+        if (lines_[k].fault.empty()) {
+          check_number(lines_[k], *like);
+          continue;
+        }
+        lines_[k].of = none;
+        lines_[k].of.total = samples_of_shard(none.samples, number, none.shards);
+      }
+    for (int shard = 1; shard <= none.shards; ++shard) {
       if (there.contains(shard)) continue;
-      StoreProgress none;
-      none.samples = like.samples, none.shards = like.shards;
-      none.total = samples_of_shard(like.samples, shard, like.shards);
+      none.total = samples_of_shard(none.samples, shard, none.shards);
       lines_.push_back({called(shard), "", none});
     }
+  }
+  static void check_number(const Line& line, const Line& like) {
+    if (line.of.shards != like.of.shards)
+      refuse("folder", line.folder,
+             fmt::format("is one of {} shards, {} of {}: together they are no campaign",
+                         line.of.shards, like.folder, like.of.shards),
+             "keep the shards of one array in a folder");
   }
 
   static constexpr int kDeepest = 2;
@@ -143,6 +178,11 @@ std::string state_text(const Line& line, double each_of_all) {
 
 void print_line(const Line& line, double each_of_all) {
   const StoreProgress& p = line.of;
+  if (!line.fault.empty()) {
+    fmt::print("{}cannot be read{}\n", line.name.empty() ? "" : readable(line.name) + ": ",
+               p.total > 0 ? fmt::format(", {} samples", p.total) : "");
+    return;
+  }
   fmt::print("{}{}{} of {} samples{}{}\n", readable(line.name), line.name.empty() ? "" : ": ",
              p.done, p.total, p.failed > 0 ? fmt::format(", {} without an answer", p.failed) : "",
              state_text(line, each_of_all));
@@ -151,6 +191,7 @@ void print_line(const Line& line, double each_of_all) {
 struct Sum {
   StoreProgress of;
   int workers = 0, running = 0, idle = 0;  // lines that somebody writes, or nobody
+  int unread = 0;                          // lines whose store can't be read
   double longest = 0;                      // time left of those that run [s]
 };
 
@@ -160,12 +201,13 @@ Sum sum_of(const std::vector<Line>& lines) {
     const StoreProgress& p = line.of;
     sum.of.done += p.done, sum.of.total += p.total, sum.of.failed += p.failed;
     sum.of.seconds += p.seconds;
+    if (!line.fault.empty()) ++sum.unread;
   }
   const double each = seconds_each(sum.of);
   for (const Line& line : lines) {
     const StoreProgress& p = line.of;
     if (!p.writer.empty()) ++sum.running;
-    if (p.done >= p.total) continue;
+    if (p.done >= p.total || !line.fault.empty()) continue;
     if (p.writer.empty()) ++sum.idle;
     sum.workers += line.workers;
     if (line.workers > 0)
@@ -185,10 +227,11 @@ void print_sum(const Sum& sum) {
                ? "; about " + duration_text(std::max(sum.longest, left / sum.workers)) +
                      " left with the workers that run"
                : "; about " + duration_text(left) + " of one core left";
-  fmt::print("all: {} of {} samples{}{}{}{}\n", sum.of.done, sum.of.total,
+  fmt::print("all: {} of {} samples{}{}{}{}{}\n", sum.of.done, sum.of.total,
              sum.of.failed > 0 ? fmt::format(", {} without an answer", sum.of.failed) : "",
              sum.running > 0 ? fmt::format(", {} running", sum.running) : "",
-             sum.idle > 0 ? fmt::format(", {} not running", sum.idle) : "", time);
+             sum.idle > 0 ? fmt::format(", {} not running", sum.idle) : "",
+             sum.unread > 0 ? fmt::format(", {} cannot be read", sum.unread) : "", time);
 }
 
 }  // namespace
@@ -201,6 +244,14 @@ int status(const StatusArguments& a) {
   const Sum sum = sum_of(lines);
   for (const Line& line : lines) print_line(line, seconds_each(sum.of));
   if (lines.size() > 1) print_sum(sum);
+  std::string faults;
+  for (const Line& line : lines)
+    if (!line.fault.empty()) faults += line.fault + "\n";
+  if (sum.unread > 0)
+    throw IoError(faults +
+                  fmt::format("{} of {} stores cannot be read; wythe store check {} reads them "
+                              "through, wythe store rescue DIR --out NEW saves what still reads",
+                              sum.unread, lines.size(), shell_quoted(a.folder)));
   return sum.of.done == sum.of.total ? 0 : kUnfinished;
 }
 
@@ -223,27 +274,6 @@ int check_store(const StoreArguments& a) {
     throw IoError(fmt::format(
         "{} of {} stores damaged; wythe store rescue DIR --out NEW saves what still reads", damaged,
         lines.size()));
-  return 0;
-}
-
-int rescue_store(const StoreArguments& a) {
-  check_language(a.language);
-  check_folder(a.out, FolderFor::kCampaign);
-  const std::pair<const char*, const std::string*> with_study[] = {{"--samples", &a.by.samples},
-                                                                   {"--seed", &a.by.seed}};
-  for (const auto& [option, value] : with_study)
-    if (a.by.study.empty() && !value->empty())
-      refuse(option, *value, "is for a study that comes from its file", "give --study FILE too");
-  if (a.by.study.empty() && !a.by.overrides.empty())
-    refuse("--set", a.by.overrides.front(), "is for a study that comes from its file",
-           "give --study FILE too");
-  const Rescue rescue = a.by.study.empty() ? rescue_campaign(a.folder, a.out) : rescue_by_study(a);
-  for (const Rescue::Lost& lost : rescue.lost)
-    fmt::print("sample {} is lost: {}\n", lost.sample, readable(lost.why));
-  fmt::print("{} samples kept, {} lost; go on with wythe campaign STUDY.toml --out {} --resume\n",
-             rescue.kept, rescue.lost.size(), shell_quoted(a.out));
-  if (rescue.kept > 0)
-    static_cast<void>(write_campaign_files(a.out, read_answers(a.out), a.language));
   return 0;
 }
 

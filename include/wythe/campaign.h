@@ -158,6 +158,8 @@ void check_campaign(const std::string& folder);
 // with --resume. Throws IoError where its study does not read: then nothing is written.
 struct Rescue {
   int kept = 0;
+  bool knows_shard =
+      true;  // false: the store does not say any more which shard it is; saved as a whole campaign
   struct Lost {
     int sample;
     std::string why;

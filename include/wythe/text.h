@@ -1,13 +1,17 @@
-// Safe printing of names and values that users wrote: they may contain any characters.
+// Names and values that users wrote: they may contain any characters.
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace wythe {
 
 // The text with control characters and bytes that are no UTF-8 written out (\x1b, \n). A text longer than `most` bytes is cut, and
 // its length is stated.
 [[nodiscard]] std::string readable(const std::string& text, std::size_t most = 100'000);
+
+// Capitals of ASCII made small; other bytes stay.
+[[nodiscard]] std::string small_letters(std::string_view text);
 
 }  // namespace wythe

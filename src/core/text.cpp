@@ -3,23 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 
 #include "core/limits.h"
+#include "wythe/text.h"
 
 namespace wythe {
 namespace {
 
 constexpr std::ptrdiff_t kMostShown = 60;  // names in one sentence
+}  // namespace
 
-std::string lower(std::string_view text) {
+std::string small_letters(std::string_view text) {
   std::string out(text);
-  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return out;
 }
-
-}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = b.size();
@@ -41,7 +41,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   if (name.size() > kLongestName || candidates.size() > kMostCandidates) return "";
-  const std::string wanted = lower(name);
+  const std::string wanted = small_letters(name);
   int best = std::max(1, static_cast<int>(name.size()) / 3) + 1;
   std::string nearest;
   for (const std::string& candidate : candidates) {
@@ -49,7 +49,7 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
     // as many letters at least have to be added or taken away
     const auto more = static_cast<int>(candidate.size()) - static_cast<int>(wanted.size());
     if (std::abs(more) >= best) continue;
-    const int distance = edit_distance(wanted, lower(candidate));
+    const int distance = edit_distance(wanted, small_letters(candidate));
     if (distance < best) {
       best = distance;
       nearest = candidate;

@@ -20,15 +20,10 @@
 #include "core/text.h"
 #include "io/csv.h"
 #include "model/shaking.h"
+#include "wythe/text.h"
 
 namespace wythe::io {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 struct Numbers {
   std::vector<double> time, acceleration;  // times empty: every step
@@ -41,7 +36,7 @@ class RecordReader {
       : context_(context), record_(record), path_(std::move(path)), file_(std::move(file)) {}
 
   Numbers read(const std::string& text) {
-    const bool is_at2 = lower(std::filesystem::path(file_).extension().string()) == ".at2";
+    const bool is_at2 = small_letters(std::filesystem::path(file_).extension().string()) == ".at2";
     return is_at2 ? read_at2(text) : read_csv(text);
   }
 
@@ -75,7 +70,7 @@ class RecordReader {
   bool choose_columns(const std::vector<std::string>& head, std::size_t width) {
     const auto named = [&](const std::string& name) {
       for (std::size_t k = 0; k < head.size(); ++k)
-        if (lower(head[k]) == lower(name)) return static_cast<int>(k);
+        if (small_letters(head[k]) == small_letters(name)) return static_cast<int>(k);
       return -1;
     };
     for (const char* name : {"time_s", "t_s", "time", "t", "time (s)", "time [s]", "time(s)",
@@ -101,7 +96,7 @@ class RecordReader {
     const auto words_of = [&](int column) {
       std::set<std::string> words;
       std::string word;
-      for (const char c : lower(head[static_cast<std::size_t>(column)]) + ' ') {
+      for (const char c : small_letters(head[static_cast<std::size_t>(column)]) + ' ') {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0)
           word += c;
         else if (!word.empty())
@@ -121,7 +116,7 @@ class RecordReader {
     }
     if (!are_there(column_)) return;
     const std::string& name = head[static_cast<std::size_t>(column_)];
-    if (!is_of_accelerations(lower(name), 1, name)) return;
+    if (!is_of_accelerations(small_letters(name), 1, name)) return;
     const std::set<std::string> words = words_of(column_);
     if (words.contains("mm") || words.contains("mg"))
       fault(1, name, "is in a unit that is not known here", "write it in g, m/s2 or cm/s2");
@@ -176,7 +171,7 @@ class RecordReader {
     std::string line;
     double stated = kUnset;
     for (int k = 1; k <= 4 && std::getline(lines, line); ++k) {
-      const std::string head = lower(line);
+      const std::string head = small_letters(line);
       if (head.find("units of") != std::string::npos) check_unit(head, k);
       if (head.find("npts") != std::string::npos) read_head(head, stated, n.step);
     }

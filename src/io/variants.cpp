@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "io/describe_study.h"
+#include "wythe/text.h"
 
 namespace wythe::io {
 namespace {
@@ -20,11 +21,11 @@ std::string path_of(const std::string& setting) {
 // "Steel lintel, 200 mm" -> "steel_lintel_200_mm": letters and digits of ASCII.
 std::string folder_of(const std::string& name) {
   std::string out;
-  for (const char c : name) {
+  for (const char c : small_letters(name)) {
     const bool plain =
         std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
     if (plain)
-      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      out += c;
     else if (!out.empty() && out.back() != '_')
       out += '_';
   }

@@ -94,6 +94,38 @@ class Status(Base):
         done = self.said()
         self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "all: 6 of 6 samples"))
 
+    def test_a_store_that_cannot_be_read_has_its_line_beside_the_others(self):
+        self.fill(1, 2, 600)
+        self.fill(3, 1, 600)
+        store = self.out() / "shards/2/campaign.db"
+        whole = store.read_bytes()
+        for damage in (b"no database at all" * 500, whole[:5000], whole[:16] + b"\0" * 84 + whole[100:]):
+            store.write_bytes(damage)
+            done = self.said()
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertEqual(done.stdout.splitlines(), [
+                "shard 1: 2 of 2 samples",
+                "shard 2: cannot be read, 2 samples",
+                "shard 3: 1 of 2 samples, not running; about 10 min of one core left",
+                "all: 3 of 6 samples, 1 not running, 1 cannot be read; about 30 min of one core left"])
+            for words in (str(store), "1 of 3 stores cannot be read", "wythe store rescue"):
+                self.assertIn(words, done.stderr)
+            self.refused(wythe("store", "check", self.out()), 4, f"{store}: is ")
+        store.write_bytes(whole)
+        for shard in (1, 2, 3):  # none reads: nothing tells how many there are
+            (self.out() / f"shards/{shard}/campaign.db").write_bytes(b"no database at all" * 500)
+        done = self.said()
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertEqual(done.stdout.splitlines()[:3], [f"shard {s}: cannot be read" for s in (1, 2, 3)])
+
+    def test_a_store_that_cannot_be_read_is_not_left_out_of_a_join_or_of_an_array(self):
+        store = self.out() / "shards/2/campaign.db"
+        store.write_bytes(b"no database at all" * 500)
+        self.refused(wythe("merge", self.out(), "--out", self.folder / "joined"), 4, str(store))
+        self.assertFalse((self.folder / "joined/campaign.db").exists())
+        self.refused(wythe("campaign", self.study, "--out", self.out(), "--slurm", "3"), 4, str(store))
+        self.assertEqual(store.read_bytes(), b"no database at all" * 500)
+
     def test_journal_of_a_killed_task_is_left_as_it_is(self):
         held = Held("sample 1", "campaign", self.study, "--out", self.out() / "shards/1", "--shard", "1/3", "--resume",
                     "--stored", "--jobs", "1", "--quiet")
@@ -167,6 +199,30 @@ class Stores(Base):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("6 samples kept, 0 lost", done.stdout)
         self.assert_equals_whole(saved)
+
+    def test_a_rescued_shard_goes_back_into_its_array(self):
+        array, saved = self.folder / "array_of_two", self.folder / "saved_shard"
+        for shard in (1, 2):
+            done = wythe("campaign", self.study, "--shard", f"{shard}/2", "--out", array / "shards" / str(shard), "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        with sqlite3.connect(array / "shards/2/campaign.db") as store:
+            store.execute("UPDATE study SET value = '?' WHERE key = 'shard'")
+        store.close()
+        rescue = ["store", "rescue", array / "shards/2", "--out", saved]
+        self.refused(wythe(*rescue, "--shard", "2/2"), 2, "--shard", "--study FILE")
+        self.refused(wythe(*rescue, "--study", self.study, "--shard", "1/2"), 2, "does not hold sample 2", "nothing was written")
+        self.assertFalse(saved.exists())
+        done = wythe(*rescue, "--study", self.study)
+        self.assertIn("3 samples kept, 0 lost", done.stdout)
+        self.assertIn("with --shard, e.g. --shard 2/40", done.stderr)
+        shutil.rmtree(saved)
+        done = wythe(*rescue, "--study", self.study, "--shard", "2/2")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        shutil.rmtree(array / "shards/2")
+        shutil.move(saved, array / "shards/2")
+        self.assertEqual(wythe("status", array).stdout.splitlines()[-1], "all: 6 of 6 samples")
+        self.assertEqual(wythe("merge", array, "--out", array).returncode, 0)
+        self.assert_equals_whole(array)
 
     def test_a_study_of_another_wall_is_refused(self):
         other = self.folder / "other_wall"

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "scenes/changed_store.h"
 #include "scenes/places.h"
@@ -55,8 +57,9 @@ class RescueStore : public testing::Test {
   void change(const std::string& sql) {
     Database(store_path(out_), Database::Access::kWrite).execute(sql);
   }
-  Rescue by(const StudySpec& spec) {
-    return rescue_campaign(out_, saved_, spec, model_builder(spec));
+  Rescue by(const StudySpec& spec, const std::string& shard = "") {
+    return rescue_campaign(out_, saved_,
+                           {.study = spec, .build = model_builder(spec), .shard = shard});
   }
 
   static TemporaryFolder* made_;
@@ -116,6 +119,80 @@ TEST_F(RescueStore, another_study_is_refused_before_anything_is_written) {
   EXPECT_TRUE(has(said, "draws none of the 3 samples") && has(said, "of sample 1, its input ft is"))
       << said;
   EXPECT_FALSE(fs::exists(saved_));
+}
+
+// Drawn values do not tell one wall from another: who calls says so, before a byte is written, by a sample that will be saved.
+TEST_F(RescueStore, nothing_is_written_before_the_study_is_proved) {
+  change("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  std::vector<std::int64_t> steps;
+  for (const SampleRecord& record : read_campaign(*made_ / "out").records)
+    steps.push_back(record.steps);
+  const auto shortest = std::min_element(steps.begin(), steps.end()) - steps.begin() + 1;
+  StudyOfRescue other{.study = study(), .build = model_builder(study())};
+  int asked = 0;
+  other.prove = [&](const SampleTable& samples, const SampleRecord* record) {
+    ++asked;
+    EXPECT_FALSE(fs::exists(saved_));
+    EXPECT_EQ(samples.n_sample(), 3);
+    ASSERT_NE(record, nullptr);
+    EXPECT_EQ(record->sample, shortest);
+    throw InputError({{.file = "wall",
+                       .path = "",
+                       .value = "",
+                       .problem = "is another",
+                       .cure = "take the right one"}});
+  };
+  EXPECT_TRUE(
+      has(refusal<InputError>([&] { (void)rescue_campaign(out_, saved_, other); }), "is another"));
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(fs::exists(saved_));
+
+  // the shortest is damaged: another one proves it; none is whole: nothing can
+  change("UPDATE sample SET steps = 1 WHERE sample = " + std::to_string(shortest));
+  other.prove = [&](const SampleTable&, const SampleRecord* record) {
+    ASSERT_NE(record, nullptr);
+    EXPECT_NE(record->sample, shortest);
+  };
+  EXPECT_EQ(rescue_campaign(out_, saved_, other).kept, 2);
+  fs::remove_all(saved_);
+  change("UPDATE sample SET steps = 1");
+  other.prove = [&](const SampleTable&, const SampleRecord* record) { EXPECT_EQ(record, nullptr); };
+  EXPECT_EQ(rescue_campaign(out_, saved_, other).kept, 0);
+}
+
+// A shard that is put back into its array has to say which it is, also where the store does not any more.
+TEST_F(RescueStore, a_shard_stays_one) {
+  fs::remove_all(out_);
+  run_campaign(study(), model_builder(study()), out_, {.jobs = 1, .shard = 1, .shards = 2});
+  const auto damage = [&](const std::string& row) {
+    change("UPDATE study SET value = '" + row + "' WHERE key = 'shard'");
+    fs::remove_all(saved_);
+  };
+  for (const char* damaged : {"x", "2/2"}) {  // it holds samples 1 and 3, so it is not the second
+    damage(damaged);
+    const Rescue unknown = by(study());
+    EXPECT_EQ(unknown.kept, 2) << damaged;
+    EXPECT_FALSE(unknown.knows_shard) << damaged;
+    EXPECT_EQ(campaign_progress(saved_).shards, 1) << damaged;
+    EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(study(), "1/2"); }), "as another shard"));
+    fs::remove_all(saved_);
+    const Rescue known = by(study(), "1/2");
+    EXPECT_EQ(known.kept, 2) << damaged;
+    EXPECT_TRUE(known.knows_shard) << damaged;
+    EXPECT_EQ(campaign_progress(saved_).shards, 2) << damaged;
+    EXPECT_EQ(campaign_progress(saved_).total, 2) << damaged;
+  }
+  damage("x");
+  EXPECT_TRUE(
+      has(refusal<InputError>([&] { (void)by(study(), "2/2"); }), "does not hold sample 1"));
+  EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(study(), "2"); }), "is no shard"));
+  EXPECT_FALSE(fs::exists(saved_));
+  // a sample that is damaged says nothing of the shard
+  change("UPDATE sample SET sample = 2 WHERE sample = 3");
+  const Rescue rest = by(study(), "1/2");
+  EXPECT_EQ(rest.kept, 1);
+  ASSERT_EQ(rest.lost.size(), 1U);
+  EXPECT_EQ(rest.lost[0].sample, 2);
 }
 
 TEST_F(RescueStore, of_a_design_that_grew_all_batches_are_saved) {

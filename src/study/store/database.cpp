@@ -26,8 +26,9 @@ namespace {
 constexpr int kPatience = 2000;  // for another program's lock [ms]
 
 constexpr const char* kCure =
-    "restore it from a copy, save what can be read with sqlite3 FILE \".recover\", or begin the "
-    "campaign in another folder";
+    "restore it from a copy, save its whole samples with wythe store rescue DIR --out NEW, or "
+    "begin "
+    "the campaign in another folder";
 
 // What to say and what to do about an SQLite result code.
 std::string advice(int code) {

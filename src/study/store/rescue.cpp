@@ -103,6 +103,7 @@ struct Beginning {
   SampleTable samples;
   StoreHead head;
   std::map<int, std::string> unfit;
+  bool knows_shard = true;
 };
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -121,6 +122,9 @@ bool goes_on(const std::string& out, const Beginning& begin) {
                   begin.samples.value.end(), same_inputs))
     refuse("holds a rescue with other inputs of the samples",
            "give the study that it was begun with, or name another folder");
+  if (store.value("shard") != begin.head.shard)
+    refuse("holds a rescue as another shard",
+           "give the --shard that it was begun with, or name another folder");
   return true;
 }
 
@@ -205,7 +209,7 @@ void refuse_another_study(Store& source, const StudySpec& spec) {
 }
 
 // The sizes of the designs: as stored, where they can be read and what they draw fits no worse.
-Beginning by_study(Store& source, StudySpec spec, const ModelBuilder& build) {
+Beginning by_study(Store& source, const StudySpec& spec) {
   Beginning best{spec, draw_samples(spec), {}, {}};
   best.unfit = not_drawn(source.database(), best.samples);
   try {
@@ -224,22 +228,74 @@ Beginning by_study(Store& source, StudySpec spec, const ModelBuilder& build) {
   } catch (const IoError&) {  // that row is damaged too
   } catch (const InputError&) {
   }
-  const std::size_t stored = numbers_of_samples(source.database(), best.samples.n_sample()).size();
-  if (stored > 0 && best.unfit.size() == stored)
+  return best;
+}
+
+// The samples that will be saved, but for damage of their states; of those that ran the one with the fewest steps.
+struct WholeSamples {
+  std::vector<int> number;
+  std::optional<SampleRecord> shortest;
+};
+
+WholeSamples whole_samples(Store& source, const Beginning& begin, const std::vector<int>& stored) {
+  WholeSamples whole;
+  for (const int sample : stored) {
+    if (begin.unfit.contains(sample)) continue;
+    try {
+      for (SampleRecord& record : source.records(begin.samples, sample, sample)) {
+        whole.number.push_back(sample);
+        if (record.steps > 0 && (!whole.shortest || record.steps < whole.shortest->steps))
+          whole.shortest = std::move(record);
+      }
+    } catch (const DiskError&) {
+      throw;
+    } catch (const IoError&) {  // it will be lost
+    }
+    source.database().give_back();
+  }
+  return whole;
+}
+
+// The shard that is asked for, else the one that the store names, where all whole samples are in it. Else any may be in it.
+void settle_shard(const std::vector<int>& whole, const std::string& asked, const std::string& named,
+                  Beginning& begin) {
+  const auto refuse = [&](const std::string& problem, const char* cure) {
     throw InputError(
-        {{.file = spec.file,
+        {{.file = "--shard", .path = "", .value = asked, .problem = problem, .cure = cure}});
+  };
+  const std::optional<Shard> shard = shard_of(asked.empty() ? named : asked);
+  const auto outside = std::find_if(whole.begin(), whole.end(), [&](int sample) {
+    return shard && (sample - shard->number) % shard->of != 0;
+  });
+  const bool fits = shard && outside == whole.end();
+  if (!asked.empty() && !shard)
+    refuse("is no shard", "write its number and how many there are, e.g. --shard 2/4");
+  if (!asked.empty() && !fits)
+    refuse(fmt::format("does not hold sample {}, which is stored", *outside),
+           "give the shard as the campaign did (nothing was written)");
+  begin.knows_shard = fits;
+  begin.head.shard = !fits ? "1/1" : asked.empty() ? named : asked;
+}
+
+Beginning begun_by(Store& source, const StudyOfRescue& by) {
+  Beginning begin = by_study(source, by.study);
+  const std::vector<int> stored = numbers_of_samples(source.database(), begin.samples.n_sample());
+  if (!stored.empty() && begin.unfit.size() == stored.size())
+    throw InputError(
+        {{.file = by.study.file,
           .path = "study",
           .value = "",
-          .problem = fmt::format("draws none of the {} samples of {}: of sample {}, {}", stored,
-                                 source.database().name(), best.unfit.begin()->first,
-                                 best.unfit.begin()->second),
+          .problem = fmt::format("draws none of the {} samples of {}: of sample {}, {}",
+                                 stored.size(), source.database().name(),
+                                 begin.unfit.begin()->first, begin.unfit.begin()->second),
           .cure = "name the study file of that campaign, with its --set, --seed and "
                   "--samples (nothing was written)"}});
-  best.head.load_height = load_height_of(compile(build({})));
-  best.head.provenance = source.text_or("provenance", "");
-  best.head.shard = source.text_or("shard", "1/1");
-  if (!shard_of(best.head.shard)) best.head.shard = "1/1";  // then any sample may be in it
-  return best;
+  begin.head.load_height = load_height_of(compile(by.build({})));
+  begin.head.provenance = source.text_or("provenance", "");
+  const WholeSamples whole = whole_samples(source, begin, stored);
+  settle_shard(whole.number, by.shard, source.text_or("shard", ""), begin);
+  if (by.prove) by.prove(begin.samples, whole.shortest ? &*whole.shortest : nullptr);
+  return begin;
 }
 
 // Goes on with what an earlier one has saved: it was ended by force or by the disk, or its files were not written.
@@ -251,6 +307,7 @@ Rescue rescued(Store& source, const std::string& folder, const std::string& out,
   const FolderLock lock(out);
   const bool there = goes_on(out, begin);  // now nobody else begins
   Rescue rescue;
+  rescue.knows_shard = begin.knows_shard;
   try {
     if (!there) create_store(out, begin.spec, begin.samples, begin.head);
     Store store(out, Store::Access::kWrite);
@@ -317,11 +374,10 @@ Rescue rescue_campaign(const std::string& folder, const std::string& out) {
   }
 }
 
-Rescue rescue_campaign(const std::string& folder, const std::string& out, const StudySpec& study,
-                       const ModelBuilder& build) {
+Rescue rescue_campaign(const std::string& folder, const std::string& out, const StudyOfRescue& by) {
   study::Store source = study::source_of(folder);
-  study::refuse_another_study(source, study);
-  return study::rescued(source, folder, out, study::by_study(source, study, build));
+  study::refuse_another_study(source, by.study);
+  return study::rescued(source, folder, out, study::begun_by(source, by));
 }
 
 }  // namespace wythe
