@@ -57,7 +57,7 @@ class Words(unittest.TestCase):
         return set(call("bash", "-c", script, "bash", "wythe", *words, cwd=self.here).splitlines()) - {""}
 
     def test_the_help_is_read_whole(self):
-        self.assertIn((("store", "rescue"), set(), {"--help", "--out", "--lang", "--study", "--samples", "--seed", "--set"}), self.commands)
+        self.assertIn((("store", "rescue"), set(), {"--help", "--out", "--lang", "--study", "--samples", "--seed", "--set", "--shard"}), self.commands)
         self.assertGreaterEqual(self.commands[0][1], {"run", "check", "campaign", "merge", "store", "picture"})
 
     def test_bash_offers_every_command_and_every_option(self):
