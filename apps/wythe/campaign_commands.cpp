@@ -273,7 +273,7 @@ int merge(const MergeArguments& asked) {
       continue;
     }
     a.folders.insert(a.folders.end(), shards.begin(), shards.end());
-    a.array = folder, a.tasks = static_cast<int>(shards.size());
+    a.array = folder;
   }
   if (!a.folders.empty() && holds_options(a.folders.front())) return merge_options(a);
   check_folder(a.out, FolderFor::kCampaign);
@@ -287,12 +287,13 @@ int merge(const MergeArguments& asked) {
         "note: the array is not complete: {} of {} samples have not run. wythe status {} "
         "says which; wythe campaign STUDY.toml --out {} --slurm {}, as before, hands in what "
         "is missing and joins it\n",
-        missing, whole.samples, shell_quoted(a.array), shell_quoted(a.array), a.tasks);
+        missing, whole.samples, shell_quoted(a.array), shell_quoted(a.array),
+        campaign_progress(a.folders.front()).shards);
   else if (missing > 0)
     fmt::print(stderr,
                "note: {} samples are in none of these shards; they can be run in {} with "
                "--resume\n",
-               missing, a.out);
+               missing, shell_quoted(a.out));
   return write_results(a.out, a.language);
 }
 

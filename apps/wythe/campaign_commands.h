@@ -33,8 +33,7 @@ int campaign(const CampaignArguments& arguments);
 struct MergeArguments {
   std::vector<std::string> folders;
   std::string out, language = "en";
-  std::string array;  // that the folders are shards of, "": none; of so many tasks
-  int tasks = 0;
+  std::string array;  // that the folders are shards of, "": none
 };
 int merge(const MergeArguments& arguments);
 

@@ -266,11 +266,8 @@ int merge_options(const MergeArguments& a) {
   check_language(a.language);
   for (const std::string& store : option_folders(a.folders.front())) {
     const std::string name = fs::path(store).filename().string();
-    MergeArguments one{.folders = {},
-                       .out = a.out + "/" + name,
-                       .language = a.language,
-                       .array = a.array,
-                       .tasks = a.tasks};
+    MergeArguments one{
+        .folders = {}, .out = a.out + "/" + name, .language = a.language, .array = a.array};
     check_inner_folder(one.out);
     for (const std::string& folder : a.folders) one.folders.push_back(folder + "/" + name);
     fmt::print("\n{}\n", name);

@@ -17,6 +17,7 @@
 #include "wythe/error.h"
 #include "wythe/provenance.h"
 #include "wythe/solve.h"
+#include "wythe/text.h"
 
 namespace {
 
@@ -369,16 +370,16 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", error.what());
     return kInputError;
   } catch (const wythe::IoError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    fmt::print(stderr, "{}\n", wythe::readable_lines(error.what()));
     return kEnvironmentError;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "{}: {}\n", error.path1().string(), error.code().message());
+    fmt::print(stderr, "{}: {}\n", wythe::readable(error.path1().string()), error.code().message());
     return kEnvironmentError;
   } catch (const std::exception& error) {
     fmt::print(stderr,
                "wythe stopped by a mistake of its own: please report it, with the command and its "
                "files. For the report: {}\n",
-               error.what());
+               wythe::readable_lines(error.what()));
     return kEnvironmentError;
   }
 }

@@ -20,44 +20,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> hashes_of(const std::string& state_hash,
-                                   const std::vector<ShakeAnswer>& shakes) {
-  std::vector<std::string> hashes;
-  for (const ShakeAnswer& shake : shakes) hashes.push_back(shake.state_hash);
-  if (shakes.empty()) hashes.push_back(state_hash);
-  return hashes;
-}
-
-// Runs a stored sample again; it has to end in the state that is stored.
-void prove(const StudySpec& study, const SampleTable& samples, const SampleRecord& stored) {
-  fmt::print("sample {} is run again, to see whether the study is of this wall\n", stored.sample);
+void say_what_proves(const std::vector<int>& samples) {
+  if (samples.empty())
+    return fmt::print(stderr,
+                      "note: no sample that ran is whole, so nothing shows that the study is of "
+                      "this wall\n");
+  fmt::print("to see whether the study is of this wall, {} run again: {}\n",
+             samples.size() == 1 ? "a sample is" : "some samples are", fmt::join(samples, ", "));
   std::fflush(stdout);
-  SolveOptions options;
-  const StopSignal stop;
-  options.stop = &stop.asked();
-  const SampleRun run = run_sample(study, samples, stored.sample, model_builder(study), options);
-  if (stop.asked())
-    throw IoError("interrupted before the study was proved: nothing was saved; rescue once more");
-  if (run.refused.empty() &&
-      hashes_of(run.result.state_hash, run.shakes) == hashes_of(stored.state_hash, stored.shakes))
-    return;
-  throw InputError(
-      {{.file = study.file,
-        .path = "",
-        .value = fmt::format("sample {}", stored.sample),
-        .problem = fmt::format("ends in another state than the stored one: the study "
-                               "file is of another wall, or another program ran it ({})",
-                               stored.provenance),
-        .cure = "give the study file, with its model, as they were, and use the "
-                "program that ran the campaign; nothing was saved"}});
 }
 
 // Of a study with options that of the folder's name.
 StudySpec study_of_folder(const StoreArguments& a) {
   StudySpec study = asked_study(a.by);
-  fs::path folder = fs::path(a.folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();  // "out/base/"
-  const std::string name = folder.filename().string();
+  const std::string name =  // also of "out/base/" and "."
+      (fs::absolute(a.folder) / "").lexically_normal().parent_path().filename().string();
   for (const VariantSpec& option : study.option)
     if (option.folder == name) return option.study;
   if (!study.option.empty() && name != kBaseFolder)
@@ -67,14 +44,13 @@ StudySpec study_of_folder(const StoreArguments& a) {
 }
 
 Rescue rescue_by_study(const StoreArguments& a) {
-  StudyOfRescue by{.study = study_of_folder(a), .build = {}, .shard = a.by.shard};
+  const StopSignal stop;
+  StudyOfRescue by{.study = study_of_folder(a),
+                   .build = {},
+                   .shard = a.by.shard,
+                   .stop = &stop.asked(),
+                   .proves = say_what_proves};
   by.build = model_builder(by.study);
-  by.prove = [&](const SampleTable& samples, const SampleRecord* stored) {
-    if (stored != nullptr) return prove(by.study, samples, *stored);
-    fmt::print(stderr,
-               "note: no sample that ran is whole, so nothing shows that the study is of this "
-               "wall\n");
-  };
   return rescue_campaign(a.folder, a.out, by);
 }
 

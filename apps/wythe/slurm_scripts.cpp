@@ -154,10 +154,13 @@ std::string array_script(const CampaignArguments& a, const SlurmJob& job) {
   text += fmt::format(
       "task=${{SLURM_ARRAY_TASK_ID:?is set by Slurm: sbatch runs this script, or: "
       "SLURM_ARRAY_TASK_ID=1 sh array.sh}}\n"
+      "case $task in\n"
+      "''|*[!0-9]*|0*|?????*) echo \"no task $task: they are 1 to {1}\" >&2; exit 2 ;;\n"
+      "esac\n"
       "study=$(( (task - 1) / {0} ))\n"
       "shard=$(( (task - 1) % {0} + 1 ))\n"
       "case $study in\n",
-      job.shards);
+      job.shards, job.studies.size() * static_cast<std::size_t>(job.shards));
   for (std::size_t k = 0; k < job.studies.size(); ++k)
     text += fmt::format(
         "{}) exec \"$WYTHE\" campaign {} --out={}/\"$shard\" --shard=\"$shard\"/{}{} --resume "

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "campaign_commands.h"
 #include "progress.h"
@@ -22,19 +24,6 @@ namespace fs = std::filesystem;
 
 std::string shards_of(const std::string& folder) { return folder + "/" + kShardsFolder; }
 
-namespace {
-
-// Also where a store is there that does not read: it is not left out, whoever opens it says what is wrong.
-bool may_hold_campaign(const std::string& folder) {
-  try {
-    return holds_campaign(folder);
-  } catch (const IoError&) {
-    return true;
-  }
-}
-
-}  // namespace
-
 std::vector<std::string> shard_folders(const std::string& folder) {
   std::vector<std::pair<int, std::string>> found;
   std::error_code error;
@@ -43,7 +32,7 @@ std::vector<std::string> shard_folders(const std::string& folder) {
                       path = shards_of(folder) + "/" + name;
     const int number = std::atoi(name.c_str());
     if (number < 1 || name != std::to_string(number)) continue;  // "1.bak", a copy by hand
-    if (!may_hold_campaign(path) && !holds_options(path)) continue;
+    if (!holds_campaign(path) && !holds_options(path)) continue;
     found.emplace_back(number, path);
   }
   std::sort(found.begin(), found.end());
@@ -61,16 +50,29 @@ int samples_of_shard(int samples, int shard, int shards) {
 }
 
 struct Line {
-  std::string name, folder;  // "": a shard that has not begun
+  std::string name, folder;  // folder "": a shard that has not begun
   StoreProgress of;
-  int workers = 0;         // that run samples there now
-  std::string fault = "";  // why its store can't be read
+  int workers = 0;       // that run samples there now
+  std::string fault{};   // why it is not counted: its store can't be read, or is none of this array
+  int shard = 0;         // by the name of its folder; 0: none
+  std::string option{};  // its folder within the shard's, "." where there is none
 };
+
+std::vector<std::string> folders_in(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> inner;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(".") && entry.is_directory(error)) inner.push_back(name);
+  }
+  std::sort(inner.begin(), inner.end());
+  return inner;
+}
 
 // Campaigns below a folder: itself, its options, its shards, and those of the studies in it.
 class Overview {
  public:
-  // Without counting, stores that do not read have their line too.
+  // Without counting, every store has its line, and nothing is read of any.
   explicit Overview(const std::string& folder, bool counts = true) : counts_(counts) {
     collect(folder, "", 0);
   }
@@ -82,15 +84,10 @@ class Overview {
     if (!shards.empty()) {  // what is joined already is in them: it counts once, and is checked too
       if (!counts_) add_joined(folder, name.empty() ? "joined" : name + ", joined");
       add_shards(shards, name.empty() ? "" : name + ", ", depth);
-    } else if (may_hold_campaign(folder)) {
+    } else if (holds_campaign(folder)) {
       lines_.push_back(counts_ ? counted(name, folder) : Line{name, folder, {}});
     } else if (depth <= kDeepest) {
-      std::error_code error;
-      std::vector<std::string> inner;
-      for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (entry.is_directory(error)) inner.push_back(entry.path().filename().string());
-      std::sort(inner.begin(), inner.end());
-      for (const std::string& one : inner)
+      for (const std::string& one : folders_in(folder))
         collect(folder + "/" + one, name.empty() ? one : name + ", " + one, depth + 1);
     }
   }
@@ -100,52 +97,75 @@ class Overview {
       line.of = campaign_progress(folder), line.workers = campaign_workers(folder);
     } catch (const IoError& error) {
       line.fault = error.what();
+    } catch (const InputError& error) {
+      line.fault = error.what();
     }
     return line;
   }
   void add_joined(const std::string& folder, const std::string& name) {
-    if (holds_campaign(folder)) lines_.push_back({name, folder, {}});
-    if (holds_options(folder))
-      for (const std::string& option : option_folders(folder)) lines_.push_back({name, option, {}});
+    if (holds_campaign(folder)) return lines_.push_back({name, folder, {}});
+    for (const std::string& inner : folders_in(folder))
+      if (holds_campaign(folder + "/" + inner)) lines_.push_back({name, folder + "/" + inner, {}});
   }
-  // Those that are not there too, of shards by hand: each store knows how many there are.
+  // All shards and options that belong to an array, there or not: the stores that read say how many there are.
   void add_shards(const std::vector<std::string>& shards, const std::string& name, int depth) {
-    const auto called = [&](int shard) { return fmt::format("{}shard {}", name, shard); };
     const std::size_t before = lines_.size();
-    std::map<int, std::size_t> there;  // by its number, where its lines end
     for (const std::string& shard : shards) {
       const int number = std::atoi(fs::path(shard).filename().c_str());
-      collect(shard, called(number), depth + 1);
-      there[number] = lines_.size();
-    }
-    const auto like =
-        std::find_if(lines_.begin() + static_cast<std::ptrdiff_t>(before), lines_.end(),
-                     [](const Line& line) { return line.fault.empty(); });
-    if (like == lines_.end() || !counts_) return;
-    StoreProgress none;
-    none.samples = like->of.samples, none.shards = like->of.shards;
-    std::size_t k = before;
-    for (const auto& [number, end] : there)
-      for (; k < end; ++k) {
-        if (lines_[k].fault.empty()) {
-          check_number(lines_[k], *like);
-          continue;
-        }
-        lines_[k].of = none;
-        lines_[k].of.total = samples_of_shard(none.samples, number, none.shards);
+      const std::size_t first = lines_.size();
+      collect(shard, fmt::format("{}shard {}", name, number), depth + 1);
+      for (std::size_t k = first; k < lines_.size(); ++k) {
+        lines_[k].shard = number;
+        lines_[k].option = fs::path(lines_[k].folder).lexically_relative(shard).string();
       }
-    for (int shard = 1; shard <= none.shards; ++shard) {
-      if (there.contains(shard)) continue;
-      none.total = samples_of_shard(none.samples, shard, none.shards);
-      lines_.push_back({called(shard), "", none});
     }
+    if (!counts_) return;
+    std::vector<Line> array(lines_.begin() + static_cast<std::ptrdiff_t>(before), lines_.end());
+    lines_.resize(before);
+    complete(array, name);
+    lines_.insert(lines_.end(), array.begin(), array.end());
   }
-  static void check_number(const Line& line, const Line& like) {
-    if (line.of.shards != like.of.shards)
-      refuse("folder", line.folder,
-             fmt::format("is one of {} shards, {} of {}: together they are no campaign",
-                         line.of.shards, like.folder, like.of.shards),
-             "keep the shards of one array in a folder");
+  // The largest design is that of all: a shard that has not grown to it has samples left.
+  static void complete(std::vector<Line>& array, const std::string& name) {
+    const Line* like = nullptr;
+    std::set<std::string> options;
+    for (Line& line : array) {
+      options.insert(line.option);
+      if (line.fault.empty() && line.of.shard != line.shard)
+        line.fault = fmt::format(
+            "{}: is shard {} of {}, in the folder of shard {}; "
+            "put it into the folder of its number",
+            line.folder, line.of.shard, line.of.shards, line.shard);
+      if (line.fault.empty() && (like == nullptr || line.of.samples > like->of.samples))
+        like = &line;
+    }
+    if (like == nullptr) return;
+    const int samples = like->of.samples, shards = like->of.shards;
+    std::set<std::pair<int, std::string>> there;
+    for (Line& line : array) {
+      there.emplace(line.shard, line.option);
+      if (line.fault.empty() && line.of.shards != shards)
+        line.fault = fmt::format(
+            "{}: is one of {} shards, {} of {}: together they are no campaign; "
+            "keep the shards of one array in a folder",
+            line.folder, line.of.shards, like->folder, shards);
+      if (!line.fault.empty()) line.of = {}, line.workers = 0;
+      line.of.samples = samples, line.of.shards = shards;
+      line.of.total = samples_of_shard(samples, line.shard, shards);
+    }
+    for (int shard = 1; shard <= std::min(shards, samples); ++shard)
+      for (const std::string& option : options) {
+        if (there.contains({shard, option})) continue;
+        Line none{
+            fmt::format("{}shard {}{}", name, shard, option == "." ? "" : ", " + option), "", {}};
+        none.of.samples = samples, none.of.shards = shards;
+        none.of.total = samples_of_shard(samples, shard, shards);
+        none.shard = shard, none.option = option;
+        array.push_back(std::move(none));
+      }
+    std::stable_sort(array.begin(), array.end(), [](const Line& a, const Line& b) {
+      return std::tie(a.shard, a.option) < std::tie(b.shard, b.option);
+    });
   }
 
   static constexpr int kDeepest = 2;
@@ -179,7 +199,7 @@ std::string state_text(const Line& line, double each_of_all) {
 void print_line(const Line& line, double each_of_all) {
   const StoreProgress& p = line.of;
   if (!line.fault.empty()) {
-    fmt::print("{}cannot be read{}\n", line.name.empty() ? "" : readable(line.name) + ": ",
+    fmt::print("{}not counted{}\n", line.name.empty() ? "" : readable(line.name) + ": ",
                p.total > 0 ? fmt::format(", {} samples", p.total) : "");
     return;
   }
@@ -231,7 +251,7 @@ void print_sum(const Sum& sum) {
              sum.of.failed > 0 ? fmt::format(", {} without an answer", sum.of.failed) : "",
              sum.running > 0 ? fmt::format(", {} running", sum.running) : "",
              sum.idle > 0 ? fmt::format(", {} not running", sum.idle) : "",
-             sum.unread > 0 ? fmt::format(", {} cannot be read", sum.unread) : "", time);
+             sum.unread > 0 ? fmt::format(", {} not counted", sum.unread) : "", time);
 }
 
 }  // namespace
@@ -249,9 +269,8 @@ int status(const StatusArguments& a) {
     if (!line.fault.empty()) faults += line.fault + "\n";
   if (sum.unread > 0)
     throw IoError(faults +
-                  fmt::format("{} of {} stores cannot be read; wythe store check {} reads them "
-                              "through, wythe store rescue DIR --out NEW saves what still reads",
-                              sum.unread, lines.size(), shell_quoted(a.folder)));
+                  fmt::format("{} of {} stores not counted: why, and what to do, stands above",
+                              sum.unread, lines.size()));
   return sum.of.done == sum.of.total ? 0 : kUnfinished;
 }
 
@@ -267,13 +286,15 @@ int check_store(const StoreArguments& a) {
       fmt::print("{}: whole\n", readable(line.folder));
     } catch (const IoError& error) {
       ++damaged;
-      fmt::print(stderr, "{}\n", readable(error.what()));
+      fmt::print(stderr, "{}\n", readable_lines(error.what()));
+    } catch (const InputError& error) {
+      ++damaged;
+      fmt::print(stderr, "{}\n", error.what());
     }
   }
   if (damaged > 0)
-    throw IoError(fmt::format(
-        "{} of {} stores damaged; wythe store rescue DIR --out NEW saves what still reads", damaged,
-        lines.size()));
+    throw IoError(fmt::format("{} of {} stores are not whole: why, and what to do, stands above",
+                              damaged, lines.size()));
   return 0;
 }
 

@@ -143,7 +143,7 @@ struct StoreProgress {
   int done = 0, total = 0;  // of its shard, or where `until` was met
   int failed = 0;           // of those done: without an answer
   int samples = 0;          // of the whole design
-  int shards = 1;
+  int shard = 1, shards = 1;
   double seconds = 0;  // that they took, all together
   std::string writer;  // the process that writes there; "": none
 };

@@ -1,8 +1,10 @@
 // Rescue of a store whose own study is damaged: the study comes from the file of its user.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "wythe/campaign.h"
 
@@ -13,14 +15,16 @@ struct StudyOfRescue {
   StudySpec study;
   ModelBuilder build;
   std::string shard{};  // "2/4": which part of its campaign the store is; "": what the store says
-  // Called before anything is written, with the whole sample of the fewest steps, NULL where none ran: drawn values do not
-  // tell one wall from another, so it is for the caller to run that sample again. It throws where the study is another.
-  std::function<void(const SampleTable&, const SampleRecord*)> prove{};
+  const std::atomic<bool>* stop = nullptr;  // true: end the proof, save nothing
+  // Called with the samples that are run again for the proof; none where no sample is whole.
+  std::function<void(const std::vector<int>&)> proves{};
 };
 
 // As rescue_campaign(folder, out), with this study in the place of the stored one. A sample is saved where it is whole and
-// its inputs are, to the bit, what this study draws. InputError where that holds for none, or where a sample is not in the
-// shard: then nothing is written.
+// its inputs are, to the bit, what this study draws. Drawn values do not tell one wall from another, so first a sample of
+// each record (of a push: one) is run again, one that came to its end where there is any, and every stored number of it has to
+// come out once more. InputError where it does not, where no sample fits the study, or where one is not in the shard: then
+// nothing is written.
 [[nodiscard]] Rescue rescue_campaign(const std::string& folder, const std::string& out,
                                      const StudyOfRescue& by);
 

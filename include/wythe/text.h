@@ -11,6 +11,9 @@ namespace wythe {
 // its length is stated.
 [[nodiscard]] std::string readable(const std::string& text, std::size_t most = 100'000);
 
+// The same for a text of several lines: their ends stay.
+[[nodiscard]] std::string readable_lines(const std::string& text);
+
 // Capitals of ASCII made small; other bytes stay.
 [[nodiscard]] std::string small_letters(std::string_view text);
 

@@ -37,7 +37,8 @@ std::size_t unreadable_at(const std::string& text, std::size_t i) {
   return turns ? 3 : 0;
 }
 
-// The text with control characters written out; its line breaks stay.
+}  // namespace
+
 std::string readable_lines(const std::string& text) {
   std::string out;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -47,8 +48,6 @@ std::string readable_lines(const std::string& text) {
   }
   return out;
 }
-
-}  // namespace
 
 std::string readable(const std::string& text, std::size_t most) {
   constexpr char kDigit[] = "0123456789abcdef";

@@ -117,7 +117,13 @@ int fill(int descriptor, std::string_view text) {
 
 void check_input(const std::string& path) {
   struct stat there {};
-  if (::stat(path.c_str(), &there) == 0) check_readable(path, there);
+  if (::stat(path.c_str(), &there) == 0) return check_readable(path, there);
+  if (::lstat(path.c_str(), &there) != 0) return;  // the open that follows says what is wrong
+  std::error_code error;
+  refuse(path, "",
+         fmt::format("is a link to {}, which can't be reached",
+                     std::filesystem::read_symlink(path, error).string()),
+         "mend the link, or remove it");
 }
 
 void check_output(const std::string& path) {

@@ -522,7 +522,10 @@ Exported export_run(const std::string& folder, Sink& sink) {
   made.samples = 1;
   made.rows = export_run_curve(folder, sink);
   const std::string file = folder + "/summary.json";
-  const std::vector<ExportCell> row = run_cells(parse_json(read_text(file, kMostJson), file));
+  const auto summary = parse_json(read_text(file, kMostJson), file);
+  if (!summary.is_object() || !summary.contains("status"))
+    throw IoError(file + ": is no summary of a run (it has no status); run the model again");
+  const std::vector<ExportCell> row = run_cells(summary);
   write_samples(sink, row, {row});
   StateTables states(sink);
   export_run_states(folder, states);

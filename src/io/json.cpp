@@ -65,7 +65,8 @@ Json parse_json(const std::string& text, const std::string& file) {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const auto at = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    refuse(file, fmt::format("not valid JSON at byte {}", error.byte), "",
+    refuse(file, fmt::format("not valid JSON at byte {}", error.byte),
+           "correct it there, or write the file again",
            std::count(text.begin(), text.begin() + at, '\n') + 1);
   } catch (const Json::out_of_range&) {
     refuse(file, "holds a number beyond 1.8e308", "write smaller numbers");

@@ -160,8 +160,10 @@ void check_folder(const std::string& folder, FolderFor use) {
   const bool run = use == FolderFor::kRun;
   if (!run) refuse_checkpoint(folder);
   std::error_code error;
-  for (const char* name : {"campaign.lock", "samples.csv", "statistics.json", "report.html"})
-    if (!run) check_output(inside(folder, name));  // the store sees to its own
+  for (const char* name :
+       {"campaign.db", "campaign.db-wal", "campaign.db-shm", "campaign.db-journal", "campaign.lock",
+        "samples.csv", "statistics.json", "report.html"})
+    if (!run) check_output(inside(folder, name));
   if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
   throw InputError({{.file = folder,
                      .path = "",

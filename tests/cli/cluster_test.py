@@ -225,7 +225,7 @@ class Scripts(Base):
         shard = self.out() / "shards/2"  # by hand
         shutil.rmtree(shard)
         wythe("campaign", self.study, "--out", shard, "--shard", "2/2", "--quiet")
-        self.refused(wythe("status", self.out()), 2, "one of 2 shards", "no campaign")
+        self.refused(wythe("status", self.out()), 4, "one of 2 shards", "no campaign")
 
     def test_campaign_of_another_study_at_the_join_is_refused_before_it_runs(self):
         shutil.copytree(self.whole, self.out())

@@ -63,6 +63,8 @@ class Turns(unittest.TestCase):
     def test_slices_hold_every_source_but_the_kernels_once(self):
         with tempfile.TemporaryDirectory() as folder:
             made = self.project(pathlib.Path(folder), {**{f"src/core/{i}.cpp": "x" * (1 + 97 * i % 41) for i in range(60)}, "src/a/press_kernels_avx2.cpp": "x"})
+            self.assertEqual([o.split("/")[-1] for o in made.kernels()], ["press_kernels_avx2.cpp.o"])
+            self.assertEqual(made.linked(["k_avx512.o", "k_avx2.o", "k_sse2.o", "a.o"]), ["k_sse2.o", "a.o", "k_avx2.o", "k_avx512.o"])
             slices = [made.slice(i) for i in range(self.sanitize.SLICES)]
             self.assertEqual(sorted(sum(slices, [])), [o for o in sorted(made.commands) if "kernels" not in o])
             self.assertTrue(all(slices))

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What lies in a folder: wythe status tells who runs and what is left, wythe store checks and saves."""
 import fcntl
+import os
 import re
 import shutil
 import sqlite3
@@ -8,6 +9,10 @@ import unittest
 
 from campaign_test import Base
 from cli_test import Held, wythe
+
+
+def remove(path):
+    shutil.rmtree(path) if path.is_dir() else path.unlink()
 
 
 def tree(folder):
@@ -99,24 +104,51 @@ class Status(Base):
         self.fill(3, 1, 600)
         store = self.out() / "shards/2/campaign.db"
         whole = store.read_bytes()
-        for damage in (b"no database at all" * 500, whole[:5000], whole[:16] + b"\0" * 84 + whole[100:]):
-            store.write_bytes(damage)
+        for damage in (b"no database at all" * 500, whole[:5000], whole[:16] + b"\0" * 84 + whole[100:], b"", b"S", os.mkfifo, os.mkdir):
+            remove(store)
+            if callable(damage):
+                damage(store)
+            else:
+                store.write_bytes(damage)
             done = self.said()
             self.assertEqual(done.returncode, 4, done.stderr)
             self.assertEqual(done.stdout.splitlines(), [
                 "shard 1: 2 of 2 samples",
-                "shard 2: cannot be read, 2 samples",
+                "shard 2: not counted, 2 samples",
                 "shard 3: 1 of 2 samples, not running; about 10 min of one core left",
-                "all: 3 of 6 samples, 1 not running, 1 cannot be read; about 30 min of one core left"])
-            for words in (str(store), "1 of 3 stores cannot be read", "wythe store rescue"):
+                "all: 3 of 6 samples, 1 not running, 1 not counted; about 30 min of one core left"])
+            for words in (str(store), "1 of 3 stores not counted"):
                 self.assertIn(words, done.stderr)
             self.refused(wythe("store", "check", self.out()), 4, f"{store}: is ")
+        remove(store)
         store.write_bytes(whole)
         for shard in (1, 2, 3):  # none reads: nothing tells how many there are
             (self.out() / f"shards/{shard}/campaign.db").write_bytes(b"no database at all" * 500)
         done = self.said()
         self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertEqual(done.stdout.splitlines()[:3], [f"shard {s}: cannot be read" for s in (1, 2, 3)])
+        self.assertEqual(done.stdout.splitlines()[:3], [f"shard {s}: not counted" for s in (1, 2, 3)])
+
+    def test_a_shard_that_is_not_there_or_in_another_ones_folder_or_has_not_grown_is_missing(self):
+        for shard in (1, 2, 3):
+            self.fill(shard, 2, 60)
+        last = lambda: self.said().stdout.splitlines()[-1]
+        self.assertEqual(last(), "all: 6 of 6 samples")
+        first, second = (self.out() / f"shards/{s}" for s in (1, 2))
+        shutil.move(first, self.folder / "kept")
+        self.assertIn("all: 4 of 6 samples, 1 not running", last())
+        shutil.copytree(second, first)  # a copy of the second in its place
+        done = self.said()
+        self.assertIn("all: 4 of 6 samples, 1 not counted", done.stdout)
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("is shard 2 of 3, in the folder of shard 1", done.stderr)
+        shutil.rmtree(first)
+        shutil.move(self.folder / "kept", first)
+        grown = wythe("campaign", self.study, "--samples", "9", "--shard", "3/3", "--resume", "--out", self.folder / "grown")
+        self.assertEqual(grown.returncode, 0, grown.stderr)
+        shutil.rmtree(self.out() / "shards/3")
+        shutil.move(self.folder / "grown", self.out() / "shards/3")
+        self.assertIn("all: 7 of 9 samples, 2 not running", last())
+        self.assertEqual(self.said().returncode, 3)
 
     def test_a_store_that_cannot_be_read_is_not_left_out_of_a_join_or_of_an_array(self):
         store = self.out() / "shards/2/campaign.db"
@@ -135,6 +167,37 @@ class Status(Base):
         self.assertTrue((self.out() / "shards/1/campaign.db-wal").exists())
         self.assertIn("shard 1: 1 of 2 samples, not running", self.said().stdout)
         self.assertEqual(self.resume(self.out() / "shards/1", "--shard", "1/3").returncode, 0)
+
+
+class StatusOfOptions(Base):
+    """An array of a study with [[variant]]: each option of each shard counts, there or not."""
+    study_text = Base.study_text + """
+[[variant]]
+name = "heavy"
+set = ['wall.unit.density = "2300 kg/m^3"']
+"""
+
+    def test_every_option_of_every_shard_counts(self):
+        done = wythe("campaign", self.study, "--out", self.out(), "--slurm", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        last = lambda: wythe("status", self.out()).stdout.splitlines()[-1]
+        whole = last()
+        self.assertIn("all: 0 of 12 samples, 6 not running", whole)
+        for gone in ("2/heavy", "2"):
+            shutil.move(self.out() / "shards" / gone, self.folder / "kept")
+            self.assertEqual(last(), whole, gone)
+            shutil.move(self.folder / "kept", self.out() / "shards" / gone)
+        for place in ("2/heavy", "2/base"):
+            store = self.out() / "shards" / place / "campaign.db"
+            kept = store.read_bytes()
+            store.write_bytes(b"no database at all" * 500)
+            done = wythe("status", self.out())
+            self.assertEqual((done.returncode, len(done.stdout.splitlines())), (4, 7), done.stdout)
+            self.assertIn("all: 0 of 12 samples, 5 not running, 1 not counted", done.stdout)
+            done = wythe("store", "check", self.out())
+            self.assertEqual((done.returncode, len(done.stdout.splitlines())), (4, 5), done.stdout)
+            self.assertIn(f"{store}: is ", done.stderr)
+            store.write_bytes(kept)
 
 
 class Stores(Base):
@@ -238,7 +301,7 @@ class Stores(Base):
         with sqlite3.connect(self.out() / "campaign.db") as store:
             store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
         store.close()
-        self.refused(wythe(*command), 2, "ends in another state", "of another wall", "nothing was saved")
+        self.refused(wythe(*command), 2, "comes out otherwise", "of another wall", "nothing was saved")
         self.assertFalse(saved.exists())
 
     def test_check_reads_the_joined_store_of_an_array_too(self):

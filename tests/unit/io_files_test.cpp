@@ -70,8 +70,10 @@ TEST(BlocksRefused, missing_file_at_its_key) {
 }
 
 TEST(BlocksRefused, text_that_is_not_json) {
-  EXPECT_EQ(blocks_fault("{\"units\": \"m\",\n \"blocks\": [NaN]}"),
-            "stones.json:2: wall.blocks: not valid JSON at byte 28");
+  EXPECT_EQ(
+      blocks_fault("{\"units\": \"m\",\n \"blocks\": [NaN]}"),
+      "stones.json:2: wall.blocks: not valid JSON at byte 28; correct it there, or write the file "
+      "again");
 }
 
 TEST(BlocksRefused, missing_units_and_missing_blocks) {

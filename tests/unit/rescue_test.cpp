@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "scenes/changed_store.h"
 #include "scenes/places.h"
+#include "scenes/shaken_study.h"
 #include "scenes/small_study.h"
+#include "study/campaign/proof.h"
+#include "study/draws/records.h"
 #include "study/store/database.h"
 #include "study/store/store.h"
 #include "study/store/store_schema.h"
@@ -121,43 +125,106 @@ TEST_F(RescueStore, another_study_is_refused_before_anything_is_written) {
   EXPECT_FALSE(fs::exists(saved_));
 }
 
-// Drawn values do not tell one wall from another: who calls says so, before a byte is written, by a sample that will be saved.
-TEST_F(RescueStore, nothing_is_written_before_the_study_is_proved) {
+// Drawn values do not tell one wall from another: some samples are run again, and every number of them has to come out.
+TEST_F(RescueStore, another_push_or_wall_is_refused_by_running_it) {
   change("UPDATE study SET value = 'x' WHERE key = 'digest'");
-  std::vector<std::int64_t> steps;
-  for (const SampleRecord& record : read_campaign(*made_ / "out").records)
-    steps.push_back(record.steps);
-  const auto shortest = std::min_element(steps.begin(), steps.end()) - steps.begin() + 1;
-  StudyOfRescue other{.study = study(), .build = model_builder(study())};
-  int asked = 0;
-  other.prove = [&](const SampleTable& samples, const SampleRecord* record) {
-    ++asked;
-    EXPECT_FALSE(fs::exists(saved_));
-    EXPECT_EQ(samples.n_sample(), 3);
-    ASSERT_NE(record, nullptr);
-    EXPECT_EQ(record->sample, shortest);
-    throw InputError({{.file = "wall",
-                       .path = "",
-                       .value = "",
-                       .problem = "is another",
-                       .cure = "take the right one"}});
-  };
-  EXPECT_TRUE(
-      has(refusal<InputError>([&] { (void)rescue_campaign(out_, saved_, other); }), "is another"));
-  EXPECT_EQ(asked, 1);
+  const std::vector<std::string> others = {
+      "stage.push.until = \"0.6 mm\"", "stage.push.velocity = \"3 mm/s\"",
+      "stage.push.direction = \"-x\"", "wall.unit.density = \"2300 kg/m^3\""};
+  for (const std::string& setting : others) {
+    StudySpec other = study();
+    other.settings.push_back(setting);
+    const std::string said = refusal<InputError>([&] { (void)by(other); });
+    EXPECT_TRUE(has(said, "comes out otherwise than it is stored")) << setting << said;
+    EXPECT_FALSE(fs::exists(saved_)) << setting;
+  }
+  StudySpec other = study();  // the same wall and push, but other states are kept
+  other.states = {0.3e-3};
+  const std::string said = refusal<InputError>([&] { (void)by(other); });
+  EXPECT_TRUE(has(said, "comes out otherwise") && has(said, "table ")) << said;
   EXPECT_FALSE(fs::exists(saved_));
+  EXPECT_EQ(by(study()).kept, 3);
+}
 
-  // the shortest is damaged: another one proves it; none is whole: nothing can
-  change("UPDATE sample SET steps = 1 WHERE sample = " + std::to_string(shortest));
-  other.prove = [&](const SampleTable&, const SampleRecord* record) {
-    ASSERT_NE(record, nullptr);
-    EXPECT_NE(record->sample, shortest);
+// One that came to its end says most; of those the cheapest; a damaged one says nothing.
+TEST_F(RescueStore, the_sample_that_proves_went_through_all_stages) {
+  std::vector<SampleRecord> records = read_campaign(out_).records;
+  ASSERT_EQ(records.size(), 3U);
+  records[0].steps = 30, records[1].steps = 20, records[2].steps = 10;
+  const auto of = [&] { return samples_to_prove(study(), records); };
+  EXPECT_EQ(of(), std::vector<int>{3});
+  records[2].status = "collapsed";
+  EXPECT_EQ(of(), std::vector<int>{2});
+  for (SampleRecord& record : records) record.status = "collapsed";
+  records[2].curve.clear();  // before it was pushed
+  EXPECT_EQ(of(), std::vector<int>{2});
+  for (SampleRecord& record : records) record.steps = 0;
+  EXPECT_TRUE(of().empty());
+
+  std::vector<int> proves = {0};
+  StudyOfRescue right{.study = study(), .build = model_builder(study())};
+  right.proves = [&](const std::vector<int>& samples) { proves = samples; };
+  change(
+      "UPDATE study SET value = 'x' WHERE key = 'digest';"
+      "UPDATE sample SET steps = 1");
+  EXPECT_EQ(rescue_campaign(out_, saved_, right).kept, 0);
+  EXPECT_TRUE(proves.empty());
+}
+
+StudySpec two_records(double second_period) {
+  return scenes::shaken_study("measure = \"pga\"\nlevels = [\"2 m/s^2\"]", {0.15, second_period}, 2,
+                              "[[limit_state]]\nname = \"rocking\"\npeak_drift = \"2 %\"\n");
+}
+
+TEST(ProofOfStudy, has_a_sample_of_each_record) {
+  const StudySpec shaken = two_records(0.8);
+  const int records = 2, samples = count_samples(shaken);
+  ASSERT_EQ(samples, 4);
+  std::vector<SampleRecord> all(static_cast<std::size_t>(samples));
+  for (int s = 1; s <= samples; ++s) {
+    SampleRecord& record = all[static_cast<std::size_t>(s - 1)];
+    record.sample = s, record.steps = 1000 - s, record.status = "completed";
+  }
+  std::set<int> seen;
+  for (const int sample : samples_to_prove(shaken, all))
+    EXPECT_TRUE(seen.insert(case_of(shaken, sample).record).second);
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(records));
+
+  // so another record is found, whichever it is
+  const TemporaryFolder folder;
+  run_campaign(shaken, model_builder(shaken), folder / "out", {.jobs = 1});
+  Database(store_path(folder / "out"), Database::Access::kWrite)
+      .execute("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  const auto by = [&](const StudySpec& study) {
+    return rescue_campaign(folder / "out", folder / "saved",
+                           {.study = study, .build = model_builder(study)});
   };
-  EXPECT_EQ(rescue_campaign(out_, saved_, other).kept, 2);
-  fs::remove_all(saved_);
-  change("UPDATE sample SET steps = 1");
-  other.prove = [&](const SampleTable&, const SampleRecord* record) { EXPECT_EQ(record, nullptr); };
-  EXPECT_EQ(rescue_campaign(out_, saved_, other).kept, 0);
+  const StudySpec other = two_records(0.9);
+  EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(other); }), "comes out otherwise"));
+  EXPECT_FALSE(fs::exists(folder / "saved"));
+  EXPECT_EQ(by(shaken).kept, samples);
+}
+
+// What was saved before belongs to the study that it was saved with.
+TEST_F(RescueStore, goes_on_with_the_same_study_alone) {
+  EXPECT_EQ(rescue_campaign(out_, saved_).kept, 3);
+  fs::remove_all(out_);  // another campaign in the same place, which draws the same
+  StudySpec other = study();
+  other.settings.push_back("wall.unit.density = \"2300 kg/m^3\"");
+  run_campaign(other, model_builder(other), out_, {.jobs = 1});
+  const std::string said = refusal<InputError>([&] { (void)rescue_campaign(out_, saved_); });
+  EXPECT_TRUE(has(said, "2300 kg/m^3") && has(said, "name another folder")) << said;
+  EXPECT_EQ(rescue_campaign(out_ + "/", saved_ + "_2").kept, 3);
+  EXPECT_EQ(rescue_campaign(out_, saved_ + "_2").kept, 3);  // the same place, written otherwise
+}
+
+TEST_F(RescueStore, interrupted_it_saves_nothing_unproved) {
+  change("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  std::atomic<bool> stop{true};
+  const StudyOfRescue by{.study = study(), .build = model_builder(study()), .stop = &stop};
+  EXPECT_TRUE(has(refusal<IoError>([&] { (void)rescue_campaign(out_, saved_, by); }),
+                  "before the study was proved"));
+  EXPECT_FALSE(fs::exists(saved_));
 }
 
 // A shard that is put back into its array has to say which it is, also where the store does not any more.
@@ -185,8 +252,14 @@ TEST_F(RescueStore, a_shard_stays_one) {
   damage("x");
   EXPECT_TRUE(
       has(refusal<InputError>([&] { (void)by(study(), "2/2"); }), "does not hold sample 1"));
-  EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(study(), "2"); }), "is no shard"));
+  for (const char* none : {"2", "1/4", "1/99999999", "0/2"})
+    EXPECT_TRUE(has(refusal<InputError>([&] { (void)by(study(), none); }), "is no shard")) << none;
   EXPECT_FALSE(fs::exists(saved_));
+  // where the row reads, and the samples are of it, it holds
+  change("UPDATE study SET value = '1/2' WHERE key = 'shard'");
+  EXPECT_TRUE(
+      has(refusal<InputError>([&] { (void)by(study(), "1/1"); }), "what the store says, 1/2"));
+  damage("x");
   // a sample that is damaged says nothing of the shard
   change("UPDATE sample SET sample = 2 WHERE sample = 3");
   const Rescue rest = by(study(), "1/2");
@@ -200,6 +273,10 @@ TEST_F(RescueStore, of_a_design_that_grew_all_batches_are_saved) {
   more.batch = {5};
   run_campaign(more, model_builder(more), out_, {.jobs = 1, .resume = true});
   change("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  EXPECT_EQ(by(study()).kept, 5);
+  EXPECT_EQ(read_campaign(saved_).study.batch, (std::vector<int>{3, 2}));
+  fs::remove_all(saved_);
+  change("UPDATE study SET value = 'x' WHERE key = 'samples'");  // nor does that say it any more
   EXPECT_EQ(by(study()).kept, 5);
   EXPECT_EQ(read_campaign(saved_).study.batch, (std::vector<int>{3, 2}));
 }

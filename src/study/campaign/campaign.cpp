@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/files.h"
 #include "study/campaign/plan.h"
 #include "study/campaign/sample_pool.h"
 #include "study/store/folder_lock.h"
@@ -215,6 +216,7 @@ CampaignOutcome run_campaign(const StudySpec& asked, const ModelBuilder& build,
                              const std::string& folder, const CampaignOptions& options,
                              const std::function<void(const CampaignProgress&)>& progress) {
   study::check_options(asked, options);
+  check_output(study::store_path(folder).string());  // a link is no store of this folder
   const bool there = study::holds_store(folder);
   if (there && !options.resume)
     study::refuse({.file = folder,

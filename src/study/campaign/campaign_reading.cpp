@@ -97,7 +97,7 @@ StoreProgress campaign_progress(const std::string& folder) {
   const int last = study::last_counted(store);
   progress.samples = store.samples().n_sample();
   const auto [first, step] = *study::shard_of(store.head().shard);  // head() refuses others
-  progress.shards = step;
+  progress.shard = first, progress.shards = step;
   for (int s = first; s <= std::min(progress.samples, last); s += step) ++progress.total;
   study::Statement select(store.database(),
                           "SELECT count(*), total(status NOT IN ('completed', 'collapsed')), "

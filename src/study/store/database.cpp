@@ -384,7 +384,7 @@ void Database::take(double bytes) {
 
 void Database::damaged(const std::string& what) const {
   refuse_if_written();
-  throw IoError(fmt::format("{}: is damaged: {}; {}", name_, what, kCure));
+  throw FileDamage(name_, "is damaged: " + what, kCure);
 }
 
 void Database::refuse(int code) {

@@ -35,6 +35,17 @@ class DiskError : public IoError {
   std::string file_, reason_;
 };
 
+// What the file holds is not what was written.
+class FileDamage : public IoError {
+ public:
+  FileDamage(const std::string& file, std::string reason, const std::string& cure)
+      : IoError(file + ": " + reason + "; " + cure), reason_(std::move(reason)) {}
+  [[nodiscard]] const std::string& reason() const { return reason_; }  // without file and cure
+
+ private:
+  std::string reason_;
+};
+
 struct Bytes {
   std::string_view data;
 };

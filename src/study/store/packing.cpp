@@ -45,7 +45,7 @@ std::vector<Number> decompressed(std::string_view bytes, std::size_t count,
     refuse(what, "it does not hold " + std::to_string(count) + " numbers");
   std::vector<Number> numbers(count);
   const std::size_t size = ZSTD_decompress(numbers.data(), wanted, bytes.data(), bytes.size());
-  if (ZSTD_isError(size) != 0) refuse(what, ZSTD_getErrorName(size));
+  if (ZSTD_isError(size) != 0) refuse(what, "its bytes are not what was packed");
   if (size != wanted) refuse(what, "it ends early");
   return numbers;
 }

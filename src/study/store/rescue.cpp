@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/hash.h"
+#include "study/campaign/proof.h"
 #include "study/store/folder_lock.h"
 #include "study/store/packing.h"
 #include "study/store/store.h"
@@ -104,6 +105,7 @@ struct Beginning {
   StoreHead head;
   std::map<int, std::string> unfit;
   bool knows_shard = true;
+  std::vector<int> to_prove{};  // samples
 };
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -117,6 +119,12 @@ bool goes_on(const std::string& out, const Beginning& begin) {
   Store store(out, Store::Access::kRead);
   if (store.value(kRescuedFrom) != begin.head.rescued_from)
     refuse("holds a campaign already", "name another folder for what is rescued");
+  if (std::vector<Fault> faults = changes(store.study(), begin.spec, store.database().name());
+      !faults.empty() || store.study().batch != begin.spec.batch) {
+    if (faults.empty()) refuse("holds a rescue of another design", "name another folder");
+    faults.back().cure = "name another folder for what is rescued now (nothing was written)";
+    throw InputError(std::move(faults));
+  }
   const std::vector<std::vector<double>> there = store.samples().value;
   if (!std::equal(there.begin(), there.end(), begin.samples.value.begin(),
                   begin.samples.value.end(), same_inputs))
@@ -208,44 +216,67 @@ void refuse_another_study(Store& source, const StudySpec& spec) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-// The sizes of the designs: as stored, where they can be read and what they draw fits no worse.
-Beginning by_study(Store& source, const StudySpec& spec) {
-  Beginning best{spec, draw_samples(spec), {}, {}};
-  best.unfit = not_drawn(source.database(), best.samples);
+// The sizes of the designs that the store may have: as it says, and as the study is with more added later.
+std::vector<std::vector<int>> possible_batches(Store& source, const StudySpec& spec,
+                                               std::int64_t drawn) {
+  std::vector<std::vector<int>> batches;
   try {
     Rows rows = rows_of(spec);
     for (auto& [key, value] : rows)
       if (key == "samples") value = source.value(key);
+    batches.push_back(study_of(rows).batch);
+  } catch (const IoError&) {  // that row is damaged too
+  }
+  std::vector<int> grown = spec.batch;
+  const std::int64_t each =
+      count_samples(spec) /
+      std::max<std::int64_t>(
+          1, std::accumulate(grown.begin(), grown.end(), std::int64_t{0}));  // samples of a wall
+  const std::int64_t more = each > 0 ? (drawn - count_samples(spec)) / each : 0;
+  if (more > 0 && more <= std::numeric_limits<int>::max()) {
+    grown.push_back(static_cast<int>(more));
+    batches.push_back(grown);
+  }
+  return batches;
+}
+
+// The design that leaves out the fewest samples.
+Beginning by_study(Store& source, const StudySpec& spec) {
+  Beginning best{spec, draw_samples(spec), {}, {}};
+  best.unfit = not_drawn(source.database(), best.samples);
+  std::int64_t drawn = 0;
+  try {
+    drawn = source.database().integer("SELECT coalesce(max(sample), 0) FROM sample_input");
+  } catch (const DiskError&) {
+    throw;
+  } catch (const IoError&) {  // that table does not read: none but the study's own size
+    return best;
+  }
+  for (std::vector<int>& batch : possible_batches(source, spec, drawn)) {
     StudySpec grown = spec;
-    grown.batch = study_of(rows).batch;
-    const std::int64_t drawn =
-        source.database().integer("SELECT coalesce(max(sample), 0) FROM sample_input");
-    if (grown.batch != spec.batch && check_study(grown).empty() && count_samples(grown) == drawn) {
+    grown.batch = std::move(batch);
+    try {
+      if (grown.batch == spec.batch || !check_study(grown).empty() || count_samples(grown) != drawn)
+        continue;
       Beginning other{grown, draw_samples(grown), {}, {}};
       other.unfit = not_drawn(source.database(), other.samples);
       if (other.unfit.size() < best.unfit.size()) best = std::move(other);
+    } catch (const InputError&) {
     }
-  } catch (const IoError&) {  // that row is damaged too
-  } catch (const InputError&) {
   }
   return best;
 }
 
-// The samples that will be saved, but for damage of their states; of those that ran the one with the fewest steps.
-struct WholeSamples {
-  std::vector<int> number;
-  std::optional<SampleRecord> shortest;
-};
-
-WholeSamples whole_samples(Store& source, const Beginning& begin, const std::vector<int>& stored) {
-  WholeSamples whole;
+// The samples that will be saved, but for damage of their states; without curves.
+std::vector<SampleRecord> whole_samples(Store& source, const Beginning& begin,
+                                        const std::vector<int>& stored) {
+  std::vector<SampleRecord> whole;
   for (const int sample : stored) {
     if (begin.unfit.contains(sample)) continue;
     try {
       for (SampleRecord& record : source.records(begin.samples, sample, sample)) {
-        whole.number.push_back(sample);
-        if (record.steps > 0 && (!whole.shortest || record.steps < whole.shortest->steps))
-          whole.shortest = std::move(record);
+        if (record.curve.size() > 2) record.curve.resize(2);  // that it has one is enough
+        whole.push_back(std::move(record));
       }
     } catch (const DiskError&) {
       throw;
@@ -256,25 +287,34 @@ WholeSamples whole_samples(Store& source, const Beginning& begin, const std::vec
   return whole;
 }
 
-// The shard that is asked for, else the one that the store names, where all whole samples are in it. Else any may be in it.
-void settle_shard(const std::vector<int>& whole, const std::string& asked, const std::string& named,
-                  Beginning& begin) {
+// The shard that the store names, where all whole samples are in it; else the one that is asked for. Else any may be in it.
+void settle_shard(const std::vector<SampleRecord>& whole, const std::string& asked,
+                  const std::string& named, Beginning& begin) {
   const auto refuse = [&](const std::string& problem, const char* cure) {
     throw InputError(
         {{.file = "--shard", .path = "", .value = asked, .problem = problem, .cure = cure}});
   };
-  const std::optional<Shard> shard = shard_of(asked.empty() ? named : asked);
-  const auto outside = std::find_if(whole.begin(), whole.end(), [&](int sample) {
-    return shard && (sample - shard->number) % shard->of != 0;
-  });
-  const bool fits = shard && outside == whole.end();
-  if (!asked.empty() && !shard)
-    refuse("is no shard", "write its number and how many there are, e.g. --shard 2/4");
-  if (!asked.empty() && !fits)
-    refuse(fmt::format("does not hold sample {}, which is stored", *outside),
-           "give the shard as the campaign did (nothing was written)");
-  begin.knows_shard = fits;
-  begin.head.shard = !fits ? "1/1" : asked.empty() ? named : asked;
+  const auto outside = [&](const Shard& shard) {
+    const auto found = std::find_if(whole.begin(), whole.end(), [&](const SampleRecord& record) {
+      return (record.sample - shard.number) % shard.of != 0;
+    });
+    return found == whole.end() ? 0 : found->sample;
+  };
+  const std::optional<Shard> stored = shard_of(named), wanted = shard_of(asked);
+  const bool fits = stored && outside(*stored) == 0;
+  if (!asked.empty()) {
+    if (!wanted || wanted->of > begin.samples.n_sample())
+      refuse("is no shard of the campaign",
+             "write its number and how many there are, e.g. --shard 2/4");
+    if (const int sample = outside(*wanted); sample != 0)
+      refuse(fmt::format("does not hold sample {}, which is stored", sample),
+             "give the shard as the campaign did (nothing was written)");
+    if (fits && named != asked)
+      refuse(fmt::format("is not what the store says, {}, and its samples are of that", named),
+             "leave --shard out (nothing was written)");
+  }
+  begin.knows_shard = fits || wanted;
+  begin.head.shard = !asked.empty() ? asked : fits ? named : "1/1";
 }
 
 Beginning begun_by(Store& source, const StudyOfRescue& by) {
@@ -292,20 +332,41 @@ Beginning begun_by(Store& source, const StudyOfRescue& by) {
                   "--samples (nothing was written)"}});
   begin.head.load_height = load_height_of(compile(by.build({})));
   begin.head.provenance = source.text_or("provenance", "");
-  const WholeSamples whole = whole_samples(source, begin, stored);
-  settle_shard(whole.number, by.shard, source.text_or("shard", ""), begin);
-  if (by.prove) by.prove(begin.samples, whole.shortest ? &*whole.shortest : nullptr);
+  const std::vector<SampleRecord> whole = whole_samples(source, begin, stored);
+  settle_shard(whole, by.shard, source.text_or("shard", ""), begin);
+  begin.to_prove = samples_to_prove(begin.spec, whole);
   return begin;
 }
 
+// The folder is gone again where it was not there before and nothing came into it.
+class FolderIfFilled {
+ public:
+  explicit FolderIfFilled(std::string path)
+      : path_(std::move(path)), is_new_(!std::filesystem::exists(path_)) {}
+  ~FolderIfFilled() {
+    std::error_code error;
+    if (is_new_) std::filesystem::remove(path_, error);
+  }
+  FolderIfFilled(const FolderIfFilled&) = delete;
+  FolderIfFilled& operator=(const FolderIfFilled&) = delete;
+
+ private:
+  std::string path_;
+  bool is_new_;
+};
+
 // Goes on with what an earlier one has saved: it was ended by force or by the disk, or its files were not written.
-Rescue rescued(Store& source, const std::string& folder, const std::string& out, Beginning begin) {
+// `by`: the study is to be proved; NULL: it is the stored one.
+Rescue rescued(Store& source, const std::string& folder, const std::string& out, Beginning begin,
+               const StudyOfRescue* by) {
   Hash place;
-  place.add(std::filesystem::absolute(folder).lexically_normal().string());
+  place.add((std::filesystem::absolute(folder) / "").lexically_normal().string());
   begin.head.rescued_from = place.text();
   static_cast<void>(goes_on(out, begin));  // refuses before the folder is made
+  const FolderIfFilled made(out);
   const FolderLock lock(out);
   const bool there = goes_on(out, begin);  // now nobody else begins
+  if (by != nullptr) prove_study(folder, out, begin.spec, *by, begin.to_prove);
   Rescue rescue;
   rescue.knows_shard = begin.knows_shard;
   try {
@@ -314,6 +375,11 @@ Rescue rescued(Store& source, const std::string& folder, const std::string& out,
     const std::set<int> saved = store.done();
     Copier copier(source, store, begin.samples);
     for (int sample = 1; sample <= begin.samples.n_sample(); ++sample) {
+      if (by != nullptr && by->stop != nullptr && by->stop->load())
+        throw IoError(fmt::format(
+            "{}: interrupted; {} samples are saved, the others were not looked at: start the same "
+            "rescue again, it goes on",
+            out, rescue.kept));
       const auto unfit = begin.unfit.find(sample);
       try {
         if (unfit != begin.unfit.end())
@@ -322,7 +388,10 @@ Rescue rescued(Store& source, const std::string& folder, const std::string& out,
           rescue.kept += saved.contains(sample) || copier.copy(sample) ? 1 : 0;
       } catch (const DiskError& error) {
         if (error.file() == store.database().name()) throw;
-        rescue.lost.push_back({sample, error.what()});
+        rescue.lost.push_back({sample, error.reason()});
+      } catch (const FileDamage& damage) {
+        // seen in the copy, which is the store that is damaged
+        rescue.lost.push_back({sample, source.database().name() + ": " + damage.reason()});
       } catch (const IoError& error) {
         rescue.lost.push_back({sample, error.what()});
       }
@@ -363,7 +432,7 @@ Rescue rescue_campaign(const std::string& folder, const std::string& out) {
   try {
     const StudySpec spec = source.study();  // first: what is read of the samples goes by it
     const SampleTable table = study::trusted_inputs(source);
-    return study::rescued(source, folder, out, {spec, table, source.head(), {}});
+    return study::rescued(source, folder, out, {spec, table, source.head(), {}}, nullptr);
   } catch (const study::StudyDamage& damage) {
     throw IoError(
         fmt::format("{}\nWithout the study no sample of it can be told to be right, so nothing was "
@@ -377,7 +446,7 @@ Rescue rescue_campaign(const std::string& folder, const std::string& out) {
 Rescue rescue_campaign(const std::string& folder, const std::string& out, const StudyOfRescue& by) {
   study::Store source = study::source_of(folder);
   study::refuse_another_study(source, by.study);
-  return study::rescued(source, folder, out, study::begun_by(source, by));
+  return study::rescued(source, folder, out, study::begun_by(source, by), &by);
 }
 
 }  // namespace wythe

@@ -256,11 +256,8 @@ StudySpec without_folders(StudySpec spec) {
 fs::path store_path(const std::string& folder) { return fs::path(folder) / kStoreName; }
 
 bool holds_store(const std::string& folder) {
-  const fs::path path = store_path(folder);
   std::error_code error;
-  if (!fs::exists(path, error) || fs::file_size(path, error) == 0) return false;
-  Database database(path, Database::Access::kRead);
-  return database.integer("SELECT count(*) FROM sqlite_schema") > 0;
+  return fs::symlink_status(store_path(folder), error).type() != fs::file_type::not_found;
 }
 
 PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {

@@ -30,7 +30,7 @@ inline constexpr int kFirstWithChecksums = 6;  // digest.h; made before table `s
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
-// A store with its study is there; false also for what an early kill left.
+// Something of that name is there, whether it can be read or not: stores come into their place whole.
 [[nodiscard]] bool holds_store(const std::string& folder);
 
 // What is said once about a campaign beside its study and samples.

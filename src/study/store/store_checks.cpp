@@ -135,6 +135,11 @@ void Store::check_version(Access access) {
   const std::string& name = database_.name();
   const std::int64_t application = database_.integer("PRAGMA application_id");
   version_ = database_.integer("PRAGMA user_version");
+  if (application == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0)
+    throw IoError(
+        name +
+        ": is empty, no campaign is in it; restore it from a copy, or remove it and begin "
+        "the campaign again");
   if (application != kApplication)
     throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
   if (version_ > kSchemaVersion)
