@@ -53,6 +53,8 @@ int cluster_campaign(const CampaignArguments& arguments);
 // store_commands.cpp: how far campaigns are, and whether their stores are whole.
 inline constexpr const char* kShardsFolder = "shards";
 std::string shards_of(const std::string& folder);
+// Such as a study gives to the folder of an option; "heavy.bad" is a copy by hand.
+bool is_option_name(const std::string& name);
 // Folders of the shards that an array left in `folder`, by number.
 std::vector<std::string> shard_folders(const std::string& folder);
 struct StatusArguments {

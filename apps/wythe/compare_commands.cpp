@@ -196,7 +196,8 @@ std::vector<std::string> option_folders(const std::string& folder) {
   std::vector<std::pair<int, std::string>> found;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string path = folder + "/" + entry.path().filename().string();
-    if (entry.is_directory() && holds_campaign(path))
+    if (entry.is_directory() && is_option_name(entry.path().filename().string()) &&
+        holds_campaign(path))
       found.emplace_back(read_study_of(path).variant_place, path);
   }
   std::sort(found.begin(), found.end());

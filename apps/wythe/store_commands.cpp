@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -23,6 +24,10 @@ namespace wythe::app {
 namespace fs = std::filesystem;
 
 std::string shards_of(const std::string& folder) { return folder + "/" + kShardsFolder; }
+
+bool is_option_name(const std::string& name) {
+  return name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
 
 std::vector<std::string> shard_folders(const std::string& folder) {
   std::vector<std::pair<int, std::string>> found;
@@ -118,6 +123,9 @@ class Overview {
         lines_[k].shard = number;
         lines_[k].option = fs::path(lines_[k].folder).lexically_relative(shard).string();
       }
+      std::erase_if(lines_, [](const Line& line) {
+        return line.shard > 0 && line.option != "." && !is_option_name(line.option);
+      });
     }
     if (!counts_) return;
     std::vector<Line> array(lines_.begin() + static_cast<std::ptrdiff_t>(before), lines_.end());
@@ -129,6 +137,12 @@ class Overview {
   static void complete(std::vector<Line>& array, const std::string& name) {
     const Line* like = nullptr;
     std::set<std::string> options;
+    std::map<int, int> votes;  // how many stores say that there are so many shards
+    for (const Line& line : array)
+      if (line.fault.empty() && line.of.shard == line.shard) ++votes[line.of.shards];
+    const auto most =
+        std::max_element(votes.begin(), votes.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
     for (Line& line : array) {
       options.insert(line.option);
       if (line.fault.empty() && line.of.shard != line.shard)
@@ -136,7 +150,8 @@ class Overview {
             "{}: is shard {} of {}, in the folder of shard {}; "
             "put it into the folder of its number",
             line.folder, line.of.shard, line.of.shards, line.shard);
-      if (line.fault.empty() && (like == nullptr || line.of.samples > like->of.samples))
+      if (line.fault.empty() && line.of.shards == most->first &&
+          (like == nullptr || line.of.samples > like->of.samples))
         like = &line;
     }
     if (like == nullptr) return;
@@ -146,7 +161,7 @@ class Overview {
       there.emplace(line.shard, line.option);
       if (line.fault.empty() && line.of.shards != shards)
         line.fault = fmt::format(
-            "{}: is one of {} shards, {} of {}: together they are no campaign; "
+            "{}: is one of {} shards, most others, as {}, of {}: together they are no campaign; "
             "keep the shards of one array in a folder",
             line.folder, line.of.shards, like->folder, shards);
       if (!line.fault.empty()) line.of = {}, line.workers = 0;

@@ -21,8 +21,8 @@ struct StudyOfRescue {
 };
 
 // As rescue_campaign(folder, out), with this study in the place of the stored one. A sample is saved where it is whole and
-// its inputs are, to the bit, what this study draws. Drawn values do not tell one wall from another, so first a sample of
-// each record (of a push: one) is run again, one that came to its end where there is any, and every stored number of it has to
+// its inputs are, to the bit, what this study draws. Drawn values do not tell one wall from another, so first samples
+// are run again, for each record and each way to end the one with the fewest steps, and every stored number of them has to
 // come out once more. InputError where it does not, where no sample fits the study, or where one is not in the shard: then
 // nothing is written.
 [[nodiscard]] Rescue rescue_campaign(const std::string& folder, const std::string& out,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each call that changes a file fails once, in turn: of a campaign, a merge, a run and a rescue.
+"""Each call that changes a file fails once, in turn: of a campaign, a merge, a run and a rescue. And a clock that jumps.
 
 A library that is preloaded (tests/faults/broken_disk.c) counts the calls below the folder of results and lets one of them fail: by an error of the
 disk, by a disk that is full from there on, by the end of the process before it, or by a loss of power, which takes what was not
@@ -88,6 +88,33 @@ class BrokenDisk(unittest.TestCase):
                 self.assertTrue(self.whole(out, names) == good, f"{case}\nthen: {then.stderr}")
         self.assertGreater(told, calls // STEP, what)  # of two ways
         print(f"{what}: {calls} calls, {told} errors told")
+
+    def test_a_clock_that_jumps_changes_nothing(self):
+        """In a campaign that is stopped and resumed, a check and a merge: the bytes are those under a steady clock. Files of all ages lie there."""
+        library, count = self.folder / "jumping_clock.so", self.folder / "jumps"
+        subprocess.run(["gcc", "-shared", "-fPIC", "-O1", "-o", library, pathlib.Path(SOURCE) / "tests/faults/jumping_clock.c", "-ldl"], check=True)
+        steady = self.folder / "steady"
+        self.assertEqual(self.run_("campaign", "study.toml", "--out", steady, "--jobs", 1, "--quiet").returncode, 0)
+
+        def jumping(*command):
+            environment = dict(os.environ, LD_PRELOAD=str(library), JUMPING_CLOCK_COUNT=str(count))
+            done = subprocess.run([os.path.abspath(WYTHE), *map(str, command)], cwd=self.folder, capture_output=True, text=True, check=False, env=environment)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), command)
+            return done.stdout
+
+        shards = [self.folder / f"jumping_{k}" for k in (1, 2)]
+        for k, shard in enumerate(shards, 1):
+            jumping("campaign", "study.toml", "--shard", f"{k}/2", "--out", shard, "--jobs", 1, "--quiet")
+            for path in shard.iterdir():
+                os.utime(path, (0, 0) if k == 1 else (4102444800, 4102444800))  # 1970, 2100
+            jumping("campaign", "study.toml", "--shard", f"{k}/2", "--out", shard, "--jobs", 1, "--quiet", "--resume")
+            self.assertIn("whole", jumping("store", "check", shard))
+        out = self.folder / "joined_under_jumps"
+        jumping("merge", *shards, "--out", out)
+        jumping("report", out)
+        for name in ("samples.csv", "statistics.json"):
+            self.assertEqual((out / name).read_bytes(), (steady / name).read_bytes(), name)
+        self.assertGreater(count.stat().st_size, 10)  # it did look at that clock
 
     def test_a_campaign_goes_on(self):
         out = self.folder / "campaign"

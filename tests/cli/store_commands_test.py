@@ -143,6 +143,16 @@ class Status(Base):
         self.assertIn("is shard 2 of 3, in the folder of shard 1", done.stderr)
         shutil.rmtree(first)
         shutil.move(self.folder / "kept", first)
+        alien = wythe("campaign", self.study, "--samples", "12", "--out", self.folder / "alien")  # 1/1, where 1/3 should be
+        self.assertEqual(alien.returncode, 0, alien.stderr)
+        shutil.move(first, self.folder / "kept")
+        shutil.move(self.folder / "alien", first)
+        done = self.said()
+        self.assertEqual(done.stdout.splitlines()[0], "shard 1: not counted, 2 samples")
+        self.assertIn("all: 4 of 6 samples, 1 not counted", done.stdout)
+        self.assertIn("is one of 1 shards, most others", done.stderr)
+        shutil.rmtree(first)
+        shutil.move(self.folder / "kept", first)
         grown = wythe("campaign", self.study, "--samples", "9", "--shard", "3/3", "--resume", "--out", self.folder / "grown")
         self.assertEqual(grown.returncode, 0, grown.stderr)
         shutil.rmtree(self.out() / "shards/3")
@@ -187,6 +197,9 @@ set = ['wall.unit.density = "2300 kg/m^3"']
             shutil.move(self.out() / "shards" / gone, self.folder / "kept")
             self.assertEqual(last(), whole, gone)
             shutil.move(self.folder / "kept", self.out() / "shards" / gone)
+        shutil.copytree(self.out() / "shards/2/heavy", self.out() / "shards/2/heavy.bad")  # a copy by hand
+        self.assertEqual(last(), whole)
+        self.assertEqual(wythe("campaign", self.study, "--out", self.out(), "--slurm", "3").returncode, 0)
         for place in ("2/heavy", "2/base"):
             store = self.out() / "shards" / place / "campaign.db"
             kept = store.read_bytes()

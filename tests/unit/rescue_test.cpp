@@ -146,21 +146,35 @@ TEST_F(RescueStore, another_push_or_wall_is_refused_by_running_it) {
   EXPECT_EQ(by(study()).kept, 3);
 }
 
-// One that came to its end says most; of those the cheapest; a damaged one says nothing.
-TEST_F(RescueStore, the_sample_that_proves_went_through_all_stages) {
+// One of each way to end, the cheapest; a damaged one says nothing, be it in its states alone.
+TEST_F(RescueStore, a_sample_of_each_way_to_end_is_run_again) {
   std::vector<SampleRecord> records = read_campaign(out_).records;
   ASSERT_EQ(records.size(), 3U);
   records[0].steps = 30, records[1].steps = 20, records[2].steps = 10;
   const auto of = [&] { return samples_to_prove(study(), records); };
   EXPECT_EQ(of(), std::vector<int>{3});
   records[2].status = "collapsed";
-  EXPECT_EQ(of(), std::vector<int>{2});
+  EXPECT_EQ(of(), (std::vector<int>{2, 3}));
   for (SampleRecord& record : records) record.status = "collapsed";
+  EXPECT_EQ(of(), std::vector<int>{3});
   records[2].curve.clear();  // before it was pushed
-  EXPECT_EQ(of(), std::vector<int>{2});
+  EXPECT_EQ(of(), (std::vector<int>{2, 3}));
   for (SampleRecord& record : records) record.steps = 0;
   EXPECT_TRUE(of().empty());
 
+  const int shortest = samples_to_prove(study(), read_campaign(out_).records).front();
+  for (const std::string& damage :
+       {std::string("UPDATE state SET data = zeroblob(9)"), std::string("DELETE FROM state")}) {
+    put_back();
+    change("UPDATE study SET value = 'x' WHERE key = 'digest';" + damage +
+           " WHERE sample = " + std::to_string(shortest));
+    const Rescue rescue = by(study());
+    EXPECT_EQ(rescue.kept, 2) << damage;
+    ASSERT_EQ(rescue.lost.size(), 1U) << damage;
+    EXPECT_EQ(rescue.lost[0].sample, shortest) << damage;
+  }
+
+  put_back();
   std::vector<int> proves = {0};
   StudyOfRescue right{.study = study(), .build = model_builder(study())};
   right.proves = [&](const std::vector<int>& samples) { proves = samples; };
@@ -216,6 +230,22 @@ TEST_F(RescueStore, goes_on_with_the_same_study_alone) {
   EXPECT_TRUE(has(said, "2300 kg/m^3") && has(said, "name another folder")) << said;
   EXPECT_EQ(rescue_campaign(out_ + "/", saved_ + "_2").kept, 3);
   EXPECT_EQ(rescue_campaign(out_, saved_ + "_2").kept, 3);  // the same place, written otherwise
+}
+
+// Nothing of somebody else's is removed, be it called as the folder of the proof; what a killed proof left is.
+TEST_F(RescueStore, the_proof_removes_its_own_folder_alone) {
+  change("UPDATE study SET value = 'x' WHERE key = 'digest'");
+  fs::create_directories(saved_ + "/.wythe_proof/deep");
+  fs::copy(store_path(out_), store_path(saved_ + "/.wythe_proof"));
+  const StudyOfRescue from{.study = study(), .build = model_builder(study())};
+  for (const std::string& source : {out_, saved_ + "/.wythe_proof"}) {
+    EXPECT_TRUE(has(refusal<InputError>([&] { (void)rescue_campaign(source, saved_, from); }),
+                    "is in the place where the study is to be proved"));
+    EXPECT_TRUE(fs::exists(store_path(saved_ + "/.wythe_proof")));
+  }
+  fs::create_directories(saved_ + "/.wythe_proof/made_by_rescue");
+  EXPECT_EQ(by(study()).kept, 3);
+  EXPECT_FALSE(fs::exists(saved_ + "/.wythe_proof"));
 }
 
 TEST_F(RescueStore, interrupted_it_saves_nothing_unproved) {

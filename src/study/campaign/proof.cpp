@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "core/files.h"
 #include "study/draws/records.h"
 #include "study/store/doubles.h"
 #include "wythe/error.h"
@@ -15,10 +18,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Gone with all that is in it at the end.
+constexpr const char* kMark = "made_by_rescue";
+
+// A folder of our own below `out`, gone with all that is in it at the end; one that a killed rescue left goes first.
 class HiddenFolder {
  public:
-  explicit HiddenFolder(const std::string& out) : path_(out + "/.wythe_proof") { remove(); }
+  explicit HiddenFolder(const std::string& out) : path_(out + "/.wythe_proof") {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(path_, error))) {
+      if (!fs::is_directory(fs::symlink_status(path_, error)) ||
+          !fs::exists(fs::symlink_status(path_ + "/" + kMark, error)))
+        throw InputError({{.file = path_,
+                           .path = "",
+                           .value = "",
+                           .problem = "is in the place where the study is to be proved",
+                           .cure = "rename or remove it, or name another folder"}});
+      remove();
+    }
+    fs::create_directory(path_, error);
+    if (error) throw IoError(path_ + ": cannot be made: " + error.message());
+    write_file(path_ + "/" + kMark, "");
+  }
   ~HiddenFolder() { remove(); }
   HiddenFolder(const HiddenFolder&) = delete;
   HiddenFolder& operator=(const HiddenFolder&) = delete;
@@ -32,25 +52,28 @@ class HiddenFolder {
   std::string path_;
 };
 
-// How much of its study a sample has gone through: 0 all, 1 some of the push or shake, 2 less.
-int left_out(const SampleRecord& record) {
-  if (record.status == "completed") return 0;
-  return record.has_curve() || !record.shakes.empty() ? 1 : 2;
+// The ways through a study that samples have gone: under which record, how it ended, whether it was pushed or shaken at all, fell,
+// or was tried again.
+auto way_of(const StudySpec& study, const SampleRecord& record) {
+  const bool fell = std::any_of(record.shakes.begin(), record.shakes.end(),
+                                [](const ShakeAnswer& shake) { return shake.collapsed; });
+  return std::tuple(case_of(study, record.sample).record, record.status, record.has_curve(), fell,
+                    record.retried);
 }
 
 }  // namespace
 
 std::vector<int> samples_to_prove(const StudySpec& study, const std::vector<SampleRecord>& whole) {
-  using Cost = std::pair<int, std::int64_t>;
-  std::map<int, std::pair<Cost, int>> best;  // by record
+  std::map<decltype(way_of(study, whole.front())), std::pair<std::int64_t, int>> best;
   for (const SampleRecord& record : whole) {
     if (record.steps <= 0) continue;
-    const std::pair<Cost, int> one = {{left_out(record), record.steps}, record.sample};
-    const auto [there, is_new] = best.emplace(case_of(study, record.sample).record, one);
+    const std::pair one(record.steps, record.sample);
+    const auto [there, is_new] = best.emplace(way_of(study, record), one);
     if (!is_new && one < there->second) there->second = one;
   }
   std::vector<int> samples;
-  for (const auto& [record, one] : best) samples.push_back(one.second);
+  for (const auto& [way, one] : best) samples.push_back(one.second);
+  std::sort(samples.begin(), samples.end());
   return samples;
 }
 

@@ -8,8 +8,8 @@
 
 namespace wythe::study {
 
-// The samples of `whole` to run again: of each record (of a push: once) the one with the fewest steps among those that came
-// to their end, else among those that were pushed or shaken at all, else among all.
+// The samples of `whole` to run again: for each record, and each way that samples ended under it, the one with the fewest
+// steps. What none of them goes through they do not prove.
 [[nodiscard]] std::vector<int> samples_to_prove(const StudySpec& study,
                                                 const std::vector<SampleRecord>& whole);
 

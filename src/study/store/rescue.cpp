@@ -267,13 +267,15 @@ Beginning by_study(Store& source, const StudySpec& spec) {
   return best;
 }
 
-// The samples that will be saved, but for damage of their states; without curves.
+// The samples that will be saved; without curves.
 std::vector<SampleRecord> whole_samples(Store& source, const Beginning& begin,
                                         const std::vector<int>& stored) {
   std::vector<SampleRecord> whole;
+  SampleDigests digests(source.database());
   for (const int sample : stored) {
     if (begin.unfit.contains(sample)) continue;
     try {
+      digests.check_states(sample);
       for (SampleRecord& record : source.records(begin.samples, sample, sample)) {
         if (record.curve.size() > 2) record.curve.resize(2);  // that it has one is enough
         whole.push_back(std::move(record));
