@@ -267,7 +267,7 @@ Beginning by_study(Store& source, const StudySpec& spec) {
   return best;
 }
 
-// The samples that will be saved; without curves.
+// The samples that will be saved: how each of them ended, and no more, for there may be very many.
 std::vector<SampleRecord> whole_samples(Store& source, const Beginning& begin,
                                         const std::vector<int>& stored) {
   std::vector<SampleRecord> whole;
@@ -277,8 +277,10 @@ std::vector<SampleRecord> whole_samples(Store& source, const Beginning& begin,
     try {
       digests.check_states(sample);
       for (SampleRecord& record : source.records(begin.samples, sample, sample)) {
-        if (record.curve.size() > 2) record.curve.resize(2);  // that it has one is enough
-        whole.push_back(std::move(record));
+        SampleRecord& end = whole.emplace_back();
+        end.sample = record.sample, end.steps = record.steps, end.retried = record.retried;
+        end.status = std::move(record.status), end.shakes = std::move(record.shakes);
+        if (record.has_curve()) end.curve.resize(2);
       }
     } catch (const DiskError&) {
       throw;
