@@ -277,6 +277,7 @@ int status(const StatusArguments& a) {
     refuse("folder", a.folder, "holds no campaign",
            "name the folder of a campaign, or of its array");
   const Sum sum = sum_of(lines);
+  if (lines.size() == 1 && sum.unread > 0) throw IoError(lines.front().fault);
   for (const Line& line : lines) print_line(line, seconds_each(sum.of));
   if (lines.size() > 1) print_sum(sum);
   std::string faults;
@@ -284,7 +285,7 @@ int status(const StatusArguments& a) {
     if (!line.fault.empty()) faults += line.fault + "\n";
   if (sum.unread > 0)
     throw IoError(faults +
-                  fmt::format("{} of {} stores not counted: why, and what to do, stands above",
+                  fmt::format("{} of {} stores not counted; why, and what to do, stands above",
                               sum.unread, lines.size()));
   return sum.of.done == sum.of.total ? 0 : kUnfinished;
 }
@@ -294,6 +295,11 @@ int check_store(const StoreArguments& a) {
   if (lines.empty())
     refuse("folder", a.folder, "holds no campaign",
            "name the folder of a campaign, or of its array");
+  if (lines.size() == 1) {
+    check_campaign(lines.front().folder);
+    fmt::print("{}: whole\n", readable(lines.front().folder));
+    return 0;
+  }
   int damaged = 0;
   for (const Line& line : lines) {
     try {
@@ -308,8 +314,8 @@ int check_store(const StoreArguments& a) {
     }
   }
   if (damaged > 0)
-    throw IoError(fmt::format("{} of {} stores are not whole: why, and what to do, stands above",
-                              damaged, lines.size()));
+    throw IoError(fmt::format("{} of {} stores {} not whole; why, and what to do, stands above",
+                              damaged, lines.size(), damaged == 1 ? "is" : "are"));
   return 0;
 }
 
