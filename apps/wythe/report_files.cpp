@@ -12,6 +12,7 @@
 #include "wythe/folders.h"
 #include "wythe/formats.h"
 #include "wythe/io.h"
+#include "wythe/new_folder.h"
 #include "wythe/report.h"
 #include "wythe/stored_states.h"
 
@@ -55,26 +56,9 @@ int report(const ReportArguments& a) {
 
 namespace {
 
-// What can't be read leaves no empty folder.
-class NoEmptyFolder {
- public:
-  explicit NoEmptyFolder(std::string folder)
-      : folder_(std::move(folder)), is_new_(!fs::exists(fs::symlink_status(folder_, error_))) {}
-  ~NoEmptyFolder() {
-    if (is_new_) fs::remove(folder_, error_);
-  }
-  NoEmptyFolder(const NoEmptyFolder&) = delete;
-  NoEmptyFolder& operator=(const NoEmptyFolder&) = delete;
-
- private:
-  std::error_code error_;
-  std::string folder_;
-  bool is_new_;
-};
-
 int export_one(const std::string& folder, const std::string& out, bool hdf5) {
   finish_replacement(folder);
-  const NoEmptyFolder made_whole(out);
+  const NewFolder folder_made(out);  // what can't be read leaves no empty one
   const std::unique_ptr<Replacement> tables = replace_export(out);
   const Exported made =
       hdf5 ? write_export_hdf5(folder, tables->path()) : write_export(folder, tables->path());

@@ -11,7 +11,6 @@
 #include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/rescue.h"
-#include "wythe/solve.h"
 #include "wythe/stored_states.h"
 #include "wythe/text.h"
 

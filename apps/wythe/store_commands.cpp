@@ -133,25 +133,50 @@ class Overview {
     complete(array, name);
     lines_.insert(lines_.end(), array.begin(), array.end());
   }
-  // The largest design is that of all: a shard that has not grown to it has samples left.
-  static void complete(std::vector<Line>& array, const std::string& name) {
-    const Line* like = nullptr;
-    std::set<std::string> options;
-    std::map<int, int> votes;  // how many stores say that there are so many shards
-    for (const Line& line : array)
-      if (line.fault.empty() && line.of.shard == line.shard) ++votes[line.of.shards];
-    const auto most =
-        std::max_element(votes.begin(), votes.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    for (Line& line : array) {
-      options.insert(line.option);
+  // What is in the folder of another shard, or of another array or study than most stores of its option.
+  static void refuse_aliens(std::vector<Line>& array, const std::set<std::string>& options) {
+    for (Line& line : array)
       if (line.fault.empty() && line.of.shard != line.shard)
         line.fault = fmt::format(
             "{}: is shard {} of {}, in the folder of shard {}; "
             "put it into the folder of its number",
             line.folder, line.of.shard, line.of.shards, line.shard);
-      if (line.fault.empty() && line.of.shards == most->first &&
-          (like == nullptr || line.of.samples > like->of.samples))
+    std::map<int, int> shards;  // how many stores say that there are so many
+    for (const Line& line : array)
+      if (line.fault.empty()) ++shards[line.of.shards];
+    for (Line& line : array)
+      if (const int most = most_said(shards); line.fault.empty() && line.of.shards != most)
+        line.fault = fmt::format(
+            "{}: is one of {} shards, most others of {}: together they are no campaign; keep the "
+            "shards of one array in a folder",
+            line.folder, line.of.shards, most);
+    for (const std::string& option : options) {
+      std::map<std::string, int> studies;
+      for (const Line& line : array)
+        if (line.fault.empty() && line.option == option) ++studies[line.of.study];
+      for (Line& line : array)
+        if (line.fault.empty() && line.option == option && line.of.study != most_said(studies))
+          line.fault = fmt::format(
+              "{}: is of another study than most others of its array; put the right one back, or "
+              "remove it",
+              line.folder);
+    }
+  }
+  // Of several that are said as often, the first.
+  template <class What>
+  static What most_said(const std::map<What, int>& said) {
+    const auto most = std::max_element(
+        said.begin(), said.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == said.end() ? What() : most->first;
+  }
+  // The largest design is that of all: a shard that has not grown to it has samples left.
+  static void complete(std::vector<Line>& array, const std::string& name) {
+    const Line* like = nullptr;
+    std::set<std::string> options;
+    for (const Line& line : array) options.insert(line.option);
+    refuse_aliens(array, options);
+    for (Line& line : array) {
+      if (line.fault.empty() && (like == nullptr || line.of.samples > like->of.samples))
         like = &line;
     }
     if (like == nullptr) return;
@@ -159,11 +184,6 @@ class Overview {
     std::set<std::pair<int, std::string>> there;
     for (Line& line : array) {
       there.emplace(line.shard, line.option);
-      if (line.fault.empty() && line.of.shards != shards)
-        line.fault = fmt::format(
-            "{}: is one of {} shards, most others, as {}, of {}: together they are no campaign; "
-            "keep the shards of one array in a folder",
-            line.folder, line.of.shards, like->folder, shards);
       if (!line.fault.empty()) line.of = {}, line.workers = 0;
       line.of.samples = samples, line.of.shards = shards;
       line.of.total = samples_of_shard(samples, line.shard, shards);

@@ -146,6 +146,7 @@ struct StoreProgress {
   int shard = 1, shards = 1;
   double seconds = 0;  // that they took, all together
   std::string writer;  // the process that writes there; "": none
+  std::string study;   // checksum of what makes its samples: that of all shards of a campaign
 };
 [[nodiscard]] StoreProgress campaign_progress(const std::string& folder);
 // Joins shards or campaigns of one study; the result equals that of the undivided campaign. `out` may hold one

@@ -279,7 +279,9 @@ TEST(StudyRows, changes_name_the_key_and_both_values) {
   is.until = "share < 0.1";
   is.model_text = "# a comment\n\n  " + was.model_text;
   EXPECT_TRUE(changes(was, is, "db").empty());
+  EXPECT_EQ(identity_of(was), identity_of(is));
   is.variable[0].cov = 0.25;
+  EXPECT_NE(identity_of(was), identity_of(is));
   is.settings = {"output.rows=50"};
   is.model_text.replace(is.model_text.find("\"0.5 mm\""), 8, "\"0.6 mm\"");
   const std::vector<Fault> faults = changes(was, is, "db");
@@ -298,14 +300,17 @@ TEST(StudyRows, settings_in_another_order_are_the_same) {
   was.settings = {"output.rows=50", "solve.damping = 0.7"};
   is.settings = {"solve.damping=0.7", "output.rows=40", "output.rows=50"};  // the last one counts
   EXPECT_TRUE(changes(was, is, "db").empty());
+  EXPECT_EQ(identity_of(was), identity_of(is));
   is.settings = {"solve.damping=0.7", "output.rows=50", "output.rows=40"};
   EXPECT_EQ(changes(was, is, "db").size(), 1U);
+  EXPECT_NE(identity_of(was), identity_of(is));
 }
 
 TEST(StudyRows, other_blocks_are_a_change_told_in_words) {
   StudySpec was = scenes::small_study(12), is = was;
   was.blocks_text = R"({"blocks": [1]})", is.blocks_text = R"({"blocks": [2]})";
   const std::vector<Fault> faults = changes(was, is, "db");
+  EXPECT_NE(identity_of(was), identity_of(is));
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].path, "wall.blocks");
 }

@@ -108,6 +108,7 @@ StoreProgress campaign_progress(const std::string& folder) {
   progress.failed = static_cast<int>(select.number());
   progress.seconds = select.number();
   progress.writer = study::lock_holder(folder);
+  progress.study = study::identity_of(store.study());
   return progress;
 }
 

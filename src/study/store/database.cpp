@@ -27,8 +27,7 @@ constexpr int kPatience = 2000;  // for another program's lock [ms]
 
 constexpr const char* kCure =
     "restore it from a copy, save its whole samples with wythe store rescue DIR --out NEW, or "
-    "begin "
-    "the campaign in another folder";
+    "begin the campaign in another folder";
 
 // What to say and what to do about an SQLite result code.
 std::string advice(int code) {

@@ -19,6 +19,7 @@
 #include "study/store/store_schema.h"
 #include "study/store/study_rows.h"
 #include "wythe/error.h"
+#include "wythe/new_folder.h"
 #include "wythe/rescue.h"
 
 namespace wythe {
@@ -226,6 +227,7 @@ std::vector<std::vector<int>> possible_batches(Store& source, const StudySpec& s
       if (key == "samples") value = source.value(key);
     batches.push_back(study_of(rows).batch);
   } catch (const IoError&) {  // that row is damaged too
+  } catch (const InputError&) {
   }
   std::vector<int> grown = spec.batch;
   const std::int64_t each =
@@ -342,23 +344,6 @@ Beginning begun_by(Store& source, const StudyOfRescue& by) {
   return begin;
 }
 
-// The folder is gone again where it was not there before and nothing came into it.
-class FolderIfFilled {
- public:
-  explicit FolderIfFilled(std::string path)
-      : path_(std::move(path)), is_new_(!std::filesystem::exists(path_)) {}
-  ~FolderIfFilled() {
-    std::error_code error;
-    if (is_new_) std::filesystem::remove(path_, error);
-  }
-  FolderIfFilled(const FolderIfFilled&) = delete;
-  FolderIfFilled& operator=(const FolderIfFilled&) = delete;
-
- private:
-  std::string path_;
-  bool is_new_;
-};
-
 // Goes on with what an earlier one has saved: it was ended by force or by the disk, or its files were not written.
 // `by`: the study is to be proved; NULL: it is the stored one.
 Rescue rescued(Store& source, const std::string& folder, const std::string& out, Beginning begin,
@@ -367,7 +352,7 @@ Rescue rescued(Store& source, const std::string& folder, const std::string& out,
   place.add((std::filesystem::absolute(folder) / "").lexically_normal().string());
   begin.head.rescued_from = place.text();
   static_cast<void>(goes_on(out, begin));  // refuses before the folder is made
-  const FolderIfFilled made(out);
+  const NewFolder made(out);
   const FolderLock lock(out);
   const bool there = goes_on(out, begin);  // now nobody else begins
   if (by != nullptr) prove_study(folder, out, begin.spec, *by, begin.to_prove);

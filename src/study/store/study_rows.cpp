@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/hash.h"
 #include "core/text.h"
 #include "study/distribution.h"
 #include "wythe/error.h"
@@ -396,6 +397,24 @@ StudySpec study_of(const Rows& rows) {
   }
   read_shaking(known, rows, spec);
   return spec;
+}
+
+std::string identity_of(const StudySpec& spec) {
+  std::map<std::string, std::string> known;
+  for (const auto& [key, value] : rows_of(spec))
+    if (!may_change(key) && !value.empty()) known[key] = value;
+  Hash hash;
+  const auto add = [&](const std::string& text) { hash.add(text.c_str(), text.size() + 1); };
+  for (const auto& [key, value] : known) {
+    add(key);
+    if (key == "settings")
+      for (const auto& [path, set] : in_effect(lines_of(value))) add(path), add(set);
+    else if (key == "model")
+      for (const std::string& line : meaningful_lines(value)) add(line);
+    else
+      add(value);
+  }
+  return hash.text();
 }
 
 std::vector<Fault> changes(const StudySpec& was, const StudySpec& is, const std::string& store,

@@ -29,4 +29,7 @@ using Rows = std::vector<std::pair<std::string, std::string>>;
                                          const std::string& store,
                                          const std::string& then = "when the campaign began");
 
+// A checksum of the same: two studies have one where changes() finds nothing between them.
+[[nodiscard]] std::string identity_of(const StudySpec& spec);
+
 }  // namespace wythe::study
