@@ -5,11 +5,11 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test fuzz soak sanitize bench docs site web format check install package clean
+.PHONY: all help setup build demo test test-long fuzz soak sanitize bench docs site web format check install package clean
 all: build
 
 help:            ## this list
-	@sed -n 's/^\([a-z]*\): .*## */\1\t/p' $(MAKEFILE_LIST)
+	@sed -n 's/^\([a-z-]*\): .*## */\1\t/p' $(MAKEFILE_LIST)
 
 setup:           ## install the missing packages of deps/apt.txt
 	@tools/setup
@@ -31,6 +31,9 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
+
+test-long: setup ## the tests that are too dear for each change; docs/testing.md
+	@tools/run_tests --preset $(PRESET) --long
 
 fuzz:            ## feed every reader with what libFuzzer makes up, a minute each (tools/fuzz)
 	@tools/fuzz
