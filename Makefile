@@ -5,7 +5,7 @@ STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test test-long fuzz soak sanitize bench docs site web format check install package clean
+.PHONY: all help setup build demo test test-long fuzz sanitize bench docs site web format check install package clean
 all: build
 
 help:            ## this list
@@ -38,10 +38,7 @@ test-long: setup ## the tests that are too dear for each change; docs/testing.md
 fuzz:            ## feed every reader with what libFuzzer makes up, a minute each (tools/fuzz)
 	@tools/fuzz
 
-soak: build      ## hours of kills, full disks, tiny samples and made-up input; goes on where it stopped; docs/testing.md
-	@tools/soak --page
-
-sanitize: build  ## every test under address, undefined and thread sanitizers, an hour; docs/testing.md
+sanitize: setup  ## every test under address, undefined and thread sanitizers, hours; docs/testing.md
 	@tools/sanitize
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
