@@ -68,8 +68,13 @@ check: configure ## layers, sizes, words, format, clang-tidy
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
 
-package: build   ## build/package: Debian packages of program, library and Python module, the sources, checksums
-	tools/package --build $(BUILD)
+package: setup   ## build/package: Debian packages of the last commit: program, library, headers, Python module
+	@tools/setup deps/package.txt
+	rm -rf build/package && mkdir -p build/package/wythe
+	git archive HEAD | tar x -C build/package/wythe
+	cd build/package/wythe && DEB_BUILD_OPTIONS="noautodbgsym $(DEB_BUILD_OPTIONS)" dpkg-buildpackage -us -uc -b
+	rm -rf build/package/wythe
+	lintian --allow-root --fail-on=error,warning --suppress-tags=initial-upload-closes-no-bugs build/package/*.changes
 
 install: build   ## install to PREFIX (default /usr/local)
 	cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
