@@ -16,7 +16,6 @@ namespace wythe {
 enum class Meeting { kToothed, kButted };
 inline constexpr Word<Meeting> kMeetingWords[] = {{"toothed", Meeting::kToothed},
                                                   {"butted", Meeting::kButted}};
-static_assert(names_all(kMeetingWords));
 
 // A wall along a line in plan. What it leaves unset is the wall's.
 struct PlanWallSpec {

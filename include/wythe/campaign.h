@@ -82,7 +82,6 @@ struct SampleRecord {
 
 enum class Device { kCpu, kGpu };
 inline constexpr Word<Device> kDeviceWords[] = {{"cpu", Device::kCpu}, {"gpu", Device::kGpu}};
-static_assert(names_all(kDeviceWords));
 
 struct CampaignOptions {
   int jobs = 0;                             // samples at once; 0: one per core

@@ -1,10 +1,10 @@
 // Words of enumerations: what files, stores, pages and messages call a value. The table stands beside
-// the enumeration, in any order, and is checked when it is compiled: every enumerator once, no word twice.
+// the enumeration, in any order. src/api/word_tables.cpp checks it when it is compiled: every enumerator once, no word twice.
 // So an enumerator may be added or moved, and nothing that is stored gets another name.
 //
 //   enum class Fit { kWhole, kCut };
 //   inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
-//   static_assert(names_all(kFitWords));
+//   static_assert(names_all(kFitWords));  // in word_tables.cpp
 #pragma once
 
 #include <cstddef>
