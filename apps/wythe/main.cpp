@@ -123,7 +123,6 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   add_overrides(command, a.overrides);
   command->add_option("--jobs", a.jobs,
                       "samples run at the same time (default: one a core); no change of results");
-  command->add_option("--device", a.device, "cpu, or gpu in a program built with -DWYTHE_CUDA=ON");
   command->add_flag("--resume", a.resume, "continue the campaign that the folder holds");
   command->add_flag(
       "--stored", a.stored,

@@ -80,12 +80,8 @@ struct SampleRecord {
   }
 };
 
-enum class Device { kCpu, kGpu };
-inline constexpr Word<Device> kDeviceWords[] = {{"cpu", Device::kCpu}, {"gpu", Device::kGpu}};
-
 struct CampaignOptions {
   int jobs = 0;                             // samples at once; 0: one per core
-  Device device = Device::kCpu;             // kGpu: all samples together there, jobs unused
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
   int last = 0;                             // no sample beyond this one; 0: all

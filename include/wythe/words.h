@@ -45,11 +45,7 @@ template <class E, std::size_t N>
       if (words[i].value == words[k].value ||
           std::string_view(words[i].word) == std::string_view(words[k].word))
         return false;
-#ifdef __CUDACC__  // its front end writes enumerators otherwise; the host's compiler has looked
-  return unnamed <= N;
-#else
   return N + unnamed == count_enumerators<E>();
-#endif
 }
 
 // The word of a value; "" of one that has none.

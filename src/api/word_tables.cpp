@@ -3,7 +3,6 @@
 // read the headers, a fifth of the whole build. tools/check_layers finds a table that is missing here.
 #include "wythe/assessment.h"
 #include "wythe/builder.h"
-#include "wythe/campaign.h"
 #include "wythe/contact_law.h"
 #include "wythe/field.h"
 #include "wythe/free_contacts.h"
@@ -26,9 +25,6 @@ static_assert(names_all(kAssessmentVerdictWords));
 
 // builder.h
 static_assert(names_all(kMeetingWords));
-
-// campaign.h
-static_assert(names_all(kDeviceWords));
 
 // contact_law.h
 static_assert(names_all(kSofteningWords));

@@ -7,16 +7,8 @@
 #include <cmath>
 
 // The hot kernels are one loop body to the optimiser; left to itself it calls them (3x slower).
-// A compiler for graphics processors makes the same functions for both sides (gpu.cu).
-#ifdef __CUDACC__
-#define WYTHE_INLINE __host__ __device__ __forceinline__
-#define WYTHE_OUTLINE __host__ __device__
-#define WYTHE_BOTH __host__ __device__
-#else
 #define WYTHE_INLINE [[gnu::always_inline]] inline
 #define WYTHE_OUTLINE [[gnu::noinline]]
-#define WYTHE_BOTH
-#endif
 
 namespace wythe {
 

@@ -340,7 +340,7 @@ class Parts(Base):
 class Faults(Base):
     def test_options_that_are_wrong(self):
         for options in (["--samples", "0"], ["--samples", "1"], ["--shard", "0/2"], ["--shard", "two"], ["--jobs", "0"],
-                        ["--fly"], ["--device", "tpu"], ["--until", "share < soon"], ["--set", "wall.thickness=-1 m"],
+                        ["--fly"], ["--until", "share < soon"], ["--set", "wall.thickness=-1 m"],
                         ["--until", "interval(share) < 0.1", "--shard", "1/2"]):
             done = wythe("campaign", self.study, "--out", self.out(), *options)
             self.assertEqual(done.returncode, 2, f"{options}: {done.stderr}")
@@ -356,13 +356,6 @@ class Faults(Base):
             done = wythe("campaign", self.study, "--out", self.out(), option, value)
             self.refused(done, 2, words)
             self.assertTrue(done.stderr.startswith(option + ":"), done.stderr)
-
-    @unittest.skipIf("gpu" in wythe("--version").stdout, "built for a graphics processor")
-    def test_a_graphics_processor_this_build_has_not(self):
-        done = wythe("campaign", self.study, "--out", self.out(), "--device", "gpu")
-        self.refused(done, 2, "built for this processor only")
-        self.assertIn("-DWYTHE_CUDA=ON", done.stderr)
-        self.assertFalse(self.out().exists())
 
     def test_results_of_the_other_kind_are_not_written_over(self):
         before = (self.whole / "report.html").read_bytes()

@@ -74,7 +74,6 @@ class Runner {
     const PoolTask task{.samples = {plan_.spec, plan_.samples, build_, &compiler_},
                         .left = static_cast<int>(pending_.size()),
                         .jobs = options_.jobs,
-                        .device = options_.device,
                         .halt = halt_,
                         .look = [this] { heed_user(); },
                         .take = [this] { return take(); },

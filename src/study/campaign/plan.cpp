@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "dynamics/executors/gpu.h"
 #include "study/campaign/shakes.h"
 #include "wythe/error.h"
 
@@ -19,16 +18,6 @@ StoreHead head_of(const StudySpec& asked, const ModelBuilder& build,
   const ModelSpec base = build({});
   const Model model = compile(base);
   check_control_point(asked.shaking, model);
-  const bool shakes = std::any_of(model.stages.begin(), model.stages.end(), [](const Stage& stage) {
-    return stage.spec.kind == StageKind::kShake;
-  });
-  if (options.device == Device::kGpu && shakes)
-    throw InputError({{.file = "--device",
-                       .path = "",
-                       .value = "gpu",
-                       .problem = "does not take stages that shake the wall",
-                       .cure = "leave --device out"}});
-  if (options.device == Device::kGpu) static_cast<void>(dynamics::gpu_walls(model, 2));
   StoreHead head;
   head.shard = fmt::format("{}/{}", options.shard, options.shards);
   head.provenance = options.provenance;

@@ -12,7 +12,7 @@ namespace wythe::study {
 
 [[nodiscard]] int total(const std::vector<int>& batch);
 
-// The base model has to stand by itself, and the device to be there; its drifts are those of every sample.
+// The base model has to stand by itself; its drifts are those of every sample.
 [[nodiscard]] StoreHead head_of(const StudySpec& asked, const ModelBuilder& build,
                                 const CampaignOptions& options);
 

@@ -11,30 +11,24 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/executors/gpu.h"
 #include "dynamics/executors/lane_solver.h"
 
 namespace wythe::study {
 namespace {
 
-// Seconds of its core that a thread took since it was last asked. A graphics processor's walls take the clock's
-// seconds: the thread only waits for them.
+// Seconds of its core that a thread took since it was last asked.
 class CoreTime {
  public:
-  explicit CoreTime(Device device)
-      : clock_(device == Device::kGpu ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID) {
-    static_cast<void>(seconds());
-  }
+  CoreTime() { static_cast<void>(seconds()); }
   double seconds() {
     timespec now{};
-    ::clock_gettime(clock_, &now);
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     const double before = std::exchange(
         now_, static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec));
     return now_ - before;
   }
 
  private:
-  clockid_t clock_;
   double now_ = 0;
 };
 
@@ -44,10 +38,8 @@ class Pool {
 
   void run() {
     if (task_.left <= 0) return;
-    const bool on_gpu = task_.device == Device::kGpu;
     const int jobs = workers_of(task_);
-    lanes_ = on_gpu ? dynamics::gpu_walls(base_model(), task_.left)
-                    : std::min(dynamics::lanes_in_use(), (task_.left + jobs - 1) / jobs);
+    lanes_ = std::min(dynamics::lanes_in_use(), (task_.left + jobs - 1) / jobs);
     {
       std::vector<std::jthread> workers;
       for (int i = 0; i < jobs && !task_.halt; ++i) workers.emplace_back([this] { work(); });
@@ -56,12 +48,6 @@ class Pool {
   }
 
  private:
-  [[nodiscard]] Model base_model() const {
-    const ModelSpec base = task_.samples.build({});
-    return task_.samples.compiler == nullptr ? compile(base)
-                                             : task_.samples.compiler->compile(base);
-  }
-
   void work() {
     try {
       solve_side_by_side();
@@ -81,10 +67,8 @@ class Pool {
     // a run reports a few times a second: the user's stop reaches every worker through the halt
     how.progress = [this](const Progress&) { task_.look(); };
     std::map<int, std::unique_ptr<SampleJob>> under_way;
-    CoreTime spent(task_.device);
-    const bool on_gpu = task_.device == Device::kGpu;
-    dynamics::LaneSolver lanes(
-        lanes_, on_gpu ? dynamics::LaneSolver::Make(dynamics::gpu_stepper) : nullptr);
+    CoreTime spent;
+    dynamics::LaneSolver lanes(lanes_);
     const auto start = [&](SampleJob& job) {
       lanes.put(job.sample(), job.model(), job.state(), how);
     };
@@ -124,7 +108,6 @@ class Pool {
 }  // namespace
 
 int workers_of(const PoolTask& task) {
-  if (task.device == Device::kGpu) return std::min(1, task.left);
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return std::min(task.jobs > 0 ? task.jobs : cores, task.left);
 }
