@@ -61,12 +61,9 @@ struct StatusArguments {
 };
 int status(const StatusArguments& arguments);
 struct StoreArguments {
-  std::string folder, out, language = "en";
-  CampaignArguments
-      by;  // the study to go by where that of the store is damaged; by.study "": the stored one
+  std::string folder;
 };
 int check_store(const StoreArguments& arguments);
-int rescue_store(const StoreArguments& arguments);  // rescue_command.cpp
 
 // A folder within the one that results go to: InputError where it is a link, which would lead out of it.
 void check_inner_folder(const std::string& folder);

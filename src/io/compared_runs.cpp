@@ -12,7 +12,6 @@
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/messages.h"
-#include "dynamics/meters/balance.h"
 #include "io/csv.h"
 #include "io/json.h"
 #include "wythe/error.h"
@@ -156,9 +155,8 @@ ComparedRun read_run(const fs::path& folder) {
   const std::string verdict = said.text("quasi_static", "verdict");
   const std::string data = meter.contains("verdict_message") ? meter["verdict_message"].dump() : "";
   run.rate_verdict = message_of(data, verdict);
-  run.judgement = meter.contains("judgement") ? said.text("quasi_static", "judgement")
-                                              : dynamics::judgement_of_older(verdict);
-  if (summary.contains("peak_raw_kN")) run.capacity = 1e3 * number_of(said.at("peak_reaction_kN"));
+  run.judgement = said.text("quasi_static", "judgement");
+  run.capacity = 1e3 * number_of(said.at("peak_reaction_kN"));
   const Model model = compile(read_model((folder / "model.used.toml").string()));
   run.wall = described(model);
   take_curve(model, std::move(rows), run);

@@ -144,22 +144,6 @@ TEST_F(SignedStore, declarations_are_compared_word_for_word) {
   }
 }
 
-// An older version asks for less: who lowers the number must not get around what the present one asks.
-TEST_F(SignedStore, checksums_tell_a_version_that_was_lowered) {
-  for (int version = 1; version < kSchemaVersion; ++version) {
-    put_back();
-    const std::string number = std::to_string(version);
-    change("UPDATE study SET value = '" + number +
-           "' WHERE key = 'schema_version'; UPDATE sample SET steps = steps + 1; PRAGMA "
-           "user_version = " +
-           number);
-    EXPECT_TRUE(has(said(), version < kFirstWithChecksums
-                                ? "and has checksums, which came with version 6"
-                                : "is not what was stored"))
-        << said();
-  }
-}
-
 // What a rule stopped counts again once other samples are merged in: they were asked for.
 TEST_F(SignedStore, a_rule_that_was_met_ends_with_a_merge) {
   put_back();

@@ -57,80 +57,6 @@ std::string reported(const std::string& folder) {
          campaign_data(campaign, statistics, walls);
 }
 
-// --- older versions: three samples of a ledge on a block, two of which fall in the gravity stage.
-
-class OldStore : public testing::TestWithParam<int> {
- protected:
-  void SetUp() override {
-    fs::create_directories(out_);
-    fs::copy_file(
-        fs::path(source_dir()) / "tests/data" / ("store_v" + std::to_string(GetParam()) + ".db"),
-        store_path(out_));
-  }
-  TemporaryFolder folder_;
-  std::string out_ = folder_ / "old";
-};
-
-TEST_P(OldStore, is_shown_as_the_present_one) {
-  const Campaign campaign = read_campaign(out_);
-  ASSERT_EQ(campaign.records.size(), 3U);
-  const SampleRecord& pushed = campaign.records[0];
-  // version 3 pushed more slowly, version 4 drew other samples
-  const double peak[] = {549.113, 549.113, 156.085, 192.190, 192.190, 192.190};
-  EXPECT_NEAR(pushed.responses.peak_reaction, peak[GetParam() - 1], 1e-3);
-  EXPECT_EQ(pushed.curve.size(), 11U);
-  EXPECT_NE(pushed.curve.back().base_shear, 0);
-  EXPECT_EQ(pushed.curve.back().load_factor, 0);
-  EXPECT_EQ(std::isnan(pushed.curve.back().work_drive),
-            GetParam() < 4);              // they kept no such column
-  EXPECT_FALSE(pushed.pushed.is_read());  // nor what an assessment asks
-  EXPECT_TRUE(std::isnan(pushed.overlap_lost));
-  EXPECT_EQ(pushed.features.size(), 24U);
-  EXPECT_EQ(pushed.failure_mode.sensitivity.at(0).what(), (Message{"reading.at_peak"}));
-  EXPECT_EQ(text_of(pushed.failure_mode.sensitivity.at(2).what()), "crack width x 0.75");
-  const Model model = compile(model_builder(campaign.study)(settings_of(campaign.samples, 0)));
-  EXPECT_EQ(read_states(out_, 1, model).size(), 1U);
-  EXPECT_EQ(pushed.quasi_static.judgement, GetParam() < 3 ? "slow enough" : "too fast");
-  EXPECT_TRUE(has(reported(out_), "\"answered\": 1"));
-}
-
-TEST_P(OldStore, is_whole_as_far_as_its_version_can_tell) {
-  EXPECT_EQ(said_by([&] { check_campaign(out_); }), "");
-  EXPECT_TRUE(has(said_by([&] { (void)rescue_campaign(out_, folder_ / "saved"); }), "older wythe"));
-  EXPECT_FALSE(fs::exists(folder_ / "saved"));
-}
-
-TEST_P(OldStore, replays_a_sample) {
-  const Campaign campaign = read_campaign(out_);
-  const SampleRun run =
-      run_sample(campaign.study, campaign.samples, 1, model_builder(campaign.study), {});
-  EXPECT_EQ(run.refused, "");
-  EXPECT_GT(run.result.steps, 0);
-}
-
-TEST_P(OldStore, lends_no_strength_to_walls_that_fell_before_the_push) {
-  const Campaign campaign = read_campaign(out_);
-  const std::string csv = samples_csv(campaign);
-  EXPECT_TRUE(has(csv, ",collapsed,,,,,,,,,,,,,,,0,")) << csv;
-  EXPECT_FALSE(has(csv, ",collapsed,0")) << csv;
-  const Statistics statistics = statistics_of(campaign);
-  EXPECT_EQ(statistics.answered, 1);
-  ASSERT_EQ(statistics.unanswered.size(), 2U);
-  EXPECT_TRUE(has(text_of(statistics.unanswered[0].reason), "in stage \"gravity\""));
-}
-
-TEST_P(OldStore, is_neither_continued_nor_merged) {
-  StudySpec asked = read_campaign(out_).study;
-  asked.batch = {4};
-  const ModelBuilder build = model_builder(asked);
-  const std::string continued =
-      said_by([&] { run_campaign(asked, build, out_, {.resume = true}); });
-  EXPECT_TRUE(has(continued, "older wythe")) << continued;
-  EXPECT_TRUE(has(said_by([&] { merge_campaigns({out_}, folder_ / "merged"); }), "older wythe"));
-}
-
-INSTANTIATE_TEST_SUITE_P(Versions, OldStore, testing::Range(1, kSchemaVersion));
-
 // --- stores that somebody has changed
 
 class ChangedStore : public testing::Test {
@@ -365,28 +291,6 @@ TEST_F(ChangedStore, rows_of_a_sample_that_is_not_stored_are_found) {
     put_back();
     change(sql);
     EXPECT_TRUE(has(said_by([&] { check_campaign(out_); }), "damaged")) << sql;
-  }
-}
-
-// Of a damaged store the whole samples are saved. Inputs are drawn anew, so one that is damaged is mended.
-TEST_F(ChangedStore, what_is_saved_is_what_was_stored) {
-  for (const std::string sql : {"UPDATE sample SET steps = steps + 1 WHERE sample = 2",
-                                "UPDATE sample_input SET value = 2 * value WHERE sample = 2",
-                                "UPDATE state SET asked_m = 1 WHERE sample = 2"}) {
-    put_back();
-    const std::vector<std::vector<double>> drawn = read_campaign(out_).samples.value;
-    change(sql);
-    const Rescue rescue = rescue_campaign(out_, folder_ / "saved");
-    const bool mended = has(sql, "sample_input");
-    EXPECT_EQ(rescue.kept, mended ? 2 : 1) << sql;
-    ASSERT_EQ(rescue.lost.size(), mended ? 0U : 1U) << sql;
-    if (!mended) {
-      EXPECT_EQ(rescue.lost[0].sample, 2);
-      EXPECT_TRUE(has(rescue.lost[0].why, "not what was stored")) << rescue.lost[0].why;
-    }
-    EXPECT_EQ(said_by([&] { check_campaign(folder_ / "saved"); }), "");
-    EXPECT_EQ(read_campaign(folder_ / "saved").samples.value, drawn);
-    fs::remove_all(folder_ / "saved");
   }
 }
 

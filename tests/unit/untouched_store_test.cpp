@@ -115,11 +115,7 @@ class UntouchedStore : public testing::Test {
     merge_campaigns({out_}, folder_ / "merged");
     EXPECT_EQ(read_campaign(folder_ / "merged").records.size(), samples);
     EXPECT_TRUE(content_of(out_) == before);
-    EXPECT_THROW((void)rescue_campaign(out_, folder_ / "merged"), InputError);
-    EXPECT_EQ(rescue_campaign(out_, folder_ / "saved").kept, static_cast<int>(samples));
-    EXPECT_TRUE(content_of(out_) == before);
     fs::remove_all(folder_ / "merged");
-    fs::remove_all(folder_ / "saved");
   }
   TemporaryFolder folder_;
   std::string out_ = folder_ / "out";

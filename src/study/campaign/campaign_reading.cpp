@@ -1,4 +1,4 @@
-// What is read out of a store: the campaign, its states, and the titles of its columns.
+// What is read out of a store: the campaign, its states, the titles of its columns, and whether it is whole.
 #include <algorithm>
 #include <utility>
 
@@ -150,6 +150,18 @@ std::string column_title(const InputColumn& column) {
       unit += c;
   }
   return column.name + "_" + unit;
+}
+
+void check_campaign(const std::string& folder) {
+  if (!study::holds_store(folder)) throw IoError(folder + ": holds no campaign (no campaign.db)");
+  study::Store store(folder, study::Store::Access::kRead);
+  study::Statement check(store.database(), "PRAGMA integrity_check(1)");
+  const std::string verdict = check.step() ? check.text() : "";
+  if (verdict != "ok") store.database().damaged(verdict);
+  static_cast<void>(store.study());
+  static_cast<void>(store.head());
+  store.check_whole();
+  store.check_states();
 }
 
 }  // namespace wythe

@@ -69,9 +69,6 @@ class ShardCheck {
     if (!holds_store(folder)) return;
     Store store(folder, Store::Access::kRead);
     const std::string& name = store.database().name();
-    if (!store.is_current())
-      throw IoError(name +
-                    ": was written by an older wythe; go on with that one, or name another folder");
     const StudySpec was = store.study();
     found_.push_back({folder, was.batch});
     for (Fault& fault : changes(was, asked_, name, then)) add(std::move(fault));

@@ -26,8 +26,8 @@ namespace {
 constexpr int kPatience = 2000;  // for another program's lock [ms]
 
 constexpr const char* kCure =
-    "restore it from a copy, save its whole samples with wythe store rescue DIR --out NEW, or "
-    "begin the campaign in another folder";
+    "restore it from a copy, or remove it and start the same campaign (or this one shard) again: "
+    "it draws the same samples";
 
 // What to say and what to do about an SQLite result code.
 std::string advice(int code) {

@@ -57,10 +57,9 @@ void write_study_digests(Database& database);
 // IoError where table study or input is not what was stored; where sample_input is not.
 void check_study_digest(Database& database);
 void check_inputs_digest(Database& database);
-// Of the tables and the view that a store is made with, as they are declared: a value by itself in table study. Where it is not
-// due, a store may have none: version 6 had it from some day on.
+// Of the tables and the view that a store is made with, as they are declared: a value by itself in table study.
 [[nodiscard]] std::string schema_digest(Database& database);
-void check_schema_digest(Database& database, bool is_due);
+void check_schema_digest(Database& database);
 
 // What is read between stands as it was at one moment, also while a campaign writes.
 class OneMoment {

@@ -74,10 +74,6 @@ std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,
   return {narrow.begin(), narrow.end()};
 }
 
-void check_packed(std::string_view bytes, const std::string& what) {
-  static_cast<void>(packed_content(bytes, what));
-}
-
 PackedContent packed_content(std::string_view bytes, const std::string& what) {
   Hash hash;
   std::uint64_t total = 0;

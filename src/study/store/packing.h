@@ -22,8 +22,6 @@ namespace wythe::study {
 [[nodiscard]] std::vector<double> unpack_floats(std::string_view bytes, std::size_t count,
                                                 const std::string& what);
 
-// Whether the bytes unpack to what their checksum says, whatever it is; IoError where not. Takes no memory for it.
-void check_packed(std::string_view bytes, const std::string& what);
 // A hash of what the bytes unpack to, and how much that is: equal for equal numbers, however they were packed.
 struct PackedContent {
   std::uint64_t hash = 0, bytes = 0;

@@ -12,7 +12,6 @@
 
 #include "core/limits.h"
 #include "core/messages.h"
-#include "dynamics/meters/balance.h"
 #include "model/size.h"
 #include "study/draws/study_check.h"
 #include "study/store/packing.h"
@@ -27,22 +26,6 @@ namespace fs = std::filesystem;
 
 // In the place of a first sample.
 constexpr int kWhole = std::numeric_limits<int>::min();
-
-// Version 1 named a reading in words only, "at 20.03 mm" or "crack width x 0.75". The state is the stored
-// one at that displacement, the peak, or the end. A feature's value had no unit in its name.
-constexpr const char* kListsOfVersion1 = R"(
-CREATE TEMP VIEW feature AS SELECT sample, position, name, displacement_m, value AS value_m FROM main.feature;
-CREATE TEMP VIEW reading AS
-SELECT sample, position, what, failure_mode,
-       CASE WHEN mm IS NULL THEN '' ELSE coalesce(
-         (SELECT label FROM state WHERE state.sample = r.sample AND abs(1e3 * displacement_m - mm) < 0.006),
-         CASE WHEN abs(1e3 * peak_m - mm) < 0.006 THEN 'peak' ELSE 'end' END) END AS state,
-       coalesce(mm / 1e3, read_m) AS displacement_m,
-       CASE WHEN mm IS NULL THEN substr(what, 1, instr(what, ' x ') - 1) ELSE '' END AS threshold,
-       CASE WHEN mm IS NULL THEN CAST(substr(what, instr(what, ' x ') + 3) AS REAL) ELSE 1.0 END AS factor
-FROM (SELECT old.*, displacement_at_peak_m AS peak_m, failure_read_at_m AS read_m,
-             CASE WHEN what LIKE 'at % mm' THEN CAST(substr(what, 4) AS REAL) END AS mm
-      FROM main.reading AS old JOIN main.sample USING (sample)) AS r)";
 
 // Binds the members of a record in order.
 struct Binder {
@@ -64,7 +47,7 @@ struct Binder {
 // Takes the columns of a row in order.
 struct Taker {
   Statement& statement;
-  bool bounded = false;  // no answer of this version is infinite
+  bool bounded = false;  // no answer is infinite
   void operator()(const char* name, double& member) {
     static const std::set<std::string> kRatios = {"unbalance_ratio_mean",
                                                   "unbalance_ratio_max",
@@ -110,7 +93,7 @@ struct ListWriter {
   }
 };
 
-// Those columns of a table, NULL for one that an older schema has not.
+// Those columns of a table.
 std::string known_columns(Store& store, const std::string& table, const ColumnNames& names) {
   Database& database = store.database();
   std::set<std::string> there;
@@ -118,21 +101,11 @@ std::string known_columns(Store& store, const std::string& table, const ColumnNa
   while (info.step()) there.insert(info.text());
   std::string list;
   for (const auto& [name, type] : names.columns) {
-    if (store.is_current() && !there.contains(name))
+    if (!there.contains(name))
       database.damaged(fmt::format("table {} has no column {}", table, name));
-    list += ", " + (there.contains(name) ? name : "NULL AS " + name);
+    list += ", " + name;
   }
   return list;
-}
-
-// Whether a table of the present schema is there; only an older one may lack it.
-bool has_table(Store& store, const std::string& table) {
-  Statement find(store.database(),
-                 "SELECT name FROM sqlite_schema WHERE type = 'table' AND name = ?");
-  find.bind(table);
-  const bool found = find.step();
-  if (!found && store.is_current()) store.database().damaged("table " + table + " is missing");
-  return found;
 }
 
 // Reads one list of the samples in `where`.
@@ -143,7 +116,6 @@ struct ListReader {
   std::string where;
   template <class Member, class Columns>
   void list(const char* table, std::vector<Member> RecordLists::*members, const Columns& columns) {
-    if (!has_table(store, table)) return;
     ColumnNames names;
     Member any{};
     columns(names, any);
@@ -151,7 +123,7 @@ struct ListReader {
                      fmt::format("SELECT sample, position{} FROM {} {} ORDER BY 1, 2",
                                  known_columns(store, table, names), table, where));
     static const std::set<std::string> kMeasures = {"score", "evidence", "flag", "sign", "reading"};
-    const bool bounded = store.is_current() && !kMeasures.contains(table);
+    const bool bounded = !kMeasures.contains(table);
     while (select.step()) {
       const auto sample = static_cast<int>(select.integer(1, samples));
       const auto position = static_cast<std::int64_t>((lists[sample].*members).size());
@@ -271,17 +243,8 @@ PackedSample packed(SampleRecord record, const std::vector<Snapshot>& states) {
 }
 
 Store::Store(const std::string& folder, Access access) : database_(store_path(folder), access) {
-  check_version(access);
+  check_version();
   if (access == Access::kWrite) database_.execute("PRAGMA synchronous = NORMAL");
-}
-
-// Views of this connection's own; the file stays as it is. Columns that an older version has not read
-// as NULL (known_columns).
-void Store::show_as_present() {
-  if (version_ > 1) return;
-  database_.execute("PRAGMA query_only = 0");
-  database_.execute(kListsOfVersion1);
-  database_.execute("PRAGMA query_only = 1");
 }
 
 namespace {
@@ -299,7 +262,6 @@ void fill_store(Database& database, const StudySpec& spec, const SampleTable& sa
                              {"load_height_m", fmt::format("{}", head.load_height)},
                              {"until_met_at", ""},
                              {kSchemaDigest, schema_digest(database)}});
-  if (!head.rescued_from.empty()) rows.push_back({kRescuedFrom, head.rescued_from});
   write_study_rows(database, rows);
   write_columns(database, samples);
   write_inputs(database, samples, 1);
@@ -338,14 +300,6 @@ void Store::set_value(const std::string& key, const std::string& value) {
   transaction.commit();
 }
 
-std::string Store::text_or(const std::string& key, const std::string& otherwise) {
-  try {
-    return value(key);
-  } catch (const IoError&) {
-    return otherwise;
-  }
-}
-
 double load_height_of(const Model& model) {
   double height = model.stages.back().load_height;
   for (const Stage& stage : model.stages)
@@ -368,30 +322,25 @@ Statement& Store::prepared(const std::string& sql) {
 
 StudySpec Store::study() {
   const OneMoment moment(database_);
-  try {
-    if (has_checksums()) check_study_digest(database_);
-    Rows rows;
-    Statement select(database_, "SELECT key, value FROM study ORDER BY position");
-    std::set<std::string> keys;
-    while (select.step()) {
-      std::string key = select.text();
-      if (!keys.insert(key).second)
-        database_.damaged(fmt::format("table study: {} stands there twice", key));
-      rows.emplace_back(std::move(key), select.text());
-    }
-    return study_in(rows);
-  } catch (const DiskError&) {
-    throw;
-  } catch (const IoError& error) {
-    throw StudyDamage(error.what());
+  check_study_digest(database_);
+  Rows rows;
+  Statement select(database_, "SELECT key, value FROM study ORDER BY position");
+  std::set<std::string> keys;
+  while (select.step()) {
+    std::string key = select.text();
+    if (!keys.insert(key).second)
+      database_.damaged(fmt::format("table study: {} stands there twice", key));
+    rows.emplace_back(std::move(key), select.text());
   }
+  return study_in(rows);
 }
 
 StudySpec Store::study_in(const Rows& rows) {
   try {
-    if (const std::string said = value_of(rows, "schema_version"); said != std::to_string(version_))
-      throw IoError(
-          fmt::format("schema_version: \"{}\", and the file is of version {}", said, version_));
+    if (const std::string said = value_of(rows, "schema_version");
+        said != std::to_string(kSchemaVersion))
+      throw IoError(fmt::format("schema_version: \"{}\", and the file is of version {}", said,
+                                kSchemaVersion));
     StudySpec spec = study_of(rows);
     if (const std::vector<Fault> faults = check_stored_study(spec); !faults.empty())
       throw IoError(InputError(faults).what());
@@ -411,7 +360,7 @@ StoreHead Store::head() {
   const std::string shard = value("shard");
   if (!shard_of(shard))
     database_.damaged(fmt::format("table study, shard: \"{}\" is none, such as 1/4", shard));
-  return {shard, value("provenance"), metres, value(kRescuedFrom)};
+  return {shard, value("provenance"), metres};
 }
 
 int Store::number_of_sample(const std::string& key) {
@@ -446,13 +395,13 @@ SampleTable Store::columns() {
   return table;
 }
 
-SampleTable Store::samples(Inputs inputs) {
+SampleTable Store::samples() {
   const OneMoment moment(database_);
-  if (has_checksums() && inputs == Inputs::kWhole) check_inputs_digest(database_);
+  check_inputs_digest(database_);
   SampleTable table = columns();
   table.value = read_inputs(database_, table.column.size());
   const StudySpec spec = study();
-  if (is_current()) check_columns_of(spec, table);
+  check_columns_of(spec, table);
   if (table.column.empty()) table.value.resize(static_cast<std::size_t>(count_samples(spec)));
   if (const auto asked = count_samples(spec); asked != table.n_sample())
     database_.damaged(fmt::format("it holds the inputs of {} samples, its design has {}",
@@ -510,7 +459,7 @@ void Store::add_samples(const SampleTable& samples, int first, const StudySpec& 
 
 std::vector<Snapshot> Store::states(int sample, const Model& model) {
   const OneMoment moment(database_);
-  if (has_checksums()) digests().check_states(sample);
+  digests().check_states(sample);
   std::vector<Snapshot> states;
   const State rest = initial_state(model);
   const std::size_t numbers = state_arrays(rest).size();
@@ -518,9 +467,8 @@ std::vector<Snapshot> Store::states(int sample, const Model& model) {
   const auto points = static_cast<std::int64_t>(rest.kappa.size());
   Statement select(
       database_,
-      fmt::format("SELECT sample, position, label, displacement_m, reaction_N, blocks, points, "
-                  "data, {} FROM state WHERE sample = ? ORDER BY position",
-                  version_ < 4 ? "NULL" : "asked_m"));
+      "SELECT sample, position, label, displacement_m, reaction_N, blocks, points, data, asked_m "
+      "FROM state WHERE sample = ? ORDER BY position");
   select.bind(sample);
   while (select.step()) {
     const auto position = static_cast<std::int64_t>(states.size());
@@ -565,12 +513,12 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
   while (select.step()) {
     SampleRecord& record = records.emplace_back();
     record.sample = static_cast<int>(select.integer(1, table.n_sample()));
-    if (has_checksums()) digests().check_record(record.sample);
+    digests().check_record(record.sample);
     record.curve = std::move(curves[record.sample]);
     record.inputs = table.value[static_cast<std::size_t>(record.sample - 1)];
     if (records.size() > 1 && record.sample <= records[records.size() - 2].sample)
       select.damaged("it stands there twice");
-    Taker taker{select, is_current()};
+    Taker taker{select, true};
     each_column(taker, record);
     if (!is_outcome(record.status))
       select.damaged(fmt::format("no sample ends as \"{}\"", record.status));
@@ -580,13 +528,7 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
       continue;
     }
     each_answer(taker, record);
-    if (version_ < 3) {  // what it had no columns for
-      record.responses.censored_peak =
-          record.responses.displacement_at_peak >= record.curve.back().displacement;
-      record.quasi_static.judgement =
-          dynamics::judgement_of_older(text_of(record.quasi_static.verdict));
-    }
-    check_answer(database_, record, lists[record.sample], is_current());
+    check_answer(database_, record, lists[record.sample]);
     put_lists(std::move(lists[record.sample]), record);
   }
   return records;

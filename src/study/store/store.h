@@ -24,9 +24,8 @@
 namespace wythe::study {
 
 // Raised whenever a table, a column or the view `samples` changes: a test holds the checksum of all declarations beside
-// it. Stores of older versions can be read, not written.
-inline constexpr int kSchemaVersion = 7;
-inline constexpr int kFirstWithChecksums = 6;  // digest.h; made before table `shake` came, or after
+// it. A store of another version is refused.
+inline constexpr int kSchemaVersion = 1;
 inline constexpr const char* kStoreName = "campaign.db";
 
 [[nodiscard]] std::filesystem::path store_path(const std::string& folder);
@@ -38,11 +37,7 @@ struct StoreHead {
   std::string shard = "1/1";
   std::string provenance;
   double load_height = 0;  // [m]
-  std::string
-      rescued_from{};  // which store, as a checksum of its place; "" where it is not a rescue
 };
-
-inline constexpr const char* kRescuedFrom = "rescued_from";  // its key in table study
 
 // "2/4" as 2 and 4; nothing where it is no shard.
 struct Shard {
@@ -53,12 +48,6 @@ struct Shard {
 [[nodiscard]] bool same_inputs(const std::vector<double>& a, const std::vector<double>& b);
 // Of the push, or of the last stage [m]: drifts of every sample refer to it.
 [[nodiscard]] double load_height_of(const Model& model);
-
-// What the store says of its study is damaged; its samples may be whole.
-class StudyDamage : public IoError {
- public:
-  using IoError::IoError;
-};
 
 // A sample ready to be written; packing it needs no lock.
 struct PackedState {
@@ -80,11 +69,8 @@ class Store {
   Store(const std::string& folder, Access access);
 
   [[nodiscard]] StudySpec study();
-  // Throws IoError where they are not those that were drawn, unless they are wanted anyhow.
-  enum class Inputs { kWhole, kAnyhow };
-  [[nodiscard]] SampleTable samples(Inputs inputs = Inputs::kWhole);
-  [[nodiscard]] bool inputs_are_whole();
-  [[nodiscard]] bool is_whole(int sample);  // what is stored of it but its states
+  // Throws IoError where they are not those that were drawn.
+  [[nodiscard]] SampleTable samples();
   [[nodiscard]] StoreHead head();
   [[nodiscard]] std::set<int> done();
   [[nodiscard]] std::vector<SampleRecord> records(int last);  // samples 1 .. last
@@ -93,19 +79,14 @@ class Store {
   // Of one sample, whose wall this is; IoError where they are not states of it.
   [[nodiscard]] std::vector<Snapshot> states(int sample, const Model& model);
   [[nodiscard]] std::string value(const std::string& key);
-  [[nodiscard]] std::string text_or(const std::string& key,
-                                    const std::string& otherwise);  // where it is no text
   // A value that counts samples; 0 where it is empty.
   [[nodiscard]] int number_of_sample(const std::string& key);
 
   void set_value(const std::string& key, const std::string& value);
   void add_samples(const SampleTable& samples, int first, const StudySpec& spec);
   void write(const PackedSample& sample);
-  // False for an older schema, which is only shown as the present one.
-  [[nodiscard]] bool is_current() const { return version_ == kSchemaVersion; }
-  [[nodiscard]] bool has_checksums() const { return version_ >= kFirstWithChecksums; }
-  // Reads every page and every row but the states, and compares all with their checksums (digest.h), which a
-  // store before version 6 has not; IoError where one is damaged. A few samples at a time. `drawn`: what another
+  // Reads every page and every row but the states, and compares all with their checksums (digest.h);
+  // IoError where one is damaged. A few samples at a time. `drawn`: what another
   // store of the same study drew, where this one says that it drew the same (inputs_digest()); then of its own
   // table only the rows of samples that ran are read.
   void check_whole(const SampleTable* drawn = nullptr);
@@ -117,19 +98,17 @@ class Store {
   [[nodiscard]] Database& database() { return database_; }
 
  private:
-  void check_version(Access access);
+  void check_version();
   void check_tables();
   void check_columns(const std::string& table, const std::string& declaration);
   void check_view();
   void check_columns_of(const StudySpec& spec, const SampleTable& table);
   [[nodiscard]] SampleTable columns();  // without values
-  void show_as_present();
   void check_inputs_of(const SampleTable& drawn);
   [[nodiscard]] StudySpec study_in(const Rows& rows);
   SampleDigests& digests();
   Statement& prepared(const std::string& sql);  // kept, ready for its binds
   Database database_;
-  std::int64_t version_ = kSchemaVersion;
   std::optional<SampleDigests> digests_;
   std::map<std::string, Statement> prepared_;
 };
@@ -141,8 +120,7 @@ void check_shakes(Database& database, const SampleRecord& record,
                   const std::vector<ShakeAnswer>& shakes);
 struct RecordLists;
 // What an answered sample says must be numbers and places that there are.
-void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists,
-                  bool is_current);
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists);
 
 // Makes the file and what a campaign begins with.
 void create_store(const std::string& folder, const StudySpec& spec, const SampleTable& samples,

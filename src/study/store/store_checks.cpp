@@ -107,8 +107,7 @@ void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
 
 }  // namespace
 
-void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists,
-                  bool is_current) {
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
   const auto refuse = [&](const std::string& what) {
     database.damaged(fmt::format("sample {}: {}", record.sample, what));
   };
@@ -117,7 +116,7 @@ void check_answer(Database& database, const SampleRecord& record, const RecordLi
   for (const CurveRow& row : record.curve)
     if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
       refuse("its curve holds what is not a number");
-  if (is_current) check_peaks(refuse, record);
+  check_peaks(refuse, record);
   const std::string& judgement = record.quasi_static.judgement;
   if (std::find(std::begin(kJudgements), std::end(kJudgements), judgement) == std::end(kJudgements))
     refuse(fmt::format("rate_judgement is \"{}\", which no wythe says", judgement));
@@ -131,10 +130,10 @@ void check_answer(Database& database, const SampleRecord& record, const RecordLi
           fmt::format("a sign belongs to element {} of {}", row.of_element, lists.elements.size()));
 }
 
-void Store::check_version(Access access) {
+void Store::check_version() {
   const std::string& name = database_.name();
   const std::int64_t application = database_.integer("PRAGMA application_id");
-  version_ = database_.integer("PRAGMA user_version");
+  const std::int64_t version = database_.integer("PRAGMA user_version");
   if (application == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0)
     throw IoError(
         name +
@@ -142,26 +141,13 @@ void Store::check_version(Access access) {
         "the campaign again");
   if (application != kApplication)
     throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
-  if (version_ > kSchemaVersion)
+  if (version != kSchemaVersion)
     throw IoError(
-        fmt::format("{}: was written by a newer wythe (store version {}, this one reads up "
-                    "to {}); use that version or a later one",
-                    name, version_, kSchemaVersion));
-  if (version_ < 1)
-    throw IoError(fmt::format(
-        "{}: has store version {}, which no wythe wrote; restore it from a copy", name, version_));
+        fmt::format("{}: has store version {}, and this wythe reads and writes version {}; use the "
+                    "wythe that wrote it, or "
+                    "run the campaign again in another folder",
+                    name, version, kSchemaVersion));
   check_tables();
-  if (!has_checksums() && has_digests(database_))
-    database_.damaged(
-        fmt::format("it is of version {}, and has checksums, which came with version {}", version_,
-                    kFirstWithChecksums));
-  if (is_current()) return;
-  if (access == Access::kWrite)
-    throw IoError(
-        fmt::format("{}: was written by an older wythe (store version {}, now {}); it can be read, "
-                    "reported and replayed; to add samples begin a campaign in another folder",
-                    name, version_, kSchemaVersion));
-  show_as_present();
 }
 
 // Tables that only hold rows, and nothing that computes: a view or a computed column would answer without end, a trigger
@@ -183,14 +169,13 @@ void Store::check_tables() {
     if (type != "table" || found == all.end())
       none(fmt::format(" (if it is yours: DROP {} {})", type, name));
     due.erase(name);
-    if (is_current() && sql != found->second) {
+    if (sql != found->second) {
       check_columns(name, found->second);
       none(" (it is declared in other words)");
     }
     if (!is_plain(sql)) none(" (it does more than hold rows)");
   }
-  if (is_current() && !due.empty())
-    database_.damaged("table " + due.begin()->first + " is missing");
+  if (!due.empty()) database_.damaged("table " + due.begin()->first + " is missing");
 }
 
 // Of a table that is declared otherwise: what it lacks, if anything.
@@ -209,7 +194,6 @@ void Store::check_columns(const std::string& table, const std::string& declarati
 }
 
 void Store::check_view() {
-  if (!is_current()) return;
   const std::string due = samples_view_sql(columns());
   Statement select(database_,
                    "SELECT sql FROM main.sqlite_schema WHERE type = 'view' AND name = 'samples'");
@@ -261,20 +245,12 @@ void check_shakes(Database& database, const SampleRecord& record,
   }
 }
 
-bool Store::inputs_are_whole() {
-  return passes([&] { check_inputs_digest(database_); });
-}
-
-bool Store::is_whole(int sample) {
-  return passes([&] { digests().check_record(sample); });
-}
-
 void Store::check_whole(const SampleTable* drawn) {
   constexpr std::size_t kAtOnce = 256;
   Statement check(database_, "PRAGMA quick_check(1)");
   const std::string verdict = check.step() ? check.text() : "";
   if (verdict != "ok") database_.damaged(verdict);
-  check_schema_digest(database_, is_current());
+  check_schema_digest(database_);
   if (drawn != nullptr) check_inputs_of(*drawn);
   const SampleTable own = drawn == nullptr ? samples() : SampleTable{};
   check_view();
@@ -309,9 +285,6 @@ void Store::check_inputs_of(const SampleTable& drawn) {
 // A row of a sample that is not stored belongs to none.
 void Store::check_no_other_sample() {
   for (const std::string& table : result_tables()) {
-    if (!is_current() &&
-        database_.integer("SELECT count(*) FROM sqlite_schema WHERE name = '" + table + "'") == 0)
-      continue;  // older ones lack some
     Statement other(database_,
                     fmt::format("SELECT sample FROM {} WHERE sample NOT IN (SELECT sample FROM "
                                 "main.sample) LIMIT 1",
