@@ -7,11 +7,11 @@ BUILD := build/$(PRESET)
 KERNELS ?= all
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
-.PHONY: all help setup build demo test fuzz soak sanitize bench docs site web format check install package clean
+.PHONY: all help setup build demo test test-long fuzz sanitize bench docs site web format check install package clean
 all: build
 
 help:            ## this list
-	@sed -n 's/^\([a-z]*\): .*## */\1\t/p' $(MAKEFILE_LIST)
+	@sed -n 's/^\([a-z-]*\): .*## */\1\t/p' $(MAKEFILE_LIST)
 
 setup:           ## install the missing packages of deps/apt.txt
 	@tools/setup
@@ -35,13 +35,13 @@ demo: configure  ## run one wall, then 24 samples of its study; says where the r
 test: setup      ## build and run every test; last line: N passed, N failed
 	@tools/run_tests --preset $(PRESET)
 
+test-long: setup ## the tests that are too dear for each change; docs/testing.md
+	@tools/run_tests --preset $(PRESET) --long
+
 fuzz:            ## feed every reader with what libFuzzer makes up, a minute each (tools/fuzz)
 	@tools/fuzz
 
-soak: build      ## hours of kills, full disks, tiny samples and made-up input; goes on where it stopped; docs/testing.md
-	@tools/soak --page
-
-sanitize: build  ## every test under address, undefined and thread sanitizers, an hour; docs/testing.md
+sanitize: setup  ## every test under address, undefined and thread sanitizers, hours; docs/testing.md
 	@tools/sanitize
 
 bench: configure ## kernels, campaigns and scaling: benchmarks/results/<machine>/<date>.json, then tools/bench page
@@ -71,8 +71,13 @@ check: configure ## layers, sizes, words, format, clang-tidy
 	run-clang-tidy -quiet -p $(BUILD) '/(src|apps)/' >$(BUILD)/tidy.txt 2>&1 \
 	  || { grep -E 'warning:|error:' $(BUILD)/tidy.txt; exit 1; }
 
-package: build   ## build/package: Debian packages of program, library and Python module, the sources, checksums
-	tools/package --build $(BUILD)
+package: setup   ## build/package: Debian packages of the last commit: program, library, headers, Python module
+	@tools/setup deps/package.txt
+	rm -rf build/package && mkdir -p build/package/wythe
+	git archive HEAD | tar x -C build/package/wythe
+	cd build/package/wythe && DEB_BUILD_OPTIONS="noautodbgsym $(DEB_BUILD_OPTIONS)" dpkg-buildpackage -us -uc -b
+	rm -rf build/package/wythe
+	lintian --allow-root --fail-on=error,warning --suppress-tags=initial-upload-closes-no-bugs build/package/*.changes
 
 install: build   ## install to PREFIX (default /usr/local)
 	cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)

@@ -1,4 +1,4 @@
-# make install: libraries for C++ and C, public headers, program, and a package for find_package(wythe).
+# make install: libraries for C++ and C, public headers, program, packages for find_package(wythe) and pkg-config.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,6 +8,8 @@ install(TARGETS wythe EXPORT wythe_targets
 install(TARGETS wythe_c LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS wythe_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/wythe DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+configure_file(cmake/wythe.pc.in ${CMAKE_BINARY_DIR}/wythe.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/wythe.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/wythe)
 
 set(wythe_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wythe)

@@ -3,6 +3,7 @@
 # build, but touches it only when a value changed: HEAD moved, the tree became dirty, other flags.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" wythe_config)
 string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${wythe_config}} -ffp-contract=off" wythe_flags)
+string(REGEX REPLACE "-f[a-z]+-prefix-map=[^ ]+ *" "" wythe_flags "${wythe_flags}")  # names the folder, changes no code
 set(wythe_provenance_arguments
   -DSOURCE_DIR=${CMAKE_SOURCE_DIR}
   -DOUTPUT=${CMAKE_BINARY_DIR}/generated/wythe_provenance.h

@@ -11,7 +11,6 @@
 
 #include "campaign_commands.h"
 #include "commands.h"
-#include "environment.h"
 #include "report_files.h"
 #include "streams.h"
 #include "wythe/error.h"
@@ -345,7 +344,6 @@ void say_memory_is_full() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  show_home_again();
   make_streams_safe();
   std::set_new_handler(say_memory_is_full);
   try {

@@ -1,8 +1,8 @@
 // With surrogate.cpp the only file that sees OpenTURNS; see sampling.h.
 //
-// Its random generator is global: seeded and used under one mutex. Every column is drawn from a seed
-// of its own, made of the study's seed, the batch, the design and the variable's name, so that a
-// variable added to a study leaves the others' samples as they were.
+// Its random generator and its settings are global: used under one mutex (OpenTurnsAsDelivered).
+// Every column is drawn from a seed of its own, made of the study's seed, the batch, the design and
+// the variable's name, so that a variable added to a study leaves the others' samples as they were.
 #include "study/draws/sampling.h"
 
 #include <openturns/Beta.hxx>
@@ -12,6 +12,7 @@
 #include <openturns/Normal.hxx>
 #include <openturns/NormalCopula.hxx>
 #include <openturns/RandomGenerator.hxx>
+#include <openturns/ResourceMap.hxx>
 #include <openturns/SobolSequence.hxx>
 #include <openturns/Triangular.hxx>
 #include <openturns/Uniform.hxx>
@@ -23,6 +24,7 @@
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <utility>
 
 #include "core/check.h"
 #include "core/hash.h"
@@ -38,9 +40,32 @@ constexpr double kLeastEigenvalue = 6e-4;
 constexpr std::size_t kFewestPerColumn = 3;  // samples that make_uncorrelated() needs for each
 constexpr double kLeast = 0x1p-54;  // u lies in [kLeast, 1 - kLeast]: quantiles stay finite
 
-std::mutex& generator_mutex() {
+std::mutex& openturns_mutex() {
   static std::mutex mutex;
   return mutex;
+}
+
+// Those of OpenTURNS 1.20 that a trial of all its 590 settings found to change a number asked for here, with its
+// defaults. SobolSequence-InitialSeed is a whole number.
+constexpr const char* kFirstSobolPoint = "SobolSequence-InitialSeed";
+constexpr std::pair<const char*, double> kSettings[] = {
+    {kFirstSobolPoint, 1},
+    {"Distribution-DefaultQuantileEpsilon", 1e-12},  // a Weibull of given mean and spread
+    {"DualLinearCombinationEvaluation-SmallCoefficient", 0},
+    {"LeastSquaresMetaModelSelection-ErrorThreshold", 0},
+    {"LeastSquaresMetaModelSelection-MaximumError", 0.5},
+    {"LeastSquaresMetaModelSelection-MaximumErrorFactor", 2}};
+
+double setting(const std::string& key) {
+  return key == kFirstSobolPoint ? static_cast<double>(OT::ResourceMap::GetAsUnsignedInteger(key))
+                                 : OT::ResourceMap::GetAsScalar(key);
+}
+
+void set(const std::string& key, double value) {
+  if (key == kFirstSobolPoint)
+    OT::ResourceMap::SetAsUnsignedInteger(key, static_cast<OT::UnsignedInteger>(value));
+  else
+    OT::ResourceMap::SetAsScalar(key, value);
 }
 
 double inside(double u) { return std::clamp(u, kLeast, 1 - 0x1p-53); }
@@ -134,6 +159,18 @@ const Kind& kind_of(DistributionKind kind) {
 
 }  // namespace
 
+OpenTurnsAsDelivered::OpenTurnsAsDelivered() : lock_(openturns_mutex()) {
+  for (const auto& [key, value] : kSettings) {
+    if (!OT::ResourceMap::HasKey(key) || setting(key) == value) continue;
+    before_.emplace_back(key, setting(key));
+    set(key, value);
+  }
+}
+
+OpenTurnsAsDelivered::~OpenTurnsAsDelivered() {
+  for (const auto& [key, value] : before_) set(key, value);
+}
+
 const study::DistributionForms& study::forms_of(DistributionKind kind) {
   return kind_of(kind).takes;
 }
@@ -160,6 +197,7 @@ Margin::Margin(const VariableSpec& spec)
     std::sort(whole_->values.begin(), whole_->values.end());
     return;
   }
+  const OpenTurnsAsDelivered held;
   whole_->distribution = kind_of(spec.distribution).make(spec);
   if (lower_ > -kInfinity) below_ = whole_->distribution.computeCDF(lower_);
   if (upper_ < kInfinity) above_ = whole_->distribution.computeComplementaryCDF(upper_);
@@ -241,7 +279,7 @@ Columns sobol_points(std::size_t variables, std::size_t samples) {
 int most_sobol_variables() { return static_cast<int>(OT::SobolSequence::MaximumDimension); }
 
 Columns unit_design(const DesignRequest& request, const std::vector<std::string>& names) {
-  const std::lock_guard lock(generator_mutex());
+  const OpenTurnsAsDelivered held;
   const auto samples = static_cast<std::size_t>(request.samples);
   Columns points;
   if (request.design == Design::kSobol) points = sobol_points(names.size(), samples);
@@ -258,7 +296,7 @@ Columns unit_design(const DesignRequest& request, const std::vector<std::string>
 }
 
 std::vector<double> normal_numbers(int seed, const std::string& name, std::size_t count) {
-  const std::lock_guard lock(generator_mutex());
+  const OpenTurnsAsDelivered held;
   Hash hash;
   hash.add("field");
   hash.add(&seed, sizeof seed);

@@ -7,12 +7,29 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "wythe/study.h"
 
 namespace wythe {
+
+// OpenTURNS for one caller at a time, with the settings that change an answer at their defaults. It reads settings from
+// openturns.conf while it is loaded, and a program that has this library in it may set others; afterwards they are as
+// they were. Its threads change no answer and are left alone.
+class OpenTurnsAsDelivered {
+ public:
+  OpenTurnsAsDelivered();
+  ~OpenTurnsAsDelivered();
+  OpenTurnsAsDelivered(const OpenTurnsAsDelivered&) = delete;
+  OpenTurnsAsDelivered& operator=(const OpenTurnsAsDelivered&) = delete;
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+  std::vector<std::pair<std::string, double>> before_;
+};
 
 // One variable's distribution; `spec` must have passed its check (check_variable in study_check.h).
 class Margin {

@@ -20,6 +20,7 @@ namespace wythe {
 std::vector<Term> chosen_terms(const Columns& inputs, const std::vector<double>& response,
                                int degree) {
   const OT::UnsignedInteger dimension = inputs.size(), n = response.size();
+  const OpenTurnsAsDelivered held;
   OT::Log::Show(OT::Log::NONE);  // it would write warnings between our lines
   OT::Sample x(n, dimension), y(n, 1);
   for (OT::UnsignedInteger i = 0; i < n; ++i) {
