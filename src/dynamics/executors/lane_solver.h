@@ -8,7 +8,7 @@
 //
 // When half of the lanes stay empty each wall goes on in a step of its
 // own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
-// stepped alone beside them. No wall's bits depend on any of this (docs/architecture.md).
+// stepped alone beside them. No wall's bits depend on any of this (docs/theory/determinism.md).
 #pragma once
 
 #include <memory>
