@@ -1,4 +1,4 @@
-# Which kernels (src/dynamics/*kernels_SET.cpp) this build has: WYTHE_KERNELS is all or native. The sources that
+# Which kernels (sources of src/dynamics that end with the name of a set) this build has: WYTHE_KERNELS is all or native. The sources that
 # choose between sets at run time know of each by WYTHE_SSE2_KERNELS, WYTHE_AVX2_KERNELS, WYTHE_AVX512_KERNELS.
 set(sets)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -1,6 +1,6 @@
 // What the builder lays in space: walls along plan lines, arches, domes (docs/theory/builder.md).
 //
-//   model file ──► BuilderSpec ──► geometry/builder.h ──► ModelSpec::body, when the file is read
+//   model file ──► BuilderSpec ──► geometry/builder/builder.h ──► ModelSpec::body, when the file is read
 #pragma once
 
 #include <array>

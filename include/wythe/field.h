@@ -17,7 +17,7 @@
 namespace wythe {
 
 // Of a study's variables and of fields. What a kind takes and how it is made: kKinds in
-// src/study/draws/sampling.cpp.
+// src/campaign/draws/sampling.cpp.
 enum class DistributionKind {
   kNormal,
   kLognormal,

@@ -1,6 +1,6 @@
 // The content of a model file: the wall, its materials, the stages of the test and the settings.
 //
-// Plain data in SI units. src/io/describe.h describes every member once; reading, writing, --set,
+// Plain data in SI units. src/io/keys/describe.h describes every member once; reading, writing, --set,
 // error messages and the reference page follow from it. Physical values start as NaN (kUnset).
 #pragma once
 

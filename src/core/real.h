@@ -40,7 +40,7 @@ template <class Real>
 }
 
 // exp(-x) for x >= 0, zero beyond 45: Taylor of degree 11 at x/256, squared eight times.
-// Relative error below 1e-13 (tests/unit/real_test.cpp).
+// Relative error below 1e-13 (tests/unit/core/real_test.cpp).
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Real exp_of_minus(Real x) {
   const Real y = minimum(x, Real(45.0)) * Real(-1.0 / 256.0);

@@ -21,8 +21,8 @@ def said(tool, name, text):
 class Checks(unittest.TestCase):
     def test_an_include_that_points_upwards_is_refused(self):
         for name in ("a.h", "a.cpp", "a.cu"):
-            self.assertIn(f"src/dynamics/{name}:1: dynamics (L3) includes study/store/store.h (L4): upwards",
-                          said("check_layers", name, '#include "study/store/store.h"\n'))
+            self.assertIn(f"src/dynamics/{name}:1: dynamics (L3) includes campaign/store/store.h (L4): upwards",
+                          said("check_layers", name, '#include "campaign/store/store.h"\n'))
             self.assertEqual("", said("check_layers", name, '#include "model/parts.h"\n'))
 
     def test_a_library_has_one_door(self):

@@ -42,5 +42,4 @@ inline constexpr double kKnown = 0.25;
 // way is judged (docs/theory/integration.md, 4.12a).
 [[nodiscard]] RateVerdict judge_quasi_static(const Result& result, bool supports = false);
 
-
 }  // namespace wythe::dynamics
