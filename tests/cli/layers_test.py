@@ -30,9 +30,9 @@ BAD = [  # file, a line put at its end, what must be said
     ("src/io/results/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
     ("apps/main.cpp", "int p = joint * model.n_face_point;", "n_face_point is the plane's"),
     ("src/judge/modes.cpp", "namespace wythe {\nnamespace study {\nstruct Piece {\n};\n}  // namespace study\n}  // namespace wythe",
-     "src/judge/modes.cpp:5: wythe::study::Piece is also the type of src/reading/joints.cpp:3"),
+     "src/reading/joints.cpp:3: wythe::study::Piece is also the type of src/judge/modes.cpp:5"),
     ("src/judge/modes.cpp", "namespace wythe::study {\nclass Piece final : public Whole {\n};\n}  // namespace wythe::study",
-     "src/judge/modes.cpp:4: wythe::study::Piece is also"),
+     "wythe::study::Piece is also the type of src/judge/modes.cpp:4"),
 ]
 
 
