@@ -3,6 +3,8 @@ PRESET ?= release
 DEMO ?= examples/tuff_wall/model.toml
 STUDY ?= examples/tuff_wall/study.toml
 BUILD := build/$(PRESET)
+# Instruction sets that kernels are built for: all, or native, those of this machine alone (cmake/kernels.cmake).
+KERNELS ?= all
 SOURCES = $(shell find include src apps tests benchmarks -name '*.h' -o -name '*.cpp')
 
 .PHONY: all help setup build demo test test-long fuzz sanitize bench docs site web format check install package clean
@@ -15,13 +17,14 @@ setup:           ## install the missing packages of deps/apt.txt
 	@tools/setup
 
 configure: setup
-	@cmake --preset $(PRESET) >build-configure.log 2>&1 \
+	@cmake --preset $(PRESET) -DWYTHE_KERNELS=$(KERNELS) >build-configure.log 2>&1 \
 	  || { cat build-configure.log; rm -f build-configure.log; exit 1; }
 	@rm -f build-configure.log
 
 build: configure ## compile: build/<preset>/wythe
 	@cmake --build --preset $(PRESET)
 
+demo: KERNELS = native
 demo: configure  ## run one wall, then 24 samples of its study; says where the reports are
 	@cmake --build --preset $(PRESET) --target wythe_cli
 	$(BUILD)/wythe run $(DEMO) --out $(BUILD)/demo

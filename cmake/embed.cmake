@@ -1,8 +1,8 @@
 # Script: writes OUTPUT, a C++ file that holds files of SOURCE as raw strings (src/report/assets.h, src/core/messages.h,
-# src/io/starters.h).
+# src/io/model/starters.h).
 set(source "// Written by cmake/embed.cmake.
 #include \"core/messages.h\"
-#include \"io/starters.h\"
+#include \"io/model/starters.h\"
 #include \"report/assets.h\"
 
 namespace wythe {

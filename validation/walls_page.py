@@ -1,5 +1,5 @@
 """Writes docs/validation.md, its figure of predicted against measured peaks, and the table of tested ranges that the program
-holds (src/study/modes/tested_walls.h), from walls.csv and predicted.csv alone: no run is needed."""
+holds (src/judge/modes/tested_walls.h), from walls.csv and predicted.csv alone: no run is needed."""
 import math
 import os
 
@@ -10,7 +10,7 @@ from page import readme_part, table
 MEANING = {"shear": "crack diagonally through joints and units", "sliding": "slide along their beds",
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
-HELD = "src/study/modes/tested_walls.h"
+HELD = "src/judge/modes/tested_walls.h"
 VERIFIED, IN_SPACE = "docs/verification.md", "validation/in_space.csv"  # what stands for walls in space
 LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote

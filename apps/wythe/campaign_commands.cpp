@@ -123,15 +123,6 @@ StudySpec asked_study(const CampaignArguments& a) {
 
 namespace {
 
-Device device_of(const std::string& word) {
-  if (const auto device = value_of(kDeviceWords, word)) return *device;
-  throw InputError({{.file = "--device",
-                     .path = "",
-                     .value = word,
-                     .problem = "is not a device",
-                     .cure = "write cpu or gpu"}});
-}
-
 // The study that stores hold: of a shard whose study file is not there any more.
 StudySpec study_in(const std::string& folder) {
   if (holds_campaign(folder)) return read_study_of(folder);
@@ -193,8 +184,6 @@ int say_interrupted(const CampaignArguments& a, const CampaignOutcome& outcome) 
 
 }  // namespace
 
-void check_device(const std::string& word) { static_cast<void>(device_of(word)); }
-
 std::string resume_command(const CampaignArguments& a) {
   std::string line;
   for (const std::string& word : a.command) line += (line.empty() ? "" : " ") + shell_quoted(word);
@@ -227,10 +216,8 @@ int campaign(const CampaignArguments& asked) {
   CampaignOptions options;
   if (!a.jobs.empty())
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one sample a core");
-  options.device = device_of(a.device);
   options.resume = a.resume;
   options.provenance = provenance_text();
-  if (options.device == Device::kGpu) options.provenance += ", on the graphics processor";
   read_shard(a.shard, options);
   const StudySpec study = a.stored ? stored_study(a) : asked_study(a);
   hold_for_test("model read");

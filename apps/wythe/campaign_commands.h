@@ -24,7 +24,6 @@ struct CampaignArguments {
   bool resume = false, quiet = false;
   bool stored =
       false;  // with resume: only what the folder's stores hold, as the tasks of an array do
-  std::string device = "cpu";
   std::string language = "en";       // of the report
   std::vector<std::string> command;  // as typed, to say how to go on
 };
@@ -62,12 +61,9 @@ struct StatusArguments {
 };
 int status(const StatusArguments& arguments);
 struct StoreArguments {
-  std::string folder, out, language = "en";
-  CampaignArguments
-      by;  // the study to go by where that of the store is damaged; by.study "": the stored one
+  std::string folder;
 };
 int check_store(const StoreArguments& arguments);
-int rescue_store(const StoreArguments& arguments);  // rescue_command.cpp
 
 // A folder within the one that results go to: InputError where it is a link, which would lead out of it.
 void check_inner_folder(const std::string& folder);
@@ -78,7 +74,6 @@ void check_inner_folder(const std::string& folder);
 int whole_number(const std::string& option, const std::string& text, int least, int most,
                  const std::string& cure);
 std::string shell_quoted(const std::string& word);
-void check_device(const std::string& word);
 
 // samples.csv, statistics.json, report.html from the store, and the table on stdout.
 int write_results(const std::string& folder, const std::string& language);

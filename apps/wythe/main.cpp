@@ -122,7 +122,6 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   add_overrides(command, a.overrides);
   command->add_option("--jobs", a.jobs,
                       "samples run at the same time (default: one a core); no change of results");
-  command->add_option("--device", a.device, "cpu, or gpu in a program built with -DWYTHE_CUDA=ON");
   command->add_flag("--resume", a.resume, "continue the campaign that the folder holds");
   command->add_flag(
       "--stored", a.stored,
@@ -152,8 +151,7 @@ void add_status(CLI::App& app, StatusArguments& a, int& code) {
 }
 
 void add_store(CLI::App& app, StoreArguments& a, int& code) {
-  CLI::App* command = app.add_subcommand(
-      "store", "check the store of a campaign; save what reads of a damaged one");
+  CLI::App* command = app.add_subcommand("store", "check the store of a campaign");
   command->require_subcommand(1);
   command->footer("example: wythe store check out/campaign");
   CLI::App* check =
@@ -161,20 +159,6 @@ void add_store(CLI::App& app, StoreArguments& a, int& code) {
   check->add_option("folder", a.folder, "folder of the campaign, or of its array")->required();
   check->footer("example: wythe store check out/campaign");
   check->callback([&] { code = check_store(a); });
-  CLI::App* rescue =
-      command->add_subcommand("rescue", "copy the samples that still read into a new store");
-  rescue->add_option("folder", a.folder, "folder of the damaged campaign")->required();
-  rescue->add_option("--out", a.out, "folder for what is saved, made if absent")->required();
-  rescue->add_option("--study", a.by.study,
-                     "the campaign's study file, where the study in the store is damaged");
-  rescue->add_option("--samples", a.by.samples, "as the campaign was given it, with --study");
-  rescue->add_option("--seed", a.by.seed, "as the campaign was given it, with --study");
-  rescue->add_option("--shard", a.by.shard,
-                     "which part of its campaign the store is, e.g. 2/4, with --study");
-  add_overrides(rescue, a.by.overrides);
-  add_language(rescue, a.language);
-  rescue->footer("example: wythe store rescue out/campaign --out out/rescued");
-  rescue->callback([&] { code = rescue_store(a); });
 }
 
 void add_merge(CLI::App& app, MergeArguments& a, int& code) {

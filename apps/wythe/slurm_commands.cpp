@@ -117,18 +117,14 @@ void check_kind(const std::string& out, bool several) {
   }
 }
 
-void check_walls(ClusterStudy& of, const std::string& device) {
+void check_walls(ClusterStudy& of) {
   if (!of.study.option.empty() && holds_campaign(of.folder))
     refuse("--out", of.folder, "holds a campaign without options", "name another folder");
   if (of.study.option.empty() && holds_options(of.folder))
     refuse("--out", of.folder, "holds the campaigns of a study with [[variant]]",
            "name another folder");
   for (auto& [study, inner] : of.walls()) {
-    const Model model = compile_option(*study, model_builder(*study));
-    for (const Stage& stage : model.stages)
-      if (device == "gpu" && stage.spec.kind == StageKind::kShake)
-        refuse("--device", device, "does not take stages that shake the wall",
-               "leave --device out");
+    static_cast<void>(compile_option(*study, model_builder(*study)));
     check_folder(of.folder + inner, FolderFor::kCampaign);
   }
   check_inner_folder(of.folder);
@@ -216,7 +212,7 @@ std::vector<ClusterStudy> checked_studies(const CampaignArguments& a, int shards
         refuse("--slurm", std::to_string(shards),
                fmt::format("does not fit {}, which is one of {} shards", shard, was),
                fmt::format("write --slurm {}, or name another folder", was));
-    check_walls(of, a.device);
+    check_walls(of);
     check_variants(of);
     settle_design(of, a.samples.empty());
     check_samples(of, a.slurm.tasks);
@@ -306,10 +302,6 @@ int check_arguments(const CampaignArguments& a) {
   check_slurm_time("--time", s.time);
   if (!s.cores.empty())
     static_cast<void>(whole_number("--cores", s.cores, 1, 4096, "cores of a node"));
-  check_device(a.device);
-  if (a.device == "gpu" && !instruction_set().ends_with(", gpu"))
-    refuse("--device", a.device, "is not in this program: it was built for this processor only",
-           "build it with -DWYTHE_CUDA=ON, or leave --device out");
   return shards;
 }
 

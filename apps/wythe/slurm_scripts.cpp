@@ -95,7 +95,6 @@ std::string task_options(const CampaignArguments& a) {
   option("--seed", a.seed);
   for (const std::string& word : a.overrides) option("--set", word);
   option("--jobs", a.slurm.cores);
-  if (a.device != "cpu") option("--device", a.device);
   if (a.language != "en") option("--lang", a.language);
   return text;
 }
@@ -138,7 +137,6 @@ void check_slurm_time(const std::string& option, const std::string& text) {
 
 std::string array_script(const CampaignArguments& a, const SlurmJob& job) {
   std::string text = head(a.slurm, "array", true);
-  if (a.device == "gpu") text += "#SBATCH --gres=gpu:1\n";
   if (!job.tasks.empty()) text += "#SBATCH --array=" + ranges(job.tasks) + "\n";
   text += log_option(job, "%a.log");
   text += fmt::format(

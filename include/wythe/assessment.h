@@ -27,17 +27,14 @@ inline constexpr Word<GroundType> kGroundTypeWords[] = {{"A", GroundType::kA},
                                                         {"C", GroundType::kC},
                                                         {"D", GroundType::kD},
                                                         {"E", GroundType::kE}};
-static_assert(names_all(kGroundTypeWords));
 enum class AssessmentCode { kCircolare2019, kEn1998 };
 inline constexpr Word<AssessmentCode> kAssessmentCodeWords[] = {
     {"circolare_2019", AssessmentCode::kCircolare2019}, {"en1998_3", AssessmentCode::kEn1998}};
-static_assert(names_all(kAssessmentCodeWords));
 enum class LimitState { kDamageLimitation, kLifeSafety, kNearCollapse };
 inline constexpr Word<LimitState> kLimitStateWords[] = {
     {"damage_limitation", LimitState::kDamageLimitation},
     {"life_safety", LimitState::kLifeSafety},
     {"near_collapse", LimitState::kNearCollapse}};
-static_assert(names_all(kLimitStateWords));
 
 // --- demand ------------------------------------------------------------------------------------------
 
@@ -139,7 +136,6 @@ inline constexpr Word<AssessmentVerdict> kAssessmentVerdictWords[] = {
     {"not shown", AssessmentVerdict::kNotShown},  // a lower bound that is below the demand
     {"no demand", AssessmentVerdict::kNoDemand},  // no spectrum is given
     {"not known", AssessmentVerdict::kNotKnown}};
-static_assert(names_all(kAssessmentVerdictWords));
 
 struct CodeAssessment {
   AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;

@@ -1,6 +1,6 @@
 // What the builder lays in space: walls along plan lines, arches, domes (docs/theory/builder.md).
 //
-//   model file ──► BuilderSpec ──► geometry/builder.h ──► ModelSpec::body, when the file is read
+//   model file ──► BuilderSpec ──► geometry/builder/builder.h ──► ModelSpec::body, when the file is read
 #pragma once
 
 #include <array>
@@ -16,7 +16,6 @@ namespace wythe {
 enum class Meeting { kToothed, kButted };
 inline constexpr Word<Meeting> kMeetingWords[] = {{"toothed", Meeting::kToothed},
                                                   {"butted", Meeting::kButted}};
-static_assert(names_all(kMeetingWords));
 
 // A wall along a line in plan. What it leaves unset is the wall's.
 struct PlanWallSpec {

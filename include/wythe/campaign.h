@@ -80,13 +80,8 @@ struct SampleRecord {
   }
 };
 
-enum class Device { kCpu, kGpu };
-inline constexpr Word<Device> kDeviceWords[] = {{"cpu", Device::kCpu}, {"gpu", Device::kGpu}};
-static_assert(names_all(kDeviceWords));
-
 struct CampaignOptions {
   int jobs = 0;                             // samples at once; 0: one per core
-  Device device = Device::kCpu;             // kGpu: all samples together there, jobs unused
   bool resume = false;                      // go on with what the folder's store holds
   int shard = 1, shards = 1;                // this process does samples shard, shard + shards, ...
   int last = 0;                             // no sample beyond this one; 0: all
@@ -155,19 +150,6 @@ void merge_campaigns(const std::vector<std::string>& folders, const std::string&
 
 // Reads every byte of a store, its states too; IoError says what is damaged first.
 void check_campaign(const std::string& folder);
-// Copies the samples of a damaged store that still read into a new one in `out`, which goes on as any other
-// with --resume. Throws IoError where its study does not read: then nothing is written.
-struct Rescue {
-  int kept = 0;
-  bool knows_shard =
-      true;  // false: the store does not say any more which shard it is; saved as a whole campaign
-  struct Lost {
-    int sample;
-    std::string why;
-  };
-  std::vector<Lost> lost;
-};
-[[nodiscard]] Rescue rescue_campaign(const std::string& folder, const std::string& out);
 
 // One sample alone, as the campaign runs it: the same bits, with every state.
 struct SampleRun {

@@ -21,19 +21,16 @@ inline constexpr Word<Softening> kSofteningWords[] = {{"bilinear", Softening::kB
                                                       {"exponential", Softening::kExponential},
                                                       {"polynomial", Softening::kPolynomial},
                                                       {"petersson", Softening::kPetersson}};
-static_assert(names_all(kSofteningWords));
 // How tension damage d_t and shear damage d_s combine: d = d_t + d_s - d_t d_s, max(d_t, d_s), or
 // max(1 - secant/kn, d_s) acting on shear (stiffness damage, weakens shear earlier).
 enum class Coupling { kUnion, kMaximum, kStiffness };
 inline constexpr Word<Coupling> kCouplingWords[] = {{"union", Coupling::kUnion},
                                                     {"maximum", Coupling::kMaximum},
                                                     {"stiffness", Coupling::kStiffness}};
-static_assert(names_all(kCouplingWords));
 // Unloading from an open joint: to the origin, or elastic to a tension set.
 enum class Unloading { kSecant, kElastic };
 inline constexpr Word<Unloading> kUnloadingWords[] = {{"secant", Unloading::kSecant},
                                                       {"elastic", Unloading::kElastic}};
-static_assert(names_all(kUnloadingWords));
 
 struct JointMaterial {
   double normal_stiffness = kUnset;         // kn [Pa/m], stress per opening

@@ -17,7 +17,7 @@
 namespace wythe {
 
 // Of a study's variables and of fields. What a kind takes and how it is made: kKinds in
-// src/study/draws/sampling.cpp.
+// src/campaign/draws/sampling.cpp.
 enum class DistributionKind {
   kNormal,
   kLognormal,
@@ -32,7 +32,6 @@ inline constexpr Word<DistributionKind> kDistributionWords[] = {
     {"uniform", DistributionKind::kUniform},    {"triangular", DistributionKind::kTriangular},
     {"beta", DistributionKind::kBeta},          {"weibull", DistributionKind::kWeibull},
     {"empirical", DistributionKind::kEmpirical}};
-static_assert(names_all(kDistributionWords));
 
 // What has one value of its own: a place, all of a course, all of a unit, or each joint.
 enum class FieldBy { kPlace, kCourse, kUnit, kJoint };
@@ -40,7 +39,6 @@ inline constexpr Word<FieldBy> kFieldByWords[] = {{"place", FieldBy::kPlace},
                                                   {"course", FieldBy::kCourse},
                                                   {"unit", FieldBy::kUnit},
                                                   {"joint", FieldBy::kJoint}};
-static_assert(names_all(kFieldByWords));
 
 // How correlation fades with the distances dx, dy: to 1/e at `along` or `across`.
 //   exponential           exp(-|dx|/along - |dy|/across)
@@ -50,7 +48,6 @@ enum class FieldKernel { kExponential, kSquaredExponential };
 inline constexpr Word<FieldKernel> kFieldKernelWords[] = {
     {"exponential", FieldKernel::kExponential},
     {"squared_exponential", FieldKernel::kSquaredExponential}};
-static_assert(names_all(kFieldKernelWords));
 
 // Correlation with another field, of the Gaussian copula.
 struct FieldTie {

@@ -17,7 +17,6 @@ namespace wythe {
 enum class Contacts { kJoints, kFree };
 inline constexpr Word<Contacts> kContactsWords[] = {{"joints", Contacts::kJoints},
                                                     {"free", Contacts::kFree}};
-static_assert(names_all(kContactsWords));
 
 // Shapes that free contacts see: convex parts with bevelled corners; empty where none are looked for.
 //

@@ -34,7 +34,6 @@ inline constexpr Word<UnitType> kUnitTypeWords[] = {
     {"aerated_concrete", UnitType::kAeratedConcrete},
     {"tuff", UnitType::kTuff},
     {"stone", UnitType::kStone}};
-static_assert(names_all(kUnitTypeWords, 1));  // kUnstated is not written
 
 // Mean values of tests [SI]; NaN where there are none.
 struct MasonrySpec {

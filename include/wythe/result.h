@@ -28,7 +28,6 @@ inline constexpr Word<SolveStatus> kSolveStatusWords[] = {
     {"completed", SolveStatus::kCompleted},     {"collapsed", SolveStatus::kCollapsed},
     {"interrupted", SolveStatus::kInterrupted}, {"not_settled", SolveStatus::kNotSettled},
     {"unstable", SolveStatus::kUnstable},       {"budget_spent", SolveStatus::kBudgetSpent}};
-static_assert(names_all(kSolveStatusWords));
 [[nodiscard]] inline const char* to_string(SolveStatus status) {
   return word_of(kSolveStatusWords, status);
 }

@@ -203,11 +203,9 @@ inline constexpr Word<FragilityVerdict> kFragilityVerdictWords[] = {
     {"two values", FragilityVerdict::kTwoValues},
     {"separated", FragilityVerdict::kSeparated},
     {"collinear", FragilityVerdict::kCollinear}};
-static_assert(names_all(kFragilityVerdictWords));
 enum class FragilityLaw { kLogistic, kLognormal };
 inline constexpr Word<FragilityLaw> kFragilityLawWords[] = {
     {"logistic", FragilityLaw::kLogistic}, {"lognormal", FragilityLaw::kLognormal}};
-static_assert(names_all(kFragilityLawWords));
 
 // One law fitted to one event and one input (shown units). Slope of log-odds per unit, or 1/beta with the
 // sign of the trend; `half` is the input where P = 1/2, NaN where that lies outside the samples.
@@ -269,7 +267,6 @@ inline constexpr Word<IndexVerdict> kIndexVerdictWords[] = {
     {"censored", IndexVerdict::kCensored},
     {"discrete", IndexVerdict::kDiscrete},
     {"unexplained", IndexVerdict::kUnexplained}};
-static_assert(names_all(kIndexVerdictWords));
 // Sobol indices of one response from a polynomial surrogate, if that predicts samples it has not seen.
 struct SurrogateIndices {
   struct Of {
@@ -372,7 +369,6 @@ inline constexpr Word<LimitStateVerdict> kLimitStateVerdictWords[] = {
     {"told", LimitStateVerdict::kTold},           {"few records", LimitStateVerdict::kFewRecords},
     {"never", LimitStateVerdict::kNever},         {"always", LimitStateVerdict::kAlways},
     {"separated", LimitStateVerdict::kSeparated}, {"no trend", LimitStateVerdict::kNoTrend}};
-static_assert(names_all(kLimitStateVerdictWords));
 inline constexpr int kFewestRecords = 7;  // of which a median and a dispersion are told
 
 // At one intensity: how many samples reached it there, by their shakes at this intensity alone.
@@ -396,7 +392,6 @@ inline constexpr Word<ScatterVerdict> kScatterVerdictWords[] = {
     {"not crossed", ScatterVerdict::kNotCrossed},
     {"not reached", ScatterVerdict::kNotReached},
     {"wide brackets", ScatterVerdict::kWide}};
-static_assert(names_all(kScatterVerdictWords));
 inline constexpr int kFewestForScatter = 3;
 // Standard deviations of ln; each as an estimate of a two-way layout without repetition. A lower end of 0: it
 // may be nothing.

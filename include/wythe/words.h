@@ -1,10 +1,10 @@
 // Words of enumerations: what files, stores, pages and messages call a value. The table stands beside
-// the enumeration, in any order, and is checked when it is compiled: every enumerator once, no word twice.
+// the enumeration, in any order. src/api/word_tables.cpp checks it when it is compiled: every enumerator once, no word twice.
 // So an enumerator may be added or moved, and nothing that is stored gets another name.
 //
 //   enum class Fit { kWhole, kCut };
 //   inline constexpr Word<Fit> kFitWords[] = {{"whole", Fit::kWhole}, {"cut", Fit::kCut}};
-//   static_assert(names_all(kFitWords));
+//   static_assert(names_all(kFitWords));  // in word_tables.cpp
 #pragma once
 
 #include <cstddef>
@@ -45,11 +45,7 @@ template <class E, std::size_t N>
       if (words[i].value == words[k].value ||
           std::string_view(words[i].word) == std::string_view(words[k].word))
         return false;
-#ifdef __CUDACC__  // its front end writes enumerators otherwise; the host's compiler has looked
-  return unnamed <= N;
-#else
   return N + unnamed == count_enumerators<E>();
-#endif
 }
 
 // The word of a value; "" of one that has none.

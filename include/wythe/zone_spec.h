@@ -11,11 +11,9 @@ namespace wythe {
 enum class ZoneKind { kMixed, kCst };
 inline constexpr Word<ZoneKind> kZoneKindWords[] = {{"mixed", ZoneKind::kMixed},
                                                     {"cst", ZoneKind::kCst}};
-static_assert(names_all(kZoneKindWords));
 enum class Plane { kStress, kStrain };
 inline constexpr Word<Plane> kPlaneWords[] = {{"stress", Plane::kStress},
                                               {"strain", Plane::kStrain}};
-static_assert(names_all(kPlaneWords));
 
 // How a deformable block is divided into zones; kind and plane condition are those of blocks in their plane.
 struct ZoneSpec {

@@ -1,5 +1,5 @@
 // run_batch(): the columns are checked against the base model, then the rows are solved by the pool of a
-// campaign (study/campaign/sample_pool.h) and kept in memory.
+// campaign (campaign/runner/sample_pool.h) and kept in memory.
 #include "wythe/batch.h"
 
 #include <fmt/format.h>
@@ -8,8 +8,8 @@
 #include <mutex>
 #include <set>
 
-#include "io/model_key.h"
-#include "study/campaign/sample_pool.h"
+#include "campaign/runner/sample_pool.h"
+#include "io/keys/model_key.h"
 #include "units/quantity_error.h"
 #include "wythe/error.h"
 #include "wythe/io.h"

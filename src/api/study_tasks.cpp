@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "api/job.h"
+#include "campaign/answer_keys.h"
 #include "core/limits.h"
-#include "io/toml_reader.h"
-#include "study/answer_keys.h"
+#include "io/text/toml_reader.h"
 #include "wythe/batch.h"
 #include "wythe/campaign.h"
 #include "wythe/error.h"

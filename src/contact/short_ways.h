@@ -1,6 +1,6 @@
 // Short ways through the law (law.h) where it would keep a point's history or only widen its opening: a point
 // to which nothing has happened, a point at rest. Each gives the bits of update() or says that it does not
-// hold (docs/theory/joint_law.md, 3.12a, 3.12b; tests/unit/law_shortcuts_test.cpp).
+// hold (docs/theory/joint_law.md, 3.12a, 3.12b; tests/unit/contact/law_shortcuts_test.cpp).
 #pragma once
 
 #include "contact/law.h"

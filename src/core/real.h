@@ -7,16 +7,8 @@
 #include <cmath>
 
 // The hot kernels are one loop body to the optimiser; left to itself it calls them (3x slower).
-// A compiler for graphics processors makes the same functions for both sides (gpu.cu).
-#ifdef __CUDACC__
-#define WYTHE_INLINE __host__ __device__ __forceinline__
-#define WYTHE_OUTLINE __host__ __device__
-#define WYTHE_BOTH __host__ __device__
-#else
 #define WYTHE_INLINE [[gnu::always_inline]] inline
 #define WYTHE_OUTLINE [[gnu::noinline]]
-#define WYTHE_BOTH
-#endif
 
 namespace wythe {
 
@@ -48,7 +40,7 @@ template <class Real>
 }
 
 // exp(-x) for x >= 0, zero beyond 45: Taylor of degree 11 at x/256, squared eight times.
-// Relative error below 1e-13 (tests/unit/real_test.cpp).
+// Relative error below 1e-13 (tests/unit/core/real_test.cpp).
 template <class Real>
 [[nodiscard]] WYTHE_INLINE Real exp_of_minus(Real x) {
   const Real y = minimum(x, Real(45.0)) * Real(-1.0 / 256.0);

@@ -7,21 +7,21 @@
 #include <tuple>
 
 #include "core/text.h"
-#include "geometry/arches.h"
 #include "geometry/blocks_file.h"
 #include "geometry/caps.h"
-#include "geometry/checks.h"
-#include "geometry/courses.h"
-#include "geometry/faces.h"
-#include "geometry/fit.h"
-#include "geometry/foundation.h"
-#include "geometry/joints.h"
-#include "geometry/openings.h"
 #include "geometry/polygon.h"
-#include "geometry/regions.h"
-#include "geometry/ring_beams.h"
-#include "geometry/storeys.h"
 #include "geometry/text.h"
+#include "geometry/wall/arches.h"
+#include "geometry/wall/checks.h"
+#include "geometry/wall/courses.h"
+#include "geometry/wall/faces.h"
+#include "geometry/wall/fit.h"
+#include "geometry/wall/foundation.h"
+#include "geometry/wall/joints.h"
+#include "geometry/wall/openings.h"
+#include "geometry/wall/regions.h"
+#include "geometry/wall/ring_beams.h"
+#include "geometry/wall/storeys.h"
 
 namespace wythe::geometry {
 namespace {

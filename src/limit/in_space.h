@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "limit/programmes.h"
+#include "limit/plane/programmes.h"
 #include "wythe/limit.h"
 #include "wythe/model.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "limit/in_space.h"
-#include "limit/programmes.h"
+#include "limit/plane/programmes.h"
 #include "wythe/error.h"
 #include "wythe/limit.h"
 

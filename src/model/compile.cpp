@@ -10,11 +10,11 @@
 #include "model/field_places.h"
 #include "model/fields.h"
 #include "model/parts.h"
+#include "model/plane/step_bound.h"
 #include "model/point_rule.h"
 #include "model/shaking.h"
 #include "model/size.h"
-#include "model/space.h"
-#include "model/step_bound.h"
+#include "model/space/space.h"
 
 namespace wythe {
 namespace {

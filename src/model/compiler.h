@@ -6,7 +6,7 @@
 #pragma once
 
 #include "geometry/assembly.h"
-#include "geometry/joint_faces.h"
+#include "geometry/bodies/joint_faces.h"
 #include "wythe/model.h"
 
 namespace wythe {

@@ -6,7 +6,7 @@
 
 #include "geometry/blocks_file.h"
 #include "geometry/shape.h"
-#include "model/space_roles.h"
+#include "model/space/space_roles.h"
 
 namespace wythe {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/assembly.h"
-#include "geometry/joint_faces.h"
+#include "geometry/bodies/joint_faces.h"
 #include "model/parts.h"
 #include "wythe/model.h"
 

@@ -2,8 +2,8 @@
 //
 // A line says what the array holds, of which entity, in which unit. What follows from the table, so
 // that nothing else lists arrays: their allocation (initial_state), the rows in which a step keeps them
-// for walls side by side (dynamics/passes/tables.h), copies in and out of these rows, the device's
-// memory, the hash of a state, restarts and packed snapshots, and the identity of a topology.
+// for walls side by side (dynamics/passes/tables.h), copies in and out of these rows,
+// the hash of a state, restarts and packed snapshots, and the identity of a topology.
 //
 // To add a number that the joint law remembers: a member of contact::History and its line in
 // contact::kHistory (law.h), an array in State, and its line below, in the same order.

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "geometry/storeys.h"
+#include "geometry/wall/storeys.h"
 #include "model/point_rule.h"
 #include "wythe/curve.h"
 

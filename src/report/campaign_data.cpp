@@ -11,11 +11,11 @@
 #include <filesystem>
 #include <set>
 
+#include "campaign/draws/sampling.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/said.h"
 #include "report/wall_arrays.h"
-#include "study/draws/sampling.h"
 #include "wythe/error.h"
 #include "wythe/failure_mode.h"
 #include "wythe/io.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "dynamics/meters/balance.h"
 #include "report/html.h"
 #include "wythe/failure_mode.h"
 #include "wythe/limit.h"
@@ -44,11 +43,6 @@ std::string assessed_in(const Texts& texts, const Json& summary) {
 constexpr double kFew = 0.05;    // share of lower bounds that hardly moves a mean
 constexpr double kGap = 0.01;    // of the energy ledger, beyond which its run is not believed
 constexpr int kListedParts = 3;  // of a wall, in a sentence; more are counted
-// How slow a push was, in one of the meter's words.
-std::string judgement_in(const Json& meter) {
-  const std::string judgement = words_in(meter, "judgement");
-  return judgement.empty() ? dynamics::judgement_of_older(words_in(meter, "verdict")) : judgement;
-}
 
 // --- a run ---------------------------------------------------------------------------------------
 
@@ -131,7 +125,7 @@ class RunHeadline {
     const std::string status = words_in(s_, "status");
     if (!status.empty() && status != "completed" && status != "collapsed")
       add(texts_.say("status." + status));
-    const std::string judgement = judgement_in(member(s_, "quasi_static"));
+    const std::string judgement = words_in(member(s_, "quasi_static"), "judgement");
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
     const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <map>
 
+#include "campaign/answer_keys.h"
 #include "dynamics/meters/residual.h"
+#include "judge/modes/wall_parts.h"
 #include "model/shaking.h"
 #include "report/bundle.h"
 #include "report/model_inputs.h"
 #include "report/said.h"
 #include "report/wall_arrays.h"
-#include "study/answer_keys.h"
-#include "study/modes/wall_parts.h"
 #include "wythe/element_forces.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"

@@ -1,7 +1,7 @@
 #include "report/said.h"
 
 #include "core/messages.h"
-#include "study/modes/wall_parts.h"
+#include "judge/modes/wall_parts.h"
 
 namespace wythe::report {
 namespace {

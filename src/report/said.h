@@ -17,7 +17,7 @@ namespace wythe::report {
 [[nodiscard]] Message shortened(Message sentence);
 // Names of a wall's parts, by which elements and flags are called: {"left pier": [...], ...}.
 [[nodiscard]] Json names_of(const Model& model);
-// In the JSON of a file (io/message_json.h): KEY becomes what KEY_message says, which goes.
+// In the JSON of a file (io/results/message_json.h): KEY becomes what KEY_message says, which goes.
 void say_messages(Json& json);
 
 }  // namespace wythe::report

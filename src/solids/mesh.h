@@ -6,7 +6,7 @@
 //        | 0 | 1 | 2 |      triangle divided evenly into n^2; edges match because all have n parts
 //    n   o---o---o---o
 //
-// Called by model/solids.cpp for the blocks of a wall, and by the tests.
+// Called by model/plane/solids.cpp for the blocks of a wall, and by the tests.
 #pragma once
 
 #include "solids/shape.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each call that changes a file fails once, in turn: of a campaign, a merge, a run and a rescue. And a clock that jumps.
+"""Each call that changes a file fails once, in turn: of a campaign, a merge and a run. And a clock that jumps.
 
 A library that is preloaded (tests/faults/broken_disk.c) counts the calls below the folder of results and lets one of them fail: by an error of the
 disk, by a disk that is full from there on, by the end of the process before it, or by a loss of power, which takes what was not
@@ -131,10 +131,6 @@ class BrokenDisk(unittest.TestCase):
         out = self.folder / "run"
         self.each_call("run", ["run", "model.toml", "--out", out], ["force_displacement.csv", "model.used.toml"], lambda: shutil.rmtree(out, ignore_errors=True), out)
 
-    def test_a_rescue_goes_on(self):
-        damaged, out = self.folder / "damaged", self.folder / "rescued"
-        self.assertEqual(self.run_("campaign", "study.toml", "--out", damaged, "--jobs", 1, "--quiet").returncode, 0)
-        self.each_call("rescue", ["store", "rescue", damaged, "--out", out], ["samples.csv"], lambda: shutil.rmtree(out, ignore_errors=True), out)
 
 
 if __name__ == "__main__":

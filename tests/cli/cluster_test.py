@@ -350,7 +350,7 @@ class Scripts(Base):
         fake = self.folder / "record"
         commands(fake, program="")
         self.written("--seed", "7", "--samples", "6", "--set", "stage.push.until=1 mm", "--set", "material.joint.friction_angle=35 deg",
-                     "--lang", "it", "--cores", "2", "--device", "cpu", "--partition", "long,short", "--time", "1-12:30",
+                     "--lang", "it", "--cores", "2", "--partition", "long,short", "--time", "1-12:30",
                      "--resume", "--quiet")
         self.assertEqual(self.run_task(2, WYTHE=str(fake / "program")).returncode, 0)
         got = words(fake, "program")[0][1:]
@@ -440,9 +440,6 @@ class Scripts(Base):
         self.refused(said("--slurm", "2", "--shard", "1/2"), 2, "--shard", "leave it out")
         self.refused(said("--slurm", "2", "--stored"), 2, "--stored", "leave it out")
         self.refused(said("--slurm", "2", "--jobs", "4"), 2, "--jobs", "write --cores 4")
-        self.refused(said("--slurm", "2", "--device", "tpu"), 2, "--device", "is not a device")
-        if "gpu" not in wythe("--version").stdout:
-            self.refused(said("--slurm", "2", "--device", "gpu"), 2, "--device", "not in this program")
         self.refused(said("--slurm", "2", "--lang", "xx"), 2, "--lang")
         self.refused(said("--slurm", "2", "--until", "relative_interval(peak_reaction) < 1 %"), 2,
                      "sees only its own")

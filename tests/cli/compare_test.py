@@ -196,15 +196,6 @@ class Options(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("holds no campaign", done.stderr)
 
-    def test_a_copy_and_an_older_store_compare(self):
-        for version in (1, 2, 3):
-            for name in ("a", "b"):
-                (self.out() / f"{version}{name}").mkdir(parents=True)
-                shutil.copy(SOURCE / f"tests/data/store_v{version}.db", self.out() / f"{version}{name}/campaign.db")
-            done = wythe("compare", self.out() / f"{version}a", self.out() / f"{version}b", "--out", self.out() / "c")
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("equal to the last bit", done.stdout)
-
     def test_the_folder_of_all_is_no_campaign_and_takes_none(self):
         done = wythe("replay", self.whole, "--sample", 1, "--out", self.out())
         self.assertEqual(done.returncode, 2)

@@ -75,7 +75,7 @@ class Hostile(unittest.TestCase):
             for command in (["report", path], ["export", path, "--out", out], ["merge", path, "--out", out],
                             ["merge", shard, path, "--out", out], ["compare", shard, path, "--out", out],
                             ["compare", path, shard, "--out", out], ["replay", path, "--sample", 1, "--out", out],
-                            ["status", path], ["store", "check", path], ["store", "rescue", path, "--out", out],
+                            ["status", path], ["store", "check", path],
                             ["limit", self.made / "model.toml", "--with", path, "--out", out],
                             ["picture", path, "--sample", 1, "--out", self.folder / "p.svg"], ["run", "--resume", path]):
                 with self.subTest(command=command):
@@ -85,7 +85,7 @@ class Hostile(unittest.TestCase):
 
     def test_a_link_for_a_store_is_not_written_through(self):
         mine = self.folder / "mine"
-        for command in (["merge", self.made / "shard1", self.made / "shard2"], ["store", "rescue", self.made / "shard1"],
+        for command in (["merge", self.made / "shard1", self.made / "shard2"],
                         ["campaign", self.made / "study.toml", "--resume"]):
             for name in ("campaign.db", "campaign.db-wal", "campaign.lock"):
                 with self.subTest(command=command, name=name):

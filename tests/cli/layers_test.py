@@ -14,26 +14,30 @@ GOOD = {
     "src/reading/joints.cpp": '#include "model/fields.h"\nnamespace wythe::study {\nstruct Piece {\n};\nstruct Piece::Whole {\n};\n}  // namespace wythe::study\n'
                               "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\nstruct Piece {\n};\n}  // namespace wythe\n",
     "src/reading/zones.cpp": "namespace wythe {\nnamespace {\nstruct Fit {\n};\n}  // namespace\n}  // namespace wythe\n",
-    "src/study/modes.cpp": '#include "model/parts.h"\n// s.theta and n_face_point are the plane\'s\n',
+    "src/judge/modes.cpp": '#include "model/parts.h"\n// s.theta and n_face_point are the plane\'s\n',
     "src/report/arrays.cpp": 'const char* kColumn = "frame.theta, wall.half_x";\n',
     "apps/main.cpp": '#include "wythe/model.h"\n',
 }
 BAD = [  # file, a line put at its end, what must be said
-    ("src/model/model.cpp", '#include "study/modes.h"', "src/model/model.cpp:3: model (L2) includes"),
+    ("src/model/model.cpp", '#include "judge/modes.h"', "src/model/model.cpp:3: model (L2) includes"),
     ("src/model/model.cpp", '#include "reading/zones.h"', "model includes its sibling reading/zones.h"),
-    ("src/report/arrays.cpp", '#include "io/vtu.h"', "report includes its sibling io/vtu.h"),
-    ("src/study/modes.cpp", "#include <sqlite4.h>\n#include <zlib.h>", "<zlib.h> belongs to report"),
+    ("src/report/arrays.cpp", '#include "io/results/vtu.h"', "report includes its sibling io/results/vtu.h"),
+    ("src/judge/modes.cpp", "#include <sqlite4.h>\n#include <zlib.h>", "<zlib.h> belongs to report"),
     ("apps/main.cpp", '#include "model/parts.h"', "only wythe/*.h may be seen from apps"),
-    ("src/study/modes.cpp", "double t = state.theta[b];",
-     "src/study/modes.cpp:3: theta is the plane's: ask wythe/reading.h"),
+    ("src/judge/modes.cpp", "double t = state.theta[b];",
+     "src/judge/modes.cpp:3: theta is the plane's: ask wythe/reading.h"),
     ("src/report/arrays.cpp", "double e = model->half_y[j];", "half_y is the plane's"),
-    ("src/io/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
+    ("src/io/results/vtu.cpp", "auto t = &Model::tangent_x;", "tangent_x is the plane's"),
     ("apps/main.cpp", "int p = joint * model.n_face_point;", "n_face_point is the plane's"),
-    ("src/study/modes.cpp", "namespace wythe {\nnamespace study {\nstruct Piece {\n};\n}  // namespace study\n}  // namespace wythe",
-     "src/study/modes.cpp:5: wythe::study::Piece is also the type of src/reading/joints.cpp:3"),
-    ("src/study/modes.cpp", "namespace wythe::study {\nclass Piece final : public Whole {\n};\n}  // namespace wythe::study",
-     "src/study/modes.cpp:4: wythe::study::Piece is also"),
+    ("src/judge/modes.cpp", "namespace wythe {\nnamespace study {\nstruct Piece {\n};\n}  // namespace study\n}  // namespace wythe",
+     "src/reading/joints.cpp:3: wythe::study::Piece is also the type of src/judge/modes.cpp:5"),
+    ("src/judge/modes.cpp", "namespace wythe::study {\nclass Piece final : public Whole {\n};\n}  // namespace wythe::study",
+     "wythe::study::Piece is also the type of src/judge/modes.cpp:4"),
 ]
+
+
+WORDS = {"include/wythe/fit.h": 'inline constexpr Word<Fit> kFitWords[] = {{"cut", Fit::kCut}};\n',
+         "src/api/word_tables.cpp": "static_assert(names_all(kFitWords));\n"}
 
 
 def check(tree):
@@ -58,6 +62,12 @@ class Layers(unittest.TestCase):
                 self.assertEqual(status, 1, output)
                 self.assertEqual(len(output.splitlines()), 1, output)
                 self.assertIn(said, output)
+
+    def test_a_table_of_words_is_checked_where_it_is_compiled(self):
+        self.assertEqual(check({**GOOD, **WORDS})[0], 0)
+        status, output = check({**GOOD, **WORDS, "src/api/word_tables.cpp": "static_assert(names_all(kFitWords2));\n"})
+        self.assertEqual(status, 1)
+        self.assertIn("include/wythe/fit.h:1: kFitWords is a table of words without its static_assert", output)
 
 
 if __name__ == "__main__":

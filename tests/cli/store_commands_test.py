@@ -232,96 +232,26 @@ class Stores(Base):
         done = wythe("store", "check", self.whole)
         self.assertEqual((done.returncode, done.stdout), (0, f"{self.whole}: whole\n"))
 
-    def test_damaged_states_and_curves_are_found_and_the_other_samples_saved(self):
+    def test_damaged_states_and_curves_are_found_and_the_cure_gives_the_same_campaign(self):
         with sqlite3.connect(self.copy()) as store:
             store.execute("UPDATE curve SET data = substr(data, 1, 20) || zeroblob(8) || substr(data, 29) "
                           "WHERE sample = 2")
             store.execute("UPDATE state SET data = substr(data, 1, length(data) - 5) || zeroblob(5) WHERE sample = 4")
         store.close()
-        self.refused(wythe("store", "check", self.out()), 4, "sample 2", "store rescue")
-        saved = self.folder / "saved"
-        done = wythe("store", "rescue", self.out(), "--out", saved)
+        self.refused(wythe("store", "check", self.out()), 4, "sample 2", "remove it and start the same campaign")
+        shutil.rmtree(self.out())
+        done = wythe("campaign", self.study, "--out", self.out(), "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("4 samples kept, 2 lost", done.stdout)
-        self.assertRegex(done.stdout, r"sample 2 is lost: .*curve")
-        self.assertRegex(done.stdout, r"sample 4 is lost: .*state")
-        self.assertEqual(wythe("store", "check", saved).returncode, 0)
-        self.assertEqual(self.resume(saved).returncode, 0)
-        self.assert_equals_whole(saved)
+        self.assertEqual(wythe("store", "check", self.out()).returncode, 0)
+        self.assert_equals_whole(self.out())
 
-    def test_damaged_pages_cost_the_samples_on_them_alone(self):
-        size = (self.whole / "campaign.db").stat().st_size
-        kept = []
-        for k in range(1, 8):
-            self.spoil(size * k // 8, 512)
-            code = wythe("store", "check", self.out()).returncode
-            saved = self.folder / f"saved_{k}"
-            done = wythe("store", "rescue", self.out(), "--out", saved)
-            self.assertIn(done.returncode, (0, 4), done.stderr)
-            for raw in ("terminate", "what()", "std::"):
-                self.assertNotIn(raw, done.stdout + done.stderr)
-            if done.returncode == 0:
-                self.assertEqual(wythe("store", "check", saved).returncode, 0)
-                kept.append(int(re.search(r"(\d+) samples kept", done.stdout).group(1)))
-                if code == 0:
-                    self.assertEqual(kept[-1], 6)
-            shutil.rmtree(self.out())
-        self.assertTrue(any(0 < n for n in kept), kept)
-
-    def test_a_damaged_study_is_taken_from_its_file(self):
+    def test_a_store_of_another_version_is_refused_by_every_command(self):
         with sqlite3.connect(self.copy()) as store:
-            store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
+            store.execute("PRAGMA user_version = 7")
         store.close()
-        saved = self.folder / "saved_by_study"
-        self.refused(wythe("store", "rescue", self.out(), "--out", saved), 4, "--study FILE", "nothing was saved")
-        self.refused(wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study, "--seed", 999), 2,
-                     "draws none of the 6 samples", "nothing was written")
-        self.assertFalse(saved.exists())
-        done = wythe("store", "rescue", self.out(), "--out", saved, "--study", self.study)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("6 samples kept, 0 lost", done.stdout)
-        self.assert_equals_whole(saved)
-
-    def test_a_rescued_shard_goes_back_into_its_array(self):
-        array, saved = self.folder / "array_of_two", self.folder / "saved_shard"
-        for shard in (1, 2):
-            done = wythe("campaign", self.study, "--shard", f"{shard}/2", "--out", array / "shards" / str(shard), "--quiet")
-            self.assertEqual(done.returncode, 0, done.stderr)
-        with sqlite3.connect(array / "shards/2/campaign.db") as store:
-            store.execute("UPDATE study SET value = '?' WHERE key = 'shard'")
-        store.close()
-        rescue = ["store", "rescue", array / "shards/2", "--out", saved]
-        self.refused(wythe(*rescue, "--shard", "2/2"), 2, "--shard", "--study FILE")
-        self.refused(wythe(*rescue, "--study", self.study, "--shard", "1/2"), 2, "does not hold sample 2", "nothing was written")
-        self.assertFalse(saved.exists())
-        done = wythe(*rescue, "--study", self.study)
-        self.assertIn("3 samples kept, 0 lost", done.stdout)
-        self.assertIn("with --shard, e.g. --shard 2/40", done.stderr)
-        shutil.rmtree(saved)
-        done = wythe(*rescue, "--study", self.study, "--shard", "2/2")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        shutil.rmtree(array / "shards/2")
-        shutil.move(saved, array / "shards/2")
-        self.assertEqual(wythe("status", array).stdout.splitlines()[-1], "all: 6 of 6 samples")
-        self.assertEqual(wythe("merge", array, "--out", array).returncode, 0)
-        self.assert_equals_whole(array)
-
-    def test_a_study_of_another_wall_is_refused(self):
-        other = self.folder / "other_wall"
-        other.mkdir()
-        for path in self.study.parent.glob("*.*"):
-            if path.is_file() and path.suffix in (".toml", ".json"):
-                text = path.read_text()
-                (other / path.name).write_text(text.replace('density = "2000 kg/m^3"', 'density = "2600 kg/m^3"'))
-        saved = self.folder / "saved_by_other"
-        command = ["store", "rescue", self.out(), "--out", saved, "--study", other / self.study.name]
-        self.copy()
-        self.refused(wythe(*command), 2, "density", "did not stand in the model")  # the stored study says what it is
-        with sqlite3.connect(self.out() / "campaign.db") as store:
-            store.execute("UPDATE study SET value = '0.1' WHERE key = 'load_height_m'")
-        store.close()
-        self.refused(wythe(*command), 2, "comes out otherwise", "of another wall", "nothing was saved")
-        self.assertFalse(saved.exists())
+        for command in (["store", "check", self.out()], ["report", self.out()], ["merge", self.out(), "--out", self.folder / "merged_of_7"],
+                        ["campaign", self.study, "--out", self.out(), "--resume", "--quiet"]):
+            self.refused(wythe(*command), 4, "store version 7", "version 1", "run the campaign again")
 
     def test_check_reads_the_joined_store_of_an_array_too(self):
         array = self.folder / "array"
@@ -336,18 +266,6 @@ class Stores(Base):
             store.execute("UPDATE sample SET peak_reaction_N = peak_reaction_N * 2 WHERE sample = 2")
         store.close()
         self.refused(wythe("store", "check", array), 4, "sample 2")
-
-    def test_inputs_that_are_no_numbers_cost_their_sample_at_most(self):
-        with sqlite3.connect(self.copy()) as store:
-            store.execute("UPDATE sample_input SET value = 'x' WHERE sample = 2 AND position = 0")
-        store.close()
-        saved = self.folder / "saved_without_one"
-        for more, kept in (([], "6 samples kept, 0 lost"), (["--study", self.study], "5 samples kept, 1 lost")):  # the first draws it anew
-            shutil.rmtree(saved, ignore_errors=True)
-            done = wythe("store", "rescue", self.out(), "--out", saved, *more)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn(kept, done.stdout)
-        self.refused(wythe("store", "rescue", self.out(), "--out", saved, "--seed", 7), 2, "--seed", "--study FILE")
 
     def test_status_and_check_leave_no_trace_of_a_killed_campaign(self):
         with sqlite3.connect(self.copy(), isolation_level=None) as store:  # as a writer that ends by force leaves it
@@ -365,12 +283,9 @@ class Stores(Base):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual({p.name: p.read_bytes() for p in killed.iterdir()}, listed, command)
 
-    def test_what_is_no_store_is_not_rescued(self):
+    def test_what_is_no_store_is_not_checked(self):
         self.copy().write_bytes(b"no database at all" * 1000)
         self.refused(wythe("store", "check", self.out()), 4, "store")
-        self.refused(wythe("store", "rescue", self.out(), "--out", self.folder / "none"), 4, "campaign.db")
-        self.assertFalse((self.folder / "none").exists())
-        self.refused(wythe("store", "rescue", self.whole, "--out", self.whole), 2, "holds a campaign already")
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 GOOD = {
     "Makefile": "docs: build\n",
     "src/law.h": "// The law (3.2), decision 0001. Calls `find_root`, see apps/main.cpp.\ndouble find_root();\n",
+    "src/README.md": "| `law` | the law |\n",
+    "apps/README.md": "`main.cpp`\n",
     "apps/main.cpp": '#include "law.h"\nconst char* kOption = "--until";\n',
     "docs/theory/law.md": "```\nsigma = kn w      (3.2)\n```\n`find_root` in `law.h`\n",
     "docs/decisions/0001-points.md": "`--until`, `make docs`, `src/law.*`, [law](../theory/law.md)\n",
@@ -50,6 +52,14 @@ class Words(unittest.TestCase):
                 status, output = check({**GOOD, name: GOOD[name] + line + "\n"})
                 self.assertEqual(status, 1, output)
                 self.assertEqual(len(output.splitlines()), 1, output)
+                self.assertIn(said, output)
+
+    def test_a_file_that_no_room_names_is_found(self):
+        for path, said in (("src/lane.cpp", "src/lane.cpp: not named in src/README.md"), ("src/deep/law_2.h", "not named in src/README.md"),
+                           ("web/src/main.ts", "web/src/main.ts: no folder above it has a README.md")):
+            with self.subTest(path):
+                status, output = check({**GOOD, path: "int n;\n"})
+                self.assertEqual((status, len(output.splitlines())), (1, 1), output)
                 self.assertIn(said, output)
 
     def test_code_is_not_taken_for_a_comment(self):

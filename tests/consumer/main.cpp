@@ -1,4 +1,4 @@
-// Uses wythe as an installed library: every public header compiles, and a small wall is built.
+// Uses wythe as an installed library: a small wall is built. CMakeLists.txt compiles every public header.
 #include <cstdlib>
 #include <iostream>
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/executors/device_step.h"
 #include "dynamics/executors/lane_solver.h"
 #include "scenes/scenes.h"
 #include "scenes/small_study.h"
@@ -110,9 +109,8 @@ std::unique_ptr<Wall> wall_of(double strength, int columns = 5, double haste = 1
 }
 
 // Solves all walls with `width` lanes and compares every one with itself alone.
-std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width,
-                                   const LaneSolver::Make& make = {}) {
-  LaneSolver solver(width, make);
+std::vector<Result> solve_together(std::vector<std::unique_ptr<Wall>>& walls, int width) {
+  LaneSolver solver(width);
   std::vector<Result> results(walls.size());
   const SolveOptions options;
   std::size_t next = 0;
@@ -220,7 +218,7 @@ TEST(Lanes, walls_with_ties_too) {
                                       compile(scenes::tied(scenes::small_wall(0.1e-3, 0.05)))));
 }
 
-// Walls whose fields differ share a topology, alone, in lanes and on a device.
+// Walls whose fields differ share a topology, alone and in lanes.
 std::vector<std::unique_ptr<Wall>> walls_with_fields() {
   std::vector<std::unique_ptr<Wall>> walls;
   for (const int seed : {1, 2, 3, 4, 5})
@@ -277,12 +275,6 @@ TEST(Lanes, samples_with_fields_do_not_depend_on_lanes_or_jobs) {
   }
 }
 
-// --- on a device, which here is this processor with memory of its own ------------------------------
-
-std::unique_ptr<dynamics::Executor> host_device(const Model& model, int walls) {
-  return std::make_unique<dynamics::DeviceExecutor<dynamics::HostDevice>>(model, walls);
-}
-
 // The hash of a wall after 20 steps in the last lane; `damaged`: its joints have slid, worn and crushed, while
 // its blocks are where they were.
 std::string after_steps(dynamics::Executor& executor, const Model& model, bool damaged) {
@@ -309,31 +301,18 @@ std::string after_steps(dynamics::Executor& executor, const Model& model, bool d
 TEST(Lanes, a_damaged_wall_that_takes_the_lane_of_an_intact_one_keeps_its_history) {
   const Model model = compile(scenes::plain_wall(5, 7, 0.2e-3, 0.05));
   dynamics::Processor alone(model, 1), fresh(model, 1), beside(model, 2);
-  const auto device = host_device(model, 2);
   const std::string expected = after_steps(fresh, model, true);
   EXPECT_NE(after_steps(fresh, model, false), expected);
-  for (dynamics::Executor* executor :
-       std::initializer_list<dynamics::Executor*>{&alone, &beside, device.get()}) {
+  for (dynamics::Executor* executor : std::initializer_list<dynamics::Executor*>{&alone, &beside}) {
     after_steps(*executor, model, false);
     EXPECT_EQ(after_steps(*executor, model, true), expected) << executor->lanes() << " lanes";
   }
 }
 
-TEST(Device, walls_have_the_bits_of_those_alone) {
-  std::vector<std::unique_ptr<Wall>> walls;
-  for (const double strength : {1.0, 1.1, 0.9, 1.2, 0.8}) walls.push_back(wall_of(strength));
-  walls.insert(walls.begin() + 1, wall_of(1.0, 5, 20));  // unstable: the others carry on
-  walls.push_back(wall_of(1.0, 6));                      // does not fit: alone beside them
-  const auto results = solve_together(walls, 4, host_device);
-  for (std::size_t k = 0; k < results.size(); ++k)
-    EXPECT_EQ(results[k].status, k == 1 ? SolveStatus::kUnstable : SolveStatus::kCompleted);
-}
-
-// Walls with three and with five points a face, without and with a cap, in lanes and on a device.
+// Walls with three and with five points a face, without and with a cap.
 TEST(Lanes, any_number_of_points_a_face) {
   for (const int points : {3, 5})
-    for (const int way : {0, 1, 2, 3}) {
-      const bool device = way % 2 == 1, cap = way > 1;
+    for (const bool cap : {false, true}) {
       std::vector<std::unique_ptr<Wall>> walls;
       for (const double strength : {1.0, 1.1, 0.9}) {
         ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
@@ -349,35 +328,17 @@ TEST(Lanes, any_number_of_points_a_face) {
         walls.push_back(std::make_unique<Wall>(spec, 1));
       }
       ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
-      if (device)
-        solve_together(walls, 4, host_device);
-      else
-        solve_together(walls, 4);
+      solve_together(walls, 4);
     }
 }
 
-TEST(Device, walls_with_fields_keep_the_bits_of_those_alone) {
-  auto walls = walls_with_fields();
-  solve_together(walls, 4, host_device);
-}
-
-TEST(Device, the_order_of_threads_does_not_matter) {
-  std::vector<std::unique_ptr<Wall>> walls;
-  for (const double strength : {1.0, 0.8, 1.2}) walls.push_back(wall_of(strength));
-  solve_together(walls, 4, [](const Model& model, int lanes) {
-    return std::make_unique<dynamics::DeviceExecutor<dynamics::HostDevice>>(
-        model, lanes, dynamics::HostDevice{.backwards = true});
-  });
-}
-
-// Walls that were stepped alone beside others enter a device of their own in the middle of their run,
-// and wait there until they are in phase.
-TEST(Device, walls_that_enter_midway_keep_their_bits) {
+// Walls that were stepped alone beside others enter lanes of their own in the middle of their run.
+TEST(Lanes, walls_that_enter_midway_keep_their_bits) {
   std::vector<std::unique_ptr<Wall>> walls;
   walls.push_back(std::make_unique<Wall>(scenes::plain_wall(5, 7, 0.4e-3, 0.05), 1));
   for (const double to : {1.6e-3, 1.61e-3})
     walls.push_back(std::make_unique<Wall>(scenes::plain_wall(6, 7, to, 0.05), 1));
-  solve_together(walls, 4, host_device);
+  solve_together(walls, 4);
 }
 
 Result solve_alone(const ModelSpec& spec) {
@@ -386,51 +347,48 @@ Result solve_alone(const ModelSpec& spec) {
   return solve(model, state, {});
 }
 
-// Curve and ledger of one wall on the device and alone: rows to the bit, sums of works to rounding.
+// Curve and ledger of two equal walls in lanes, each beside the wall alone: to the bit.
 void expect_same_result(const ModelSpec& spec) {
   const Model model = compile(spec);
-  State alone_state = initial_state(model), state = initial_state(model);
+  State alone_state = initial_state(model);
+  State state[2] = {initial_state(model), initial_state(model)};
   const Result alone = solve(model, alone_state, {});
-  int made = 0;
-  LaneSolver solver(2, [&](const Model& m, int walls) {
-    ++made;
-    return host_device(m, walls);
-  });
+  LaneSolver solver(2);
   const SolveOptions options;
-  solver.put(0, model, state, options);
-  const Result there = solver.next().result;
-  EXPECT_EQ(made, 1);
-  EXPECT_EQ(there.state_hash, alone.state_hash);
-  EXPECT_EQ(there.steps, alone.steps);
-  ASSERT_EQ(there.curve.size(), alone.curve.size());
-  for (std::size_t k = 0; k < alone.curve.size(); ++k) {
-    EXPECT_EQ(there.curve[k].reaction, alone.curve[k].reaction) << k;
-    EXPECT_EQ(there.curve[k].base_shear, alone.curve[k].base_shear) << k;
-    EXPECT_EQ(there.curve[k].unbalance_ratio, alone.curve[k].unbalance_ratio) << k;
-    EXPECT_EQ(there.curve[k].kinetic_ratio, alone.curve[k].kinetic_ratio) << k;
+  for (const int k : {0, 1}) solver.put(k, model, state[k], options);
+  while (solver.running() > 0) {
+    const Result there = solver.next().result;
+    EXPECT_EQ(there.state_hash, alone.state_hash);
+    EXPECT_EQ(there.steps, alone.steps);
+    ASSERT_EQ(there.curve.size(), alone.curve.size());
+    for (std::size_t k = 0; k < alone.curve.size(); ++k) {
+      EXPECT_EQ(there.curve[k].reaction, alone.curve[k].reaction) << k;
+      EXPECT_EQ(there.curve[k].base_shear, alone.curve[k].base_shear) << k;
+      EXPECT_EQ(there.curve[k].unbalance_ratio, alone.curve[k].unbalance_ratio) << k;
+      EXPECT_EQ(there.curve[k].kinetic_ratio, alone.curve[k].kinetic_ratio) << k;
+    }
+    const EnergyLedger &a = there.energy, &b = alone.energy;
+    EXPECT_EQ(a.drive, b.drive);
+    EXPECT_EQ(a.kinetic, b.kinetic);
+    EXPECT_EQ(a.loads, b.loads);
+    EXPECT_EQ(a.damping, b.damping);
+    EXPECT_EQ(a.friction, b.friction);
+    EXPECT_EQ(a.fracture, b.fracture);
+    EXPECT_EQ(a.crushing, b.crushing);
+    EXPECT_GT(b.damping, 0);
   }
-  const EnergyLedger &a = there.energy, &b = alone.energy;
-  EXPECT_EQ(a.drive, b.drive);
-  EXPECT_EQ(a.kinetic, b.kinetic);
-  const double scale = 1e-12 * (std::abs(b.loads) + std::abs(b.drive));
-  for (const auto& [now, then] :
-       {std::pair{a.loads, b.loads}, std::pair{a.damping, b.damping},
-        std::pair{a.friction, b.friction}, std::pair{a.fracture, b.fracture},
-        std::pair{a.crushing, b.crushing}})
-    EXPECT_NEAR(now, then, scale);
-  EXPECT_GT(b.damping, 0);
 }
 
-TEST(Device, curve_and_ledger_of_a_plain_wall) {
+TEST(Lanes, curve_and_ledger_of_a_plain_wall) {
   expect_same_result(scenes::plain_wall(5, 7, 0.4e-3, 0.05));
 }
-TEST(Device, curve_and_ledger_of_a_wall_with_ties) {
+TEST(Lanes, curve_and_ledger_of_a_wall_with_ties) {
   expect_same_result(scenes::tied(scenes::small_wall(0.1e-3, 0.05)));
 }
-TEST(Device, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
+TEST(Lanes, curve_and_ledger_of_a_wall_with_a_deformable_lintel) {
   expect_same_result(scenes::lintel_wall(LintelModel::kZones, 0.1e-3));
 }
-TEST(Device, a_loaded_wall_pushed_to_and_fro_and_held) {
+TEST(Lanes, a_loaded_wall_pushed_to_and_fro_and_held) {
   ModelSpec spec = scenes::small_wall(0.1e-3, 0.05);
   spec.solve.mass_scaling = 10;
   spec.stage.back().targets = {0.1e-3, -0.05e-3};
@@ -442,7 +400,7 @@ TEST(Device, a_loaded_wall_pushed_to_and_fro_and_held) {
   spec.stage.push_back(hold);
   expect_same_result(spec);
 }
-TEST(Device, a_push_that_changes_its_pace) {
+TEST(Lanes, a_push_that_changes_its_pace) {
   ModelSpec spec = scenes::plain_wall(4, 5, 0.5e-3, 0.02);
   const std::int64_t steps = solve_alone(spec).steps;
   spec.stage.back().fast_velocity = 0.1;
@@ -450,7 +408,7 @@ TEST(Device, a_push_that_changes_its_pace) {
   EXPECT_LT(solve_alone(spec).steps, steps);
   expect_same_result(spec);
 }
-TEST(Device, a_push_in_a_pattern_with_a_control_block) {
+TEST(Lanes, a_push_in_a_pattern_with_a_control_block) {
   for (const Pattern pattern : {Pattern::kMass, Pattern::kMassHeight}) {
     ModelSpec spec = scenes::small_wall(0.3e-3, 0.02);
     spec.stage.back().at = {};
@@ -462,7 +420,7 @@ TEST(Device, a_push_in_a_pattern_with_a_control_block) {
     EXPECT_GT(solve_alone(spec).responses.peak_raw, 0);
   }
 }
-TEST(Device, body_force_and_tilt) {
+TEST(Lanes, body_force_and_tilt) {
   for (const StageKind kind : {StageKind::kBodyForce, StageKind::kTilt}) {
     ModelSpec spec = scenes::plain_wall(4, 5, 0.1e-3, 0.05);
     StageSpec& stage = spec.stage.back() = {};
@@ -475,7 +433,7 @@ TEST(Device, body_force_and_tilt) {
     EXPECT_GT(solve_alone(spec).load_factor, 0);
   }
 }
-TEST(Device, every_law_is_compiled_for_it) {
+TEST(Lanes, every_law_is_compiled_for_them) {
   for (const Softening softening :
        {Softening::kExponential, Softening::kPolynomial, Softening::kPetersson})
     for (const Unloading unloading : {Unloading::kSecant, Unloading::kElastic}) {

@@ -135,7 +135,7 @@ void edit(study::Database& database, const std::string& bytes) {
 // when what a store holds has changed: the test of the corpus says so.
 void read_store(const std::string& bytes) {
   static const std::string kSmall = [] {
-    std::ifstream file(source_dir() + "/tests/data/store_v7.db", std::ios::binary);
+    std::ifstream file(source_dir() + "/tests/data/store.db", std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
   }();
   const fs::path folder = scratch() / "campaign";

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/joint_faces.h"
+#include "geometry/bodies/joint_faces.h"
 #include "scenes/solids.h"
 
 namespace wythe::geometry {

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "geometry/builder.h"
-#include "geometry/joint_faces.h"
+#include "geometry/bodies/joint_faces.h"
+#include "geometry/builder/builder.h"
 
 namespace wythe::geometry {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "geometry/shape.h"
-#include "io/same_spec.h"
+#include "io/keys/same_spec.h"
 #include "scenes/places.h"
 #include "scenes/scenes.h"
 #include "scenes/zones.h"

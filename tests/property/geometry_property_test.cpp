@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
-#include "geometry/checks.h"
 #include "geometry/polygon.h"
+#include "geometry/wall/checks.h"
 
 namespace wythe::geometry {
 namespace {

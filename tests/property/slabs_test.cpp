@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/builder.h"
-#include "geometry/joint_faces.h"
-#include "geometry/solid_cut.h"
+#include "geometry/bodies/joint_faces.h"
+#include "geometry/bodies/solid_cut.h"
+#include "geometry/builder/builder.h"
 
 namespace wythe::geometry {
 namespace {

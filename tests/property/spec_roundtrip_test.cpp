@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "io/magnitude.h"
-#include "io/same_spec.h"
+#include "io/keys/same_spec.h"
+#include "io/text/magnitude.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
 

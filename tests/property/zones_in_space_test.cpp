@@ -7,7 +7,7 @@
 #include <string>
 
 #include "dynamics/meters/residual.h"
-#include "geometry/builder.h"
+#include "geometry/builder/builder.h"
 #include "reading/zones.h"
 #include "scenes/run.h"
 #include "scenes/space_rig.h"

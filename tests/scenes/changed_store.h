@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "study/store/digest.h"
-#include "study/store/store.h"
+#include "campaign/store/digest.h"
+#include "campaign/store/store.h"
 
 namespace wythe::scenes {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "study/statistics/bootstrap.h"
-#include "study/statistics/intervals.h"
+#include "statistics/bootstrap.h"
+#include "statistics/intervals.h"
 
 namespace wythe::scenes {
 namespace {

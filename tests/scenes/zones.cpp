@@ -4,7 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <stdexcept>
 
-#include "model/step_bound.h"
+#include "model/plane/step_bound.h"
 #include "scenes/scenes.h"
 #include "solids/elasticity.h"
 #include "solids/zone.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/builder.h"
+#include "geometry/builder/builder.h"
 #include "record.h"
 #include "scenes/run.h"
 #include "scenes/scenes.h"

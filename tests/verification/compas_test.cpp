@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/files.h"
-#include "io/blocks_json.h"
-#include "io/bodies_file.h"
-#include "io/meshes.h"
+#include "io/bodies/blocks_json.h"
+#include "io/bodies/bodies_file.h"
+#include "io/bodies/meshes.h"
 #include "record.h"
 #include "scenes/places.h"
 #include "scenes/run.h"

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "study/statistics/binary_fit.h"
-#include "study/statistics/bootstrap.h"
-#include "study/statistics/intervals.h"
-#include "study/statistics/statistics_parts.h"
+#include "statistics/binary_fit.h"
+#include "statistics/bootstrap.h"
+#include "statistics/intervals.h"
+#include "statistics/statistics_parts.h"
 #include "verification/record.h"
 
 namespace wythe::verification {

@@ -11,10 +11,10 @@
 #include <numbers>
 #include <vector>
 
-#include "study/statistics/bootstrap.h"
-#include "study/statistics/correlation.h"
-#include "study/statistics/intervals.h"
-#include "study/statistics/survival.h"
+#include "statistics/bootstrap.h"
+#include "statistics/correlation.h"
+#include "statistics/intervals.h"
+#include "statistics/survival.h"
 #include "verification/record.h"
 
 namespace wythe::verification {

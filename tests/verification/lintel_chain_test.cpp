@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "model/parts.h"
-#include "model/step_bound.h"
+#include "model/plane/step_bound.h"
 #include "scenes/rig.h"
 #include "scenes/scenes.h"
 #include "verification/record.h"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "study/draws/copula.h"
-#include "study/draws/sampling.h"
+#include "campaign/draws/copula.h"
+#include "campaign/draws/sampling.h"
 #include "verification/record.h"
 #include "wythe/statistics.h"
 #include "wythe/study.h"

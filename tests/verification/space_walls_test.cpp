@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/joint_faces.h"
+#include "geometry/bodies/joint_faces.h"
 #include "record.h"
 #include "scenes/run.h"
 #include "scenes/scenes.h"

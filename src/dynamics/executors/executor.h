@@ -1,5 +1,5 @@
 // Where walls are stepped, and how a pass runs over them: one wall in chunks and threads or walls in SIMD
-// lanes (processor.h), walls on a graphics processor (device_step.h). The step itself is written once, as
+// lanes (processor.h). The step itself is written once, as
 // a list of passes (step(), processor.cpp); an executor knows no mechanics.
 #pragma once
 
@@ -63,8 +63,6 @@ class Executor {
   virtual void set(int lane, const Controls& controls) = 0;
   // Contact force on the driven blocks against the push, in the last step [N].
   [[nodiscard]] virtual double reaction(int lane) const = 0;
-  // Whether the wall in the lane takes part in the next step.
-  [[nodiscard]] virtual bool takes_part(int) const { return true; }
   [[nodiscard]] virtual FreeCounts free_counts() const { return {}; }
 
   // One time step of every wall.

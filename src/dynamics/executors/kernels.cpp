@@ -11,12 +11,16 @@
 namespace wythe::dynamics {
 namespace {
 
-// Sets this processor has, narrowest first.
+// Sets that this build and this processor have (cmake/kernels.cmake), narrowest first.
 std::vector<const Kernels*> available() {
   std::vector<const Kernels*> sets{&scalar_kernels()};
-#if defined(__x86_64__)
+#if defined(WYTHE_SSE2_KERNELS)
   sets.push_back(&sse2_kernels());
+#endif
+#if defined(WYTHE_AVX2_KERNELS)
   if (__builtin_cpu_supports("avx2")) sets.push_back(&avx2_kernels());
+#endif
+#if defined(WYTHE_AVX512_KERNELS)
   if (__builtin_cpu_supports("avx512f")) sets.push_back(&avx512_kernels());
 #endif
   return sets;

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <string>
 
-#include "dynamics/executors/gpu.h"
 #include "wythe/error.h"
 #include "wythe/solve.h"
 
@@ -30,13 +29,13 @@ int lanes_in_use() {
 
 std::string instruction_set() {
   const int lanes = dynamics::lanes_in_use();
-  return fmt::format("{}, {} wall{} side by side{}", dynamics::kernels_in_use().name, lanes,
-                     lanes == 1 ? "" : "s", dynamics::gpu_build());
+  return fmt::format("{}, {} wall{} side by side", dynamics::kernels_in_use().name, lanes,
+                     lanes == 1 ? "" : "s");
 }
 
 namespace dynamics {
 
-LaneSolver::LaneSolver(int width, Make make) : width_(width), make_(std::move(make)) {}
+LaneSolver::LaneSolver(int width) : width_(width) {}
 
 void LaneSolver::put(int ticket, const Model& model, State& state, const SolveOptions& options) {
   auto wall =
@@ -68,17 +67,11 @@ void LaneSolver::settle_in(RunningWall& wall, int lane) {
 }
 
 int LaneSolver::lanes_for(int fitting) const {
-  if (make_) return fitting > 0 ? width_ : 1;
   int lanes = 1;
   while (lanes < fitting) lanes *= 2;
   // few walls in wide lanes cost more than each alone, its joints in packs of the same width: 4 walls in 8
   // lanes 1.2 times that, 5 of 8 0.97; 2 walls in 4 lanes 1.2 times, 3 of 4 0.8 (measured with wythe_bench)
   return lanes < std::min(width_, kernels_in_use().width) ? 1 : lanes;
-}
-
-std::unique_ptr<Executor> LaneSolver::made(const Model& model, int lanes) const {
-  if (make_) return make_(model, lanes);
-  return processor_for(model, lanes);
 }
 
 // As few lanes as hold the walls that are running, and every wall that fits in one of them.
@@ -100,10 +93,10 @@ void LaneSolver::arrange() {
       if (fitting == 0 && running() > 1) arrange();  // those left may fit each other
       return;
     }
-    together_ = made(together_->model(), lanes);
+    together_ = processor_for(together_->model(), lanes);
   } else if (!together_) {
     if (lanes < 2) return;
-    together_ = made(first, lanes);
+    together_ = processor_for(first, lanes);
   }
   std::vector<bool> taken(static_cast<std::size_t>(lanes), false);
   for (const auto& wall : walls_)
@@ -118,8 +111,6 @@ void LaneSolver::arrange() {
 
 void LaneSolver::step() {
   for (const auto& wall : walls_) {
-    wall->steps = wall->lane < 0 || together_->takes_part(wall->lane);
-    if (!wall->steps) continue;
     const Controls& controls = wall->run->next();
     if (wall->lane >= 0) {
       together_->set(wall->lane, controls);
@@ -132,7 +123,7 @@ void LaneSolver::step() {
   }
   together_->step();
   for (const auto& wall : walls_)
-    if (wall->lane >= 0 && wall->steps) wall->run->look(together_->reaction(wall->lane));
+    if (wall->lane >= 0) wall->run->look(together_->reaction(wall->lane));
 }
 
 LaneSolver::Ended LaneSolver::next() {

@@ -8,10 +8,9 @@
 //
 // When half of the lanes stay empty each wall goes on in a step of its
 // own (its joints in the lanes of the packs). A wall that does not fit the others (fit_together) is
-// stepped alone beside them. No wall's bits depend on any of this (docs/architecture.md).
+// stepped alone beside them. No wall's bits depend on any of this (docs/theory/determinism.md).
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,9 +25,7 @@ namespace wythe::dynamics {
 
 class LaneSolver {
  public:
-  using Make = std::function<std::unique_ptr<Executor>(const Model&, int lanes)>;
-  // In SIMD lanes of this processor; or, with `make`, all in `width` lanes of what it makes.
-  explicit LaneSolver(int width, Make make = {});
+  explicit LaneSolver(int width);
 
   [[nodiscard]] int running() const { return static_cast<int>(walls_.size()); }
   [[nodiscard]] bool has_room() const { return running() < width_; }
@@ -50,7 +47,6 @@ class LaneSolver {
     int lane = -1;                    // -1: alone
     std::unique_ptr<Executor> alone;  // where lane is -1
     std::unique_ptr<WallRun> run;
-    bool steps = false;  // takes part in the step under way
   };
 
   void arrange();
@@ -59,10 +55,8 @@ class LaneSolver {
   [[nodiscard]] bool fits(const RunningWall& wall) const;
 
   [[nodiscard]] int lanes_for(int fitting) const;
-  [[nodiscard]] std::unique_ptr<Executor> made(const Model& model, int lanes) const;
 
   int width_;
-  Make make_;
   std::unique_ptr<Executor> together_;
   std::vector<std::unique_ptr<RunningWall>> walls_;
   bool changed_ = false;  // walls came or went since the last arrange()

@@ -24,9 +24,13 @@ std::vector<double> rows_of_corners(const contact::PartEdges& edges) {
 }
 
 PressKernel press_kernel(int width) {
-#if defined(__x86_64__)
+#if defined(WYTHE_AVX512_KERNELS)
   if (width == 8) return press_avx512;
+#endif
+#if defined(WYTHE_AVX2_KERNELS)
   if (width == 4) return press_avx2;
+#endif
+#if defined(WYTHE_SSE2_KERNELS)
   if (width == 2) return press_sse2;
 #endif
   return press<double>;

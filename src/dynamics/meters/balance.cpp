@@ -310,12 +310,6 @@ RateVerdict judge_quasi_static(const Result& result, bool supports) {
   return q;
 }
 
-std::string judgement_of_older(const std::string& verdict) {
-  for (const char* known : {"slow enough", "usable", "too fast", "unknown", "no push"})
-    if (verdict.starts_with(known)) return known;
-  return "";
-}
-
 }  // namespace dynamics
 
 Message warning_of(const Result& result) {

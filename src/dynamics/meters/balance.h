@@ -42,7 +42,4 @@ inline constexpr double kKnown = 0.25;
 // way is judged (docs/theory/integration.md, 4.12a).
 [[nodiscard]] RateVerdict judge_quasi_static(const Result& result, bool supports = false);
 
-// Files of older versions hold the verdict in words only, which begin with the judgement.
-[[nodiscard]] std::string judgement_of_older(const std::string& verdict);
-
 }  // namespace wythe::dynamics

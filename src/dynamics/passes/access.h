@@ -17,12 +17,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/several.h"
-#include "dynamics/passes/tables.h"
-#ifndef __CUDACC__  // there a Real is a double
 #include "core/pack.h"
+#include "core/several.h"
 #include "dynamics/passes/shuffle.h"
-#endif
+#include "dynamics/passes/tables.h"
 
 namespace wythe::dynamics {
 
@@ -52,7 +50,6 @@ struct Lanes<double> {
   }
 };
 
-#ifndef __CUDACC__
 template <class Arch>
 struct Lanes<Pack<Arch>> {
   using Real = Pack<Arch>;
@@ -76,7 +73,6 @@ struct Lanes<Pack<Arch>> {
  private:
   WYTHE_INLINE static Real real(Vector v) { return Real(typename Real::Batch(v)); }
 };
-#endif
 
 template <class R>
 struct EntityLanes {
@@ -134,9 +130,8 @@ struct EntityLanes {
   }
 };
 
-// `fixed`: walls side by side, where all are taken at once; 0: any number of which this Real takes those
-// from `lane` on (a device).
-template <class R, int fixed>
+// `number` walls side by side, all taken at once.
+template <class R, int number>
 struct WallLanes {
   using Real = R;
   using L = Lanes<Real>;
@@ -144,21 +139,19 @@ struct WallLanes {
   static constexpr bool one_wall = false;
   static constexpr int parts = 1;
   static constexpr int sums = kGroup;
-  Id number = fixed;
-  Id lane = 0;
 
-  WYTHE_INLINE Id walls() const { return fixed > 0 ? fixed : number; }
+  WYTHE_INLINE Id walls() const { return number; }
   WYTHE_INLINE Id history_lanes() const { return walls(); }
   WYTHE_INLINE void take_part(int) {}
   WYTHE_INLINE Real shared(const double* table, Id row) const { return Real(table[row]); }
   WYTHE_INLINE Real own(const double* table, Id row) const {
-    return L::load(table + row * walls() + lane);
+    return L::load(table + row * walls());
   }
   WYTHE_INLINE void keep(Real value, double* table, Id row) const {
-    L::store(value, table + row * walls() + lane);
+    L::store(value, table + row * walls());
   }
   WYTHE_INLINE Rows<Real> row_of(const double* from, Id entity) const {
-    const double* row = from + 4 * entity * walls() + lane;
+    const double* row = from + 4 * entity * walls();
     return {L::load(row), L::load(row + walls()), L::load(row + 2 * walls()),
             L::load(row + 3 * walls())};
   }
@@ -167,7 +160,7 @@ struct WallLanes {
   }
   WYTHE_INLINE Rows<Real> own_rows(const double* from, Id spot) const { return row_of(from, spot); }
   WYTHE_INLINE void keep_rows(const Rows<Real>& r, double* to, Id spot) const {
-    double* row = to + 4 * spot * walls() + lane;
+    double* row = to + 4 * spot * walls();
     L::store(r.c0, row);
     L::store(r.c1, row + walls());
     L::store(r.c2, row + 2 * walls());
@@ -178,7 +171,7 @@ struct WallLanes {
     return own(table, static_cast<Id>(id[spot]) * rows + row);
   }
   WYTHE_INLINE Real of_wall(const double* numbers, Id row) const { return own(numbers, row); }
-  WYTHE_INLINE Id flag(Id spot) const { return spot * (walls() / L::width) + lane; }
+  WYTHE_INLINE Id flag(Id spot) const { return spot * (walls() / L::width); }
   WYTHE_INLINE std::uint8_t marked(const std::uint8_t* flags, Id spot) const {
     return flags[flag(spot)];
   }

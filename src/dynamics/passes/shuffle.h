@@ -5,7 +5,7 @@
 //   store_rows          four vectors of whole rows -> consecutive memory
 //
 // For width 4 vector k is row k; for 2 the halves of two rows; for 8 rows k and k + 4.
-// Tested for every width on any processor (tests/unit/shuffle_test.cpp): the compiler splits vectors
+// Tested for every width on any processor (tests/unit/core/shuffle_test.cpp): the compiler splits vectors
 // that the processor lacks.
 #pragma once
 

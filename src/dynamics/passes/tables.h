@@ -9,7 +9,7 @@
 // of an entity together: (e 4 + c) walls + k. Joints come in runs of one law, one support and one number
 // of points; in groups of 8 the last is filled up with joints between the ground and itself, which rest.
 //
-// Tables are pointers into one piece of memory for each type, so that a device needs one copy.
+// Tables are pointers into one piece of memory for each type.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@
 
 namespace wythe::dynamics {
 
-// Plain numbers, so that a device can hold it. Entities that fill up a group of neighbours carry nothing
+// Plain numbers. Entities that fill up a group of neighbours carry nothing
 // and stand still: a sum may run over them.
 struct WallView {
   Tables t;

@@ -15,10 +15,15 @@ const KernelSet& scalar_kernels() {
 const std::vector<const KernelSet*>& kernels_here() {
   static const std::vector<const KernelSet*> sets = [] {
     std::vector<const KernelSet*> here{&scalar_kernels()};
-#if defined(__x86_64__)
-    for (const Kernels* plane : dynamics::kernels_here())
-      for (const KernelSet* set : {&avx2_kernels(), &avx512_kernels()})
-        if (std::strcmp(set->name, plane->name) == 0) here.push_back(set);
+    [[maybe_unused]] const auto add = [&](const KernelSet& set) {
+      for (const Kernels* plane : dynamics::kernels_here())
+        if (std::strcmp(set.name, plane->name) == 0) here.push_back(&set);
+    };
+#if defined(WYTHE_AVX2_KERNELS)
+    add(avx2_kernels());
+#endif
+#if defined(WYTHE_AVX512_KERNELS)
+    add(avx512_kernels());
 #endif
     return here;
   }();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Counts bodies, touching pairs, shared area and volume of OBJ and COMPAS files, with a method of its own:
-faces in triangles, every pair of triangles of two bodies clipped. The numbers of tests/unit/mesh_files_test.cpp.
+faces in triangles, every pair of triangles of two bodies clipped. The numbers of tests/unit/io/mesh_files_test.cpp.
 
     count_faces.py FILE...
 """

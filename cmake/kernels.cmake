@@ -1,0 +1,33 @@
+# Which kernels (sources of src/dynamics that end with the name of a set) this build has: WYTHE_KERNELS is all or native. The sources that
+# choose between sets at run time know of each by WYTHE_SSE2_KERNELS, WYTHE_AVX2_KERNELS, WYTHE_AVX512_KERNELS.
+set(sets)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(sets sse2 avx2 avx512)
+  if(WYTHE_KERNELS STREQUAL "native" AND EXISTS /proc/cpuinfo)
+    file(STRINGS /proc/cpuinfo flags REGEX "^flags" LIMIT_COUNT 1)
+    if(flags MATCHES " avx512f( |$)")
+      set(sets avx512)
+    elseif(flags MATCHES " avx2( |$)")
+      set(sets avx2)
+    else()
+      set(sets sse2)
+    endif()
+  endif()
+endif()
+
+foreach(set sse2 avx2 avx512)
+  if(NOT set IN_LIST sets)
+    list(FILTER WYTHE_SOURCES EXCLUDE REGEX "/src/dynamics/.*kernels_${set}[.]cpp$")
+    continue()
+  endif()
+  string(TOUPPER "WYTHE_${set}_KERNELS" known)
+  set_property(SOURCE src/dynamics/executors/kernels.cpp src/dynamics/executors/press_kernels.cpp
+    src/dynamics/space/kernels.cpp APPEND PROPERTY COMPILE_DEFINITIONS ${known})
+endforeach()
+set_property(TARGET wythe PROPERTY SOURCES ${WYTHE_SOURCES} ${CMAKE_BINARY_DIR}/generated/assets.cpp)
+
+file(GLOB_RECURSE sources src/dynamics/*kernels_avx2.cpp)
+set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -mavx2)
+# g++ 12 takes its own _mm512_undefined_pd for a variable not set (GCC bug 105593)
+file(GLOB_RECURSE sources src/dynamics/*kernels_avx512.cpp)
+set_property(SOURCE ${sources} APPEND PROPERTY COMPILE_OPTIONS -mavx512f -Wno-uninitialized)

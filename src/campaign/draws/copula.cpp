@@ -1,0 +1,136 @@
+#include "campaign/draws/copula.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "campaign/draws/study_check.h"
+#include "core/text.h"
+
+namespace wythe {
+namespace {
+
+std::size_t variable_named(const StudySpec& study, const std::string& name) {
+  const auto found = std::find_if(study.variable.begin(), study.variable.end(),
+                                  [&](const VariableSpec& v) { return v.name == name; });
+  return static_cast<std::size_t>(found - study.variable.begin());
+}
+
+class PairCheck {
+ public:
+  PairCheck(const StudySpec& study, FaultList& faults) : study_(study), faults_(faults) {}
+
+  // True when every pair may go into a matrix.
+  bool run() {
+    for (std::size_t i = 0; i < study_.correlation.size(); ++i) check(i);
+    return good_;
+  }
+
+ private:
+  void check(std::size_t i) {
+    const CorrelationSpec& pair = study_.correlation[i];
+    const std::string between = fmt::format("correlation.{}.between", i);
+    bool known = true;
+    for (const std::string& name : {pair.a, pair.b}) known &= check_name(between, name);
+    if (known && pair.a == pair.b)
+      refuse(between, pair.a, "names one variable twice", "name two variables");
+    const bool is_new = seen_.insert(std::minmax(pair.a, pair.b)).second;
+    if (known && pair.a != pair.b && !is_new)
+      refuse(between, pair.a + ", " + pair.b, "this pair has a correlation already",
+             "leave one of the two");
+    if (!(std::fabs(pair.value) < 1))
+      refuse(fmt::format("correlation.{}.{}", i, pair.rank ? "rank" : "gaussian"),
+             fmt::format("{:g}", pair.value), "must be more than -1 and less than 1",
+             "write e.g. rank = 0.3");
+  }
+
+  bool check_name(const std::string& path, const std::string& name) {
+    if (variable_named(study_, name) < study_.variable.size()) return true;
+    std::vector<std::string> names;
+    for (const VariableSpec& variable : study_.variable) names.push_back(variable.name);
+    const bool dependent = std::any_of(study_.dependent.begin(), study_.dependent.end(),
+                                       [&](const DependentSpec& d) { return d.name == name; });
+    refuse(path, name, dependent ? "is a dependent, it follows its formula" : "is not a variable",
+           dependent ? "correlate the variables it follows from" : name_advice(name, names));
+    return false;
+  }
+
+  void refuse(const std::string& path, const std::string& value, const std::string& problem,
+              const std::string& cure) {
+    good_ = false;
+    faults_.add(
+        {.file = study_.file, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  const StudySpec& study_;
+  FaultList& faults_;
+  std::set<std::pair<std::string, std::string>> seen_;
+  bool good_ = true;
+};
+
+const CorrelationSpec* pair_of(const StudySpec& study, const std::string& a, const std::string& b) {
+  for (const CorrelationSpec& pair : study.correlation)
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return &pair;
+  return nullptr;
+}
+
+// "ft_j and fc rank 0.873, ft_j and phi gaussian 0.112"
+std::string pairs_text(const StudySpec& study, const Copula& copula) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < copula.variable.size(); ++i)
+    for (std::size_t j = i + 1; j < copula.variable.size(); ++j) {
+      const std::string& a = study.variable[copula.variable[i]].name;
+      const std::string& b = study.variable[copula.variable[j]].name;
+      const CorrelationSpec* stated = pair_of(study, a, b);
+      const bool rank = stated ? stated->rank : study.correlation.front().rank;
+      const double rho = copula.matrix.at(i, j);
+      texts.push_back(fmt::format("{} and {} {} = {:.3f}", a, b, rank ? "rank" : "gaussian",
+                                  rank ? rank_of_gaussian(rho) : rho));
+    }
+  return joined(texts, ", ");
+}
+
+}  // namespace
+
+double gaussian_of_rank(double rank) { return 2 * std::sin(std::numbers::pi * rank / 6); }
+double rank_of_gaussian(double rho) { return 6 / std::numbers::pi * std::asin(rho / 2); }
+
+Copula copula_of(const StudySpec& study, bool all) {
+  Copula out;
+  std::vector<std::size_t> place(study.variable.size(), study.variable.size());
+  for (std::size_t v = 0; v < study.variable.size(); ++v) {
+    const std::string& name = study.variable[v].name;
+    const bool tied =
+        all || std::any_of(study.correlation.begin(), study.correlation.end(),
+                           [&](const CorrelationSpec& c) { return c.a == name || c.b == name; });
+    if (!tied) continue;
+    place[v] = out.variable.size();
+    out.variable.push_back(v);
+  }
+  out.matrix = CorrelationMatrix(out.variable.size());
+  for (const CorrelationSpec& pair : study.correlation) {
+    const std::size_t i = place[variable_named(study, pair.a)];
+    const std::size_t j = place[variable_named(study, pair.b)];
+    const double rho = pair.rank ? gaussian_of_rank(pair.value) : pair.value;
+    out.matrix.at(i, j) = out.matrix.at(j, i) = rho;
+  }
+  return out;
+}
+
+void check_correlation(const StudySpec& study, FaultList& faults) {
+  if (study.correlation.empty() || !PairCheck(study, faults).run()) return;
+  Copula copula = copula_of(study);
+  if (is_positive_definite(copula.matrix)) return;
+  copula.matrix = nearest_positive_definite(copula.matrix);
+  faults.add({.file = study.file,
+              .path = "correlation",
+              .value = "",
+              .problem = "the pairs together are not a correlation matrix (not positive definite)",
+              .cure = "the nearest that is one: " + pairs_text(study, copula)});
+}
+
+}  // namespace wythe

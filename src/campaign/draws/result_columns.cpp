@@ -1,0 +1,89 @@
+#include "campaign/draws/result_columns.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "campaign/answer_keys.h"
+#include "wythe/campaign.h"
+
+namespace wythe::study {
+namespace {
+
+// Those that no answer key gives: of the sample itself, of a cyclic push, of shakes (src/io/export/samples_csv.cpp,
+// shakes_csv.cpp). tests/unit/io/study_input_test.cpp compares them with the heads that are written.
+constexpr const char* kMore[] = {"sample",
+                                 "wall",
+                                 "record",
+                                 "status",
+                                 "reason",
+                                 "retried",
+                                 "failure_mode",
+                                 "state_hash",
+                                 "read_in",
+                                 "peak_reaction_positive_kN",
+                                 "displacement_at_80_percent_positive_mm",
+                                 "censored_80_positive",
+                                 "peak_reaction_negative_kN",
+                                 "displacement_at_80_percent_negative_mm",
+                                 "censored_80_negative",
+                                 "intensity_pga_m_per_s2",
+                                 "intensity_sa_m_per_s2",
+                                 "intensity_pgv_m_per_s",
+                                 "pga_m_per_s2",
+                                 "pgv_m_per_s",
+                                 "sa_m_per_s2",
+                                 "peak_drift_percent",
+                                 "residual_drift_percent",
+                                 "peak_displacement_mm",
+                                 "residual_displacement_mm",
+                                 "uplift_mm",
+                                 "slip_mm",
+                                 "peak_base_shear_kN",
+                                 "collapse_time_s",
+                                 "energy_gap_percent",
+                                 "shaken_to_collapse",
+                                 "counts",
+                                 "limit_states"};
+
+std::set<std::string> all_columns() {
+  std::set<std::string> all;
+  for (const char* more : kMore) all.insert(without_case(more));
+  const auto add = [&](const AnswerKey& key, const auto&) {
+    std::string summary = key.summary;  // an exported table names it so
+    std::replace(summary.begin(), summary.end(), '.', '_');
+    all.insert(without_case(*key.column != '\0' ? key.column : summary));
+  };
+  const SampleRecord any;
+  each_response(add, any.responses);
+  each_quasi_static(add, any.quasi_static);
+  return all;
+}
+
+// A column for each of study.fractions: displacement_at_50_percent_mm, censored_50.
+bool is_of_a_fraction(std::string_view title) {
+  const auto is_number = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789.e-+_") == std::string_view::npos;
+  };
+  constexpr std::string_view kFall = "displacement_at_", kEnd = "_percent_mm", kCut = "censored_";
+  if (title.starts_with(kCut)) return is_number(title.substr(kCut.size()));
+  return title.starts_with(kFall) && title.ends_with(kEnd) &&
+         title.size() > kFall.size() + kEnd.size() &&
+         is_number(title.substr(kFall.size(), title.size() - kFall.size() - kEnd.size()));
+}
+
+}  // namespace
+
+std::string without_case(std::string title) {
+  for (char& c : title)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return title;
+}
+
+bool is_result_column(const std::string& title) {
+  static const std::set<std::string> kAll = all_columns();
+  const std::string lower = without_case(title);
+  return kAll.contains(lower) || is_of_a_fraction(lower);
+}
+
+}  // namespace wythe::study

@@ -1,0 +1,76 @@
+// Checksums over the rows of a store, so that a damaged number in any column is found and said.
+//
+//   sample   table `digest`: one over its inputs and its rows in every table but `state`, one over its states
+//   study    rows of `study`: `digest` over the tables study and input, `digest_inputs` over sample_input
+//
+// A value counts with its type and all its bits, a row with its place. FNV-1a of 64 bits: each step can be undone, so
+// a change of one byte always shows, and any other with all but 1 in 2^64; no protection against who means to deceive.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/store/database.h"
+
+namespace wythe::study {
+
+inline constexpr const char* kStudyDigest = "digest";
+inline constexpr const char* kInputsDigest = "digest_inputs";
+inline constexpr const char* kSchemaDigest = "digest_schema";
+
+struct SampleDigest {
+  std::int64_t record = 0, states = 0;
+};
+
+// Of the samples of one store; its statements are prepared once.
+class SampleDigests {
+ public:
+  explicit SampleDigests(Database& database);
+  [[nodiscard]] std::int64_t record(int sample);
+  [[nodiscard]] std::int64_t states(int sample);
+  // To be called in the transaction that stores the sample, after its last row.
+  void write(int sample);
+  // IoError where the rows are not those that were stored. A sample that is not stored has no states.
+  void check_record(int sample);
+  void check_states(int sample);
+
+ private:
+  struct Table {
+    std::string name;
+    Statement rows;
+  };
+  [[nodiscard]] static std::int64_t of(Table& table, int sample, std::uint64_t before);
+  [[nodiscard]] std::optional<SampleDigest> stored(int sample);
+  [[noreturn]] void refuse(int sample, const char* what);
+
+  Database& database_;
+  std::vector<Table> tables_;
+  Table state_;
+  Statement stored_;
+  std::optional<Statement> insert_;  // only of a store that is written
+};
+
+// Writes both digests of the study anew: in the transaction that changed its rows.
+void write_study_digests(Database& database);
+// IoError where table study or input is not what was stored; where sample_input is not.
+void check_study_digest(Database& database);
+void check_inputs_digest(Database& database);
+// Of the tables and the view that a store is made with, as they are declared: a value by itself in table study.
+[[nodiscard]] std::string schema_digest(Database& database);
+void check_schema_digest(Database& database);
+
+// What is read between stands as it was at one moment, also while a campaign writes.
+class OneMoment {
+ public:
+  explicit OneMoment(Database& database);
+  ~OneMoment();
+  OneMoment(const OneMoment&) = delete;
+  OneMoment& operator=(const OneMoment&) = delete;
+
+ private:
+  Database& database_;
+};
+
+}  // namespace wythe::study

@@ -1,0 +1,324 @@
+// Whether a store is what was written: version, tables, pages, rows and checksums.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "campaign/store/record_rows.h"
+#include "campaign/store/store.h"
+#include "campaign/store/store_schema.h"
+#include "wythe/error.h"
+#include "wythe/units.h"
+
+namespace wythe::study {
+namespace {
+
+template <class Check>
+bool passes(const Check& check) {
+  try {
+    check();
+    return true;
+  } catch (const IoError&) {
+    return false;
+  }
+}
+
+bool is_word(const std::string& text) {
+  return !text.empty() && text.find_first_not_of(
+                              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                              "0123456789_") == std::string::npos;
+}
+
+// A declaration that names columns, their types and their key, and nothing else.
+bool is_plain(const std::string& sql) {
+  static const std::set<std::string> kMore = {
+      "AS",         "DEFAULT", "CHECK", "GENERATED", "COLLATE", "REFERENCES", "SELECT",
+      "CONSTRAINT", "FOREIGN", "ON",    "VIRTUAL",   "USING",   "STRICT",     "AUTOINCREMENT"};
+  std::string word;
+  for (const char c : sql + " ") {
+    if (is_word(std::string(1, c))) {
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      continue;
+    }
+    if (kMore.contains(word) || std::string_view(" ,()\n").find(c) == std::string_view::npos)
+      return false;
+    word.clear();
+  }
+  return true;
+}
+
+bool has_digests(Database& database) {
+  return database.integer("SELECT count(*) FROM main.sqlite_schema WHERE name = 'digest'") +
+             database.integer("SELECT count(*) FROM study WHERE key LIKE 'digest%'") >
+         0;
+}
+
+// Words that say how slow a push was; empty where there was none.
+constexpr std::string_view kJudgements[] = {"slow enough", "usable",  "too fast",
+                                            "unknown",     "no push", ""};
+
+// The peaks are rows of the curve. A load that grows has none of them: its peak is a multiple of the weight.
+template <class Refuse>
+void check_peaks(const Refuse& refuse, const SampleRecord& record) {
+  const Responses& r = record.responses;
+  const auto is_row = [&](double reaction, double displacement) {
+    return std::any_of(record.curve.begin(), record.curve.end(), [&](const CurveRow& row) {
+      return std::fabs(row.reaction) == std::fabs(reaction) &&
+             std::fabs(row.displacement) == std::fabs(displacement);
+    });
+  };
+  const bool by_load = std::any_of(record.curve.begin(), record.curve.end(),
+                                   [](const CurveRow& row) { return row.load_factor != 0; });
+  if (by_load) return;
+  if (!std::isnan(r.peak_raw) && !is_row(r.peak_raw, r.displacement_at_peak_raw))
+    refuse("peak_raw_N and displacement_at_peak_raw_m are no row of its curve");
+  if (!std::isnan(r.peak_reaction) && !is_row(r.peak_reaction, r.displacement_at_peak))
+    refuse("peak_reaction_N and displacement_at_peak_m are no row of its curve");
+}
+
+// Its states go on, and each pier was read at each of them: an assessment goes by them.
+template <class Refuse>
+void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
+  double before = 0;
+  for (const MovedRow& row : lists.moved) {
+    const MovedMass& m = row.mass;
+    if (!std::isfinite(m.first) || !std::isfinite(m.second) || !std::isfinite(m.mixed))
+      refuse("its moved masses hold what is not a number");
+    if (!(m.displacement > before)) refuse("its moved masses are not in order");
+    before = m.displacement;
+  }
+  const std::size_t states = lists.moved.size();
+  if (states > 0 ? lists.piers.size() % states != 0 : !lists.piers.empty())
+    refuse("a pier's drift is missing");
+  for (std::size_t i = 0; i < lists.piers.size(); ++i) {
+    const PierRow &row = lists.piers[i], &first = lists.piers[i - i % states];
+    if (!std::isfinite(row.at.drift) || row.element != first.element ||
+        row.at.displacement != lists.moved[i % states].mass.displacement)
+      refuse("a pier's drifts are not those of its states");
+  }
+}
+
+}  // namespace
+
+void check_answer(Database& database, const SampleRecord& record, const RecordLists& lists) {
+  const auto refuse = [&](const std::string& what) {
+    database.damaged(fmt::format("sample {}: {}", record.sample, what));
+  };
+  for (const double input : record.inputs)
+    if (!std::isfinite(input)) refuse("it has run with an input that is no number");
+  for (const CurveRow& row : record.curve)
+    if (!std::isfinite(row.displacement) || !std::isfinite(row.reaction))
+      refuse("its curve holds what is not a number");
+  check_peaks(refuse, record);
+  const std::string& judgement = record.quasi_static.judgement;
+  if (std::find(std::begin(kJudgements), std::end(kJudgements), judgement) == std::end(kJudgements))
+    refuse(fmt::format("rate_judgement is \"{}\", which no wythe says", judgement));
+  std::set<std::string> scored;
+  for (const ScoreRow& row : lists.scores)
+    if (!scored.insert(row.name).second) refuse("the score of " + row.name + " stands there twice");
+  check_pushed_wall(refuse, lists);
+  for (const SignRow& row : lists.signs)
+    if (row.of_element < 0 || row.of_element >= static_cast<std::int64_t>(lists.elements.size()))
+      refuse(
+          fmt::format("a sign belongs to element {} of {}", row.of_element, lists.elements.size()));
+}
+
+void Store::check_version() {
+  const std::string& name = database_.name();
+  const std::int64_t application = database_.integer("PRAGMA application_id");
+  const std::int64_t version = database_.integer("PRAGMA user_version");
+  if (application == 0 && database_.integer("SELECT count(*) FROM sqlite_schema") == 0)
+    throw IoError(
+        name +
+        ": is empty, no campaign is in it; restore it from a copy, or remove it and begin "
+        "the campaign again");
+  if (application != kApplication)
+    throw IoError(name + ": is an SQLite file, but not a campaign of wythe; name another folder");
+  if (version != kSchemaVersion)
+    throw IoError(
+        fmt::format("{}: has store version {}, and this wythe reads and writes version {}; use the "
+                    "wythe that wrote it, or "
+                    "run the campaign again in another folder",
+                    name, version, kSchemaVersion));
+  check_tables();
+}
+
+// Tables that only hold rows, and nothing that computes: a view or a computed column would answer without end, a trigger
+// write. Those of this version stand there word for word.
+void Store::check_tables() {
+  std::map<std::string, std::string> due = declared_tables();
+  const std::map<std::string, std::string> all = due;
+  Statement select(database_, "SELECT type, name, tbl_name, sql FROM main.sqlite_schema");
+  while (select.step()) {
+    const std::string type = select.text(), name = select.text(), of = select.text(),
+                      sql = select.text();
+    const auto none = [&](const std::string& why) {
+      database_.damaged(fmt::format("its {} {} is none that wythe made{}", type, name, why));
+    };
+    if (name.starts_with("sqlite_stat")) continue;  // of ANALYZE
+    if (type == "index" && sql.empty() && all.contains(of)) continue;
+    if (type == "view" && name == "samples") continue;  // check_view()
+    const auto found = all.find(name);
+    if (type != "table" || found == all.end())
+      none(fmt::format(" (if it is yours: DROP {} {})", type, name));
+    due.erase(name);
+    if (sql != found->second) {
+      check_columns(name, found->second);
+      none(" (it is declared in other words)");
+    }
+    if (!is_plain(sql)) none(" (it does more than hold rows)");
+  }
+  if (!due.empty()) database_.damaged("table " + due.begin()->first + " is missing");
+}
+
+// Of a table that is declared otherwise: what it lacks, if anything.
+void Store::check_columns(const std::string& table, const std::string& declaration) {
+  std::set<std::string> there;
+  Statement info(database_, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
+  while (info.step()) there.insert(info.text());
+  const std::string list = declaration.substr(declaration.find('(') + 1);
+  for (std::size_t at = 0; at < list.size(); at = list.find(", ", at) + 2) {
+    const std::string column = list.substr(at, list.find(' ', at) - at);
+    if (column == "PRIMARY" || !is_word(column)) break;
+    if (!there.contains(column))
+      database_.damaged(fmt::format("table {} has no column {}", table, column));
+    if (list.find(", ", at) == std::string::npos) break;
+  }
+}
+
+void Store::check_view() {
+  const std::string due = samples_view_sql(columns());
+  Statement select(database_,
+                   "SELECT sql FROM main.sqlite_schema WHERE type = 'view' AND name = 'samples'");
+  if (!select.step()) database_.damaged("the view samples is missing");
+  if (due.find(select.text() + ";") == std::string::npos)
+    database_.damaged("the view samples is not declared as wythe declares it for these inputs");
+}
+
+// What the study draws is what the table `input` says of it.
+void Store::check_columns_of(const StudySpec& spec, const SampleTable& table) {
+  const auto refuse = [&](std::size_t i, const char* what) {
+    database_.damaged(
+        fmt::format("table input, position {}: {} is not that of the study", i, what));
+  };
+  const std::size_t variables = spec.variable.size(), all = variables + spec.dependent.size();
+  if (table.column.size() != all)
+    database_.damaged(
+        fmt::format("table input has {} rows, the study {} inputs", table.column.size(), all));
+  for (std::size_t i = 0; i < all; ++i) {
+    const InputColumn& column = table.column[i];
+    const InputSpec& input = i < variables ? static_cast<const InputSpec&>(spec.variable[i])
+                                           : spec.dependent[i - variables];
+    if (column.name != input.name) refuse(i, "name");
+    if (column.path != input.path) refuse(i, "path");
+    if (column.is_random != (i < variables)) refuse(i, "is_random");
+    if (i < variables && column.si_unit != input.si_unit) refuse(i, "si_unit");
+    if (column.unit != (input.unit.empty() ? column.si_unit : input.unit)) refuse(i, "unit");
+    const double factor = column.si_unit == "1" ? 1 : 1 / unit_factor(column.unit, column.si_unit);
+    if (column.to_unit != factor) refuse(i, "to_unit");
+  }
+}
+
+bool is_outcome(const std::string& status) {
+  return value_of(kSolveStatusWords, status).has_value() || status == "refused";
+}
+
+void check_shakes(Database& database, const SampleRecord& record,
+                  const std::vector<ShakeAnswer>& shakes) {
+  for (const ShakeAnswer& shake : shakes) {
+    const auto refuse = [&](const std::string& what) {
+      database.damaged(fmt::format("sample {}: a shake {}", record.sample, what));
+    };
+    if (!is_outcome(shake.status)) refuse(fmt::format("ends as \"{}\"", shake.status));
+    if (shake.intensity <= 0 || std::isinf(shake.intensity)) refuse("has no intensity");
+    if (!shake.counts()) continue;
+    for (const double number : {shake.peak_displacement, shake.residual_displacement, shake.uplift,
+                                shake.slip, shake.peak_drift, shake.residual_drift})
+      if (!(number >= 0) || std::isinf(number)) refuse("holds what is not a number");
+  }
+}
+
+void Store::check_whole(const SampleTable* drawn) {
+  constexpr std::size_t kAtOnce = 256;
+  Statement check(database_, "PRAGMA quick_check(1)");
+  const std::string verdict = check.step() ? check.text() : "";
+  if (verdict != "ok") database_.damaged(verdict);
+  check_schema_digest(database_);
+  if (drawn != nullptr) check_inputs_of(*drawn);
+  const SampleTable own = drawn == nullptr ? samples() : SampleTable{};
+  check_view();
+  const SampleTable& table = drawn == nullptr ? own : *drawn;
+  const std::set<int> there = done();
+  const std::vector<int> ran(there.begin(), there.end());
+  for (std::size_t i = 0; i < ran.size(); i += kAtOnce) {
+    static_cast<void>(records(table, ran[i], ran[std::min(i + kAtOnce, ran.size()) - 1]));
+    database_.give_back();
+  }
+  check_no_other_sample();
+}
+
+std::string Store::inputs_digest() { return value(kInputsDigest); }
+
+void Store::check_inputs_of(const SampleTable& drawn) {
+  Statement select(
+      database_,
+      "SELECT sample, position, value FROM sample_input WHERE sample IN (SELECT sample "
+      "FROM main.sample) ORDER BY sample, position");
+  while (select.step()) {
+    const auto sample = static_cast<std::size_t>(select.integer(1, drawn.n_sample()));
+    const std::vector<double>& inputs = drawn.value[sample - 1];
+    const auto position =
+        static_cast<std::size_t>(select.integer(0, static_cast<std::int64_t>(inputs.size()) - 1));
+    const double value = select.number(), other = inputs[position];
+    if (value != other && !(std::isnan(value) && std::isnan(other)))
+      select.damaged("an input is not what the checksum of all inputs says");
+  }
+}
+
+// A row of a sample that is not stored belongs to none.
+void Store::check_no_other_sample() {
+  for (const std::string& table : result_tables()) {
+    Statement other(database_,
+                    fmt::format("SELECT sample FROM {} WHERE sample NOT IN (SELECT sample FROM "
+                                "main.sample) LIMIT 1",
+                                table));
+    if (other.step()) other.damaged("there is no such sample");
+  }
+}
+
+void Store::check_states() {
+  const OneMoment moment(database_);
+  for (const int sample : done()) digests().check_states(sample);
+}
+
+int last_counted(Store& store) {
+  const int met = store.number_of_sample("until_met_at");
+  return met == 0 ? std::numeric_limits<int>::max() : met;
+}
+
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto [slash, error] = std::from_chars(text.data(), end, shard.number);
+  if (error != std::errc() || slash == end || *slash != '/') return std::nullopt;
+  const auto [rest, other_error] = std::from_chars(slash + 1, end, shard.of);
+  if (other_error != std::errc() || rest != end || shard.number < 1 || shard.of < shard.number)
+    return std::nullopt;
+  if (text != fmt::format("{}/{}", shard.number, shard.of)) return std::nullopt;  // " 01/2"
+  return shard;
+}
+
+bool same_inputs(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double one, double other) {
+    return one == other || (std::isnan(one) && std::isnan(other));
+  });
+}
+
+}  // namespace wythe::study

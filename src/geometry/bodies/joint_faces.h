@@ -1,0 +1,69 @@
+// Where bodies in space touch: coplanar faces that run against each other, and the polygon they share.
+//
+//        +-----------+           faces of a and b whose planes agree within the tolerances are laid into their
+//        |     b     |           mean plane; the common part of the two convex polygons is one joint face
+//   +----+===========+--+
+//   |        a          |        normal from a to b; the polygon runs anticlockwise seen from b
+//   +-------------------+
+//
+// Candidate pairs come from a sweep of boxes along the axis on which the bodies spread most. Pieces of one pair
+// that lie in one plane and form a convex polygon together are joined: a face cut in triangles gives one joint.
+// Called by src/model; checks in body_checks.cpp, cutting into convex parts in convex_parts.cpp.
+#pragma once
+
+#include <vector>
+
+#include "geometry/bodies/polyhedron.h"
+#include "wythe/body.h"
+#include "wythe/error.h"
+#include "wythe/message.h"
+
+namespace wythe::geometry {
+
+// Tolerances of faces, each as a share of the size of the smaller face (square root of its area).
+inline constexpr double kParallelFaces = 1e-2;  // sine between the normals
+inline constexpr double kWidestTouch = 2e-3;    // gap or penetration at any corner of the overlap
+inline constexpr double kWidestMiss =
+    1e-2;  // a gap up to here is a lost face, a wider one is meant
+inline constexpr double kSliverFace = 1e-3;   // overlap of less than this share of its area is lost
+inline constexpr double kFinestTouch = 1e-6;  // of the model's size: what touches in any case
+
+struct JointFace {
+  int a = 0, b = 0;           // bodies; a is the fixed one where one is fixed, else a < b
+  std::vector<Vec3> polygon;  // convex, plane, anticlockwise about the normal
+  Vec3 normal;                // unit, from a to b
+  Vec3 centre;                // centroid of the area
+  double area = 0;            // [m^2]
+};
+
+// A convex piece of a body's surface that touches nothing.
+struct OuterFace {
+  int body = 0;
+  std::vector<Vec3> polygon;
+  Vec3 normal;  // out of the body
+  double area = 0;
+};
+
+struct SpaceAssembly {
+  std::vector<BodySpec>
+      body;  // as given, but turned outside out, cut into convex parts; same order
+  std::vector<SolidMoments> moments;
+  std::vector<JointFace> faces;  // by a, b, then by the faces of a and b
+  std::vector<OuterFace> outer;  // by body and face
+  int lost_faces = 0;            // slivers and faces that nearly touch
+  std::vector<Message> notes;
+};
+
+// Faults stand at "wall.blocks.<id>". After a fault of a body only the bodies are checked.
+[[nodiscard]] SpaceAssembly assemble(const std::vector<BodySpec>& bodies, FaultList& faults);
+
+// --- for body_checks.cpp
+
+// Pairs (i < j) of boxes that meet when widened by `margin`; sorted.
+[[nodiscard]] std::vector<std::pair<int, int>> near_pairs(const std::vector<Box3>& boxes,
+                                                          double margin);
+
+// Largest side of the box around all bodies [m].
+[[nodiscard]] double model_size(const std::vector<BodySpec>& bodies);
+
+}  // namespace wythe::geometry

@@ -1,0 +1,98 @@
+#include "geometry/builder/builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/blocks_file.h"
+#include "geometry/bodies/polyhedron.h"
+#include "geometry/text.h"
+
+namespace wythe::geometry {
+namespace {
+
+template <class Table>
+void name_all(const std::vector<Table>& tables, const char* key, std::set<std::string>& seen,
+              FaultList& faults) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string& name = tables[i].name;
+    const std::string path = key + ("." + std::to_string(i)) + ".name";
+    if (name.empty())
+      add_fault(faults, path, "", "is missing: blocks are named after it",
+                "write e.g. name = \"front\"");
+    else if (name.find_first_of("*. ") != std::string::npos)
+      add_fault(faults, path, "\"" + name + "\"", "holds a point, a star or a blank",
+                "use letters, digits, - and _; stages select blocks as \"NAME.c03*\"");
+    else if (!seen.insert(name).second)
+      add_fault(faults, path, "\"" + name + "\"", "another table has this name",
+                "give each its own: blocks are named after it");
+  }
+}
+
+}  // namespace
+
+void Site::check_material(const std::string& path, const std::string& name,
+                          FaultList& faults) const {
+  if (!name.empty()) (void)is_material(Shape(model), path, name, faults);
+  const auto found = model.material.find(name);
+  const bool weighs = found != model.material.end() && !std::isnan(found->second.density);
+  if (weighs || !std::isnan(model.wall.unit.density)) return;
+  if (name.empty())
+    return (void)is_positive({"wall.unit.density", kUnset, "kg/m^3", "1800 kg/m^3"}, faults);
+  add_fault(faults, path, "\"" + name + "\"", "has no density, nor has wall.unit",
+            "add [material." + name + "] with its density");
+}
+
+std::vector<BuiltBody> build_bodies(const Site& site, std::vector<Message>& notes,
+                                    FaultList& faults) {
+  std::set<std::string> names;
+  name_all(site.spec.plan_wall, "plan_wall", names, faults);
+  name_all(site.spec.slab, "slab", names, faults);
+  name_all(site.spec.arch, "arch", names, faults);
+  name_all(site.spec.dome, "dome", names, faults);
+  std::vector<BuiltBody> bodies;
+  const auto take = [&](std::vector<BuiltBody> built) {
+    std::move(built.begin(), built.end(), std::back_inserter(bodies));
+  };
+  for (std::size_t i = 0; i < site.spec.plan_wall.size(); ++i) {
+    const PlanWallSpec& wall = site.spec.plan_wall[i];
+    const std::string table = "plan_wall." + std::to_string(i);
+    for (const auto& [key, name] :
+         {std::pair(".material", wall.material), {".core_material", wall.core_material}})
+      if (!name.empty()) (void)is_material(Shape(site.model), table + key, name, faults);
+  }
+  std::vector<StraightWall> walls;
+  if (!site.spec.plan_wall.empty()) take(build_plan_walls(site, walls, notes, faults));
+  if (faults.empty()) build_slabs(site, walls, bodies, notes, faults);
+  for (std::size_t i = 0; i < site.spec.arch.size(); ++i)
+    take(build_arch(site, static_cast<int>(i), faults));
+  for (std::size_t i = 0; i < site.spec.dome.size(); ++i)
+    take(build_dome(site, static_cast<int>(i), faults));
+  return bodies;
+}
+
+Polyhedron solid_between(const std::vector<Vec3>& bottom, const std::vector<Vec3>& top) {
+  Polyhedron solid;
+  const auto n = static_cast<std::int32_t>(bottom.size());
+  solid.vertex = bottom;
+  solid.vertex.insert(solid.vertex.end(), top.begin(), top.end());
+  std::vector<std::int32_t> low, high;
+  for (std::int32_t k = 0; k < n; ++k) {
+    low.push_back(n - 1 - k);
+    high.push_back(n + k);
+    solid.face.push_back({k, (k + 1) % n, n + (k + 1) % n, n + k});
+  }
+  solid.face.push_back(low);
+  solid.face.push_back(high);
+  if (solid_moments(solid).volume < 0)
+    for (std::vector<std::int32_t>& face : solid.face) std::reverse(face.begin(), face.end());
+  return solid;
+}
+
+int StraightWall::rows() const {
+  return storeys.empty() ? 0 : storeys.front().lattice.courses.count;
+}
+
+bool StraightWall::goes_through(int e, int row) const { return (row + phase) % 2 == end[e].passes; }
+
+}  // namespace wythe::geometry

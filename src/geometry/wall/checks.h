@@ -1,0 +1,24 @@
+// What a built assembly must obey: no overlaps, no slivers, every block carried by the ground.
+//
+// Called by assembly.cpp; reads the assembly, writes faults.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/assembly.h"
+#include "geometry/wall/storeys.h"
+
+namespace wythe::geometry {
+
+// A fault for each pair of blocks that share more than a film of the contact tolerance.
+void check_overlaps(const std::vector<Block>& blocks, FaultList& faults);
+
+// Pieces of a generated wall thinner than a tenth of a half unit or of a course.
+void check_slivers(const std::vector<Block>& blocks, const std::vector<Storey>& storeys,
+                   FaultList& faults);
+
+// Every block must reach the ground through faces.
+void check_support(const Assembly& assembly, FaultList& faults);
+
+}  // namespace wythe::geometry

@@ -1,0 +1,76 @@
+#include "geometry/wall/clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <polyclipping/clipper.hpp>
+
+namespace wythe::geometry {
+namespace {
+
+namespace clip = ClipperLib;
+
+constexpr double kGrid =
+    1e9;  // lines a metre; the longest wall, 10 km, is far from its largest number
+
+// To the grid and back, to the bits of the coordinates that went there.
+class Grid {
+ public:
+  clip::Path put(const Polygon& outline) {
+    clip::Path path;
+    for (const Vec2& p : outline) path.emplace_back(put(p.x, x_), put(p.y, y_));
+    return path;
+  }
+  [[nodiscard]] Polygon take(const clip::Path& path) const {
+    Polygon outline;
+    for (const clip::IntPoint& p : path) outline.push_back({take(p.X, x_), take(p.Y, y_)});
+    const auto lowest = std::min_element(outline.begin(), outline.end(), [](Vec2 a, Vec2 b) {
+      return a.y != b.y ? a.y < b.y : a.x < b.x;
+    });
+    std::rotate(outline.begin(), lowest, outline.end());
+    return outline;
+  }
+
+ private:
+  using Lines = std::map<clip::cInt, double>;
+  static clip::cInt put(double value, Lines& lines) {
+    const clip::cInt line = std::llround(value * kGrid);
+    return lines.emplace(line, value).first->first;
+  }
+  static double take(clip::cInt line, const Lines& lines) {
+    const auto known = lines.find(line);
+    return known != lines.end() ? known->second : static_cast<double>(line) / kGrid;
+  }
+  Lines x_, y_;
+};
+
+std::vector<Polygon> combine(clip::ClipType what, const Polygon& a, const Polygon& b) {
+  Grid grid;
+  clip::Clipper clipper;
+  clipper.AddPath(grid.put(a), clip::ptSubject, true);
+  clipper.AddPath(grid.put(b), clip::ptClip, true);
+  clip::Paths found;
+  clipper.Execute(what, found, clip::pftNonZero, clip::pftNonZero);
+  clip::CleanPolygons(
+      found);  // corners within a line or two of the grid, or in line with their neighbours
+  std::vector<Polygon> outlines;
+  for (const clip::Path& path : found)
+    if (path.size() >= 3 && clip::Orientation(path)) outlines.push_back(grid.take(path));
+  std::sort(outlines.begin(), outlines.end(), [](const Polygon& p, const Polygon& q) {
+    return p.front().x != q.front().x ? p.front().x < q.front().x : p.front().y < q.front().y;
+  });
+  return outlines;
+}
+
+}  // namespace
+
+std::vector<Polygon> difference(const Polygon& outline, const Polygon& without) {
+  return combine(clip::ctDifference, outline, without);
+}
+
+Polygon joined_outline(const Polygon& a, const Polygon& b) {
+  const std::vector<Polygon> whole = combine(clip::ctUnion, a, b);
+  return whole.size() == 1 ? whole.front() : Polygon{};
+}
+
+}  // namespace wythe::geometry

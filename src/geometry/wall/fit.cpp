@@ -1,0 +1,204 @@
+#include "geometry/wall/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/whole.h"
+#include "geometry/text.h"
+#include "geometry/wall/storeys.h"
+
+namespace wythe::geometry {
+namespace {
+
+// One direction of a storey as the user stated it.
+struct AxisAsk {
+  double extent, step;      // [m]
+  double origin, joint;     // [m]
+  std::string whose;        // "the wall's", "storey 0 (ground)'s"
+  std::string extent_name;  // "length"
+  std::string size_path;    // "wall.unit.length"
+  double size_per_step;     // unit length is two half units, a course is one unit height
+  std::string step_name;    // "half unit"
+  const char* step_code;    // its message
+  const char* last_code;    // that of the last one of a row or column
+  Fit fit;
+  std::string fit_key;  // "wall.fit"
+};
+
+// The extent that `count` steps are measured against: one joint is there or not.
+double measured(const AxisAsk& ask, int count) {
+  // a joint below 0 is refused elsewhere; std::clamp must not see its bounds turned round
+  return std::clamp(count * ask.step, ask.extent, ask.extent + std::max(0.0, ask.joint));
+}
+
+double change_of(const AxisAsk& ask, int count) {
+  return measured(ask, count) / count / ask.step - 1;
+}
+
+int best_count(const AxisAsk& ask) {
+  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
+  return std::abs(change_of(ask, below)) <= std::abs(change_of(ask, below + 1)) ? below : below + 1;
+}
+
+void note_change(const char* what, double from, double to, std::vector<Message>& notes) {
+  const double change = to / from - 1;
+  if (std::abs(change) < 1e-9) return;
+  notes.push_back({"fit.changed",
+                   {{"what", Message{what}},
+                    {"from_mm", 1e3 * from},
+                    {"to_mm", 1e3 * to},
+                    {"change_percent", 100 * change}}});
+}
+
+// n units that end without a joint: every one gives its share of it.
+void note_end_joint(const AxisAsk& ask, int count, std::vector<Message>& notes) {
+  notes.push_back({"fit.end_joint",
+                   {{"what", Message{ask.step_code}},
+                    {"count", count},
+                    {"joint_mm", 1e3 * ask.joint},
+                    {"from_mm", 1e3 * ask.step},
+                    {"to_mm", 1e3 * ask.extent / count},
+                    {"change_percent", 100 * (ask.extent / count / ask.step - 1)}}});
+}
+
+void refuse_fit(const AxisAsk& ask, FaultList& faults) {
+  const int below = std::max(1, whole(std::floor(ask.extent / ask.step)));
+  const auto size = [&](int n) {
+    return millimetres(ask.size_per_step * ask.extent / n - ask.joint);
+  };
+  const auto extent = [&](int n) { return metres(ask.step * n); };
+  const int best = best_count(ask), other = best == below ? below + 1 : below;
+  std::ostringstream problem, cure;
+  problem.precision(4);
+  problem << ask.whose << " " << ask.extent_name << " of " << metres(ask.extent) << " holds "
+          << ask.extent / ask.step << " " << ask.step_name
+          << "s; a whole number of them would change "
+          << "the size by " << percent(change_of(ask, best)) << ", more than 2 %";
+  cure << "write " << last_key(ask.size_path) << " = \"" << size(best) << "\" (or " << size(other)
+       << "), or a " << ask.extent_name << " of " << extent(below) << " or " << extent(below + 1)
+       << ", or " << ask.fit_key << " = \"cut\"";
+  add_fault(faults, ask.size_path, millimetres(ask.size_per_step * ask.step - ask.joint),
+            problem.str(), cure.str());
+}
+
+// After a fault it is the axis of the first cure, so that the openings' cures hold with it.
+Axis fit_whole(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
+  const int count = best_count(ask);
+  if (std::abs(change_of(ask, count)) > kFitTolerance + 1e-9)
+    refuse_fit(ask, faults);
+  else if (ask.joint > 0 && std::abs(ask.extent + ask.joint - count * ask.step) < 1e-6 * ask.step)
+    note_end_joint(ask, count, notes);
+  else
+    note_change(ask.step_code, ask.step, ask.extent / count, notes);
+  return {.extent = ask.extent, .step = ask.extent / count, .count = count};
+}
+
+Axis lay_and_cut(const AxisAsk& ask, std::vector<Message>& notes) {
+  int count = std::max(1, whole(std::floor(ask.extent / ask.step + 1e-9)));
+  const double rest = ask.extent - count * ask.step;
+  if (rest >= kSliver * ask.step) ++count;
+  const double last = ask.extent - (count - 1) * ask.step;
+  note_change(ask.last_code, ask.step, last, notes);
+  return {.extent = ask.extent, .step = ask.step, .count = count};
+}
+
+Axis fit_axis(const AxisAsk& ask, std::vector<Message>& notes, FaultList& faults) {
+  Axis axis = ask.fit == Fit::kCut ? lay_and_cut(ask, notes) : fit_whole(ask, notes, faults);
+  axis.origin = ask.origin;
+  axis.joint = ask.joint;
+  return axis;
+}
+
+bool needs_header(Bond bond) {
+  return bond == Bond::kFlemish || bond == Bond::kEnglish || bond == Bond::kHeader;
+}
+
+bool sizes_are_given(const Storey& storey, FaultList& faults) {
+  const auto given = [&](const char* key, double value, const char* example) {
+    return is_positive({storey.path_of(key), value, "m", example}, faults);
+  };
+  bool all = given("length", storey.length, "5.10 m");
+  all &= given("height", storey.height, "3.62 m");
+  all &= given("unit.length", storey.unit.length, "310 mm");
+  all &= given("unit.height", storey.unit.height, "110 mm");
+  if (needs_header(storey.bond) && !std::isnan(storey.unit.width))
+    all &= given("unit.width", storey.unit.width, "155 mm");
+  return all;
+}
+
+double stated_header(const UnitSpec& unit) {
+  return std::isnan(unit.width) ? unit.length / 2 : unit.width;
+}
+
+// In english bond a header is half a stretcher: any other would let joints meet now and then.
+// In flemish bond it only has to be shorter than the stretcher.
+double fit_header(const Storey& storey, double half_unit, std::vector<Message>& notes,
+                  FaultList& faults) {
+  const double scale = half_unit / (storey.unit.length / 2);
+  const double header = scale * stated_header(storey.unit);
+  if (std::abs(header / half_unit - 1) <= kHeaderTolerance) {
+    note_change("fit.header", stated_header(storey.unit), half_unit, notes);
+    return half_unit;
+  }
+  const double limit = storey.bond == Bond::kFlemish ? 2 * half_unit - half_unit / 2 : half_unit;
+  if (storey.bond == Bond::kEnglish || header > limit) {
+    add_fault(faults, storey.path_of("unit.width"),
+              millimetres(stated_header(storey.unit) - storey.head_mortar()),
+              storey.bond == Bond::kEnglish
+                  ? "english bond needs headers of half a unit length, within 5 %"
+                  : "flemish bond needs headers of three quarters of a unit length or less",
+              "width = \"" + millimetres(storey.unit.length / 2 - storey.head_mortar()) +
+                  "\" (or leave it out)");
+  }
+  return header;
+}
+
+}  // namespace
+
+double Axis::line(int i) const {
+  if (i >= count) return end();
+  return half_line(2 * i);
+}
+
+double Axis::end() const { return origin + extent; }
+
+double Axis::half_line(int q) const {
+  const bool is_even = std::abs(extent - count * step) < 1e-9 * extent;
+  return origin + (is_even ? extent * q / (2 * count) : step * q / 2);
+}
+
+int Axis::nearest(double x) const {
+  const int guess = std::clamp(whole(std::floor((x - origin) / step)), 0, count - 1);
+  return std::abs(x - line(guess)) <= std::abs(line(guess + 1) - x) ? guess : guess + 1;
+}
+
+bool Axis::is_on_line(double x) const { return std::abs(line(nearest(x)) - x) < 1e-9 * extent; }
+
+Lattice fit_lattice(const Storey& storey, std::vector<Message>& notes, FaultList& faults) {
+  if (!sizes_are_given(storey, faults) || !std::isfinite(storey.foot)) return {};
+  const bool is_header_bond = storey.bond == Bond::kHeader;
+  const double column = (is_header_bond ? stated_header(storey.unit) : storey.unit.length) / 2;
+  const char* sized_key = "unit.length";
+  if (is_header_bond) sized_key = "unit.width";
+  const std::string whose = storey.index < 0 ? "the wall's" : storey.called() + "'s";
+  Lattice lattice;
+  lattice.columns =
+      fit_axis({storey.length, column, 0, storey.head_mortar(), "the wall's", "length",
+                storey.path_of(sized_key), 2, is_header_bond ? "half header" : "half unit",
+                is_header_bond ? "fit.half_header" : "fit.half_unit",
+                is_header_bond ? "fit.last_half_header" : "fit.last_half_unit", storey.fit,
+                storey.path_of("fit")},
+               notes, faults);
+  lattice.courses = fit_axis({storey.height, storey.unit.height, storey.foot, storey.bed_mortar(),
+                              whose, "height", storey.path_of("unit.height"), 1, "course",
+                              "fit.course", "fit.last_course", storey.fit, storey.path_of("fit")},
+                             notes, faults);
+  lattice.stretcher = lattice.header = 2 * lattice.columns.step;
+  if (needs_header(storey.bond) && !is_header_bond && lattice.columns.count > 0) {
+    lattice.header = fit_header(storey, lattice.columns.step, notes, faults);
+  }
+  return lattice;
+}
+
+}  // namespace wythe::geometry

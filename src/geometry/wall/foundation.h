@@ -1,0 +1,34 @@
+// Ground in steps: where the wall begins, from left to right.
+//
+//   +-----------------------------+
+//   |          masonry            |     each step is a rectangle of ground below the masonry, from the
+//   |        +--------------------+     wall's base up to its level; the joints on it are foundation joints,
+//   |        |///////  step 1  ///|     the soil beside a step touches nothing
+//   +--------+ - - - - - - - - - -+  y = 0: the lowest step
+//
+// Edges move to the nearest column or course line as those of an opening; with fit = "cut" units are cut at
+// them instead. Called by assembly.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/polygon.h"
+#include "geometry/wall/joints.h"
+#include "geometry/wall/storeys.h"
+
+namespace wythe::geometry {
+
+// Steps from left to right, level ground as one. Empty after faults.
+[[nodiscard]] std::vector<GroundStep> place_ground(const Shape& shape,
+                                                   const std::vector<Storey>& storeys,
+                                                   std::vector<Message>& notes, FaultList& faults);
+
+// What is not masonry below a step.
+[[nodiscard]] inline Rect box_of(const GroundStep& step) { return {step.x0, 0, step.x1, step.y}; }
+
+// Bottom edges of blocks on the steps.
+[[nodiscard]] std::vector<Contact> find_step_contacts(const std::vector<Block>& blocks,
+                                                      const std::vector<GroundStep>& ground);
+
+}  // namespace wythe::geometry

@@ -1,0 +1,465 @@
+// JSON of blocks -> BlockSpec or, in space, BodySpec, in metres.
+//
+//   {"units": "m", "thickness": 0.2, "blocks": [{"id": "b1", "polygon": [[x, y], ...],
+//    "material": "stone", "fixed": false, "beam": false}, ...]}
+//                                                    or "zones": 4, "zone_length": 0.05, "zone_kind":
+//                                                    "mixed", "plane": "stress" of a deformable one
+//                                                    or in space "vertices" and "faces", "parts" of these,
+//                                                    or "z": [z0, z1] beside the polygon
+//   {"units": "m", "blocks_xyxy": [[x0, y0, x1, y1], ...], "loading_beam_xyxy": [x0, y0, x1, y1]}
+#include "io/bodies/blocks_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "io/bodies/bodies_file.h"
+#include "io/bodies/dxf.h"
+#include "io/keys/describe.h"
+#include "io/text/json.h"
+#include "io/text/magnitude.h"
+#include "wythe/io.h"
+
+namespace wythe::io {
+namespace {
+
+using Json = nlohmann::json;
+using Point = std::array<double, 2>;
+
+std::string short_dump(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+class BlocksReader {
+ public:
+  BlocksReader(ReadContext& context, std::string file, ModelSpec& spec)
+      : context_(context), file_(std::move(file)), spec_(spec) {}
+
+  // Bodies stay in the file's units and axes.
+  [[nodiscard]] double units_in_a_metre() const { return scale_; }
+  [[nodiscard]] bool is_compas() const { return is_compas_; }
+  [[nodiscard]] const std::string& up() const { return up_; }
+
+  void read(const std::string& text) {
+    const Json json = parse_json(text, file_);
+    is_compas_ = io::is_compas(json);
+    if (is_compas_) {
+      up_ = "z";
+      return read_compas(json);
+    }
+    if (!json.is_object()) return refuse("", short_dump(json), "must be a JSON object", kForms);
+    read_units(json);
+    read_up(json);
+    read_thickness(json);
+    if (json.contains("blocks"))
+      read_polygons(json["blocks"]);
+    else if (json.contains("blocks_xyxy"))
+      read_boxes(json);
+    else
+      refuse("", "", "has neither \"blocks\" nor \"blocks_xyxy\"", kForms);
+  }
+
+ private:
+  static constexpr const char* kForms =
+      R"(write e.g. {"units": "m", "blocks": [{"id": "b1", "polygon": [[0, 0], [1, 0], [1, 1]]}]})";
+
+  void refuse(const std::string& where, const std::string& value, const std::string& problem,
+              const std::string& cure) {
+    const std::string path = where.empty() ? "wall.blocks" : "wall.blocks." + where;
+    context_.faults.add(
+        {.file = file_, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  void read_compas(const Json& json) {
+    FaultList faults;
+    spec_.body = compas_bodies(json, file_, faults);
+    for (Fault fault : faults.all()) {
+      fault.path = "wall.blocks";
+      context_.faults.add(std::move(fault));
+    }
+  }
+
+  void read_units(const Json& json) {
+    const Json units = json.value("units", Json());
+    if (units == "mm") scale_ = 1e3;
+    if (units == "m" || units == "mm") return;
+    const std::string value = units.is_null() ? "" : short_dump(units);
+    refuse("units", value, units.is_null() ? "is missing" : "must be \"m\" or \"mm\"",
+           R"(write "units": "m" or "units": "mm")");
+  }
+
+  void read_up(const Json& json) {
+    const Json up = json.value("up", Json("y"));
+    if (up != "y" && up != "z")
+      return refuse("up", short_dump(up), R"(must be "y" or "z")", R"(write "up": "z")");
+    if (spec_.wall.up.empty()) up_ = up.get<std::string>();
+  }
+
+  void read_thickness(const Json& json) {
+    if (!json.contains("thickness") || json["thickness"].is_null()) return;
+    const auto value = read_number(json["thickness"]);
+    if (!value || *value <= 0 || !magnitude_problem(*value, "m").empty())
+      return refuse("thickness", short_dump(json["thickness"]),
+                    "must be a number, 1 nm or more and up to 10 km",
+                    R"(write e.g. "thickness": 0.2)");
+    if (std::isnan(spec_.wall.thickness)) spec_.wall.thickness = *value;
+  }
+
+  // In metres; divides, so that 200 mm is the double nearest to 0.2.
+  [[nodiscard]] std::optional<double> read_number(const Json& json) const {
+    if (!json.is_number() || !kCoordinate.holds(json.get<double>() / scale_)) return std::nullopt;
+    return json.get<double>() / scale_;
+  }
+
+  void read_polygons(const Json& blocks) {
+    if (!blocks.is_array() || blocks.empty())
+      return refuse("blocks", short_dump(blocks), "must be a list of blocks", kForms);
+    for (std::size_t i = 0; i < blocks.size() && !enough(context_.faults); ++i)
+      if (is_in_space(blocks[i]))
+        read_body_block(blocks[i], i);
+      else
+        read_polygon_block(blocks[i], i);
+    if (!spec_.body.empty() && !spec_.block.empty())
+      refuse(spec_.block.front().id, "", "lies in the plane, beside blocks in space",
+             R"(give every block a depth, e.g. "z": [0, 0.25])");
+  }
+
+  void read_body_block(const Json& json, std::size_t index) {
+    BodySpec body;
+    body.id = "b" + std::to_string(index + 1);
+    read_word(json, "id", body.id, body.id);
+    read_word(json, "material", body.material, body.id);
+    read_flag(json, "fixed", body.fixed, body.id);
+    read_word(json, "role", body.role, body.id);
+    if (const std::string cure = role_advice(body.role); !cure.empty())
+      refuse(body.id + ".role", "\"" + body.role + "\"", "is no role of a block", cure);
+    read_zones(json, body.id, body.zone);
+    refuse_unknown(json, body.id, kBodyKeys);
+    read_body_parts(json, body,
+                    [&](const std::string& where, const Json& value, const std::string& problem,
+                        const std::string& cure) {
+                      refuse(body.id + '.' + where, value.is_null() ? "" : short_dump(value),
+                             value.is_null() ? "is missing or null" : problem, cure);
+                    });
+    note_id(body.id);
+    spec_.body.push_back(std::move(body));
+  }
+
+  void read_polygon_block(const Json& json, std::size_t index) {
+    if (!json.is_object())
+      return refuse(std::to_string(index), short_dump(json), "must be a JSON object", kForms);
+    BlockSpec block;
+    block.id = "b" + std::to_string(index + 1);
+    read_word(json, "id", block.id, block.id);
+    read_word(json, "material", block.material, block.id);
+    read_flag(json, "fixed", block.fixed, block.id);
+    read_flag(json, "beam", block.beam, block.id);
+    read_zones(json, block.id, block.zone);
+    refuse_unknown(json, block.id, kBlockKeys);
+    read_outline(json.value("polygon", Json()), block);
+    keep(std::move(block));
+  }
+
+  void read_word(const Json& json, const char* name, std::string& value, const std::string& id) {
+    if (!json.contains(name)) return;
+    const Json& found = json[name];
+    if (found.is_string() && !found.get<std::string>().empty())
+      value = found.get<std::string>();
+    else if (found.is_number_integer() && std::string_view(name) == "id")
+      value = found.dump();
+    else
+      refuse(id + '.' + name, short_dump(found), "must be a text", "");
+  }
+
+  void read_flag(const Json& json, const char* name, bool& value, const std::string& id) {
+    if (!json.contains(name)) return;
+    if (json[name].is_boolean())
+      value = json[name].get<bool>();
+    else
+      refuse(id + '.' + name, short_dump(json[name]), "must be true or false", "");
+  }
+
+  void read_zones(const Json& json, const std::string& id, ZoneSpec& zone) {
+    if (json.contains("zones")) {
+      const Json& count = json["zones"];
+      if (count.is_number_integer() && count.get<std::int64_t>() >= 0 && count < 10000)
+        zone.zones = count.get<int>();
+      else
+        refuse(id + ".zones", short_dump(count), "must be a whole number of zones, 0 or more",
+               R"(write e.g. "zones": 2)");
+    }
+    if (json.contains("zone_length")) {
+      const auto length = read_number(json["zone_length"]);
+      if (length && *length > 0 && magnitude_problem(*length, "m").empty())
+        zone.length = *length;
+      else
+        refuse(id + ".zone_length", short_dump(json["zone_length"]), "must be a number more than 0",
+               "leave it out for zones as long as deep");
+    }
+    read_choice(json, "zone_kind", kZoneKindWords, zone.kind, id);
+    read_choice(json, "plane", kPlaneWords, zone.plane, id);
+  }
+
+  template <class Enum, std::size_t n>
+  void read_choice(const Json& json, const char* name, const Word<Enum> (&words)[n], Enum& value,
+                   const std::string& id) {
+    if (!json.contains(name)) return;
+    std::string allowed;
+    for (const Word<Enum>& word : words) {
+      allowed += (allowed.empty() ? "\"" : ", \"") + std::string(word.word) + "\"";
+      if (json[name] == word.word) {
+        value = word.value;
+        return;
+      }
+    }
+    refuse(id + '.' + name, short_dump(json[name]), "must be one of " + allowed, "");
+  }
+
+  inline static const std::vector<std::string> kBlockKeys = {
+      "id", "polygon", "material", "fixed", "beam", "zones", "zone_length", "zone_kind", "plane"};
+  inline static const std::vector<std::string> kBodyKeys = {
+      "id", "material", "fixed",       "vertices",  "faces", "parts", "polygon",
+      "z",  "zones",    "zone_length", "zone_kind", "plane", "role"};
+
+  void refuse_unknown(const Json& json, const std::string& id,
+                      const std::vector<std::string>& known) {
+    for (const auto& item : json.items())
+      if (!enough(context_.faults) &&
+          std::find(known.begin(), known.end(), item.key()) == known.end())
+        refuse(id + '.' + item.key(), short_dump(item.value()), "no such key",
+               name_advice(item.key(), known));
+  }
+
+  void read_outline(const Json& json, BlockSpec& block) {
+    const std::string where = block.id + ".polygon";
+    if (json.is_null())
+      return refuse(where, "", "is missing", R"(write e.g. "polygon": [[0, 0], [1, 0], [1, 1]])");
+    if (!json.is_array() || json.size() < 3)
+      return refuse(where, short_dump(json), "must have 3 vertices or more", "");
+    for (const Json& vertex : json) {
+      if (enough(context_.faults)) return;
+      const bool pair = vertex.is_array() && vertex.size() == 2;
+      const auto x = pair ? read_number(vertex[0]) : std::nullopt;
+      const auto y = pair ? read_number(vertex[1]) : std::nullopt;
+      if (x && y)
+        block.polygon.push_back({*x, *y});
+      else
+        refuse(where, short_dump(vertex), "must be two finite numbers [x, y] within 10 km", "");
+    }
+  }
+
+  void read_boxes(const Json& json) {
+    const Json& boxes = json["blocks_xyxy"];
+    if (!boxes.is_array() || boxes.empty())
+      return refuse("blocks_xyxy", short_dump(boxes), "must be a list of boxes",
+                    R"(write e.g. "blocks_xyxy": [[0, 0, 0.2, 0.1]])");
+    for (std::size_t i = 0; i < boxes.size() && !enough(context_.faults); ++i) {
+      BlockSpec block;
+      block.id = "b" + std::to_string(i + 1);
+      read_box(boxes[i], std::move(block));
+    }
+    if (!json.contains("loading_beam_xyxy")) return;
+    BlockSpec beam;
+    beam.id = beam.material = "beam";
+    beam.beam = true;
+    read_box(json["loading_beam_xyxy"], std::move(beam));
+  }
+
+  void read_box(const Json& json, BlockSpec block) {
+    std::vector<double> at;
+    for (const Json& item : json.is_array() ? json : Json::array())
+      if (const auto value = read_number(item)) at.push_back(*value);
+    const bool good =
+        json.is_array() && json.size() == 4 && at.size() == 4 && at[0] < at[2] && at[1] < at[3];
+    if (!good)
+      return refuse(block.id, short_dump(json),
+                    "must be four finite numbers x0 < x1, y0 < y1 within 10 km",
+                    "write them as [x0, y0, x1, y1]");
+    block.polygon = {Point{at[0], at[1]}, Point{at[2], at[1]}, Point{at[2], at[3]},
+                     Point{at[0], at[3]}};
+    keep(std::move(block));
+  }
+
+  void keep(BlockSpec block) {
+    note_id(block.id);
+    spec_.block.push_back(std::move(block));
+  }
+
+  void note_id(const std::string& id) {
+    if (!ids_.insert(id).second)
+      refuse(id, id, "two blocks have this id", "give each block an id of its own");
+  }
+
+  ReadContext& context_;
+  std::string file_;
+  ModelSpec& spec_;
+  double scale_ = 1;  // file units in a metre
+  bool is_compas_ = false;
+  std::string up_ = "y";
+  std::set<std::string> ids_;
+};
+
+bool is_drawing(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  return same_layer(ending, ".dxf");
+}
+
+// A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
+void read_drawn_blocks(ReadContext& context, const std::string& file, const std::string& unit,
+                       ModelSpec& spec) {
+  const Drawing drawing = read_drawing(file, unit);
+  for (const Unread& entity : drawing.unread)
+    if (!enough(context.faults)) context.faults.add(fault_of(entity, file));
+  for (const DrawnOutline& outline : drawing.outlines) {
+    BlockSpec block;
+    block.id =
+        outline.handle.empty() ? "b" + std::to_string(spec.block.size() + 1) : outline.handle;
+    block.fixed = same_layer(outline.layer, "fixed");
+    block.beam = same_layer(outline.layer, "beam");
+    if (outline.layer != "0") block.material = outline.layer;
+    block.polygon = outline.corners;
+    spec.block.push_back(std::move(block));
+  }
+}
+
+// A fault at a key of [wall] that was given.
+void refuse_key(ReadContext& context, const toml::table& root, const char* key,
+                const std::string& problem, const std::string& cure) {
+  const toml::node* node = root["wall"][key].node();
+  context.fault(std::string("wall.") + key, node ? line_of(*node) : 0, node ? shown(*node) : "",
+                problem, cure);
+}
+
+void refuse_far_bodies(ReadContext& context, const std::string& file, const ModelSpec& spec) {
+  for (const BodySpec& body : spec.body)
+    for (const Polyhedron& part : body.part)
+      for (const Vec3 v : part.vertex) {
+        const bool good =
+            kCoordinate.holds(v.x) && kCoordinate.holds(v.y) && kCoordinate.holds(v.z);
+        if (good || enough(context.faults)) continue;
+        context.faults.add({file, "wall.blocks." + body.id,
+                            fmt::format("{:.4g} {:.4g} {:.4g} m", v.x, v.y, v.z),
+                            "lies farther than 10 km from the origin",
+                            "move the blocks to the origin, or check their unit", 0});
+        break;
+      }
+}
+
+// From the file's units and axes to the wall's; supports by name.
+void settle_bodies(ReadContext& context, const toml::table& root, const std::string& file,
+                   double units_in_a_metre, ModelSpec& spec) {
+  if (spec.wall.up != "y" && spec.wall.up != "z")
+    return refuse_key(context, root, "up", "must be \"y\" or \"z\"", "write up = \"z\"");
+  place(spec.body, units_in_a_metre, spec.wall.up == "z");
+  refuse_far_bodies(context, file, spec);
+  FaultList faults;
+  fix_supports(spec.body, spec.wall.supports, faults);
+  for (const Fault& fault : faults.all()) {
+    const toml::node* node = root["wall"]["supports"].node();
+    context.fault(fault.path, node ? line_of(*node) : 0, fault.value, fault.problem, fault.cure);
+  }
+}
+
+// Meshes and COMPAS files state no unit, and a wall in millimetres read as metres weighs 1e9 times as much.
+double stated_scale(ReadContext& context, const toml::table& root, const std::string& unit) {
+  const double scale = unit.empty() ? 0 : units_in_a_metre(unit);
+  if (scale == 0)
+    refuse_key(context, root, "blocks_unit",
+               unit.empty() ? "is missing: this file states no unit" : "is no unit that is read",
+               "write one of " + drawing_units() + ", e.g. blocks_unit = \"m\"");
+  return scale > 0 ? scale : 1;
+}
+
+void read_meshes(ReadContext& context, const toml::table& root, const std::string& file,
+                 const std::string& unit, ModelSpec& spec) {
+  const double scale = stated_scale(context, root, unit);
+  FaultList faults;
+  spec.body = read_mesh_bodies(file, faults);
+  for (Fault fault : faults.all()) {
+    fault.path = "wall.blocks";
+    context.faults.add(std::move(fault));
+  }
+  if (spec.wall.up.empty()) spec.wall.up = "z";
+  if (faults.empty()) settle_bodies(context, root, file, scale, spec);
+}
+
+void read_json(ReadContext& context, const toml::table& root, const std::string& file,
+               const std::string& unit, ModelSpec& spec, const std::string& text) {
+  const std::size_t before = context.faults.all().size();
+  BlocksReader reader(context, file, spec);
+  reader.read(text.empty() ? read_text(file, kMostJson) : text);
+  if (!unit.empty() && text.empty() && !reader.is_compas())
+    refuse_key(context, root, "blocks_unit", "has no meaning here: a JSON file states its units",
+               "leave it out");
+  if (spec.body.empty()) {
+    for (const char* key : {"up", "supports"})
+      if (root["wall"][key].node() != nullptr)
+        refuse_key(context, root, key, "has no meaning here: the blocks lie in a plane",
+                   "leave it out");
+    return;
+  }
+  const double scale =
+      reader.is_compas() ? stated_scale(context, root, unit) : reader.units_in_a_metre();
+  if (spec.wall.up.empty()) spec.wall.up = reader.up();
+  if (context.faults.all().size() == before) settle_bodies(context, root, file, scale, spec);
+}
+
+}  // namespace
+
+void read_blocks(ReadContext& context, const toml::table& root, ModelSpec& spec,
+                 const std::string& text) {
+  const std::string file = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  const bool is_drawn = is_drawing(file);
+  const toml::node* stated = root["wall"]["blocks_unit"].node();
+  const std::string unit = stated ? shown(*stated) : "";
+  try {
+    if (is_drawn && text.empty())
+      read_drawn_blocks(context, file, unit, spec);
+    else if (is_mesh_file(file) && text.empty())
+      read_meshes(context, root, file, unit, spec);
+    else
+      read_json(context, root, file, is_drawn || is_mesh_file(file) ? "" : unit, spec, text);
+  } catch (const InputError& error) {
+    for (Fault fault : error.faults()) {
+      if (fault.path.empty() || !is_drawn) fault.path = "wall.blocks";
+      context.faults.add(std::move(fault));
+    }
+  } catch (const IoError& error) {
+    const toml::node* node = root["wall"]["blocks"].node();
+    context.fault("wall.blocks", node ? line_of(*node) : 0, spec.wall.blocks, error.what(),
+                  "the path counts from the folder of the model file");
+  }
+}
+
+std::string blocks_text(const std::vector<BlockSpec>& blocks, double thickness) {
+  Json list = Json::array();
+  for (const BlockSpec& block : blocks) {
+    list.push_back({{"id", block.id},
+                    {"polygon", block.polygon},
+                    {"material", block.material},
+                    {"fixed", block.fixed},
+                    {"beam", block.beam}});
+    if (block.zone.zones == 0) continue;
+    list.back()["zones"] = block.zone.zones;
+    if (!std::isnan(block.zone.length)) list.back()["zone_length"] = block.zone.length;
+    list.back()["zone_kind"] = word_of(kZoneKindWords, block.zone.kind);
+    list.back()["plane"] = word_of(kPlaneWords, block.zone.plane);
+  }
+  Json file = {{"units", "m"}};
+  if (std::isfinite(thickness)) file["thickness"] = thickness;
+  file["blocks"] = std::move(list);
+  return file.dump(1) + "\n";
+}
+
+std::string blocks_text(const ModelSpec& spec, bool with_thickness) {
+  if (!spec.body.empty()) return bodies_text(spec.body, spec.wall.up == "z");
+  return blocks_text(spec.block, with_thickness ? spec.wall.thickness : kUnset);
+}
+
+}  // namespace wythe::io

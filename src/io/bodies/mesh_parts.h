@@ -1,0 +1,69 @@
+// What the readers of meshes share: numbers, faults with their line, faces that become bodies.
+//
+// Called by meshes.cpp and ply.cpp.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/limits.h"
+#include "core/text.h"
+#include "geometry/bodies/pieces.h"
+#include "io/bodies/meshes.h"
+
+namespace wythe::io {
+
+template <class T>
+std::optional<T> mesh_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// Words of a line, by blanks and tabs.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+
+// Lines of a text, one after the other, with their numbers; a "\" at the end joins the next.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+  // False at the end of the text.
+  bool next(std::string_view& line);
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+  std::string joined_;
+  int number_ = 0, lines_ = 0;
+};
+
+class MeshFaults {
+ public:
+  MeshFaults(const std::string& file, FaultList& faults) : file_(file), faults_(faults) {}
+  void add(int line, std::string_view value, std::string problem, std::string cure);
+  [[nodiscard]] bool enough() const { return wythe::enough(faults_); }
+
+ private:
+  std::string file_;
+  FaultList& faults_;
+};
+
+// A body of these faces, with only the corners they use.
+[[nodiscard]] BodySpec body_of_faces(std::string id, const std::vector<Vec3>& vertex,
+                                     const geometry::FaceList& faces);
+// Every solid as a body: `name` for one alone, else `name`1, `name`2 ...
+// A file in which very many faces meet at an edge, or are no part of a solid each, is refused before.
+[[nodiscard]] std::vector<BodySpec> bodies_of_solids(const std::string& name,
+                                                     const std::vector<Vec3>& all,
+                                                     geometry::FaceList faces, MeshFaults& faults);
+
+}  // namespace wythe::io

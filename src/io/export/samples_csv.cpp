@@ -1,0 +1,146 @@
+// samples.csv of a campaign: one row a sample that ran, in order; only what its inputs decide.
+//
+// Nothing of the machine (times, jobs) stands here, so that an undisturbed, a resumed and a merged
+// campaign give the same bytes. Columns: docs/reference/store.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include "campaign/answer_keys.h"
+#include "io/results/shakes_csv.h"
+#include "io/text/csv.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+// Fractions of the peak that have columns of their own; 0.8 always has.
+std::vector<double> more_fractions(const StudySpec& study) {
+  std::vector<double> fractions =
+      study.fractions.empty() ? ResponseOptions{}.fractions : study.fractions;
+  std::erase_if(fractions, [](double f) { return std::fabs(f - 0.8) < 1e-9; });
+  return fractions;
+}
+
+std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
+
+const FallTo* fall_to(const Responses& responses, double fraction) {
+  for (const FallTo& fall : responses.falls)
+    if (std::fabs(fall.fraction - fraction) < 1e-9) return &fall;
+  return nullptr;
+}
+
+// Readings of a cyclic push; the stored rows alone give them.
+CyclicReadings cyclic_readings(const SampleRecord& record) {
+  if (!record.answered()) return {};
+  ResponseOptions read;
+  if (record.status == to_string(SolveStatus::kCollapsed)) read.collapse = record.reason;
+  return read_responses(record.curve, read).cyclic;
+}
+
+bool any_cyclic(const Campaign& campaign) {
+  return std::any_of(campaign.records.begin(), campaign.records.end(),
+                     [](const SampleRecord& record) { return cyclic_readings(record).sense != 0; });
+}
+
+constexpr const char* kCyclicTitles =
+    ",read_in,peak_reaction_positive_kN,displacement_at_80_percent_positive_mm,censored_80_"
+    "positive,"
+    "peak_reaction_negative_kN,displacement_at_80_percent_negative_mm,censored_80_negative";
+
+// The two directions of a cyclic push, after all other columns.
+std::vector<std::string> cyclic_cells(const CyclicReadings& c) {
+  if (c.sense == 0) return std::vector<std::string>(7);
+  std::vector<std::string> cells = {c.sense > 0 ? "positive" : "negative"};
+  for (const DirectionReadings* d : {&c.positive, &c.negative}) {
+    cells.push_back(number(1e-3 * d->peak_reaction));
+    cells.push_back(number(1e3 * d->displacement_at_80));
+    cells.emplace_back(d->censored_80 ? "1" : "0");
+  }
+  return cells;
+}
+
+// One column of an answer: its title, and its cell in a row.
+struct Cell {
+  std::string title, text;
+};
+
+// The columns that each response has (answer_keys.h); the failure mode and the other fractions of the peak
+// stand among them.
+std::vector<Cell> answer_cells(const Campaign& campaign, const SampleRecord& record) {
+  const Responses& r = record.responses;
+  std::vector<Cell> cells;
+  const auto add = [&](const study::AnswerKey& key, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if (key.listed != study::Listed::kCsv) return;
+    if constexpr (std::is_same_v<Value, double>)
+      cells.push_back({key.column, number(key.to_unit * value)});
+    else if constexpr (std::is_same_v<Value, bool>)
+      cells.push_back({key.column, value ? "1" : "0"});
+    else if constexpr (std::is_same_v<Value, Message>)
+      cells.push_back({key.column, io::csv_cell(text_of(value))});
+    else
+      cells.push_back({key.column, io::csv_cell(value)});
+    if (std::string_view(key.stored) == "displacement_max_m")
+      cells.push_back({"failure_mode", io::csv_cell(record.failure_mode.name)});
+    if (std::string_view(key.stored) != "censored_max") return;
+    for (const double fraction : more_fractions(campaign.study)) {
+      const FallTo* fall = fall_to(r, fraction);
+      cells.push_back({fmt::format("displacement_at_{:g}_percent_mm", 100 * fraction),
+                       fall ? number(1e3 * fall->displacement) : ""});
+      cells.push_back({fmt::format("censored_{:g}", 100 * fraction), !fall            ? ""
+                                                                     : fall->censored ? "1"
+                                                                                      : "0"});
+    }
+  };
+  study::each_response(add, r);
+  if (!record.answered())
+    for (Cell& cell : cells) cell.text.clear();
+  return cells;
+}
+
+bool any_shaken(const Campaign& campaign) {
+  return std::any_of(campaign.records.begin(), campaign.records.end(),
+                     [](const SampleRecord& record) { return !record.shakes.empty(); });
+}
+
+std::string title_row(const Campaign& campaign, bool cyclic) {
+  std::string row = "sample";
+  for (const InputColumn& column : campaign.samples.column)
+    row += "," + io::csv_cell(column_title(column));
+  row += ",status";
+  for (const Cell& cell : answer_cells(campaign, {})) row += "," + cell.title;
+  return row + ",retried,state_hash" + (cyclic ? kCyclicTitles : "") + "\n";
+}
+
+}  // namespace
+
+std::string samples_csv(const Campaign& campaign) {
+  if (campaign.study.shaking.is_asked()) return io::shakes_csv(campaign);
+  const bool shaken = any_shaken(campaign);
+  const bool cyclic = any_cyclic(campaign);
+  std::string text = title_row(campaign, cyclic);
+  if (shaken) text.insert(text.size() - 1, io::shake_titles(campaign.study));
+  for (const SampleRecord& record : campaign.records) {
+    text += std::to_string(record.sample);
+    for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+      const InputColumn& column = campaign.samples.column[i];
+      text += "," + number(record.inputs[i] * column.to_unit + column.offset);
+    }
+    text += "," + io::csv_cell(record.status);
+    for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;
+    text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
+    if (cyclic)
+      for (const std::string& cell : cyclic_cells(cyclic_readings(record))) text += "," + cell;
+    if (shaken)
+      text += io::shake_cells(campaign.study,
+                              record.shakes.empty() ? ShakeAnswer{} : record.shakes.front());
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace wythe

@@ -1,0 +1,95 @@
+// keys_json(): every key of a model file for other programs, from the description by which files are read.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/keys/describe.h"
+#include "io/text/range_text.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class KeyList {
+ public:
+  KeyList(Json& list, std::string path) : list_(list), path_(std::move(path)) {}
+
+  void quantity(const char* name, const double&, const Key& key) { add(name, "quantity", key); }
+  void quantities(const char* name, const std::vector<double>&, const Key& key) {
+    add(name, "quantities", key);
+  }
+  void points(const char* name, const std::vector<std::array<double, 2>>&, const Key& key) {
+    add(name, "points", key);
+  }
+  void numbers(const char* name, const std::vector<double>&, const Key& key) {
+    add(name, "numbers", key);
+  }
+  void number(const char* name, const double&, const Key& key) { add(name, "number", key); }
+  void integer(const char* name, const int&, const Key& key) { add(name, "integer", key); }
+  void flag(const char* name, const bool&, const Key& key) { add(name, "flag", key); }
+  void text(const char* name, const std::string&, const Key& key) { add(name, "text", key); }
+  void texts(const char* name, const std::vector<std::string>&, const Key& key) {
+    add(name, "texts", key);
+  }
+  void recipe(const char* name, const Key& key) {
+    add(name, std::isfinite(key.range.low) ? "number" : "text", key);
+  }
+  template <class E, std::size_t N>
+  void choice(const char* name, const E&, const Word<E> (&words)[N], const Key& key) {
+    Json& row = add(name, "word", key);
+    for (const Word<E>& word : words) row["words"].push_back(word.word);
+  }
+  template <class T>
+  void table(const char* name, T& value, const Key& key) {
+    add(name, "table", key);
+    inside(under(path_, name), value);
+  }
+  template <class T>
+  void list(const char* name, std::vector<T>&, const Key& key) {
+    add(name, "list", key);
+    T value;
+    inside(under(path_, name) + "[]", value);
+  }
+  template <class T>
+  void map(const char* name, std::map<std::string, T>&, const Key& key) {
+    add(name, "map", key);
+    T value;
+    inside(under(path_, name) + ".<name>", value);
+  }
+
+ private:
+  Json& add(const char* name, const char* kind, const Key& key) {
+    Json row = {{"path", under(path_, name)}, {"kind", kind}};
+    if (*key.shown != '\0') row["unit"] = key.shown;
+    if (const std::string allowed = range_text(key); !allowed.empty()) row["allowed"] = allowed;
+    if (key.may_be_unlimited) row["unlimited"] = true;
+    if (*key.fallback != '\0') row["default"] = key.fallback;
+    if (*key.example != '\0') row["example"] = key.example;
+    row["meaning"] = key.doc;
+    list_.push_back(std::move(row));
+    return list_.back();
+  }
+  template <class T>
+  void inside(const std::string& path, T& value) {
+    KeyList inner(list_, path);
+    describe(inner, value);
+  }
+
+  Json& list_;
+  std::string path_;
+};
+
+}  // namespace
+}  // namespace io
+
+std::string keys_json() {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  ModelSpec spec;
+  io::KeyList keys(list, "");
+  io::describe(keys, spec);
+  return list.dump(1);
+}
+
+}  // namespace wythe

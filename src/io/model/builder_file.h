@@ -1,0 +1,17 @@
+// The builder's tables of a model file, for those who ask what stands there: bodies are made when the file is read.
+//
+// Called by model_file.cpp, and by model_key.cpp for the keys that a study may vary.
+#pragma once
+
+#include <string>
+
+#include "io/text/toml_reader.h"
+#include "wythe/builder.h"
+
+namespace wythe::io {
+
+// Reads them without a word: read_table has said what is wrong with them. `spec` is what the same root gave.
+[[nodiscard]] BuilderSpec read_builder(const std::string& file, const toml::table& root,
+                                       const ModelSpec& spec);
+
+}  // namespace wythe::io

@@ -1,0 +1,63 @@
+// The joint law's own check (check_joint_material), its faults put at their keys.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "io/text/toml_reader.h"
+
+namespace wythe::io {
+namespace {
+
+// A table with none of these describes a body (lintel, block), not a joint. The words softening,
+// coupling and unloading have defaults, which write_model writes for bodies too.
+constexpr std::array<std::string_view, 16> kLawKeys = {
+    "normal_stiffness",       "shear_stiffness",
+    "tensile_strength",       "cohesion",
+    "friction_angle",         "residual_friction_angle",
+    "residual_cohesion",      "mode_1_energy",
+    "mode_2_energy",          "compressive_strength",
+    "compressive_energy",     "compression_cap",
+    "hardening_displacement", "dilatancy_angle",
+    "dilatancy_slip",         "dilatancy_pressure"};
+
+}  // namespace
+
+bool is_law_key(std::string_view name) {
+  return std::find(kLawKeys.begin(), kLawKeys.end(), name) != kLawKeys.end();
+}
+
+namespace {
+
+bool is_law(const TableReader& reader) {
+  return std::any_of(kLawKeys.begin(), kLawKeys.end(),
+                     [&](std::string_view name) { return reader.has(name); });
+}
+
+// A refused value stays unset; what the law says then about missing keys follows from that.
+bool has_law_fault(TableReader& reader) {
+  return std::any_of(kLawKeys.begin(), kLawKeys.end(), [&](std::string_view name) {
+    return reader.context().has_fault_at(reader.below(std::string(name)));
+  });
+}
+
+}  // namespace
+
+void finish(TableReader& reader, JointMaterial& material) {
+  if (!is_law(reader)) return;
+  const bool half_read = has_law_fault(reader);
+  for (const MaterialFault& fault : check_joint_material(material)) {
+    // With values already refused, only what is plainly missing is worth saying now.
+    if (half_read && reader.has(fault.key)) continue;
+    if (reader.has(fault.key))
+      reader.refuse(fault.key, fault.problem, fault.cure);
+    else
+      reader.miss(fault.key, fault.problem,
+                  fault.cure + fmt::format("; or ask for its rule, {} = \"rule\"; or take typical "
+                                           "values, use = \"NAME\" (wythe materials)",
+                                           fault.key));
+  }
+}
+
+}  // namespace wythe::io

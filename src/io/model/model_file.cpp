@@ -1,0 +1,303 @@
+// read_model, parse_model: text -> tree -> overrides -> ModelSpec -> blocks file.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "geometry/builder/builder.h"
+#include "io/bodies/blocks_json.h"
+#include "io/keys/model_key.h"
+#include "io/model/builder_file.h"
+#include "io/model/record_file.h"
+#include "io/text/toml_reader.h"
+#include "wythe/io.h"
+#include "wythe/study.h"
+
+namespace wythe {
+namespace io {
+
+void finish(TableReader& reader, ContactRule&) {
+  if (!reader.has("between")) reader.miss("between", "is missing, a contact rule needs it");
+  if (!reader.has("material"))
+    reader.miss("material", "is missing, a contact rule needs it",
+                "write e.g. material = \"joint\"");
+}
+
+namespace {
+
+// A storey or wall that does not say how its units split has the wall's way.
+template <class Table>
+void inherit_split(const TableReader& reader, const char* name, const ModelSpec& model,
+                   std::vector<Table>& tables) {
+  for (const TableReader::Entry& entry : reader.entries()) {
+    const toml::array* list = entry.name == name && entry.node ? entry.node->as_array() : nullptr;
+    for (std::size_t i = 0; list && i < tables.size(); ++i) {
+      const toml::table* table = list->get(i)->as_table();
+      if (!(*table)["unit"]["split"]) tables[i].unit.split = model.wall.unit.split;
+    }
+  }
+}
+
+}  // namespace
+
+void finish(TableReader& reader, ModelSpec& model) {
+  inherit_split(reader, "storey", model, model.storey);
+  if (model.stage.empty() && !reader.context().has_fault_at("stage"))
+    reader.miss("stage", "is missing, a model needs at least one stage",
+                "write [[stage]] and under it name = \"gravity\"");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < model.stage.size(); ++i) {
+    const std::string& name = model.stage[i].name;
+    if (!name.empty() && !names.insert(name).second)
+      reader.refuse_member("stage", i, "name", "two stages have this name",
+                           "give each stage a name of its own");
+  }
+  names.clear();
+  for (std::size_t i = 0; i < model.history.size(); ++i) {
+    const std::string& name = model.history[i].name;
+    if (name.empty() || !names.insert(name).second)
+      reader.refuse_member("history", i, "name",
+                           name.empty() ? "is missing" : "two points have this name",
+                           "give each point a name of its own");
+  }
+}
+
+namespace {
+
+// Where a key stands in the user's words: a line of a file, or an option as typed.
+struct KeyPlace {
+  std::string file;  // "model.toml", or "--set"
+  int line = 0;
+  std::string given;  // the key as the option has it; "": as it is
+};
+using Places = std::map<std::string, KeyPlace>;
+
+// Every key of the tree and, in lists, the same by its member's name: "stage.2.at", "stage.push.at".
+void note_places(const toml::node& node, const std::string& path, const std::string& file,
+                 Places& places) {
+  places.emplace(path, KeyPlace{file, line_of(node), ""});
+  if (const toml::table* table = node.as_table())
+    for (const auto& [name, inner] : *table)
+      note_places(inner, under(path, std::string(name.str())), file, places);
+  const toml::array* list = node.as_array();
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    const toml::node& member = *list->get(i);
+    note_places(member, under(path, std::to_string(i)), file, places);
+    const toml::table* table = member.as_table();
+    const auto name = table ? (*table)["name"].value<std::string>() : std::nullopt;
+    if (name) note_places(member, under(path, *name), file, places);
+  }
+}
+
+// A key that an option set, and all below it, is the option's.
+void note_overrides(const ReadContext& context, Places& places) {
+  for (const Override& set : context.overrides)
+    for (auto& [path, place] : places)
+      if (path == set.path || path.starts_with(set.path + '.'))
+        place = {"--set", 0, set.given + path.substr(set.path.size())};
+}
+
+// The fault with the place of its key, or of the nearest table above it that the user wrote.
+Fault placed(Fault fault, const Places& places) {
+  if (!fault.file.empty()) return fault;
+  for (std::string path = fault.path;; path.resize(path.find_last_of('.'))) {
+    const auto found = places.find(path);
+    if (found != places.end()) {
+      fault.file = found->second.file;
+      fault.line = found->second.line;
+      if (!found->second.given.empty())
+        fault.path = found->second.given + fault.path.substr(path.size());
+      return fault;
+    }
+    if (path.find('.') == std::string::npos) break;
+  }
+  fault.file = places.at("").file;
+  return fault;
+}
+
+// "wall.blocks.front.c03u05a" is plan_wall.front's where the builder laid that block; else as it is.
+std::string built_path(const std::string& path, const Places& places) {
+  const std::string of_file = "wall.blocks.";
+  if (!path.starts_with(of_file)) return path;
+  const std::string id = path.substr(of_file.size()), name = id.substr(0, id.find('.'));
+  for (const char* table : {"plan_wall.", "slab.", "arch.", "dome."})
+    if (places.contains(table + name)) return table + id;
+  return path;
+}
+
+// The faults of a spec, each with the place of its key.
+[[noreturn]] void throw_placed(const InputError& error, const ModelSpec& spec,
+                               const toml::table& root, const ReadContext& context) {
+  Places places;
+  note_places(root, "", context.file, places);
+  note_overrides(context, places);
+  const std::string blocks = (std::filesystem::path(spec.folder) / spec.wall.blocks).string();
+  std::vector<Fault> faults;
+  for (Fault fault : error.faults()) {
+    fault.path = built_path(fault.path, places);
+    if (!spec.wall.blocks.empty() && fault.path.starts_with("wall.blocks.")) fault.file = blocks;
+    faults.push_back(placed(std::move(fault), places));
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const Fault& a, const Fault& b) { return a.line < b.line; });
+  throw InputError(std::move(faults));
+}
+
+// A setting of a key that the formula of a field sets anew at each place would change nothing, nor would that
+// key in a whole table. Where the settings give the formula too they are those of a sample, whose value stands
+// there as its mean.
+void refuse_idle(const ModelSpec& spec, const ReadContext& context) {
+  FaultList faults;
+  for (const auto& [name, field] : spec.field) {
+    const std::string formula = "field." + name + ".formula";
+    const auto is_given = [&](const Override& set) { return lies_in(formula, set.path); };
+    if (field.formula.empty() ||
+        std::any_of(context.overrides.begin(), context.overrides.end(), is_given))
+      continue;
+    for (const Override& set : context.overrides) {
+      if (!lies_in(field.path, angle_path(set.path))) continue;
+      const bool whole = angle_path(set.path) != field.path;
+      faults.add(
+          {"", set.path, "",
+           fmt::format("{}has no effect, it is set by {}",
+                       whole ? "its " + field.path.substr(set.path.size() + 1) + " " : "", formula),
+           fmt::format("{}, or change {} instead, e.g. --set {}=\"...\"",
+                       whole ? "set its other keys one by one" : "leave it out", formula, formula),
+           0});
+    }
+  }
+  faults.throw_if_any();
+}
+
+}  // namespace
+
+BuilderSpec read_builder(const std::string& file, const toml::table& root, const ModelSpec& spec) {
+  ReadContext silent{file};
+  TableReader reader(silent, root, "");
+  BuilderSpec built;
+  describe(reader, built);
+  inherit_split(reader, "plan_wall", spec, built.plan_wall);
+  return built;
+}
+
+namespace {
+
+// Keys of a beam that is not there, and of a blocks file that is not named.
+void refuse_keys_of_nothing(const ModelSpec& spec, bool has_unit, FaultList& faults) {
+  const WallSpec& wall = spec.wall;
+  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
+    if (stated) faults.add({"", path, "", problem, cure, 0});
+  };
+  const BeamSpec bare;
+  const bool has_beam = !std::isnan(wall.beam.height);
+  const char* const no_beam = "has no effect: the wall has no beam";
+  const char* const beam_cure = "give the beam its height, or leave this out";
+  refuse("wall.beam.density", !has_beam && wall.beam.density != bare.density, no_beam, beam_cure);
+  refuse("wall.beam.rotation", !has_beam && wall.beam.rotation != bare.rotation, no_beam,
+         beam_cure);
+  refuse("wall.beam.joint", !has_beam && wall.beam.joint != bare.joint, no_beam, beam_cure);
+  if (!wall.blocks.empty()) return;
+  const char* const no_file = "has no effect: the wall is built, and no blocks file is read";
+  refuse("wall.blocks_unit", has_unit, no_file, "leave it out, or name blocks");
+  refuse("wall.supports", !wall.supports.empty(), no_file, "leave it out, or name blocks");
+}
+
+// Keys of [wall] that say something of a wall in its plane, or of a file.
+void refuse_idle_keys(const ModelSpec& spec, FaultList& faults) {
+  const WallSpec& wall = spec.wall;
+  const auto refuse = [&](const char* path, bool stated, const char* problem, const char* cure) {
+    if (stated) faults.add({"", path, "", problem, cure, 0});
+  };
+  refuse("wall.length", !std::isnan(wall.length),
+         "has no meaning here: lines in plan have their own length", "leave it out");
+  refuse("wall.blocks", !wall.blocks.empty(), "stands beside tables of the builder",
+         "keep one of them: a run of the builder's model writes blocks.json, to which blocks can "
+         "be added");
+  refuse("wall.up", !wall.up.empty() && wall.up != "y" && wall.up != "z", "must be \"y\" or \"z\"",
+         "write up = \"z\"");
+}
+
+// Bodies in the place of a blocks file; what was fitted is noted with the model's remarks.
+void build(const BuilderSpec& built, ModelSpec& spec) {
+  FaultList faults;
+  refuse_idle_keys(spec, faults);
+  std::vector<Message> notes;
+  const geometry::Site site{built, spec};
+  std::vector<geometry::BuiltBody> bodies = geometry::build_bodies(site, notes, faults);
+  faults.throw_if_any();
+  std::vector<ContactRule> rules = geometry::contacts_of_slabs(site, bodies, faults);
+  std::vector<FloorSpec> floors = geometry::floors_of_slabs(site, bodies);
+  faults.throw_if_any();
+  std::move(rules.begin(), rules.end(), std::back_inserter(spec.contact));
+  std::move(floors.begin(), floors.end(), std::back_inserter(spec.floor));
+  for (geometry::BuiltBody& body : bodies) spec.body.push_back(std::move(body.body));
+  spec.wall.blocks = "blocks.json";  // of the run's folder
+  if (spec.wall.up.empty()) spec.wall.up = "y";
+  for (const std::string& note : texts_of(notes))
+    spec.note += (spec.note.empty() ? "" : "; ") + note;
+}
+
+}  // namespace
+}  // namespace io
+
+ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
+                      const std::vector<std::string>& overrides, const std::string& blocks,
+                      const std::map<std::string, std::string>& records) {
+  toml::table root = io::parse_toml(toml_text, file_name);
+  io::ReadContext context{file_name};
+  context.records = &records;
+  io::apply_overrides(context, root, overrides);
+  io::resolve_materials(context, root);
+  ModelSpec spec;
+  spec.folder = std::filesystem::path(file_name).parent_path().string();
+  io::read_table(context, root, "", spec);
+  const BuilderSpec built = io::read_builder(file_name, root, spec);
+  if (!spec.wall.blocks.empty() && built.empty()) io::read_blocks(context, root, spec, blocks);
+  io::read_records(context, spec);
+  io::throw_faults(context);
+  try {
+    FaultList idle;
+    io::refuse_keys_of_nothing(spec, static_cast<bool>(root["wall"]["blocks_unit"]), idle);
+    if (built.empty() && spec.wall.blocks.empty() && !spec.wall.up.empty())
+      idle.add({"", "wall.up", spec.wall.up,
+                "has no effect: this wall lies in its plane, where y points up",
+                "leave it out, or lay the wall with [[plan_wall]]", 0});
+    idle.throw_if_any();
+    if (!built.empty()) io::build(built, spec);
+    io::refuse_idle(spec, context);
+    draw_fields(spec);
+  } catch (const InputError& error) {
+    io::throw_placed(error, spec, root, context);
+  }
+  return spec;
+}
+
+Model compile_model(const ModelSpec& spec, const std::string& toml_text,
+                    const std::string& file_name, const std::vector<std::string>& overrides) {
+  try {
+    return compile(spec);
+  } catch (const InputError& error) {
+    toml::table root = io::parse_toml(toml_text, file_name);
+    io::ReadContext context{file_name};
+    io::apply_overrides(context, root, overrides);
+    io::throw_placed(error, spec, root, context);
+  }
+}
+
+Model read_and_compile(const std::string& path, const std::vector<std::string>& overrides,
+                       ModelSpec* spec) {
+  const std::string text = io::read_input(path, "model.toml");
+  ModelSpec read = parse_model(text, path, overrides);
+  Model model = compile_model(read, text, path, overrides);
+  if (spec != nullptr) *spec = std::move(read);
+  return model;
+}
+
+ModelSpec read_model(const std::string& path, const std::vector<std::string>& overrides) {
+  return parse_model(io::read_input(path, "model.toml"), path, overrides);
+}
+
+}  // namespace wythe

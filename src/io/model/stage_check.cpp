@@ -1,0 +1,313 @@
+// What a stage's keys must be together: its kind is told from them, a kind needs some and knows
+// only its own.
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+#include "io/text/toml_reader.h"
+#include "wythe/model.h"
+
+namespace wythe::io {
+namespace {
+
+std::string words_of(Kinds kinds) {
+  std::vector<std::string> words;
+  for (const auto& word : kStageKindWords)
+    if (kinds & kind_bit(word.value)) words.emplace_back(word.word);
+  return joined(words, ", ");
+}
+
+bool is_one_kind(Kinds kinds) { return kinds != 0 && (kinds & (kinds - 1)) == 0; }
+
+// Union of the kinds that the keys present belong to alone.
+Kinds told_kinds(const TableReader& reader) {
+  Kinds told = 0;
+  for (const TableReader::Entry& entry : reader.entries())
+    if (entry.node && is_one_kind(entry.key.kinds)) told |= entry.key.kinds;
+  return told;
+}
+
+std::string telling_keys(const TableReader& reader) {
+  std::vector<std::string> out;
+  for (const TableReader::Entry& entry : reader.entries())
+    if (entry.node && is_one_kind(entry.key.kinds))
+      out.push_back(fmt::format("{} ({})", entry.name, words_of(entry.key.kinds)));
+  return joined(out, ", ");
+}
+
+// Sets stage.kind; false when the keys don't settle it.
+bool tell_kind(TableReader& reader, StageSpec& stage) {
+  if (reader.has("kind")) return !reader.context().has_fault_at(reader.below("kind"));
+  const Kinds told = told_kinds(reader);
+  if (told == 0) {
+    if (stage.name == "gravity") return true;
+    reader.miss(
+        "kind", "can't be told, the stage has no key of any one kind",
+        "write kind = \"gravity\", or velocity (push), pier_load, pressure, beam_load, "
+        "force, line_load or floors (load), rate (body_force), tilt_rate (tilt), duration (hold), "
+        "record (shake)");
+    return false;
+  }
+  if (!is_one_kind(told)) {
+    reader.refuse_table("has keys of several kinds: " + telling_keys(reader),
+                        "make them separate stages");
+    return false;
+  }
+  for (const auto& word : kStageKindWords)
+    if (kind_bit(word.value) == told) stage.kind = word.value;
+  return true;
+}
+
+void refuse_foreign_keys(TableReader& reader, StageKind kind) {
+  for (const TableReader::Entry& entry : reader.entries()) {
+    const bool foreign = entry.key.kinds != 0 && !(entry.key.kinds & kind_bit(kind));
+    if (entry.node && foreign)
+      reader.refuse(entry.name,
+                    fmt::format("a {} stage has no such key", word_of(kStageKindWords, kind)),
+                    fmt::format("it belongs to stages of kind {}", words_of(entry.key.kinds)));
+  }
+}
+
+// Of the keys that belong to its kind, those that describe.h calls required.
+void need_keys(TableReader& reader, StageKind kind) {
+  for (const TableReader::Entry& entry : reader.entries())
+    if (!entry.node && (entry.key.kinds & kind_bit(kind)) &&
+        std::string_view(entry.key.fallback) == kRequired)
+      reader.miss(entry.name,
+                  fmt::format("is missing, a {} stage needs it", word_of(kStageKindWords, kind)));
+}
+
+void check_load(TableReader& reader, const StageSpec& stage) {
+  const auto is_given = [&](const char* name) { return reader.has(name); };
+  const std::initializer_list<const char*> loads = {"pier_load", "pressure", "beam_load", "force",
+                                                    "line_load"};
+  const auto given = std::count_if(loads.begin(), loads.end(), is_given) + (stage.floors ? 1 : 0);
+  if (given == 0)
+    reader.refuse_table(
+        "a load stage needs pier_load, pressure, beam_load, force, line_load or floors = true",
+        "write e.g. pier_load = \"200 kN\"");
+  if (given > 1)
+    reader.refuse_table(
+        "has more than one of pier_load, pressure, beam_load, force, line_load and floors",
+        "make them separate stages");
+  const auto place = [&](const char* key, const char* load) {
+    if (is_given(key) && !is_given(load))
+      reader.refuse(key, fmt::format("says where {} acts, and there is none", load),
+                    "leave it out");
+    if (!is_given(key) && is_given(load))
+      reader.miss(
+          key, fmt::format("is missing, {} needs it", load),
+          fmt::format("write e.g. {} = {{ x = \"0 m\", y = \"2.7 m\", z = \"0 m\" }}", key));
+  };
+  place("at", "force");
+  place("from", "line_load");
+  place("to", "line_load");
+  for (const char* key : {"along", "on", "face"})
+    if (const bool of_force = is_given("force") || is_given("line_load");
+        is_given(key) && of_force == (std::string_view(key) != "along"))
+      reader.refuse(key,
+                    of_force ? "chooses faces for a pressure, and there is none"
+                             : "has no say: only force and line_load have a direction",
+                    "leave it out");
+}
+
+void check_place(TableReader& reader, const PlaceSpec& at) {
+  const bool has_x = at.x == at.x, has_y = at.y == at.y;
+  const bool has_width = at.width == at.width, has_height = at.height == at.height;
+  int ways = (has_x || has_y ? 1 : 0) + (at.block.empty() ? 0 : 1) + (at.beam ? 1 : 0);
+  if (ways == 0 && !at.role.empty()) ways = 1;
+  const char* cure = "write e.g. at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }";
+  if (reader.context().has_fault_at(reader.below("at"))) return;
+  if (ways != 1)
+    reader.refuse("at", "must be one of: a point x and y, a block, the beam, a role", cure);
+  else if (has_x != has_y)
+    reader.refuse("at", "needs both x and y", cure);
+  else if (has_width != has_height || (has_width && !has_x))
+    reader.refuse("at", "needs x, y, width and height for a box", cure);
+}
+
+// True when a value below the place was refused already; it is then half known.
+bool place_has_faults(TableReader& reader, const char* place) {
+  const std::string path = reader.below(place);
+  for (const char* name : {"x", "y", "width", "height", "block", "beam", "role"})
+    if (reader.context().has_fault_at(under(path, name))) return true;
+  return false;
+}
+
+// The keys of a pattern; without one, of the place that is pushed.
+void check_pattern(TableReader& reader, const StageSpec& stage) {
+  if (!reader.has("pattern")) {
+    if (!reader.has("at"))
+      reader.miss("at", "is missing, a push needs at, or a pattern with its levels");
+    for (const char* key : {"levels", "shares"})
+      if (reader.has(key))
+        reader.refuse(key, "belongs to a pattern", "add e.g. pattern = \"mass_height\"");
+    return;
+  }
+  if (stage.pattern == Pattern::kNone) return;  // refused
+  if (reader.has("at"))
+    reader.refuse("at", "is for a push without a pattern",
+                  "leave it out; levels say where a pattern pushes");
+  if (stage.as == Manner::kEach)
+    reader.refuse("as", "would move all levels alike, and a pattern shares forces",
+                  "leave it out, or push at one place");
+  const bool has_levels = stage.pattern != Pattern::kMass && stage.pattern != Pattern::kArea;
+  if (has_levels && !reader.has("levels"))
+    reader.miss("levels", "is missing, the pattern acts at levels");
+  if (!has_levels && reader.has("levels"))
+    reader.refuse("levels", "has no meaning, the pattern acts on every block",
+                  "leave it out, or write pattern = \"uniform\"");
+  const bool has_shares = stage.pattern == Pattern::kGiven;
+  if (has_shares && !reader.has("shares"))
+    reader.miss("shares", "is missing, the pattern is given by them");
+  if (!has_shares && reader.has("shares"))
+    reader.refuse("shares", "follow from the pattern",
+                  "leave it out, or write pattern = \"given\"");
+  if (has_shares && reader.has("shares") && reader.has("levels") &&
+      stage.shares.size() != stage.levels.size())
+    reader.refuse("shares",
+                  fmt::format("must be as many as levels, {} and not {}", stage.levels.size(),
+                              stage.shares.size()),
+                  "write one share a level");
+  if (has_levels && reader.has("levels") && stage.levels.empty())
+    reader.refuse("levels", "is empty", "write e.g. levels = [\"3.0 m\", \"6.2 m\"]");
+}
+
+void check_control(TableReader& reader, const StageSpec& stage) {
+  if (place_has_faults(reader, "control")) return;
+  const PlaceSpec& at = stage.control;
+  const bool point = at.x == at.x && at.y == at.y;
+  const bool half = (at.x == at.x) != (at.y == at.y);
+  const bool more = at.width == at.width || at.height == at.height || at.courses != 1 || at.beam;
+  if (half || more || point == !at.block.empty())
+    reader.refuse("control", "must be one point, or one block",
+                  "write e.g. control = { x = \"0 m\", y = \"6.2 m\" }");
+  if (!stage.targets.empty())
+    reader.refuse("control", "follows a push in one direction",
+                  "leave it out of a cyclic push, or write until in the place of targets");
+}
+
+// The head turns as the wall lets it, and nothing else says where it is pushed.
+void check_contraflexure(TableReader& reader, const StageSpec& stage) {
+  const char* key = "contraflexure";
+  if (stage.rotation == Freedom::kBlocked)
+    reader.refuse(key, "needs a head that turns, and rotation = \"blocked\" holds it",
+                  "leave one of them out; a head that does not turn finds its own point");
+  if (reader.has("pattern"))
+    reader.refuse(key, "is for a push at one head, and a pattern pushes at several heights",
+                  "leave it out, or push at = { beam = true }");
+  if (stage.as == Manner::kEach)
+    reader.refuse(key, "is for one head, and as = \"each\" moves several blocks alike",
+                  "leave `as` out");
+  if (stage.direction != Direction::kPlusX && stage.direction != Direction::kMinusX)
+    reader.refuse(key, "is a height, and this push is not horizontal",
+                  "write direction = \"+x\" or \"-x\"");
+  if (!stage.targets.empty())
+    reader.refuse(key, "follows a push in one direction", "write until in the place of targets");
+}
+
+void check_push(TableReader& reader, const StageSpec& stage) {
+  if (stage.fast_velocity < stage.velocity)
+    reader.refuse("fast_velocity", "is slower than velocity",
+                  "write a faster one, or leave it out for one velocity throughout");
+  if (!reader.has("until") && !reader.has("targets"))
+    reader.miss("until", "is missing, a push needs until or targets");
+  if (reader.has("targets") && stage.targets.empty() &&
+      !reader.context().has_fault_at(reader.below("targets")))
+    reader.refuse("targets", "is empty", "write e.g. targets = [\"2 mm\", \"-2 mm\"]");
+  const auto same = [](double a, double b) { return a == b; };
+  const bool idle =
+      !stage.targets.empty() &&
+      (stage.targets.front() == 0 ||
+       std::adjacent_find(stage.targets.begin(), stage.targets.end(), same) != stage.targets.end());
+  if (idle)
+    reader.refuse("targets", "holds a target that is reached before it is driven to",
+                  "start from a displacement other than 0 and change it at each target");
+  check_pattern(reader, stage);
+  if (reader.has("at") && !place_has_faults(reader, "at")) check_place(reader, stage.at);
+  if (reader.has("control")) check_control(reader, stage);
+  if (reader.has("contraflexure")) check_contraflexure(reader, stage);
+}
+
+void check_manner(TableReader& reader, const StageSpec& stage) {
+  if (!reader.has("as") || stage.as == Manner::kDefault) return;
+  const bool of_load = stage.as == Manner::kPressure || stage.as == Manner::kPlate;
+  if (stage.kind == StageKind::kLoad && !of_load)
+    reader.refuse("as", "a load acts as pressure or plate", "write e.g. as = \"plate\"");
+  if (stage.kind == StageKind::kLoad && stage.as == Manner::kPlate && !reader.has("pier_load"))
+    reader.refuse("as", "a plate stands on each pier and needs pier_load",
+                  "leave `as` out, or write pier_load");
+  if (stage.kind == StageKind::kPush && of_load)
+    reader.refuse("as", "a push acts as spreader or each", "write e.g. as = \"spreader\"");
+}
+
+void check_shake(TableReader& reader, const StageSpec& stage) {
+  const auto is_set = [](double number) { return number == number; };
+  const ScaleSpec& scale = stage.scale;
+  const int ways = (is_set(scale.factor) ? 1 : 0) + (is_set(scale.pga) ? 1 : 0) +
+                   (is_set(scale.pgv) ? 1 : 0) + (is_set(scale.sa) || is_set(scale.period) ? 1 : 0);
+  const bool half = is_set(scale.sa) != is_set(scale.period);
+  if (reader.has("scale") && (ways != 1 || half || (is_set(scale.damping) && !is_set(scale.sa))))
+    reader.refuse("scale", "must be one of factor, pga, pgv, or sa with its period (and damping)",
+                  "write e.g. scale = { sa = \"5 m/s^2\", period = \"0.3 s\" }");
+  const bool drives =
+      std::any_of(stage.record.begin(), stage.record.end(), [&](const RecordSpec& r) {
+        return is_set(r.at.x) || is_set(r.at.width) || !r.at.block.empty() || r.at.beam ||
+               !r.at.role.empty();
+      });
+  for (const auto& [key, freedom] :
+       {std::pair("rotation", stage.rotation), {"across", stage.across}})
+    if (freedom == Freedom::kBlocked && !drives)
+      reader.refuse(key,
+                    "has no effect: it is of blocks that a record moves, and no record has `at`",
+                    "leave it out, or give a second record its blocks by `at`");
+  const auto check_fraction = [&](const char* key, const ViscousSpec& viscous) {
+    if (reader.has(key) && (!is_set(viscous.fraction) || !is_set(viscous.frequency)))
+      reader.refuse(key, "needs a fraction and the frequency where it is met",
+                    fmt::format("write {} = {{ fraction = 0.02, frequency = \"4 Hz\" }}", key));
+  };
+  check_fraction("mass_damping", stage.mass_damping);
+  check_fraction("joint_damping", stage.joint_damping);
+  check_fraction("maxwell_damping", stage.maxwell_damping);
+}
+
+// What a kind asks beyond its required keys.
+void check_needs(TableReader& reader, const StageSpec& stage) {
+  need_keys(reader, stage.kind);
+  if (stage.kind == StageKind::kLoad) check_load(reader, stage);
+  if (stage.kind == StageKind::kPush) check_push(reader, stage);
+  if (stage.kind == StageKind::kShake) check_shake(reader, stage);
+}
+
+}  // namespace
+
+std::string role_advice(const std::string& role) {
+  std::vector<std::string> known;
+  for (const Word<BlockRole>& word : kBlockRoleWords) {
+    if (role.empty() || role == word.word) return "";
+    known.emplace_back(word.word);
+  }
+  return name_advice(role, known);
+}
+
+void finish(TableReader& reader, PlaceSpec& place) {
+  if (const std::string cure = role_advice(place.role); !cure.empty())
+    reader.refuse("role", "is no role of a block", cure);
+}
+
+void finish(TableReader& reader, StageSpec& stage) {
+  if (!reader.has("name"))
+    reader.miss("name", "is missing, a stage needs one", "write e.g. name = \"push\"");
+  else if (stage.name.empty() && !reader.context().has_fault_at(reader.below("name")))
+    reader.refuse("name", "is empty", "write e.g. name = \"push\"");
+  if (!tell_kind(reader, stage)) return;
+  refuse_foreign_keys(reader, stage.kind);
+  check_needs(reader, stage);
+  check_manner(reader, stage);
+}
+
+}  // namespace wythe::io

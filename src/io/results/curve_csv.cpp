@@ -1,0 +1,83 @@
+#include "io/results/curve_csv.h"
+
+#include <fmt/format.h>
+
+#include "io/text/csv.h"
+#include "model/shaking.h"
+
+namespace wythe::io {
+
+std::string curve_csv(const std::vector<CurveRow>& curve, ShownColumns of) {
+  const std::vector<CurveColumn> columns = columns_shown(of);
+  std::string text;
+  for (const CurveColumn& column : columns)
+    text += (text.empty() ? "" : ",") + std::string(column.name);
+  // ten digits: far below any error of the method, and 0.3 mm reads 0.3
+  for (const CurveRow& row : curve)
+    for (const CurveColumn& column : columns)
+      text += fmt::format("{}{:.10g}", &column == columns.data() ? '\n' : ',',
+                          row.*column.value * column.to_unit);
+  return text + '\n';
+}
+
+std::string history_csv(const ShakeHistory& history, bool in_space) {
+  const int axes = in_space ? 3 : 2;
+  const char* const names[] = {"x", "y", "z"};
+  const char* const acceleration[] = {"base_acceleration_x_m_per_s2",
+                                      "base_acceleration_y_m_per_s2",
+                                      "base_acceleration_z_m_per_s2"};
+  const char* const displacement[] = {"base_displacement_x_mm", "base_displacement_y_mm",
+                                      "base_displacement_z_mm"};
+  std::string text = "time_s";
+  const auto head = [&](const std::string& name) { text += ',' + csv_cell(name); };
+  for (int k = 0; k < axes; ++k) head(acceleration[k]);
+  for (int k = 0; k < axes; ++k) head(displacement[k]);
+  head("base_shear_x_kN"), head("base_vertical_kN");
+  if (in_space) head("base_shear_z_kN");
+  for (const char* name : {"drift_percent", "largest_opening_mm", "largest_slip_mm", "kinetic_J"})
+    head(name);
+  for (const std::string& point : history.point)
+    for (int k = 0; k < axes; ++k) head(fmt::format("{}_u{}_mm", point, names[k]));
+  for (const std::string& storey : history.storey) {
+    head(fmt::format("{}_drift_x_percent", storey));
+    if (in_space) head(fmt::format("{}_drift_z_percent", storey));
+  }
+  for (std::size_t r = 0; r < history.row.size(); ++r) {
+    const ShakeRow& row = history.row[r];
+    text += fmt::format("\n{:.10g}", row.time);
+    const auto put = [&](double value, double to_unit) {
+      text += fmt::format(",{:.10g}", value * to_unit);
+    };
+    const auto each = [&](const std::array<double, 3>& values, double to_unit) {
+      for (int k = 0; k < axes; ++k) put(values[static_cast<std::size_t>(k)], to_unit);
+    };
+    each(row.base_acceleration, 1);
+    each(row.base_displacement, 1e3);
+    each(row.base_force, 1e-3);
+    put(row.drift, 1e2), put(row.opening, 1e3), put(row.slip, 1e3), put(row.kinetic, 1);
+    for (std::size_t p = 0; p < history.point.size(); ++p)
+      each(history.motion[r * history.point.size() + p], 1e3);
+    for (std::size_t k = 0; k < history.storey.size(); ++k) {
+      const auto [x, z] = storey_drift(history, r, k);
+      put(x, 1e2);
+      if (in_space) put(z, 1e2);
+    }
+  }
+  return text + '\n';
+}
+
+std::string links_csv(const std::vector<std::string>& names, const Result& result) {
+  std::string text = "displacement_mm";
+  for (const std::string& name : names)
+    text += ',' + csv_cell(name + " force_kN") + ',' + csv_cell(name + " elongation_mm");
+  for (std::size_t row = 0; (row + 1) * names.size() <= result.links.size(); ++row) {
+    text += fmt::format("\n{:.10g}", 1e3 * result.curve[row].displacement);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const LinkRow& link = result.links[row * names.size() + k];
+      text += fmt::format(",{:.10g},{:.10g}", 1e-3 * link.force, 1e3 * link.elongation);
+    }
+  }
+  return text + '\n';
+}
+
+}  // namespace wythe::io

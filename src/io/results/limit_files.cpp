@@ -1,0 +1,280 @@
+// mechanisms.json and mechanism_<name>.csv of `wythe limit`; keys: docs/reference/limit.md.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/results/message_json.h"
+#include "wythe/io.h"
+#include "wythe/provenance.h"
+
+namespace wythe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMilli = 1e3, kPerKilo = 1e-3;
+
+Json point_json(Vec2 p) { return {p.x, p.y}; }
+
+Json points_json(const std::vector<Vec2>& points) {
+  Json list = Json::array();
+  for (const Vec2& p : points) list.push_back(point_json(p));
+  return list;
+}
+
+Json forces_json(const std::vector<Vec2>& forces) {
+  Json list = Json::array();
+  for (const Vec2& f : forces) list.push_back({f.x * kPerKilo, f.y * kPerKilo});
+  return list;
+}
+
+// An infinite strength has no number in JSON.
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json("unlimited"); }
+
+Json bodies_json(const Chain& chain) {
+  Json list = Json::array();
+  for (const MacroBlock& body : chain.bodies) {
+    Json loads = Json::array();
+    for (const BodyLoad& load : body.loads)
+      loads.push_back({{"kind", load.is_weight ? "self-weight" : "dead load"},
+                       {"at_m", point_json(load.at)},
+                       {"fx_kN", load.fx * kPerKilo},
+                       {"fy_kN", load.fy * kPerKilo}});
+    list.push_back(
+        {{"name", body.name}, {"outline_m", points_json(body.outline)}, {"loads", loads}});
+  }
+  return list;
+}
+
+// One array a quantity, one entry a state: what a page needs to turn the bodies.
+Json curve_json(const CapacityCurve& curve) {
+  Json displacement = Json::array(), force = Json::array(), rotation = Json::array(),
+       rate = Json::array(), hinges = Json::array();
+  for (const ChainState& s : curve.states) {
+    displacement.push_back(s.displacement * kMilli);
+    force.push_back(s.force * kPerKilo);
+    rotation.push_back(s.rotation);
+    rate.push_back(s.rate);
+    hinges.push_back(points_json(s.hinges));
+  }
+  return {{"ends_where", word_of(kChainEndWords, curve.end)},
+          {"displacement_mm", displacement},
+          {"force_kN", force},
+          {"rotation_rad", rotation},
+          {"rotation_ratio", rate},
+          {"hinges_m", hinges}};
+}
+
+Json assessment_json(const Assessment& a, const LimitStateShares& shares) {
+  return {
+      {"clause", "Circolare 7/2019, C8.7.1.2.1"},
+      {"note",
+       "force at the load point, confidence factor 1; the shares of d0 for the limit states are "
+       "an input, not read from the code's text"},
+      {"alpha0", a.alpha0},
+      {"alpha0_by_weights", a.alpha0_by_weights},
+      {"participating_mass_kg", a.participating_mass},
+      {"participating_mass_share", a.mass_share},
+      {"acceleration0_m_per_s2", a.acceleration0},
+      {"displacement0_mm", a.displacement0 * kMilli},
+      {"life_safety_share_of_d0", shares.life_safety},
+      {"life_safety_displacement_mm", a.life_safety * kMilli},
+      {"near_collapse_share_of_d0", shares.near_collapse},
+      {"near_collapse_displacement_mm", a.near_collapse * kMilli}};
+}
+
+Json mechanism_json(const Mechanism& m) {
+  Json inputs = Json::object();
+  for (const NamedNumber& n : m.inputs)
+    inputs[n.name] = {{"value", number_json(n.value)}, {"unit", n.unit}};
+  const auto& start = m.curve.states.front();
+  return {{"name", m.file_name()},
+          {"mode", m.mode},
+          {"hypothesis", word_of(kHypothesisWords, m.hypothesis)},
+          {"force_at_rest_kN", start.force * kPerKilo},
+          {"displacement_without_force_mm", m.curve.states.back().displacement * kMilli},
+          {"rotation_ratios", start.rate},
+          {"inputs", inputs},
+          {"hinge_names", m.chain.hinges.size() == 4 ? Json{"C1", "C12", "C23", "C3"} : Json{"C1"}},
+          {"hinges_m", points_json(m.chain.hinges)},
+          {"hinge_forces_at_rest_kN", forces_json(hinge_forces(m.chain, start.force))},
+          {"bodies", bodies_json(m.chain)},
+          {"load_point_m", point_json(m.chain.load_point)},
+          {"loaded_body", m.chain.loaded_body},
+          {"direction", m.chain.direction},
+          {"curve", curve_json(m.curve)}};
+}
+
+Json limit_json(const NamedLimit& limit) {
+  const LimitAnswer& a = limit.answer;
+  const double unit = a.is_force ? kPerKilo : 1.0;
+  const std::string tail = a.is_force ? "_kN" : "";
+  Json json{{"name", limit.name},
+            {"joints", word_of(kJointStrengthWords, a.options.strength)},
+            {"friction", word_of(kFrictionChoiceWords, a.options.friction)},
+            {"crushing", word_of(kCrushingChoiceWords, a.options.crushing)}};
+  json["static" + tail] = a.load * unit;
+  json["kinematic" + tail] = a.kinematic * unit;
+  json["gap"] = a.load != 0 ? std::fabs(a.kinematic / a.load - 1) : 0.0;
+  json["accuracy"] = a.accuracy;
+  json["rows"] = a.rows;
+  json["columns"] = a.columns;
+  json["tangents"] = a.cuts;
+  json["seconds"] = a.seconds;
+  json["velocity_x"] = a.vx;
+  json["velocity_y"] = a.vy;
+  json["spin_per_m"] = a.omega;
+  if (!a.vz.empty()) {
+    json["velocity_z"] = a.vz;
+    json["spin_x_per_m"] = a.omega_x;
+    json["spin_y_per_m"] = a.omega_y;
+    json["shear_force_2_N"] = a.shear_force_2;
+    json["friction_excess"] = a.friction_excess;
+  }
+  json["point_force_N"] = a.point_force;
+  json["shear_force_N"] = a.shear_force;
+  if (!a.link_force.empty()) json["link_force_N"] = a.link_force;
+  return json;
+}
+
+Json rows_json(const std::vector<CurveRow>& rows) {
+  Json displacement = Json::array(), force = Json::array();
+  for (const CurveRow& row : rows) {
+    displacement.push_back(row.displacement * kMilli);
+    force.push_back(row.reaction * kPerKilo);
+  }
+  return {{"displacement_mm", displacement}, {"force_kN", force}};
+}
+
+Json envelope_json(const std::vector<EnvelopePoint>& points) {
+  Json json{{"displacement_mm", Json::array()},
+            {"low_kN", Json::array()},
+            {"percentile_5_kN", Json::array()},
+            {"mean_kN", Json::array()},
+            {"percentile_95_kN", Json::array()},
+            {"high_kN", Json::array()},
+            {"runs", Json::array()}};
+  for (const EnvelopePoint& p : points) {
+    json["displacement_mm"].push_back(p.displacement * kMilli);
+    json["low_kN"].push_back(p.low * kPerKilo);
+    json["percentile_5_kN"].push_back(p.percentile_5 * kPerKilo);
+    json["mean_kN"].push_back(p.mean * kPerKilo);
+    json["percentile_95_kN"].push_back(p.percentile_95 * kPerKilo);
+    json["high_kN"].push_back(p.high * kPerKilo);
+    json["runs"].push_back(p.runs);
+  }
+  return json;
+}
+
+Json verdicts_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const CurveVerdict& v : c.curves)
+    list.push_back({{"run", v.run},
+                    {"mode", v.mode},
+                    {"mechanism", v.mechanism},
+                    {"peak_ratio", v.peak_ratio},
+                    {"post_peak_gap_kN", v.gap * kPerKilo},
+                    {"post_peak_gap_share_of_peak", v.gap_share}});
+  return list;
+}
+
+Json groups_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const GroupVerdict& g : c.groups)
+    list.push_back({{"mode", g.mode},
+                    {"mechanism", g.mechanism},
+                    {"runs", g.runs},
+                    {"mean_peak_kN", g.mean_peak * kPerKilo},
+                    {"mean_peak_ratio", g.peak_ratio},
+                    {"mean_post_peak_gap_kN", g.gap * kPerKilo},
+                    {"mean_post_peak_gap_share_of_peak", g.gap_share}});
+  return list;
+}
+
+Json bounds_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const BoundVerdict& b : c.bounds) {
+    const double unit = b.is_force ? kPerKilo : 1.0;
+    const std::string tail = b.is_force ? "_kN" : "";
+    Json& json = list.emplace_back(Json{{"run", b.run},
+                                        {"peak" + tail, b.peak * unit},
+                                        {"bound" + tail, b.bound * unit},
+                                        {"allowance", b.allowance},
+                                        {"holds", b.holds()}});
+    io::put(json, "no_evidence", b.no_evidence);
+  }
+  return list;
+}
+
+Json without_bound_json(const Comparison& c) {
+  Json list = Json::array();
+  for (const ComparedRun& run : c.runs)
+    if (!run.no_bound.empty()) list.push_back({{"run", run.name}, {"why", run.no_bound}});
+  return list;
+}
+
+Json bracket_json(const BracketVerdict& b) {
+  if (b.runs == 0) return nullptr;
+  const double unit = b.is_force ? kPerKilo : 1.0;
+  const std::string tail = b.is_force ? "_kN" : "";
+  return {{"low" + tail, b.low * unit},
+          {"high" + tail, b.high * unit},
+          {"least_peak" + tail, b.least_peak * unit},
+          {"most_peak" + tail, b.most_peak * unit},
+          {"runs", b.runs},
+          {"below", b.below},
+          {"above", b.above},
+          {"nominal", b.runs > 1}};
+}
+
+Json comparison_json(const SecondOpinion& opinion) {
+  const Comparison& c = opinion.comparison;
+  if (c.with.empty()) return nullptr;
+  Json json{{"with", c.with}, {"runs", c.runs.size()}};
+  json["groups"] = groups_json(c);
+  json["bounds"] = bounds_json(c);
+  json["without_bound"] = without_bound_json(c);
+  json["bracket"] = bracket_json(c.bracket);
+  json["curves"] = verdicts_json(c);
+  if (c.runs.size() == 1) json["curve"] = rows_json(c.runs.front().curve);
+  json["envelopes"] = Json::object();
+  for (const char* mode : {"FM-1", "FM-4"}) {
+    const std::vector<EnvelopePoint> points = envelope(c.runs, mode);
+    if (!points.empty()) json["envelopes"][mode] = envelope_json(points);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
+  Json json{{"wythe", provenance().version}, {"blocks", model.n_block}, {"joints", model.n_joint}};
+  json["mechanisms"] = Json::array();
+  for (std::size_t i = 0; i < opinion.mechanisms.size(); ++i) {
+    json["mechanisms"].push_back(mechanism_json(opinion.mechanisms[i]));
+    if (i < opinion.assessments.size())
+      json["mechanisms"].back()["assessment"] =
+          assessment_json(opinion.assessments[i], opinion.shares);
+  }
+  json["limit_loads"] = Json::array();
+  for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
+  json["refused"] = Json::array();
+  for (const Refusal& r : opinion.refused) {
+    io::put(json["refused"].emplace_back(), "what", r.what);
+    json["refused"].back()["why"] = r.why;
+  }
+  io::put(json, "notes", opinion.notes);
+  json["block_id"] = model.anatomy.block_id;
+  json["comparison"] = comparison_json(opinion);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string mechanism_csv(const CapacityCurve& curve) {
+  std::string text = "displacement_mm,force_kN\n";
+  for (const ChainState& s : curve.states)
+    text += fmt::format("{:.10g},{:.10g}\n", s.displacement * kMilli, s.force * kPerKilo);
+  return text;
+}
+
+}  // namespace wythe

@@ -1,0 +1,223 @@
+// The files of `wythe run`, all but report.html (contract: docs/reference/results.md).
+//
+//   force_displacement.csv   elements.csv   model.used.toml   state_blocks_NN.vtu   state_joints_NN.vtu
+//   state_zones_NN.vtu (with deformable blocks)
+//   links.csv (with ties, diaphragms or springs)
+//   history.csv, record_N.csv (of shakes)
+//   run.pvd                  summary.json, written last
+//   checkpoint.wythe         of a run that has not come to its end (checkpoint.cpp)
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "core/files.h"
+#include "core/hash.h"
+#include "core/limits.h"
+#include "io/bodies/blocks_json.h"
+#include "io/model/record_file.h"
+#include "io/results/curve_csv.h"
+#include "io/results/vtu.h"
+#include "wythe/checkpoint.h"
+#include "wythe/element_forces.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+
+namespace wythe {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string inside(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
+// state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu; record_1.csv
+bool is_numbered(const std::string& name) {
+  if (name.starts_with("record_") && name.ends_with(".csv")) return true;
+  for (const char* begin : {"state_blocks_", "state_joints_", "state_zones_"})
+    if (name.starts_with(begin) && name.ends_with(".vtu")) return true;
+  return false;
+}
+
+// What `wythe run` writes; `replay` has two files more.
+bool is_file_of_run(const std::string& name, bool of_replay) {
+  for (const char* file :
+       {"force_displacement.csv", "elements.csv", "links.csv", "history.csv", "summary.json",
+        "run.pvd", "report.html", "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
+    if (name == file) return true;
+  return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
+}
+
+// Hours of computing that a new run or campaign would throw away.
+void refuse_checkpoint(const std::string& folder) {
+  const std::string file = inside(folder, kCheckpointFile);
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(file, error))) return;
+  throw InputError(
+      {{.file = file,
+        .path = "",
+        .value = "",
+        .problem = "is the checkpoint of a run that has not come to its end",
+        .cure = fmt::format("go on with: wythe run --resume {}; or remove the file, or "
+                            "name another folder",
+                            folder)}});
+}
+
+// A folder is a run's where it has a run's curve or checkpoint, and nothing but a run's files; hidden ones
+// are nobody's.
+void refuse_others(const std::string& folder) {
+  std::error_code error;
+  const bool of_replay = fs::exists(inside(folder, "settings.txt"), error);
+  const bool of_run = fs::exists(inside(folder, "summary.json"), error) ||
+                      fs::exists(inside(folder, "force_displacement.csv"), error) ||
+                      fs::exists(inside(folder, kCheckpointFile), error);
+  std::vector<std::string> others;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".") || name == "lost+found") continue;
+    if (!of_run || !is_file_of_run(name, of_replay))
+      others.push_back(name);
+    else
+      check_output(entry.path().string());
+  }
+  if (others.empty()) return;
+  std::sort(others.begin(), others.end());
+  const std::size_t more = others.size() - 1;
+  throw InputError(
+      {{.file = folder,
+        .path = "",
+        .value = "",
+        .problem =
+            fmt::format("holds {}{}, which no run wrote: results are not put among other files",
+                        others.front(), more > 0 ? fmt::format(" and {} more", more) : ""),
+        .cure = "name a new folder, an empty one, or one that holds an earlier run alone"}});
+}
+
+void write_states(const std::string& folder, const Model& model,
+                  const std::vector<Snapshot>& snapshots) {
+  std::vector<io::SeriesEntry> series;
+  int number = 0;
+  for (const Snapshot& snapshot : snapshots) {
+    const std::string blocks = fmt::format("state_blocks_{:02}.vtu", number);
+    const std::string joints = fmt::format("state_joints_{:02}.vtu", number);
+    write_file(inside(folder, blocks), io::blocks_vtu(model, snapshot.state));
+    write_file(inside(folder, joints), io::joints_vtu(model, snapshot.state));
+    const double millimetres = snapshot.displacement * 1e3;
+    series.push_back({.time = millimetres, .part = 0, .name = "blocks", .file = blocks});
+    series.push_back({.time = millimetres, .part = 1, .name = "joints", .file = joints});
+    if (model.solids.n_zone + model.space.solids.n_zone > 0) {
+      const std::string zones = fmt::format("state_zones_{:02}.vtu", number);
+      write_file(inside(folder, zones), io::zones_vtu(model, snapshot.state));
+      series.push_back({.time = millimetres, .part = 2, .name = "zones", .file = zones});
+    }
+    ++number;
+  }
+  write_file(inside(folder, "run.pvd"), io::series_pvd(series));
+}
+
+// The spec as it was understood: stages and settings with their resolved defaults; a blocks file
+// goes along as blocks.json, so that the folder can be run again wherever it is.
+std::string used_model(const std::string& folder, const ModelSpec& spec, const Model& model) {
+  ModelSpec used = spec;
+  used.solve = model.solve;
+  for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
+    used.stage[k] = model.stages[k].spec;
+  if (!used.wall.blocks.empty()) {
+    write_file(inside(folder, "blocks.json"), io::blocks_text(used));
+    used.wall.blocks = "blocks.json";
+  }
+  int records = 0;
+  for (StageSpec& stage : used.stage)
+    for (RecordSpec& record : stage.record) {
+      if (record.file.empty()) continue;
+      record.file = fmt::format("record_{}.csv", ++records);
+      write_file(inside(folder, record.file), io::record_text(record));
+      record.column.clear();
+      record.unit = RecordUnit::kMetres;
+      record.step = kUnset;
+    }
+  return write_model(used);
+}
+
+}  // namespace
+
+std::uint64_t spec_hash(const ModelSpec& spec) {
+  Hash hash;
+  hash.add(write_model(spec));
+  hash.add(io::blocks_text(spec));
+  for (const StageSpec& stage : spec.stage)
+    for (const RecordSpec& record : stage.record) {
+      hash.add(record.read_times);
+      hash.add(record.read_accelerations);
+    }
+  return hash.value();
+}
+
+void check_folder(const std::string& folder, FolderFor use) {
+  const bool run = use == FolderFor::kRun;
+  if (!run) refuse_checkpoint(folder);
+  std::error_code error;
+  for (const char* name :
+       {"campaign.db", "campaign.db-wal", "campaign.db-shm", "campaign.db-journal", "campaign.lock",
+        "samples.csv", "statistics.json", "report.html"})
+    if (!run) check_output(inside(folder, name));
+  if (!fs::exists(inside(folder, run ? "campaign.db" : "summary.json"), error)) return;
+  throw InputError({{.file = folder,
+                     .path = "",
+                     .value = "",
+                     .problem = run ? "holds a campaign, whose report would be lost"
+                                    : "holds the results of a run, whose report would be lost",
+                     .cure = "name another folder"}});
+}
+
+void prepare_folder(const std::string& folder) {
+  check_folder(folder, FolderFor::kRun);
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw IoError(folder + ": is a file; name a folder for the results");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
+  // a real write of some size: permissions, read-only mounts and full disks all show here
+  const std::string probe = inside(folder, ".wythe_probe");
+  write_file(probe, std::string(65536, ' '));
+  fs::remove(probe, error);
+}
+
+std::unique_ptr<Replacement> replace_run(const std::string& folder, bool resumes) {
+  check_folder(folder, FolderFor::kRun);
+  finish_replacement(folder);
+  if (!resumes) refuse_checkpoint(folder);
+  refuse_others(folder);
+  prepare_folder(folder);
+  const bool of_replay = fs::exists(inside(folder, "settings.txt"));
+  return std::make_unique<Replacement>(
+      folder, [of_replay](const std::string& name) { return is_file_of_run(name, of_replay); });
+}
+
+void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,
+               const Result& result) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(folder + ": cannot be made: " + error.message());
+  write_file(inside(folder, "force_displacement.csv"),
+             io::curve_csv(result.curve, columns_of(model)));
+  write_file(inside(folder, "elements.csv"),
+             element_forces_csv(read_element_forces(model, result)));
+  if (result.shaking.was_shaken)
+    write_file(inside(folder, "history.csv"), io::history_csv(result.history, model.in_space()));
+  if (model.links.n > 0)
+    write_file(inside(folder, "links.csv"), io::links_csv(model.links.name, result));
+  write_file(inside(folder, "model.used.toml"), used_model(folder, spec, model));
+  write_states(folder, model, result.snapshots);
+  write_file(inside(folder, "summary.json"), summary_json(spec, model, result));
+}
+
+std::string read_data(const std::string& path) { return read_file(path, kMostPacked); }
+
+void write_text(const std::string& path, const std::string& text) { write_file(path, text); }
+
+}  // namespace wythe

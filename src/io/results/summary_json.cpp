@@ -1,0 +1,423 @@
+// summary.json of a run: the numbers an engineer quotes, with their evidence and their provenance.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "campaign/answer_keys.h"
+#include "dynamics/meters/still_moving.h"
+#include "io/results/assessment_json.h"
+#include "io/results/message_json.h"
+#include "judge/modes/wall_parts.h"
+#include "wythe/io.h"
+#include "wythe/mechanism.h"
+#include "wythe/provenance.h"
+#include "wythe/tested_range.h"
+
+namespace wythe {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json energy_json(const EnergyLedger& energy) {
+  Json json = Json::object();
+  for (const study::EnergyTerm& term : study::kEnergyTerms) json[term.name] = energy.*term.value;
+  return json;
+}
+
+// Puts each answer under its key, in the units of the key's name.
+struct Answers {
+  Json& json;
+  void operator()(const study::AnswerKey& key, const auto& value) const {
+    const std::string path = key.summary;  // "bilinear.force_kN" lies in an object
+    const std::size_t dot = path.find('.');
+    if (dot == std::string::npos)
+      put(json, path, key, value);
+    else
+      put(json[path.substr(0, dot)], path.substr(dot + 1), key, value);
+  }
+
+ private:
+  static void put(Json& in, const std::string& name, const study::AnswerKey& key,
+                  const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, double>)
+      in[name] = value * key.to_unit;
+    else if constexpr (std::is_same_v<Value, Message>)
+      io::put(in, name, value);
+    else
+      in[name] = value;
+  }
+};
+
+Json evidence_json(const std::vector<Evidence>& evidence) {
+  Json list = Json::array();
+  for (const Evidence& e : evidence) {
+    list.push_back({{"element", e.element},
+                    {"measure", e.measure},
+                    {"value", e.value},
+                    {"threshold", e.threshold},
+                    {"unit", e.unit},
+                    {"margin", e.margin()}});
+  }
+  return list;
+}
+
+Json flags_json(const std::vector<Evidence>& flags) {
+  Json list = evidence_json(flags);
+  for (std::size_t i = 0; i < flags.size(); ++i) list[i]["raised"] = flags[i].holds();
+  return list;
+}
+
+Json elements_json(const Model& model, const std::vector<ElementState>& elements) {
+  const study::WallParts parts = study::find_parts(model);
+  std::map<std::string, const study::Part*> by_name;
+  for (const auto& [part, kind] : study::all_parts(parts)) by_name[part->name] = part;
+  Json list = Json::array();
+  for (const ElementState& e : elements) {
+    const auto part = by_name.find(e.element);
+    Json signs = Json::array();
+    for (const ElementSign& s : e.signs) {
+      signs.push_back({{"state", s.state},
+                       {"holds", s.holds()},
+                       {"measure", s.measure},
+                       {"value", s.value},
+                       {"threshold", s.threshold},
+                       {"unit", s.unit},
+                       {"displacement_first_mm", s.displacement_first * 1e3}});
+    }
+    list.push_back({{"element", e.element},
+                    {"kind", e.kind},
+                    {"mark", part != by_name.end() ? part->second->mark : ""},
+                    {"storey", part != by_name.end() ? part->second->storey : 0},
+                    {"state", e.state},
+                    {"displacement_first_mm", e.displacement_first * 1e3},
+                    {"signs", signs}});
+  }
+  return list;
+}
+
+Json mechanism_json(const WallMechanism& mechanism) {
+  Json scores = Json::object();
+  for (const auto& [name, score] : mechanism.scores) scores[name] = score;
+  Json json = {{"name", mechanism.name}};
+  io::put(json, "sentence", mechanism.sentence);
+  json.update(
+      {{"storeys", mechanism.storeys}, {"candidates", mechanism.candidates}, {"scores", scores}});
+  return json;
+}
+
+Json failure_mode_json(const Model& model, const Result& result) {
+  const FailureMode& mode = result.failure_mode;
+  Json scores = Json::object();
+  for (const auto& [name, score] : mode.scores) scores[name] = score;
+  Json sensitivity = Json::array();
+  for (const NameReading& other : mode.sensitivity) {
+    io::put(sensitivity.emplace_back(), "what", other.what());
+    sensitivity.back()["name"] = other.name;
+  }
+  Json json = {{"name", mode.name}};
+  io::put(json, "sentence", mode.sentence);
+  json["read_at_mm"] = mode.read_at * 1e3;
+  io::put(json, "reading", mode.reading);
+  json.update({{"mechanism", mechanism_json(read_mechanism(model, result))},
+               {"scores", scores},
+               {"evidence", evidence_json(mode.evidence)},
+               {"elements", elements_json(model, mode.elements)},
+               {"flags", flags_json(mode.flags)},
+               {"sensitivity", sensitivity}});
+  return json;
+}
+
+Json features_json(const std::vector<Feature>& features) {
+  Json list = Json::array();
+  for (const Feature& f : features) {
+    list.push_back(
+        {{"name", f.name}, {"displacement_mm", f.displacement * 1e3}, {"value_mm", f.value * 1e3}});
+  }
+  return list;
+}
+
+Json events_json(const std::vector<Event>& events) {
+  Json list = Json::array();
+  for (const Event& event : events) {
+    Json& json = list.emplace_back();
+    io::put(json, "name", event.name);
+    json["displacement_mm"] = event.displacement * 1e3;
+    json["reaction_kN"] = event.reaction * 1e-3;
+    io::put(json, "where", event.where);
+  }
+  return list;
+}
+
+// Of each link the largest force over the curve and where; what it keeps of yielding.
+Json links_json(const Model& model, const Result& result) {
+  Json list = Json::array();
+  const std::size_t n = model.links.name.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    LinkRow largest, last;
+    double at = 0;
+    for (std::size_t row = 0; row * n + k < result.links.size(); ++row) {
+      last = result.links[row * n + k];
+      if (std::fabs(last.force) <= std::fabs(largest.force)) continue;
+      largest = last;
+      at = result.curve[row].displacement;
+    }
+    list.push_back({{"name", model.links.name[k]},
+                    {"kind", word_of(kLinkKindWords, model.links.kind[k])},
+                    {"stiffness_kN_per_mm", 1e-6 * model.links.stiffness[k]},
+                    {"largest_force_kN", 1e-3 * largest.force},
+                    {"displacement_mm", 1e3 * at},
+                    {"yields", last.plastic != 0},
+                    {"plastic_mm", 1e3 * last.plastic}});
+  }
+  return list;
+}
+
+Json stages_json(const std::vector<StageReport>& stages) {
+  Json list = Json::array();
+  for (const StageReport& stage : stages) {
+    list.push_back({{"name", stage.name},
+                    {"time_s", stage.time},
+                    {"steps", stage.steps},
+                    {"unbalance_ratio", stage.unbalance_ratio},
+                    {"settled", stage.settled}});
+  }
+  return list;
+}
+
+Json provenance_json(std::uint64_t spec_hash) {
+  const Provenance made = provenance();
+  return {{"version", made.version},       {"commit", made.commit},
+          {"compiler", made.compiler},     {"flags", made.flags},
+          {"build_type", made.build_type}, {"spec_hash", fmt::format("{:016x}", spec_hash)}};
+}
+
+Json falls_json(const std::vector<FallTo>& falls) {
+  Json list = Json::array();
+  for (const FallTo& fall : falls) {
+    list.push_back({{"fraction", fall.fraction},
+                    {"displacement_mm", fall.displacement * 1e3},
+                    {"drift_percent", fall.drift * 1e2},
+                    {"censored", fall.censored}});
+  }
+  return list;
+}
+
+Json bilinear_json(const Bilinear& b) {
+  return {{"stiffness_kN_per_mm", b.stiffness * 1e-6},
+          {"force_kN", b.force * 1e-3},
+          {"yield_displacement_mm", b.yield_displacement * 1e3},
+          {"ultimate_displacement_mm", b.ultimate_displacement * 1e3},
+          {"ductility", b.ductility},
+          {"censored", b.censored}};
+}
+
+void add_responses(Json& json, const Responses& r) {
+  study::each_response(Answers{json}, r);
+  json["censored"] = r.censored_80;
+  json["falls"] = falls_json(r.falls);
+}
+
+Json direction_json(const DirectionReadings& d) {
+  Json displacement = Json::array(), reaction = Json::array();
+  for (const BackbonePoint& point : d.backbone) {
+    displacement.push_back(point.displacement * 1e3);
+    reaction.push_back(point.reaction * 1e-3);
+  }
+  return {{"peak_reaction_kN", d.peak_reaction * 1e-3},
+          {"displacement_at_peak_mm", d.displacement_at_peak * 1e3},
+          {"displacement_at_80_percent_mm", d.displacement_at_80 * 1e3},
+          {"censored_80", d.censored_80},
+          {"displacement_max_mm", d.displacement_max * 1e3},
+          {"censored_max", d.censored_max},
+          {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
+          {"bilinear", bilinear_json(d.bilinear)},
+          {"envelope", {{"displacement_mm", displacement}, {"reaction_kN", reaction}}}};
+}
+
+Json cycles_json(const std::vector<Cycle>& cycles) {
+  Json list = Json::array();
+  for (const Cycle& c : cycles) {
+    list.push_back({{"kind", c.kind},
+                    {"displacement_max_mm", c.displacement_max * 1e3},
+                    {"displacement_min_mm", c.displacement_min * 1e3},
+                    {"reaction_max_kN", c.reaction_max * 1e-3},
+                    {"reaction_min_kN", c.reaction_min * 1e-3},
+                    {"in_balance", c.in_balance},
+                    {"residual_max_mm", c.residual_max * 1e3},
+                    {"residual_min_mm", c.residual_min * 1e3},
+                    {"stiffness_kN_per_mm", c.stiffness * 1e-6},
+                    {"dissipated_J", c.dissipated},
+                    {"drag_J", c.drag},
+                    {"damping_ratio", c.damping_ratio},
+                    {"repeat", c.repeat},
+                    {"strength_kept", c.kept}});
+  }
+  return list;
+}
+
+Json cyclic_json(const CyclicReadings& c) {
+  return {{"read_in", c.sense > 0 ? "positive" : "negative"},
+          {"positive", direction_json(c.positive)},
+          {"negative", direction_json(c.negative)},
+          {"cycles", cycles_json(c.cycles)},
+          {"work_J", c.work}};
+}
+
+Json tested_range_json(const TestedRange& range) {
+  Json json = {{"kind", range.kind},
+               {"walls", range.walls},
+               {"bias", range.bias},
+               {"bias_interval", {range.bias_low, range.bias_high}},
+               {"scatter", range.scatter}};
+  io::put(json, "note", note_of(range));
+  return json;
+}
+
+Json vector_json(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+Json shaking_json(const Model& model, const Result& result) {
+  const ShakeReadings& r = result.shaking;
+  Json records = Json::array(), points = Json::array();
+  for (const AppliedRecord& a : r.record)
+    records.push_back({{"record", a.source},
+                       {"hash", a.hash},
+                       {"along", vector_json(a.along)},
+                       {"of", a.of_base ? "base" : "driven, against the base"},
+                       {"factor", a.factor},
+                       {"pga_g", a.peak_acceleration / 9.80665},
+                       {"pgv_mm_per_s", 1e3 * a.peak_velocity},
+                       {"arias_m_per_s", a.arias},
+                       {"duration_s", a.duration},
+                       {"final_velocity_mm_per_s", 1e3 * a.final_velocity},
+                       {"final_displacement_mm", 1e3 * a.final_displacement}});
+  for (std::size_t k = 0; k < r.motion.size(); ++k)
+    points.push_back({{"name", r.motion[k].point},
+                      {"height_m", model.watched[k].height},
+                      {"peak_displacement_mm", 1e3 * r.motion[k].peak},
+                      {"peak_at_s", r.motion[k].at},
+                      {"residual_displacement_mm", 1e3 * r.motion[k].residual}});
+  Json storeys = Json::array();
+  for (std::size_t k = 0; k < r.storey.size(); ++k)
+    storeys.push_back({{"name", r.storey[k].storey},
+                       {"height_m", result.history.storey_height[k]},
+                       {"peak_drift_percent", 1e2 * r.storey[k].peak},
+                       {"peak_at_s", r.storey[k].at},
+                       {"residual_drift_percent", 1e2 * r.storey[k].residual}});
+  Json damping = Json::array();
+  for (const Stage& stage : model.stages) {
+    const StageSpec& s = stage.spec;
+    if (s.kind != StageKind::kShake) continue;
+    damping.push_back({{"stage", s.name}, {"local", s.damping}});
+    Json& json = damping.back();
+    for (const auto& [name, viscous] : {std::pair("mass", s.mass_damping),
+                                        {"joints", s.joint_damping},
+                                        {"maxwell", s.maxwell_damping}})
+      if (std::isfinite(viscous.fraction))
+        json[name] = {{"fraction", viscous.fraction}, {"frequency_Hz", viscous.frequency}};
+    if (std::isfinite(s.restitution)) json["restitution"] = s.restitution;
+  }
+  return {{"collapsed", r.collapsed},
+          {"collapse_time_s", r.collapsed ? Json(r.collapse_time) : Json()},
+          {"peak_drift_percent", 1e2 * r.peak_drift},
+          {"residual_drift_percent", 1e2 * r.residual_drift},
+          {"peak_base_shear_kN", 1e-3 * r.peak_base_shear},
+          {"largest_opening_mm", 1e3 * r.largest_opening},
+          {"largest_slip_mm", 1e3 * r.largest_slip},
+          {"points", points},
+          {"storeys", storeys},
+          {"records", records},
+          {"damping", damping}};
+}
+
+}  // namespace
+
+// By the largest record of the base; a second motion is told with the records.
+Message shaken_sentence(const Model& model, const Result& result) {
+  const ShakeReadings& r = result.shaking;
+  if (!r.was_shaken || r.motion.empty()) return {};
+  double peak = 0;
+  for (const AppliedRecord& a : r.record) peak = std::max(peak, a.peak_acceleration);
+  if (r.collapsed)
+    return {"shaken.collapsed", {{"pga_g", peak / 9.80665}, {"time_s", r.collapse_time}}};
+  const bool whole = result.status == SolveStatus::kCompleted;
+  if (whole && result.debris.blocks > 0)
+    return {"shaken.shed",
+            {{"pga_g", peak / 9.80665}, {"blocks", static_cast<double>(result.debris.blocks)}}};
+  Message said{whole ? "shaken.stands" : "shaken.cut",
+               {{"pga_g", peak / 9.80665},
+                {"point", r.motion.front().point},
+                {"peak_mm", 1e3 * r.motion.front().peak},
+                {"drift_percent", 1e2 * r.peak_drift},
+                {"residual_mm", 1e3 * r.motion.front().residual},
+                {"shear_kN", 1e-3 * r.peak_base_shear}}};
+  if (whole && dynamics::is_still_moving(model, result))
+    return {"shaken.still_moving", {{"what", std::move(said)}}};
+  if (result.validity.holds()) return said;
+  return {"shaken.slid_off", {{"what", std::move(said)}, {"joints", result.validity.joints}}};
+}
+
+std::string summary_json(const Model& model, const Result& result) {
+  return summary_json({}, model, result);
+}
+
+std::string summary_json(const ModelSpec& spec, const Model& model, const Result& result) {
+  Json json;
+  json["status"] = to_string(result.status);
+  io::put(json, "reason", result.reason);
+  io::put(json, "warning", warning_of(result));
+  io::add_project(json, spec.project);
+  add_responses(json, result.responses);
+  if (is_asked(spec.assessment))
+    json["assessment"] = io::assessment_json(assess_run(spec, model, result));
+  if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);
+  if (result.shaking.was_shaken) {
+    json["shaking"] = shaking_json(model, result);
+    io::put(json["shaking"], "sentence", shaken_sentence(model, result));
+  }
+  json["curve_of"] = word_of(kStageKindWords, result.curve_of);
+  json["load_factor"] = result.load_factor;
+  if (result.curve_of == StageKind::kTilt)
+    json["tilt_degrees"] = std::atan(result.load_factor) * 180 / M_PI;
+  json["top_displacement_mm"] = result.top_displacement * 1e3;
+  json["failure_mode"] = failure_mode_json(model, result);
+  json["tested_range"] = tested_range_json(compare_with_tests(model, result));
+  json["features"] = features_json(result.features);
+  json["energy_J"] = energy_json(result.energy);
+  if (model.free.any()) {
+    json["energy_J"]["hand_over"] = result.energy.hand_over;
+    json["debris"] = {{"blocks", result.debris.blocks},
+                      {"volume_m3", result.debris.volume},
+                      {"mass_kg", result.debris.mass},
+                      {"reach_m", result.debris.reach},
+                      {"load_off_kN", result.debris.load * 1e-3}};
+  }
+  study::each_quasi_static(Answers{json}, result.quasi_static);
+  json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
+                      {"joints", result.validity.joints}};
+  io::put(json["validity"], "where", result.validity.where);
+  json["events"] = events_json(result.events);
+  json["stages"] = stages_json(result.stages);
+  if (model.links.n > 0) json["links"] = links_json(model, result);
+  json["blocks"] = model.n_block;
+  json["joints"] = model.n_joint;
+  json["points"] = model.n_point();
+  const SpaceSolids& in_space = model.space.solids;
+  if (model.solids.n_zone + in_space.n_zone > 0) {
+    json["zones"] = model.solids.n_zone + in_space.n_zone;
+    json["zone_nodes"] = model.solids.n_node + in_space.n_node;
+    json["zone_contacts"] = model.solids.n_contact + in_space.n_contact;
+  }
+  json["steps"] = result.steps;
+  json["time_step_s"] = result.time_step;
+  json["wall_seconds"] = result.wall_seconds;
+  json["state_hash"] = result.state_hash;
+  json["provenance"] = provenance_json(model.spec_hash);
+  // replace: a name that is not UTF-8 must not lose the run
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace wythe

@@ -1,0 +1,25 @@
+// [shaking], [[record]] and [[limit_state]] of a study file.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "io/text/toml_reader.h"
+#include "wythe/study.h"
+
+namespace wythe::io {
+
+// Fills study.shaking and study.record_text: with what files hold, those of `base` too, which is the base model as
+// read (its stages and folder; without stages where it has faults).
+void read_shaking(ReadContext& context, const toml::table& root, const ModelSpec& base,
+                  StudySpec& study);
+// Texts that the study file itself holds for record files.
+[[nodiscard]] std::map<std::string, std::string> given_records(ReadContext& context,
+                                                               const toml::table& root);
+// Builds the base model with each record at its highest intensity. Throws InputError with all faults.
+void check_records(const StudySpec& study, const toml::table& root);
+
+// The tables as they are written again.
+[[nodiscard]] std::string shaking_text(const StudySpec& study);
+
+}  // namespace wythe::io

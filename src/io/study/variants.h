@@ -1,0 +1,40 @@
+// [[variant]] of a study file: what each option says, and the tree of the study that follows from it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/text/toml_reader.h"
+#include "wythe/study.h"
+
+namespace wythe::io {
+
+struct VariantTables {
+  std::vector<VariantSpec> option;  // without their studies
+  std::string base;                 // what the base is called
+  std::map<std::string, int> line;  // of each, and of its settings, by name
+  std::vector<Fault> faults;
+  // Faults that reading an option's study found, at the place that the user wrote.
+  void add_faults(const std::string& file, const VariantSpec& of, const InputError& error);
+  void throw_if_any();
+};
+
+// Takes them out of the tree. Their own faults go into `context`; those of a tree read later, of `faults`.
+[[nodiscard]] VariantTables take_variants(ReadContext& context, toml::table& root);
+
+// A study file as it was given: `own` overrides change its tree, `settings` its base model.
+struct StudySource {
+  const std::string& text;
+  const std::string& file;
+  const std::vector<std::string>& own;
+  const std::vector<std::string>& settings;
+};
+using ReadTree =
+    std::function<StudySpec(ReadContext&, const toml::table&, std::vector<std::string>)>;
+// Reads the study of every option. Throws InputError with the faults of all.
+void read_options(StudySpec& study, VariantTables variants, const StudySource& source,
+                  const ReadTree& read);
+
+}  // namespace wythe::io

@@ -1,0 +1,104 @@
+#include "io/text/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "core/limits.h"
+#include "core/text.h"
+#include "wythe/error.h"
+
+namespace wythe::io {
+
+CsvLines::CsvLines(std::string_view text, const std::string& file) : rest_(text), file_(file) {
+  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // as spreadsheets write it
+}
+
+bool CsvLines::next() {
+  while (!rest_.empty()) {
+    const std::size_t end = rest_.find('\n');
+    text_of_line_ = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++line_;
+    if (text_of_line_.empty() || text_of_line_.starts_with('#')) continue;
+    if (++rows_ > kMostRows + 1) refuse(kMostRows, "rows");  // and the head
+    cut();
+    return true;
+  }
+  return false;
+}
+
+void CsvLines::cut() {
+  cells_.clear();
+  for (std::string_view left = text_of_line_;;) {
+    const std::size_t comma = left.find(',');
+    cells_.emplace_back(trimmed(left.substr(0, comma)));
+    if (comma == std::string_view::npos) return;
+    if (cells_.size() == kMostColumns) refuse(kMostColumns, "cells in a line");
+    left.remove_prefix(comma + 1);
+  }
+}
+
+void CsvLines::refuse(int most, const char* what) const {
+  throw InputError({{.file = file_,
+                     .path = "",
+                     .value = "",
+                     .problem = fmt::format("has more than {} {}", most, what),
+                     .cure = "name the file that is meant, or split it (docs/reference/limits.md)",
+                     .line = line_}});
+}
+
+namespace {
+
+// What turns a cell into a formula in some spreadsheet; the wide forms do so in Chinese and Japanese ones.
+bool is_formula(std::string_view text) {
+  constexpr std::string_view kStarts[] = {"=",  "+",      "-",      "@",      "\t",    "\r",
+                                          "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+  return std::any_of(std::begin(kStarts), std::end(kStarts),
+                     [&](std::string_view start) { return text.starts_with(start); });
+}
+
+constexpr char kGuard = '\'';
+
+}  // namespace
+
+std::string csv_cell(const std::string& text) {
+  const bool guarded = is_formula(text) || text.starts_with(kGuard);
+  const std::string guard(guarded ? 1 : 0, kGuard);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return guard + text;
+  std::string out = "\"" + guard;
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string text_of_cell(std::string_view cell) {
+  std::string text(cell);
+  if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') {
+    text.clear();
+    for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+      text += cell[i];
+      if (cell[i] == '"') ++i;  // written twice
+    }
+  }
+  return text.starts_with(kGuard) ? text.substr(1) : text;
+}
+
+std::string csv_cell(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+double number_in(std::string_view cell) {
+  constexpr std::size_t kLongest =
+      2000;  // every double has fewer digits; 64 MB of them take seconds
+  if (cell.size() > kLongest) return std::numeric_limits<double>::quiet_NaN();
+  if (cell.starts_with('+')) cell.remove_prefix(1);
+  double number = 0;
+  const char* end = cell.data() + cell.size();
+  const auto [stop, error] = std::from_chars(cell.data(), end, number);
+  const bool whole = error == std::errc() && stop == end && std::isfinite(number);
+  return whole ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,76 @@
+#include "io/text/json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "core/shape.h"
+#include "wythe/error.h"
+
+namespace wythe::io {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& file, const std::string& problem,
+                         const std::string& cure, std::ptrdiff_t line = 0) {
+  throw InputError({{.file = file,
+                     .path = "",
+                     .value = "",
+                     .problem = problem,
+                     .cure = cure,
+                     .line = static_cast<int>(line)}});
+}
+
+// Looks at keys alone. A pass of its own: the parser's callback costs the square of a long list.
+class Keys : public nlohmann::json_sax<Json> {
+ public:
+  explicit Keys(const std::string& file) : file_(file) {}
+  bool key(std::string& name) override {
+    if (!open_.back().insert(name).second)
+      refuse(file_, fmt::format("has the key \"{}\" twice in one object", name),
+             "leave one of the two");
+    return true;
+  }
+  bool start_object(std::size_t) override { return open_.emplace_back(), true; }
+  bool end_object() override { return open_.pop_back(), true; }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(Json::binary_t&) override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  // the parse that follows says what is wrong
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override {
+    return false;
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> open_;
+};
+
+}  // namespace
+
+Json parse_json(const std::string& text, const std::string& file) {
+  check_shape(text, Syntax::kJson, file);
+  Keys keys(file);
+  static_cast<void>(Json::sax_parse(text, &keys));
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const auto at = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    refuse(file, fmt::format("not valid JSON at byte {}", error.byte),
+           "correct it there, or write the file again",
+           std::count(text.begin(), text.begin() + at, '\n') + 1);
+  } catch (const Json::out_of_range&) {
+    refuse(file, "holds a number beyond 1.8e308", "write smaller numbers");
+  }
+}
+
+}  // namespace wythe::io

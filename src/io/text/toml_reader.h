@@ -1,0 +1,201 @@
+// Visitor that fills a struct from a TOML table and notes every fault with its place.
+//
+//   ReadContext context{file};                    one per file: faults, --set overrides
+//   read_table(context, table, "wall", spec);     describe(), then unknown keys, then finish()
+//
+// After describe() the reader knows which keys the table may hold and which it does; finish() of
+// a struct (stage_check.cpp, material_check.cpp) asks it for what a range can't say.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <toml++/toml.h>
+
+#include "core/limits.h"
+#include "io/keys/describe.h"
+#include "wythe/error.h"
+
+namespace wythe::io {
+
+// One --set that was put into the tree: `path` as it stands there ("stage.2.velocity"), `given` as
+// the user wrote it ("stage.push.velocity").
+struct Override {
+  std::string path;
+  std::string given;
+};
+
+// "material.joint.friction_tan" is the key friction_angle, given as its tangent.
+inline std::string angle_path(const std::string& path) {
+  return path.ends_with("friction_tan") ? path.substr(0, path.size() - 3) + "angle" : path;
+}
+
+struct ReadContext {
+  std::string file;
+  FaultList faults = {};
+  std::vector<Override> overrides = {};
+  // Values that rules and typologies put into the tree, by path, and the keys of [masonry] they asked for.
+  struct Derived {
+    std::string how;
+    int line = 0;  // of the table
+  };
+  std::map<std::string, Derived> derived = {};
+  std::set<std::string, std::less<>> asked = {};
+  const std::map<std::string, std::string>* records = nullptr;  // what record files hold, by name
+
+  // Adds a fault at `path`; where an override reaches that path, the fault is the override's.
+  void fault(const std::string& path, int line, const std::string& value,
+             const std::string& problem, const std::string& cure);
+  [[nodiscard]] bool has_fault_at(const std::string& path) const;
+};
+
+[[nodiscard]] int line_of(const toml::node& node);
+// The node as the user would recognise it: a text without its quotes, "a table", "a list".
+[[nodiscard]] std::string shown(const toml::node& node);
+
+class TableReader {
+ public:
+  TableReader(ReadContext& context, const toml::table& table, std::string path)
+      : context_(context), table_(table), path_(std::move(path)) {}
+
+  void quantity(const char* name, double& value, const Key& key);
+  void quantities(const char* name, std::vector<double>& values, const Key& key);
+  void points(const char* name, std::vector<std::array<double, 2>>& points, const Key& key);
+  void numbers(const char* name, std::vector<double>& values, const Key& key);
+  void number(const char* name, double& value, const Key& key);
+  void integer(const char* name, int& value, const Key& key);
+  void flag(const char* name, bool& value, const Key& key);
+  void text(const char* name, std::string& value, const Key& key);
+  void texts(const char* name, std::vector<std::string>& values, const Key& key);
+  // Known, but followed and gone before the table is read (materials.cpp).
+  void recipe(const char* name, const Key& key) { (void)find(name, key); }
+
+  template <class E, std::size_t N>
+  void choice(const char* name, E& value, const Word<E> (&words)[N], const Key& key) {
+    std::vector<std::string> known;
+    for (const Word<E>& word : words) known.emplace_back(word.word);
+    if (const int found = choose(name, known, key); found >= 0) value = words[found].value;
+  }
+
+  template <class T>
+  void table(const char* name, T& value, const Key& key) {
+    const toml::node* node = find(name, key);
+    if (!node) return;
+    if (const toml::table* inner = as_table(*node, name))
+      read_table(context_, *inner, below(name), value);
+  }
+
+  template <class T>
+  void list(const char* name, std::vector<T>& values, const Key& key) {
+    const toml::node* node = find(name, key);
+    if (!node) return;
+    if (const toml::table* only = key.in_braces ? node->as_table() : nullptr)
+      return read_table(context_, *only, under(below(name), "0"), values.emplace_back());
+    const toml::array* array = as_list_of_tables(*node, name);
+    for (std::size_t i = 0; array && i < array->size() && !enough(context_.faults); ++i) {
+      const std::string path = under(below(name), std::to_string(i));
+      read_table(context_, *array->get(i)->as_table(), path, values.emplace_back());
+    }
+  }
+
+  template <class T>
+  void map(const char* name, std::map<std::string, T>& values, const Key& key) {
+    const toml::node* node = find(name, key);
+    const toml::table* outer = node ? as_table(*node, name) : nullptr;
+    if (!outer) return;
+    for (const auto& [inner_name, inner] : *outer) {
+      if (enough(context_.faults)) return;
+      const std::string label(inner_name.str());
+      const toml::table* found = as_table(inner, under(name, label));
+      if (found) read_table(context_, *found, under(below(name), label), values[label]);
+    }
+  }
+
+  void refuse_unknown();
+  // The node of a key that is read by hand, nullptr when absent.
+  const toml::node* find(const char* name, const Key& key);
+
+  // --- for finish() ---
+  struct Entry {
+    std::string name;
+    Key key;
+    const toml::node* node;  // nullptr when absent
+  };
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] bool has(std::string_view name) const;
+  [[nodiscard]] std::string below(const std::string& name) const { return under(path_, name); }
+  [[nodiscard]] ReadContext& context() { return context_; }
+  // Faults at a key that stands here, at a key that is missing, and at the table itself.
+  void refuse(std::string_view name, const std::string& problem, const std::string& cure);
+  void miss(std::string_view name, const std::string& problem, const std::string& cure = "");
+  void refuse_member(std::string_view list, std::size_t index, std::string_view name,
+                     const std::string& problem, const std::string& cure);
+  void refuse_table(const std::string& problem, const std::string& cure);
+
+ private:
+  const Entry* entry(std::string_view name) const;
+  int choose(const char* name, const std::vector<std::string>& words, const Key& key);
+  const toml::table* as_table(const toml::node& node, const std::string& name);
+  const toml::array* as_list_of_tables(const toml::node& node, const std::string& name);
+  std::optional<double> read_quantity(const toml::node& node, const std::string& path,
+                                      const char* name, const Key& key);
+  std::optional<double> unlimited(const std::string& text, const Key& key);
+
+  ReadContext& context_;
+  const toml::table& table_;
+  std::string path_;
+  std::vector<Entry> entries_;
+};
+
+// What stands between several keys of one struct; nothing for most.
+template <class T>
+void finish(TableReader&, T&) {}
+void finish(TableReader& reader, StageSpec& stage);
+void finish(TableReader& reader, PlaceSpec& place);
+void finish(TableReader& reader, JointMaterial& material);
+void finish(TableReader& reader, ContactRule& rule);
+void finish(TableReader& reader, ModelSpec& model);
+void finish(TableReader& reader, SpectrumSpec& spectrum);
+void finish(TableReader& reader, AssessmentSpec& assessment);
+
+// "" of a word of BlockRole, and of none; else which words there are.
+[[nodiscard]] std::string role_advice(const std::string& role);
+
+template <class T>
+void read_table(ReadContext& context, const toml::table& table, const std::string& path, T& value) {
+  TableReader reader(context, table, path);
+  describe(reader, value);
+  reader.refuse_unknown();
+  finish(reader, value);
+}
+
+// Parses TOML; a syntax error is thrown as InputError with its line, too deep or too long a text too.
+[[nodiscard]] toml::table parse_toml(const std::string& text, const std::string& file);
+// A file that the user named, by read_text (core/files.h); where there is none, the nearest name beside it.
+[[nodiscard]] std::string read_input(const std::string& path, const char* example,
+                                     std::size_t most = kMostToml);
+// Throws all faults of the context, ordered by line.
+void throw_faults(const ReadContext& context);
+
+// Puts what rules derive and what is typical into the tree, before it is read (materials.cpp).
+void resolve_materials(ReadContext& context, toml::table& root);
+[[nodiscard]] bool is_law_key(std::string_view name);
+// "unit", and what wall, storeys and regions name as their unit_joint: the law of a crack in a unit.
+[[nodiscard]] bool is_unit_joint(const toml::table& root, std::string_view name);
+
+// A table as "path=value" texts that put it there.
+void list_settings(const toml::table& table, const std::string& path,
+                   std::vector<std::string>& texts);
+
+// Puts "path=value" texts into the tree before it is read (overrides.cpp).
+void apply_overrides(ReadContext& context, toml::table& root,
+                     const std::vector<std::string>& texts);
+
+// Named tables in the order of the file; TOML keeps them by name.
+[[nodiscard]] std::vector<std::pair<std::string, const toml::table*>> in_file_order(
+    ReadContext& context, const toml::node* node, const std::string& part);
+
+}  // namespace wythe::io

@@ -1,0 +1,287 @@
+// The assessment of a run: what its model and its states say of the push, then assess().
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "judge/assessment/assessment_parts.h"
+#include "judge/modes/element_states.h"
+#include "wythe/element_forces.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+// Heights of storeys' tops above the foot: those of the file, else the levels that are pushed [m].
+std::vector<double> levels_of(const ModelSpec& spec, const Stage& push) {
+  std::vector<double> levels;
+  double top = 0;
+  for (const StoreySpec& storey : spec.storey) levels.push_back(top += storey.height);
+  if (levels.empty()) levels = push.spec.levels;
+  std::sort(levels.begin(), levels.end());
+  return levels;
+}
+
+// Blocks whose outline holds each level.
+std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vector<double>& levels) {
+  std::vector<std::vector<BlockId>> found(levels.size());
+  const double foot = study::foot_of(model);
+  for (const BlockId b : study::moving_blocks(model)) {
+    const study::Extent extent = study::extent_of(model, b);
+    const double low = extent.low - foot, high = extent.high - foot;
+    const double slack = 1e-6 * high;
+    for (std::size_t k = 0; k < levels.size(); ++k)
+      if (levels[k] > low + slack && levels[k] <= high + slack) found[k].push_back(b);
+  }
+  return found;
+}
+
+// The largest drift of any storey at each state kept.
+std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
+                                      const Result& result) {
+  const Stage* push = study::push_of(model);
+  const std::vector<double> levels = levels_of(spec, *push);
+  if (levels.empty()) return {};
+  const std::vector<std::vector<BlockId>> blocks = blocks_at(model, levels);
+  std::vector<DriftPoint> out;
+  for (const Snapshot* state : study::states_by_displacement(result)) {
+    const std::vector<double> moved = study::moved_at(model, result, *state);
+    double below = 0, at = 0, largest = 0;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+      if (blocks[k].empty()) return {};
+      double sum = 0;
+      for (const BlockId b : blocks[k]) sum += moved[static_cast<std::size_t>(b)];
+      const double mean = sum / static_cast<double>(blocks[k].size());
+      largest = std::fmax(largest, std::fabs(mean - below) / (levels[k] - at));
+      below = mean, at = levels[k];
+    }
+    out.push_back({state->displacement, largest});
+  }
+  return out;
+}
+
+// The stockiest pier, its moment nil at mid-height: H0 / D = height / 2 / width.
+double slenderness_of(const Anatomy& anatomy) {
+  double least = kUnset;
+  for (std::size_t k = 0; k < anatomy.pier_height.size(); ++k) {
+    const double width = anatomy.pier_x1[k] - anatomy.pier_x0[k];
+    least = std::fmin(least, 0.5 * anatomy.pier_height[k] / width);
+  }
+  return least;
+}
+
+// Of every pier, from the states read each millimetre; the end counts too.
+std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
+  std::vector<PierDrift> out;
+  for (const ElementForces& element : read_element_forces(model, result)) {
+    if (element.kind != "pier" || element.rows.empty()) continue;
+    PierDrift& pier = out.emplace_back();
+    pier.mark = element.mark;
+    pier.element = element.element;
+    for (const ElementForces::Row& row : element.rows)
+      if (row.displacement > 0) pier.drifts.push_back({row.displacement, std::fabs(row.drift)});
+    // each displacement once, ascending: the states of states_by_displacement()
+    std::stable_sort(pier.drifts.begin(), pier.drifts.end(),
+                     [](const auto& a, const auto& b) { return a.displacement < b.displacement; });
+    const auto last =
+        std::unique(pier.drifts.begin(), pier.drifts.end(),
+                    [](const auto& a, const auto& b) { return a.displacement == b.displacement; });
+    pier.drifts.erase(last, pier.drifts.end());
+  }
+  return out;
+}
+
+bool drives(const Stage& stage) {
+  return stage.spec.kind == StageKind::kPush || stage.spec.kind == StageKind::kBodyForce ||
+         stage.spec.kind == StageKind::kTilt;
+}
+
+// What pulls at the wall along the push before or while it is pushed: dead loads, and ties drawn taut
+// against a rigid anchor. Sum of sizes [N]: two that cancel count.
+double thrust_on(const Model& model, const Stage& push) {
+  const Links& links = model.links;
+  double sum = 0;
+  for (const Stage& stage : model.stages) {
+    for (const PointLoad& load : stage.loads)
+      sum += std::fabs(load.fx * push.drive_x + load.fz * push.drive_z);
+    if (&stage == &push) break;
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(links.n); ++k)
+    if (links.a[k] == kGroundBlock &&
+        links.span_x[k] * push.drive_x + links.span_z[k] * push.drive_z != 0)
+      sum += std::fabs(links.prestress[k]);
+  return sum;
+}
+
+// Why a push gets no answer: its curve must begin at rest and at no force.
+Message barred_by_stages(const Model& model, const Stage& push) {
+  for (const Stage& stage : model.stages) {
+    if (&stage == &push) break;
+    if (drives(stage))
+      return {stage.spec.kind == StageKind::kPush ? "assessment.driven_before"
+                                                  : "assessment.held_before",
+              {{"stage", stage.spec.name}, {"push", push.spec.name}}};
+  }
+  if (const double force = thrust_on(model, push); force > 0)
+    return {"assessment.thrust", {{"force_kN", 1e-3 * force}}};
+  return {};
+}
+
+}  // namespace
+
+namespace study {
+
+// Of a wall in space, which has no piers (judge/modes/in_space.h names these).
+std::string mechanism_in_space(const std::string& name) {
+  if (name == "in-plane shear" || name == "sliding") return "shear";
+  if (name == "in-plane rocking" || name == "rocking") return "flexure";
+  return name.empty() || name == "unclear" || name == "none" ? "" : kOutOfPlane;
+}
+
+// "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
+std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
+  bool flexure = false;
+  for (const ElementState& element : mode.elements) {
+    if (element.kind != "pier" || (!pier.empty() && element.element != pier)) continue;
+    for (const ElementSign& sign : element.signs) {
+      if (!sign.holds()) continue;
+      if (sign.state == kDiagonal || sign.state == kSliding || sign.state == kBaseSliding)
+        return "shear";
+      flexure = true;
+    }
+  }
+  return flexure ? "flexure" : "";
+}
+
+JudgedPush judged_push(const Model& model) {
+  static const std::vector<CurveRow> kNoCurve;
+  static const Responses kNoResponses;
+  JudgedPush push{.curve = kNoCurve, .responses = kNoResponses};
+  push.pier_slenderness = slenderness_of(model.anatomy);
+  // the curve is that of the last stage that has one
+  const Stage* last = nullptr;
+  for (const Stage& stage : model.stages)
+    if (drives(stage)) last = &stage;
+  push.curve_of = last == nullptr ? StageKind::kHold : last->spec.kind;
+  if (last == nullptr) return push;
+  push.is_horizontal = std::fabs(last->drive_y) < 1e-12;
+  push.is_patterned = last->spec.pattern != Pattern::kNone;
+  push.barred = barred_by_stages(model, *last);
+  return push;
+}
+
+namespace {
+double counted_mass(const FloorSpec& floor, const Model& model) {  // of its load [kg/m]
+  return floor.load > 0 ? floor.load / model.solve.gravity : 0;
+}
+double length_of(const FloorSpec& floor, const Model& model) {
+  if (model.in_space())
+    return length(
+        Vec3{floor.to.x - floor.from.x, floor.to.y - floor.from.y, floor.to.z - floor.from.z});
+  return std::isnan(floor.width) ? model.anatomy.length : floor.width;
+}
+}  // namespace
+
+std::vector<Message> cautions_of_masses(const ModelSpec& spec, const Model& model) {
+  double left_out = 0;
+  std::vector<Message> names;
+  for (const FloorSpec& floor : spec.floor) {
+    const double counted = counted_mass(floor, model);
+    if (!(floor.mass > 1.001 * counted)) continue;
+    left_out += (floor.mass - counted) * length_of(floor, model);
+    names.push_back(as_text(floor.name));
+  }
+  if (!(left_out > 1.001 * spec.assessment.added_mass)) return {};
+  return {
+      {"assessment.caution.floor_mass",
+       {{"floors", std::move(names)}, {"mass", left_out}, {"added", spec.assessment.added_mass}}}};
+}
+
+std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) {
+  std::vector<Message> notes;
+  for (const FloorSpec& floor : spec.floor) {
+    const double counted = counted_mass(floor, model);
+    if (floor.mass > 1.001 * counted)
+      notes.push_back({"assessment.note.floor_mass",
+                       {{"floor", floor.name}, {"mass", floor.mass}, {"counted", counted}}});
+  }
+  const double foot = foot_of(model);
+  double top = 0;
+  for (const BlockId b : moving_blocks(model))
+    top = std::fmax(top, extent_of(model, b).high - foot);
+  if (spec.assessment.added_height > top * (1 + 1e-9))
+    notes.push_back({"assessment.note.added_height",
+                     {{"height_m", spec.assessment.added_height}, {"top_m", top}}});
+  return notes;
+}
+
+namespace {
+// What codes ask of piers, which a wall in space does not know.
+void caution_in_space(const AssessmentSpec& spec, const FailureMode& mode, JudgedPush& push) {
+  if (push.mechanism == kOutOfPlane)
+    push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
+  else if (mode.name == "sliding")  // in its plane or out of it: the name does not say
+    push.cautions.push_back({"assessment.caution.sliding"});
+  else if (push.mechanism != "shear" &&
+           value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)
+    push.cautions.push_back({"assessment.caution.no_piers"});
+}
+
+}  // namespace
+
+}  // namespace study
+
+CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPush push,
+                             const FailureMode& mode, const PushedWall& wall) {
+  push.mechanism = model.in_space() ? mechanism_in_space(mode.name) : mechanism_of(mode);
+  push.cautions = cautions_of_masses(spec, model);
+  if (model.in_space()) caution_in_space(spec.assessment, mode, push);
+  push.drifts = wall.storeys;
+  push.storeys_known = !wall.storeys.empty();
+  push.piers = wall.piers;
+  for (PierDrift& pier : push.piers) pier.mechanism = mechanism_of(mode, pier.element);
+  CodeAssessment out = assess(spec.assessment, push, [&](double displacement) {
+    const MassAndShape shape = mass_and_shape(wall, displacement);
+    return std::isfinite(shape.read_at) ? shape : mass_and_linear_shape(spec.assessment, model);
+  });
+  if (!model.in_space()) return out;
+  std::erase_if(out.notes, [](const Message& note) {
+    return note.code == "assessment.note.out_of_plane" ||
+           note.code == "assessment.note.whole_drift";
+  });
+  out.notes.push_back({"assessment.note.space_drift"});
+  return out;
+}
+
+PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Result& result) {
+  PushedWall wall;
+  const JudgedPush push = study::judged_push(model);
+  if (!push.is_horizontal || push.curve_of != StageKind::kPush) return wall;
+  MassAndShape masses;
+  wall.moved = study::moved_masses(spec.assessment, model, result, masses);
+  wall.blocks = masses.blocks, wall.loads = masses.loads, wall.added = masses.added;
+  wall.storeys = storey_drifts(spec, model, result);
+  wall.piers = pier_drifts(model, result);
+  return wall;
+}
+
+CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
+  const JudgedPush of_model = study::judged_push(model);
+  JudgedPush push{.status = result.status,
+                  .curve_of = of_model.curve_of,
+                  .is_horizontal = of_model.is_horizontal,
+                  .is_patterned = of_model.is_patterned,
+                  .curve = result.curve,
+                  .responses = result.responses,
+                  .judgement = result.quasi_static.judgement,
+                  .overlap_lost = result.validity.overlap_lost,
+                  .rise = result.rise,
+                  .pier_slenderness = of_model.pier_slenderness,
+                  .barred = of_model.barred};
+  CodeAssessment out = study::judged(
+      spec, model, std::move(push), result.failure_mode,
+      result.pushed.is_read() ? result.pushed : read_pushed_wall(spec, model, result));
+  for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
+  return out;
+}
+
+}  // namespace wythe

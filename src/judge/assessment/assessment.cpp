@@ -1,0 +1,472 @@
+// assess(): from a pushed wall's curve to limit states, and from a spectrum to their demand.
+//
+//   refuse ──► limit states by force and drift ──► bilinear curve up to near collapse ──► m*, Gamma, T*
+//   ──► demand, capacity over demand, acceleration of each limit state ──► verdict and its cautions
+//
+// docs/theory/assessment.md. What a curve does not show is never made up: a push that ended early gives
+// lower bounds, one without a peak gives no number.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "judge/assessment/assessment_parts.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kLeastAmplification = 2.2;  // F0, NTC 2018, 3.2.3.2.1
+
+// --- rules of the codes -------------------------------------------------------------------------------
+
+// A drift at which a storey's piers are at their end. `by_slenderness`: times H0 / D.
+struct DriftRule {
+  LimitState state;
+  const char* mechanism;
+  double drift;
+  bool by_slenderness;
+  const char* clause;
+};
+constexpr DriftRule kCircolare[] = {
+    {LimitState::kNearCollapse, "shear", 0.005, false, "Circolare 7/2019, C8.7.1.3.1.1"},
+    {LimitState::kNearCollapse, "flexure", 0.010, false, "Circolare 7/2019, C8.7.1.3.1.1"}};
+constexpr DriftRule kEn1998[] = {
+    {LimitState::kLifeSafety, "shear", 0.004, false, "EN 1998-3, C.4.3.1"},
+    {LimitState::kLifeSafety, "flexure", 0.008, true, "EN 1998-3, C.4.2.1"},
+    {LimitState::kNearCollapse, "shear", 0.004 * 4 / 3, false, "EN 1998-3, C.4.3.2"},
+    {LimitState::kNearCollapse, "flexure", 0.008 * 4 / 3, true, "EN 1998-3, C.4.2.2"}};
+
+struct Rules {
+  const char *force_drop, *life_safety, *yield;  // clauses
+};
+constexpr Rules kCircolareClauses = {"Circolare 7/2019, C7.8.1.6", "Circolare 7/2019, C7.8.1.6",
+                                     "Circolare 7/2019, C7.8.1.6"};
+constexpr Rules kEn1998Clauses = {"EN 1998-3, C.4.1.1", "EN 1998-3, C.4.1.2", "EN 1998-3, C.4.1.3"};
+constexpr double kForceLeft = 0.8, kShareOfCollapse = 0.75;
+constexpr double kMostQ = 4.0;  // NTC 2018, 7.8.1.6
+constexpr const char* kQClause = "NTC 2018, 7.8.1.6";
+
+bool is_circolare(const AssessmentSpec& spec) {
+  return value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kCircolare2019;
+}
+
+// --- the curve up to a displacement -------------------------------------------------------------------
+
+std::vector<CurveRow> cut_at(const std::vector<CurveRow>& curve, double displacement) {
+  std::vector<CurveRow> out;
+  for (const CurveRow& row : curve) {
+    if (row.displacement < displacement || out.empty()) {
+      out.push_back(row);
+      continue;
+    }
+    CurveRow last = row;
+    const CurveRow& before = out.back();
+    const double share =
+        (displacement - before.displacement) / (row.displacement - before.displacement);
+    last.displacement = displacement;
+    last.reaction = before.reaction + share * (row.reaction - before.reaction);
+    last.base_shear = before.base_shear + share * (row.base_shear - before.base_shear);
+    out.push_back(last);
+    break;
+  }
+  return out;
+}
+
+// Where the drift first reaches a limit; the last displacement where it doesn't.
+Criterion met_at(Criterion c, const std::vector<DriftPoint>& drifts) {
+  DriftPoint before;
+  for (const DriftPoint& now : drifts) {
+    if (now.drift >= c.value) {
+      const double share = (c.value - before.drift) / (now.drift - before.drift);
+      c.displacement = before.displacement + share * (now.displacement - before.displacement);
+      c.reached = true;
+      return c;
+    }
+    before = now;
+  }
+  c.displacement = before.displacement;
+  return c;
+}
+
+// --- limit states -------------------------------------------------------------------------------------
+
+class Judge {
+ public:
+  Judge(const AssessmentSpec& spec, const JudgedPush& push, const ShapeReader& shape)
+      : spec_(spec), push_(push), shape_(shape) {}
+
+  CodeAssessment all() {
+    out_.spec = spec_;
+    out_.spectrum = spectrum_of(spec_.spectrum);
+    note_assumptions();
+    out_.reason = refusal();
+    if (out_.reason.empty()) judge();
+    conclude();
+    return std::move(out_);
+  }
+
+ private:
+  // Why this push can't be assessed; empty: it can.
+  [[nodiscard]] Message refusal() const {
+    if (push_.curve_of == StageKind::kBodyForce) return {"assessment.of_body_force"};
+    if (push_.curve_of == StageKind::kTilt) return {"assessment.of_tilt"};
+    if (push_.curve_of != StageKind::kPush || push_.curve.size() < 2)
+      return {"assessment.without_push"};
+    if (!push_.barred.empty()) return push_.barred;
+    if (push_.responses.cyclic.sense != 0) return {"assessment.of_cycles"};
+    if (!push_.is_horizontal) return {"assessment.not_horizontal"};
+    if (!(push_.responses.peak_reaction > 0))
+      return {"assessment.without_peak", {{"why", push_.responses.peak_reason}}};
+    if (!(push_.responses.bilinear.stiffness > 0)) return {"assessment.without_stiffness"};
+    return {};
+  }
+
+  void judge() {
+    LimitStateCheck collapse = near_collapse();
+    if (collapse.at_least && push_.responses.censored_peak) {
+      out_.reason = {"assessment.still_rising",
+                     {{"displacement_mm", 1e3 * push_.curve.back().displacement}}};
+      return;
+    }
+    if (!idealise(collapse)) return;
+    LimitStateCheck safety = life_safety(collapse);
+    LimitStateCheck damage = damage_limitation(collapse);
+    out_.limit_states = {std::move(damage), std::move(safety), std::move(collapse)};
+    if (out_.spectrum.is_given() && !find_demand()) return;
+    for (LimitStateCheck& check : out_.limit_states) compare(check);
+  }
+
+  [[nodiscard]] const Rules& clauses() const {
+    return is_circolare(spec_) ? kCircolareClauses : kEn1998Clauses;
+  }
+
+  LimitStateCheck near_collapse() {
+    const Responses& r = push_.responses;
+    LimitStateCheck check{.state = LimitState::kNearCollapse};
+    check.criteria.push_back(
+        {.name = "force drop",
+         .words = {"assessment.force_drop", {{"percent", 100 * (1 - kForceLeft)}}},
+         .clause = clauses().force_drop,
+         .value = kForceLeft,
+         .unit = "-",
+         .displacement = r.displacement_at_80,
+         .reached = !r.censored_80});
+    add_drifts(check);
+    return decided(std::move(check));
+  }
+
+  LimitStateCheck life_safety(const LimitStateCheck& collapse) {
+    LimitStateCheck check{.state = LimitState::kLifeSafety};
+    // EN 1998-3 takes the share of the global near collapse alone; here of what governs it: never more
+    check.criteria.push_back({.name = "share of near collapse",
+                              .words = {"assessment.share_of_collapse"},
+                              .clause = clauses().life_safety,
+                              .value = kShareOfCollapse,
+                              .unit = "-",
+                              .displacement = kShareOfCollapse * collapse.displacement,
+                              .reached = !collapse.at_least});
+    add_drifts(check);
+    return decided(std::move(check));
+  }
+
+  LimitStateCheck damage_limitation(const LimitStateCheck& collapse) {
+    LimitStateCheck check{.state = LimitState::kDamageLimitation};
+    check.criteria.push_back({.name = "yield",
+                              .words = {"assessment.yield"},
+                              .clause = clauses().yield,
+                              .value = 1,
+                              .unit = "-",
+                              .displacement = out_.bilinear.yield_displacement,
+                              .reached = !collapse.at_least});
+    return decided(std::move(check));
+  }
+
+  // The first pier at its limit; where piers are not known, the storeys or the whole wall.
+  void add_drifts(LimitStateCheck& check) {
+    if (push_.piers.empty()) {
+      if (const auto rule = rule_of(check.state, push_.mechanism))
+        check.criteria.push_back(met_at(whole_criterion(*rule), drifts()));
+      return;
+    }
+    std::optional<Criterion> first;
+    for (const PierDrift& pier : push_.piers) {
+      const auto rule = rule_of(check.state, pier.mechanism);
+      if (!rule) continue;
+      const Criterion met = met_at(pier_criterion(*rule, pier.mark), pier.drifts);
+      const bool is_first =
+          !first || (met.reached && !first->reached) ||
+          (met.reached == first->reached && met.displacement < first->displacement);
+      if (is_first) first = met;
+    }
+    if (first) check.criteria.push_back(*std::move(first));
+  }
+
+  // Of a mechanism; of the lesser limit where that is not known.
+  struct Rule {
+    double drift = 0;
+    bool is_shear = true;
+    const char* clause = "";
+  };
+  [[nodiscard]] std::optional<Rule> rule_of(LimitState state, const std::string& mechanism) const {
+    std::optional<Rule> least;
+    const auto take = [&](const DriftRule& rule) {
+      if (rule.state != state || (!mechanism.empty() && mechanism != rule.mechanism)) return;
+      const double drift = rule.drift * (rule.by_slenderness ? push_.pier_slenderness : 1);
+      if (!(drift > 0)) return;  // the piers' shape is not known
+      if (!least || drift < least->drift)
+        least = Rule{drift, std::string_view(rule.mechanism) == "shear", rule.clause};
+    };
+    if (is_circolare(spec_))
+      for (const DriftRule& rule : kCircolare) take(rule);
+    else
+      for (const DriftRule& rule : kEn1998) take(rule);
+    return least;
+  }
+  [[nodiscard]] static Criterion whole_criterion(const Rule& rule) {
+    return {.name = rule.is_shear ? "storey drift, shear" : "storey drift, flexure",
+            .words = {rule.is_shear ? "assessment.drift_shear" : "assessment.drift_flexure",
+                      {{"percent", 100 * rule.drift}}},
+            .clause = rule.clause,
+            .value = rule.drift,
+            .unit = "-"};
+  }
+  [[nodiscard]] static Criterion pier_criterion(const Rule& rule, const std::string& mark) {
+    Criterion c = whole_criterion(rule);
+    c.name = rule.is_shear ? "pier drift, shear" : "pier drift, flexure";
+    c.words = {rule.is_shear ? "assessment.pier_shear" : "assessment.pier_flexure",
+               {{"mark", mark}, {"percent", 100 * rule.drift}}};
+    return c;
+  }
+
+  // Of storeys where they are known; else the displacement over its height.
+  [[nodiscard]] std::vector<DriftPoint> drifts() const {
+    if (!push_.drifts.empty()) return push_.drifts;
+    const double height = push_.responses.load_height;
+    std::vector<DriftPoint> out;
+    if (!(height > 0)) return out;
+    double furthest = 0;
+    for (const CurveRow& row : push_.curve) {
+      if (!(row.displacement > furthest)) continue;
+      furthest = row.displacement;
+      out.push_back({furthest, furthest / height});
+    }
+    return out;
+  }
+
+  // The first criterion that is met decides; where none is, the wall goes farther than the push did.
+  LimitStateCheck decided(LimitStateCheck check) const {
+    check.is_asked = value_of(kLimitStateWords, spec_.limit_state) == check.state;
+    const Criterion* first = nullptr;
+    for (const Criterion& c : check.criteria)
+      if (std::isfinite(c.displacement) &&
+          (first == nullptr || c.displacement < first->displacement))
+        first = &c;
+    if (first == nullptr) return check;
+    // an end of the push is no rule: one that is met at the same place goes before it
+    for (const Criterion& c : check.criteria)
+      if (c.reached && c.displacement <= first->displacement) first = &c;
+    check.governing = first->name;
+    check.displacement = first->displacement;
+    check.at_least = !first->reached;
+    if (push_.responses.load_height > 0)
+      check.drift = check.displacement / push_.responses.load_height;
+    return check;
+  }
+
+  // The bilinear curve up to near collapse, and the system of one degree of freedom.
+  bool idealise(const LimitStateCheck& collapse) {
+    const std::vector<CurveRow> curve = cut_at(push_.curve, collapse.displacement);
+    std::vector<RisePoint> rise = push_.rise;
+    while (rise.size() > 2 && rise.back().displacement > collapse.displacement) rise.pop_back();
+    const Responses cut = read_responses(curve, {.rise = rise});
+    out_.bilinear = cut.bilinear;
+    out_.bilinear.censored = collapse.at_least;
+    Bilinear& b = out_.bilinear;
+    if (!(b.stiffness > 0) || !(b.force > 0)) return fails({"assessment.without_bilinear"});
+    // the area beyond the push may still lower the force that replaces it: 0.8 peak is its floor
+    if (collapse.at_least && b.force > kForceLeft * cut.peak_reaction) {
+      b.force = kForceLeft * cut.peak_reaction;
+      b.yield_displacement = b.force / b.stiffness;
+      b.ductility = b.ultimate_displacement / b.yield_displacement;
+    }
+    out_.mass = shape_(b.yield_displacement);
+    const MassAndShape& m = out_.mass;
+    if (!(m.participating > 0) || !(m.participation > 0) || !std::isfinite(m.participating))
+      return fails({"assessment.without_mass"});
+    out_.system = {.mass = m.participating,
+                   .participation = m.participation,
+                   .stiffness = b.stiffness,
+                   .force = b.force / m.participation};
+    return true;
+  }
+
+  bool fails(Message why) {
+    out_.reason = std::move(why);
+    return false;
+  }
+
+  bool find_demand() {
+    out_.demand = demand_of(out_.system, out_.spectrum);
+    out_.demand_displacement = out_.system.participation * out_.demand.displacement;
+    if (std::isfinite(out_.demand.displacement)) return true;
+    return fails(
+        {"assessment.period_beyond_table",
+         {{"period_s", out_.system.period()},
+          {"last_s", out_.spectrum.periods.empty() ? kUnset : out_.spectrum.periods.back()}}});
+  }
+
+  void compare(LimitStateCheck& check) {
+    if (!out_.spectrum.is_given()) return;
+    const double equivalent = check.displacement / out_.system.participation;
+    check.ratio = check.displacement / out_.demand_displacement;
+    check.scale = scale_for(out_.system, out_.spectrum, equivalent);
+    check.at_least = check.at_least || out_.bilinear.censored;
+    if (is_circolare(spec_) && check.state != LimitState::kDamageLimitation) limit_q(check);
+    check.acceleration = check.scale * out_.spectrum.peak_ground_acceleration();
+    check.rock_acceleration = check.scale * out_.spectrum.ground_acceleration;
+  }
+
+  // A wall whose force is a quarter of the elastic one or less is not believed, however far it goes.
+  void limit_q(LimitStateCheck& check) {
+    const double scale = scale_for_q(out_.system, out_.spectrum, kMostQ);
+    Criterion c{.name = "q*",
+                .words = {"assessment.q_limit", {{"q", out_.demand.q}, {"limit", kMostQ}}},
+                .clause = kQClause,
+                .value = kMostQ,
+                .unit = "-"};
+    const SpectralDemand then = demand_of(out_.system, out_.spectrum, scale);
+    c.displacement = out_.system.participation * then.displacement;
+    c.reached = scale <= check.scale;
+    if (c.reached) check.governing = c.name, check.scale = scale;
+    check.criteria.push_back(std::move(c));
+  }
+
+  // --- what is said -----------------------------------------------------------------------------------
+
+  void note_assumptions() {
+    out_.notes.push_back({"assessment.note.out_of_plane"});
+    out_.notes.push_back({"assessment.note.one_pattern"});
+    if (!push_.is_patterned) out_.notes.push_back({"assessment.note.one_place"});
+    out_.notes.push_back({"assessment.note.masses"});
+    out_.notes.push_back({"assessment.note.clauses"});
+    if (std::isnan(spec_.confidence_factor))
+      out_.notes.push_back({"assessment.note.no_confidence_factor"});
+    else
+      out_.notes.push_back(
+          {"assessment.note.confidence_factor", {{"factor", spec_.confidence_factor}}});
+    if (out_.spectrum.is_given()) out_.notes.push_back({"assessment.note.scaled"});
+    note_oddities();
+    if (!push_.piers.empty())
+      out_.notes.push_back({"assessment.note.pier_drift"});
+    else
+      out_.notes.push_back(push_.storeys_known ? Message{"assessment.note.storey_drift"}
+                                               : Message{"assessment.note.whole_drift"});
+    const auto is_unknown = [](const PierDrift& pier) { return pier.mechanism.empty(); };
+    const bool any_unknown = push_.piers.empty()
+                                 ? push_.mechanism.empty()
+                                 : std::any_of(push_.piers.begin(), push_.piers.end(), is_unknown);
+    if (any_unknown) out_.notes.push_back({"assessment.note.no_mechanism"});
+  }
+
+  // What can be meant, but is more often a slip.
+  void note_oddities() {
+    if (spec_.masonry_share != 1)
+      out_.notes.push_back(
+          {"assessment.note.masonry_share", {{"percent", 100 * spec_.masonry_share}}});
+    const SpectrumSpec& s = spec_.spectrum;
+    if (s.kind == SpectrumKind::kNtc2018 && s.amplification < kLeastAmplification)
+      out_.notes.push_back({"assessment.note.low_amplification",
+                            {{"value", s.amplification}, {"least", kLeastAmplification}}});
+    if (s.kind != SpectrumKind::kTable || s.accelerations.empty()) return;
+    const double largest = *std::max_element(s.accelerations.begin(), s.accelerations.end());
+    if (s.accelerations.front() <= 0.01 * largest)
+      out_.notes.push_back({"assessment.note.table_start",
+                            {{"first", s.accelerations.front()}, {"largest", largest}}});
+  }
+
+  void collect_cautions() {
+    std::vector<Message>& say = out_.cautions;
+    say = push_.cautions;
+    if (push_.judgement != "slow enough" && push_.judgement != "usable")
+      say.push_back(push_.judgement == "too fast" ? Message{"assessment.too_fast"}
+                                                  : Message{"assessment.rate_unknown"});
+    if (push_.status != SolveStatus::kCompleted && push_.status != SolveStatus::kCollapsed)
+      say.push_back({"assessment.caution.unfinished"});
+    const LimitStateCheck* check = out_.asked();
+    if (check == nullptr) return;
+    if (std::fabs(push_.overlap_lost) <= check->displacement)
+      say.push_back({"assessment.caution.overlap",
+                     {{"displacement_mm", 1e3 * std::fabs(push_.overlap_lost)}}});
+    if (check->at_least)
+      say.push_back({"assessment.caution.bound",
+                     {{"displacement_mm", 1e3 * push_.curve.back().displacement}}});
+  }
+
+  void conclude() {
+    out_.verdict = verdict();
+    if (out_.verdict == AssessmentVerdict::kNotKnown) out_.limit_states.clear();
+    collect_cautions();
+    out_.may_be_signed = out_.cautions.empty() && out_.verdict != AssessmentVerdict::kNotKnown;
+    const Message said = verdict_in_words();
+    out_.sentence =
+        out_.cautions.empty()
+            ? said
+            : Message{"assessment.unsigned", {{"cautions", out_.cautions}, {"verdict", said}}};
+  }
+  [[nodiscard]] AssessmentVerdict verdict() const {
+    const LimitStateCheck* check = out_.asked();
+    if (!out_.reason.empty() || check == nullptr) return AssessmentVerdict::kNotKnown;
+    if (!out_.spectrum.is_given()) return AssessmentVerdict::kNoDemand;
+    if (check->scale >= 1) return AssessmentVerdict::kHolds;
+    return check->at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
+  }
+  [[nodiscard]] Message verdict_in_words() const {
+    if (out_.verdict == AssessmentVerdict::kNotKnown)
+      return {"assessment.not_known", {{"why", out_.reason}}};
+    const LimitStateCheck& check = *out_.asked();
+    const Message state = study::words_of_state(check.state);
+    if (out_.verdict == AssessmentVerdict::kNoDemand)
+      return {check.at_least ? "assessment.no_demand_bound" : "assessment.no_demand",
+              {{"state", state}, {"displacement_mm", 1e3 * check.displacement}}};
+    return {verdict_code(check),
+            {{"state", state},
+             {"ratio", check.ratio},
+             {"pga_g", check.acceleration / kStandardGravity},
+             {"demand_g", out_.spectrum.peak_ground_acceleration() / kStandardGravity}}};
+  }
+  [[nodiscard]] const char* verdict_code(const LimitStateCheck& check) const {
+    if (out_.verdict == AssessmentVerdict::kFails)
+      return check.governing == "q*" ? "assessment.fails_by_q" : "assessment.fails";
+    if (out_.verdict == AssessmentVerdict::kNotShown) return "assessment.not_shown";
+    return check.at_least ? "assessment.holds_bound" : "assessment.holds";
+  }
+
+  const AssessmentSpec& spec_;
+  const JudgedPush& push_;
+  const ShapeReader& shape_;
+  CodeAssessment out_;
+};
+
+}  // namespace
+
+const LimitStateCheck* CodeAssessment::asked() const {
+  for (const LimitStateCheck& check : limit_states)
+    if (check.is_asked) return &check;
+  return nullptr;
+}
+
+Message study::words_of_state(LimitState state) {
+  switch (state) {
+    case LimitState::kDamageLimitation: return {"assessment.damage_limitation"};
+    case LimitState::kLifeSafety: return {"assessment.life_safety"};
+    case LimitState::kNearCollapse: break;
+  }
+  return {"assessment.near_collapse"};
+}
+
+CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
+                      const ShapeReader& shape) {
+  return Judge(spec, push, shape).all();
+}
+
+}  // namespace wythe

@@ -1,0 +1,222 @@
+// What of the wall moves in an earthquake, and in which shape: m*, Gamma (docs/theory/assessment.md, A.6
+// to A.8). Blocks by their weight, loads that stand on them by F / g, the mass that the file adds.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "judge/assessment/assessment_parts.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace study {
+
+// The last push: the curve is that of the last stage that has one.
+const Stage* push_of(const Model& model) {
+  for (std::size_t k = model.stages.size(); k-- > 0;)
+    if (model.stages[k].spec.kind == StageKind::kPush) return &model.stages[k];
+  return nullptr;
+}
+
+std::vector<BlockId> moving_blocks(const Model& model) {
+  std::vector<BlockId> blocks;
+  const int supports = model.in_space() ? model.space.n_support : 0;
+  for (BlockId b = 0; b < model.n_block; ++b) blocks.push_back(b);
+  const auto bodies =
+      model.in_space() ? model.space.solids.bodies.size() : model.solids.bodies.size();
+  for (std::size_t k = 0; k < bodies; ++k)
+    blocks.push_back(model.n_block + supports + static_cast<BlockId>(k));
+  return blocks;
+}
+
+Extent extent_of(const Model& model, BlockId block) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Extent extent{kFar, -kFar};
+  const auto take = [&](const Vec3& corner) {
+    extent.low = std::fmin(extent.low, corner.y), extent.high = std::fmax(extent.high, corner.y);
+  };
+  if (!model.in_space()) {
+    for (const Vec3& corner : outline_of(model, block)) take(corner);
+    return extent;
+  }
+  const int zones = block - model.n_block - model.space.n_support;
+  const BodySpec& body = zones < 0
+                             ? model.space.body[static_cast<std::size_t>(block)]
+                             : model.space.solids.bodies[static_cast<std::size_t>(zones)].body;
+  for (const Polyhedron& part : body.part)
+    for (const Vec3& corner : part.vertex) take(corner);
+  return extent;
+}
+
+double foot_of(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BlockId b : moving_blocks(model)) least = std::fmin(least, extent_of(model, b).low);
+  return least;
+}
+
+std::vector<double> moved_at(const Model& model, const Result& result, const Snapshot& state) {
+  const Stage* push = push_of(model);
+  const Vec3 along{push->drive_x, push->drive_y, push->drive_z};
+  const Snapshot& start = result.snapshots.front();  // "start" of the push
+  const std::vector<BlockId> blocks = moving_blocks(model);
+  std::vector<double> moved(blocks.empty() ? 0 : static_cast<std::size_t>(blocks.back()) + 1, 0.0);
+  for (const BlockId b : blocks)
+    moved[static_cast<std::size_t>(b)] = dot(
+        along, read_block(model, state.state, b).moved - read_block(model, start.state, b).moved);
+  return moved;
+}
+
+std::vector<const Snapshot*> states_by_displacement(const Result& result) {
+  std::vector<const Snapshot*> states;
+  if (result.snapshots.empty()) return states;
+  for (const Snapshot& s : result.readings)
+    if (s.displacement > 0) states.push_back(&s);
+  std::stable_sort(states.begin(), states.end(), [](const Snapshot* a, const Snapshot* b) {
+    return a->displacement < b->displacement;
+  });
+  const auto same = [](const Snapshot* a, const Snapshot* b) {
+    return a->displacement == b->displacement;
+  };
+  states.erase(std::unique(states.begin(), states.end(), same), states.end());
+  return states;
+}
+
+}  // namespace study
+
+namespace {
+
+// Every mass that moves with the wall; `block` is whose motion it follows, -1 that of the control point.
+struct Part {
+  double mass = 0, height = 0;
+  BlockId block = -1;
+};
+
+// The mass of a deformable block lies in its nodes.
+double mass_of(const Model& model, BlockId block) {
+  if (block < model.n_block) return model.heavy_mass[static_cast<std::size_t>(block)];
+  if (model.in_space()) {
+    const SpaceSolids& solids = model.space.solids;
+    const auto number = static_cast<std::size_t>(block - model.n_block - model.space.n_support);
+    const auto first = solids.node_heavy_mass.begin() + solids.bodies[number].first_node;
+    return std::accumulate(first, first + solids.bodies[number].n_node, 0.0);
+  }
+  const SolidBody& body = model.solids.bodies[static_cast<std::size_t>(block - model.n_block)];
+  double mass = 0;
+  for (int node = body.first_node; node < body.first_node + body.n_node; ++node)
+    mass += model.solids.node_heavy_mass[static_cast<std::size_t>(node)];
+  return mass;
+}
+
+std::vector<Part> parts_of(const AssessmentSpec& spec, const Model& model, double control,
+                           MassAndShape& out) {
+  std::vector<Part> parts;
+  const State rest = initial_state(model);
+  const double foot = study::foot_of(model);
+  for (const BlockId b : study::moving_blocks(model)) {
+    const double mass = spec.masonry_share * mass_of(model, b);
+    parts.push_back({mass, read_block(model, rest, b).start.y - foot, b});
+    out.blocks += mass;
+  }
+  const Stage* push = study::push_of(model);
+  for (const Stage& stage : model.stages) {
+    if (&stage == push) break;
+    for (const PointLoad& load : stage.loads) {
+      if (!(load.fy < 0)) continue;  // what lifts is no mass
+      const double mass = -load.fy / model.solve.gravity;
+      parts.push_back(
+          {mass, read_block(model, rest, load.block).start.y + load.arm_y - foot, load.block});
+      out.loads += mass;
+    }
+  }
+  if (spec.added_mass > 0)
+    parts.push_back(
+        {spec.added_mass, std::isnan(spec.added_height) ? control : spec.added_height, -1});
+  out.added = spec.added_mass;
+  return parts;
+}
+
+// How far the wall went at a height between blocks: the mean of those there, weighted by their mass.
+double moved_at_height(const Model& model, const std::vector<double>& moved, double height) {
+  const double y = study::foot_of(model) + height;
+  double mass = 0, sum = 0, nearest = std::numeric_limits<double>::infinity(), at_nearest = 0;
+  for (const BlockId b : study::moving_blocks(model)) {
+    const auto [low, high] = study::extent_of(model, b);
+    const double u = moved[static_cast<std::size_t>(b)];
+    const double off = std::fmax(0.0, std::fmax(low - y, y - high));
+    if (off < nearest) nearest = off, at_nearest = u;
+    if (off > 0) continue;
+    mass += mass_of(model, b);
+    sum += mass_of(model, b) * u;
+  }
+  return mass > 0 ? sum / mass : at_nearest;
+}
+
+}  // namespace
+
+MassAndShape mass_and_linear_shape(const AssessmentSpec& spec, const Model& model) {
+  MassAndShape out;
+  out.is_linear = true;
+  const Stage* push = study::push_of(model);
+  if (push == nullptr || !(push->load_height > 0)) return out;
+  double first = 0, second = 0;
+  for (const Part& part : parts_of(spec, model, push->load_height, out)) {
+    const double phi = part.height / push->load_height;
+    first += part.mass * phi;
+    second += part.mass * phi * phi;
+  }
+  out.participating = first;
+  out.participation = second > 0 ? first / second : kUnset;
+  return out;
+}
+
+std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Model& model,
+                                           const Result& result, MassAndShape& masses) {
+  const Stage* push = push_of(model);
+  const std::vector<Part> parts = parts_of(spec, model, push->load_height, masses);
+  std::vector<MovedMass> out;
+  std::vector<double> before(parts.size(), 0.0);
+  for (const Snapshot* state : states_by_displacement(result)) {
+    const std::vector<double> moved = moved_at(model, result, *state);
+    MovedMass& sum = out.emplace_back();
+    sum.displacement = state->displacement;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Part& part = parts[k];
+      double u = state->displacement;  // goes with the control point
+      if (part.block >= 0)
+        u = moved[static_cast<std::size_t>(part.block)];
+      else if (std::isfinite(spec.added_height))
+        u = moved_at_height(model, moved, part.height);
+      sum.first += part.mass * u;
+      sum.second += part.mass * u * u;
+      sum.mixed += part.mass * u * before[k];
+      before[k] = u;
+    }
+  }
+  return out;
+}
+
+// Every mass goes straight between two states, so that the sums follow from those at both.
+MassAndShape mass_and_shape(const PushedWall& wall, double displacement) {
+  MassAndShape out;
+  out.blocks = wall.blocks, out.loads = wall.loads, out.added = wall.added;
+  MovedMass before;
+  for (const MovedMass& now : wall.moved) {
+    if (now.displacement < displacement) {
+      before = now;
+      continue;
+    }
+    if (!(displacement > 0)) break;
+    const double t =
+        (displacement - before.displacement) / (now.displacement - before.displacement);
+    const double first = before.first + t * (now.first - before.first);
+    const double second =
+        (1 - t) * (1 - t) * before.second + 2 * t * (1 - t) * now.mixed + t * t * now.second;
+    out.read_at = displacement;
+    out.participating = first / displacement;
+    out.participation = second > 0 ? first * displacement / second : kUnset;
+    break;
+  }
+  return out;
+}
+
+}  // namespace wythe

@@ -1,0 +1,254 @@
+// Cuts the wall at the ends of each pier and spandrel and sums the forces of the joints that the cut parts;
+// see wythe/element_forces.h.
+//
+// A cut follows the joints: between blocks whose centroids lie on either side of a straight line, so that
+// any bond is cut right through. A pier's cut reaches half way over the openings beside it, where the
+// haunches of an arch may carry; a spandrel's reaches down so, to where an arch springs.
+#include "wythe/element_forces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "judge/modes/joint_motion.h"
+#include "judge/modes/wall_parts.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+using study::Box;
+using study::RigidMotion;
+
+enum class Across { kPier, kSpandrel };
+
+// One end: the joints parted there and the blocks beyond.
+struct Cut {
+  Across across = Across::kPier;
+  Vec3 middle;
+  std::vector<std::pair<JointId, double>> joints;  // 1: a is the lower or left side, -1: b is
+  std::vector<BlockId> beyond;                     // empty: what does not move
+};
+
+// Where an element is cut: at `at` along its axis, over `from` to `to` across it.
+struct CutLine {
+  Across across = Across::kPier;
+  Vec3 middle;
+  double from = 0, to = 0;        // joints of the cut
+  double width0 = 0, width1 = 0;  // blocks beyond that tell how the end moves
+  bool is_second = false;         // the element lies below it, or on its left
+};
+
+class Cutter {
+ public:
+  Cutter(const Model& model, double course) : model_(model), course_(course) {
+    for (BlockId b = 0; b < block_count(model); ++b) {
+      const Box box = bounds_of(b);
+      at_.push_back({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)});
+      if (b < model.n_block) at_.back() = {model.centroid_x[b], model.centroid_y[b]};
+    }
+    for (JointId j = 0; j < joint_count(model); ++j) shapes_.push_back(joint_shape(model, j));
+  }
+
+  [[nodiscard]] Cut at(const CutLine& line) const {
+    constexpr double kTouch = 1e-6;  // [m]
+    Cut cut{line.across, line.middle, {}, {}};
+    std::vector<BlockId> beyond;
+    for (const JointShape& shape : shapes_) {
+      const double place = line.across == Across::kPier ? shape.centre.x : shape.centre.y;
+      if (place < line.from - kTouch || place > line.to + kTouch) continue;
+      if (line.across == Across::kSpandrel && shape.a == kGroundBlock) continue;
+      const bool a = is_beyond(shape.a, line), b = is_beyond(shape.b, line);
+      if (a == b) continue;
+      // the force that acts on the near side, whichever end this is
+      const bool a_is_high = a == line.is_second;
+      cut.joints.emplace_back(shape.id, a_is_high ? -1.0 : 1.0);
+      if (const BlockId out = a ? shape.a : shape.b; out != kGroundBlock) beyond.push_back(out);
+    }
+    std::sort(beyond.begin(), beyond.end());
+    beyond.erase(std::unique(beyond.begin(), beyond.end()), beyond.end());
+    cut.beyond = in_line(beyond, line);
+    if (cut.joints.empty()) cut.beyond = last_of(line);
+    return cut;
+  }
+
+ private:
+  [[nodiscard]] Box bounds_of(BlockId block) const {
+    Box box{1e300, -1e300, 1e300, -1e300};
+    for (const Vec3& p : outline_of(model_, block))
+      box = {std::min(box.x0, p.x), std::max(box.x1, p.x), std::min(box.y0, p.y),
+             std::max(box.y1, p.y)};
+    return box;
+  }
+  [[nodiscard]] bool is_beyond(BlockId block, const CutLine& line) const {
+    if (block == kGroundBlock) return !line.is_second;  // below every level
+    const Vec3& at = at_[static_cast<std::size_t>(block)];
+    const bool high = line.across == Across::kPier ? at.y >= line.middle.y : at.x >= line.middle.x;
+    return high == line.is_second;
+  }
+  // Rigid blocks that lie in line with the element, if there are any: a lintel beside a pier's head
+  // moves with its own opening.
+  [[nodiscard]] std::vector<BlockId> in_line(const std::vector<BlockId>& blocks,
+                                             const CutLine& line) const {
+    std::vector<BlockId> rigid, inside;
+    for (const BlockId b : blocks) {
+      if (b >= model_.n_block) continue;
+      rigid.push_back(b);
+      const Vec3& at = at_[static_cast<std::size_t>(b)];
+      const double place = line.across == Across::kPier ? at.x : at.y;
+      if (place > line.width0 && place < line.width1) inside.push_back(b);
+    }
+    return inside.empty() ? rigid : inside;
+  }
+  // Nothing lies beyond: the element's own last course.
+  [[nodiscard]] std::vector<BlockId> last_of(const CutLine& line) const {
+    std::vector<BlockId> last;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      const Vec3& at = at_[static_cast<std::size_t>(b)];
+      const bool pier = line.across == Across::kPier;
+      const double along = pier ? at.y - line.middle.y : at.x - line.middle.x;
+      const double place = pier ? at.x : at.y;
+      if (place > line.width0 && place < line.width1 && std::abs(along) < course_)
+        last.push_back(b);
+    }
+    return last;
+  }
+
+  const Model& model_;
+  double course_;
+  std::vector<Vec3> at_;  // centroids
+  std::vector<JointShape> shapes_;
+};
+
+struct Element {
+  std::array<Cut, 2> end;
+};
+
+Element cut_pier(const Cutter& cutter, const study::Pier& p) {
+  Element e;
+  const double middle = 0.5 * (p.box.x0 + p.box.x1);
+  for (const int end : {0, 1})
+    e.end[end] = cutter.at({.across = Across::kPier,
+                            .middle = {middle, end == 0 ? p.clear_y0 : p.clear_y1},
+                            .from = p.reach_x0,
+                            .to = p.reach_x1,
+                            .width0 = p.box.x0,
+                            .width1 = p.box.x1,
+                            .is_second = end == 1});
+  return e;
+}
+
+Element cut_spandrel(const Cutter& cutter, const study::Spandrel& s) {
+  Element e;
+  const double middle = 0.5 * (s.box.y0 + s.box.y1);
+  for (const int end : {0, 1})
+    e.end[end] = cutter.at({.across = Across::kSpandrel,
+                            .middle = {end == 0 ? s.box.x0 : s.box.x1, middle},
+                            .from = s.box.y0 - 0.5 * s.opening,
+                            .to = s.box.y1,
+                            .width0 = s.box.y0,
+                            .width1 = s.box.y1,
+                            .is_second = end == 1});
+  return e;
+}
+
+// The force of the upper side on the lower one, of the right on the left.
+ElementEnd forces_at(const Model& model, const Cut& cut, const WallReading& wall) {
+  Vec3 force;
+  double moment = 0;
+  for (const auto& [id, side] : cut.joints) {
+    const JointReading& joint = wall.joints[static_cast<std::size_t>(id)];
+    const Vec3 on = -side * force_of(model, joint, wall);
+    force = force + on;
+    moment += cross(joint.shape.centre - cut.middle, on).z - side * joint.moment;
+  }
+  ElementEnd end;
+  const bool pier = cut.across == Across::kPier;
+  end.axial = 0.0 - (pier ? force.y : force.x);  // 0, not -0
+  end.shear = pier ? force.x : force.y;
+  end.moment = moment;
+  return end;
+}
+
+RigidMotion motion_of(const Model& model, const Cut& cut, const WallReading& wall) {
+  std::vector<study::BlockMotion> blocks;
+  for (const BlockId b : cut.beyond) {
+    const BlockReading& now = wall.blocks[static_cast<std::size_t>(b)];
+    blocks.push_back(
+        {{now.start, now.moved, now.turned.by}, now.role, model.mass[b], model.inertia[b]});
+  }
+  RigidMotion m = study::fitted(blocks, [](const study::BlockMotion&) { return true; });
+  m.moved = m.moved + cross(m.turn, cut.middle - m.at);
+  m.at = cut.middle;
+  return m;
+}
+
+ElementForces::Row row_of(const Model& model, const Element& element, const WallReading& wall,
+                          double displacement, double length) {
+  ElementForces::Row row;
+  row.displacement = displacement;
+  std::array<RigidMotion, 2> motion;
+  for (const std::size_t end : {0, 1}) {
+    row.end[end] = forces_at(model, element.end[end], wall);
+    motion[end] = motion_of(model, element.end[end], wall);
+    row.end[end].turn = motion[end].turn.z;
+  }
+  const bool pier = element.end[0].across == Across::kPier;
+  const Vec3 way = motion[1].moved - motion[0].moved;
+  const double turn = 0.5 * (row.end[0].turn + row.end[1].turn);
+  row.drift = (pier ? way.x : way.y) / length;
+  row.distortion = row.drift + (pier ? turn : -turn);
+  return row;
+}
+
+}  // namespace
+
+std::vector<ElementForces> read_element_forces(const Model& model, const Result& result) {
+  const study::WallParts parts = study::find_parts(model);
+  const Cutter cutter(model, parts.course);
+  std::vector<ElementForces> all;
+  std::vector<Element> elements;
+  for (const study::Pier& p : parts.piers) {
+    all.push_back({p.name, "pier", p.mark, p.storey, p.clear_y1 - p.clear_y0});
+    elements.push_back(cut_pier(cutter, p));
+  }
+  for (const study::Spandrel& s : parts.spandrels) {
+    if (s.is_sill) continue;
+    all.push_back({s.name, "spandrel", s.mark, s.storey, s.box.width()});
+    elements.push_back(cut_spandrel(cutter, s));
+  }
+  std::vector<const Snapshot*> states;
+  if (!result.snapshots.empty() && !result.readings.empty() &&
+      result.snapshots.front().label == "start")
+    states.push_back(&result.snapshots.front());
+  for (const Snapshot& s : result.readings)  // the end may be a reading too
+    if (states.empty() || states.back()->state.step != s.state.step) states.push_back(&s);
+  for (const Snapshot* s : states) {
+    const WallReading wall = read_wall(model, s->state);
+    for (std::size_t e = 0; e < all.size(); ++e)
+      all[e].rows.push_back(row_of(model, elements[e], wall, s->displacement, all[e].length));
+  }
+  return all;
+}
+
+std::string element_forces_csv(const std::vector<ElementForces>& elements) {
+  std::string text =
+      "displacement_mm,mark,element,kind,storey,axial_1_kN,shear_1_kN,moment_1_kNm,axial_2_kN,"
+      "shear_2_kN,moment_2_kNm,turn_1_mrad,turn_2_mrad,drift_percent,distortion_percent\n";
+  const std::size_t rows = elements.empty() ? 0 : elements.front().rows.size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (const ElementForces& e : elements) {
+      const ElementForces::Row& row = e.rows[r];
+      text += fmt::format("{:.6g},{},{},{},{}", 1e3 * row.displacement, e.mark, e.element, e.kind,
+                          e.storey);
+      for (const ElementEnd& end : row.end)
+        text += fmt::format(",{:.6g},{:.6g},{:.6g}", 1e-3 * end.axial, 1e-3 * end.shear,
+                            1e-3 * end.moment);
+      text += fmt::format(",{:.6g},{:.6g},{:.6g},{:.6g}\n", 1e3 * row.end[0].turn,
+                          1e3 * row.end[1].turn, 1e2 * row.drift, 1e2 * row.distortion);
+    }
+  }
+  return text;
+}
+
+}  // namespace wythe

@@ -1,0 +1,352 @@
+// Reads the stored states of a push: the name at one of them, when each sign first showed, and what
+// the name would be elsewhere. The parts are in wall_parts, the signs in element_states, the rules
+// in mode_names, the flags in mode_flags.
+#include "wythe/failure_mode.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "judge/modes/in_space.h"
+#include "judge/modes/mode_flags.h"
+#include "judge/modes/mode_names.h"
+#include "wythe/mechanism.h"
+
+namespace wythe {
+namespace {
+
+using study::WallMotion;
+using study::WallParts;
+
+constexpr double kNearly = 0.01;  // displacements that count as one
+
+double far(const Snapshot& s) { return std::fabs(s.displacement); }
+
+const Stage* stage_of(const Model& model, const Snapshot& s) {
+  const auto stage = static_cast<std::size_t>(s.state.stage);
+  return stage < model.stages.size() ? &model.stages[stage] : nullptr;
+}
+
+bool is_cyclic(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && !stage->spec.targets.empty();
+}
+
+// The first state that has gone as far as `read_at`, else the last. Of a cyclic push the last there
+// before it goes farther, so that both ways have had their turn, else the last of the farthest.
+const Snapshot* state_to_read(const Model& model, const std::vector<Snapshot>& states,
+                              double read_at) {
+  if (states.empty()) return nullptr;
+  const auto is_there = [&](const Snapshot& s) { return far(s) >= (1 - 1e-6) * read_at; };
+  const auto there = std::find_if(states.begin(), states.end(), is_there);
+  if (!is_cyclic(model, states.front())) return there != states.end() ? &*there : &states.back();
+  const auto beyond = std::find_if(states.begin(), states.end(), [&](const Snapshot& s) {
+    return far(s) > (1 + kNearly) * read_at;
+  });
+  if (beyond == there && there != states.end()) return &*there;
+  double most = 0;
+  for (auto s = states.begin(); s != beyond; ++s) most = std::max(most, far(*s));
+  const Snapshot* last = nullptr;
+  for (auto s = states.begin(); s != beyond; ++s)
+    if (far(*s) >= (1 - kNearly) * std::min(most, read_at)) last = &*s;
+  return last;
+}
+
+Message millimetres(double displacement) {
+  const double mm = 1e3 * displacement;
+  return {std::fabs(mm) < 9.995 ? "length.hundredths" : "length.tenths", {{"mm", mm}}};
+}
+
+// Body force and tilt, in a state the wall was leaving for good.
+bool is_falling(const Model& model, const Snapshot& s) {
+  const Stage* stage = stage_of(model, s);
+  return stage != nullptr && s.state.balance >= 2 * model.solve.settle_ratio &&
+         (stage->spec.kind == StageKind::kBodyForce || stage->spec.kind == StageKind::kTilt);
+}
+
+// A wall that falls moves as a mechanism, whose size is where the run was ended: widths shrink with it.
+ModeRules rules_at(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  ModeRules rules = rules_for(model);
+  const bool fell = result.status == SolveStatus::kCollapsed && is_falling(model, s);
+  if (fell && is_read_early(s.displacement, read_at)) {
+    rules.crack *= far(s) / read_at;
+    rules.sliding *= far(s) / read_at;
+  }
+  return rules;
+}
+
+// "read at 40.0 mm", and what has to be known beside.
+Message words_for(const Model& model, const Result& result, const Snapshot& s, double read_at) {
+  std::vector<Message> words = {{"reading.at", {{"displacement", millimetres(s.displacement)}}}};
+  const bool turned = s.label == "turn";
+  if (is_falling(model, s))
+    words.push_back({"reading.out_of_balance"});
+  else if (turned)
+    words.push_back({"reading.turned"});
+  if (is_read_early(s.displacement, read_at)) {
+    const char* end = turned                                     ? "reading.short"
+                      : result.status == SolveStatus::kCollapsed ? "reading.collapsed"
+                      : result.status == SolveStatus::kCompleted ? "reading.ended"
+                                                                 : "reading.stopped";
+    words.push_back({end, {{"asked", millimetres(read_at)}}});
+  }
+  return {"reading", {{"words", std::move(words)}}};
+}
+
+// The share of its peak that the force has lost where the state is read.
+double force_lost(const Result& result, double read_at) {
+  double peak = 0, now = 0;
+  for (const CurveRow& row : backbone_of(result.curve)) {
+    if (std::fabs(row.displacement) > (1 + kNearly) * std::fabs(read_at)) break;
+    now = row.reaction;
+    peak = std::max(peak, now);
+  }
+  return peak > 0 ? 1 - now / peak : 0.0;
+}
+
+// A force that fell needs a cause: in space too "none" is no name for it.
+FailureMode name_read_in_space(const Model& model, const Result& result, const Snapshot& read) {
+  FailureMode mode = study::name_in_space(model, read.state);
+  if (mode.name != "none" || is_load_controlled(result)) return mode;
+  const double lost = force_lost(result, read.displacement);
+  if (lost < ModeRules{}.drop) return mode;
+  mode.name = "unclear";
+  mode.sentence = {"space.fell",
+                   {{"percent", 100 * lost}, {"share_percent", 100 * mode.evidence[0].value}}};
+  return mode;
+}
+
+// Length of the joints in a state that are pressed where they have no face.
+double length_slid_off(const WallMotion& motion) {
+  double length = 0;
+  for (const auto* list : {&motion.joints, &motion.top})
+    for (const study::JointMotion& j : *list) length += j.has_slid_off ? j.length() : 0;
+  return length;
+}
+
+// Half a section of the narrowest pier stands on faces that are not there: no name is vouched for.
+bool is_slid_off(const WallParts& parts, const WallMotion& motion) {
+  double narrowest = parts.wall.width();
+  for (const study::Pier& p : parts.piers) narrowest = std::min(narrowest, p.box.width());
+  return length_slid_off(motion) >= 0.5 * narrowest;
+}
+
+void doubt_slid_off(const WallParts& parts, const WallMotion& motion, const Validity& validity,
+                    FailureMode& mode) {
+  if (!is_slid_off(parts, motion)) return;
+  const bool known = !std::isnan(validity.overlap_lost);
+  Message doubt{known ? "mode.slid_off_from" : "mode.slid_off",
+                {{"shows", mode.name == "unclear" ? mode.sentence : mode.words}}};
+  if (known) doubt.arguments.emplace_back("from", millimetres(validity.overlap_lost));
+  mode.sentence = std::move(doubt);
+  mode.name = "unclear";
+  mode.words = {};
+}
+
+// What each part showed at the states up to the one that is read.
+std::vector<study::Reading> readings_up_to(const Model& model, const WallParts& parts,
+                                           const Result& result, const Snapshot* read,
+                                           const ModeRules& rules) {
+  std::vector<study::Reading> readings;
+  readings.reserve(result.readings.size());
+  for (const Snapshot& s : result.readings) {
+    const WallMotion then = study::read_motion(model, s.state);
+    readings.push_back({s.displacement, study::element_states(parts, then, rules)});
+    if (&s == read) break;
+  }
+  return readings;
+}
+
+void note_first(const ElementStates& seen, double displacement, ElementStates& elements) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (std::size_t k = 0; k < elements[e].signs.size(); ++k) {
+      ElementSign& sign = elements[e].signs[k];
+      double& first = elements[e].displacement_first;
+      if (!seen[e].signs[k].holds() || !std::isnan(sign.displacement_first)) continue;
+      sign.displacement_first = displacement;
+      if (sign.holds() && std::isnan(first)) first = displacement;
+    }
+  }
+}
+
+struct Change {
+  const char *word, *code;
+  double ModeRules::*threshold;
+};
+constexpr Change kChanges[] = {
+    {"crack width", "threshold.crack", &ModeRules::crack},
+    {"sliding", "threshold.sliding", &ModeRules::sliding},
+    {"crossing of a pier", "threshold.pier_crossed", &ModeRules::pier_crossed},
+    {"crossing of a spandrel", "threshold.spandrel_crossed", &ModeRules::spandrel_crossed},
+    {"open share of a rocking foot", "threshold.rocking", &ModeRules::rocking},
+    {"crushing", "threshold.crushing", &ModeRules::crushing}};
+
+std::vector<NameReading> sensitivity_of(const Model& model, const WallParts& parts,
+                                        const Result& result, const Snapshot& read,
+                                        const WallMotion& motion, const ModeRules& rules,
+                                        double later) {
+  std::vector<NameReading> names;
+  const Snapshot* before = &read;
+  const auto same_place = [](const Snapshot& a, const Snapshot& b) {
+    return a.state.step == b.state.step && a.displacement == b.displacement;
+  };
+  for (const Snapshot& s : result.snapshots) {
+    if (s.label == "start" || same_place(s, read) || same_place(s, *before)) continue;
+    before = &s;
+    const WallMotion there = study::read_motion(model, s.state);
+    names.push_back({study::name_parts(parts, there, rules, later).name, s.label, s.displacement});
+  }
+  for (const Change& change : kChanges) {
+    for (const double factor : {0.75, 1.25}) {
+      ModeRules changed = rules;
+      changed.*change.threshold *= factor;
+      names.push_back({study::name_parts(parts, motion, changed, later).name, "", read.displacement,
+                       change.word, factor});
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Message NameReading::what() const {
+  if (threshold.empty()) {
+    if (state == "peak") return {"reading.at_peak"};
+    if (state == "end") return {"reading.at_end"};
+    return {"reading.at_state", {{"state", state}}};
+  }
+  Message words = as_text(threshold);
+  for (const Change& change : kChanges)
+    if (threshold == change.word) words = {change.code};
+  return {"reading.other_threshold", {{"threshold", words}, {"factor", factor}}};
+}
+
+ElementStates read_elements(const Model& model, const State& state, const ModeRules& rules) {
+  return study::element_states(study::find_parts(model), study::read_motion(model, state), rules);
+}
+
+ElementStates read_elements(const Model& model, const State& state) {
+  return read_elements(model, state, rules_for(model));
+}
+
+FailureMode name_from_state(const Model& model, const State& state, const ModeRules& rules) {
+  const WallParts parts = study::find_parts(model);
+  const WallMotion motion = study::read_motion(model, state);
+  FailureMode mode = study::name_parts(parts, motion, rules);
+  doubt_slid_off(parts, motion, {}, mode);
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
+  return mode;
+}
+
+FailureMode name_from_state(const Model& model, const State& state) {
+  return name_from_state(model, state, rules_for(model));
+}
+
+FailureMode name_failure_mode(const Model& model, const Result& result, double read_at) {
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  if (read == nullptr) {
+    FailureMode none;
+    none.sentence = {"mode.no_state"};
+    return none;
+  }
+  if (model.in_space()) {
+    FailureMode mode = name_read_in_space(model, result, *read);
+    mode.read_at = read->displacement;
+    mode.reading = words_for(model, result, *read, read_at);
+    return mode;
+  }
+  const WallParts parts = study::find_parts(model);
+  const WallMotion motion = study::read_motion(model, read->state);
+  const ModeRules rules = rules_at(model, result, *read, read_at);
+  const std::vector<study::Reading> readings = readings_up_to(model, parts, result, read, rules);
+  const double later = study::spandrel_later(parts, readings, rules);
+  FailureMode mode = study::name_parts(parts, motion, rules, later);
+  doubt_slid_off(parts, motion, result.validity, mode);
+  mode.read_at = read->displacement;
+  mode.reading = words_for(model, result, *read, read_at);
+  for (const study::Reading& r : readings) note_first(r.elements, r.displacement, mode.elements);
+  mode.flags = study::state_flags(model, parts, motion.joints, rules);
+  mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
+  mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules, later);
+  return mode;
+}
+
+namespace {
+
+WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                           double later = 0) {
+  WallMechanism mechanism = study::name_wall(parts, motion, rules, later).mechanism;
+  if (!is_slid_off(parts, motion)) return mechanism;
+  if (mechanism.name != "unclear") mechanism.candidates = {mechanism.name};
+  mechanism.name = "unclear";
+  mechanism.sentence = {"mechanism.slid_off", {{"shows", std::move(mechanism.sentence)}}};
+  return mechanism;
+}
+
+// The part in which a joint lies, the smallest that holds it.
+Message place_of(const WallParts& parts, const study::JointMotion& joint) {
+  const study::Part* found = nullptr;
+  for (const auto& [part, kind] : study::all_parts(parts)) {
+    const study::Box& b = part->box;
+    const double reach = 0.5 * parts.course;
+    if (joint.x < b.x0 - reach || joint.x > b.x1 + reach || joint.y < b.y0 - reach ||
+        joint.y > b.y1 + reach)
+      continue;
+    if (found == nullptr || b.width() * b.height() < found->box.width() * found->box.height())
+      found = part;
+  }
+  if (found == nullptr) return {"mechanism.no_part"};
+  const auto words = parts.words.find(found->name);
+  return words != parts.words.end() ? words->second : as_text(found->name);
+}
+
+// A force that fell needs a cause. Where no pier and no spandrel shows one, say so, and where it moved most.
+void doubt_calm(const WallParts& parts, const WallMotion& motion, double lost,
+                WallMechanism& mechanism) {
+  const study::JointMotion* most = nullptr;
+  const auto way = [](const study::JointMotion& j) { return std::hypot(j.opened, j.slip); };
+  for (const auto* list : {&motion.joints, &motion.top})
+    for (const study::JointMotion& j : *list)
+      if (most == nullptr || way(j) > way(*most)) most = &j;
+  if (most == nullptr) return;
+  double crushed = 0;
+  for (const study::JointMotion& j : motion.joints) crushed = std::max(crushed, j.crushing);
+  mechanism.candidates = {mechanism.name};
+  mechanism.name = "unclear";
+  mechanism.sentence = {"mechanism.fell",
+                        {{"percent", 100 * lost},
+                         {"mm", 1e3 * way(*most)},
+                         {"place", place_of(parts, *most)},
+                         {"crushed_percent", 100 * crushed}}};
+}
+
+}  // namespace
+
+WallMechanism mechanism_from_state(const Model& model, const State& state) {
+  return mechanism_in(study::find_parts(model), study::read_motion(model, state), rules_for(model));
+}
+
+WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
+  const Snapshot* read = state_to_read(model, result.readings, read_at);
+  if (read == nullptr) return {};
+  if (model.in_space()) {
+    const FailureMode mode = name_read_in_space(model, result, *read);
+    WallMechanism mechanism;
+    mechanism.name = mode.name;
+    mechanism.sentence = mode.sentence;
+    return mechanism;
+  }
+  const WallParts parts = study::find_parts(model);
+  const ModeRules rules = rules_at(model, result, *read, read_at);
+  const WallMotion motion = study::read_motion(model, read->state);
+  const double later =
+      study::is_two_pier_wall(parts)
+          ? study::spandrel_later(parts, readings_up_to(model, parts, result, read, rules), rules)
+          : 0.0;
+  WallMechanism mechanism = mechanism_in(parts, motion, rules, later);
+  if (mechanism.name != "none" || is_load_controlled(result)) return mechanism;
+  if (const double lost = force_lost(result, read->displacement); lost >= rules.drop)
+    doubt_calm(parts, motion, lost, mechanism);
+  return mechanism;
+}
+
+}  // namespace wythe

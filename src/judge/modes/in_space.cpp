@@ -1,0 +1,488 @@
+#include "judge/modes/in_space.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "judge/modes/space_pieces.h"
+#include "wythe/reading.h"
+
+namespace wythe::study {
+namespace {
+
+constexpr double kMoved = 0.005;  // of a joint's size: an opening or slip that counts
+constexpr double kTakesPart =
+    0.25;  // of the furthest block's way: what takes part in the mechanism
+constexpr double kStandsFor =
+    1.0 / 3;                        // of what moved, by mass: what a mechanism of the wall holds
+constexpr double kSomeWall = 0.02;  // of the wall, by mass: what is more than a loose stone
+constexpr double kMain = 2.0 / 3;   // of what moves, by mass: a piece that drags the others along
+constexpr double kOffPlane = 0.15;  // of the motion: what may leave the wall's plane
+constexpr double kThin = 0.1;       // thickness over length, squared: what has a plane
+constexpr double kParallel = 0.95;  // cosine from which on two walls are parallel
+constexpr double kOblique = 0.3;    // cosine from which on a turn is about an axis as well
+constexpr double kSlidOff = 0.25;   // of the joints that moved, by area: no name is vouched for
+
+std::vector<Moved> read_blocks(const Model& model, const State& state) {
+  std::vector<Moved> blocks;
+  const Space& space = model.space;
+  for (BlockId b = 0; b < model.n_block; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    const BlockReading now = read_block(model, state, b);
+    const Vec3& i = space.inertia[k];
+    const double mass = model.mass[k], least = std::fmin(i.x, std::fmin(i.y, i.z));
+    // the longest side has the least inertia about it
+    const Vec3 axis = least == i.x   ? space.axis_1[k]
+                      : least == i.y ? space.axis_2[k]
+                                     : space.axis_3[k];
+    const double others = i.x + i.y + i.z - least;
+    const bool is_long = 2 * least < 0.8 * others && std::fabs(axis.y) < 0.3;
+    blocks.push_back({b,
+                      now.start,
+                      now.moved,
+                      {state.qw[k], {state.qx[k], state.qy[k], state.qz[k]}},
+                      mass,
+                      std::sqrt((i.x + i.y + i.z) / (3 * mass)),
+                      is_long ? axis : Vec3{},
+                      &space.body[k]});
+  }
+  return blocks;
+}
+
+double mass_of(const std::vector<Moved>& blocks) {
+  double mass = 0;
+  for (const Moved& b : blocks) mass += b.mass;
+  return mass;
+}
+
+// What the joints tell: the largest movement over a joint's size; sums of area times opening and slip, and how
+// much of the area that moved is pressed where there is no face left.
+struct Joints {
+  double movement = 0, size = 0, opened = 0, slid = 0, slid_off = 0;
+};
+Joints read_joints(const Model& model, const WallReading& wall) {
+  Joints sum;
+  double moved = 0, off = 0, all = 0;
+  for (const JointReading& joint : wall.joints) {
+    const double area = joint.shape.area, size = std::sqrt(area);
+    const double opening = std::fmax(0, joint.opening);
+    const double way = std::fmax(opening, joint.slip) / size;
+    sum.movement = std::fmax(sum.movement, way);
+    sum.size += area * size;
+    all += area;
+    if (way < kMoved) continue;
+    sum.opened += area * opening;
+    sum.slid += area * joint.slip;
+    moved += area;
+    if (has_slid_off(model, wall.points, joint.shape.id)) off += area;
+  }
+  if (all > 0) sum.size /= all;
+  if (moved > 0) sum.slid_off = off / moved;
+  return sum;
+}
+
+// --- names ------------------------------------------------------------------------------------------------
+
+double off_plane(const std::vector<Moved>& blocks, Vec3 normal) {
+  double off = 0, all = 0;
+  for (const Moved& b : blocks) {
+    off += b.mass * dot(b.moved, normal) * dot(b.moved, normal);
+    all += b.mass * dot(b.moved, b.moved);
+  }
+  return all > 0 ? std::sqrt(off / all) : 0;
+}
+
+double level_part(Vec3 turn) { return std::hypot(turn.x, turn.z); }
+bool is_level(Vec3 turn) { return std::fabs(turn.y) < 0.5 * length(turn); }
+
+// How high a piece's axis of rotation passes: where it moves least.
+Vec3 hinge_of(const Piece& piece) {
+  return piece.centre + cross(piece.turn, piece.shift) / dot(piece.turn, piece.turn);
+}
+
+// Whether a piece holds units of two walls that meet, and tilts away from both.
+bool is_wedge(const Piece& piece) {
+  Vec3 first, along_two[2];
+  double mass[2] = {0, 0};
+  for (const Moved& b : piece.blocks) {
+    if (length(b.longest) == 0) continue;
+    if (length(first) == 0) first = b.longest;
+    const bool as_first = std::fabs(dot(first, b.longest)) > 0.7;
+    mass[as_first ? 0 : 1] += b.mass;
+    along_two[as_first ? 0 : 1] = b.longest;
+  }
+  if (std::fmin(mass[0], mass[1]) < 0.2 * piece.mass) return false;
+  const Vec3 axis = piece.turn / length(piece.turn);
+  return std::fabs(dot(axis, along_two[0])) > kOblique &&
+         std::fabs(dot(axis, along_two[1])) > kOblique;
+}
+
+Message one_piece(const Piece& piece, Vec3 normal, FailureMode& mode) {
+  const double share = static_cast<double>(piece.blocks.size());
+  const double degrees = length(piece.turn) * 180 / M_PI;
+  if (!piece.turns) {
+    if (std::fabs(piece.shift.y) > 0.7 * length(piece.shift))
+      return {piece.shift.y < 0 ? "space.falls" : "space.rises",
+              {{"blocks", share}, {"mm", 1e3 * length(piece.shift)}}};
+    mode.name = "sliding";
+    return {"space.sliding", {{"blocks", share}, {"mm", 1e3 * length(piece.shift)}}};
+  }
+  if (!is_level(piece.turn)) {
+    mode.name = "turning";
+    return {"space.turning", {{"blocks", share}}};
+  }
+  if (std::fabs(dot(piece.turn, normal)) > 0.8 * length(piece.turn)) {
+    mode.name = "rocking";
+    return {"space.rocking", {{"blocks", share}, {"degrees", degrees}}};
+  }
+  const Vec3 hinge = hinge_of(piece);
+  mode.name = is_wedge(piece) ? "corner wedge" : "overturning";
+  return {is_wedge(piece) ? "space.wedge" : "space.overturning",
+          {{"blocks", share},
+           {"y_m", hinge.y},
+           {"x_m", hinge.x},
+           {"z_m", hinge.z},
+           {"degrees", degrees}}};
+}
+
+void note(FailureMode& mode, const char* what, double value, double threshold) {
+  mode.evidence.push_back({"moving blocks", what, value, threshold, "-"});
+}
+
+// Pieces that turn against each other about level axes, one above the other: a wall that spans upwards.
+bool bends_upwards(const std::vector<Piece>& pieces) {
+  bool against = false;
+  for (const Piece& a : pieces) {
+    if (!is_level(a.turn)) return false;
+    for (const Piece& b : pieces) {
+      const Vec3 to = b.centre - a.centre;
+      if (std::fabs(to.y) < std::hypot(to.x, to.z)) return false;  // side by side
+      against = against || dot(a.turn, b.turn) < -0.5 * length(a.turn) * length(b.turn);
+    }
+  }
+  return against;
+}
+
+// Two pieces side by side that turn against each other about upright axes, wholly or in part.
+struct Sideways {
+  bool bends = false, oblique = false;
+};
+Sideways bends_sideways(const std::vector<Piece>& pieces) {
+  Sideways found;
+  for (const Piece& a : pieces)
+    for (const Piece& b : pieces) {
+      const bool upright = std::fabs(a.turn.y) > kOblique * length(a.turn) &&
+                           std::fabs(b.turn.y) > kOblique * length(b.turn);
+      if (!upright || !a.turns || !b.turns || !(a.turn.y * b.turn.y < 0)) continue;
+      found.bends = true;
+      // both lean the same way as well, or another piece does
+      const double lean = a.turn.x * b.turn.x + a.turn.z * b.turn.z;
+      found.oblique = found.oblique ||
+                      (lean > 0 && level_part(a.turn) > kOblique * length(a.turn) &&
+                       level_part(b.turn) > kOblique * length(b.turn)) ||
+                      std::any_of(pieces.begin(), pieces.end(), [](const Piece& c) {
+                        return c.turns && level_part(c.turn) > 0.9 * length(c.turn);
+                      });
+    }
+  return found;
+}
+
+// --- walls that move together ---------------------------------------------------------------------------------
+
+// Masonry that joints hold together, and what of it takes part.
+struct Wall {
+  std::vector<Moved> all, part;
+};
+
+// The builder's name of the wall: "front" of front.c03u05a, front.lintel0; "" for other ids.
+std::string wall_of(const std::string& id) {
+  for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
+    const std::string_view rest = std::string_view(id).substr(dot + 1);
+    const bool unit = rest.size() > 1 && rest[0] == 'c' && std::isdigit(rest[1]) != 0;
+    if (unit || rest.starts_with("lintel") || rest.starts_with("sill") || rest.starts_with("arch"))
+      return id.substr(0, dot);
+  }
+  return "";
+}
+
+// "walls left, right", or how many blocks where they bear no names of walls.
+Message walls_of(const std::vector<Moved>& blocks) {
+  constexpr std::size_t kMostNames = 6;
+  std::vector<std::string> names;
+  for (const Moved& b : blocks) {
+    const std::string name = wall_of(b.body->id);
+    if (name.empty()) return {"space.blocks", {{"blocks", blocks.size()}}};
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  std::string list;
+  for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
+    list += (k > 0 ? ", " : "") + names[k];
+  if (names.size() > kMostNames) list += ", ...";
+  return {names.size() == 1 ? "space.wall" : "space.walls", {{"names", list}}};
+}
+
+// Whether a piece turns about a line at the foot of its walls: some corner of them below its centre would hardly move
+// with it. Their lowest stones need not take part.
+bool stands_on_its_hinge(const Piece& piece, const std::vector<Wall>& walls) {
+  const auto is_of = [&](const Wall& wall) {
+    return std::any_of(wall.part.begin(), wall.part.end(), [&](const Moved& b) {
+      return std::any_of(piece.blocks.begin(), piece.blocks.end(),
+                         [&](const Moved& own) { return own.id == b.id; });
+    });
+  };
+  double least = 1e300, most = 0, foot = 0;
+  for (const Wall& wall : walls) {
+    if (!is_of(wall)) continue;
+    for (const Moved& b : wall.all)
+      for (const Polyhedron& part : b.body->part)
+        for (const Vec3& corner : part.vertex) {
+          const double way = length(piece.way_of(corner));
+          if (way < least) least = way, foot = corner.y;
+          most = std::fmax(most, way);
+        }
+  }
+  return least <= kRigid * most && foot < piece.centre.y;
+}
+
+// The pieces that turn as the heaviest does, each about a level line at its own foot; how much they weigh.
+struct Alike {
+  std::vector<const Piece*> pieces;
+  double mass = 0, all = 0;
+};
+Alike turn_alike(const std::vector<Piece>& pieces, const std::vector<Wall>& walls) {
+  const Piece& main = *std::max_element(
+      pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass < b.mass; });
+  Alike found;
+  for (const Piece& piece : pieces) {
+    found.all += piece.mass;
+    const bool alike = length(piece.turn - main.turn) <= kRigid * length(main.turn);
+    if (!alike || !piece.turns || !is_level(piece.turn) || !stands_on_its_hinge(piece, walls))
+      continue;
+    found.mass += piece.mass;
+    found.pieces.push_back(&piece);
+  }
+  return found;
+}
+
+// Walls that overturn by equal turns about parallel lines, as a slab between them makes them do; "" where they do not.
+Message overturn_together(const std::vector<Piece>& pieces, const std::vector<Wall>& walls,
+                          FailureMode& mode) {
+  const Alike alike = turn_alike(pieces, walls);
+  note(mode, "mass of pieces that turn alike about their feet", alike.mass / alike.all, 1 - kRigid);
+  if (alike.pieces.size() < 2 || alike.mass < (1 - kRigid) * alike.all) return {};
+  mode.name = "overturning";
+  std::vector<Message> lines;
+  double degrees = 0;
+  for (const Piece* piece : alike.pieces) {
+    const Vec3 hinge = hinge_of(*piece);
+    degrees += piece->mass / alike.mass * length(piece->turn) * 180 / M_PI;
+    lines.push_back({"space.line",
+                     {{"walls", walls_of(piece->blocks)},
+                      {"y_m", hinge.y},
+                      {"x_m", hinge.x},
+                      {"z_m", hinge.z}}});
+  }
+  return {"space.together",
+          {{"pieces", alike.pieces.size()}, {"degrees", degrees}, {"lines", std::move(lines)}}};
+}
+
+Message some_pieces(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, Vec3 normal,
+                    FailureMode& mode) {
+  const double count = static_cast<double>(pieces.size());
+  if (bends_upwards(pieces)) {
+    mode.name = "bending";
+    double low = 1e300;
+    for (const Moved& b : pieces.back().blocks) low = std::fmin(low, b.start.y);
+    return {"space.bending", {{"y_m", low}}};
+  }
+  const Sideways sideways = bends_sideways(pieces);
+  if (sideways.bends) {
+    mode.name = sideways.oblique ? "two-way bending" : "horizontal bending";
+    return {sideways.oblique ? "space.two_way" : "space.sideways", {{"pieces", count}}};
+  }
+  if (Message together = overturn_together(pieces, walls, mode); !together.empty()) return together;
+  const auto main = std::max_element(
+      pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.mass < b.mass; });
+  double all = 0;
+  for (const Piece& piece : pieces) all += piece.mass;
+  note(mode, "mass of the heaviest piece", main->mass / all, kMain);
+  if (main->mass >= kMain * all) {
+    Message shows = one_piece(*main, normal, mode);
+    if (walls.size() > 1)
+      shows = {"space.of_walls", {{"walls", walls_of(main->blocks)}, {"shows", std::move(shows)}}};
+    return {"space.drags",
+            {{"shows", std::move(shows)}, {"percent", 100 * (1 - main->mass / all)}}};
+  }
+  return {"space.pieces", {{"pieces", count}}};
+}
+
+// Parts that rock as rigid pieces, or joints that slip; where neither decides, what the joints did more.
+Message in_its_plane(const std::vector<Piece>& pieces, const Joints& joints, FailureMode& mode) {
+  double rocking = 0, all = 0;
+  for (const Piece& piece : pieces) {
+    all += piece.mass;
+    if (piece.turns && residual(pieces) <= kRigid) rocking += piece.mass;
+  }
+  const double slip = joints.slid / (joints.slid + joints.opened);
+  note(mode, "mass that rocks in rigid pieces", rocking / all, 0.5);
+  note(mode, "share of slip in what the joints moved", slip, 0.5);
+  const bool rocks = rocking >= 0.5 * all || slip < 0.5;
+  mode.name = rocks ? "in-plane rocking" : "in-plane shear";
+  return {rocks ? "space.in_plane_rocking" : "space.in_plane_shear",
+          {{"percent", 100 * (rocks ? rocking / all : slip)}, {"slip_percent", 100 * slip}}};
+}
+
+// Across the walls that take part, where they are thin and parallel; 0 where they are not. A wall is what joints hold
+// together: the plan of two walls side by side tells of their distance, not of their planes.
+Vec3 normal_of(const std::vector<Wall>& walls) {
+  double all = 0, parallel = 0, heaviest = 0;
+  Vec3 normal;
+  for (const Wall& wall : walls) {
+    const double mass = mass_of(wall.part);
+    if (mass > heaviest) heaviest = mass, normal = plan_of(wall.part).normal;
+  }
+  for (const Wall& wall : walls) {
+    const Plan plan = plan_of(wall.part);
+    const bool counts = plan.thin <= kThin && std::fabs(dot(plan.normal, normal)) > kParallel;
+    all += mass_of(wall.part);
+    if (counts) parallel += mass_of(wall.part);
+  }
+  return parallel >= (1 - kRigid) * all ? normal : Vec3{};
+}
+
+// The mechanism of the blocks that take part, wall by wall.
+Message mechanism_of(const std::vector<Wall>& walls, const Joints& joints, FailureMode& mode) {
+  Piece whole;
+  for (const Wall& wall : walls)
+    whole.blocks.insert(whole.blocks.end(), wall.part.begin(), wall.part.end());
+  const std::vector<Moved>& part = whole.blocks;
+  fit(whole);
+  note(mode, "motion that one rigid piece explains", 1 - whole.residual(), 1 - kRigid);
+  mode.scores["one piece"] = 1 - whole.residual();
+  const Vec3 normal = normal_of(walls);
+  if (whole.residual() <= kRigid) return one_piece(whole, normal, mode);
+  if (length(normal) > 0) {
+    const double off = off_plane(part, normal);
+    note(mode, "motion that stays in the wall's plane", 1 - off, 1 - kOffPlane);
+    if (off <= kOffPlane) return in_its_plane(pieces_of(whole), joints, mode);
+  }
+  const std::vector<Piece> pieces = pieces_of(whole);
+  mode.scores["pieces"] = 1 - residual(pieces);
+  note(mode, "motion that up to four rigid pieces explain", 1 - residual(pieces), 1 - kRigid);
+  if (residual(pieces) <= kRigid) return some_pieces(pieces, walls, normal, mode);
+  return {"space.unclear",
+          {{"percent", 100 * (1 - whole.residual())},
+           {"pieces_percent", 100 * (1 - residual(pieces))}}};
+}
+
+bool is_slab(const Model& model, BlockId block) {
+  return block >= 0 && block < model.n_block &&
+         model.anatomy.block_role[static_cast<std::size_t>(block)] == BlockRole::kSlab;
+}
+
+// A slab outweighs many stones, and a mode is of walls: it counts only where it goes far beyond them.
+void leave_slabs_out(const Model& model, double least, std::vector<Moved>& blocks) {
+  double most = 0;
+  for (const Moved& b : blocks) most = std::fmax(most, length(b.moved));
+  least = std::fmax(least, kTakesPart * most);
+  if (std::any_of(blocks.begin(), blocks.end(), [&](const Moved& b) {
+        return !is_slab(model, b.id) && length(b.moved) >= least;
+      }))
+    std::erase_if(blocks, [&](const Moved& b) { return is_slab(model, b.id); });
+}
+
+// Slabs that move along, but otherwise than the walls that take part: how far the furthest one slips on them, over
+// its own way. The name of the walls leaves that out.
+struct Slip {
+  double share = 0, way = 0;
+};
+Slip slip_of_slabs(const Model& model, const WallReading& wall, const std::vector<Moved>& part,
+                   double most) {
+  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
+  const auto takes_part = [&](BlockId b) {
+    return b >= 0 && b < model.n_block && takes[static_cast<std::size_t>(b)];
+  };
+  Slip slip;
+  for (const JointReading& joint : wall.joints) {
+    const BlockId a = joint.shape.a, b = joint.shape.b;
+    const BlockId slab = is_slab(model, a) ? a : b, other = slab == a ? b : a;
+    if (!is_slab(model, slab) || !takes_part(other)) continue;
+    const double way = length(wall.blocks[static_cast<std::size_t>(slab)].moved);
+    if (way < kTakesPart * most || joint.slip <= slip.share * way) continue;
+    slip = {joint.slip / way, joint.slip};
+  }
+  return slip;
+}
+
+// The walls of which something takes part; a wall is what hangs together of `masonry`.
+std::vector<Wall> walls_with(const Model& model, const std::vector<Moved>& masonry,
+                             const std::vector<Moved>& part) {
+  std::vector<bool> takes(static_cast<std::size_t>(model.n_block));
+  for (const Moved& b : part) takes[static_cast<std::size_t>(b.id)] = true;
+  std::vector<Wall> walls;
+  for (std::vector<Moved>& all : clusters_of(model, masonry)) {
+    Wall wall;
+    for (const Moved& b : all)
+      if (takes[static_cast<std::size_t>(b.id)]) wall.part.push_back(b);
+    wall.all = std::move(all);
+    if (!wall.part.empty()) walls.push_back(std::move(wall));
+  }
+  return walls;
+}
+
+}  // namespace
+
+FailureMode name_in_space(const Model& model, const State& state) {
+  FailureMode mode;
+  const WallReading wall = read_wall(model, state);
+  const Joints joints = read_joints(model, wall);
+  mode.evidence.push_back(
+      {"joints", "largest movement over the joint's size", joints.movement, kMoved, "-"});
+  if (joints.movement < kMoved) {
+    mode.name = "none";
+    mode.sentence = {"mode.none_here"};
+    return mode;
+  }
+  std::vector<Moved> part = read_blocks(model, state);
+  leave_slabs_out(model, kMoved * joints.size, part);
+  const std::vector<Moved> masonry = part;
+  const double all = mass_of(part);
+  double most = 0;
+  for (const Moved& b : part) most = std::fmax(most, length(b.moved));
+  std::erase_if(part, [&](const Moved& b) { return length(b.moved) < kMoved * joints.size; });
+  const double moved = mass_of(part);
+  std::erase_if(part, [&](const Moved& b) { return length(b.moved) < kTakesPart * most; });
+  const double taking = mass_of(part);
+  const auto count = static_cast<double>(part.size());
+  note(mode, "mass of the wall that takes part", taking / all, kSomeWall);
+  if (taking < kStandsFor * moved || taking < kSomeWall * all) {
+    // few stones that went far tell nothing of the wall behind them
+    mode.sentence = {"space.loose",
+                     {{"blocks", count}, {"percent", 100 * taking / all}, {"mm", 1e3 * most}}};
+    return mode;
+  }
+  const std::vector<Wall> walls = walls_with(model, masonry, part);
+  mode.sentence = mechanism_of(walls, joints, mode);
+  const bool names_its_walls =
+      mode.sentence.code == "space.together" || mode.sentence.code == "space.drags";
+  if (walls.size() > 1 && mode.name != "unclear" && !names_its_walls)
+    mode.sentence = {"space.of_walls",
+                     {{"walls", walls_of(part)}, {"shows", std::move(mode.sentence)}}};
+  const Slip slip = slip_of_slabs(model, wall, part, most);
+  if (slip.share >= kTakesPart && mode.name != "unclear") {
+    note(mode, "slip of a slab on what takes part, over its own way", slip.share, kTakesPart);
+    mode.sentence = {"space.slab_slips",
+                     {{"mm", 1e3 * slip.way}, {"shows", std::move(mode.sentence)}}};
+    mode.name = "unclear";
+  }
+  if (joints.slid_off >= kSlidOff) {
+    note(mode, "area of moved joints that is pressed beyond its face", joints.slid_off, kSlidOff);
+    mode.sentence = {"mode.slid_off", {{"shows", std::move(mode.sentence)}}};
+    mode.name = "unclear";
+  }
+  return mode;
+}
+
+}  // namespace wythe::study

@@ -1,0 +1,255 @@
+#include "judge/modes/joint_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "wythe/reading.h"
+
+namespace wythe::study {
+namespace {
+
+bool is_masonry(JointKind kind) {
+  return kind != JointKind::kLintelChain && kind != JointKind::kLintelBond;
+}
+
+JointMotion motion_of(const Model& m, const WallReading& wall, const JointReading& joint) {
+  const JointShape& shape = joint.shape;
+  JointMotion j;
+  j.kind = shape.kind;
+  j.a = shape.a;
+  j.b = shape.b;
+  j.is_bed = std::fabs(shape.normal.y) >= std::fabs(shape.normal.x);
+  j.on_ground = shape.a == kGroundBlock;
+  j.x = shape.centre.x;
+  j.y = shape.centre.y;
+  j.reach_x = std::fabs(shape.half.x);
+  j.reach_y = std::fabs(shape.half.y);
+  for (const PointReading& point : wall.points_of(joint)) {
+    const double most = std::max({0.0, point.opening, point.opened});
+    j.opening += point.share * std::max(0.0, point.opening);
+    j.opened += point.share * most;
+    j.widest = std::max(j.widest, most);
+    j.slip += point.share * point.slip;
+    j.slid += point.share * point.slid;
+    j.crushed += point.share * point.crushed;
+  }
+  j.crushing = joint.crushing;
+  j.force = joint.compression;
+  const JointMaterial& law = m.materials[shape.material];
+  j.bond = shape.area * std::max(law.tensile_strength, law.cohesion);
+  j.has_slid_off = has_slid_off(m, wall.points, shape.id);
+  return j;
+}
+
+}  // namespace
+
+WallMotion read_motion(const Model& m, const State& state) {
+  const WallReading now = read_wall(m, state);
+  WallMotion wall;
+  for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
+    const JointMotion joint = motion_of(m, now, now.joints[j]);
+    const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
+    (is_top ? wall.top : wall.joints).push_back(joint);
+  }
+  for (BlockId b = 0; b < m.n_block; ++b) {
+    const BlockReading& block = now.blocks[b];
+    wall.blocks.push_back(
+        {{block.start, block.moved, block.turned.by}, block.role, m.mass[b], m.inertia[b]});
+  }
+  return wall;
+}
+
+RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen) {
+  RigidMotion fit;
+  Vec3 turn;
+  double mass = 0, inertia = 0;
+  for (const BlockMotion& b : blocks) {
+    if (!chosen(b)) continue;
+    mass += b.mass;
+    fit.at = fit.at + b.mass * b.at;
+    fit.moved = fit.moved + b.mass * b.moved;
+  }
+  if (!(mass > 0)) return fit;
+  fit.at = fit.at / mass;
+  fit.moved = fit.moved / mass;
+  for (const BlockMotion& b : blocks) {
+    if (!chosen(b)) continue;
+    const Vec3 arm = b.at - fit.at;
+    turn = turn + (b.mass * cross(arm, b.moved - fit.moved) + b.inertia * b.turn);
+    inertia += b.mass * dot(arm, arm) + b.inertia;
+  }
+  if (inertia > 0) fit.turn = turn / inertia;
+  return fit;
+}
+
+namespace {
+
+bool is_masonry(const BlockMotion& b) {
+  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam;
+}
+
+// Ways of all blocks against the rigid motion of the half or more of the wall that is nearest to rigid: fitted
+// again and again to the blocks within `parted` of the last fit, or to the nearer half.
+std::vector<double> ways_against_the_rest(const std::vector<BlockMotion>& blocks, double parted) {
+  constexpr int kFits = 30;
+  std::vector<double> ways(blocks.size(), 0.0), before;
+  double within = std::numeric_limits<double>::infinity();
+  for (int fit = 0; fit < kFits && ways != before; ++fit) {
+    before = ways;
+    const RigidMotion rest = fitted(blocks, [&](const BlockMotion& b) {
+      return is_masonry(b) && before[static_cast<std::size_t>(&b - blocks.data())] <= within;
+    });
+    std::vector<double> masonry;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const BlockMotion& m = blocks[b];
+      ways[b] = length(m.moved - rest.moved - cross(rest.turn, m.at - rest.at));
+      if (is_masonry(m)) masonry.push_back(ways[b]);
+    }
+    if (masonry.empty()) break;
+    const auto middle = masonry.begin() + static_cast<std::ptrdiff_t>(masonry.size() / 2);
+    std::nth_element(masonry.begin(), middle, masonry.end());
+    within = std::max(parted, *middle);
+  }
+  return ways;
+}
+
+}  // namespace
+
+std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack, double parted) {
+  const std::vector<BlockMotion>& blocks = motion.blocks;
+  const std::vector<double> ways = ways_against_the_rest(blocks, parted);
+  std::vector<std::size_t> root(blocks.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto root_of = [&](std::size_t b) {
+    while (root[b] != b) b = root[b] = root[root[b]];
+    return b;
+  };
+  const auto is_off = [&](BlockId b) {
+    return b >= 0 && is_masonry(blocks[static_cast<std::size_t>(b)]) &&
+           ways[static_cast<std::size_t>(b)] >= parted;
+  };
+  for (const JointMotion& j : motion.joints) {
+    if (!is_off(j.a) || !is_off(j.b) || std::hypot(j.opening, j.slip) >= parted) continue;
+    const std::size_t a = root_of(static_cast<std::size_t>(j.a)),
+                      b = root_of(static_cast<std::size_t>(j.b));
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::map<std::size_t, PieceOff> by_root;
+  double all = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (!is_masonry(blocks[b])) continue;
+    all += blocks[b].mass;
+    if (!is_off(static_cast<BlockId>(b))) continue;
+    PieceOff& piece = by_root[root_of(b)];
+    piece.blocks.push_back(b);
+    piece.share += blocks[b].mass;
+    piece.way += blocks[b].mass * ways[b];
+  }
+  std::map<std::size_t, double> around;
+  for (const JointMotion& j : motion.joints) {
+    const auto side = [&](BlockId b) {
+      return is_off(b) ? by_root.find(root_of(static_cast<std::size_t>(b))) : by_root.end();
+    };
+    const auto a = side(j.a), b = side(j.b);
+    if (a == b) continue;
+    for (const auto& piece : {a, b}) {
+      if (piece == by_root.end()) continue;
+      around[piece->first] += j.length();
+      if (std::hypot(j.widest, j.slip) >= crack) piece->second.torn += j.length();
+    }
+  }
+  std::vector<PieceOff> pieces;
+  for (auto& [of, piece] : by_root) {
+    piece.torn = around[of] > 0 ? piece.torn / around[of] : 0.0;
+    piece.way /= piece.share;
+    piece.share /= all;
+    pieces.push_back(std::move(piece));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const PieceOff& a, const PieceOff& b) { return a.share > b.share; });
+  return pieces;
+}
+
+double LineSum::movement() const { return std::hypot(opened, slip); }
+
+std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box, Lines lines,
+                          double pitch) {
+  const bool level = lines == Lines::kLevel;
+  const double start = level ? box.y0 : box.x0, length = level ? box.height() : box.width();
+  constexpr double kTouch = 1e-6;  // [m]
+  const int n = 4 * std::max(1, static_cast<int>(std::lround(length / pitch)));
+  const double step = length / n;
+  std::vector<LineSum> sums(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) sums[static_cast<std::size_t>(i)].at = start + (i + 0.5) * step;
+  for (const JointMotion& j : joints) {
+    if (j.is_bed == level || !is_masonry(j.kind)) continue;
+    const double across = level ? j.x : j.y;
+    const double lo = level ? box.x0 : box.y0, hi = level ? box.x1 : box.y1;
+    if (!(across > lo + kTouch && across < hi - kTouch)) continue;
+    const double centre = level ? j.y : j.x, reach = level ? j.reach_y : j.reach_x;
+    for (LineSum& line : sums) {
+      if (std::fabs(line.at - centre) > reach) continue;
+      line.opening += j.opening;
+      line.opened += j.opened;
+      line.slip += j.slip;
+    }
+  }
+  return sums;
+}
+
+std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints, const Box& box,
+                                     double course) {
+  std::vector<const JointMotion*> beds;
+  for (const JointMotion& j : joints)
+    if (j.is_bed && box.holds(j.x, j.y)) beds.push_back(&j);
+  std::stable_sort(beds.begin(), beds.end(),
+                   [](const JointMotion* a, const JointMotion* b) { return a->y < b->y; });
+  std::vector<BedSection> sections;
+  for (const JointMotion* bed : beds) {
+    if (sections.empty() || bed->y > sections.back().y + 0.25 * course)
+      sections.push_back({bed->y, {}});
+    sections.back().joints.push_back(bed);
+  }
+  return sections;
+}
+
+double open_share(const BedSection& section, double width, double crack) {
+  double open = 0;
+  for (const JointMotion* j : section.joints)
+    if (j->widest >= crack) open += j->length();
+  return std::min(1.0, open / width);
+}
+
+double slip_all_across(const BedSection& section, double width) {
+  constexpr double kAll = 0.9;  // a corner may hang on
+  std::vector<const JointMotion*> sorted = section.joints;
+  std::sort(sorted.begin(), sorted.end(), [](const JointMotion* a, const JointMotion* b) {
+    return std::fabs(a->slip) > std::fabs(b->slip);
+  });
+  double covered = 0;
+  for (const JointMotion* j : sorted) {
+    covered += j->length();
+    if (covered >= kAll * width) return std::fabs(j->slip);
+  }
+  return 0;
+}
+
+double slid_all_across(const BedSection& section, double width) {
+  const auto one_way = [&](double sense) {
+    BedSection slid = section;
+    std::vector<JointMotion> joints;
+    joints.reserve(section.joints.size());
+    for (std::size_t j = 0; j < slid.joints.size(); ++j) {
+      joints.push_back(*section.joints[j]);
+      joints.back().slip = std::max(0.0, sense * joints.back().slid);
+      slid.joints[j] = &joints.back();
+    }
+    return sense * slip_all_across(slid, width);
+  };
+  return one_way(1) + one_way(-1);  // 0.9 of the width cannot go both ways
+}
+
+}  // namespace wythe::study

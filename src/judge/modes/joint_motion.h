@@ -1,0 +1,98 @@
+// What joints and blocks did, in the words the rules need; scan lines and bed sections over a region.
+// Read by element_states.cpp, mode_flags.cpp and features.cpp.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "judge/modes/wall_parts.h"
+#include "wythe/model.h"
+#include "wythe/vector.h"
+
+namespace wythe::study {
+
+struct JointMotion {
+  JointKind kind = JointKind::kOther;
+  BlockId a = kGroundBlock, b = 0;
+  bool is_bed = false;              // nearer level than upright
+  bool on_ground = false;           // the foundation: on the ground or a fixed block
+  double x = 0, y = 0;              // centre at the start [m]
+  double reach_x = 0, reach_y = 0;  // half its extent [m]
+  double opening = 0;               // mean over its points now, closed points 0 [m]
+  double widest = 0;                // largest of its points, now or before [m]
+  double opened = 0;                // mean of its points' largest openings so far [m]
+  double slip = 0;      // mean now; bed: upper against lower along +x, upright: left against right
+                        // along +y [m]
+  double crushing = 0;  // share of the strength lost, largest of its points [-]
+  double slid = 0;      // plastic part of the slip, mean, same signs [m]
+  double crushed = 0;   // crushing shortening, mean of its points [m]
+  double force = 0;     // compression across it [N]
+  double bond = 0;      // the greater of its tensile strength and cohesion, times its area [N]
+  bool has_slid_off = false;  // pressed, and its faces overlap by less than half
+  [[nodiscard]] double length() const { return 2 * (is_bed ? reach_x : reach_y); }
+};
+
+// A rigid motion, small: of the point that stood at `at`, and a turn about it.
+struct RigidMotion {
+  Vec3 at;     // [m]
+  Vec3 moved;  // [m]
+  Vec3 turn;   // axis times angle [rad]
+};
+struct BlockMotion : RigidMotion {  // of a block's centroid
+  BlockRole role = BlockRole::kMasonry;
+  double mass = 0, inertia = 0;  // [kg], [kg m^2]
+};
+
+struct WallMotion {
+  std::vector<JointMotion> joints;  // of masonry and lintels
+  std::vector<JointMotion> top;     // of the plates and of the beam
+  std::vector<BlockMotion> blocks;
+};
+[[nodiscard]] WallMotion read_motion(const Model& model, const State& state);
+
+// The rigid motion nearest to that of the blocks chosen, by least squares over their mass; null
+// motion where there is none.
+using Chosen = std::function<bool(const BlockMotion&)>;
+[[nodiscard]] RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen);
+
+// Blocks that have left the rest of the wall and hang together: their ways against the rigid motion of the
+// rest are `parted` or more, and so is the movement of no joint between them.
+struct PieceOff {
+  std::vector<std::size_t> blocks;  // of masonry and lintels, into WallMotion::blocks
+  double share = 0;                 // of the mass of all masonry and lintels
+  double way = 0;                   // mean, of its blocks [m]
+  double torn = 0;  // share of the length of the joints around it that opened or slid by `crack`
+};
+// The heaviest first. The rest of the wall is the half or more of it whose motion is nearest to rigid.
+[[nodiscard]] std::vector<PieceOff> pieces_off(const WallMotion& motion, double crack,
+                                               double parted);
+
+// Sum of the joints that one straight line through a region crosses.
+struct LineSum {
+  double at = 0;                          // height of a level line, place of an upright one [m]
+  double opening = 0;                     // now [m]
+  double opened = 0;                      // largest so far [m]
+  double slip = 0;                        // signed [m]
+  [[nodiscard]] double movement() const;  // opened and slipped together [m]
+};
+// Level lines cross upright joints, upright lines cross bed joints, four lines a `pitch`. Masonry
+// only: lintel chain and bond are left out, and so are joints on the region's own edge.
+enum class Lines { kLevel, kUpright };
+[[nodiscard]] std::vector<LineSum> scan(const std::vector<JointMotion>& joints, const Box& box,
+                                        Lines lines, double pitch);
+
+// The bed joints of a region at one height.
+struct BedSection {
+  double y = 0;  // [m]
+  std::vector<const JointMotion*> joints;
+};
+[[nodiscard]] std::vector<BedSection> bed_sections(const std::vector<JointMotion>& joints,
+                                                   const Box& box, double course);
+// Share of `width` whose joints are open by `crack` or more (largest so far).
+[[nodiscard]] double open_share(const BedSection& section, double width, double crack);
+// The slip that 0.9 of `width` has at least [m].
+[[nodiscard]] double slip_all_across(const BedSection& section, double width);
+// The plastic slip, one way, that 0.9 of `width` has at least; signed [m].
+[[nodiscard]] double slid_all_across(const BedSection& section, double width);
+
+}  // namespace wythe::study

@@ -1,0 +1,350 @@
+// Two piers and one opening: with s the truth of "the spandrel is sheared", p and q of "the left,
+// right pier is sheared", r of "both piers rock", c of "a connection has cracked", f of "a pier's
+// foot has cracked" (each 0 to 1, see truths_of), the scores are
+//
+//   FM-1  F (p + q - 2 p q)               one pier            FM-3  s (1 - l) (p + q - p q)
+//   FM-2  F p q                           both piers          FM-4  s f (1 - p) (1 - q)
+//   FM-5  (1 - s) c r (1 - p) (1 - q)     neither
+//
+// with F = (1 - s) c + s l, l the truth that a pier sheared before the spandrel did,
+// each times (1 - S), beside shares of S for "base sliding", "top sliding", "bed sliding": S is the
+// truth of joints all along the wall having slid by more than half of the way the wall has gone. The
+// highest is the name when it leads by kClear. Sheared: a diagonal crack, or sliding.
+#include "judge/modes/mode_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/text.h"
+#include "judge/modes/mechanism.h"
+
+namespace wythe::study {
+namespace {
+
+// Codes of messages: for a name, and for what happens ("" where nothing is said of it).
+struct Words {
+  const char *name, *code, *sentence;
+};
+constexpr const char* kPartOff = "part breaking away";
+constexpr Words kWords[] = {{"FM-1", "", "mode.fm_1"},
+                            {"FM-2", "", "mode.fm_2"},
+                            {"FM-3", "", "mode.fm_3"},
+                            {"FM-4", "", "mode.fm_4"},
+                            {"FM-5", "", "mode.fm_5"},
+                            {"base sliding", "damage.base_sliding", "mode.base_sliding"},
+                            {"bed sliding", "damage.bed_sliding", "mode.bed_sliding"},
+                            {"pier sliding", "damage.pier_sliding", "mode.pier_sliding"},
+                            {"top sliding", "damage.top_sliding", "mode.top_sliding"},
+                            {"pier shear", "damage.pier_shear", ""},
+                            {"spandrel shear", "damage.spandrel_shear", ""},
+                            {"pier rocking", "damage.pier_rocking", ""},
+                            {kPartOff, "damage.breaking_away", ""},
+                            {"flexural cracks", "damage.flexural_cracks", ""},
+                            {"shear", "damage.shear", ""},
+                            {"sliding at the top", "damage.sliding_at_top", ""},
+                            {kDiagonal, "sign.diagonal", ""},
+                            {kSliding, "sign.sliding", ""},
+                            {kBaseSliding, "sign.base_sliding", ""},
+                            {kRocking, "sign.rocking", ""},
+                            {kCrushing, "sign.crushing", ""},
+                            {kFlexural, "sign.flexural", ""},
+                            {kBreaking, "sign.breaking_away", ""},
+                            {kWholeWall, "part.whole_wall", ""},
+                            {kTopJoint, "part.top_joint", ""}};
+
+// A name for a reader: a kind of damage, a sign, or a wall's own joint; else as it is.
+Message words_of(const std::string& name) {
+  for (const Words& w : kWords)
+    if (name == w.name && *w.code != '\0') return {w.code};
+  return as_text(name);
+}
+
+// What happens in a mode.
+Message sentence_of(const std::string& name) {
+  for (const Words& w : kWords)
+    if (name == w.name && *w.sentence != '\0') return {w.sentence};
+  return {"mode.none"};
+}
+
+using Kinds = std::vector<std::string>;
+
+Message words_of(const Kinds& kinds) {
+  std::vector<Message> list;
+  for (const std::string& kind : kinds) list.push_back(words_of(kind));
+  return {"damage.several", {{"kinds", std::move(list)}}};
+}
+
+class Namer {
+ public:
+  Namer(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+        double spandrel_later)
+      : parts_(parts),
+        motion_(motion),
+        rules_(rules),
+        later_(spandrel_later),
+        elements_(element_states(parts, motion, rules)),
+        truths_(truths_of(parts, motion, rules)) {
+    for (const BlockMotion& b : motion.blocks) way_ = std::max(way_, std::fabs(b.moved.x));
+  }
+
+  FailureMode name() {
+    if (is_two_pier_wall(parts_))
+      name_two_piers();
+    else
+      name_plainly();
+    give_evidence();
+    mode_.elements = elements_;
+    return mode_;
+  }
+
+  // Of the wall just named.
+  [[nodiscard]] WallMechanism mechanism() const {
+    const WallSigns signs{parts_, elements_, truths_, motion_, rules_, slips()};
+    return is_two_pier_wall(parts_) ? mechanism_of_portal(mode_, signs) : mechanism_of(signs);
+  }
+
+ private:
+  [[nodiscard]] double sure(const std::string& element, const char* state) const {
+    return truth(elements_, truths_, element, state);
+  }
+  [[nodiscard]] double sheared(const std::string& element) const {
+    return std::max(sure(element, kDiagonal), sure(element, kSliding));
+  }
+  // The surest element of a kind that shows a sign.
+  [[nodiscard]] double surest(const char* kind, const char* state) const {
+    double most = 0;
+    for (const ElementState& e : elements_)
+      if (e.kind == kind) most = std::max(most, sure(e.element, state));
+    return most;
+  }
+
+  // The slip all along a joint through the whole wall, as far as it counts as sliding [m].
+  [[nodiscard]] double slip(const char* element, const char* state) const {
+    constexpr double kPerMillimetre = 1e-3;
+    for (const ElementState& e : elements_)
+      for (const ElementSign& s : e.signs)
+        if (e.element == element && s.state == state)
+          return sure(element, state) * kPerMillimetre * s.value;
+    return 0;
+  }
+  // Whether that is most of the way the wall has gone.
+  [[nodiscard]] double is_most(double slip) const {
+    return way_ > 0 ? ramp(slip / way_, 0.5, rules_) : 0.0;
+  }
+
+  [[nodiscard]] Slips slips() const {
+    const std::string through = parts_.openings == 0 ? parts_.piers.front().name : kWholeWall;
+    Slips s{slip(through.c_str(), kBaseSliding), slip(through.c_str(), kSliding),
+            slip(kTopJoint, kSliding)};
+    s.truth = is_most(s.all());
+    return s;
+  }
+
+  void name_two_piers() {
+    const auto spandrel = std::find_if(parts_.spandrels.begin(), parts_.spandrels.end(),
+                                       [](const Spandrel& s) { return !s.is_sill; });
+    const std::string &left = parts_.piers[0].name, &right = parts_.piers[1].name;
+    const double s = sheared(spandrel->name), p = sheared(left), q = sheared(right);
+    const double r = std::min(sure(left, kRocking), sure(right, kRocking));
+    const double c = surest("connection", kFlexural), f = surest("pier", kFlexural);
+    const double neither = (1 - p) * (1 - q);
+    // the piers come first: the spandrel is whole and cracked at its ends, or shears later
+    const double first = (1 - s) * c + s * later_;
+    mode_.scores = {{"FM-1", first * (p + q - 2 * p * q)},
+                    {"FM-2", first * p * q},
+                    {"FM-3", s * (1 - later_) * (1 - neither)},
+                    {"FM-4", s * f * neither},
+                    {"FM-5", (1 - s) * c * r * neither}};
+    const bool by_piers = std::min(sure(left, kSliding), sure(right, kSliding)) > 0.5;
+    const Slips slid = slips();
+    const std::pair<const char*, double> kinds[] = {
+        {"base sliding", slid.base},
+        {by_piers ? "pier sliding" : "bed sliding", slid.bed},
+        {"top sliding", slid.top}};
+    for (auto& [name, score] : mode_.scores) score *= 1 - slid.truth;
+    for (const auto& [name, slip] : kinds)
+      if (slid.truth * slip > 0) mode_.scores[name] = slid.truth * slip / slid.all();
+    name_highest_score();
+  }
+
+  void name_highest_score() {
+    std::vector<std::pair<double, std::string>> ranked;
+    for (const auto& [name, score] : mode_.scores) ranked.emplace_back(-score, name);
+    std::sort(ranked.begin(), ranked.end());
+    const auto& [first, first_name] = ranked[0];
+    const auto& [second, second_name] = ranked[1];
+    if (-first < kClear) {
+      rank_plainly();
+      const Kinds shown = composed(0.5 + 0.5 * kClear);
+      if (!shown.empty())
+        mode_.sentence = {"mode.parts_only",
+                          {{"kinds", words_of(shown)}, {"parts", parts_that_show()}}};
+      else if (-first > 0)
+        mode_.sentence = about_two("mode.none_nearest", first_name, second_name);
+      else
+        mode_.sentence = {"mode.none_here"};
+    } else if (second - first < kClear) {
+      mode_.sentence = about_two("mode.between_modes", first_name, second_name);
+    } else {
+      give_name(first_name, words_of(first_name));
+      mode_.sentence = sentence_of(first_name);
+      if (later_ > 0.5 && (first_name == "FM-1" || first_name == "FM-2"))
+        mode_.sentence = {"mode.spandrel_later", {{"what", mode_.sentence}}};
+    }
+  }
+
+  void give_name(const std::string& name, Message words) {
+    mode_.name = name;
+    mode_.words = std::move(words);
+  }
+  static Message about_two(const char* code, const std::string& first, const std::string& second) {
+    return {code,
+            {{"first", words_of(first)},
+             {"first_means", sentence_of(first)},
+             {"second", words_of(second)},
+             {"second_means", sentence_of(second)}}};
+  }
+
+  // Ranks the kinds of damage of any other wall, the most severe first.
+  void rank_plainly() {
+    const bool bare = parts_.openings == 0;
+    const auto add = [&](const char* of_pier, const char* alone, double sure) {
+      ranked_.emplace_back(bare ? alone : of_pier, sure);
+    };
+    const double bed = slips().bed;
+    // what slides all across on most of its way has not failed by the cracks on that way
+    const double stays = 1 - slips().truth;
+    add("pier shear", "shear", stays * surest("pier", kDiagonal));
+    if (!bare)
+      add("spandrel shear", "",
+          stays * std::max(surest("spandrel", kDiagonal), surest("spandrel", kSliding)));
+    add("pier sliding", "sliding", surest("pier", kSliding));
+    if (!bare && is_most(bed) > 0)
+      add("bed sliding", "", std::min(is_most(bed), 1 - surest("pier", kSliding)));
+    add("base sliding", "sliding at the base", surest("pier", kBaseSliding));
+    if (has_top_joint()) add("top sliding", "sliding at the top", surest("top joint", kSliding));
+    add("pier rocking", "rocking", surest("pier", kRocking));
+    if (!bare) add(kPartOff, "", surest("wall", kBreaking));
+    add("toe crushing", "toe crushing", surest("toe", kCrushing));
+    add("flexural cracks", "flexural cracks",
+        std::max({surest("pier", kFlexural), surest("connection", kFlexural),
+                  surest("top joint", kFlexural)}));
+  }
+
+  // Any other wall: the two gravest kinds of damage, "pier shear + pier rocking".
+  void name_plainly() {
+    rank_plainly();
+    for (const auto& [kind, sure] : ranked_) mode_.scores[kind] = sure;
+    constexpr double kHalf = 0.5;
+    const Kinds strict = composed(kHalf + 0.5 * kClear), lenient = composed(kHalf - 0.5 * kClear);
+    if (strict == lenient && !strict.empty()) {
+      give_name(joined(strict, " + "), words_of(strict));
+      mode_.sentence = {"mode.parts", {{"parts", parts_that_show()}}};
+      return;
+    }
+    const auto or_none = [](const Kinds& kinds) {
+      return kinds.empty() ? Message{"damage.none"} : words_of(kinds);
+    };
+    if (strict == lenient)
+      mode_.sentence = {"mode.no_part"};
+    else
+      mode_.sentence = {"mode.between_kinds",
+                        {{"first", or_none(strict)}, {"second", or_none(lenient)}}};
+  }
+
+  [[nodiscard]] bool has_top_joint() const {
+    return std::any_of(elements_.begin(), elements_.end(),
+                       [](const ElementState& e) { return e.element == kTopJoint; });
+  }
+
+  // The two gravest kinds whose truth reaches `least`; lesser damage only where there is no other.
+  [[nodiscard]] Kinds composed(double least) const {
+    Kinds kinds;
+    for (const auto& [kind, sure] : ranked_) {
+      const bool is_lesser =
+          kind == kPartOff || kind == "toe crushing" || kind == "flexural cracks";
+      if (sure >= least && kinds.size() < 2 && !(is_lesser && !kinds.empty()))
+        kinds.push_back(kind);
+    }
+    return kinds;
+  }
+
+  // Each part with its signs: "left pier: rocking, flexural crack".
+  [[nodiscard]] std::vector<Message> parts_that_show() const {
+    std::vector<Message> parts;
+    for (const ElementState& e : elements_) {
+      std::vector<Message> signs;
+      for (const ElementSign& s : e.signs)
+        if (s.holds()) signs.push_back(words_of(s.state));
+      if (signs.empty()) continue;
+      const auto known = parts_.words.find(e.element);
+      const Message part = known != parts_.words.end() ? known->second : words_of(e.element);
+      parts.push_back({"part.shows", {{"part", part}, {"signs", std::move(signs)}}});
+    }
+    return parts;
+  }
+
+  void give_evidence() {
+    for (const ElementState& e : elements_)
+      for (const ElementSign& s : e.signs)
+        mode_.evidence.push_back(
+            {e.element, s.state + ": " + s.measure, s.value, s.threshold, s.unit});
+  }
+
+  const WallParts& parts_;
+  const WallMotion& motion_;
+  const ModeRules& rules_;
+  double later_;  // truth that the spandrel sheared after a pier
+  ElementStates elements_;
+  Truths truths_;
+  std::vector<std::pair<std::string, double>> ranked_;  // kinds of damage, gravest first
+  double way_ = 0;  // the farthest any block has gone sideways [m]
+  FailureMode mode_;
+};
+
+}  // namespace
+
+bool is_two_pier_wall(const WallParts& parts) {
+  const auto spandrels = std::count_if(parts.spandrels.begin(), parts.spandrels.end(),
+                                       [](const Spandrel& s) { return !s.is_sill; });
+  return parts.piers.size() == 2 && parts.openings == 1 && spandrels == 1;
+}
+
+FailureMode name_parts(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                       double spandrel_later) {
+  if (parts.piers.empty() || !(rules.crack > 0)) {
+    FailureMode none;
+    none.sentence = {"mode.no_piers"};
+    return none;
+  }
+  return Namer(parts, motion, rules, spandrel_later).name();
+}
+
+double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+                      const ModeRules& rules) {
+  constexpr double kFarther = 1.3;  // of the way then: at once is neither's turn
+  if (!is_two_pier_wall(parts)) return 0;
+  const auto first = [&](const char* kind) {
+    for (const Reading& r : readings)
+      for (const ElementState& e : r.elements)
+        for (const ElementSign& s : e.signs)
+          if (e.kind == kind && (s.state == kDiagonal || s.state == kSliding) && s.holds())
+            return std::fabs(r.displacement);
+    return kUnset;
+  };
+  const double pier = first("pier"), spandrel = first("spandrel");
+  return pier > 0 && spandrel > 0 ? ramp(spandrel / pier, kFarther, rules) : 0.0;
+}
+
+Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
+                double spandrel_later) {
+  if (parts.piers.empty() || !(rules.crack > 0))
+    return {name_parts(parts, motion, rules), {.sentence = {"mode.no_piers"}}};
+  Namer namer(parts, motion, rules, spandrel_later);
+  const FailureMode mode = namer.name();
+  return {mode, namer.mechanism()};
+}
+
+}  // namespace wythe::study

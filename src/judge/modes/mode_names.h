@@ -1,0 +1,33 @@
+// From signs to a name: FM-1 ... FM-5 for two piers and one opening, a plain name otherwise.
+// Called by failure_mode.cpp.
+#pragma once
+
+#include <vector>
+
+#include "judge/modes/element_states.h"
+#include "wythe/failure_mode.h"
+#include "wythe/mechanism.h"
+
+namespace wythe::study {
+
+// Name, scores, sentence, evidence and elements; no flags, no first displacements. `spandrel_later`: the
+// truth that a pier of a portal sheared before its spandrel did, which one state does not show.
+[[nodiscard]] FailureMode name_parts(const WallParts& parts, const WallMotion& motion,
+                                     const ModeRules& rules, double spandrel_later = 0);
+[[nodiscard]] bool is_two_pier_wall(const WallParts& parts);
+// That truth, from the states up to the one that is read, `readings` being their element states.
+struct Reading {
+  double displacement = 0;  // [m]
+  ElementStates elements;
+};
+[[nodiscard]] double spandrel_later(const WallParts& parts, const std::vector<Reading>& readings,
+                                    const ModeRules& rules);
+// The same with the mechanism of the whole wall.
+struct Named {
+  FailureMode mode;
+  WallMechanism mechanism;
+};
+[[nodiscard]] Named name_wall(const WallParts& parts, const WallMotion& motion,
+                              const ModeRules& rules, double spandrel_later = 0);
+
+}  // namespace wythe::study

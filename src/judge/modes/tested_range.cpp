@@ -1,0 +1,141 @@
+// Compares a run with the tested walls of its kind of failure; see wythe/tested_range.h.
+#include "judge/modes/tested_range.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "judge/modes/wall_parts.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+using study::TestedKind;
+
+// A wall this much beyond the most extreme test is still like it: the tests of a kind lie further apart.
+constexpr double kNear = 1.25;
+constexpr double kUsableLow = 0.9, kUsableHigh = 1.15;  // a bias within them needs no word
+constexpr int kFew = 3;                                 // walls below which a bias is an anecdote
+
+bool is_beyond(double value, double low, double high) {
+  return value < low / kNear || value > kNear * high;
+}
+
+// Mean pressure on the ground before the push, over the strength there; NaN where nothing crushes.
+double axial_ratio(const Model& model, const Result& result) {
+  if (result.snapshots.empty()) return kUnset;
+  double force = 0, strength = 0;
+  const WallReading wall = read_wall(model, result.snapshots.front().state);
+  for (const JointReading& j : wall.joints) {
+    if (j.shape.a != kGroundBlock && j.shape.b != kGroundBlock) continue;
+    force += j.compression;
+    strength += j.shape.area *
+                model.materials[static_cast<std::size_t>(j.shape.material)].compressive_strength;
+  }
+  return std::isfinite(strength) && strength > 0 ? force / strength : kUnset;
+}
+
+// How much stiffer a joint's points make it in rotation than a continuous one, 3 with its two ends.
+double times_too_stiff(const Model& model, const Result& result) {
+  if (result.snapshots.empty() || joint_count(model) == 0) return kUnset;
+  const std::vector<PointReading> points = read_points(model, result.snapshots.front().state);
+  double inertia = 0;
+  const PointRange first = points_of(model, 0);
+  for (PointId p = first.begin; p < first.end; ++p) {
+    const PointReading& point = points[static_cast<std::size_t>(p)];
+    inertia += point.share * point.place * point.place;
+  }
+  return 3 * inertia;
+}
+
+bool has_unit_planes(const Model& model) {
+  for (JointId j = 0; j < joint_count(model); ++j)
+    if (joint_shape(model, j).kind == JointKind::kSplit) return true;
+  return false;
+}
+
+// --- reasons ---------------------------------------------------------------------------------------
+
+void note_shape(std::vector<Message>& notes, const TestedKind& tested, const Model& model,
+                const Result& result) {
+  const study::Box wall = study::find_parts(model).wall;
+  const double slender = wall.height() / wall.width();
+  if (is_beyond(slender, tested.slender_low, tested.slender_high))
+    notes.push_back(
+        {"range.slenderness",
+         {{"value", slender}, {"low", tested.slender_low}, {"high", tested.slender_high}}});
+  const double axial = axial_ratio(model, result);
+  if (is_beyond(axial, tested.axial_low, tested.axial_high))
+    notes.push_back({"range.axial",
+                     {{"value_percent", 100 * axial},
+                      {"low_percent", 100 * tested.axial_low},
+                      {"high_percent", 100 * tested.axial_high}}});
+}
+
+const char* words_of(const std::string& kind) {
+  if (kind == "shear") return "range.kind_shear";
+  return kind == "sliding" ? "range.kind_sliding" : "range.kind_rocking";
+}
+
+void note_bias(std::vector<Message>& notes, const TestedKind& tested) {
+  const Message kind{words_of(tested.kind)};
+  if (tested.walls < kFew) {
+    notes.push_back({"range.few", {{"kind", kind}, {"walls", tested.walls}}});
+  } else if (tested.bias < kUsableLow || tested.bias > kUsableHigh) {
+    notes.push_back({"range.bias",
+                     {{"kind", kind},
+                      {"walls", tested.walls},
+                      {"bias", tested.bias},
+                      {"low", tested.bias_low},
+                      {"high", tested.bias_high}}});
+  }
+}
+
+}  // namespace
+
+std::string kind_of_mode(const std::string& name) {
+  const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+  if (has("shear")) return "shear";
+  if (has("sliding")) return "sliding";
+  if (has("rocking") || has("toe crushing") || has("flexural")) return "rocking";
+  return "";
+}
+
+Message note_of(const TestedRange& range) {
+  return range.notes.empty() ? Message{} : Message{"range.note", {{"notes", range.notes}}};
+}
+
+TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& model,
+                                const Result& result) {
+  TestedRange range;
+  if (is_load_controlled(result) || !(result.responses.peak_reaction > 0)) return range;
+  if (const int openings = study::find_parts(model).openings; openings > 0) {
+    range.notes.push_back({"range.openings", {{"openings", openings}}});
+    return range;
+  }
+  range.kind = kind_of_mode(result.failure_mode.name);
+  const auto tested = std::find_if(tests.begin(), tests.end(),
+                                   [&](const TestedKind& k) { return range.kind == k.kind; });
+  if (tested == tests.end()) {
+    range.notes.push_back({"range.no_kind"});
+    return range;
+  }
+  range.walls = tested->walls;
+  range.bias = tested->bias;
+  range.bias_low = tested->bias_low;
+  range.bias_high = tested->bias_high;
+  range.scatter = tested->scatter;
+  note_bias(range.notes, *tested);
+  note_shape(range.notes, *tested, model, result);
+  if (range.kind == "shear" && !has_unit_planes(model)) range.notes.push_back({"range.no_planes"});
+  if (result.responses.cyclic.sense != 0) range.notes.push_back({"range.cyclic"});
+  if (const double times = times_too_stiff(model, result); times > kNear)
+    range.notes.push_back({"range.points", {{"times", times}}});
+  return range;
+}
+
+TestedRange compare_with_tests(const Model& model, const Result& result) {
+  return study::compare_with(study::kTestedKinds, model, result);
+}
+
+}  // namespace wythe

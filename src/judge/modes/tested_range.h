@@ -1,0 +1,14 @@
+// compare_with_tests() with a table of one's own; see wythe/tested_range.h.
+#pragma once
+
+#include <span>
+
+#include "judge/modes/tested_walls.h"
+#include "wythe/tested_range.h"
+
+namespace wythe::study {
+
+[[nodiscard]] TestedRange compare_with(std::span<const TestedKind> tests, const Model& model,
+                                       const Result& result);
+
+}  // namespace wythe::study

@@ -1,0 +1,62 @@
+// The two linear programmes of limit analysis, each built from its own theorem.
+//
+//   static     max load   such that every block is in balance and every joint within its strength
+//   kinematic  min (dissipation - power of dead loads)   such that joints flow by the normality
+//              rule and the load does unit power
+//
+// Duality makes both answers equal; that they are built from forces here and from velocities there
+// makes the equality a check. Called by limit_load.cpp. In both, forces are in `force` units and
+// lengths in `length` units, so that the numbers Clp sees are near 1.
+// Reference: R. K. Livesley, Int. J. Numer. Methods Eng. 12 (1978) 1853-1871.
+#pragma once
+
+#include <vector>
+
+#include "limit/limit_loads.h"
+#include "limit/plane/joint_yield.h"
+#include "limit/solver/linear_program.h"
+#include "wythe/model.h"
+
+namespace wythe::limit {
+
+struct Units {
+  double force = 1, length = 1;
+};
+[[nodiscard]] Units units_of(const Model& model, const LimitLoads& loads, const YieldModel& yield);
+
+struct StaticAnswer {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0;
+  std::vector<double> shear;        // (n_joint) [N]
+  std::vector<double> point_force;  // (n_joint x points) [N], compression +
+  std::vector<double> link_force;   // (n_link) [N], tension +
+  std::vector<double> ray;          // of the columns, when without limit
+  double accuracy = 0;
+  int rows = 0, columns = 0;
+};
+// Adds tangents to `yield` until its stress blocks hold.
+[[nodiscard]] StaticAnswer solve_static(const Model& model, const LimitLoads& loads,
+                                        YieldModel& yield, const Units& units,
+                                        const Watch& watch = {});
+
+struct KinematicAnswer {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
+  double load = 0;
+  double dissipation = 0;
+  double accuracy = 0;
+  std::vector<double> vx, vy, omega;  // per unit velocity of the load
+};
+[[nodiscard]] KinematicAnswer solve_kinematic(const Model& model, const LimitLoads& loads,
+                                              const YieldModel& yield, const Units& units,
+                                              const Watch& watch = {});
+
+// The block that lacks most force when nothing grows, and how much [N]; -1: all stand.
+struct Unbalanced {
+  BlockId block = -1;
+  double force = 0;
+};
+[[nodiscard]] Unbalanced find_unbalanced(const Model& model, const LimitLoads& loads,
+                                         const YieldModel& yield, const Units& units,
+                                         const Watch& watch = {});
+
+}  // namespace wythe::limit

@@ -1,0 +1,338 @@
+#include "model/plane/step_bound.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "model/shaking.h"
+
+namespace wythe {
+namespace {
+
+// Stress per displacement, or per rate of it, normal to a joint and along it.
+struct Springs {
+  double normal, shear;
+};
+Springs springs_of(const JointMaterial& material) {
+  return {material.normal_stiffness, material.shear_stiffness};
+}
+
+// Stiffness of one point at (rx, ry) from a block's centroid, in (ux, uy, theta).
+Eigen::Matrix3d point_stiffness(const Springs& springs, double area, double tx, double ty,
+                                double rx, double ry) {
+  const Eigen::Vector3d n(-ty, tx, rx * tx + ry * ty);
+  const Eigen::Vector3d t(tx, ty, rx * ty - ry * tx);
+  return area * (springs.normal * n * n.transpose() + springs.shear * t * t.transpose());
+}
+
+// Stiffness that joint j's points give to a block whose face centre is at `arm`, in (ux, uy, theta).
+Eigen::Matrix3d own_stiffness(const Model& m, std::size_t j, const Springs& springs, double arm_x,
+                              double arm_y) {
+  const double tx = m.tangent_x[j], ty = m.tangent_y[j];
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  for (std::size_t p = 0; p < m.point_xi.size(); ++p) {
+    const double rx = arm_x + m.point_xi[p] * m.half_x[j];
+    const double ry = arm_y + m.point_xi[p] * m.half_y[j];
+    k += point_stiffness(springs, m.area[j] * m.point_weight[p], tx, ty, rx, ry);
+  }
+  return k;
+}
+
+// Stiffness that the zone contacts give to each rigid block they touch.
+std::vector<Eigen::Matrix3d> contact_stiffness(const Model& m) {
+  const Solids& s = m.solids;
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block) + 1,
+                                   Eigen::Matrix3d::Zero());
+  for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
+    const Springs material =
+        springs_of(m.materials[static_cast<std::size_t>(s.contact_material[c])]);
+    const double tx = s.contact_tangent_x[c], ty = s.contact_tangent_y[c];
+    const double half = 0.5 * s.contact_area[c];
+    sum[static_cast<std::size_t>(s.contact_block[c])] +=
+        point_stiffness(material, half, tx, ty, s.arm_0_x[c], s.arm_0_y[c]) +
+        point_stiffness(material, half, tx, ty, s.arm_1_x[c], s.arm_1_y[c]);
+  }
+  return sum;
+}
+
+// omega^2 at each node: its share of each zone's own frequency, and twice its share of each contact
+// (once on the ground).
+std::vector<double> node_bounds(const Model& m) {
+  const Solids& s = m.solids;
+  std::vector<double> stiffness(static_cast<std::size_t>(s.n_node), 0.0);
+  for (std::size_t z = 0; z < s.zone_shape.size(); ++z) {
+    const ZoneShape& shape = s.shapes[static_cast<std::size_t>(s.zone_shape[z])];
+    for (std::size_t k = 0; k < 4; ++k)
+      stiffness[static_cast<std::size_t>(s.corner[k][z])] +=
+          shape.share[k] * shape.mass * shape.omega_squared;
+  }
+  for (std::size_t c = 0; c < s.contact_area.size(); ++c) {
+    const auto& material = m.materials[static_cast<std::size_t>(s.contact_material[c])];
+    const double sides = s.contact_block[c] == m.n_block ? 1.0 : 2.0;
+    const double k = sides * 0.5 * s.contact_area[c] *
+                     std::max(material.normal_stiffness, material.shear_stiffness);
+    const double to_q = s.share_0[c] + s.share_1[c];
+    stiffness[static_cast<std::size_t>(s.contact_q[c])] += k * to_q;
+    stiffness[static_cast<std::size_t>(s.contact_p[c])] += k * (2 - to_q);
+  }
+  for (std::size_t i = 0; i < stiffness.size(); ++i) stiffness[i] /= s.node_mass[i];
+  return stiffness;
+}
+
+// Direction of link `k` at one of its ends, in the (ux, uy, theta) of the block there.
+Eigen::Vector3d link_row(const Model& m, std::size_t k, bool is_b) {
+  const Links& l = m.links;
+  const double length = std::hypot(l.span_x[k], l.span_y[k]);
+  const double x = l.span_x[k] / length, y = l.span_y[k] / length;
+  const double rx = is_b ? l.arm_b_x[k] : l.arm_a_x[k], ry = is_b ? l.arm_b_y[k] : l.arm_a_y[k];
+  return {x, y, rx * y - ry * x};
+}
+
+// visit(link, block, row) for both ends of every link but those in the ground.
+template <class Visit>
+void each_link_end(const Model& m, const Visit& visit) {
+  for (std::size_t k = 0; k < m.links.a.size(); ++k) {
+    if (m.links.a[k] != kGroundBlock)
+      visit(k, static_cast<std::size_t>(m.links.a[k]), link_row(m, k, false));
+    visit(k, static_cast<std::size_t>(m.links.b[k]), link_row(m, k, true));
+  }
+}
+
+// Links without a stiffness are rigid diaphragms: as stiff as brings the squared frequency bound of
+// their ends by a tenth of the wall's, and no more.
+void set_rigid_links(Model& m, double bound) {
+  constexpr double kShare = 0.1;
+  std::vector<double> least(m.links.a.size(), std::numeric_limits<double>::infinity());
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
+    const double mobility =
+        (row[0] * row[0] + row[1] * row[1]) / m.mass[i] + row[2] * row[2] / m.inertia[i];
+    least[k] = std::min(least[k], kShare * bound / (2 * mobility));
+  });
+  for (std::size_t k = 0; k < least.size(); ++k)
+    if (std::isnan(m.links.stiffness[k])) {
+      m.links.stiffness[k] = least[k];
+      m.anatomy.notes.push_back(
+          {"link.rigid", {{"link", m.links.name[k]}, {"stiffness_kN_per_mm", 1e-6 * least[k]}}});
+    }
+}
+
+// Stiffness that links give to each block: whole where the other end is the ground, twice otherwise.
+std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(m.n_block), Eigen::Matrix3d::Zero());
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d& row) {
+    const double share = m.links.a[k] == kGroundBlock ? 1.0 : 2.0;
+    sum[i] += share * m.links.stiffness[k] * row * row.transpose();
+  });
+  return sum;
+}
+
+// Stiffness that free contacts can give to a block: on all of its sides that no joint covers, with the stiffest
+// material of its joints. Zero where there are none.
+Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero();
+  if (!m.free.any()) return k;
+  const Anatomy& a = m.anatomy;
+  const JointMaterial& own = m.materials[static_cast<std::size_t>(m.free.material[i])];
+  JointMaterial law;
+  law.normal_stiffness = own.normal_stiffness;
+  law.shear_stiffness = own.shear_stiffness;
+  const auto joints = [&](const auto& visit) {
+    for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
+      const auto entry = m.block_entry[static_cast<std::size_t>(e)];
+      visit(static_cast<std::size_t>(entry >> 1), (entry & 1) != 0);
+    }
+  };
+  joints([&](std::size_t j, bool) {
+    if (a.joint_kind[j] == JointKind::kLintelChain) return;
+    const auto& other = m.materials[static_cast<std::size_t>(m.joint_material[j])];
+    law.normal_stiffness = std::max(law.normal_stiffness, other.normal_stiffness);
+    law.shear_stiffness = std::max(law.shear_stiffness, other.shear_stiffness);
+  });
+  const int from = a.outline_begin[i], to = a.outline_begin[i + 1];
+  for (int v = from; v < to; ++v) {
+    const auto p = static_cast<std::size_t>(v),
+               q = static_cast<std::size_t>(v + 1 == to ? from : v + 1);
+    const double ex = a.outline_x[q] - a.outline_x[p], ey = a.outline_y[q] - a.outline_y[p];
+    const double length = std::hypot(ex, ey), tx = ex / length, ty = ey / length;
+    const double px = a.outline_x[p] - m.centroid_x[i], py = a.outline_y[p] - m.centroid_y[i];
+    double covered = 0;
+    joints([&](std::size_t j, bool is_b) {
+      const double rx = (is_b ? m.arm_b_x[j] : m.arm_a_x[j]) - px;
+      const double ry = (is_b ? m.arm_b_y[j] : m.arm_a_y[j]) - py;
+      const bool parallel = std::fabs(tx * m.tangent_y[j] - ty * m.tangent_x[j]) < 1e-3;
+      const double along = tx * rx + ty * ry;
+      if (parallel && std::fabs(tx * ry - ty * rx) < 1e-2 * length && along > 0 && along < length)
+        covered += 2 * std::hypot(m.half_x[j], m.half_y[j]);
+    });
+    const double area = std::max(0.0, length - covered) * a.block_thickness[i];
+    // two points of Gauss integrate a whole side exactly
+    for (const double share : {0.21132486540518712, 0.7886751345948129})
+      k += point_stiffness(springs_of(law), 0.5 * area, tx, ty, px + share * ex, py + share * ey);
+  }
+  return 2 * k;
+}
+
+// Highest eigenvalue of `k` and what springs_at(joint) gives block i, over its inertia.
+template <class SpringsAt>
+double highest_eigenvalue(const Model& m, std::size_t i, Eigen::Matrix3d k,
+                          const SpringsAt& springs_at) {
+  for (auto e = m.block_begin[i]; e < m.block_begin[i + 1]; ++e) {
+    const auto entry = m.block_entry[static_cast<std::size_t>(e)];
+    const auto j = static_cast<std::size_t>(entry >> 1);
+    const bool is_b = (entry & 1) != 0;
+    const double share = static_cast<int>(j) < m.n_pair ? 2.0 : 1.0;
+    k += share * own_stiffness(m, j, springs_at(j), is_b ? m.arm_b_x[j] : m.arm_a_x[j],
+                               is_b ? m.arm_b_y[j] : m.arm_a_y[j]);
+  }
+  const double im = 1 / std::sqrt(m.mass[i]), ii = 1 / std::sqrt(m.inertia[i]);
+  const Eigen::Vector3d scale(im, im, ii);
+  const Eigen::Matrix3d scaled = scale.asDiagonal() * k * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scaled, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+// Highest eigenvalue of the block's own stiffness over its inertia: omega^2 [1/s^2]. `more`: on top.
+double own_bound(const Model& m, std::size_t i, const Eigen::Matrix3d& zones,
+                 const Eigen::Matrix3d& more = Eigen::Matrix3d::Zero()) {
+  return highest_eigenvalue(m, i, 2.0 * zones + more + free_stiffness(m, i), [&](std::size_t j) {
+    return springs_of(m.materials[static_cast<std::size_t>(m.joint_material[j])]);
+  });
+}
+
+// Blocks that are not masonry and would rule the step get the inertia that brings their bound down
+// to the masonry's; weights stay. Returns the mass added [kg].
+double raise_light_inertia(Model& m, std::vector<double>& bound, int& raised) {
+  double masonry = 0, added = 0;
+  for (std::size_t i = 0; i < bound.size(); ++i)
+    if (m.anatomy.block_role[i] == BlockRole::kMasonry) masonry = std::max(masonry, bound[i]);
+  for (std::size_t i = 0; i < bound.size() && masonry > 0; ++i) {
+    if (!(bound[i] > masonry)) continue;
+    const double factor = bound[i] / masonry;
+    added += (factor - 1) * m.mass[i];
+    m.mass[i] *= factor;
+    m.inertia[i] *= factor;
+    bound[i] = masonry;
+    ++raised;
+  }
+  return added;
+}
+
+// The body a node belongs to.
+const SolidBody& body_of(const Solids& s, std::size_t node) {
+  std::size_t k = 0;
+  while (k + 1 < s.bodies.size() && static_cast<int>(node) >= s.bodies[k + 1].first_node) ++k;
+  return s.bodies[k];
+}
+
+// Of the wall's mass: from here on added inertia drags on a push by more than a percent or two
+// (docs/decisions/0009).
+constexpr double kMuch = 0.03;
+
+// The same for nodes of zones, against the masonry's bound `limit`; says which body gained what.
+void raise_light_nodes(Model& m, double limit, std::vector<double>& bound) {
+  Solids& s = m.solids;
+  for (const SolidBody& body : s.bodies) {
+    double before = 0, added = 0, worst = 1;
+    std::size_t at = 0;
+    for (int k = body.first_node; k < body.first_node + body.n_node; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      before += s.node_mass[i];
+      if (!(bound[i] > limit)) continue;
+      const double factor = bound[i] / limit;
+      if (factor > worst) at = i;
+      worst = std::max(worst, factor);
+      added += (factor - 1) * s.node_mass[i];
+      s.node_mass[i] *= factor;
+      bound[i] = limit;
+    }
+    if (added <= 0) continue;
+    const double of_wall = added / std::accumulate(m.mass.begin(), m.mass.end(), before);
+    m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.nodes_drag" : "inertia.nodes_raised",
+                               {{"block", body.id},
+                                {"of_block_percent", 100 * added / before},
+                                {"of_wall_percent", 100 * of_wall},
+                                {"times", worst},
+                                {"x_m", s.node_x[at]},
+                                {"y_m", s.node_y[at]}}});
+  }
+}
+
+// Takes the links into the bounds of their blocks; says when one of them rules the step.
+void bound_links(Model& m, const std::vector<Eigen::Matrix3d>& zones, std::vector<double>& bound) {
+  if (m.links.n == 0) return;
+  const double before = *std::max_element(bound.begin(), bound.end());
+  set_rigid_links(m, before);
+  const std::vector<Eigen::Matrix3d> links = link_stiffness(m);
+  std::size_t worst = 0;
+  double most = 0;
+  each_link_end(m, [&](std::size_t k, std::size_t i, const Eigen::Vector3d&) {
+    bound[i] = std::max(bound[i], own_bound(m, i, zones[i], links[i]));
+    if (bound[i] > most) most = bound[i], worst = k;
+  });
+  constexpr double kMuchShorter = 1.1;
+  const double times = std::sqrt(most / before);
+  if (times > kMuchShorter)
+    m.anatomy.notes.push_back(
+        {"step.ruled_by_link", {{"link", m.links.name[worst]}, {"times", times}}});
+}
+
+// Takes the nodes of zones into the bound of the step.
+void bound_nodes(Model& m, double blocks) {
+  std::vector<double> bound = node_bounds(m);
+  if (bound.empty()) return;
+  if (m.solve.raise_light_inertia && blocks > 0) raise_light_nodes(m, blocks, bound);
+  const auto greatest = std::max_element(bound.begin(), bound.end());
+  if (!(*greatest > blocks)) return;
+  m.omega_max = std::sqrt(*greatest);
+  if (!(blocks > 0)) return;
+  const auto node = static_cast<std::size_t>(greatest - bound.begin());
+  m.anatomy.notes.push_back({"step.ruled_by_node",
+                             {{"block", body_of(m.solids, node).id},
+                              {"x_m", m.solids.node_x[node]},
+                              {"y_m", m.solids.node_y[node]},
+                              {"times", std::sqrt(*greatest / blocks)}}});
+}
+
+}  // namespace
+
+double dashpot_rate(const Model& m, const Dashpots& dashpots) {
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
+    most = std::max(most, highest_eigenvalue(m, i, Eigen::Matrix3d::Zero(), [&](std::size_t j) {
+                      return Springs{dashpots.normal[j], dashpots.shear[j]};
+                    }));
+  return most;
+}
+
+void bound_step(Model& m) {
+  std::vector<double> bound;
+  const std::vector<Eigen::Matrix3d> zones = contact_stiffness(m);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
+    bound.push_back(own_bound(m, i, zones[i]));
+  if (m.solve.raise_light_inertia) {
+    int raised = 0;
+    const double added = raise_light_inertia(m, bound, raised);
+    const double all = std::accumulate(m.mass.begin(), m.mass.end(), 0.0);
+    const double of_wall = added / (all - added);
+    if (raised > 0)
+      m.anatomy.notes.push_back({of_wall > kMuch ? "inertia.blocks_drag"
+                                 : raised == 1   ? "inertia.block_raised"
+                                                 : "inertia.blocks_raised",
+                                 {{"blocks", raised}, {"of_wall_percent", 100 * of_wall}}});
+  }
+  if (!bound.empty()) bound_links(m, zones, bound);
+  double blocks = 0;
+  if (!bound.empty()) {
+    const auto greatest = std::max_element(bound.begin(), bound.end());
+    m.stiffest_block = static_cast<BlockId>(greatest - bound.begin());
+    blocks = *greatest;
+  }
+  m.omega_max = std::sqrt(blocks);
+  bound_nodes(m, blocks);
+}
+
+}  // namespace wythe

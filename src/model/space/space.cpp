@@ -1,0 +1,529 @@
+#include "model/space/space.h"
+
+#include "model/shaking.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "contact/parameters.h"
+#include "geometry/blocks_file.h"
+#include "model/field_places.h"
+#include "model/fields.h"
+#include "model/free_shapes.h"
+#include "model/parts.h"
+#include "model/space/space_places.h"
+#include "model/space/space_points.h"
+#include "model/space/space_roles.h"
+#include "model/space/space_solids.h"
+
+namespace wythe {
+namespace {
+
+using geometry::JointFace;
+using geometry::Shape;
+using geometry::SpaceAssembly;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// What a wall in space cannot have yet, named.
+void refuse_plane_parts(const ModelSpec& spec, FaultList& faults) {
+  const auto refuse = [&](const char* path, bool is_there) {
+    if (is_there)
+      faults.add({"", path, "", "is for walls in their plane; this one is in space",
+                  "leave it out, or write it as blocks of the file", 0});
+  };
+  refuse("storey", !spec.storey.empty());
+  refuse("region", !spec.region.empty());
+  refuse("ring_beam", !spec.ring_beam.empty());
+  refuse("wall.opening", !spec.wall.opening.empty());
+  refuse("wall.beam", std::isfinite(spec.wall.beam.height));
+  refuse("wall.foundation", !spec.wall.foundation.empty());
+  for (std::size_t k = 0; k < spec.stage.size(); ++k)
+    refuse(fmt::format("stage.{}.contraflexure", k).c_str(),
+           std::isfinite(spec.stage[k].contraflexure));
+}
+
+// A rule for two kinds of block of which the wall has none changes nothing, and nobody would see it.
+void check_materials_of_blocks(const ModelSpec& spec, FaultList& faults) {
+  geometry::BlockNames names;
+  for (const BodySpec& body : spec.body) names.try_emplace(body.material, body.id);
+  geometry::check_names(geometry::Shape(spec), names, faults);
+}
+
+// Materials by name, each checked the first time it is used.
+class Materials {
+ public:
+  Materials(const ModelSpec& spec, Model& model, FaultList& faults)
+      : spec_(spec), model_(model), faults_(faults) {}
+
+  std::int32_t index_of(const std::string& name) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    const auto stated = spec_.material.find(name);
+    const std::int32_t index = append(name, {});
+    index_[name] = index;
+    if (stated == spec_.material.end()) {
+      faults_.add({"", "material." + name, "", "is missing; joints of the wall are made of it",
+                   fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
+      return index;
+    }
+    for (const MaterialFault& fault : check_joint_material(stated->second)) {
+      bad_.insert(name);
+      faults_.add(
+          {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
+    }
+    model_.materials[at(index)] = stated->second;
+    return index;
+  }
+
+  // That of face `number`: its own where a field acts on it.
+  std::int32_t index_of(const std::string& name, int number, const JointFace& face,
+                        const FieldValues& fields) {
+    const std::int32_t stated = index_of(name);
+    if (!fields.act_on(name)) return stated;
+    const JointMaterial own = fields.of_face(number, model_.materials[at(stated)]);
+    if (!bad_.contains(name))
+      for (const MaterialFault& fault : check_joint_material(own)) note(name, face, fault);
+    const std::int32_t index = append(name, own);
+    model_.stated_material.back() = stated;
+    return index;
+  }
+
+  // What fields make inadmissible: of each key the first joint, and how many more.
+  void report_drawn() {
+    for (const auto& [path, drawn] : drawn_)
+      faults_.add(
+          {"", path, drawn.first.value,
+           fmt::format("at the joint at x = {:.3f} m, y = {:.3f} m, z = {:.3f} m{}: {}", drawn.at.x,
+                       drawn.at.y, drawn.at.z,
+                       drawn.joints > 1 ? fmt::format(" (and at {} more)", drawn.joints - 1) : "",
+                       drawn.first.problem),
+           "give the field a smaller cov or cut it off by lower and upper, or let what must "
+           "keep step follow it by a formula ([field.NAME] formula)",
+           0});
+  }
+
+  // A law that follows from a body's moduli.
+  std::int32_t derived(const std::string& name, const JointMaterial& law) {
+    const auto known = index_.find(name);
+    if (known != index_.end()) return known->second;
+    return index_[name] = append(name, law);
+  }
+
+ private:
+  struct Drawn {
+    MaterialFault first;
+    Vec3 at;  // of its joint [m]
+    int joints = 0;
+  };
+  void note(const std::string& name, const JointFace& face, const MaterialFault& fault) {
+    const auto [drawn, is_new] =
+        drawn_.try_emplace("material." + name + "." + fault.key, Drawn{fault, face.centre});
+    ++drawn->second.joints;
+  }
+
+  std::int32_t append(const std::string& name, const JointMaterial& law) {
+    const auto index = static_cast<std::int32_t>(model_.materials.size());
+    model_.material_names.push_back(name);
+    model_.materials.push_back(law);
+    if (!spec_.field.empty()) model_.stated_material.push_back(index);
+    return index;
+  }
+
+  const ModelSpec& spec_;
+  Model& model_;
+  FaultList& faults_;
+  std::map<std::string, std::int32_t> index_;
+  std::set<std::string> bad_;           // faulty as stated
+  std::map<std::string, Drawn> drawn_;  // by path of a key
+};
+
+// Numbers bodies: free ones first, in their order, then supports; deformable ones by solid_id().
+std::vector<BlockId> number(const SpaceAssembly& assembly, Model& model) {
+  std::vector<BlockId> id(assembly.body.size());
+  int solids = 0;
+  for (std::size_t k = 0; k < id.size(); ++k)
+    if (has_zones(assembly.body[k]))
+      id[k] = solid_id(solids++);
+    else if (!assembly.body[k].fixed)
+      id[k] = model.n_block++;
+  for (std::size_t k = 0; k < id.size(); ++k)
+    if (assembly.body[k].fixed && !is_solid(id[k])) id[k] = model.n_block + model.space.n_support++;
+  return id;
+}
+
+void fill_blocks(const ModelSpec& spec, const SpaceAssembly& assembly, const FieldValues& fields,
+                 Model& model, FaultList& faults) {
+  const Shape shape(spec);
+  Space& space = model.space;
+  Anatomy& anatomy = model.anatomy;
+  for (const bool fixed : {false, true})
+    for (std::size_t k = 0; k < assembly.body.size(); ++k) {
+      const BodySpec& body = assembly.body[k];
+      if (body.fixed != fixed || has_zones(body)) continue;
+      const geometry::SolidMoments& moments = assembly.moments[k];
+      space.body.push_back(body);
+      space.centroid.push_back(moments.centroid);
+      if (fixed) continue;
+      const double density =
+          fields.density_of(static_cast<int>(k), geometry::density_in_file(shape, body.material));
+      if (!(density > 0))
+        faults.add({"", "wall.blocks." + body.id, "",
+                    fmt::format("has no density: neither material {} nor wall.unit has one",
+                                body.material),
+                    "add e.g. [wall.unit] density = \"1800 kg/m^3\"", 0});
+      const PrincipalAxes axes = principal_axes(moments.inertia);
+      model.mass.push_back(density * moments.volume);
+      model.heavy_mass.push_back(density * moments.volume);
+      space.inertia.push_back(density * axes.moment);
+      space.axis_1.push_back(axes.axis_1);
+      space.axis_2.push_back(axes.axis_2);
+      space.axis_3.push_back(axes.axis_3);
+      model.centroid_x.push_back(moments.centroid.x);
+      model.centroid_y.push_back(moments.centroid.y);
+      anatomy.block_id.push_back(body.id);
+      anatomy.block_role.push_back(role_of(body));
+      anatomy.block_course.push_back(-1);
+    }
+  model.inertia.assign(at(model.n_block), 0.0);  // of turns in the plane: not used
+  model.turn_freedom.assign(at(model.n_block), 1.0);
+}
+
+// The frame of a face: t1 along its longest side, so that it does not hang on where the polygon begins.
+Vec3 tangent_of(const JointFace& face) {
+  Vec3 longest;
+  double most = -1;
+  for (std::size_t k = 0; k < face.polygon.size(); ++k) {
+    const Vec3 side = face.polygon[(k + 1) % face.polygon.size()] - face.polygon[k];
+    if (dot(side, side) > most * (1 + 1e-9)) most = dot(side, side), longest = side;
+  }
+  const Vec3 in_plane = longest - dot(longest, face.normal) * face.normal;
+  return geometry::unit(in_plane);
+}
+
+// A joint before it gets its place.
+struct Placed {
+  const JointFace* face;
+  BlockId a, b;
+  std::int32_t material;
+  Vec3 tangent, normal;
+  FacePoints points;
+  std::vector<Vec3> outline;
+  double area;
+  bool of_chain = false;
+};
+
+Placed placed(const JointFace& face, BlockId a, BlockId b, std::int32_t material,
+              const PointChoice& choice) {
+  Placed joint{&face, a, b, material, tangent_of(face), face.normal, {}, face.polygon, face.area};
+  const Vec3 t2 = cross(joint.normal, joint.tangent);
+  std::vector<Vec2> corner;
+  for (const Vec3& p : face.polygon)
+    corner.push_back({dot(p - face.centre, joint.tangent), dot(p - face.centre, t2)});
+  joint.points = points_on(corner, choice);
+  return joint;
+}
+
+void append(const Placed& joint, Model& model) {
+  Space& space = model.space;
+  model.joint_a.push_back(joint.a);
+  model.joint_b.push_back(joint.b);
+  model.joint_material.push_back(joint.material);
+  model.area.push_back(joint.area);
+  space.arm_a.push_back(joint.face->centre - space.centroid[at(joint.a)]);
+  space.arm_b.push_back(joint.face->centre - space.centroid[at(joint.b)]);
+  space.tangent.push_back(joint.tangent);
+  space.normal.push_back(joint.normal);
+  space.face.push_back(joint.outline);
+  const FacePoints& p = joint.points;
+  space.point_r1.insert(space.point_r1.end(), p.r1.begin(), p.r1.end());
+  space.point_r2.insert(space.point_r2.end(), p.r2.begin(), p.r2.end());
+  space.point_share.insert(space.point_share.end(), p.share.begin(), p.share.end());
+  space.point_begin.push_back(static_cast<std::int32_t>(space.point_r1.size()));
+  const bool upright = std::fabs(joint.normal.y) < 0.5;
+  model.anatomy.joint_kind.push_back(joint.of_chain             ? JointKind::kLintelChain
+                                     : joint.a >= model.n_block ? JointKind::kFoundation
+                                     : upright                  ? JointKind::kHead
+                                                                : JointKind::kBed);
+}
+
+// Torsion constant of a rectangle a x b [m^4]; Roark's polynomial, within 0.2 %.
+double torsion_constant(double a, double b) {
+  if (a < b) std::swap(a, b);
+  const double r = b / a, r4 = r * r * r * r;
+  return a * b * b * b * (1.0 / 3 - 0.21 * r * (1 - r4 / 12));
+}
+
+// The section between two segments of a lintel, spacing l apart, as two joints with half the area each
+// (docs/theory/space.md, "A lintel that bends"): four points at h/sqrt(6) either way, and one at the centre. With
+// kn = E/l in both the chain has the EA and, about both axes, the EI of the beam; ks is chosen so that both together
+// have its 5/6 GA and the four alone its GJ.
+std::array<Placed, 2> chain_joints(Placed joint, const std::string& of, const JointMaterial& body,
+                                   double spacing, Materials& materials) {
+  const Vec3 t2 = cross(joint.normal, joint.tangent);
+  double half_1 = 0, half_2 = 0;
+  for (const Vec3& p : joint.outline) {
+    half_1 = std::fmax(half_1, std::fabs(dot(p - joint.face->centre, joint.tangent)));
+    half_2 = std::fmax(half_2, std::fabs(dot(p - joint.face->centre, t2)));
+  }
+  const double h1 = 2 * half_1, h2 = 2 * half_2, area = joint.area;
+  JointMaterial rim;
+  rim.normal_stiffness = body.youngs_modulus / spacing;
+  rim.shear_stiffness =
+      12 * body.shear_modulus * torsion_constant(h1, h2) / (spacing * area * (h1 * h1 + h2 * h2));
+  rim.tensile_strength = rim.cohesion = rim.residual_cohesion = kUnlimited;
+  rim.friction_angle = rim.residual_friction_angle = 0;
+  rim.compressive_strength = kUnlimited;
+  JointMaterial core = rim;
+  core.shear_stiffness = 2 * 5.0 / 6 * body.shear_modulus / spacing - rim.shear_stiffness;
+  joint.area = area / 2;
+  joint.of_chain = true;
+  const double c1 = h1 / std::sqrt(6.0), c2 = h2 / std::sqrt(6.0);
+  std::array<Placed, 2> both{joint, joint};
+  both[0].points = {{-c1, c1, c1, -c1}, {-c2, -c2, c2, c2}, {0.25, 0.25, 0.25, 0.25}};
+  both[1].points = {{0.0}, {0.0}, {1.0}};
+  const std::string name = fmt::format("{} chain {:.4f} x {:.4f} / {:.4f} m", of, h1, h2, spacing);
+  both[0].material = materials.derived(name + ", rim", rim);
+  both[1].material = materials.derived(name + ", core", core);
+  return both;
+}
+
+// A face of which one side or both are cut into zones; its material is still to be set.
+void add_solid_face(const SpaceAssembly& assembly, const JointFace& face,
+                    const std::vector<BlockId>& id, std::vector<SpaceSolidFace>& faces,
+                    FaultList& faults) {
+  const bool zones_are_b = has_zones(assembly.body[at(face.b)]);
+  const int solid = zones_are_b ? face.b : face.a, rigid = zones_are_b ? face.a : face.b;
+  if (has_zones(assembly.body[at(rigid)]))
+    faults.add({"", "wall.blocks." + assembly.body[at(solid)].id + ".zones", "",
+                "two blocks of zones touch each other",
+                "make one of them rigid, or put a rigid course between them", 0});
+  faces.push_back({&face, id[at(rigid)], solid_of(id[at(solid)]), 0, tangent_of(face), zones_are_b,
+                   assembly.moments[at(rigid)].centroid});
+}
+
+// As in the plane (geometry/assembly.cpp).
+void note_foundation(const ModelSpec& spec, Model& model) {
+  std::set<std::string> names;
+  const std::string& named = spec.wall.joints.joint;
+  for (std::size_t j = at(model.n_pair); j < at(model.n_joint); ++j) {
+    const std::string& name = model.material_names[at(model.joint_material[j])];
+    if (name == (named.empty() ? "joint" : named)) names.insert("[material." + name + "]");
+  }
+  if (!spec.material.contains("foundation") && !names.empty())
+    model.anatomy.notes.push_back(
+        {"material.no_foundation", {{"materials", fmt::format("{}", fmt::join(names, ", "))}}});
+}
+
+void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
+                 const std::vector<BlockId>& id, const FieldValues& fields, Model& model,
+                 FaultList& faults) {
+  const Shape shape(spec);
+  Materials materials(spec, model, faults);
+  const PointChoice choice = point_choice(spec.solve);
+  model.solve.point_rule = choice.rule;
+  model.solve.points_per_face = choice.points;
+  std::vector<Placed> joints;
+  std::vector<SpaceSolidFace> solids;
+  for (std::size_t number = 0; number < assembly.faces.size(); ++number) {
+    const JointFace& face = assembly.faces[number];
+    const BodySpec &a = assembly.body[at(face.a)], &b = assembly.body[at(face.b)];
+    if (a.fixed && b.fixed) continue;
+    const auto material = [&] {
+      return materials.index_of(joint_material_of(shape, a, b, face.normal),
+                                static_cast<int>(number), face, fields);
+    };
+    if (has_zones(a) || has_zones(b)) {
+      add_solid_face(assembly, face, id, solids, faults);
+      solids.back().material = material();
+      continue;
+    }
+    if (is_chain(a, b)) {
+      const std::string chain = chain_of(a.id);
+      const auto body = spec.material.find(a.material);
+      if (body == spec.material.end() || !(body->second.youngs_modulus > 0) ||
+          !(body->second.shear_modulus > 0)) {
+        faults.add({"", "material." + a.material, "",
+                    "has no youngs_modulus and shear_modulus, and " + chain +
+                        " bends as a chain of segments",
+                    "write both, or its segments as one block", 0});
+        continue;
+      }
+      const double spacing = std::fabs(
+          dot(assembly.moments[at(face.b)].centroid - assembly.moments[at(face.a)].centroid,
+              face.normal));
+      Placed joint = placed(face, id[at(face.a)], id[at(face.b)], 0, choice);
+      for (const Placed& half :
+           chain_joints(std::move(joint), a.material, body->second, spacing, materials))
+        joints.push_back(half);
+      continue;
+    }
+    joints.push_back(placed(face, id[at(face.a)], id[at(face.b)], material(), choice));
+  }
+  materials.report_drawn();
+  faults.throw_if_any();
+  const auto variant = [&](const Placed& joint) {
+    const contact::LawChoice c = contact::choice_of(model.materials[at(joint.material)]);
+    return std::array{static_cast<int>(c.softening), static_cast<int>(c.coupling),
+                      static_cast<int>(c.unloading), static_cast<int>(c.cap)};
+  };
+  const auto key = [&](const Placed& joint) {
+    return std::tuple(joint.a >= model.n_block, variant(joint), model.stated(joint.material),
+                      joint.points.r1.size());
+  };
+  std::stable_sort(joints.begin(), joints.end(),
+                   [&](const Placed& p, const Placed& q) { return key(p) < key(q); });
+  model.space.point_begin.push_back(0);
+  for (const Placed& joint : joints) append(joint, model);
+  model.n_joint = static_cast<int>(joints.size());
+  model.n_pair = static_cast<int>(std::count_if(
+      joints.begin(), joints.end(), [&](const Placed& joint) { return joint.a < model.n_block; }));
+  compile_space_contacts(solids, choice, model, faults);
+  note_foundation(spec, model);
+  note_idle_materials(spec, model);
+}
+
+// Of each block first the joints of which it is side a, then those of which it is b.
+void fill_lists(Model& model) {
+  std::vector<std::vector<std::int32_t>> of(at(model.n_block));
+  for (const bool is_b : {false, true})
+    for (int j = 0; j < model.n_joint; ++j) {
+      const BlockId block = is_b ? model.joint_b[at(j)] : model.joint_a[at(j)];
+      if (block < model.n_block) of[at(block)].push_back(2 * j + (is_b ? 1 : 0));
+    }
+  model.block_begin.push_back(0);
+  for (const std::vector<std::int32_t>& entries : of) {
+    model.block_entry.insert(model.block_entry.end(), entries.begin(), entries.end());
+    model.block_begin.push_back(static_cast<std::int32_t>(model.block_entry.size()));
+  }
+}
+
+void measure(const SpaceAssembly& assembly, Model& model) {
+  geometry::Box3 all;
+  double smallest = 1e300;
+  bool first = true;
+  for (const BodySpec& body : assembly.body) {
+    if (body.fixed) continue;
+    const geometry::Box3 box = geometry::box_of(body);
+    all = first ? box : geometry::join(all, box);
+    first = false;
+    smallest = std::fmin(smallest, box.high.y - box.low.y);
+  }
+  Anatomy& anatomy = model.anatomy;
+  anatomy.length = all.high.x - all.low.x;
+  anatomy.height = all.high.y - all.low.y;
+  anatomy.thickness = all.high.z - all.low.z;
+  anatomy.lost_joints = assembly.lost_faces;
+  anatomy.notes.insert(anatomy.notes.begin(), assembly.notes.begin(), assembly.notes.end());
+  anatomy.support_begin = {0};
+  anatomy.outline_begin.assign(at(model.n_block) + 1, 0);
+  anatomy.block_thickness.assign(at(model.n_block), anatomy.thickness);
+  if (std::isnan(model.solve.collapse_displacement))
+    model.solve.collapse_displacement = model.solve.contacts == Contacts::kFree
+                                            ? std::numeric_limits<double>::infinity()
+                                            : smallest;
+}
+
+// What lies on a slab is spread as the slab is, so its moments of inertia grow as its mass.
+void spread_over_slabs(const std::vector<double>& bare, Model& model) {
+  for (std::size_t i = 0; i < bare.size(); ++i)
+    if (model.anatomy.block_role[i] == BlockRole::kSlab && model.mass[i] > bare[i])
+      model.space.inertia[i] = (model.mass[i] / bare[i]) * model.space.inertia[i];
+}
+
+// Smooth start of pushes that state none: a fifth of the push, at most.
+void set_ramps(Model& model) {
+  constexpr double kUsual = 0.05;  // [s]
+  for (Stage& stage : model.stages) {
+    StageSpec& s = stage.spec;
+    if (s.kind != StageKind::kPush || !std::isnan(s.ramp)) continue;
+    const double first = s.targets.empty() ? s.until : std::fabs(s.targets.front());
+    s.ramp = std::fmin(kUsual, 0.2 * first / s.velocity);
+  }
+}
+
+}  // namespace
+
+PrincipalAxes principal_axes(const std::array<double, 6>& inertia) {
+  double m[3][3] = {{inertia[0], inertia[3], inertia[4]},
+                    {inertia[3], inertia[1], inertia[5]},
+                    {inertia[4], inertia[5], inertia[2]}};
+  double v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // columns are axes
+  const double scale = inertia[0] + inertia[1] + inertia[2];
+  for (int sweep = 0; sweep < 12; ++sweep)
+    for (const auto& [p, q] : {std::pair(0, 1), {0, 2}, {1, 2}}) {
+      if (std::fabs(m[p][q]) <= 1e-15 * scale) continue;
+      const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+      const double t = (theta >= 0 ? 1 : -1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
+      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+      for (int k = 0; k < 3; ++k) {
+        const double a = m[k][p], b = m[k][q];
+        m[k][p] = c * a - s * b, m[k][q] = s * a + c * b;
+      }
+      for (int k = 0; k < 3; ++k) {
+        const double a = m[p][k], b = m[q][k];
+        m[p][k] = c * a - s * b, m[q][k] = s * a + c * b;
+      }
+      for (auto& row : v) {
+        const double a = row[p], b = row[q];
+        row[p] = c * a - s * b, row[q] = s * a + c * b;
+      }
+    }
+  const auto axis = [&](int k) { return Vec3{v[0][k], v[1][k], v[2][k]}; };
+  return {{m[0][0], m[1][1], m[2][2]}, axis(0), axis(1), cross(axis(0), axis(1))};
+}
+
+SpaceAssembly assemble_space(const ModelSpec& spec, FaultList& faults) {
+  refuse_plane_parts(spec, faults);
+  check_materials_of_blocks(spec, faults);
+  check_points(spec.solve, faults);
+  return geometry::assemble(spec.body, faults);
+}
+
+Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
+  FaultList faults;
+  Model model;
+  model.solve = spec.solve;
+  model.output = spec.output;
+  const FieldValues fields(spec, assembly, faults);
+  faults.throw_if_any();
+  const std::vector<BlockId> id = number(assembly, model);
+  compile_space_solids(spec, assembly, model, faults);
+  fill_blocks(spec, assembly, fields, model, faults);
+  if (model.n_block == 0 && !model.space.solids.bodies.empty())
+    faults.add({"", "wall.blocks", "", "every moving block is cut into zones",
+                "leave at least one rigid block: loads and pushes act on those", 0});
+  else if (model.n_block == 0)
+    faults.add({"", "wall.blocks", "", "holds no block that moves", "leave at least one free", 0});
+  faults.throw_if_any();
+  fill_joints(spec, assembly, id, fields, model, faults);
+  fill_lists(model);
+  measure(assembly, model);
+  compile_free_in_space(spec, model, faults);
+  for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
+  for (const double mass : model.space.solids.node_heavy_mass)
+    model.weight += mass * model.solve.gravity;
+  const std::vector<double> bare = model.mass;
+  const std::vector<PointLoad> floors = compile_space_floors(spec, assembly, id, model, faults);
+  spread_over_slabs(bare, model);
+  compile_links(spec, assembly, id, model, faults);
+  compile_space_stages(spec, assembly, id, floors, model, faults);
+  faults.throw_if_any();
+  carry_floors(bare, model);
+  fields.describe(spec, assembly, id, model);
+  bound_space_step(model);
+  set_dashpots(model);
+  set_ramps(model);
+  model.topology = topology_of(model);
+  return model;
+}
+
+}  // namespace wythe

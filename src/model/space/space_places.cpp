@@ -1,0 +1,104 @@
+#include "model/space/space_places.h"
+
+#include "model/space/space_roles.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wythe {
+namespace {
+
+using geometry::Facet;
+using geometry::SpaceAssembly;
+
+bool has(double number) { return std::isfinite(number); }
+
+// How far outside of a convex part a point lies; below 0 inside.
+double outside(const Polyhedron& part, Vec3 p) {
+  double most = -1e300;
+  for (const auto& corners : part.face) {
+    const Facet facet = geometry::facet_of(part, corners);
+    most = std::fmax(most, dot(p - facet.centre, facet.normal));
+  }
+  return most;
+}
+
+double outside(const BodySpec& body, Vec3 p) {
+  double least = 1e300;
+  for (const Polyhedron& part : body.part) least = std::fmin(least, outside(part, p));
+  return least;
+}
+
+bool is_named(const BodySpec& body, const std::string& pattern) {
+  if (pattern.ends_with("*")) return body.id.starts_with(pattern.substr(0, pattern.size() - 1));
+  return body.id == pattern;
+}
+
+bool has_role(const BodySpec& body, const std::string& role) {
+  return role.empty() || (!body.fixed && role == word_of(kBlockRoleWords, role_of(body)));
+}
+
+}  // namespace
+
+SpacePlaces::SpacePlaces(const ModelSpec& spec, const SpaceAssembly& assembly)
+    : spec_(spec), assembly_(assembly) {
+  for (const BodySpec& body : assembly.body) box_.push_back(geometry::box_of(body));
+}
+
+Vec3 SpacePlaces::in_wall(Vec3 v) const { return z_up() ? Vec3{v.x, v.z, -v.y} : v; }
+Vec3 SpacePlaces::in_file(Vec3 v) const { return z_up() ? Vec3{v.x, -v.z, v.y} : v; }
+
+std::vector<std::size_t> SpacePlaces::find(const PlaceSpec& place) const {
+  const bool is_box = has(place.width) || has(place.height) || has(place.depth);
+  const bool is_point = !is_box && (has(place.x) || has(place.y) || has(place.z));
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < assembly_.body.size(); ++k) {
+    const Vec3 c = in_file(assembly_.moments[k].centroid);
+    const auto within = [](double x, double from, double width) {
+      return !has(from) || (x >= from && (!has(width) || x <= from + width));
+    };
+    const bool matches = !place.block.empty() ? is_named(assembly_.body[k], place.block)
+                         : is_box             ? within(c.x, place.x, place.width) &&
+                                        within(c.y, place.y, place.height) &&
+                                        within(c.z, place.z, place.depth)
+                         : is_point ? holds_point(k, place)
+                                    : true;
+    if (matches && has_role(assembly_.body[k], place.role)) found.push_back(k);
+  }
+  return found;
+}
+
+bool SpacePlaces::holds_point(std::size_t k, const PlaceSpec& place) const {
+  const Vec3 c = in_file(assembly_.moments[k].centroid);
+  const Vec3 p = in_wall(
+      {has(place.x) ? place.x : c.x, has(place.y) ? place.y : c.y, has(place.z) ? place.z : c.z});
+  return outside(assembly_.body[k], p) <= 1e-6 * box_[k].longest();
+}
+
+std::optional<Vec3> SpacePlaces::point_of(const PlaceSpec& place) const {
+  if (!has(place.x) || !has(place.y) || !has(place.z)) return std::nullopt;
+  return in_wall({place.x, place.y, place.z});
+}
+
+std::optional<std::size_t> SpacePlaces::body_at(Vec3 p, bool fixed) const {
+  constexpr double kReach = 0.01, kSame = 1e-9;  // [m]
+  std::optional<std::size_t> best;
+  double least = kReach, nearest = 1e300;
+  for (std::size_t k = 0; k < box_.size(); ++k) {
+    if (assembly_.body[k].fixed != fixed) continue;
+    const geometry::Box3 at{p, p};
+    if (!geometry::near(box_[k], at, 2 * kReach)) continue;
+    const double away = std::fmax(0, outside(assembly_.body[k], p));
+    const double middle = length(assembly_.moments[k].centroid - p);
+    if (away < least - kSame || (away <= least + kSame && middle < nearest - kSame)) {
+      least = std::fmin(least, away);
+      nearest = middle;
+      best = k;
+    }
+  }
+  return best;
+}
+
+}  // namespace wythe

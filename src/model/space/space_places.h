@@ -1,0 +1,65 @@
+// Places of a model in space in the user's words -> bodies of the assembly, points on them, lines over them.
+//
+// Called by space_stages.cpp (what is loaded and pushed), space_loads.cpp (points and lines) and links.cpp.
+// Places and directions of a model file are in the axes of its blocks file, where z may point up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/bodies/joint_faces.h"
+#include "wythe/error.h"
+#include "wythe/model.h"
+
+namespace wythe {
+
+class SpacePlaces {
+ public:
+  SpacePlaces(const ModelSpec& spec, const geometry::SpaceAssembly& assembly);
+
+  [[nodiscard]] bool z_up() const { return spec_.wall.up == "z"; }
+  [[nodiscard]] Vec3 in_wall(Vec3 in_file) const;
+  [[nodiscard]] Vec3 in_file(Vec3 in_wall) const;
+  [[nodiscard]] const geometry::Box3& box(std::size_t body) const { return box_[body]; }
+
+  // Bodies at a place, supports too; all of them where it says nothing. A role narrows it to free ones that have it.
+  [[nodiscard]] std::vector<std::size_t> find(const PlaceSpec& place) const;
+  // The point that a place states, in the wall's axes; none where a coordinate is missing.
+  [[nodiscard]] std::optional<Vec3> point_of(const PlaceSpec& place) const;
+  // The body of `fixed` or free ones that holds the point, or is within 10 mm of it: the nearest, then the one
+  // with the nearest centroid; none beyond.
+  [[nodiscard]] std::optional<std::size_t> body_at(Vec3 point, bool fixed) const;
+
+ private:
+  [[nodiscard]] bool holds_point(std::size_t body, const PlaceSpec& place) const;
+
+  const ModelSpec& spec_;
+  const geometry::SpaceAssembly& assembly_;
+  std::vector<geometry::Box3> box_;
+};
+
+// What lies on bodies along a line: pieces of it, each on one face.
+struct LinePiece {
+  std::size_t body;
+  double from, to;  // along the line [m]
+  double share;     // 1, or what falls to this body where the line runs on the edge of several
+};
+// Pieces of the line on faces of free bodies that look against `load`, in order. A stretch that lies on nothing is
+// a fault at `path`, and nothing is returned.
+[[nodiscard]] std::vector<LinePiece> pieces_under(const geometry::SpaceAssembly& assembly,
+                                                  Vec3 from, Vec3 to, Vec3 load,
+                                                  const std::string& path, FaultList& faults);
+
+// A force or line load of a load stage; nothing, with a fault, where it cannot be placed.
+[[nodiscard]] std::vector<PointLoad> stated_loads(const StageSpec& stage, const SpacePlaces& places,
+                                                  const geometry::SpaceAssembly& assembly,
+                                                  const std::vector<BlockId>& id,
+                                                  const std::string& path, FaultList& faults);
+// What the floors lay on blocks, for the stage that sets them; adds their inertia to the blocks.
+[[nodiscard]] std::vector<PointLoad> compile_space_floors(const ModelSpec& spec,
+                                                          const geometry::SpaceAssembly& assembly,
+                                                          const std::vector<BlockId>& id,
+                                                          Model& model, FaultList& faults);
+
+}  // namespace wythe

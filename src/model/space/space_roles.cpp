@@ -1,0 +1,91 @@
+#include "model/space/space_roles.h"
+
+#include "geometry/blocks_file.h"
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace wythe {
+namespace {
+
+using geometry::Shape;
+
+// Where the digits that end before `end` begin.
+std::size_t digits_before(const std::string& id, std::size_t end) {
+  std::size_t k = end;
+  while (k > 0 && id[k - 1] >= '0' && id[k - 1] <= '9') --k;
+  return k;
+}
+
+// Joints as a wall's in its plane: level ones, upright ones, crack planes in units.
+std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
+  const MasonryJoints& named = shape.wall.joints;
+  const std::string bed = named.joint.empty() ? "joint" : named.joint;
+  if (a.fixed) return shape.material.contains("foundation") ? "foundation" : bed;
+  const std::string unit = unit_of(a.id);
+  if (!unit.empty() && unit == unit_of(b.id))
+    return named.unit_joint.empty() ? "unit" : named.unit_joint;
+  const bool upright = std::fabs(normal.y) < 0.5;
+  return upright && !named.head_joint.empty() ? named.head_joint : bed;
+}
+
+}  // namespace
+
+std::string unit_of(const std::string& whole) {
+  // ".p2": a part that a slab's pocket cut off
+  const std::size_t number = digits_before(whole, whole.size());
+  const bool is_cut =
+      number < whole.size() && number > 2 && whole.compare(number - 2, 2, ".p") == 0;
+  const std::string id = is_cut ? whole.substr(0, number - 2) : whole;
+  const bool in_wythe = id.size() > 3 && id[id.size() - 3] == '.' && id[id.size() - 2] == 'w';
+  const std::size_t end = in_wythe ? id.size() - 3 : id.ends_with(".t") ? id.size() - 2 : id.size();
+  if (end < 5 || id[end - 1] < 'a' || id[end - 1] > 'z') return "";
+  const std::size_t unit = digits_before(id, end - 1);
+  if (unit == end - 1 || unit == 0 || (id[unit - 1] != 'u' && id[unit - 1] != 't')) return "";
+  const std::size_t course = digits_before(id, unit - 1);
+  if (course == unit - 1 || course == 0 || id[course - 1] != 'c') return "";
+  return id.substr(0, end - 1) + id.substr(end);
+}
+
+std::optional<int> course_of(const std::string& id) {
+  for (std::size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
+    std::size_t end = dot + 2;
+    while (end < id.size() && id[end] >= '0' && id[end] <= '9') ++end;
+    const bool has_unit = end < id.size() && (id[end] == 'u' || id[end] == 't');
+    if (dot + 1 < id.size() && id[dot + 1] == 'c' && end > dot + 2 && end < dot + 9 && has_unit)
+      return std::stoi(id.substr(dot + 2, end - dot - 2));
+  }
+  return std::nullopt;
+}
+
+std::string chain_of(const std::string& id) {
+  const std::size_t segment = digits_before(id, id.size());
+  if (segment == id.size() || segment < 2 || id.compare(segment - 2, 2, ".s") != 0) return "";
+  const std::size_t end = segment - 2, number = digits_before(id, end);
+  constexpr std::string_view kLintel = ".lintel";
+  if (number == end || number < kLintel.size() ||
+      id.compare(number - kLintel.size(), kLintel.size(), kLintel) != 0)
+    return "";
+  return id.substr(0, end);
+}
+
+std::string joint_material_of(const Shape& shape, const BodySpec& a, const BodySpec& b,
+                              Vec3 normal) {
+  const std::string plain = plain_joint(shape, a, b, normal);
+  const std::string between = geometry::ruled_material(shape, a.material, b.material, plain);
+  return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
+}
+
+bool is_chain(const BodySpec& a, const BodySpec& b) {
+  const std::string chain = chain_of(a.id);
+  return !chain.empty() && chain == chain_of(b.id);
+}
+
+BlockRole role_of(const BodySpec& body) {
+  for (const Word<BlockRole>& word : kBlockRoleWords)
+    if (body.role == word.word) return word.value;
+  return chain_of(body.id).empty() ? BlockRole::kMasonry : BlockRole::kLintel;
+}
+
+}  // namespace wythe

@@ -1,0 +1,278 @@
+// Stages in the user's words -> loads on bodies and driven bodies, in space.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/parts.h"
+#include "model/shaking.h"
+#include "model/space/space.h"
+#include "model/space/space_places.h"
+
+namespace wythe {
+namespace {
+
+using geometry::OuterFace;
+using geometry::SpaceAssembly;
+
+constexpr double kLoadRamp = 0.1;  // documented default of a load's smooth start [s]
+constexpr double kFacing = 0.5;    // cosine to a direction from which on a face looks that way
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+bool has(double number) { return std::isfinite(number); }
+
+class SpaceStages {
+ public:
+  SpaceStages(const ModelSpec& spec, const SpaceAssembly& assembly, const std::vector<BlockId>& id,
+              const std::vector<PointLoad>& floors, Model& model, FaultList& faults)
+      : spec_(spec),
+        assembly_(assembly),
+        id_(id),
+        floors_(floors),
+        model_(model),
+        faults_(faults),
+        places_(spec, assembly) {
+    for (std::size_t k = 0; k < assembly.body.size(); ++k)
+      if (!assembly.body[k].fixed) lowest_ = std::fmin(lowest_, places_.box(k).low.y);
+  }
+
+  void run() {
+    const std::size_t sets_floors = stage_of_floors(spec_, faults_);
+    for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
+      path_ = fmt::format("stage.{}", k);
+      Stage stage;
+      stage.spec = spec_.stage[k];
+      StageSpec& s = stage.spec;
+      const bool push = s.kind == StageKind::kPush;
+      if (std::isnan(s.damping))
+        s.damping = s.kind == StageKind::kShake ? 0.0 : spec_.solve.damping;
+      if (std::isnan(s.ramp) && !push) s.ramp = kLoadRamp;
+      if (s.as == Manner::kDefault) {
+        if (push) s.as = Manner::kSpreader;
+        if (s.kind == StageKind::kLoad) s.as = Manner::kPressure;
+      }
+      set_direction(stage);
+      if (s.kind == StageKind::kLoad) set_loads(stage);
+      if (push) set_driven(stage);
+      if (s.kind == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
+      refuse_second_factor(s);
+      refuse_zones(stage);
+      if (k == sets_floors) stage.loads.insert(stage.loads.end(), floors_.begin(), floors_.end());
+      floors_lie_ = floors_lie_ || k == sets_floors;
+      model_.stages.push_back(std::move(stage));
+    }
+    compile_watched(spec_.history, places(), model_, faults_);
+  }
+
+ private:
+  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
+    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  // Loads and pushes act on rigid blocks.
+  void refuse_zones(const Stage& stage) {
+    std::set<BlockId> solids;
+    for (const PointLoad& load : stage.loads)
+      if (is_solid(load.block)) solids.insert(load.block);
+    for (const BlockId block : stage.driven)
+      if (is_solid(block)) solids.insert(block);
+    if (is_solid(stage.control)) solids.insert(stage.control);
+    const StageSpec& s = stage.spec;
+    const char* key = s.kind != StageKind::kLoad ? "at"
+                      : has(s.force)             ? "at"
+                      : has(s.line_load)         ? "line_load"
+                                                 : "on";
+    for (const BlockId block : solids)
+      fault(key, model_.space.solids.bodies[at(solid_of(block))].body.id,
+            "is a block of zones; loads and pushes act on rigid blocks",
+            "name rigid blocks beside it, or leave the block's zones out");
+  }
+
+  void set_direction(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    Vec3 d = places_.in_wall(vector_of(s.direction));
+    if (!s.along.empty()) {
+      if (s.along.size() != 3 || !(geometry::norm({s.along[0], s.along[1], s.along[2]}) > 0))
+        return fault("along", "", "must be three numbers that are not all 0",
+                     "write e.g. along = [1, 0, 0.5]");
+      d = places_.in_wall(geometry::unit({s.along[0], s.along[1], s.along[2]}));
+    }
+    stage.drive_x = d.x, stage.drive_y = d.y, stage.drive_z = d.z;
+    const bool tilts = s.kind == StageKind::kBodyForce || s.kind == StageKind::kTilt;
+    if (tilts && std::fabs(d.y) > 1e-12)
+      fault("direction", "", "a body force or tilt acts sideways",
+            "write a direction without a part upwards");
+  }
+
+  // What shakes and histories name.
+  [[nodiscard]] WallPlaces places() const {
+    WallPlaces places;
+    places.axis = [this](Direction direction) { return places_.in_wall(vector_of(direction)); };
+    places.blocks = [this](const PlaceSpec& place) {
+      std::vector<BlockId> ids;
+      for (const std::size_t k : places_.find(place))
+        if (!is_solid(id_[k])) ids.push_back(id_[k]);
+      return ids;
+    };
+    places.point = [this](const PlaceSpec& p, BlockId block) {
+      const Vec3 c = places_.in_file(model_.space.centroid[at(block)]);
+      return places_.in_wall({has(p.x) && !has(p.width) ? p.x : c.x,
+                              has(p.y) && !has(p.height) ? p.y : c.y,
+                              has(p.z) && !has(p.depth) ? p.z : c.z});
+    };
+    places.lowest = 1e300;  // of what moves: the supports are the base
+    for (std::size_t k = 0; k < assembly_.body.size(); ++k)
+      if (!assembly_.body[k].fixed) places.lowest = std::fmin(places.lowest, places_.box(k).low.y);
+    return places;
+  }
+
+  // The load factor of a body force goes on from stage to stage; one is enough.
+  void refuse_second_factor(const StageSpec& s) {
+    if (s.kind != StageKind::kBodyForce && s.kind != StageKind::kTilt) return;
+    if (has_factor_) fault("kind", "", "is a second body force or tilt", "keep one of them");
+    has_factor_ = true;
+  }
+
+  // --- loads ------------------------------------------------------------------------------------------
+
+  void set_loads(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    for (const auto& [key, load] :
+         {std::pair("pier_load", s.pier_load), {"beam_load", s.beam_load}})
+      if (has(load))
+        fault(key, "", "is for walls in their plane; this one is in space",
+              "write pressure, and face and on for where it acts");
+    if (has(s.force) || has(s.line_load))
+      stage.loads = stated_loads(s, places_, assembly_, id_, path_, faults_);
+    if (!has(s.pressure)) return;
+    Vec3 looks{0, 1, 0};
+    if (!s.face.empty()) {
+      const auto* word =
+          std::find_if(std::begin(kDirectionWords), std::end(kDirectionWords),
+                       [&](const auto& candidate) { return s.face == candidate.word; });
+      if (word == std::end(kDirectionWords))
+        return fault("face", s.face, "is no direction", "write +x, -x, +y, -y, +z or -z");
+      looks = places_.in_wall(vector_of(word->value));
+    }
+    const std::vector<std::size_t> bodies = places_.find(s.on);
+    for (const OuterFace& face : assembly_.outer) {
+      const auto k = at(face.body);
+      if (assembly_.body[k].fixed || dot(face.normal, looks) < kFacing) continue;
+      if (!std::binary_search(bodies.begin(), bodies.end(), k)) continue;
+      const geometry::Facet facet = geometry::measured(face.polygon);
+      const Vec3 arm = facet.centre - assembly_.moments[k].centroid;
+      const Vec3 f = -s.pressure * face.area * face.normal;
+      stage.loads.push_back({id_[k], arm.x, arm.y, f.x, f.y, arm.z, f.z});
+    }
+    if (stage.loads.empty())
+      fault(s.face.empty() ? "pressure" : "face", s.face, "finds no free face to press on",
+            "name another face or other blocks in `on`");
+  }
+
+  // --- pushes -----------------------------------------------------------------------------------------
+
+  void set_driven(Stage& stage) {
+    const StageSpec& s = stage.spec;
+    const bool patterned = s.pattern != Pattern::kNone;
+    if (patterned && s.pattern != Pattern::kMass && s.pattern != Pattern::kArea)
+      return fault("pattern", "", "is for walls in their plane",
+                   "in space write pattern = \"mass\" or \"area\", or `at`");
+    const std::vector<std::size_t> found = places_.find(patterned ? s.on : s.at);
+    const bool fixed = !found.empty() && std::all_of(found.begin(), found.end(), [&](auto k) {
+      return assembly_.body[k].fixed;
+    });
+    double height = 0, total = 0;
+    for (const std::size_t k : found) {
+      if (assembly_.body[k].fixed != fixed) continue;
+      const double share = s.pattern == Pattern::kMass   ? mass_on(k)
+                           : s.pattern == Pattern::kArea ? facing_area(k, stage)
+                                                         : 1.0;
+      if (!(share > 0)) continue;
+      stage.driven.push_back(id_[k]);
+      stage.driven_share.push_back(share);
+      height += share * (assembly_.moments[k].centroid.y - lowest_);
+      total += share;
+    }
+    if (stage.driven.empty())
+      return fault(patterned ? "pattern" : "at", "", "finds no block to push",
+                   "name blocks by id, a point in a block, or a box round their centres");
+    for (double& share : stage.driven_share)
+      share *= static_cast<double>(stage.driven.size()) / total;
+    stage.load_height = height / total;
+    if (fixed) stage.spec.as = Manner::kEach;
+    set_control(stage, fixed);
+  }
+
+  // Loads and pushes act on rigid blocks: the mass of a body of zones goes to those that it touches, by the areas
+  // of its contacts, which hand its force on (as in stages.cpp) [kg].
+  [[nodiscard]] double zone_mass_beside(BlockId block) const {
+    const SpaceSolids& s = model_.space.solids;
+    double sum = 0;
+    for (std::size_t b = 0; b < s.bodies.size(); ++b) {
+      double area = 0, own = 0, mass = 0;
+      for (std::size_t c = 0; c < s.contact_body.size(); ++c) {
+        if (at(s.contact_body[c]) != b) continue;
+        area += s.contact_area[c];
+        if (s.contact_block[c] == block) own += s.contact_area[c];
+      }
+      if (!(own > 0)) continue;
+      for (int k = s.bodies[b].first_node; k < s.bodies[b].first_node + s.bodies[b].n_node; ++k)
+        mass += s.node_heavy_mass[at(k)];
+      sum += mass * own / area;
+    }
+    return sum;
+  }
+
+  // A body's own mass, that of zones beside it and that of the floors that lie on it already [kg].
+  [[nodiscard]] double mass_on(std::size_t k) const {
+    if (assembly_.body[k].fixed || is_solid(id_[k])) return 0;
+    double weight = 0;
+    if (floors_lie_)
+      for (const PointLoad& load : floors_) weight -= load.block == id_[k] ? load.fy : 0.0;
+    const double g = model_.solve.gravity;
+    return model_.heavy_mass[at(id_[k])] + zone_mass_beside(id_[k]) + (g > 0 ? weight / g : 0.0);
+  }
+
+  // Of a body's free faces, what looks against the push, laid across it [m^2].
+  [[nodiscard]] double facing_area(std::size_t k, const Stage& stage) const {
+    const Vec3 d{stage.drive_x, stage.drive_y, stage.drive_z};
+    double area = 0;
+    for (const OuterFace& face : assembly_.outer)
+      if (at(face.body) == k && -dot(face.normal, d) > kFacing)
+        area -= face.area * dot(face.normal, d);
+    return area;
+  }
+
+  void set_control(Stage& stage, bool fixed) {
+    const PlaceSpec& c = stage.spec.control;
+    if (c.block.empty() && !has(c.x) && !has(c.y) && !has(c.z)) return;
+    const std::vector<std::size_t> found = places_.find(c);
+    if (found.empty() || fixed || assembly_.body[found.front()].fixed)
+      return fault("control", "", fixed ? "cannot steer a support" : "finds no block that moves",
+                   "name a point in a block, or its id; supports are driven as they are");
+    stage.control = id_[found.front()];
+    stage.load_height = assembly_.moments[found.front()].centroid.y - lowest_;
+  }
+
+  const ModelSpec& spec_;
+  const SpaceAssembly& assembly_;
+  const std::vector<BlockId>& id_;
+  const std::vector<PointLoad>& floors_;
+  Model& model_;
+  FaultList& faults_;
+  SpacePlaces places_;
+  double lowest_ = 1e300;
+  std::string path_;
+  bool has_factor_ = false, floors_lie_ = false;
+};
+
+}  // namespace
+
+void compile_space_stages(const ModelSpec& spec, const SpaceAssembly& assembly,
+                          const std::vector<BlockId>& id, const std::vector<PointLoad>& floors,
+                          Model& model, FaultList& faults) {
+  SpaceStages(spec, assembly, id, floors, model, faults).run();
+}
+
+}  // namespace wythe

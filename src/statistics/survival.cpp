@@ -1,0 +1,223 @@
+#include "statistics/survival.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "statistics/intervals.h"
+
+namespace wythe::study {
+namespace {
+
+// Calls visit(value, events, at_risk) at every observed value, weighted by count.
+template <class Visit>
+void walk(const std::vector<Reading>& readings, const Counts& count, const Visit& visit) {
+  int at_risk = 0;
+  for (int c : count) at_risk += c;
+  for (std::size_t i = 0; i < readings.size();) {
+    const double value = readings[i].value;
+    int events = 0, leaving = 0;
+    for (; i < readings.size() && readings[i].value == value; ++i) {
+      leaving += count[i];
+      if (!readings[i].censored) events += count[i];
+    }
+    if (events > 0) visit(value, events, at_risk);
+    at_risk -= leaving;
+  }
+}
+
+// exp(-exp(log(-log S) -+ 1.96 se)): stays within (0, 1).
+Interval log_log_interval(double survival, double greenwood) {
+  if (survival <= 0 || survival >= 1) return {survival, survival};
+  const double log_s = std::log(survival);
+  const double spread = std::exp(kNormal95 * std::sqrt(greenwood) / std::fabs(log_s));
+  return {std::exp(log_s * spread), std::exp(log_s / spread)};
+}
+
+// E and E of the square of a standard normal beyond `a`.
+struct Tail {
+  double mean, square;
+};
+Tail beyond(double a) {
+  const double left = normal_cdf(-a);
+  // far out the ratio tends to a itself: exact to 1e-6 there
+  const double mill = left > 1e-280 ? std::exp(-a * a / 2) / 2.5066282746310002 / left : a + 1 / a;
+  return {mill, 1 + a * mill};
+}
+
+struct Normal {
+  double mean, sigma;
+};
+
+// Logarithms of weighted readings: the observed as sums about their mean, the censored one by one.
+struct Logs {
+  double n = 0;  // observed and censored
+  Moments observed;
+  std::vector<std::pair<double, double>> censored;  // logarithm, weight
+};
+
+Logs logs_of(const std::vector<Reading>& readings, const Counts& count) {
+  Logs logs;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const double log = count[i] > 0 ? std::log(readings[i].value) : 0;
+    logs.n += count[i];
+    if (!readings[i].censored) {
+      for (int k = 0; k < count[i]; ++k) logs.observed.add(log);
+    } else if (!logs.censored.empty() && logs.censored.back().first == log) {
+      logs.censored.back().second += count[i];
+    } else if (count[i] > 0) {
+      logs.censored.emplace_back(log, count[i]);
+    }
+  }
+  return logs;
+}
+
+// One step of expectation and maximisation: censored values by what is expected of them beyond.
+Normal expected_step(const Logs& logs, Normal now) {
+  const double sd = logs.observed.standard_deviation(), m = logs.observed.n();
+  double sum = m * (logs.observed.mean() - now.mean) / now.sigma;
+  double square = sum * sum / m + (m - 1) * sd * sd / (now.sigma * now.sigma);
+  for (const auto& [log, weight] : logs.censored) {
+    const Tail tail = beyond((log - now.mean) / now.sigma);
+    sum += weight * tail.mean, square += weight * tail.square;
+  }
+  const double shift = sum / logs.n;
+  return {now.mean + now.sigma * shift,
+          now.sigma * std::sqrt(std::fmax(square / logs.n - shift * shift, 0.0))};
+}
+
+double misfit_of(const Lognormal& fit, const std::vector<ExceedancePoint>& points) {
+  double misfit = 0, before = 1;
+  for (const ExceedancePoint& p : points) {
+    const double expected = fit.exceedance(p.value);
+    misfit =
+        std::max({misfit, std::fabs(expected - p.probability.value), std::fabs(expected - before)});
+    before = p.probability.value;
+  }
+  return std::isfinite(fit.median) ? misfit : kUnset;
+}
+
+}  // namespace
+
+std::vector<Reading> in_order(std::vector<Reading> readings) {
+  std::stable_sort(readings.begin(), readings.end(), [](const Reading& a, const Reading& b) {
+    return a.value != b.value ? a.value < b.value : a.censored < b.censored;
+  });
+  return readings;
+}
+
+std::vector<ExceedancePoint> kaplan_meier(const std::vector<Reading>& readings) {
+  std::vector<ExceedancePoint> points;
+  double survival = 1, greenwood = 0;
+  walk(readings, Counts(readings.size(), 1), [&](double value, int events, int at_risk) {
+    // counted, not multiplied, to the end: the last event leaves exactly nothing
+    survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
+    if (events < at_risk) greenwood += events / (static_cast<double>(at_risk) * (at_risk - events));
+    points.push_back({value, {survival, log_log_interval(survival, greenwood)}});
+  });
+  return points;
+}
+
+Estimate share_before(const std::vector<Reading>& readings, double x) {
+  const auto n = static_cast<int>(readings.size());
+  const auto is_before = [&](const Reading& r) { return r.value < x; };
+  const auto before = std::count_if(readings.begin(), readings.end(), is_before);
+  const auto fallen = static_cast<int>(std::count_if(readings.begin(), readings.begin() + before,
+                                                     [](const Reading& r) { return !r.censored; }));
+  const bool all_known = fallen == before;
+  if (all_known || before == n) {
+    if (!all_known && fallen == 0) return {};
+    Estimate share = wilson(fallen, n);
+    if (!all_known) share.interval.high = 1;
+    return share;
+  }
+  if (fallen == 0) return wilson(0, n - static_cast<int>(before));
+  Estimate beyond;
+  for (const ExceedancePoint& p : kaplan_meier(readings))
+    if (p.value < x) beyond = p.probability;
+  return {1 - beyond.value, {1 - beyond.interval.high, 1 - beyond.interval.low}};
+}
+
+double survival_mean(const std::vector<Reading>& readings, const Counts& count) {
+  double survival = 1, mean = 0, reached = 0, last = 0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (count[i] > 0) last = readings[i].value;
+  walk(readings, count, [&](double value, int events, int at_risk) {
+    mean += survival * (value - reached);
+    reached = value;
+    survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
+  });
+  return mean + survival * (last - reached);
+}
+
+double survival_quantile(const std::vector<Reading>& readings, const Counts& count, double p) {
+  double survival = 1, answer = std::numeric_limits<double>::infinity();
+  walk(readings, count, [&](double value, int events, int at_risk) {
+    survival = events == at_risk ? 0 : survival * (1 - static_cast<double>(events) / at_risk);
+    // half an event of rounding: 0.5 met exactly must count as met
+    if (survival <= 1 - p + 1e-12 && std::isinf(answer)) answer = value;
+  });
+  return answer;
+}
+
+double Lognormal::exceedance(double x) const {
+  return x > 0 ? normal_cdf(-std::log(x / median) / beta) : 1;
+}
+
+Lognormal fit_lognormal(const std::vector<Reading>& readings, const Counts& count) {
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (count[i] > 0 && !(readings[i].value > 0)) return {};
+  const Logs logs = logs_of(readings, count);
+  if (logs.observed.n() < 2 || !(logs.observed.standard_deviation() > 0)) return {};
+  Normal now{logs.observed.mean(), logs.observed.standard_deviation()};
+  constexpr int kMostSteps = 500;
+  constexpr double kStill = 1e-8;  // change of a step; far below the scatter of any sample
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Normal next = expected_step(logs, now);
+    const double moved = std::fabs(next.mean - now.mean) + std::fabs(next.sigma - now.sigma);
+    now = next;
+    if (moved < kStill) break;
+  }
+  return {std::exp(now.mean), now.sigma};
+}
+
+LognormalReplicates lognormal_replicates(const std::vector<Reading>& readings,
+                                         const Lognormal& fit) {
+  const Resampled part(readings.size());
+  const std::vector<Reading> taken = part.of(readings);
+  const Lognormal centre =
+      part.is_all() ? fit : fit_lognormal(taken, Counts(static_cast<std::size_t>(part.size()), 1));
+  LognormalReplicates out;
+  std::vector<double> medians, betas;
+  each_replicate(part.size(), [&](const Counts& count) {
+    Lognormal again = fit_lognormal(taken, count);
+    if (!std::isfinite(again.beta)) return;
+    again.median = part.of_all(again.median, centre.median, fit.median);
+    again.beta = part.of_all(again.beta, centre.beta, fit.beta);
+    out.fit.push_back(again);
+    medians.push_back(again.median), betas.push_back(again.beta);
+  });
+  out.median = percentile_interval(fit.median, std::move(medians)).interval;
+  out.beta = percentile_interval(fit.beta, std::move(betas)).interval;
+  return out;
+}
+
+Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readings) {
+  readings = in_order(std::move(readings));
+  const int n = static_cast<int>(readings.size());
+  Exceedance out;
+  out.quantity = quantity, out.n = n;
+  for (const Reading& r : readings) out.censored += r.censored ? 1 : 0;
+  out.point = kaplan_meier(readings);
+  const Lognormal fit = fit_lognormal(readings, Counts(n, 1));
+  out.median.value = fit.median, out.beta.value = fit.beta;
+  if (n >= kFewestForBootstrap && std::isfinite(fit.median)) {
+    const LognormalReplicates by = lognormal_replicates(readings, fit);
+    out.median.interval = by.median, out.beta.interval = by.beta;
+  }
+  out.misfit = misfit_of(fit, out.point);
+  return out;
+}
+
+}  // namespace wythe::study
