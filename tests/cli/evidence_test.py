@@ -118,7 +118,7 @@ class Evidence(unittest.TestCase):
     # --- the paper's campaign
 
     def test_the_paper_is_compared_number_by_number(self):
-        self.made("reproduction", "--samples", "17", "--set", "stage.push.until=0.3 mm")
+        self.made("reproduction", "--samples", "8", "--set", "stage.push.until=0.1 mm")
         rows = [row for row in self.rows("reproduction.md") if row.rstrip(" |").endswith(("inside", "**outside**", "too few samples"))]
         self.assertEqual(len(rows), 45)
         self.assertIn("Of 45 numbers compared", (self.pages / "reproduction.md").read_text())
