@@ -118,14 +118,14 @@ class Evidence(unittest.TestCase):
     # --- the paper's campaign
 
     def test_the_paper_is_compared_number_by_number(self):
-        self.made("reproduction", "--samples", "8", "--set", "stage.push.until=0.1 mm")
+        self.made("reproduction", "--samples", "8", "--set", "stage.push.until=0.3 mm")
         rows = [row for row in self.rows("reproduction.md") if row.rstrip(" |").endswith(("inside", "**outside**", "too few samples"))]
         self.assertEqual(len(rows), 45)
         self.assertIn("Of 45 numbers compared", (self.pages / "reproduction.md").read_text())
         # statistics.json once more, from samples.csv alone
         data = json.loads((self.out / "reproduction/statistics.json").read_text())
         with open(self.out / "reproduction/samples.csv", encoding="utf-8") as file:
-            peaks = [float(row["peak_reaction_kN"]) for row in csv.DictReader(file)]
+            peaks = [float(row["peak_reaction_kN"]) for row in csv.DictReader(file) if row["peak_reaction_kN"]]
         told = data["table"]["all"]["peak_reaction_kN"]
         self.assertAlmostEqual(told["mean"], statistics.mean(peaks), places=5)
         self.assertAlmostEqual(told["cov"], statistics.stdev(peaks) / statistics.mean(peaks), places=7)
