@@ -75,7 +75,7 @@ package: setup   ## build/package: Debian packages of the last commit: program, 
 	@tools/setup deps/package.txt
 	rm -rf build/package && mkdir -p build/package/wythe
 	git archive HEAD | tar x -C build/package/wythe
-	cd build/package/wythe && DEB_BUILD_OPTIONS="noautodbgsym $(DEB_BUILD_OPTIONS)" dpkg-buildpackage -us -uc -b
+	cd build/package/wythe && PATH=/usr/sbin:/usr/bin:/sbin:/bin DEB_BUILD_OPTIONS="noautodbgsym $(DEB_BUILD_OPTIONS)" dpkg-buildpackage -us -uc -b
 	rm -rf build/package/wythe
 	lintian --allow-root --fail-on=error,warning --suppress-tags=initial-upload-closes-no-bugs build/package/*.changes
 

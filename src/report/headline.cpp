@@ -375,7 +375,7 @@ class CampaignHeadline {
       if (!member(sample, "answered").is_boolean() || !sample.at("answered").get<bool>()) continue;
       const Json& response = member(sample, "response");
       without_force_ += response.is_array() && !response.empty() && response[0].is_null() ? 1 : 0;
-      if (!are_counted) ++judgements_[judgement_in(sample)];
+      if (!are_counted) ++judgements_[words_in(sample, "judgement")];
     }
   }
   [[nodiscard]] int judged(const char* judgement) const {

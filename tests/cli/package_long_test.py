@@ -17,7 +17,7 @@ INSIDE = """set -e
 wythe --version
 wythe check /usr/share/doc/wythe/examples/brick_pier/model.toml
 python3 -c 'import wythe, importlib.metadata; assert wythe.__version__ == importlib.metadata.version("wythe")'
-test -e /usr/lib/x86_64-linux-gnu/libwythe.so -a -e /usr/include/wythe/wythe.h
+test -e /usr/lib/*/libwythe.so -a -e /usr/include/wythe/wythe.h
 gzip -dc /usr/share/man/man1/wythe.1.gz | grep -q campaign
 apt-get purge -q -y libwythe1 libwythe-dev python3-wythe wythe >/dev/null
 find /usr /etc -name '*wythe*' | grep . && exit 1
@@ -45,7 +45,7 @@ class Packages(unittest.TestCase):
             script = pathlib.Path(folder) / "inside.sh"
             script.write_text(INSIDE)
             done = subprocess.run(["mmdebstrap", "--variant=apt", "--hook-dir=/usr/share/mmdebstrap/hooks/file-mirror-automount",
-                                   f"--include={','.join(map(str, self.files))}", f"--customize-hook=copy-in {script} /root",
+                                   *(f"--include={file}" for file in self.files), f"--customize-hook=copy-in {script} /root",
                                    '--customize-hook=chroot "$1" sh /root/inside.sh', "bookworm", "/dev/null"], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-5000:])

@@ -54,12 +54,6 @@ bool is_plain(const std::string& sql) {
   return true;
 }
 
-bool has_digests(Database& database) {
-  return database.integer("SELECT count(*) FROM main.sqlite_schema WHERE name = 'digest'") +
-             database.integer("SELECT count(*) FROM study WHERE key LIKE 'digest%'") >
-         0;
-}
-
 // Words that say how slow a push was; empty where there was none.
 constexpr std::string_view kJudgements[] = {"slow enough", "usable",  "too fast",
                                             "unknown",     "no push", ""};

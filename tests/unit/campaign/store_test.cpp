@@ -470,10 +470,14 @@ TEST_F(StoreFile, a_lock_ends_with_its_holder) {
   EXPECT_EQ(refusal([&] { const FolderLock second(out_); }), "");
 }
 
-TEST_F(StoreFile, a_newer_store_is_refused) {
-  Database(name(), Database::Access::kWrite).execute("PRAGMA user_version = 99");
-  EXPECT_TRUE(has(read_refusal(), "newer wythe (store version 99, this one reads up to 7)"))
-      << read_refusal();
+TEST_F(StoreFile, a_store_of_another_version_is_refused) {
+  for (const char* version : {"0", "7", "99"}) {
+    Database(name(), Database::Access::kWrite)
+        .execute("PRAGMA user_version = " + std::string(version));
+    EXPECT_TRUE(has(read_refusal(), "has store version " + std::string(version) +
+                                        ", and this wythe reads and writes version 1"))
+        << read_refusal();
+  }
 }
 
 TEST_F(StoreFile, another_sqlite_file_is_refused) {
