@@ -62,6 +62,16 @@ class Words(unittest.TestCase):
                 self.assertEqual((status, len(output.splitlines())), (1, 1), output)
                 self.assertIn(said, output)
 
+    def test_a_name_that_two_files_have_is_one_files_name(self):
+        two = {**GOOD, "src/plane/joints.h": "int a;\n", "src/space/joints.h": "int b;\n"}
+        rooms = GOOD["src/README.md"]
+        for names, missing in (("`joints`", 2), ("`plane/joints`", 1), ("`plane/joints.h`, `space/joints.*`", 0),
+                               ("\n## `plane/`\n| `joints` | |\n## `space/`\n| `joints` | |", 0),
+                               ("\n## `plane/`\n| `joints` | |", 1), ("`wythe/joints.h`, `joints/`", 2)):
+            with self.subTest(names):
+                output = check({**two, "src/README.md": rooms + names + "\n"})[1]
+                self.assertEqual(output.count("joints.h: not named in src/README.md"), missing, output)
+
     def test_code_is_not_taken_for_a_comment(self):
         tree = {**GOOD, "src/law.h": GOOD["src/law.h"] + 'const char* kName = "// (9.9) drive.cpp";\n'}
         self.assertEqual(check(tree)[0], 0)
