@@ -42,8 +42,9 @@ std::vector<const Kernels*> choose() {
   throw InputError({{.file = "WYTHE_SIMD",
                      .path = "",
                      .value = forced,
-                     .problem = "is not an instruction set this processor has",
-                     .cure = "write one of " + names + ", or leave it out for the widest"}});
+                     .problem = "is not an instruction set that this build and this processor have",
+                     .cure = "write one of " + names +
+                             ", leave it out for the widest, or build with WYTHE_KERNELS=all"}});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // A kernel runs one pass (passes/*.h) over one chunk: of neighbours in one wall, in groups of kGroup, or
 // of walls side by side, `width` of them. All give the same bits: works are summed in kGroup lanes of
 // entities by everybody. WYTHE_SIMD=scalar|sse2|avx2|avx512 in the environment forces a set (tests);
-// otherwise it is the widest the processor has.
+// otherwise it is the widest that this build and the processor have.
 #pragma once
 
 #include <vector>
@@ -24,9 +24,9 @@ struct Kernels {
 
 [[nodiscard]] const Kernels& scalar_kernels();
 // The set in use: WYTHE_SIMD, else the widest this processor has. Throws InputError where the
-// environment asks for a set that is unknown or that this processor lacks.
+// environment asks for a set that is unknown, or that this build or this processor lacks.
 [[nodiscard]] const Kernels& kernels_in_use();
-// All this processor has, narrowest first.
+// All that this build and this processor have, narrowest first.
 [[nodiscard]] const std::vector<const Kernels*>& kernels_here();
 
 #if defined(__x86_64__)
