@@ -61,6 +61,11 @@ bool has_joint(const Model& model, BlockId block) {
          "push where blocks can move, give that joint or tie a strength, or count crushing");
 }
 
+[[noreturn]] void refuse_unsolved() {
+  refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
+         "look for joints or blocks a thousand times smaller or stronger than the rest");
+}
+
 // The joint that carries most of a load without limit.
 [[noreturn]] void refuse_unlimited(const Model& model, const StaticAnswer& answer,
                                    const YieldModel& yield) {
@@ -180,6 +185,8 @@ bool is_tilt(const Programmes& p) {
 // Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
 // stand while the growing load holds it up.
 void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
+  if (without_load.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (without_load.status != ProgrammeStatus::kOptimal) refuse_unsolved();
   if (without_load.block >= 0) refuse_unbalanced(model, without_load);
 }
 
@@ -187,8 +194,7 @@ template <class Static, class Kinematic>
 void check_solved(const Static& by_forces, const Kinematic& by_motion) {
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
-    refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
-           "look for joints or blocks a thousand times smaller or stronger than the rest");
+    refuse_unsolved();
 }
 
 // What both programmes say of a wall, in the plane or in space.
@@ -273,7 +279,6 @@ LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
     answer.omega_y.push_back(by_motion.spin[i].y);
     answer.omega.push_back(by_motion.spin[i].z);
   }
-  answer.cuts = static_cast<int>(p.yield.facet.size());
   return answer;
 }
 

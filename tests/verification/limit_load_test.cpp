@@ -107,7 +107,7 @@ TEST(LimitLoad, block_overturns_or_slides_whichever_is_less) {
     const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
     expect_no_gap(answer);
     verify({"CF20", "block under a body force, friction " + fmt::format("{}", friction), "-",
-            std::min(0.4 / 1.6, friction), 1e-9, "round-off of the simplex"},
+            std::min(0.4 / 1.6, friction), 1e-9, "round-off of the interior point"},
            answer.load);
   }
 }
@@ -168,9 +168,10 @@ TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
   const double weight = 1.0 * 0.1 * 0.31 * 2000 * kGravity;
   const LimitAnswer answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
-  verify({"LP-1", "bonded slab slides: c A / W + mu", "-",
-          0.15e6 * 0.31 / weight + std::tan(degrees(16.2)), 1e-9, "round-off of the simplex"},
-         answer.load);
+  verify(
+      {"LP-1", "bonded slab slides: c A / W + mu", "-",
+       0.15e6 * 0.31 / weight + std::tan(degrees(16.2)), 1e-9, "round-off of the interior point"},
+      answer.load);
 }
 
 TEST(LimitLoad, bonded_tower_tears_at_its_base) {
@@ -184,7 +185,7 @@ TEST(LimitLoad, bonded_tower_tears_at_its_base) {
   const LimitAnswer answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
   verify({"LP-2", "bonded tower tears at its base", "-", moment / (weight * 1.0), 1e-9,
-          "round-off of the simplex"},
+          "round-off of the interior point"},
          answer.load);
 }
 
@@ -291,8 +292,8 @@ TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
 
 // --- many blocks
 
-// Two storeys, six windows and a door. The figure is that of Clp's interior point on the static
-// programme alone, the one method of its that ends there. Processor time: others may share the machine.
+// Two storeys, six windows and a door. The figure is that of another program, Clp's interior point, on
+// the static programme alone. Processor time: others may share the machine.
 TEST(LimitLoad, facade_of_4660_blocks_within_a_minute) {
   const Model model = compile(read_model(source_dir() + "/tests/verification/facade.toml"));
   ASSERT_EQ(model.n_block, 4660);
