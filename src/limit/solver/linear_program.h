@@ -1,6 +1,6 @@
 // A sparse linear programme and its solution: the only door to the interior point.
 //
-//   minimise c.x   with   row_low <= A x <= row_high,   low <= x <= high,   circles
+//   minimise c.x   with   a <= A x <= b,   l <= x <= u,   circles
 //
 // Called by static_programme.cpp, kinematic_programme.cpp and in_space.cpp. Rows and columns are added one by one;
 // after a solution more rows may follow, and solving begins anew. The solution is the middle of the best face
