@@ -174,6 +174,19 @@ TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
       answer.load);
 }
 
+// A load of many million weights is large, not without limit.
+TEST(LimitLoad, a_bonded_slab_of_next_to_no_weight_has_a_limit) {
+  for (const double density : {1.0, 1e-3, 1e-4}) {
+    ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, density);
+    const double weight = 1.0 * 0.1 * 0.31 * density * kGravity;
+    const LimitAnswer answer =
+        limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
+    const double load = 0.15e6 * 0.31 / weight + std::tan(degrees(16.2));
+    EXPECT_NEAR(answer.load / load, 1, 1e-8) << density;
+    EXPECT_NEAR(answer.kinematic / load, 1, 1e-8) << density;
+  }
+}
+
 TEST(LimitLoad, bonded_tower_tears_at_its_base) {
   JointMaterial joint = scenes::paper_joint();
   joint.cohesion = 10e6;

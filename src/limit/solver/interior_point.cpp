@@ -149,14 +149,16 @@ class InteriorPoint {
     answer.iterations = iteration;
   }
 
-  // A proof that no x holds, or a direction in which c.x falls for ever.
+  // A proof that no x holds, or a direction in which c.x falls for ever. There each row counts as it was given: beside
+  // its capacity any row is next to nothing on the way to a load of many million weights.
   bool find_ray(InteriorAnswer& answer) const {
     if (rises_ > 0 && largest(at_ * q_.y + gt_ * q_.z) < kProof * rises_) {
       answer.status = ProgrammeStatus::kInfeasible;
       return true;
     }
     if (falls_ >= 0) return false;
-    if (std::max(largest(a_ * q_.x), largest(g_ * q_.x + q_.s)) >= kProof * -falls_) return false;
+    const Vector held = (g_ * q_.x + q_.s).cwiseQuotient(row_scale_);
+    if (std::max(largest(a_ * q_.x), largest(held)) >= kProof * -falls_) return false;
     answer.status = ProgrammeStatus::kUnbounded;
     answer.x = list_of(q_.x / -falls_);
     return true;
