@@ -66,6 +66,14 @@ bool has_joint(const Model& model, BlockId block) {
          "look for joints or blocks a thousand times smaller or stronger than the rest");
 }
 
+// Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
+// stand while the growing load holds it up.
+void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
+  if (without_load.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (without_load.status != ProgrammeStatus::kOptimal) refuse_unsolved();
+  if (without_load.block >= 0) refuse_unbalanced(model, without_load);
+}
+
 // The joint that carries most of a load without limit.
 [[noreturn]] void refuse_unlimited(const Model& model, const StaticAnswer& answer,
                                    const YieldModel& yield) {
@@ -127,8 +135,11 @@ Programmes solve_by_forces(const Model& model, const LimitOptions& options, doub
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
+    // the load may grow beside a wall that falls: both are proofs, and the solver gives one
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
     refuse_unlimited(model, p.by_forces, p.yield);
+  }
   return p;
 }
 
@@ -155,8 +166,10 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
     refuse_unlimited(carrier_text(model, p.by_forces.carrier));
+  }
   return p;
 }
 
@@ -180,14 +193,6 @@ auto solve_tilted(const Solve& solve) {
 template <class Programmes>
 bool is_tilt(const Programmes& p) {
   return p.loads.stage->spec.kind == StageKind::kTilt;
-}
-
-// Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
-// stand while the growing load holds it up.
-void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
-  if (without_load.status == ProgrammeStatus::kStopped) throw LimitStopped();
-  if (without_load.status != ProgrammeStatus::kOptimal) refuse_unsolved();
-  if (without_load.block >= 0) refuse_unbalanced(model, without_load);
 }
 
 template <class Static, class Kinematic>

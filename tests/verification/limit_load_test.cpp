@@ -521,6 +521,16 @@ TEST(LimitLoad, a_block_that_overhangs_cannot_stand) {
   EXPECT_NE(text.find("cannot stand"), std::string::npos) << text;
 }
 
+// The push onto the ground has no limit, but the ledge falls all the same.
+TEST(LimitLoad, a_wall_that_cannot_stand_has_no_unlimited_load_either) {
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.block.push_back(scenes::rectangle("ledge", 0.3, 0.4, 1.0, 0.1));
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kMinusY, 0.01, 0.01)};
+  const std::string text = refusal(compile(spec));
+  EXPECT_NE(text.find("cannot stand"), std::string::npos) << text;
+  EXPECT_EQ(text.find("without end"), std::string::npos) << text;
+}
+
 TEST(LimitLoad, a_load_no_mechanism_follows_has_no_limit) {
   JointMaterial joint = scenes::dry_joint(20e9, 8e9, 0.5);
   joint.tensile_strength = joint.cohesion = kUnlimited;
