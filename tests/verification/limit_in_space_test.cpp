@@ -244,6 +244,9 @@ TEST(LimitInSpace, what_has_no_limit_load_is_refused_by_name) {
   ModelSpec pressed = spec;
   pressed.stage.back() = scenes::push_stage("b", Direction::kMinusY, 2e-3, 1e-3);
   EXPECT_TRUE(has(fault_of(pressed), "between floor and b")) << fault_of(pressed);
+  ModelSpec overhung = pressed;  // no limit either, but the ledge falls all the same
+  overhung.body.push_back(box("ledge", {0.1, 0.1, -0.1}, {0.5, 0.1, 0.2}));
+  EXPECT_TRUE(has(fault_of(overhung), "ledge: cannot stand")) << fault_of(overhung);
   // dead loads that topple it: it stands only where the force holds it up, and so has no strength
   ModelSpec pushed_over = block_on_slab({1, 2, 0.4}, 0.65, {0, 0, 1});
   StageSpec wind;
