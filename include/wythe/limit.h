@@ -66,13 +66,13 @@ struct LimitAnswer {
   // collapse mechanism, per unit velocity of the load (n_block) [-], [-], [1/m]
   std::vector<double> vx, vy, omega;
   std::vector<double> vz, omega_x, omega_y;  // in space; omega is about z
-  // In space a friction circle is a polygon, cut until no shear passes the circle by more than this share: the
-  // load is that of joints whose friction and cohesion are at most that much higher.
+  // In space the largest share by which a shear passes its friction circle: the load is that of joints whose
+  // friction and cohesion are at most that much higher.
   double friction_excess = 0;  // above kFrictionCircle a note says so (notes_on)
   double dissipation = 0;      // of the joints in that mechanism, per unit velocity of the load
   int rows = 0, columns = 0,
-      cuts = 0;         // size of the static programme; tangents added, in space facets
-  double accuracy = 0;  // relative, of the less accurate programme; 0: exact to round-off
+      cuts = 0;         // size of the static programme; tangents of stress blocks in it
+  double accuracy = 0;  // relative, of the less accurate programme
   double seconds = 0;
 };
 // Progress of one limit load [0, 1], a few times a second, and a flag that ends it.

@@ -9,8 +9,6 @@
 namespace wythe::limit {
 namespace {
 
-constexpr int kFacets = 8;         // of a friction circle, before it is cut
-constexpr int kRounds = 30;        // of cutting, at most
 constexpr double kNothing = 1e-7;  // of the force unit: a circle that small has no say
 
 std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
@@ -86,7 +84,7 @@ LinkPlace link_place(const Links& l, std::size_t k) {
 }
 
 // Columns: load | p, s1, s2 of each point | forces of links | what holds driven blocks. Rows: balance of each block (force, moment),
-// facets of friction circles.
+// friction circles.
 class StaticProgramme {
  public:
   StaticProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
@@ -105,8 +103,7 @@ class StaticProgramme {
         lp_.add_row(balance_[6 * i + c], -wanted[c] / u_.force, -wanted[c] / u_.force);
     }
     if (!sum_.empty()) lp_.add_row(sum_, 0, 0);
-    if (y_.circles) add_circles();
-    add_facets();
+    add_circles();
   }
 
   void add_circles() {
@@ -116,17 +113,6 @@ class StaticProgramme {
       for (int p = m_.space.point_begin[at(j)]; p < m_.space.point_begin[at(j) + 1]; ++p)
         lp_.add_circle({{{{column(p), y.friction}}, {{column(p) + 1, 1}}, {{column(p) + 2, 1}}}},
                        capacity_of(m_, y, p, 0) / u_.force);
-    }
-  }
-
-  void add_facets() {
-    for (; facets_ < y_.facet.size(); ++facets_) {
-      const Facet& f = y_.facet[facets_];
-      const JointYield& y = y_.joint[at(f.joint)];
-      lp_.add_row({{column(f.point) + 1, f.e1},
-                   {column(f.point) + 2, f.e2},
-                   {column(f.point), -y.friction}},
-                  -kFree, capacity_of(m_, y, f.point, 0) / u_.force);
     }
   }
 
@@ -153,14 +139,16 @@ class StaticProgramme {
   // After build(true): the largest unbalanced force.
   Unbalanced worst(const Watch& watch) {
     Unbalanced found;
-    if (lp_.solve(watch) != ProgrammeStatus::kOptimal) return found;
+    found.status = lp_.solve(watch);
+    if (found.status != ProgrammeStatus::kOptimal) return found;
     double total = 0;
     for (std::size_t row = 0; row < balance_.size(); ++row) {
       const double lack = lp_.solution()[slack_ + 2 * row] + lp_.solution()[slack_ + 2 * row + 1];
       total += lack;
-      if (lack * u_.force > found.force) found = {static_cast<BlockId>(row / 6), lack * u_.force};
+      if (lack * u_.force > found.force)
+        found = {found.status, static_cast<BlockId>(row / 6), lack * u_.force};
     }
-    return total < 1e-6 ? Unbalanced{} : found;
+    return total < 1e-6 ? Unbalanced{found.status} : found;
   }
 
  private:
@@ -200,7 +188,7 @@ class StaticProgramme {
       const double share = m_.space.point_share[at(p)] / u_.force;
       const Place place = place_of(m_, j, p);
       const Vec3 ways[] = {place.n, place.t1, place.t2};
-      const double shear = y_.circles && slides(y) && !resists(y) ? 0 : kFree;
+      const double shear = slides(y) && !resists(y) ? 0 : kFree;
       for (int c = 0; c < 3; ++c) {
         const int k = c == 0 ? lp_.add_column(-y.tension * share, y.compression * share, 0)
                              : lp_.add_column(-shear, shear, 0);
@@ -261,7 +249,7 @@ class StaticProgramme {
   std::vector<std::vector<Entry>> balance_;  // force and moment rows of each block
   std::vector<Entry> sum_;
   int load_ = 0;
-  std::size_t slack_ = 0, facets_ = 0;
+  std::size_t slack_ = 0;
 };
 
 // The largest share by which a shear passes its circle.
@@ -281,45 +269,14 @@ double friction_excess(const Model& m, const Units& units, const SpaceStaticAnsw
   return most;
 }
 
-// Adds a facet where a shear passes its circle; returns the largest share by which one does. Where the sum of a
-// face's shears is too large too, each of its points gets a facet in that direction: cut one by one, they would
-// pass the excess on to each other.
-double cut_circles(const Model& m, const Units& units, const SpaceStaticAnswer& answer,
-                   SpaceYield& yield) {
-  double most = 0;
-  for (int j = 0; j < m.n_joint; ++j) {
-    const JointYield& y = yield.joint[at(j)];
-    if (!slides(y)) continue;
-    const int begin = m.space.point_begin[at(j)], end = m.space.point_begin[at(j) + 1];
-    double sum_1 = 0, sum_2 = 0, sum_radius = 0;
-    for (int p = begin; p < end; ++p) {
-      const double s1 = answer.shear_1[at(p)], s2 = answer.shear_2[at(p)], s = std::hypot(s1, s2);
-      const double radius = capacity_of(m, y, p, answer.compression[at(p)]);
-      sum_1 += s1, sum_2 += s2, sum_radius += radius;
-      if (s - radius <= kNothing * units.force) continue;
-      const double share = radius > 0 ? s / radius - 1 : 1.0;
-      most = std::fmax(most, share);
-      if (share > yield.tolerance) yield.facet.push_back({j, p, s1 / s, s2 / s});
-    }
-    const double sum = std::hypot(sum_1, sum_2);
-    if (sum - sum_radius <= std::fmax(yield.tolerance * sum_radius, kNothing * units.force))
-      continue;
-    for (int p = begin; p < end; ++p) yield.facet.push_back({j, p, sum_1 / sum, sum_2 / sum});
-  }
-  return most;
-}
-
 // Columns: velocity and spin of each block | multipliers >= 0. Rows: at each point slip and opening are what the
 // multipliers make; the load does unit power; what a rig holds stands still.
 class KinematicProgramme {
  public:
   KinematicProgramme(const Model& m, const SpaceLoads& loads, const SpaceYield& y, const Units& u)
-      : m_(m), loads_(loads), y_(y), u_(u), facets_of_(at(m.n_point())) {
-    for (const Facet& f : y.facet) facets_of_[at(f.point)].push_back(&f);
-  }
+      : m_(m), loads_(loads), y_(y), u_(u) {}
 
   void build() {
-    lp_.prefer_inside();
     for (const BodyForce& f : loads_.dead)
       for (const double part : parts(f.force, f.moment, u_.length))
         lp_.add_column(-kFree, kFree, -part / u_.force);
@@ -380,21 +337,15 @@ class KinematicProgramme {
     const double share = m_.space.point_share[at(p)];
     std::vector<Entry> slip_1 = jump(j, place, place.t1), slip_2 = jump(j, place, place.t2),
                        opening = jump(j, place, place.n);
-    if (y_.circles && slides(y) && resists(y)) {
+    if (slides(y) && resists(y)) {
       const int multiplier = add_circle(capacity_of(m_, y, p, 0));
       slip_1.push_back({multiplier + 1, 1});
       slip_2.push_back({multiplier + 2, 1});
       opening.push_back({multiplier, -y.friction});
     }
-    for (const Facet* f : facets_of_[at(p)]) {
-      const int multiplier = add_multiplier(capacity_of(m_, y, p, 0));
-      slip_1.push_back({multiplier, f->e1});
-      slip_2.push_back({multiplier, f->e2});
-      opening.push_back({multiplier, -y.friction});
-    }
     if (!std::isinf(y.tension)) opening.push_back({add_multiplier(y.tension * share), -1.0});
     if (!std::isinf(y.compression)) opening.push_back({add_multiplier(y.compression * share), 1.0});
-    if (!y_.circles || !slides(y) || resists(y)) {
+    if (!slides(y) || resists(y)) {
       lp_.add_row(slip_1, 0, 0);
       lp_.add_row(slip_2, 0, 0);
     }
@@ -448,8 +399,7 @@ class KinematicProgramme {
   const SpaceYield& y_;
   Units u_;
   LinearProgramme lp_;
-  std::vector<std::vector<const Facet*>> facets_of_;  // of each point
-  std::vector<double> capacity_;                      // of each multiplier, in force units
+  std::vector<double> capacity_;  // of each multiplier, in force units
 };
 
 }  // namespace
@@ -505,18 +455,6 @@ SpaceYield space_yield(const Model& model, const LimitOptions& options, double t
   return yield;
 }
 
-void use_facets(const Model& model, SpaceYield& yield) {
-  yield.circles = false;
-  for (int j = 0; j < model.n_joint; ++j) {
-    if (!slides(yield.joint[at(j)])) continue;
-    for (int p = model.space.point_begin[at(j)]; p < model.space.point_begin[at(j) + 1]; ++p)
-      for (int k = 0; k < kFacets; ++k) {
-        const double angle = 2 * M_PI * k / kFacets;
-        yield.facet.push_back({j, p, std::cos(angle), std::sin(angle)});
-      }
-  }
-}
-
 Units units_of(const Model& model, const SpaceLoads& loads) {
   Units units{0, 0};
   for (const BodyForce& f : loads.dead) units.force += length(f.force);
@@ -528,26 +466,13 @@ Units units_of(const Model& model, const SpaceLoads& loads) {
   return units;
 }
 
-SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, SpaceYield& yield,
+SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads, const SpaceYield& yield,
                                const Units& units, const Watch& watch) {
-  if (yield.circles) {
-    StaticProgramme programme(model, loads, yield, units);
-    programme.build(false);
-    SpaceStaticAnswer answer = programme.solve(watch);
-    if (answer.status == ProgrammeStatus::kOptimal)
-      answer.friction_excess = friction_excess(model, units, answer, yield);
-    if (answer.status != ProgrammeStatus::kFailed) return answer;
-    use_facets(model, yield);
-  }
   StaticProgramme programme(model, loads, yield, units);
   programme.build(false);
   SpaceStaticAnswer answer = programme.solve(watch);
-  for (int round = 0; answer.status == ProgrammeStatus::kOptimal; ++round) {
-    answer.friction_excess = cut_circles(model, units, answer, yield);
-    if (answer.friction_excess <= yield.tolerance || round == kRounds) break;
-    programme.add_facets();
-    answer = programme.solve(watch);
-  }
+  if (answer.status == ProgrammeStatus::kOptimal)
+    answer.friction_excess = friction_excess(model, units, answer, yield);
   return answer;
 }
 

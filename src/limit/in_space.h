@@ -2,9 +2,7 @@
 //
 // Called by limit_load.cpp. A point of a face carries compression p and shear (s1, s2) on the face's axes:
 //
-//   sliding   |s| <= c A w + mu p   a circle, which the interior point knows; where it finds no answer, tangents:
-//             e.s <= c A w + mu p   for unit vectors e all round: eight at first, then in the direction of each shear
-//                                   that passes the circle, until none does by more than kFrictionCircle
+//   sliding   |s| <= c A w + mu p   a circle, which the interior point knows
 //   tension   p >= -ft A w          crushing   p <= fc A w            w: the point's share of the face
 #pragma once
 
@@ -31,20 +29,10 @@ struct SpaceLoads {
 // Throws InputError when no stage grows, and when what grows moves a support. `secant`: limit_loads().
 [[nodiscard]] SpaceLoads space_loads(const Model& model, double secant = 1);
 
-// A unit vector on the face of a point: a side of the polygon that stands for its friction circle.
-struct Facet {
-  int joint = 0, point = 0;  // of all points
-  double e1 = 0, e2 = 0;
-};
 struct SpaceYield {
-  std::vector<JointYield> joint;       // (n_joint); half_length is not used
-  std::vector<LinkYield> link;         // (n_link)
-  bool circles = true;                 // false: facets stand for them
-  double tolerance = kFrictionCircle;  // of facets: by which share a shear may pass its circle
-  std::vector<Facet> facet;            // in the order they were added
+  std::vector<JointYield> joint;  // (n_joint); half_length is not used
+  std::vector<LinkYield> link;    // (n_link)
 };
-// Eight facets for each circle, from now on instead of the circles.
-void use_facets(const Model& model, SpaceYield& yield);
 [[nodiscard]] SpaceYield space_yield(const Model& model, const LimitOptions& options,
                                      double times = 1);
 [[nodiscard]] Units units_of(const Model& model, const SpaceLoads& loads);
@@ -60,9 +48,8 @@ struct SpaceStaticAnswer {
       -1;  // of a load without limit: the joint that carries most of it, links after joints
   int rows = 0, columns = 0;
 };
-// With circles, or, where those find no answer, with facets, which it adds to `yield` where a shear passes its circle.
 [[nodiscard]] SpaceStaticAnswer solve_static(const Model& model, const SpaceLoads& loads,
-                                             SpaceYield& yield, const Units& units,
+                                             const SpaceYield& yield, const Units& units,
                                              const Watch& watch = {});
 
 struct SpaceKinematicAnswer {

@@ -61,6 +61,19 @@ bool has_joint(const Model& model, BlockId block) {
          "push where blocks can move, give that joint or tie a strength, or count crushing");
 }
 
+[[noreturn]] void refuse_unsolved() {
+  refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
+         "look for joints or blocks a thousand times smaller or stronger than the rest");
+}
+
+// Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
+// stand while the growing load holds it up.
+void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
+  if (without_load.status == ProgrammeStatus::kStopped) throw LimitStopped();
+  if (without_load.status != ProgrammeStatus::kOptimal) refuse_unsolved();
+  if (without_load.block >= 0) refuse_unbalanced(model, without_load);
+}
+
 // The joint that carries most of a load without limit.
 [[noreturn]] void refuse_unlimited(const Model& model, const StaticAnswer& answer,
                                    const YieldModel& yield) {
@@ -122,8 +135,11 @@ Programmes solve_by_forces(const Model& model, const LimitOptions& options, doub
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
+    // the load may grow beside a wall that falls: both are proofs, and the solver gives one
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
     refuse_unlimited(model, p.by_forces, p.yield);
+  }
   return p;
 }
 
@@ -150,8 +166,10 @@ SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions&
   if (p.by_forces.status == ProgrammeStatus::kStopped) throw LimitStopped();
   if (p.by_forces.status == ProgrammeStatus::kInfeasible)
     refuse_unbalanced(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
-  if (p.by_forces.status == ProgrammeStatus::kUnbounded)
+  if (p.by_forces.status == ProgrammeStatus::kUnbounded) {
+    check_it_stands_alone(model, find_unbalanced(model, p.loads, p.yield, p.units, ask));
     refuse_unlimited(carrier_text(model, p.by_forces.carrier));
+  }
   return p;
 }
 
@@ -177,18 +195,11 @@ bool is_tilt(const Programmes& p) {
   return p.loads.stage->spec.kind == StageKind::kTilt;
 }
 
-// Loads that can be carried lie side by side, but not always from nothing on: a wall that dead loads bring down may
-// stand while the growing load holds it up.
-void check_it_stands_alone(const Model& model, const Unbalanced& without_load) {
-  if (without_load.block >= 0) refuse_unbalanced(model, without_load);
-}
-
 template <class Static, class Kinematic>
 void check_solved(const Static& by_forces, const Kinematic& by_motion) {
   if (by_forces.status != ProgrammeStatus::kOptimal ||
       by_motion.status != ProgrammeStatus::kOptimal)
-    refuse("wall", "", "its linear programme was not solved: round-off is larger than the answer",
-           "look for joints or blocks a thousand times smaller or stronger than the rest");
+    refuse_unsolved();
 }
 
 // What both programmes say of a wall, in the plane or in space.
@@ -273,7 +284,6 @@ LimitAnswer limit_in_space(const Model& model, const LimitOptions& options,
     answer.omega_y.push_back(by_motion.spin[i].y);
     answer.omega.push_back(by_motion.spin[i].z);
   }
-  answer.cuts = static_cast<int>(p.yield.facet.size());
   return answer;
 }
 

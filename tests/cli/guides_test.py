@@ -30,7 +30,7 @@ PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs/tutorial").glob("*.md")),
          *sorted((SOURCE / "examples").glob("*/README.md"))]
 FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
 MARK = re.compile(r"<!-- test: (file|adds|said|short|first|exit|needs|not run:) ?(.*?) ?-->")
-COMMAND = re.compile(r"(?:build/(?:release|gpu)/)?wythe |make |cmake |python3 ")
+COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 ")
 SETTING = re.compile(r"[a-z]+=\S")  # of the shell, for the commands below it
 SHELL = ("sh", "bash", "console", "shell")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")

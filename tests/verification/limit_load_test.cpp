@@ -107,7 +107,7 @@ TEST(LimitLoad, block_overturns_or_slides_whichever_is_less) {
     const LimitAnswer answer = limit_load(compile(with_stages(spec, body_force())), {});
     expect_no_gap(answer);
     verify({"CF20", "block under a body force, friction " + fmt::format("{}", friction), "-",
-            std::min(0.4 / 1.6, friction), 1e-9, "round-off of the simplex"},
+            std::min(0.4 / 1.6, friction), 1e-9, "round-off of the interior point"},
            answer.load);
   }
 }
@@ -168,9 +168,23 @@ TEST(LimitLoad, bonded_block_slides_at_c_A_plus_mu_W) {
   const double weight = 1.0 * 0.1 * 0.31 * 2000 * kGravity;
   const LimitAnswer answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
-  verify({"LP-1", "bonded slab slides: c A / W + mu", "-",
-          0.15e6 * 0.31 / weight + std::tan(degrees(16.2)), 1e-9, "round-off of the simplex"},
-         answer.load);
+  verify(
+      {"LP-1", "bonded slab slides: c A / W + mu", "-",
+       0.15e6 * 0.31 / weight + std::tan(degrees(16.2)), 1e-9, "round-off of the interior point"},
+      answer.load);
+}
+
+// A load of many million weights is large, not without limit.
+TEST(LimitLoad, a_bonded_slab_of_next_to_no_weight_has_a_limit) {
+  for (const double density : {1.0, 1e-3, 1e-4}) {
+    ModelSpec spec = scenes::block_on_ground(1.0, 0.1, scenes::paper_joint(), 0.31, density);
+    const double weight = 1.0 * 0.1 * 0.31 * density * kGravity;
+    const LimitAnswer answer =
+        limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
+    const double load = 0.15e6 * 0.31 / weight + std::tan(degrees(16.2));
+    EXPECT_NEAR(answer.load / load, 1, 1e-8) << density;
+    EXPECT_NEAR(answer.kinematic / load, 1, 1e-8) << density;
+  }
 }
 
 TEST(LimitLoad, bonded_tower_tears_at_its_base) {
@@ -184,7 +198,7 @@ TEST(LimitLoad, bonded_tower_tears_at_its_base) {
   const LimitAnswer answer =
       limit_load(compile(with_stages(spec, body_force())), {.strength = JointStrength::kBonded});
   verify({"LP-2", "bonded tower tears at its base", "-", moment / (weight * 1.0), 1e-9,
-          "round-off of the simplex"},
+          "round-off of the interior point"},
          answer.load);
 }
 
@@ -291,8 +305,8 @@ TEST(LimitLoad, targets_behind_the_push_turn_it_round) {
 
 // --- many blocks
 
-// Two storeys, six windows and a door. The figure is that of Clp's interior point on the static
-// programme alone, the one method of its that ends there. Processor time: others may share the machine.
+// Two storeys, six windows and a door. The figure is that of another program, Clp's interior point, on
+// the static programme alone. Processor time: others may share the machine.
 TEST(LimitLoad, facade_of_4660_blocks_within_a_minute) {
   const Model model = compile(read_model(source_dir() + "/tests/verification/facade.toml"));
   ASSERT_EQ(model.n_block, 4660);
@@ -505,6 +519,16 @@ TEST(LimitLoad, a_block_that_overhangs_cannot_stand) {
   spec.block.push_back(scenes::rectangle("ledge", 0.3, 0.2, 1.0, 0.1));
   const std::string text = refusal(compile(with_stages(spec, body_force())));
   EXPECT_NE(text.find("cannot stand"), std::string::npos) << text;
+}
+
+// The push onto the ground has no limit, but the ledge falls all the same.
+TEST(LimitLoad, a_wall_that_cannot_stand_has_no_unlimited_load_either) {
+  ModelSpec spec = scenes::stack(2, 0.4, 0.2, scenes::dry_joint(20e9, 8e9, 0.5), 0.3, 2000);
+  spec.block.push_back(scenes::rectangle("ledge", 0.3, 0.4, 1.0, 0.1));
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kMinusY, 0.01, 0.01)};
+  const std::string text = refusal(compile(spec));
+  EXPECT_NE(text.find("cannot stand"), std::string::npos) << text;
+  EXPECT_EQ(text.find("without end"), std::string::npos) << text;
 }
 
 TEST(LimitLoad, a_load_no_mechanism_follows_has_no_limit) {

@@ -6,7 +6,7 @@
 //
 // Duality makes both answers equal; that they are built from forces here and from velocities there
 // makes the equality a check. Called by limit_load.cpp. In both, forces are in `force` units and
-// lengths in `length` units, so that the numbers Clp sees are near 1.
+// lengths in `length` units, so that the numbers are near 1.
 // Reference: R. K. Livesley, Int. J. Numer. Methods Eng. 12 (1978) 1853-1871.
 #pragma once
 
@@ -50,8 +50,9 @@ struct KinematicAnswer {
                                               const YieldModel& yield, const Units& units,
                                               const Watch& watch = {});
 
-// The block that lacks most force when nothing grows, and how much [N]; -1: all stand.
+// The block that lacks most force when nothing grows, and how much [N]; -1: all stand, where it was solved.
 struct Unbalanced {
+  ProgrammeStatus status = ProgrammeStatus::kFailed;
   BlockId block = -1;
   double force = 0;
 };

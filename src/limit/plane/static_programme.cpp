@@ -66,15 +66,17 @@ class StaticProgramme {
   // After build(true): the largest unbalanced force.
   Unbalanced worst(const Watch& watch) {
     Unbalanced found;
-    if (lp_.solve(watch) != ProgrammeStatus::kOptimal) return found;
+    found.status = lp_.solve(watch);
+    if (found.status != ProgrammeStatus::kOptimal) return found;
     const std::vector<double>& x = lp_.solution();
     double total = 0;
     for (std::size_t row = 0; row < balance_.size(); ++row) {
       const double lack = x[slack_ + 2 * row] + x[slack_ + 2 * row + 1];
       total += lack;
-      if (lack * u_.force > found.force) found = {static_cast<BlockId>(row / 3), lack * u_.force};
+      if (lack * u_.force > found.force)
+        found = {found.status, static_cast<BlockId>(row / 3), lack * u_.force};
     }
-    if (total < 1e-6) return {};
+    if (total < 1e-6) return {found.status};
     return found;
   }
 

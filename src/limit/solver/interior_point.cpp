@@ -19,6 +19,7 @@ using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
 constexpr int kIterations = 150;   // 30 to 80 are usual
 constexpr double kWanted = 1e-9;   // of residuals, and of the gap between both objectives
+constexpr double kBest = 1e-14;    // beyond what is wanted, as long as iterations halve it
 constexpr double kEnough = 1e-7;   // where round-off allows no more
 constexpr int kPatience = 5;       // iterations without a better point
 constexpr double kAstray = 100;    // times as far off as the best point
@@ -65,6 +66,7 @@ class InteriorPoint {
         b_(vector_of(f.b)),
         h_(vector_of(f.h)),
         cones_(m_ - 3 * f.circles, f.circles) {
+    scale_rows();
     scale_ = std::max({1.0, largest(b_), largest(h_)});
     b_ /= scale_;
     h_ /= scale_;
@@ -76,21 +78,27 @@ class InteriorPoint {
     InteriorAnswer best;
     best.accuracy = std::numeric_limits<double>::infinity();
     Iterate best_point = q_;
-    int better = 0;
-    double first = 0;
+    int better = 0, halved = 0;  // the last iteration that was nearer; by half
+    double first = 0, least = best.accuracy;
     for (int i = 0; i < kIterations; ++i) {
       take_residuals();
       if (find_ray(best)) return best;
-      const double lack = accuracy();
+      const double lack = accuracy(), before = best.accuracy;
       if (i == 0) first = lack;
-      if (lack < best.accuracy) {
+      if (lack < best.accuracy) keep(i, lack, best);
+      if (lack < 0.5 * before) halved = i;
+      if (best.accuracy < kBest || (best.accuracy < kWanted && i > halved + 1)) break;
+      // what is left falls on the way to a solution and on that to a proof that there is none
+      const double left = what_is_left();
+      if (lack < before || left < least) {
         better = i;
         best_point = q_;
-        keep(i, lack, best);
+        least = std::min(least, left);
       }
-      if (lack < kWanted) break;
       // round-off has the upper hand: from the best point on with a stiffer system
-      if (!(lack < kAstray * best.accuracy) || i - better > kPatience) {
+      const bool astray =
+          !(lack < kAstray * best.accuracy) && !(left < kAstray * std::max(least, kWanted));
+      if (astray || i - better > kPatience) {
         if (regular_ >= kMostRegular) break;
         regular_ *= 10;
         better = i;
@@ -127,26 +135,47 @@ class InteriorPoint {
     return std::max({largest(rx_) / q_.tau, largest(ry_) / q_.tau, largest(rz_) / q_.tau, gap});
   }
 
+  // Largest residual, and the mean of s z: both fall with each step that round-off leaves alone.
+  [[nodiscard]] double what_is_left() const {
+    return std::max({largest(rx_), largest(ry_), largest(rz_), mean_product()});
+  }
+
   void keep(int iteration, double lack, InteriorAnswer& answer) const {
     answer.x = list_of(scale_ / q_.tau * q_.x);
     answer.y = list_of(q_.y / q_.tau);
-    answer.z = list_of(q_.z / q_.tau);
+    answer.z = list_of(row_scale_.cwiseProduct(q_.z) / q_.tau);
     answer.objective = scale_ * falls_ / q_.tau;
     answer.accuracy = lack;
     answer.iterations = iteration;
   }
 
-  // A proof that no x holds, or a direction in which c.x falls for ever.
+  // A proof that no x holds, or a direction in which c.x falls for ever. There each row counts as it was given: beside
+  // its capacity any row is next to nothing on the way to a load of many million weights.
   bool find_ray(InteriorAnswer& answer) const {
     if (rises_ > 0 && largest(at_ * q_.y + gt_ * q_.z) < kProof * rises_) {
       answer.status = ProgrammeStatus::kInfeasible;
       return true;
     }
     if (falls_ >= 0) return false;
-    if (std::max(largest(a_ * q_.x), largest(g_ * q_.x + q_.s)) >= kProof * -falls_) return false;
+    const Vector held = (g_ * q_.x + q_.s).cwiseQuotient(row_scale_);
+    if (std::max(largest(a_ * q_.x), largest(held)) >= kProof * -falls_) return false;
     answer.status = ProgrammeStatus::kUnbounded;
     answer.x = list_of(q_.x / -falls_);
     return true;
+  }
+
+  // Each row beside a capacity of 1 at most: a joint that bears a million times as much hides no error.
+  void scale_rows() {
+    row_scale_ = Vector::Ones(m_);
+    for (int row = 0; row < cones_.plain(); ++row)
+      row_scale_[row] = 1 / std::max(1.0, std::fabs(h_[row]));
+    for (int k = 0; k < cones_.circles(); ++k) {
+      const int row = cones_.first_row(k);
+      row_scale_.segment(row, 3).setConstant(1 / std::max(1.0, largest(h_.segment(row, 3))));
+    }
+    h_ = row_scale_.cwiseProduct(h_);
+    g_ = row_scale_.asDiagonal() * g_;
+    gt_ = g_.transpose();
   }
 
   // --- the systems  [0 A' G'; A 0 0; G 0 -W W] ----------------------------------------------------
@@ -310,8 +339,12 @@ class InteriorPoint {
 
   // --- the step: predictor and corrector, after Mehrotra ------------------------------------------
 
+  [[nodiscard]] double mean_product() const {
+    return (q_.s.dot(q_.z) + q_.tau * q_.kappa) / (cones_.degree() + 1);
+  }
+
   void step() {
-    const double mu = (q_.s.dot(q_.z) + q_.tau * q_.kappa) / (cones_.degree() + 1);
+    const double mu = mean_product();
     const Three one = solve_system({-c_, b_, h_});
     const auto fall = [&](const Three& t) { return c_.dot(t.x) + b_.dot(t.y) + h_.dot(t.z); };
     const double denominator = q_.kappa / q_.tau - fall(one);
@@ -365,6 +398,7 @@ class InteriorPoint {
   Matrix a_, g_, at_, gt_;
   Vector c_, b_, h_;
   Cones cones_;
+  Vector row_scale_;  // of G and h
   double scale_ = 1;  // of b and h
   double regular_ = kRegular;
   Iterate q_;

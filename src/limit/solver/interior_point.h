@@ -7,7 +7,7 @@
 //
 // Homogeneous and self-dual: it ends with both answers, or with a proof that there is none. Called by
 // linear_program.cpp alone. Reference: E. D. Andersen and K. D. Andersen, in High Performance
-// Optimization (2000) 197-232; why not Clp's: docs/decisions/0017.
+// Optimization (2000) 197-232; how it compares with a simplex: docs/decisions/0017.
 #pragma once
 
 #include <functional>

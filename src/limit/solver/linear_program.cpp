@@ -1,56 +1,8 @@
 #include "limit/solver/linear_program.h"
 
-#include <coin/ClpEventHandler.hpp>
-#include <coin/ClpSimplex.hpp>
-#include <coin/ClpSolve.hpp>
-#include <coin/CoinPackedMatrix.hpp>
-#include <coin/CoinPackedVector.hpp>
-
 #include <cmath>
 
 namespace wythe::limit {
-namespace {
-
-constexpr double kFar = 1e8;  // objectives are multiples of a block's weight
-constexpr int kMany = 8000;   // rows from which on the interior point is asked first
-
-double bound(double value) {
-  if (value == kFree) return COIN_DBL_MAX;
-  return value == -kFree ? -COIN_DBL_MAX : value;
-}
-
-std::vector<double> bounds(const std::vector<double>& values, std::size_t from = 0) {
-  std::vector<double> out;
-  for (std::size_t i = from; i < values.size(); ++i) out.push_back(bound(values[i]));
-  return out;
-}
-
-// Clp calls this from time to time; it stops Clp when the watch asks for it. Clp reports no progress.
-class StopHandler : public ClpEventHandler {
- public:
-  explicit StopHandler(const Watch& watch) : watch_(watch) {}
-  int event(Event) override { return watch_ && watch_(0) ? 0 : -1; }  // 0: stop
-  [[nodiscard]] ClpEventHandler* clone() const override { return new StopHandler(*this); }
-
- private:
-  Watch watch_;
-};
-
-}  // namespace
-
-struct LinearProgramme::Solver {
-  ClpSimplex clp;
-  Solver() {
-    clp.setLogLevel(0);
-    // with Clp's own 1e-7 the bound theorems differ by up to 2e-6 on the tuff wall, so by 1e-14
-    clp.setPrimalTolerance(1e-9);
-    clp.setDualTolerance(1e-9);
-  }
-};
-
-LinearProgramme::LinearProgramme() : solver_(std::make_unique<Solver>()) {}
-LinearProgramme::~LinearProgramme() = default;
-
 int LinearProgramme::add_column(double low, double high, double cost) {
   low_.push_back(low);
   high_.push_back(high);
@@ -79,71 +31,6 @@ int LinearProgramme::add_circle_columns(double cost) {
   add_column(-kFree, kFree, 0);
   add_column(-kFree, kFree, 0);
   return circle_columns_.back();
-}
-
-void LinearProgramme::load() {
-  CoinPackedMatrix matrix(true, row_of_.data(), column_of_.data(), value_.data(),
-                          static_cast<CoinBigIndex>(value_.size()));
-  matrix.setDimensions(rows(), columns());
-  const auto low = bounds(low_), high = bounds(high_), row_low = bounds(row_low_),
-             row_high = bounds(row_high_);
-  solver_->clp.loadProblem(matrix, low.data(), high.data(), cost_.data(), row_low.data(),
-                           row_high.data());
-}
-
-void LinearProgramme::append() {
-  std::size_t at = loaded_entries_;
-  for (int r = loaded_rows_; r < rows(); ++r) {
-    CoinPackedVector row;
-    for (; at < value_.size() && row_of_[at] == r; ++at) row.insert(column_of_[at], value_[at]);
-    const auto i = static_cast<std::size_t>(r);
-    solver_->clp.addRow(row.getNumElements(), row.getIndices(), row.getElements(),
-                        bound(row_low_[i]), bound(row_high_[i]));
-  }
-}
-
-// Clp's interior point with crossover to a vertex: 0.3 s where its simplex alone takes 3.5 s (5615 rows,
-// the tuff wall). It does not tell why there is no answer; the simplex does, and where there is no
-// limit it may stop far out instead.
-ProgrammeStatus LinearProgramme::solve_by_vertices(const Watch& watch) {
-  const auto stopped = [&] { return watch && watch(0); };
-  const bool first = loaded_rows_ == 0;
-  StopHandler handler(watch);
-  if (first) {
-    load();
-    solver_->clp.passInEventHandler(&handler);
-    ClpSolve interior;
-    interior.setSolveType(ClpSolve::useBarrier);
-    solver_->clp.initialSolve(interior);
-    const bool found =
-        solver_->clp.status() == 0 && std::fabs(solver_->clp.objectiveValue()) < kFar;
-    if (!found && !stopped()) {
-      solver_ = std::make_unique<Solver>();
-      load();
-      solver_->clp.passInEventHandler(&handler);
-      solver_->clp.primal();
-    }
-  } else {
-    append();
-    solver_->clp.passInEventHandler(&handler);
-    solver_->clp.dual();
-  }
-  loaded_rows_ = rows();
-  loaded_entries_ = value_.size();
-  if (stopped()) return ProgrammeStatus::kStopped;
-  objective_ = solver_->clp.objectiveValue();
-  accuracy_ = 0;
-  const double* x = solver_->clp.primalColumnSolution();
-  solution_.assign(x, x + columns());
-  switch (solver_->clp.status()) {
-    case 0: return ProgrammeStatus::kOptimal;
-    case 1: return ProgrammeStatus::kInfeasible;
-    case 2: break;
-    default: return ProgrammeStatus::kFailed;
-  }
-  const std::unique_ptr<double[]> ray(solver_->clp.unboundedRay());
-  if (ray) ray_.assign(ray.get(), ray.get() + columns());
-  return ProgrammeStatus::kUnbounded;
 }
 
 // Equations between unknowns that are free, not negative, in circles, or nil: the kinematic programme.
@@ -254,7 +141,8 @@ void LinearProgramme::take_dual(const InteriorAnswer& answer) {
       solution_[j] = (d.is_free[j] ? answer.y : answer.z)[static_cast<std::size_t>(d.place[j])];
 }
 
-ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
+ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
+  ray_.clear();
   const bool by_dual = is_plain();
   const InteriorAnswer answer = interior_point(by_dual ? dual_form() : form(), watch);
   accuracy_ = answer.accuracy;
@@ -270,15 +158,6 @@ ProgrammeStatus LinearProgramme::solve_inside(const Watch& watch) {
   if (answer.status == ProgrammeStatus::kUnbounded) return ProgrammeStatus::kInfeasible;
   return answer.status == ProgrammeStatus::kInfeasible ? ProgrammeStatus::kUnbounded
                                                        : answer.status;
-}
-
-ProgrammeStatus LinearProgramme::solve(const Watch& watch) {
-  ray_.clear();
-  if (has_circles()) return solve_inside(watch);
-  const bool inside = (prefers_inside_ || rows() > kMany) && loaded_rows_ == 0;
-  const ProgrammeStatus status = inside ? solve_inside(watch) : solve_by_vertices(watch);
-  if (status != ProgrammeStatus::kFailed) return status;
-  return inside ? solve_by_vertices(watch) : solve_inside(watch);
 }
 
 }  // namespace wythe::limit

@@ -1,19 +1,14 @@
-// A sparse linear programme and its solution: the only door to Clp and to the interior point.
+// A sparse linear programme and its solution: the only door to the interior point.
 //
-//   minimise c.x   with   row_low <= A x <= row_high,   low <= x <= high,   circles
+//   minimise c.x   with   a <= A x <= b,   l <= x <= u,   circles
 //
-// Called by static_programme.cpp and kinematic_programme.cpp. Rows and columns are added one by one;
-// after a solution more rows may follow, and solving goes on from there.
-//
-// Up to 8 000 rows Clp gives a vertex; above, the interior point the middle of the best face, where Clp
-// takes minutes (docs/decisions/0017). The kinematic programme in space, of many columns a row, asks the interior
-// point at any size: 0.1 s where Clp takes 8 s. Where one fails the other is asked. A programme with circles is none for
-// Clp: only the interior point knows them.
+// Called by static_programme.cpp, kinematic_programme.cpp and in_space.cpp. Rows and columns are added one by one;
+// after a solution more rows may follow, and solving begins anew. The solution is the middle of the best face
+// (docs/decisions/0017).
 #pragma once
 
 #include <array>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "limit/solver/interior_point.h"
@@ -29,11 +24,6 @@ struct Entry {
 
 class LinearProgramme {
  public:
-  LinearProgramme();
-  ~LinearProgramme();
-  LinearProgramme(const LinearProgramme&) = delete;
-  LinearProgramme& operator=(const LinearProgramme&) = delete;
-
   int add_column(double low, double high, double cost);
   int add_row(const std::vector<Entry>& entries, double low, double high);
   // |(r1.x, r2.x)| <= capacity + r0.x
@@ -45,19 +35,16 @@ class LinearProgramme {
     return static_cast<int>(row_low_.size() + 3 * circle_rows_.size());
   }
 
-  // From now on the interior point is asked first, at any size.
-  void prefer_inside() { prefers_inside_ = true; }
-  // Solves, or goes on after rows were added; `watch` is asked several times a second.
+  // `watch` is asked several times a second.
   ProgrammeStatus solve(const Watch& watch = {});
   [[nodiscard]] double objective() const { return objective_; }
   [[nodiscard]] const std::vector<double>& solution() const { return solution_; }  // (columns)
-  // What is left of the residuals and of the gap of the programme's own dual; 0 at a vertex.
+  // What is left of the residuals and of the gap of the programme's own dual.
   [[nodiscard]] double accuracy() const { return accuracy_; }
   // After kUnbounded: a direction in which the objective falls for ever (columns), may be empty.
   [[nodiscard]] const std::vector<double>& ray() const { return ray_; }
 
  private:
-  struct Solver;
   struct CircleRows {
     std::array<std::vector<Entry>, 3> row;
     double capacity;
@@ -68,27 +55,16 @@ class LinearProgramme {
     std::vector<char> is_free;  // (columns)
     int free = 0, held = 0;     // how many
   };
-  std::unique_ptr<Solver> solver_;
   std::vector<double> low_, high_, cost_, row_low_, row_high_;
   std::vector<int> row_of_, column_of_;  // of each entry
   std::vector<double> value_;
   std::vector<CircleRows> circle_rows_;
   std::vector<int> circle_columns_;  // the first of each three
-  std::size_t loaded_entries_ = 0;
-  int loaded_rows_ = 0;
-  bool prefers_inside_ = false;
   double objective_ = 0, accuracy_ = 0;
   std::vector<double> solution_, ray_;
-  void load();
-  void append();
-  [[nodiscard]] ProgrammeStatus solve_by_vertices(const Watch& watch);
-  [[nodiscard]] ProgrammeStatus solve_inside(const Watch& watch);
   [[nodiscard]] bool is_plain() const;
   [[nodiscard]] InequalityForm form() const;
   [[nodiscard]] InequalityForm dual_form() const;
-  [[nodiscard]] bool has_circles() const {
-    return !circle_rows_.empty() || !circle_columns_.empty();
-  }
   void add_circles(InequalityForm& form) const;
   [[nodiscard]] DualPlaces dual_places() const;
   void take_dual(const InteriorAnswer& answer);
