@@ -139,25 +139,6 @@ void check_inputs_digest(Database& database) {
   check(database, kInputsDigest, input_rows(), "what was drawn (table sample_input)");
 }
 
-std::string schema_digest(Database& database) {
-  std::vector<std::string> names = result_tables();
-  names.insert(names.end(), {"study", "input", "sample_input", "samples"});
-  return digest_of(database,
-                   {fmt::format("SELECT name, sql FROM main.sqlite_schema WHERE name IN ('{}') "
-                                "ORDER BY name",
-                                fmt::join(names, "', '"))});
-}
-
-void check_schema_digest(Database& database) {
-  const OneMoment moment(database);
-  Statement select(database, "SELECT value FROM study WHERE key = ?");
-  select.bind(kSchemaDigest);
-  const bool is_there = select.step();
-  if (!is_there || select.text() != schema_digest(database))
-    database.damaged(
-        "a table or the view samples is not declared as it was (the checksum differs)");
-}
-
 OneMoment::OneMoment(Database& database) : database_(database) {
   database_.execute("SAVEPOINT moment");
 }
