@@ -383,14 +383,14 @@ void Database::take(double bytes) {
 
 void Database::damaged(const std::string& what) const {
   refuse_if_written();
-  throw FileDamage(name_, "is damaged: " + what, kCure);
+  throw IoError(name_ + ": is damaged: " + what + "; " + kCure);
 }
 
 void Database::refuse(int code) {
   if ((code & 0xff) == SQLITE_CORRUPT) refuse_if_written();
   const std::string reason = handle_ ? sqlite3_errmsg(handle_.get()) : sqlite3_errstr(code);
   const std::string what = fmt::format("{}: {} (SQLite: {})", name_, advice(code), reason);
-  if (is_of_disk(code)) throw DiskError(name_, reason, what);
+  if (is_of_disk(code)) throw DiskError(reason, what);
   throw IoError(what);
 }
 
@@ -428,7 +428,7 @@ void NewDatabase::remove_leftovers() const {
 
 void NewDatabase::refuse(const std::string& reason) const {
   throw DiskError(
-      name_, reason,
+      reason,
       fmt::format("{}: cannot be made, the disk refused (full, over quota, or gone: {}); nothing "
                   "was stored, start again when it is mended",
                   name_, reason));
