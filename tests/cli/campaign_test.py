@@ -468,11 +468,11 @@ class Faults(Base):
         self.refused(self.resume(), 4, "is not a campaign store")
         self.refused(wythe("report", self.out()), 4, "is not a campaign store")
 
-    def test_a_newer_store(self):
+    def test_a_store_of_another_version(self):
         store = self.copy()
         with sqlite3.connect(store) as database:
             database.execute("PRAGMA user_version = 99")
-        self.refused(self.resume(), 4, "newer wythe", "99")
+        self.refused(self.resume(), 4, "store version 99", "version 1", "run the campaign again")
 
     def test_a_folder_that_cannot_be_written(self):
         (self.folder / "file").write_text("x")

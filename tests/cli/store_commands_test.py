@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What lies in a folder: wythe status tells who runs and what is left, wythe store checks and saves."""
+"""What lies in a folder: wythe status tells who runs and what is left, wythe store check what is whole."""
 import fcntl
 import os
 import re
