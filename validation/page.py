@@ -1,4 +1,4 @@
-"""Writes docs/validation_walls.md and its figures from the registry, the variants, the READMEs and the runs."""
+"""Writes docs/evidence/validation_walls.md and its figures from the registry, the variants, the READMEs and the runs."""
 import csv
 import os
 import re

@@ -1,4 +1,4 @@
-"""Writes docs/validation.md, its figure of predicted against measured peaks, and the table of tested ranges that the program
+"""Writes docs/evidence/validation.md, its figure of predicted against measured peaks, and the table of tested ranges that the program
 holds (src/judge/modes/tested_walls.h), from walls.csv and predicted.csv alone: no run is needed."""
 import math
 import os
@@ -11,7 +11,7 @@ MEANING = {"shear": "crack diagonally through joints and units", "sliding": "sli
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
 HELD = "src/judge/modes/tested_walls.h"
-VERIFIED, IN_SPACE = "docs/verification.md", "validation/in_space.csv"  # what stands for walls in space
+VERIFIED, IN_SPACE = "docs/evidence/verification.md", "validation/in_space.csv"  # what stands for walls in space
 LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote
 
@@ -73,7 +73,7 @@ def bound_text(value, is_bound, unit="", digits=3):
 
 
 def verified():
-    """(case, what) -> (reference, computed, deviation) of docs/verification.md, as the tests wrote it."""
+    """(case, what) -> (reference, computed, deviation) of docs/evidence/verification.md, as the tests wrote it."""
     found = {}
     for line in open(VERIFIED, encoding="utf-8"):
         cells = [cell.strip() for cell in line.split("|")[1:-1]]
@@ -90,12 +90,12 @@ def shortened(value):
 
 
 def space_table():
-    """Walls in space against what is known of them: rows of validation/in_space.csv, figures of docs/verification.md. `bracket`: the
+    """Walls in space against what is known of them: rows of validation/in_space.csv, figures of docs/evidence/verification.md. `bracket`: the
     test says that it stands below and falls above, and no figure of its own."""
     known, rows = verified(), []
     for row in walls.read_csv(IN_SPACE):
         if (row["case"], row["row"]) not in known:
-            raise KeyError(f"{IN_SPACE}: docs/verification.md has no row {row['case']}, {row['row']}; run the tests and "
+            raise KeyError(f"{IN_SPACE}: docs/evidence/verification.md has no row {row['case']}, {row['row']}; run the tests and "
                            "tools/verification_table, or correct the row")
         reference, ours, deviation = known[row["case"], row["row"]]
         percent = 100 * float(deviation.split()[0])
@@ -197,7 +197,7 @@ def header(found):
     def number(value):
         return "kUnset" if value is None else f"{value:.3g}"
     lines = ["// Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of",
-             "// failure (docs/validation.md).", "#pragma once", "", '#include "wythe/result.h"', "", "namespace wythe::study {", "",
+             "// failure (docs/evidence/validation.md).", "#pragma once", "", '#include "wythe/result.h"', "", "namespace wythe::study {", "",
              "struct TestedKind {", "  const char* kind;", "  int walls;",
              "  double bias, bias_low, bias_high, scatter;  // of predicted over measured peaks",
              "  double slender_low, slender_high;           // height over length of the walls",

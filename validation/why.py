@@ -2,7 +2,7 @@
 
 validation/why.csv           the changes: wall, question, change, settings laid over the wall's model
 validation/why_results.csv   what each gives; written by `tools/validation why`, which also draws the cracks
-docs/why_shear_walls.md      the page, from the two and from validation/why.md
+docs/evidence/why_shear_walls.md      the page, from the two and from validation/why.md
 """
 import csv
 import os
@@ -13,7 +13,7 @@ import walls
 from page import table
 
 CHANGES, RESULTS, TEXTS = "validation/why.csv", "validation/why_results.csv", "validation/why.md"
-COLUMNS = ["wall", "change", "peak_kN", "at_peak_mm", "at_80_mm", "is_bound", "mode", "judgement", "state"]
+COLUMNS = ["wall", "change", "peak_kN", "at_peak_mm", "at_80_mm", "is_bound", "mode", "judgement", "state", "build"]
 OPEN, SLIPPED, CRUSHED, WHOLE = "#d9822b", "#2b5f8a", "#7a1f1f", "#ddd"
 
 
@@ -33,7 +33,7 @@ def run(wythe, folder_of, out, matches):
         row = walls.predicted_row("", change["wall"], wythe(models[change["wall"]]["model"], settings, folder))
         keep({**{c: row.get(c, "") for c in COLUMNS}, "change": change["change"]})
         if change["picture"]:
-            draw(folder, f"docs/figures/why_{slug(' '.join(key))}.svg", change["picture"])
+            draw(folder, f"docs/evidence/figures/why_{slug(' '.join(key))}.svg", change["picture"])
         print(f"{key[0]}, {key[1]}: {row['peak_kN']} kN, {row['mode']}, {row['judgement']}", flush=True)
 
 
@@ -112,9 +112,11 @@ def write(page):
         lines += table(["question", "change", "peak, kN", "change, %", "80 % at, mm", "failure", "push"], rows_of(wall, results))
         for change in walls.read_csv(CHANGES):
             name = f"figures/why_{slug(wall + ' ' + change['change'])}.svg"
-            if change["wall"] == wall and change["picture"] and os.path.exists(os.path.join("docs", name)):
+            if change["wall"] == wall and change["picture"] and os.path.exists(os.path.join("docs/evidence", name)):
                 lines += [f"![{wall}, {change['change']}: cracks]({name})", "", f"*{wall}, {change['change']}, at {change['picture']} mm.*", ""]
         lines += [said.get(f"{wall}, outcome", ""), ""]
     lines += [said.get("What decides", ""), ""]
+    builds = sorted({row["build"] for row in results.values() if row.get("build")})
+    lines += [f"Builds: {', '.join(builds)}."] if builds else []
     with open(page, "w", encoding="utf-8") as file:
         file.write(re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).rstrip() + "\n")

@@ -4,7 +4,7 @@
 //   Model + Result --compare_with_tests()--> kind of failure, bias and scatter of its tests, reasons
 //
 // The table behind it (src/judge/modes/tested_walls.h) is written by tools/validation from the tests
-// themselves; the page is docs/validation.md.
+// themselves; the page is docs/evidence/validation.md.
 #pragma once
 
 #include <string>

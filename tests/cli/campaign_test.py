@@ -10,12 +10,12 @@ import shlex
 import shutil
 import signal
 import sqlite3
-import struct
 import subprocess
 import tempfile
 import unittest
 
 from cli_test import SMALL, SOURCE, Held, wythe
+from stores import renew_checksums
 
 MODEL = SMALL.replace('until = "3 mm"', 'until = "1 mm"')
 STUDY = """
@@ -39,31 +39,6 @@ formula = "1.5 * ft"
 """
 CONTRACT = ["sample", "ft_MPa", "c_MPa", "status", "peak_reaction_kN", "displacement_at_peak_mm",
             "displacement_at_80_percent_mm", "censored_80", "displacement_max_mm", "failure_mode"]
-
-
-def checksum_of_record(database, sample):
-    """The checksum that a store keeps of a sample's rows (src/campaign/store/digest.h): FNV-1a, table after table."""
-    value = 0
-    tables = [name for (name,) in database.execute("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY rowid")
-              if name not in ("study", "input", "sample_input", "state", "digest")]
-    for table in ["sample_input", *tables]:
-        order = "" if table in ("sample", "curve") else " ORDER BY position"
-        data = struct.pack("<Q", value) + table.encode()
-        for row in database.execute(f"SELECT * FROM {table} WHERE sample = ?{order}", (sample,)):
-            for cell in row:
-                if isinstance(cell, int):
-                    data += struct.pack("<iq", 1, cell)
-                elif isinstance(cell, float):
-                    data += struct.pack("<id", 2, cell)
-                elif cell is None:
-                    data += struct.pack("<i", 5)
-                else:
-                    raw = cell.encode() if isinstance(cell, str) else cell
-                    data += struct.pack("<iq", 3 if isinstance(cell, str) else 4, len(raw)) + raw
-        value = 0xcbf29ce484222325
-        for byte in data:
-            value = (value ^ byte) * 0x100000001b3 & 0xffffffffffffffff
-    return value - (1 << 64) if value >> 63 else value
 
 
 class Base(unittest.TestCase):
@@ -350,7 +325,7 @@ class Parts(Base):
         shutil.copytree(self.whole, self.out())
         with sqlite3.connect(self.out() / "campaign.db") as database:
             database.execute("UPDATE sample SET state_hash = '0123456789abcdef' WHERE sample = 1")
-            database.execute("UPDATE digest SET record = ? WHERE sample = 1", (checksum_of_record(database, 1),))
+            renew_checksums(database)
         database.close()
         done = wythe("replay", self.out(), "--sample", 1, "--out", self.folder / "replayed", "--quiet")
         self.refused(done, 3, "differs from that of the campaign", "0123456789abcdef", "the campaign was run by")

@@ -1,7 +1,5 @@
 #!/usr/bin/env python3
 """Options side by side as a user meets them: run, killed, resumed, sharded, compared, refused."""
-import importlib.machinery
-import importlib.util
 import json
 import pathlib
 import re
@@ -27,14 +25,6 @@ name = "other wall"
 model = "longer.toml"
 """
 FOLDERS = ["base", "damped_0_4", "free_energy", "other_wall"]
-
-
-def module(path):
-    """A tool without .py."""
-    loader = importlib.machinery.SourceFileLoader(path.name, str(path))
-    made = importlib.util.module_from_spec(importlib.util.spec_from_loader(path.name, loader))
-    loader.exec_module(made)
-    return made
 
 
 class Options(unittest.TestCase):
@@ -217,105 +207,6 @@ class Options(unittest.TestCase):
         tutorial = (SOURCE / "docs/tutorial/is_it_worth_it.md").read_text()
         for name in names:
             self.assertIn(f"{name}: +", tutorial)
-
-    def test_the_lists_of_paired_samples_become_studies_and_pages(self):
-        quick = self.folder / "quick"  # the same program with a short push
-        quick.write_text(f'#!/bin/sh\nexec "{pathlib.Path(WYTHE).resolve()}" "$@" --quiet --set "stage.push.until=0.5 mm"\n')
-        quick.chmod(0o755)
-        run = [sys.executable, str(SOURCE / "tools/paired_samples")]
-        there = ["--list", "speed", "--out", str(self.out())]
-        done = subprocess.run(run + ["run", *there, "--binary", str(quick), "--samples", "2", "--only", "damping: 0.0"],
-                              cwd=SOURCE, capture_output=True, text=True, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        page = self.folder / "page.md"
-        done = subprocess.run(run + ["page", *there, "--page", str(page)], cwd=SOURCE, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        rows = [line for line in page.read_text().splitlines() if line.startswith("| ")]
-        self.assertEqual([row.split("|")[1].strip() for row in rows[1:]],
-                         ["base: as examples/tuff_wall: 10 mm/s, damping 0.2", "damping: 0.05", "damping: 0.02"])
-        found = json.loads((self.out() / "comparison.json").read_text())["option"][0]["response"]["peak_reaction_kN"]
-        self.assertIsNone(found["base"])  # two short pushes: the force still rises, or two pairs beside bounds
-        self.assertIn("| not known |", rows[1])
-        self.assertIn("`stage.push.damping=0.05`", page.read_text())
-
-    def test_rates_whose_mean_is_not_known_are_not_extrapolated(self):
-        tool = module(SOURCE / "tools/paired_samples")
-
-        def option(rate, force, drift):
-            response = {"peak_reaction_kN": {"base": 150.0, "option": force},
-                        "displacement_at_80_percent_mm": {"base": None, "option": drift}}
-            return {"name": f"rate: {rate} mm/s, damping 0.2", "response": response}
-        text = tool.extrapolation([option(5, 145.0, None), option(2, 142.0, 30.0), option(1, None, 31.0)])
-        self.assertIn("F max [kN]: 150.0 at 10, 145.0 at 5, 142.0 at 2 mm/s; at zero rate 140.0", text)
-        self.assertIn("D [mm]: 30.0 at 2, 31.0 at 1 mm/s; at zero rate not known", text)
-        # a sure difference is not written as nothing
-        found = {"pairs": 9, "base": 150.0, "option": 150.02, "cov_base": None, "cov_option": None, "difference": 0.02,
-                 "difference_interval": [0.01, 0.03]}
-        row = tool.line("small", {"response": {"peak_reaction_kN": found, "displacement_at_80_percent_mm": found},
-                                  "modes": {"pairs": 9, "unclear": 0, "changed": [], "shift": []}, "lost": 0,
-                                  "steps": {"option": 1000}}, "option", tool.LISTS["paired"])
-        self.assertIn("+0.02 ± 0.01", row)
-
-    def test_the_reproduction_takes_its_differences_from_the_comparison(self):
-        names = ["damping: 0.8 at 10 mm/s", "lintel: as examples/tuff_wall: timber, loose"]
-        text = STUDY + "".join(f'\n[[variant]]\nname = "{name}"\nset = [{change}]\n' for name, change in zip(
-            names, ['"stage.push.damping=0.4"', '"material.joint.normal_stiffness=30 GPa/m"']))
-        study = self.folder / "pairs.toml"
-        study.write_text(text)
-        self.assertEqual(wythe("campaign", study, "--out", self.out(), "--quiet").returncode, 0)
-        sys.path.insert(0, str(SOURCE / "tools/reproduction"))
-        import paired
-
-        class Stub:
-            statistics = {"shares": {}}
-
-            def table(self, group, q):
-                return {"mean": 100.0, "cov": 0.1, "mean_interval": [99.0, 101.0]}
-        # a curve as the store keeps it is that of the campaign's own table
-        from campaign import Campaign
-        displacement, reaction = Campaign(self.out() / "base").curves()[1]
-        peak = max(reaction)
-        said = (self.out() / "base/samples.csv").read_text().splitlines()
-        at = said[0].split(",").index("peak_reaction_kN")
-        self.assertAlmostEqual(peak, float(said[1].split(",")[at]), delta=0.05 * peak)
-        self.assertGreater(max(displacement), 0)
-        runs = paired.Paired(self.out(), Stub(), WYTHE)
-        self.assertEqual(runs.changed, names)
-        stiffness = "initial_stiffness_kN_per_mm"
-        found = [o["response"][stiffness] for o in json.loads((self.out() / "comparison.json").read_text())["option"]]
-        for name, response in zip(names, found):
-            value, width = runs.effect(name, stiffness, "mean")
-            low, high = response["difference_interval"]
-            self.assertEqual((value, 2 * width), (response["difference"], high - low))
-        self.assertEqual(runs.of_campaign(names[1], stiffness), "100.0 ± 1.0")  # it has the campaign's own choices
-        self.assertTrue(runs.of_campaign(runs.names[0], stiffness).startswith(f"{100 - found[1]['difference']:.1f} ± "))
-        # forces that still rose are bounds, no numbers
-        peak = next(iter(runs.option.values()))["response"]["peak_reaction_kN"]
-        if peak["difference"] is None:
-            self.assertEqual(paired.shown(runs.effect(names[0], "peak_reaction_kN", "mean"), 1, " kN"), "not known")
-        self.assertIsNone(paired.share_change({"modes": {"group_shift": [{"mode": "FM-5", "share_difference": None}]}}, "FM-5"))
-
-    def test_the_studies_left_open_run_and_have_pages(self):
-        for study in sorted((SOURCE / "studies").glob("*.toml")):
-            if "[study]" in study.read_text():
-                done = wythe("check", study)
-                self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertNotIn("will be refused", done.stdout)
-        quick = self.folder / "short"  # the same program with a short push
-        quick.write_text(f'#!/bin/sh\nexec "{pathlib.Path(WYTHE).resolve()}" "$@" --quiet --set "stage.push.until=0.5 mm"\n')
-        quick.chmod(0o755)
-        run = [sys.executable, str(SOURCE / "tools/open_studies")]
-        there = ["aspect", "--out", str(self.folder / "studies")]
-        (self.folder / "studies").mkdir()
-        done = subprocess.run(run + ["run", *there, "--binary", str(quick), "--samples", "2"], cwd=SOURCE, capture_output=True,
-                              text=True, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        pages = self.folder / "pages"
-        done = subprocess.run(run + ["page", *there, "--pages", str(pages)], cwd=SOURCE, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        rows = [line for line in (pages / "aspect.md").read_text().splitlines() if line.startswith("| ")]
-        self.assertEqual(len(rows), 2 + 1 + 4)  # head, base, options
-        self.assertIn("wide piers", rows[-1])
 
     # --- refused
 

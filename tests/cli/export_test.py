@@ -9,17 +9,12 @@ import unittest
 
 import campaign_test
 from cli_test import wythe
+from stores import renew_checksums
 
 
 def read_table(path):
     with path.open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
-
-
-def as_version_5(store):
-    """Stores of that version have no checksums."""
-    store.executescript("DROP TABLE digest; DELETE FROM study WHERE key LIKE 'digest%';"
-                        "UPDATE study SET value = '5' WHERE key = 'schema_version'; PRAGMA user_version = 5")
 
 
 class Export(campaign_test.Base):
@@ -114,7 +109,7 @@ class Export(campaign_test.Base):
         # the reason of a refused sample is a text of several clauses
         with sqlite3.connect(self.copy()) as store:
             store.execute("UPDATE sample SET reason = ?, reason_message = '' WHERE sample = 1", ('à, "b"\r\nc',))
-            as_version_5(store)
+            renew_checksums(store)
         self.export(self.out().rename(self.folder / "spoilt"))
         self.assertEqual(read_table(self.out() / "samples.csv")[0]["reason"], 'à, "b"\r\nc')
 
@@ -157,7 +152,7 @@ class Export(campaign_test.Base):
     def test_no_stored_states_is_said(self):
         with sqlite3.connect(self.copy()) as store:
             store.execute("DELETE FROM state")
-            as_version_5(store)
+            renew_checksums(store)
         done = self.export(self.out().rename(self.folder / "stateless"))
         self.assertIn("no states are stored", done.stderr)
         self.assertFalse((self.out() / "state_joints.csv").exists())

@@ -43,7 +43,7 @@ class KeptText(unittest.TestCase):
 
     def test_every_kept_part_of_the_documents_is_found_by_its_tool(self):
         pages = [p for folder in ("docs", "validation") for p in sorted((SOURCE / folder).rglob("*.md")) if "<!-- kept" in p.read_text(encoding="utf-8")]
-        self.assertGreater(len(pages), 10)
+        self.assertGreater(len(pages), 5)
         for page in pages:
             for name in re.findall(r"<!-- kept(?:: (.*?))? -->", page.read_text(encoding="utf-8")):
                 self.assertGreater(len(kept_text(page, name)), 200, page)

@@ -22,6 +22,11 @@ class Sanitize(unittest.TestCase):
         there = {path.stem for path in (SOURCE / "src").rglob("*.cpp")}
         self.assertEqual([name for name in names if name not in there], [])
 
+    def test_each_test_under_sanitizers_in_ci_is_there(self):
+        part = re.search(r"PART = \[(.*)\]", (SOURCE / "tools/sanitize").read_text()).group(1)
+        for name in re.findall(r'"(.*?)"', part):
+            self.assertTrue((SOURCE / "tests" / name).is_dir() or (SOURCE / f"tests/{name}.cpp").exists(), name)
+
     def test_both_sanitizers_take_every_kind_and_their_counts_are_added(self):
         with tempfile.TemporaryDirectory() as folder:
             tools = pathlib.Path(folder) / "tools"

@@ -156,11 +156,11 @@ class Table(unittest.TestCase):
             page = os.path.join(folder, "validation.md")
             walls_page.write(page, os.path.join(folder, "held.h"))
             self.assertEqual((pathlib.Path(folder) / "held.h").read_text(), pathlib.Path(walls_page.HELD).read_text())
-            self.assertEqual(pathlib.Path(page).read_text(), pathlib.Path("docs/validation.md").read_text())
+            self.assertEqual(pathlib.Path(page).read_text(), pathlib.Path("docs/evidence/validation.md").read_text())
             why.write(os.path.join(folder, "why.md"))
-            self.assertEqual((pathlib.Path(folder) / "why.md").read_text(), pathlib.Path("docs/why_shear_walls.md").read_text())
+            self.assertEqual((pathlib.Path(folder) / "why.md").read_text(), pathlib.Path("docs/evidence/why_shear_walls.md").read_text())
             figure = "figures/validation_peaks.svg"
-            self.assertEqual((pathlib.Path(folder) / figure).read_text(), pathlib.Path("docs", figure).read_text())
+            self.assertEqual((pathlib.Path(folder) / figure).read_text(), pathlib.Path("docs/evidence", figure).read_text())
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // verify(): compares a number of the engine with its closed form and appends a row to
-// fresh_dir()/verification.csv, from which tools/verification_table makes docs/verification.md.
+// fresh_dir()/verification.csv, from which tools/verification_table makes docs/evidence/verification.md.
 #pragma once
 
 #include <fmt/core.h>
@@ -13,7 +13,7 @@
 
 namespace wythe::verification {
 
-// What a case claims. `id` ("CF07a") numbers the cases: docs/verification.md lists them.
+// What a case claims. `id` ("CF07a") numbers the cases: docs/evidence/verification.md lists them.
 struct Claim {
   std::string id, what, unit;
   double expected = 0;

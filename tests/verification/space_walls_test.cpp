@@ -312,7 +312,7 @@ TEST(SpaceWalls, two_way_bending_lies_between_beds_that_twist_about_their_edge_a
   EXPECT_LT(answer.load / area, edge);
 }
 
-// The table of docs/validation.md: what cohesion adds falls short, what tension adds does not.
+// The table of docs/evidence/validation.md: what cohesion adds falls short, what tension adds does not.
 TEST(SpaceWalls, two_way_bending_falls_short_of_crack_lines_by_the_share_of_cohesion) {
   struct Row {
     double ft, c, formula, ours;  // [MPa], [Pa]
@@ -361,7 +361,7 @@ TEST(SpaceWalls, two_way_bending_between_returns_reaches_its_limit_load_in_time)
   };
   // joints that lose their bond over 0.2 mm break one after the other
   const double brittle = largest(scenes::run(spec).result, 1) / area;
-  EXPECT_NEAR(brittle / limit, 0.67, 0.02);  // docs/validation.md
+  EXPECT_NEAR(brittle / limit, 0.67, 0.02);  // docs/evidence/validation.md
 
   JointMaterial& joint = spec.material["joint"];
   joint.mode_1_energy = 1e4, joint.mode_2_energy = 1e5;

@@ -9,7 +9,7 @@ import { launch, root } from "./helpers.mjs";
 
 const built = spawnSync(path.join(root, "tools/site"), { encoding: "utf8" });
 const skip = built.status === 77 && built.stderr.trim();
-const kPages = ["index", "gallery", "search", "docs/tutorial/first_wall", "docs/reference/model", "docs/validation", "cpp/model"];
+const kPages = ["index", "gallery", "search", "docs/tutorial/first_wall", "docs/reference/model", "docs/evidence/validation", "cpp/model"];
 let browser;
 
 before(async () => {

@@ -1,5 +1,5 @@
 // Written by tools/validation page from validation/walls.csv and predicted.csv: what the tested walls say, by kind of
-// failure (docs/validation.md).
+// failure (docs/evidence/validation.md).
 #pragma once
 
 #include "wythe/result.h"
