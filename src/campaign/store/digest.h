@@ -40,7 +40,7 @@ class SampleDigests {
     std::string name;
     Statement rows;
   };
-  [[nodiscard]] static std::int64_t of(Table& table, int sample, std::uint64_t before);
+  static void add(Table& table, int sample, Hash& hash);
   [[nodiscard]] std::optional<SampleDigest> stored(int sample);
   [[noreturn]] void refuse(int sample, const char* what);
 
