@@ -220,7 +220,7 @@ set = ['wall.unit.density = "2300 kg/m^3"']
 
 
 class Stores(Base):
-    """wythe store: whole ones, damaged ones, and what is saved of them."""
+    """wythe store: whole ones and damaged ones."""
 
     def spoil(self, place, length=16):
         store = self.copy()
@@ -244,6 +244,24 @@ class Stores(Base):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(wythe("store", "check", self.out()).returncode, 0)
         self.assert_equals_whole(self.out())
+
+    def test_damaged_pages_are_found_or_hold_nothing(self):
+        size = (self.whole / "campaign.db").stat().st_size
+        found = 0
+        for k in range(1, 8):
+            self.spoil(size * k // 8, 512)
+            done = wythe("store", "check", self.out())
+            self.assertIn(done.returncode, (0, 4), done.stderr)
+            for raw in ("terminate", "what()", "std::"):
+                self.assertNotIn(raw, done.stdout + done.stderr)
+            if done.returncode == 0:
+                self.assertEqual(wythe("report", self.out()).returncode, 0)
+                self.assert_equals_whole(self.out())
+            else:
+                self.assertIn("remove it and start the same campaign", done.stderr)
+                found += 1
+            shutil.rmtree(self.out())
+        self.assertGreater(found, 0)
 
     def test_a_store_of_another_version_is_refused_by_every_command(self):
         with sqlite3.connect(self.copy()) as store:
@@ -285,7 +303,7 @@ class Stores(Base):
 
     def test_what_is_no_store_is_not_checked(self):
         self.copy().write_bytes(b"no database at all" * 1000)
-        self.refused(wythe("store", "check", self.out()), 4, "store")
+        self.refused(wythe("store", "check", self.out()), 4, "campaign.db: is not a campaign store", "remove it and start the same campaign")
 
 
 if __name__ == "__main__":

@@ -34,6 +34,11 @@ class DiskError : public IoError {
   std::string reason_;
 };
 
+// What to do about a store that is not what was written.
+inline constexpr const char* kCureOfDamage =
+    "restore it from a copy, or remove it and start the same campaign (or this one shard) again: "
+    "it draws the same samples";
+
 struct Bytes {
   std::string_view data;
 };
