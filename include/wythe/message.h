@@ -45,7 +45,7 @@ struct Message {
 [[nodiscard]] bool operator==(const Message& a, const Message& b);
 [[nodiscard]] bool operator==(const Argument& a, const Argument& b);
 
-// Words that stand as they are in every language: a user's own, or those of an older file.
+// Words that stand as they are in every language: a user's own.
 [[nodiscard]] Message as_text(std::string text);
 
 // In words; languages are those of report_languages() (report.h), any other reads as English. A code

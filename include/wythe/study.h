@@ -130,8 +130,6 @@ struct StudySpec {
   double read_modes_at = kUnset;       // displacement at which failure modes are named [m]
   std::string until;                   // stop rule, "" none
   std::vector<std::string> fragility;  // events asked for: "peak_reaction > 150 kN"
-  // Points a face of a model that does not say; "" in stores of before it was written: the corners.
-  std::string unstated_point_rule = "lobatto";
   std::string variant;              // its name, where it is an option or the base of some; else ""
   int variant_place = 0;            // of an option: 1 is the first in the file
   std::vector<VariantSpec> option;  // [[variant]]: the same samples under another choice

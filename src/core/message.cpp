@@ -37,7 +37,7 @@ std::string said(const Message& message, std::size_t language);
 
 // What is not 0 is not said to be: as many decimals more as show it, at most three. Formats without decimals
 // count things.
-// A damaged store may put a number where the words expect a list: its format is none for numbers.
+// A file from anybody may put a number where the words expect a list: its format is none for numbers.
 std::string in_digits(double number, std::string format) try {
   std::string text = fmt::format(fmt::runtime("{:" + format + "}"), number);
   if (number == 0 || !format.ends_with('f') || format.ends_with(".0f")) return text;

@@ -12,7 +12,7 @@
 namespace wythe::report {
 namespace {
 
-// A member, or null where there is none: older data lack some.
+// A member, or null where there is none: a page's data may come from anybody.
 const Json& member(const Json& json, const char* key) {
   static const Json kNull;
   return json.is_object() && json.contains(key) ? json[key] : kNull;
@@ -240,9 +240,7 @@ class RunHeadline {
 
   [[nodiscard]] std::string mode() const {
     const std::string name = words_in(failure_mode(), "name");
-    const Json& of_mode = member(header_, "mode");  // older data lack it
-    const std::string words =
-        of_mode.is_object() ? said_in(of_mode, "brief") : said_in(failure_mode(), "sentence");
+    const std::string words = said_in(member(header_, "mode"), "brief");
     const std::string at = texts_.quantity(number_in(failure_mode(), "read_at_mm"), "mm");
     if (name == "unclear" || name.empty())
       return " " +
@@ -365,17 +363,13 @@ class CampaignHeadline {
   }
 
  private:
-  // Of the statistics; where they lack them, of the samples' own verdicts.
   void count_judgements(const Json& samples) {
-    for (const Json* counts : {&member(s_, "judgements"), &member(samples_, "judgements")})
-      for (const auto& [judgement, n] : counts->items())
-        if (n.is_number()) judgements_[judgement] = n.get<int>();
-    const bool are_counted = !judgements_.empty();
+    for (const auto& [judgement, n] : member(samples_, "judgements").items())
+      if (n.is_number()) judgements_[judgement] = n.get<int>();
     for (const Json& sample : samples) {
       if (!member(sample, "answered").is_boolean() || !sample.at("answered").get<bool>()) continue;
       const Json& response = member(sample, "response");
       without_force_ += response.is_array() && !response.empty() && response[0].is_null() ? 1 : 0;
-      if (!are_counted) ++judgements_[words_in(sample, "judgement")];
     }
   }
   [[nodiscard]] int judged(const char* judgement) const {

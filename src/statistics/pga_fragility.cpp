@@ -92,8 +92,8 @@ Message barred(const Campaign& campaign, const Model& model) {
   return study::judged_push(model).barred;
 }
 
-// What stands before any number of the campaign as a whole. Samples of an older store have no pushed wall:
-// where there is more than one pier the drift that counts, a pier's, is not known of them.
+// What stands before any number of the campaign as a whole. Where a sample does not keep the drift of each pier, and
+// there is more than one, the drift that counts is not known of it.
 std::vector<Message> cautions_of_samples(const Campaign& campaign, const ModelSpec& base,
                                          const Model& model) {
   std::vector<Message> say = study::cautions_of_masses(base, model);

@@ -447,7 +447,7 @@ class Faults(Base):
         store = self.copy()
         with sqlite3.connect(store) as database:
             database.execute("PRAGMA user_version = 99")
-        self.refused(self.resume(), 4, "store version 99", "version 1")
+        self.refused(self.resume(), 4, "store version 99", "version 1", "run the campaign again")
 
     def test_a_folder_that_cannot_be_written(self):
         (self.folder / "file").write_text("x")

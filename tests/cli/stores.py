@@ -4,10 +4,10 @@ import struct
 
 def checksum(database, tables, sample):
     """The checksum that a store keeps of a sample's rows (src/campaign/store/digest.h): FNV-1a, table after table."""
-    value = 0
+    data = b""
     for table in tables:
         order = "" if table in ("sample", "curve") else " ORDER BY position"
-        data = struct.pack("<Q", value) + table.encode()
+        data += table.encode()
         for row in database.execute(f"SELECT * FROM {table} WHERE sample = ?{order}", (sample,)):
             for cell in row:
                 if isinstance(cell, int):
@@ -19,9 +19,9 @@ def checksum(database, tables, sample):
                 else:
                     raw = cell.encode() if isinstance(cell, str) else cell
                     data += struct.pack("<iq", 3 if isinstance(cell, str) else 4, len(raw)) + raw
-        value = 0xcbf29ce484222325
-        for byte in data:
-            value = (value ^ byte) * 0x100000001b3 & 0xffffffffffffffff
+    value = 0xcbf29ce484222325
+    for byte in data:
+        value = (value ^ byte) * 0x100000001b3 & 0xffffffffffffffff
     return value - (1 << 64) if value >> 63 else value
 
 

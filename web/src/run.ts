@@ -84,12 +84,11 @@ class RunPage {
     return viewOf(this.bundle, { id: "wall", info, onFrame: () => this.moveCursor() });
   }
 
-  // Data of older versions have the sentence in the summary alone.
   private get modeName(): string {
-    return phrase(this.header.mode?.words || this.s.failure_mode.name);
+    return phrase(this.header.mode.words || this.s.failure_mode.name);
   }
   private get modeWords(): string {
-    return phrase(this.header.mode?.sentence ?? this.s.failure_mode.sentence);
+    return phrase(this.header.mode.sentence);
   }
 
   sections(): Section[] {
@@ -386,7 +385,7 @@ class RunPage {
     const mode = this.s.failure_mode;
     if (mode.evidence.length === 0 && mode.elements.length === 0) return null;
     const elements = new ElementsView(this.bundle, mode, this.view instanceof WallView ? this.view : null);
-    const mechanism = this.header.mode?.mechanism;
+    const mechanism = this.header.mode.mechanism;
     return [
       h(
         "p",

@@ -204,7 +204,7 @@ bool is_word(const std::string& name) {
 
 class StudyCheck {
  public:
-  StudyCheck(const StudySpec& study, bool is_stored) : study_(study), is_stored_(is_stored) {}
+  explicit StudyCheck(const StudySpec& study) : study_(study) {}
 
   std::vector<Fault> run() {
     check_sizes();
@@ -223,7 +223,7 @@ class StudyCheck {
     check_fragility();
     const Dependents checked(study_, faults_);
     check_correlation(study_, faults_);
-    if (faults_.empty() && !is_stored_) check_columns(checked);
+    if (faults_.empty()) check_columns(checked);
     if (faults_.empty()) check_use();
     return faults_.all();
   }
@@ -406,7 +406,6 @@ class StudyCheck {
   }
 
   const StudySpec& study_;
-  bool is_stored_;
   FaultList faults_;
   std::set<std::string> names_;
   std::map<std::string, std::string> setter_;  // path -> what sets it
@@ -428,11 +427,7 @@ void check_variable(const VariableSpec& spec, const std::string& file, FaultList
   VariableCheck(spec, file, faults).run();
 }
 
-std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study, false).run(); }
-
-std::vector<Fault> check_stored_study(const StudySpec& study) {
-  return StudyCheck(study, true).run();
-}
+std::vector<Fault> check_study(const StudySpec& study) { return StudyCheck(study).run(); }
 
 std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
   double end = 0;  // of the farthest push [m]

@@ -14,9 +14,6 @@ void check_variable(const VariableSpec& spec, const std::string& file, FaultList
 // Pairs, ranges, and that the matrix they make is positive definite (copula.cpp).
 void check_correlation(const StudySpec& study, FaultList& faults);
 
-// check_study without what newer programs ask of names: a store of an older one stays readable.
-[[nodiscard]] std::vector<Fault> check_stored_study(const StudySpec& study);
-
 // "0.15 MPa", "0.5": a value in the unit an input is shown in.
 [[nodiscard]] std::string shown_value(const InputSpec& input, double value);
 

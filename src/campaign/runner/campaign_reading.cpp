@@ -10,8 +10,7 @@
 namespace wythe {
 namespace {
 
-study::Store opened(const std::string& folder,
-                    study::Store::Access access = study::Store::Access::kRead) {
+study::Store opened(const std::string& folder) {
   const std::string base = folder + "/" + kBaseFolder;
   if (!study::holds_store(folder) && study::holds_store(base))
     throw InputError({{.file = folder,
@@ -25,7 +24,7 @@ study::Store opened(const std::string& folder,
                        .value = "",
                        .problem = "holds no campaign (no campaign.db)",
                        .cure = "name the folder that wythe campaign --out wrote"}});
-  return {folder, access};
+  return {folder, study::Store::Access::kRead};
 }
 
 Campaign without_records(study::Store& store) {
@@ -92,7 +91,7 @@ Campaign read_answers(const std::string& folder) {
 }
 
 StoreProgress campaign_progress(const std::string& folder) {
-  study::Store store = opened(folder, study::Store::Access::kRead);
+  study::Store store = opened(folder);
   StoreProgress progress;
   const int last = study::last_counted(store);
   progress.samples = store.samples().n_sample();

@@ -25,10 +25,6 @@ namespace {
 
 constexpr int kPatience = 2000;  // for another program's lock [ms]
 
-constexpr const char* kCure =
-    "restore it from a copy, or remove it and start the same campaign (or this one shard) again: "
-    "it draws the same samples";
-
 // What to say and what to do about an SQLite result code.
 std::string advice(int code) {
   switch (code & 0xff) {
@@ -38,9 +34,9 @@ std::string advice(int code) {
              "and "
              "repeat the command";
     case SQLITE_NOTADB:
-      return "is not a campaign store, or its first bytes are damaged; restore it from a copy, or "
-             "begin the campaign in another folder";
-    case SQLITE_CORRUPT: return std::string("is damaged; ") + kCure;
+      return std::string("is not a campaign store, or its first bytes are damaged; ") +
+             kCureOfDamage;
+    case SQLITE_CORRUPT: return std::string("is damaged; ") + kCureOfDamage;
     case SQLITE_FULL:
       return "the disk is full; every sample stored so far is kept: free some space and go on with "
              "--resume";
@@ -383,14 +379,14 @@ void Database::take(double bytes) {
 
 void Database::damaged(const std::string& what) const {
   refuse_if_written();
-  throw FileDamage(name_, "is damaged: " + what, kCure);
+  throw IoError(name_ + ": is damaged: " + what + "; " + kCureOfDamage);
 }
 
 void Database::refuse(int code) {
   if ((code & 0xff) == SQLITE_CORRUPT) refuse_if_written();
   const std::string reason = handle_ ? sqlite3_errmsg(handle_.get()) : sqlite3_errstr(code);
   const std::string what = fmt::format("{}: {} (SQLite: {})", name_, advice(code), reason);
-  if (is_of_disk(code)) throw DiskError(name_, reason, what);
+  if (is_of_disk(code)) throw DiskError(reason, what);
   throw IoError(what);
 }
 
@@ -428,7 +424,7 @@ void NewDatabase::remove_leftovers() const {
 
 void NewDatabase::refuse(const std::string& reason) const {
   throw DiskError(
-      name_, reason,
+      reason,
       fmt::format("{}: cannot be made, the disk refused (full, over quota, or gone: {}); nothing "
                   "was stored, start again when it is mended",
                   name_, reason));

@@ -26,25 +26,18 @@ namespace wythe::study {
 // The disk, or another program, refused; what the file holds may be whole.
 class DiskError : public IoError {
  public:
-  DiskError(std::string file, std::string reason, const std::string& what)
-      : IoError(what), file_(std::move(file)), reason_(std::move(reason)) {}
-  [[nodiscard]] const std::string& file() const { return file_; }
+  DiskError(std::string reason, const std::string& what)
+      : IoError(what), reason_(std::move(reason)) {}
   [[nodiscard]] const std::string& reason() const { return reason_; }  // as SQLite says it
-
- private:
-  std::string file_, reason_;
-};
-
-// What the file holds is not what was written.
-class FileDamage : public IoError {
- public:
-  FileDamage(const std::string& file, std::string reason, const std::string& cure)
-      : IoError(file + ": " + reason + "; " + cure), reason_(std::move(reason)) {}
-  [[nodiscard]] const std::string& reason() const { return reason_; }  // without file and cure
 
  private:
   std::string reason_;
 };
+
+// What to do about a store that is not what was written.
+inline constexpr const char* kCureOfDamage =
+    "restore it from a copy, or remove it and start the same campaign (or this one shard) again: "
+    "it draws the same samples";
 
 struct Bytes {
   std::string_view data;

@@ -11,15 +11,7 @@
 namespace wythe::study {
 namespace {
 
-std::int64_t as_stored(std::uint64_t hash) { return std::bit_cast<std::int64_t>(hash); }
-
-// Of a table, after the one before it.
-Hash begun(const std::string& table, std::uint64_t before) {
-  Hash hash;
-  hash.add(&before, sizeof before);
-  hash.add(table);
-  return hash;
-}
+std::int64_t as_stored(const Hash& hash) { return std::bit_cast<std::int64_t>(hash.value()); }
 
 std::string rows_of_sample(const std::string& table) {
   const bool is_list = table != "sample" && table != "curve";
@@ -78,21 +70,24 @@ SampleDigests::SampleDigests(Database& database)
       tables_.push_back({table, Statement(database, rows_of_sample(table))});
 }
 
-std::int64_t SampleDigests::of(Table& table, int sample, std::uint64_t before) {
-  Hash hash = begun(table.name, before);
+void SampleDigests::add(Table& table, int sample, Hash& hash) {
+  hash.add(table.name);
   table.rows.bind(sample);
   while (table.rows.step()) table.rows.add_row(hash);
   table.rows.reset();
-  return as_stored(hash.value());
 }
 
 std::int64_t SampleDigests::record(int sample) {
-  std::int64_t hash = 0;
-  for (Table& table : tables_) hash = of(table, sample, std::bit_cast<std::uint64_t>(hash));
-  return hash;
+  Hash hash;
+  for (Table& table : tables_) add(table, sample, hash);
+  return as_stored(hash);
 }
 
-std::int64_t SampleDigests::states(int sample) { return of(state_, sample, 0); }
+std::int64_t SampleDigests::states(int sample) {
+  Hash hash;
+  add(state_, sample, hash);
+  return as_stored(hash);
+}
 
 void SampleDigests::write(int sample) {
   if (!insert_) insert_.emplace(database_, insert_sql("digest", 3));
@@ -121,9 +116,11 @@ void SampleDigests::check_record(int sample) {
 }
 
 void SampleDigests::check_states(int sample) {
-  const std::int64_t none = as_stored(begun(state_.name, 0).value());
+  Hash none;
+  none.add(state_.name);
   const std::optional<SampleDigest> digest = stored(sample);
-  if (states(sample) != (digest ? digest->states : none)) refuse(sample, "its states are");
+  if (states(sample) != (digest ? digest->states : as_stored(none)))
+    refuse(sample, "its states are");
 }
 
 void write_study_digests(Database& database) {
@@ -137,25 +134,6 @@ void check_study_digest(Database& database) {
 
 void check_inputs_digest(Database& database) {
   check(database, kInputsDigest, input_rows(), "what was drawn (table sample_input)");
-}
-
-std::string schema_digest(Database& database) {
-  std::vector<std::string> names = result_tables();
-  names.insert(names.end(), {"study", "input", "sample_input", "samples"});
-  return digest_of(database,
-                   {fmt::format("SELECT name, sql FROM main.sqlite_schema WHERE name IN ('{}') "
-                                "ORDER BY name",
-                                fmt::join(names, "', '"))});
-}
-
-void check_schema_digest(Database& database) {
-  const OneMoment moment(database);
-  Statement select(database, "SELECT value FROM study WHERE key = ?");
-  select.bind(kSchemaDigest);
-  const bool is_there = select.step();
-  if (!is_there || select.text() != schema_digest(database))
-    database.damaged(
-        "a table or the view samples is not declared as it was (the checksum differs)");
 }
 
 OneMoment::OneMoment(Database& database) : database_(database) {

@@ -18,7 +18,6 @@ namespace wythe::study {
 
 inline constexpr const char* kStudyDigest = "digest";
 inline constexpr const char* kInputsDigest = "digest_inputs";
-inline constexpr const char* kSchemaDigest = "digest_schema";
 
 struct SampleDigest {
   std::int64_t record = 0, states = 0;
@@ -41,7 +40,7 @@ class SampleDigests {
     std::string name;
     Statement rows;
   };
-  [[nodiscard]] static std::int64_t of(Table& table, int sample, std::uint64_t before);
+  static void add(Table& table, int sample, Hash& hash);
   [[nodiscard]] std::optional<SampleDigest> stored(int sample);
   [[noreturn]] void refuse(int sample, const char* what);
 
@@ -57,9 +56,6 @@ void write_study_digests(Database& database);
 // IoError where table study or input is not what was stored; where sample_input is not.
 void check_study_digest(Database& database);
 void check_inputs_digest(Database& database);
-// Of the tables and the view that a store is made with, as they are declared: a value by itself in table study.
-[[nodiscard]] std::string schema_digest(Database& database);
-void check_schema_digest(Database& database);
 
 // What is read between stands as it was at one moment, also while a campaign writes.
 class OneMoment {

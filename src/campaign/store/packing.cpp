@@ -5,6 +5,7 @@
 #include <bit>
 #include <memory>
 
+#include "campaign/store/database.h"
 #include "core/hash.h"
 #include "wythe/error.h"
 
@@ -33,8 +34,7 @@ std::string compressed(const void* bytes, std::size_t count) {
 }
 
 [[noreturn]] void refuse(const std::string& what, const std::string& problem) {
-  throw IoError(what + " is damaged in the store: " + problem +
-                "; restore it from a copy, or begin the campaign in another folder");
+  throw IoError(what + " is damaged in the store: " + problem + "; " + kCureOfDamage);
 }
 
 template <class Number>

@@ -191,8 +191,6 @@ void each_list(Visitor& v) {
 
 // A packed curve: one column after the other, each over all rows, by the names beside it. A column whose
 // name is not there reads as kUnset, a name that is no column here is passed over.
-inline constexpr const char* kCurveColumnsBefore4 =
-    "time_s,displacement_m,drift,reaction_N,base_shear_N,unbalance_ratio,kinetic_ratio,load_factor";
 [[nodiscard]] std::string curve_column_names();
 [[nodiscard]] std::vector<double> curve_columns(const std::vector<CurveRow>& curve);
 [[nodiscard]] std::vector<CurveRow> curve_rows(const std::vector<double>& columns,

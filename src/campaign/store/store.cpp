@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "campaign/draws/study_check.h"
@@ -93,24 +92,16 @@ struct ListWriter {
   }
 };
 
-// Those columns of a table.
-std::string known_columns(Store& store, const std::string& table, const ColumnNames& names) {
-  Database& database = store.database();
-  std::set<std::string> there;
-  Statement info(database, fmt::format("SELECT name FROM pragma_table_info('{}')", table));
-  while (info.step()) there.insert(info.text());
+// They stand in the table: a store whose tables are declared otherwise is refused before.
+std::string list_of(const ColumnNames& names) {
   std::string list;
-  for (const auto& [name, type] : names.columns) {
-    if (!there.contains(name))
-      database.damaged(fmt::format("table {} has no column {}", table, name));
-    list += ", " + name;
-  }
+  for (const auto& [name, type] : names.columns) list += ", " + name;
   return list;
 }
 
 // Reads one list of the samples in `where`.
 struct ListReader {
-  Store& store;
+  Database& database;
   std::map<int, RecordLists>& lists;
   int samples;
   std::string where;
@@ -119,9 +110,8 @@ struct ListReader {
     ColumnNames names;
     Member any{};
     columns(names, any);
-    Statement select(store.database(),
-                     fmt::format("SELECT sample, position{} FROM {} {} ORDER BY 1, 2",
-                                 known_columns(store, table, names), table, where));
+    Statement select(database, fmt::format("SELECT sample, position{} FROM {} {} ORDER BY 1, 2",
+                                           list_of(names), table, where));
     static const std::set<std::string> kMeasures = {"score", "evidence", "flag", "sign", "reading"};
     const bool bounded = !kMeasures.contains(table);
     while (select.step()) {
@@ -167,19 +157,14 @@ std::vector<std::string> parts_of(const std::string& list) {
   return parts;
 }
 
-std::map<int, std::vector<CurveRow>> read_curves(Store& store, int samples,
+std::map<int, std::vector<CurveRow>> read_curves(Database& database, int samples,
                                                  const std::string& where) {
-  Database& database = store.database();
   std::map<int, std::vector<CurveRow>> curves;
-  ColumnNames named;
-  named("columns", std::string());
-  Statement select(database, fmt::format("SELECT sample, rows{}, data FROM curve {}",
-                                         known_columns(store, "curve", named), where));
+  Statement select(database, "SELECT sample, rows, columns, data FROM curve " + where);
   while (select.step()) {
     const auto sample = static_cast<int>(select.integer(1, samples));
     const auto rows = static_cast<std::size_t>(select.integer(1, kMostRows));
-    const std::string list = select.text();
-    const std::vector<std::string> names = parts_of(list.empty() ? kCurveColumnsBefore4 : list);
+    const std::vector<std::string> names = parts_of(select.text());
     database.take(static_cast<double>(rows * (names.size() * sizeof(double) + sizeof(CurveRow))));
     curves[sample] = curve_rows(
         unpack_doubles(select.bytes(), rows * names.size(),
@@ -260,8 +245,7 @@ void fill_store(Database& database, const StudySpec& spec, const SampleTable& sa
                              {"provenance", head.provenance},
                              {"shard", head.shard},
                              {"load_height_m", fmt::format("{}", head.load_height)},
-                             {"until_met_at", ""},
-                             {kSchemaDigest, schema_digest(database)}});
+                             {"until_met_at", ""}});
   write_study_rows(database, rows);
   write_columns(database, samples);
   write_inputs(database, samples, 1);
@@ -342,7 +326,7 @@ StudySpec Store::study_in(const Rows& rows) {
       throw IoError(fmt::format("schema_version: \"{}\", and the file is of version {}", said,
                                 kSchemaVersion));
     StudySpec spec = study_of(rows);
-    if (const std::vector<Fault> faults = check_stored_study(spec); !faults.empty())
+    if (const std::vector<Fault> faults = check_study(spec); !faults.empty())
       throw IoError(InputError(faults).what());
     return spec;
   } catch (const IoError& error) {
@@ -500,15 +484,14 @@ std::vector<SampleRecord> Store::records(const SampleTable& table, int first, in
   const bool whole = first == kWhole && last == std::numeric_limits<int>::max();
   const std::string where =
       first == kWhole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last);
-  std::map<int, std::vector<CurveRow>> curves = read_curves(*this, table.n_sample(), where);
+  std::map<int, std::vector<CurveRow>> curves = read_curves(database_, table.n_sample(), where);
   std::map<int, RecordLists> lists;
-  ListReader reader{*this, lists, table.n_sample(), where};
+  ListReader reader{database_, lists, table.n_sample(), where};
   each_list(reader);
   std::vector<SampleRecord> records;
   Statement select(
       database_,
-      fmt::format("SELECT sample{} FROM sample {} ORDER BY sample",
-                  known_columns(*this, "sample", record_columns()),
+      fmt::format("SELECT sample{} FROM sample {} ORDER BY sample", list_of(record_columns()),
                   whole ? "" : fmt::format("WHERE sample BETWEEN {} AND {}", first, last)));
   while (select.step()) {
     SampleRecord& record = records.emplace_back();

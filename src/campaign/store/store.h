@@ -100,7 +100,6 @@ class Store {
  private:
   void check_version();
   void check_tables();
-  void check_columns(const std::string& table, const std::string& declaration);
   void check_view();
   void check_columns_of(const StudySpec& spec, const SampleTable& table);
   [[nodiscard]] SampleTable columns();  // without values

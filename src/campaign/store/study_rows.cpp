@@ -144,7 +144,6 @@ void each_key(V& v, Study& s) {
   v.number("read_modes_at", s.read_modes_at, "m");
   v.text("until", s.until);
   v.texts("fragility", s.fragility);
-  v.text("unstated_point_rule", s.unstated_point_rule);
   v.text("variant", s.variant);
   v.whole("variant_place", s.variant_place);
 }

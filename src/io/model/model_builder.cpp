@@ -20,15 +20,10 @@ ModelBuilder model_builder(const StudySpec& study) {
   for (const double state : states) texts.push_back(fmt::format("\"{:.17g} m\"", state));
   if (!texts.empty()) settings.push_back("output.states=[" + joined(texts, ", ") + "]");
   return [=, text = study.model_text, file = study.model_file, blocks = study.blocks_text,
-          records = study.record_text,
-          had_corners = study.unstated_point_rule.empty()](const std::vector<std::string>& own) {
+          records = study.record_text](const std::vector<std::string>& own) {
     std::vector<std::string> all = settings;
     all.insert(all.end(), own.begin(), own.end());
-    ModelSpec spec = parse_model(text, file, all, blocks, records);
-    SolveSpec& solve = spec.solve;
-    if (had_corners && solve.point_rule == PointRule::kDefault && solve.points_per_face == 0)
-      solve.points_per_face = 2;
-    return spec;
+    return parse_model(text, file, all, blocks, records);
   };
 }
 

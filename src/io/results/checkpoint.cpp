@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 5;
+constexpr std::uint32_t kFormat = 1;
 
 struct Head {
   char magic[16];

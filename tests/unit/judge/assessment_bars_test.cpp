@@ -300,7 +300,7 @@ TEST(CampaignAssessment, follows_the_drift_of_each_pier) {
   EXPECT_LT(early.acceleration, late.acceleration);
 }
 
-TEST(CampaignAssessment, of_an_older_store_is_not_signed_for_what_it_did_not_keep) {
+TEST(CampaignAssessment, is_not_signed_where_a_sample_lacks_its_pushed_wall) {
   const scenes::TemporaryFolder folder;
   Facade f(folder / "out", 2);
   f.campaign.records.back().pushed = {};  // one is enough
@@ -393,7 +393,7 @@ TEST(CampaignAssessment, has_no_answer_for_samples_pushed_both_ways) {
   EXPECT_TRUE(says(sentence_of(assess_campaign(campaign, base, model)), "24 of 25 samples"));
 }
 
-// Of an older store: the drift of its piers is not known; of one pier it is that of the wall.
+// Where samples keep no pushed wall: the drift of its piers is not known; of one pier it is that of the wall.
 TEST(CampaignAssessment, of_more_than_one_pier_says_first_that_drifts_are_of_the_whole_wall) {
   const auto assessed = [](const std::string& openings) {
     std::string text = wall_text(kAssessed);

@@ -88,7 +88,7 @@ TEST(Columns, store_keeps_each_exactly_under_its_own_name) {
       EXPECT_EQ(back[i].*column.value, rows[i].*column.value) << column.stored;
 }
 
-// A store of another version may hold fewer columns, others, or the same in another order.
+// A column may come without a new version of the store: one may hold fewer, others, or the same in another order.
 TEST(Columns, store_is_read_by_names_not_by_places) {
   const std::vector<CurveRow> rows = unlike_rows();
   const std::vector<double> few = {rows[0].reaction, rows[1].reaction, 7, 8,
