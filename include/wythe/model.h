@@ -205,9 +205,10 @@ struct Solids {
   std::vector<double> contact_area;                          // [m^2]
   std::vector<std::int32_t> contact_material;                // into Model::materials
 
-  // read by the pass over nodes (one row per node)
-  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR; entry: place of a corner's
-  std::vector<std::int32_t> contact_begin, contact_entry;  // or an end's force in Workspace
+  // read by the pass over nodes (one row per node); an entry is the place of the force of a zone's corner or of
+  // a contact's end, as join_nodes (src/solids/mesh.cpp) numbers them
+  std::vector<std::int32_t> zone_begin, zone_entry;        // CSR
+  std::vector<std::int32_t> contact_begin, contact_entry;  // CSR
   std::vector<double> node_x, node_y;                      // at the start [m]
   std::vector<double> node_mass, node_heavy_mass;          // inertia; mass for the weight [kg]
   std::vector<double> node_free_x, node_free_y;            // 1, or 0 where the node is held

@@ -1,4 +1,4 @@
-// WYTHE_ASSERT(condition, what): our own errors, checked in dev, asan and audit builds only.
+// WYTHE_ASSERT(condition, what): our own errors, checked in the builds dev, audit, asan and fuzz.
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Messages in words and as JSON. Door to nlohmann-json below L5: the table of words is read with it.
+// Messages in words and as JSON. Door to nlohmann-json below io: the table of words is read with it.
 //
 // A text of the table has {name} or {name:format} for each argument, the format as of fmt: a number's,
 // or what stands between the messages of a list ("; " without one).

@@ -1,4 +1,5 @@
-// The only door to threads: a fixed list of chunks done by any number of workers.
+// Threads within one step: a fixed list of chunks done by any number of workers. Threads that solve samples side by
+// side: campaign/runner/sample_pool.cpp.
 //
 // What a chunk computes never depends on who does it, and sums are kept per chunk and added in
 // order by the caller, so the bits are the same for every number of threads.

@@ -8,8 +8,8 @@
 //     text, texts, choice        string, vector<string>, an enum by its words
 //     table, list, map           a struct, a vector of structs [[..]], structs by name [..<name>]
 //
-// Visitors: toml_reader.h, toml_writer.cpp, reference.cpp, same_spec.h. A new key is one line
-// here and nothing elsewhere. Order here is order in written files and in the reference page.
+// Visitors: toml_reader.h, toml_writer.h, reference.cpp, same_spec.h, key_list.cpp, model_key.cpp, materials.cpp. A new
+// key is one line here and nothing elsewhere. Order here is order in written files and in the reference page.
 #pragma once
 
 #include "io/keys/describe_assessment.h"
