@@ -9,6 +9,7 @@ how the test treats it; a reader does not see it:
   <!-- test: said -->                           the last commands printed these lines; their numbers within 2 %
   <!-- test: short --samples 2 -->              the runs and campaigns below take these options too, because they take minutes
   <!-- test: first wythe run ... -->            run this before, with the options of `short`: the page supposes its results
+  <!-- test: long -->                          run by make test-long alone, and what the next fence says it printed
   <!-- test: exit 3 -->                         the commands below end with this code
   <!-- test: needs pandas -->                   run where this Python module is installed
   <!-- test: not run: it needs a graphics card -->   with the reason
@@ -29,7 +30,7 @@ SOURCE = pathlib.Path(os.environ.get("SOURCE", ".")).resolve()
 PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs/tutorial").glob("*.md")), *sorted((SOURCE / "docs/howto").glob("*.md")),
          *sorted((SOURCE / "examples").glob("*/README.md"))]
 FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
-MARK = re.compile(r"<!-- test: (file|adds|said|short|first|exit|needs|not run:) ?(.*?) ?-->")
+MARK = re.compile(r"<!-- test: (file|adds|said|short|first|long|exit|needs|not run:) ?(.*?) ?-->")
 COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 ")
 SETTING = re.compile(r"[a-z]+=\S")  # of the shell, for the commands below it
 SHELL = ("sh", "bash", "console", "shell")
@@ -99,10 +100,15 @@ class Reader:
         if "needs" in marks and importlib.util.find_spec(marks["needs"]) is None:
             print(f"not run: a fence that needs {marks['needs']}, which is not installed")
             return ""
+        if "long" in marks and "WYTHE_LONG" not in os.environ:
+            self.printed = None
+            return ""
         self.short = marks.get("short", "")
         if "file" in marks or "adds" in marks:
             path = self.folder / (marks.get("file") or marks["adds"])
             path.write_text((path.read_text() + "\n" if "adds" in marks else "") + text)
+            return ""
+        if "said" in marks and self.printed is None:
             return ""
         if "said" in marks:
             missing = [l for l in text.splitlines() if l.strip() and not any(same_line(l, p) for p in self.printed.splitlines())]
@@ -188,6 +194,18 @@ class Follows(unittest.TestCase):
             self.assertIn("ended with", self.fault(f"```{language}\nwythe check nothing.toml\n```\n"), language)
         for page in ("```\n$ wythe check nothing.toml\nvalid\n```\n", "```\nwythe --version\nprinted\n```\n"):
             self.assertIn("commands and other lines", self.fault(page))
+
+    def test_a_long_fence_is_run_by_test_long_alone(self):
+        page = "<!-- test: long -->\n```\nwythe check nothing.toml\n```\n<!-- test: said -->\n```\nvalid\n```\n"
+        given = os.environ.pop("WYTHE_LONG", None)
+        try:
+            self.assertEqual(self.fault(page), "")
+            os.environ["WYTHE_LONG"] = "1"
+            self.assertIn("ended with 2", self.fault(page))
+        finally:
+            os.environ.pop("WYTHE_LONG")
+            if given is not None:
+                os.environ["WYTHE_LONG"] = given
 
     def test_what_is_not_run_has_a_reason(self):
         self.assertNotEqual(self.fault("<!-- test: not run: -->\n```\nwythe x\n```\n"), "")
