@@ -2,6 +2,7 @@
 
 validation/walls.csv     the tests: model file, kind of failure, measured peaks and drifts, statics. Fixed before any run.
 validation/predicted.csv what the program says, one row a wall and set of settings; written by `tools/validation walls`
+inputs.csv               beside a model of many walls: what is laid over it, a row a wall, a column a key of the model file
 
 A wall enters the statistic unless the rule of `left_out` says why not. One model counts once: several tests of it are
 averaged (logarithms), so that a pair of equal walls does not count twice.
@@ -114,6 +115,13 @@ def predicted_row(name, wall, summary):
             "seconds": rounded(summary["wall_seconds"], 2), "build": made["commit"], "state": summary["state_hash"]}
 
 
+def settings_of(test):
+    """What a test lays over its model: its overrides, and its wall's row of the inputs beside the model."""
+    inputs = read_csv(os.path.join(os.path.dirname(test["model"]), "inputs.csv"))
+    row = next((row for row in inputs if row["wall"] == test["wall"]), {})
+    return [f"{key}={value}" for key, value in row.items() if key != "wall"] + [o for o in test["overrides"].split(";") if o]
+
+
 def run_walls(wythe, folder_of, out, names, matches):
     """Runs each model once for each set in `names`; keeps rows of walls that are not run."""
     kept = {(row["set"], row["wall"]): row for row in read_csv(PREDICTED)}
@@ -122,7 +130,7 @@ def run_walls(wythe, folder_of, out, names, matches):
         for wall, test in models.items():
             if not matches(wall) or wall not in ONLY.get(name, [wall]):
                 continue
-            settings = [o for o in test["overrides"].split(";") if o] + SETS[name]
+            settings = settings_of(test) + SETS[name]
             summary = wythe(test["model"], settings, folder_of(os.path.join(out, "walls"), f"{wall} {name}"))
             row = kept[name, wall] = predicted_row(name, wall, summary)
             print(f"{name}, {wall}: {row['peak_kN']} kN, {row['mode']}, {row['judgement']}", flush=True)
