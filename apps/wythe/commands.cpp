@@ -10,6 +10,7 @@
 #include "checkpoints.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "walls_command.h"
 #include "wythe/assessment.h"
 #include "wythe/drawing.h"
 #include "wythe/error.h"
@@ -103,6 +104,22 @@ void print_push(const Result& r) {
              std::isnan(q.initial_stiffness)
                  ? "not known"
                  : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
+  if (q.censored_80 && !q.censored_last_80)
+    fmt::print("the push ended before the fall below 80 % had lasted: {:.2f} mm is a lower bound\n",
+               1e3 * q.displacement_at_80);
+  for (const Dip& dip : q.dips)
+    fmt::print(
+        "a dip to {:.0f} % of the peak from {:.2f} to {:.2f} mm was made good and does not count\n",
+        1e2 * dip.lowest, 1e3 * dip.from, 1e3 * dip.back);
+  if (threshold_decides(q)) {
+    const auto at = [&](double left) {
+      for (const FallTo& fall : q.drift_capacity)
+        if (fall.fraction == left)
+          return fmt::format("{}{:.2f} mm", fall.censored ? "> " : "", 1e3 * fall.displacement);
+      return std::string();
+    };
+    fmt::print("the threshold decides the drift: 85 % at {}, 75 % at {}\n", at(0.85), at(0.75));
+  }
   if (q.peak_raw > 1.02 * q.peak_reaction)
     fmt::print(
         "the largest force of all, {:.2f} kN at {:.2f} mm, is out of balance: it is no strength\n",
@@ -205,6 +222,9 @@ void print_stiff_planes(ModelSpec spec, const RunEstimate& now) {
 }  // namespace
 
 int run(const RunArguments& arguments) {
+  if (!arguments.walls.empty()) return run_walls(arguments);
+  if (!arguments.jobs.empty())
+    refuse("--jobs", arguments.jobs, "is for --walls alone", "write --threads, or add --walls N");
   RunStart start = start_of(arguments);
   hold_for_test("model read");
   const Model& model = start.from.model;

@@ -33,6 +33,7 @@ struct RecordingNumbers {
   std::int64_t steps = 0, shear_samples = 0, unbalance_samples = 0;
   std::int64_t full_window = 0;  // steps of the last window that was closed whole
   std::int64_t low_rows = 0;     // rows below stop_below in a row
+  double low_from = 0;           // where the first of them stands [m]
 
   // Of a cyclic push: the leg under way.
   double leg_way = 0;                  // 1 or -1 along the push; 0: not a cyclic push

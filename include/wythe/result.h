@@ -39,12 +39,29 @@ struct RisePoint {
   double force = 0;         // mean of reaction and base shear over the window's path [N]
 };
 
-// Where the reaction first falls to `fraction` of the peak after it.
+// A fall below a share of the peak lasts unless the force comes back to it before the displacement has grown
+// by this share, and then stays for at least as long as it was away (docs/theory/drift.md).
+inline constexpr double kLastingShare = 0.1;
+
+// Displacements at which the force falls to `fraction` of the peak, after the peak [m]. A reading is
+// censored where the wall reaches farther, as far as the push tells: it never fell, or the push ended
+// before the fall had lasted; the displacement is then a lower bound.
 struct FallTo {
   double fraction = 0;      // of the peak [-]
-  double displacement = 0;  // [m], the last one where it never falls so far
+  double displacement = 0;  // of the first fall that lasts: the capacity
   double drift = 0;         // displacement / load height [-]
-  bool censored = true;     // never crossed: the wall reaches farther than `displacement`
+  bool censored = true;
+  double first = 0;  // of the first fall of all
+  bool censored_first = true;
+  double last = 0;  // of the last fall, after which the force never came back
+  bool censored_last = true;
+};
+
+// A fall from which the force came back: no end of the capacity.
+struct Dip {
+  double fraction = 0;        // of the peak, below which it fell [-]
+  double from = 0, back = 0;  // where it fell and where it was back [m]
+  double lowest = 0;          // the least force on the way, over the peak [-]
 };
 
 // Elastic, perfectly plastic curve of equal area: the secant through 0.7 peak, cut at the force that
@@ -120,19 +137,27 @@ struct Responses {
   bool censored_peak = false;           // still rising, or the load never brought the wall down
   double peak_raw = 0;                  // largest reaction of any row, in balance or not [N]
   double displacement_at_peak_raw = 0;  // [m]
-  double displacement_at_80 = 0;        // [m], first crossing of 0.8 peak after the peak
-  bool censored_80 = true;              // never crossed, no collapse: the last displacement stands
-  double displacement_max = 0;          // [m], where the reaction stays below 0.2 peak
+  // The first fall below 0.8 peak that lasts, the first and the last of all [m] (FallTo).
+  double displacement_at_80 = 0, first_fall_80 = 0, last_fall_80 = 0;
+  bool censored_80 = true, censored_first_80 = true, censored_last_80 = true;
+  double displacement_max = 0;  // [m], where the reaction stays below 0.2 peak
   bool censored_max = true;
   double initial_stiffness = 0;  // [N/m], secant between 10 and 30 % of the peak
   double load_height = 0;        // what drifts are measured over [m]; 0: not known, no drifts
   double drift_at_peak = 0, drift_at_80 = 0, drift_max = 0;  // displacement / load_height [-]
   double work_to_peak = 0, work_to_80 = 0, work_total = 0;   // area under the curve [J]
-  std::vector<FallTo> falls = {};  // one for each fraction asked for, in that order
+  std::vector<FallTo> falls = {};           // one for each fraction asked for, in that order
+  std::vector<FallTo> drift_capacity = {};  // d(r), one for each of kSharesLeft
+  std::vector<Dip> dips = {};               // below 0.8 peak, in their order
   Bilinear bilinear = {};
   Collapse collapse = {};
   CyclicReadings cyclic = {};
 };
+
+// Shares of the peak at which the displacement capacity d(r) is read.
+inline constexpr double kSharesLeft[] = {0.95, 0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5};
+// d(0.75) over d(0.85) above which the share that is asked for decides the capacity.
+inline constexpr double kThresholdDecides = 1.5;
 
 // Further readings that are asked for, and facts that the curve alone does not hold.
 struct ResponseOptions {
@@ -141,6 +166,8 @@ struct ResponseOptions {
   std::vector<RisePoint> rise = {};            // for stiffnesses; empty: read off the rows
   double carried = kUnset;  // load-controlled: the largest load carried in balance [N]
 };
+// Whether d(0.75) is more than kThresholdDecides times d(0.85).
+[[nodiscard]] bool threshold_decides(const Responses& responses);
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
                                        const ResponseOptions& options = {});
 // The curve from which responses are read: the curve itself; of a cyclic push the envelope of the

@@ -233,9 +233,41 @@ class RunHeadline {
   }
   [[nodiscard]] std::string ductility() const {
     if (std::isnan(number_in(s_, "displacement_at_80_percent_mm"))) return "";
-    return " " + texts_.say(is("censored_80") ? "run.keeps_to_end" : "run.keeps",
-                            {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
-                             {"drift", drift("drift_percent_at_80", " ", "run.drift")}});
+    const char* words = !is("censored_80")       ? "run.keeps"
+                        : is("censored_last_80") ? "run.keeps_to_end"
+                                                 : "run.falls_at_end";
+    return " " +
+           texts_.say(words, {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
+                              {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +
+           dips() + threshold();
+  }
+  // The deepest fall that the wall made good: no end of its capacity.
+  [[nodiscard]] std::string dips() const {
+    const Json& all = member(member(s_, "drift_capacity"), "dips");
+    const Json* deepest = nullptr;
+    for (const Json& dip : all)
+      if (deepest == nullptr || number_in(dip, "lowest_left") < number_in(*deepest, "lowest_left"))
+        deepest = &dip;
+    if (deepest == nullptr) return "";
+    return " " + texts_.say(
+                     all.size() > 1 ? "run.dips" : "run.dip",
+                     {{"n", std::to_string(all.size())},
+                      {"lowest", texts_.quantity(1e2 * number_in(*deepest, "lowest_left"), "%", 2)},
+                      {"from", texts_.quantity(number_in(*deepest, "from_mm"), "mm")},
+                      {"back", texts_.quantity(number_in(*deepest, "back_mm"), "mm")}});
+  }
+  [[nodiscard]] std::string threshold() const {
+    const Json& capacity = member(s_, "drift_capacity");
+    if (member(capacity, "threshold_decides") != true) return "";
+    const auto at = [&](double left) -> std::string {
+      const Json &lefts = member(capacity, "left"), &lasting = member(capacity, "lasting_mm");
+      for (std::size_t k = 0; k < lefts.size() && k < lasting.size(); ++k)
+        if (lefts[k] == left && lasting[k].is_number())
+          return (member(capacity, "censored")[k] == true ? "≥ " : "") +
+                 texts_.quantity(lasting[k].get<double>(), "mm");
+      return "–";
+    };
+    return " " + texts_.say("run.threshold", {{"at_85", at(0.85)}, {"at_75", at(0.75)}});
   }
 
   [[nodiscard]] std::string mode() const {

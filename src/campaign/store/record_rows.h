@@ -127,6 +127,10 @@ void each_list(Visitor& v) {
     c("displacement_m", f.displacement);
     c("drift", f.drift);
     c("censored", f.censored);
+    c("first_fall_m", f.first);
+    c("censored_first", f.censored_first);
+    c("last_fall_m", f.last);
+    c("censored_last", f.censored_last);
   });
   v.list("score", &RecordLists::scores, [](auto& c, auto& s) {
     c("failure_mode", s.name);

@@ -82,12 +82,85 @@ struct Place {
   bool censored = true;
 };
 
-// First fall to `reaction` after the peak, else the last row: where the wall collapsed it fell there.
-Place fall_to(const Curve& curve, std::size_t peak, double reaction, bool collapsed) {
-  for (std::size_t i = peak + 1; i < curve.size(); ++i)
-    if (carried(curve[i]) < reaction)
-      return {i, crossing(curve[i - 1], curve[i], reaction), reaction, false};
-  return {curve.size() - 1, curve.back().displacement, curve.back().reaction, !collapsed};
+// Falls to one reaction after the peak.
+struct Falls {
+  Place first, lasting, last;
+  std::vector<Dip> dips;
+};
+
+// From row `begin`, the first that carries less, or not less, than `reaction`; the curve's size where none does.
+std::size_t next_row(const Curve& curve, std::size_t begin, double reaction, bool less) {
+  while (begin < curve.size() && (carried(curve[begin]) < reaction) != less) ++begin;
+  return begin;
+}
+
+// A stretch of the curve below one reaction: from its fall to where the force is back for at least as long
+// as it was away. What comes back for less is the same fall.
+struct Below {
+  Place fell;
+  double until = 0;  // [m], back there, or the curve's end
+  bool came_back = false;
+  std::size_t back = 0;  // first row that carries the reaction again
+};
+
+double returns_at(const Curve& curve, std::size_t back, double reaction) {
+  return back < curve.size() ? crossing(curve[back - 1], curve[back], reaction)
+                             : curve.back().displacement;
+}
+
+Below below_from(const Curve& curve, std::size_t fell, double reaction) {
+  Below below{{fell, crossing(curve[fell - 1], curve[fell], reaction), reaction, false}};
+  for (std::size_t next = fell; next < curve.size();) {
+    below.back = next_row(curve, next, reaction, false);
+    below.until = returns_at(curve, below.back, reaction);
+    next = next_row(curve, below.back, reaction, true);
+    if (next >= curve.size()) break;
+    const double held = crossing(curve[next - 1], curve[next], reaction) - below.until;
+    if (held >= below.until - below.fell.displacement) break;
+  }
+  below.came_back = below.back < curve.size();
+  return below;
+}
+
+// A wall that collapsed fell at its last row. A fall whose push ended before it had lasted is a bound.
+Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool collapsed) {
+  const Place end{curve.size() - 1, curve.back().displacement, curve.back().reaction, !collapsed};
+  Falls falls{end, end, end, {}};
+  bool any = false, lasted = false;
+  for (std::size_t row = next_row(curve, peak + 1, reaction, true); row < curve.size();) {
+    const Below below = below_from(curve, row, reaction);
+    const bool lasts = below.until >= (1 + kLastingShare) * below.fell.displacement ||
+                       (!below.came_back && collapsed);
+    if (!any) falls.first = below.fell;
+    any = true;
+    if (!lasted && (lasts || !below.came_back)) {
+      falls.lasting = below.fell;
+      falls.lasting.censored = !lasts;
+      lasted = true;
+    }
+    if (!lasts && below.came_back) {
+      Dip dip{reaction / curve[peak].reaction, below.fell.displacement, below.until, 1};
+      for (std::size_t i = row; i < below.back; ++i)
+        dip.lowest = std::min(dip.lowest, carried(curve[i]) / curve[peak].reaction);
+      falls.dips.push_back(dip);
+    }
+    row = next_row(curve, below.back, reaction, true);
+  }
+  // the very last fall: nothing after it carries the reaction
+  for (std::size_t row = curve.size() - 1; carried(curve[row]) < reaction && row > peak; --row)
+    falls.last = {row, crossing(curve[row - 1], curve[row], reaction), reaction, false};
+  return falls;
+}
+
+FallTo fall_to(double fraction, const Falls& falls) {
+  return {.fraction = fraction,
+          .displacement = falls.lasting.displacement,
+          .drift = 0,
+          .censored = falls.lasting.censored,
+          .first = falls.first.displacement,
+          .censored_first = falls.first.censored,
+          .last = falls.last.displacement,
+          .censored_last = falls.last.censored};
 }
 
 // Work of the reaction along the curve up to a place on it; unloading gives work back.
@@ -153,7 +226,8 @@ void read_drifts(const Curve& curve, Responses& r) {
   r.drift_at_80 = r.displacement_at_80 / r.load_height;
   r.drift_max = r.displacement_max / r.load_height;
   r.collapse.drift = r.collapse.displacement / r.load_height;
-  for (FallTo& fall : r.falls) fall.drift = fall.displacement / r.load_height;
+  for (std::vector<FallTo>* falls : {&r.falls, &r.drift_capacity})
+    for (FallTo& fall : *falls) fall.drift = fall.displacement / r.load_height;
 }
 
 Bilinear no_bilinear() { return {kUnset, kUnset, kUnset, kUnset, kUnset, true}; }
@@ -161,8 +235,16 @@ Bilinear no_bilinear() { return {kUnset, kUnset, kUnset, kUnset, kUnset, true}; 
 // What only a peak gives is not known without one.
 void leave_unknown(Responses& r, const std::vector<double>& fractions) {
   r.displacement_at_80 = r.drift_at_80 = r.drift_at_peak = r.initial_stiffness = kUnset;
-  r.work_to_peak = r.work_to_80 = kUnset;
-  for (const double fraction : fractions) r.falls.push_back({fraction, kUnset, kUnset, true});
+  r.first_fall_80 = r.last_fall_80 = r.work_to_peak = r.work_to_80 = kUnset;
+  const auto unknown = [](double fraction) {
+    return FallTo{.fraction = fraction,
+                  .displacement = kUnset,
+                  .drift = kUnset,
+                  .first = kUnset,
+                  .last = kUnset};
+  };
+  for (const double fraction : fractions) r.falls.push_back(unknown(fraction));
+  for (const double fraction : kSharesLeft) r.drift_capacity.push_back(unknown(fraction));
   r.bilinear = no_bilinear();
 }
 
@@ -178,13 +260,19 @@ void read_largest(const Curve& curve, std::size_t peak, Responses& r) {
 void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions& options,
                      Responses& r) {
   const bool collapsed = !options.collapse.empty();
-  const Place at_80 = fall_to(curve, peak, 0.8 * r.peak_reaction, collapsed);
-  r.displacement_at_80 = at_80.displacement;
-  r.censored_80 = at_80.censored;
-  for (const double fraction : options.fractions) {
-    const Place fall = fall_to(curve, peak, fraction * r.peak_reaction, collapsed);
-    r.falls.push_back({fraction, fall.displacement, 0, fall.censored});
-  }
+  const auto falls = [&](double fraction) {
+    return falls_to(curve, peak, fraction * r.peak_reaction, collapsed);
+  };
+  const Falls to_80 = falls(0.8);
+  const Place& at_80 = to_80.lasting;
+  const FallTo read = fall_to(0.8, to_80);
+  r.displacement_at_80 = read.displacement, r.censored_80 = read.censored;
+  r.first_fall_80 = read.first, r.censored_first_80 = read.censored_first;
+  r.last_fall_80 = read.last, r.censored_last_80 = read.censored_last;
+  r.dips = to_80.dips;
+  for (const double fraction : options.fractions)
+    r.falls.push_back(fall_to(fraction, falls(fraction)));
+  for (const double left : kSharesLeft) r.drift_capacity.push_back(fall_to(left, falls(left)));
   read_largest(curve, peak, r);
   const std::vector<RisePoint> rise = options.rise.empty() ? rise_of(curve) : options.rise;
   // A push that begins on a wall already pushed has no rise from zero, so neither stiffness is to be had.
@@ -233,6 +321,16 @@ ResponseOptions reading_of(const Model& model, const Result& result) {
   read.rise = result.rise;
   if (is_load_controlled(result)) read.carried = result.load_factor * model.weight;
   return read;
+}
+
+bool threshold_decides(const Responses& responses) {
+  const auto at = [&](double fraction) {
+    const auto found =
+        std::find_if(responses.drift_capacity.begin(), responses.drift_capacity.end(),
+                     [&](const FallTo& fall) { return fall.fraction == fraction; });
+    return found == responses.drift_capacity.end() ? kUnset : found->displacement;
+  };
+  return at(0.75) > kThresholdDecides * at(0.85);
 }
 
 Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {

@@ -279,6 +279,7 @@ void Recorder::close_row(const State& state) {
   const double force = displacement_ < 0 ? -row.reaction : row.reaction;
   const bool low = force < stage_.spec.stop_below * side.peak;
   n_.low_rows = low && std::fabs(displacement_) >= side.furthest ? n_.low_rows + 1 : 0;
+  if (n_.low_rows == 1) n_.low_from = std::fabs(displacement_);
   side.furthest = std::max(side.furthest, std::fabs(displacement_));
   n_.full_window = n_.steps;
   n_.weight_sum = n_.shear_weight = 0;
@@ -398,7 +399,7 @@ void Recorder::note_limits(const State& state, double displacement, double react
 
 bool Recorder::fell_below() const {
   constexpr int kRows = 3;
-  return n_.low_rows >= kRows;
+  return n_.low_rows >= kRows && std::fabs(displacement_) >= (1 + kLastingShare) * n_.low_from;
 }
 
 void Recorder::finish(const WallAccess& access, State& state, const Controls& controls,

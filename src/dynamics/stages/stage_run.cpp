@@ -290,7 +290,7 @@ class Push : public StageRun {
     }
     watch(state_.travelled / path_);
     if (recorder_.row_closed() && stage_.spec.stop_below > 0 && recorder_.fell_below())
-      end({SolveStatus::kCollapsed,
+      end({SolveStatus::kCompleted,
            {"push.fell_below",
             {{"share", stage_.spec.stop_below}, {"displacement_mm", 1e3 * displacement()}}},
            false});

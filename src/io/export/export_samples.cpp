@@ -64,13 +64,14 @@ void add_fall(Cells& cells, double fraction, const std::string& displacement,
               const std::string& censored) {
   const double percent = 100 * fraction;
   cells.push_back({{fmt::format("displacement_at_{:g}_percent_mm", percent), "mm",
-                    fmt::format("where the force first falls to {:g} of the peak after it; a "
+                    fmt::format("where the force falls below {:g} of the peak to stay; a "
                                 "lower bound where censored_{:g} is 1",
                                 fraction, percent)},
                    displacement});
   cells.push_back(
       {{fmt::format("censored_{:g}", percent), "",
-        fmt::format("1: the push ended before the force fell to {:g} of the peak", fraction)},
+        fmt::format("1: the push ended before the force had fallen below {:g} of the peak to stay",
+                    fraction)},
        censored});
 }
 

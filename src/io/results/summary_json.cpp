@@ -201,9 +201,38 @@ Json falls_json(const std::vector<FallTo>& falls) {
     list.push_back({{"fraction", fall.fraction},
                     {"displacement_mm", fall.displacement * 1e3},
                     {"drift_percent", fall.drift * 1e2},
-                    {"censored", fall.censored}});
+                    {"censored", fall.censored},
+                    {"first_mm", fall.first * 1e3},
+                    {"last_mm", fall.last * 1e3}});
   }
   return list;
+}
+
+// d(r): arrays of one length, by the share of the peak that is left.
+Json drift_capacity_json(const Responses& r) {
+  Json json = {{"left", Json::array()},
+               {"first_mm", Json::array()},
+               {"lasting_mm", Json::array()},
+               {"last_mm", Json::array()},
+               {"lasting_drift_percent", Json::array()},
+               {"censored", Json::array()}};
+  for (const FallTo& fall : r.drift_capacity) {
+    json["left"].push_back(fall.fraction);
+    json["first_mm"].push_back(fall.first * 1e3);
+    json["lasting_mm"].push_back(fall.displacement * 1e3);
+    json["last_mm"].push_back(fall.last * 1e3);
+    json["lasting_drift_percent"].push_back(fall.drift * 1e2);
+    json["censored"].push_back(fall.censored);
+  }
+  json["lasts_percent"] = kLastingShare * 1e2;
+  json["threshold_decides"] = threshold_decides(r);
+  json["dips"] = Json::array();
+  for (const Dip& dip : r.dips)
+    json["dips"].push_back({{"left", dip.fraction},
+                            {"from_mm", dip.from * 1e3},
+                            {"back_mm", dip.back * 1e3},
+                            {"lowest_left", dip.lowest}});
+  return json;
 }
 
 Json bilinear_json(const Bilinear& b) {
@@ -219,6 +248,7 @@ void add_responses(Json& json, const Responses& r) {
   study::each_response(Answers{json}, r);
   json["censored"] = r.censored_80;
   json["falls"] = falls_json(r.falls);
+  json["drift_capacity"] = drift_capacity_json(r);
 }
 
 Json direction_json(const DirectionReadings& d) {

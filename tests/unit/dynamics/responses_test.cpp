@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -147,12 +149,130 @@ TEST(Responses, peak_is_the_largest_reaction) {
   EXPECT_EQ(r.displacement_at_peak, 2);  // the first of equals
 }
 
-TEST(Responses, displacement_at_80_is_the_first_crossing_after_the_peak) {
-  // 50 before the peak does not count; 90 -> 60 crosses 80 at a third; the rise to 95 later neither
+TEST(Responses, displacement_at_80_is_the_first_fall_that_lasts) {
+  // 50 before the peak does not count; 90 -> 60 crosses 80 at a third; back at 80 at 6.57, past 1.1 x 4
   const Responses r =
       read_responses(curve_of({{0, 0}, {1, 50}, {2, 100}, {3, 90}, {6, 60}, {7, 95}}));
   EXPECT_DOUBLE_EQ(r.displacement_at_80, 4);
   EXPECT_FALSE(r.censored_80);
+  EXPECT_DOUBLE_EQ(r.first_fall_80, 4);
+  EXPECT_TRUE(r.censored_last_80);  // it carries 95 at the end
+  EXPECT_DOUBLE_EQ(r.last_fall_80, 7);
+  EXPECT_TRUE(r.dips.empty());
+}
+
+// 100 at 2, 81 at 10; from there down to `low` and back to 81 at `back`, then a fall at 14 for good.
+std::vector<CurveRow> with_a_dip(double low, double back) {
+  return curve_of({{0, 0},
+                   {2, 100},
+                   {10, 81},
+                   {10.1, low},
+                   {back, low},
+                   {back + 0.1, 82},
+                   {14, 81},
+                   {14.1, 0},
+                   {20, 0}});
+}
+
+TEST(Lasting, a_dip_that_is_made_good_soon_is_named_and_not_counted) {
+  const Responses r = read_responses(with_a_dip(60, 10.8));
+  const double fell = 10 + 0.1 / 21, back = 10.8 + 0.1 * 20 / 22;
+  EXPECT_NEAR(r.first_fall_80, fell, 1e-12);
+  EXPECT_NEAR(r.displacement_at_80, 14 + 0.1 / 81, 1e-12);
+  EXPECT_DOUBLE_EQ(r.last_fall_80, r.displacement_at_80);
+  EXPECT_FALSE(r.censored_80);
+  ASSERT_EQ(r.dips.size(), 1U);
+  EXPECT_NEAR(r.dips[0].from, fell, 1e-12);
+  EXPECT_NEAR(r.dips[0].back, back, 1e-12);
+  EXPECT_DOUBLE_EQ(r.dips[0].lowest, 0.6);
+  EXPECT_DOUBLE_EQ(r.bilinear.ultimate_displacement, r.displacement_at_80);
+}
+
+TEST(Lasting, a_dip_of_more_than_the_stated_share_is_the_fall) {
+  const double fell = 10 + 0.1 / 21;
+  for (const double longer : {-0.01, 0.01}) {
+    const double back = (1 + kLastingShare) * fell + longer - 0.1 * 20 / 22;
+    const Responses r = read_responses(with_a_dip(60, back));
+    if (longer > 0)
+      EXPECT_NEAR(r.displacement_at_80, fell, 1e-12);
+    else
+      EXPECT_GT(r.displacement_at_80, 14);
+    EXPECT_GT(r.last_fall_80, 14);
+  }
+}
+
+TEST(Lasting, dips_that_follow_each_other_closely_are_one) {
+  // a saw: below 80 for 0.3, back for 0.1, again and again from 10 to 12: more than a tenth of 10 in all
+  std::vector<std::pair<double, double>> points = {{0, 0}, {2, 100}, {10, 80}};
+  for (double d = 10; d < 12 - 1e-9; d += 0.4) {
+    points.insert(points.end(), {{d + 0.01, 70}, {d + 0.29, 70}, {d + 0.3, 80}, {d + 0.4, 80}});
+  }
+  points.insert(points.end(), {{14, 80}, {15, 0}, {16, 0}, {20, 0}});
+  const Responses saw = read_responses(curve_of(points));
+  EXPECT_DOUBLE_EQ(saw.displacement_at_80, 10);
+  EXPECT_FALSE(saw.censored_80);
+  EXPECT_DOUBLE_EQ(saw.last_fall_80, 14);
+  EXPECT_TRUE(saw.dips.empty());
+  // the same teeth with long ways between them are dips
+  const Responses teeth = read_responses(curve_of({{0, 0},
+                                                   {2, 100},
+                                                   {10, 80},
+                                                   {10.01, 70},
+                                                   {10.29, 70},
+                                                   {10.3, 80},
+                                                   {11, 80},
+                                                   {11.01, 70},
+                                                   {11.29, 70},
+                                                   {11.3, 80},
+                                                   {14, 80},
+                                                   {15, 0},
+                                                   {20, 0}}));
+  EXPECT_DOUBLE_EQ(teeth.displacement_at_80, 14);
+  EXPECT_EQ(teeth.dips.size(), 2U);
+}
+
+TEST(Lasting, a_push_that_ends_in_a_dip_gives_a_bound) {
+  auto curve = with_a_dip(60, 10.8);
+  curve.resize(5);  // ends at 10.8, 8 % beyond the fall
+  const Responses r = read_responses(curve);
+  EXPECT_TRUE(r.censored_80);
+  EXPECT_NEAR(r.displacement_at_80, 10 + 0.1 / 21, 1e-12);
+  EXPECT_FALSE(r.censored_first_80);
+  // one that came down fell there for good
+  EXPECT_FALSE(read_responses(curve, {.collapse = as_text("a block fell")}).censored_80);
+}
+
+TEST(Lasting, capacity_never_shrinks_as_less_force_is_asked_for) {
+  // a seeded walk down with jumps of both signs: d(r) by each reading grows as r falls, and first <= lasting <= last
+  std::uint32_t seed = 7;
+  const auto random = [&] { return (seed = seed * 1664525U + 1013904223U) / 4294967296.0; };
+  for (int curve = 0; curve < 200; ++curve) {
+    std::vector<std::pair<double, double>> points = {{0, 0}, {1, 100}};
+    for (double d = 1.1; d < 12; d += 0.4 * random())
+      points.emplace_back(d, std::fmax(0, 100 * (1 - d / 12) + 80 * (random() - 0.5)));
+    const Responses r = read_responses(curve_of(points));
+    ASSERT_EQ(r.drift_capacity.size(), std::size(kSharesLeft));
+    for (std::size_t k = 0; k < r.drift_capacity.size(); ++k) {
+      const FallTo& fall = r.drift_capacity[k];
+      EXPECT_LE(fall.first, fall.displacement);
+      EXPECT_LE(fall.displacement, fall.last);
+      if (k == 0) continue;
+      EXPECT_GE(fall.first, r.drift_capacity[k - 1].first);
+      EXPECT_GE(fall.displacement, r.drift_capacity[k - 1].displacement);
+      EXPECT_GE(fall.last, r.drift_capacity[k - 1].last);
+    }
+  }
+}
+
+TEST(Lasting, a_knife_edge_is_told) {
+  // slides at 0.78 of its peak for ever: 80 % at 2.2, 75 % not within 40
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {2.22, 78}, {40, 78}}));
+  EXPECT_NEAR(r.displacement_at_80, 2.2, 1e-9);
+  EXPECT_TRUE(threshold_decides(r));
+  EXPECT_FALSE(threshold_decides(read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}))));
+  // a bound below 1.5 times says nothing
+  EXPECT_FALSE(
+      threshold_decides(read_responses(curve_of({{0, 0}, {2, 100}, {2.22, 78}, {3, 78}}))));
 }
 
 TEST(Responses, displacement_at_80_is_censored_where_the_force_stays) {
@@ -256,7 +376,7 @@ TEST(Work, does_not_depend_on_the_rows) {
 }
 
 TEST(Bilinear, of_an_elastic_plastic_curve_is_the_curve_itself) {
-  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {10, 100}, {10.001, 0}}));
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {10, 100}, {10.001, 0}, {12, 0}}));
   EXPECT_DOUBLE_EQ(r.bilinear.stiffness, 50);
   EXPECT_NEAR(r.bilinear.force, 100, 0.02);  // the fall to 0.8 peak takes 0.0002 of extra path
   EXPECT_NEAR(r.bilinear.yield_displacement, 2, 4e-4);
