@@ -14,6 +14,8 @@ struct RunArguments {
   int threads = 1;
   bool quiet = false;
   std::string language;  // of the report; "": English, or that of the run resumed
+  std::string walls;     // how many walls of the model's scatter; "": one, as it stands
+  std::string jobs;      // of walls: how many cores; "": all
 };
 int run(const RunArguments& arguments);
 

@@ -54,6 +54,11 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
   add_overrides(command, a.overrides);
   command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));
+  command->add_option("--walls", a.walls,
+                      "push so many walls that differ by what scatters within them ([scatter], "
+                      "[field.*]), and state "
+                      "medians and intervals");
+  command->add_option("--jobs", a.jobs, "of --walls: how many cores; all by default");
   command->add_option("--checkpoint", a.checkpoint,
                       "write a checkpoint into the folder this often, e.g. \"60 s\"");
   command->add_option("--resume", a.resume,

@@ -75,6 +75,20 @@ struct FieldSpec {
   std::uint64_t drawn_for = 0;
 };
 
+// [scatter]: how much the strengths of joints and units differ within a wall, as tests say of a kind of masonry
+// (docs/theory/fields.md, "Scatter of a masonry"). draw_fields() makes fields of it.
+struct ScatterSpec {
+  std::string use;  // "clay_brick", "calcium_silicate", "stone", "tuff"; "": the numbers alone
+  // Coefficients of variation [-]; unset: of `use`, else none.
+  double joint_tension = kUnset, joint_cohesion = kUnset, unit_tension = kUnset;
+  std::string joint = "joint", unit = "unit";  // the materials
+  FieldBy by = FieldBy::kUnit;
+  int seed = 0;  // which of all walls
+  [[nodiscard]] bool is_asked() const {
+    return !use.empty() || joint_tension > 0 || joint_cohesion > 0 || unit_tension > 0;
+  }
+};
+
 // A field as it stands in a compiled wall, for pictures and tables.
 struct DrawnField {
   std::string name, path;

@@ -45,7 +45,7 @@ struct Quantity {
   Reading (*read)(const Responses&);
 };
 // peak_reaction, displacement_at_peak, displacement_at_80_percent, displacement_max,
-// initial_stiffness, displacement_at_50_percent, collapse_displacement: the order of every `quantity` and `response` array below.
+// initial_stiffness, displacement_at_50_percent, collapse_displacement, first_fall_80_percent: the order of every `quantity` and `response` array below.
 [[nodiscard]] const std::vector<Quantity>& quantities();
 // "peak_reaction_kN": what files call it.
 [[nodiscard]] std::string key_of(const Quantity& quantity);
@@ -72,6 +72,25 @@ struct Share {
   std::vector<std::string> modes;
   int count = 0;
   Estimate share;  // Wilson interval
+};
+
+// One number over a few walls. The interval of the median is that of order statistics: it holds the median of
+// all such walls with at least 95 %, whatever their distribution (docs/theory/statistics.md); from six walls on.
+// A wall whose number is a lower bound counts as that below, and as unlimited above.
+struct OfWalls {
+  int n = 0, bounds = 0;
+  Estimate median;                             // infinite above where too many are bounds
+  double smallest = kUnset, largest = kUnset;  // the largest that is known
+  double log_scatter = kUnset;                 // standard deviation of ln, where none is a bound
+};
+[[nodiscard]] OfWalls of_walls(const std::vector<Reading>& readings);
+
+// Walls of one model that differ by what scatters within them: what `wythe run --walls` states.
+struct WallEnsemble {
+  OfWalls peak_reaction, displacement_at_peak, displacement_at_80;
+  std::vector<double> left;       // shares of the peak at which d(r) was read
+  std::vector<OfWalls> capacity;  // d(r), by them
+  std::vector<Share> mode;        // most frequent first
 };
 
 // In how many samples another reading of the same push gives another failure mode.
@@ -461,6 +480,7 @@ struct Statistics {
   std::vector<InputCorrelation> input_correlation;
   std::vector<GroupSummary> group;  // all, modes taken together, then one by one
   std::vector<Share> share;         // modes, then modes taken together
+  WallEnsemble walls;               // medians and d(r) over all of them
   std::vector<NameSensitivity> name_sensitivity;
   std::vector<FlagCount> flag;
   std::vector<RunningMean> running;  // (quantities())
@@ -481,6 +501,7 @@ struct Statistics {
 
 // A sample counts when its push was completed or ended by collapse and left a curve; all others are
 // in `unanswered`. Any campaign will do, an empty one too. Cost: a few seconds for 250 samples.
+[[nodiscard]] WallEnsemble ensemble_of(const Campaign& campaign);
 [[nodiscard]] Statistics statistics_of(const Campaign& campaign);
 
 // Whether this sample counts in the statistics: it ended, and a force in balance was found.

@@ -327,6 +327,10 @@ struct HistorySpec {
   PlaceSpec at;
 };
 
+// A push without a velocity goes at the second while the wall is near balance, and waits at the first where it
+// cracks (docs/theory/integration.md) [m/s].
+inline constexpr double kWaitingVelocity = 0.1e-3, kAdaptedVelocity = 5e-3;
+
 struct StageSpec {
   std::string name;
   StageKind kind = StageKind::kGravity;  // inferred from the keys present
@@ -350,7 +354,7 @@ struct StageSpec {
   Direction direction = Direction::kPlusX;
   double velocity = kUnset;       // [m/s]
   double fast_velocity = kUnset;  // while the wall is near balance [m/s]; unset: one velocity
-  double fast_below = 2e-4;       // unbalance ratio below which the wall is near balance
+  double fast_below = 1e-4;       // unbalance ratio below which the wall is near balance
   double until = kUnset;          // [m]
   std::vector<double> along;      // in space: any direction, in the place of `direction`
   PlaceSpec on;                   // in space: blocks whose faces the pressure acts on; unset: all
@@ -480,6 +484,7 @@ struct ModelSpec {
   MasonrySpec masonry;  // inputs of rules
   std::map<std::string, JointMaterial> material;
   std::map<std::string, FieldSpec> field;  // what varies within the wall (study.h, draw_fields)
+  ScatterSpec scatter;                     // fields by the kind of masonry
   std::vector<ContactRule> contact;
   std::vector<StageSpec> stage;
   std::vector<HistorySpec> history;

@@ -29,9 +29,17 @@ double greatest_compression(const JointMaterial& m) {
   return std::isfinite(m.compressive_strength) ? m.compressive_strength : 10e6;
 }
 
+}  // namespace
+
+namespace contact {
 double greatest_drop(const JointMaterial& m) {
   return std::max(drop_of(m, 0.0), drop_of(m, greatest_compression(m)));
 }
+}  // namespace contact
+
+namespace {
+
+using contact::greatest_drop;
 
 class Checker {
  public:

@@ -10,6 +10,9 @@ namespace wythe::contact {
 // Precomputes every quotient of the law; `material` must have passed check_joint_material().
 [[nodiscard]] LawConstants<double> constants_of(const JointMaterial& material);
 
+// The largest fall from peak to residual shear stress at any pressure up to crushing [Pa].
+[[nodiscard]] double greatest_drop(const JointMaterial& material);
+
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
   const bool cap = m.compression_cap > 0 || m.hardening_displacement > 0 || m.dilatancy_angle > 0;
   return {m.softening, m.coupling, m.unloading, cap};

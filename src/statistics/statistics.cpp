@@ -121,8 +121,12 @@ const std::vector<Quantity>& quantities() {
          return Reading{r.initial_stiffness, false};
        }},
       {"displacement_at_50_percent", "quantity.displacement_at_50", "mm", 1e3, true, at_half},
-      {"collapse_displacement", "quantity.collapse_displacement", "mm", 1e3, true, [](R r) {
+      {"collapse_displacement", "quantity.collapse_displacement", "mm", 1e3, true,
+       [](R r) {
          return Reading{r.collapse.displacement, r.collapse.censored};
+       }},
+      {"first_fall_80_percent", "quantity.first_fall_80", "mm", 1e3, true, [](R r) {
+         return Reading{r.first_fall_80, r.censored_first_80};
        }}};
   return kQuantities;
 }
@@ -146,6 +150,7 @@ Statistics statistics_of(const Campaign& campaign) {
   out.input_correlation = input_correlations(campaign.samples);
   summarise_groups(samples, out);
   out.share = study::shares_of(samples);
+  out.walls = ensemble_of(campaign);
   out.name_sensitivity = study::name_sensitivities(samples);
   out.flag = study::flag_counts(samples);
   out.running = study::running_means(samples);

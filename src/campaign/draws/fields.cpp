@@ -19,6 +19,7 @@
 #include "campaign/draws/field_factor.h"
 #include "campaign/draws/formula.h"
 #include "campaign/draws/sampling.h"
+#include "campaign/draws/scatter.h"
 #include "core/text.h"
 #include "geometry/shape.h"
 #include "model/field_places.h"
@@ -501,15 +502,23 @@ std::optional<FieldWall> space_wall(const ModelSpec& spec) {
 }  // namespace
 
 void draw_fields(ModelSpec& spec) {
-  if (spec.field.empty()) return;
+  if (spec.field.empty() && !spec.scatter.is_asked()) return;
   FaultList elsewhere;
   check_size(spec, elsewhere);
   if (!elsewhere.empty()) return;
   const std::optional<FieldWall> wall = spec.body.empty() ? plane_wall(spec) : space_wall(spec);
   if (!wall) return;  // said where it is compiled
+  FaultList faults;
+  study::add_scatter(
+      spec,
+      [&](const std::string& path) {
+        const auto target = field_target(path);
+        return target && !wall->places(*target).empty();
+      },
+      faults);
+  faults.throw_if_any();
   std::vector<Field> fields;
   for (auto& [name, field] : spec.field) fields.push_back({name, &field, {}, kUnset, {}});
-  FaultList faults;
   Checker(spec, *wall, faults).check(fields);
   faults.throw_if_any();
   for (const std::vector<Field*>& group : groups_of(fields)) draw_group(group, faults);

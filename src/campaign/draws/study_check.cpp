@@ -209,9 +209,11 @@ class StudyCheck {
   std::vector<Fault> run() {
     check_sizes();
     check_shaking();
-    if (study_.variable.empty() && !study_.shaking.is_asked())
-      refuse("variable", "", "is missing, a study needs at least one random variable",
-             "write [variable.ft_j] and under it its path, distribution, mean and cov");
+    if (study_.variable.empty() && !study_.shaking.is_asked() && !has_scatter())
+      refuse("variable", "",
+             "is missing, and nothing scatters within the wall: all samples would be one",
+             "write [variable.ft_j] and under it its path, distribution, mean and cov; or "
+             "[scatter] in the model");
     for (const VariableSpec& variable : study_.variable) {
       check_input("variable." + variable.name, variable);
       check_variable(variable, study_.file, faults_);
@@ -233,6 +235,11 @@ class StudyCheck {
               const std::string& cure) {
     faults_.add(
         {.file = study_.file, .path = path, .value = value, .problem = problem, .cure = cure});
+  }
+
+  [[nodiscard]] bool has_scatter() const {
+    return std::any_of(study_.field.begin(), study_.field.end(),
+                       [](const StudyField& field) { return !field.follows; });
   }
 
   // A field and a variable of one name are one thing: the scatter within a wall and between walls.

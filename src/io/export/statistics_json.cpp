@@ -164,6 +164,37 @@ Json running_json(const Statistics& s) {
   return json;
 }
 
+Json of_walls_json(const OfWalls& of, double scale) {
+  Json json = {{"n", of.n}, {"bounds", of.bounds}};
+  add(json, "median", of.median, scale);
+  json["smallest"] = number(of.smallest * scale);
+  json["largest"] = number(of.largest * scale);
+  json["log_scatter"] = number(of.log_scatter);
+  return json;
+}
+
+// d(r): arrays of one length, by the share of the peak that is left.
+Json walls_json(const WallEnsemble& walls) {
+  Json json = {{"peak_reaction_kN", of_walls_json(walls.peak_reaction, 1e-3)},
+               {"displacement_at_peak_mm", of_walls_json(walls.displacement_at_peak, 1e3)},
+               {"displacement_at_80_percent_mm", of_walls_json(walls.displacement_at_80, 1e3)}};
+  Json& capacity = json["drift_capacity"] = {{"left", walls.left}};
+  for (const char* key : {"median_mm", "low_mm", "high_mm", "bounds"})
+    capacity[key] = Json::array();
+  for (const OfWalls& of : walls.capacity) {
+    capacity["median_mm"].push_back(number(of.median.value * 1e3));
+    capacity["low_mm"].push_back(number(of.median.interval.low * 1e3));
+    capacity["high_mm"].push_back(number(of.median.interval.high * 1e3));
+    capacity["bounds"].push_back(of.bounds);
+  }
+  Json& modes = json["failure_modes"] = Json::object();
+  for (const Share& mode : walls.mode) {
+    modes[mode.name] = {{"count", mode.count}};
+    add(modes[mode.name], "share", mode.share);
+  }
+  return json;
+}
+
 Json precision_json(const Statistics& s) {
   const auto size = [](int n) { return n > 0 ? Json(n) : Json(nullptr); };
   Json list = Json::array();
@@ -400,6 +431,7 @@ std::string statistics_json(const Statistics& s) {
   json["modes"] = s.modes;
   json["table"] = table_json(s);
   json["shares"] = shares_json(s);
+  json["walls"] = walls_json(s.walls);
   json["name_sensitivity"] = sensitivity_json(s);
   json["flags"] = flags_json(s);
   json["precision"] = precision_json(s);

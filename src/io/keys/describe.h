@@ -319,6 +319,24 @@ void describe(Visitor& v, FieldSpec& s) {
             .doc = "Which of all walls with this field; a study gives each sample its own."});
 }
 
+template <class Visitor>
+void describe(Visitor& v, ScatterSpec& s) {
+  v.text("use", s.use, {.fallback = "the numbers below", .example = "clay_brick",
+         .doc = "Kind of masonry whose tests say how much it scatters: clay_brick, calcium_silicate, stone, tuff."});
+  v.number("joint_tension", s.joint_tension, {.range = kNotNegative, .fallback = "of `use`", .example = "0.3",
+           .doc = "Coefficient of variation of the joints' tensile strength, from unit to unit (Weibull); GI follows."});
+  v.number("joint_cohesion", s.joint_cohesion, {.range = kNotNegative, .fallback = "of `use`", .example = "0.25",
+           .doc = "The same of their cohesion (lognormal), tied to the tensile strength; GII and residual cohesion follow."});
+  v.number("unit_tension", s.unit_tension, {.range = kNotNegative, .fallback = "of `use`", .example = "0.2",
+           .doc = "The same of the units' tensile strength (lognormal); their cohesion and energies follow."});
+  v.text("joint", s.joint, {.example = "joint", .doc = "Name of the joints' material."});
+  v.text("unit", s.unit, {.example = "unit", .doc = "Name of the material of crack planes in units."});
+  v.choice("by", s.by, kFieldByWords, {.example = "unit",
+           .doc = "What has one value of its own: the bed of each `unit`, each `joint`, each `course` (not `place`)."});
+  v.integer("seed", s.seed, {.range = kFromZero, .example = "1",
+            .doc = "Which of all walls; `wythe run --walls` and studies give each its own."});
+}
+
 // --- stages --------------------------------------------------------------------------------------
 
 template <class Visitor>
@@ -379,14 +397,15 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.choice("direction", s.direction, kDirectionWords, {.kinds = kDirectedStage, .example = "+x",
            .doc = "Which way the wall is pushed or tilted; +x is to the right, +y upwards."});
   v.quantity("velocity", s.velocity, {.unit = "m/s", .shown = "mm/s", .range = kSpeed,
-             .kinds = kPushStage, .fallback = kRequired, .example = "10 mm/s",
-             .doc = "Velocity of the push; slow enough if half of it gives the same curve."});
+             .kinds = kPushStage, .fallback = "adapts: 0.1 mm/s, and 5 mm/s near balance", .example = "10 mm/s",
+             .doc = "Velocity of the push, throughout where `fast_velocity` is not given. Left out, the push waits at "
+                    "each crack (docs/theory/integration.md, \"Faster while in balance\")."});
   v.quantity("fast_velocity", s.fast_velocity, {.unit = "m/s", .shown = "mm/s",
-             .range = kSpeed, .kinds = kPushStage, .fallback = "velocity throughout",
+             .range = kSpeed, .kinds = kPushStage, .fallback = "velocity throughout, or 5 mm/s without it",
              .example = "40 mm/s",
              .doc = "Velocity while the wall is near balance; `velocity` while it cracks."});
   v.number("fast_below", s.fast_below, {.range = kPositive, .kinds = kPushStage,
-           .example = "2e-4",
+           .fallback = "1e-4", .example = "2e-4",
            .doc = "Unbalance ratio below which the push goes at `fast_velocity`; above twice this "
                   "it goes at `velocity`."});
   v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kLength,
@@ -398,7 +417,7 @@ void describe_push(Visitor& v, StageSpec& s) {
                .doc = "Cyclic push: displacements along `direction`, one after the other."});
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",
-           .doc = "End early when the reaction stays below this share of its peak; 0: never."});
+           .doc = "End when the reaction has stayed below this share of its peak over a tenth of the displacement; 0: never."});
   v.choice("rotation", s.rotation, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
            .doc = "Whether the pushed blocks, or those with a record of their own, may turn."});
   v.choice("across", s.across, kFreedomWords, {.kinds = kPushStage | kShakeStage, .example = "blocked",
@@ -545,6 +564,9 @@ void describe(Visitor& v, ModelSpec& s) {
   v.map("material", s.material, {.doc = "One table for each material. Joints use `joint` (bed and "
         "head joints), `unit` (the crack plane inside a unit), `foundation`, and the names "
         "given elsewhere; bodies (lintels, blocks) need density and moduli only."});
+  v.table("scatter", s.scatter, {.optional = true,
+          .doc = "How much joints and units differ within the wall: fields made by the kind of masonry "
+                 "(docs/theory/fields.md)."});
   v.map("field", s.field, {.doc = "One table for each property that differs from place to place "
         "(docs/theory/fields.md)."});
   v.list("contact", s.contact, {.doc = "For blocks files: the joint between two kinds of block."});

@@ -1,0 +1,209 @@
+#include "campaign/draws/scatter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "contact/parameters.h"
+#include "contact/softening.h"
+#include "core/text.h"
+#include "wythe/error.h"
+
+namespace wythe::study {
+namespace {
+
+// Coefficients of variation from unit to unit of one wall; sources and what is weak in them:
+// docs/theory/fields.md, "Scatter of a masonry".
+struct Kind {
+  const char* name;
+  double joint_tension, joint_cohesion, unit_tension;
+};
+constexpr Kind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
+                           {"calcium_silicate", 0.30, 0.25, 0.18},
+                           {"stone", 0.40, 0.30, 0.25},
+                           {"tuff", 0.30, 0.25, 0.22}};
+constexpr double kTie = 0.7;    // of a joint's cohesion and its tensile strength
+constexpr double kLower = 0.2;  // of a lognormal, times the mean
+constexpr double kUpper = 2.5;
+constexpr double kAbove = 1.05;      // of the least energy without snap-back
+constexpr double kUnitEnergy = 0.7;  // GI of units goes with ft^0.7 (docs/theory/material_rules.md)
+constexpr double kBelowCap = 0.95;   // of the cohesion that a compression cap allows
+
+class Scatter {
+ public:
+  Scatter(ModelSpec& spec, const std::function<bool(const std::string&)>& has_places,
+          FaultList& faults)
+      : spec_(spec), s_(spec.scatter), has_places_(has_places), faults_(faults) {}
+
+  void add() {
+    Kind kind{"", 0, 0, 0};
+    if (!s_.use.empty()) {
+      const auto* found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                       [&](const Kind& k) { return s_.use == k.name; });
+      if (found == std::end(kKinds)) return refuse_kind();
+      kind = *found;
+    }
+    if (s_.by == FieldBy::kPlace)
+      return refuse("by", "place", "needs lengths, which [scatter] does not have",
+                    "write by = \"unit\", or a [field.<name>] of its own with along and across");
+    const auto or_own = [](double own, double of_kind) { return std::isnan(own) ? of_kind : own; };
+    add_joints(or_own(s_.joint_tension, kind.joint_tension),
+               or_own(s_.joint_cohesion, kind.joint_cohesion));
+    add_units(or_own(s_.unit_tension, kind.unit_tension));
+    if (added_ == 0)
+      refuse("", "", "changes nothing: no joint of this wall has a strength that scatters",
+             fmt::format(
+                 "give material.{} a tensile strength or a cohesion, name the joints' material as "
+                 "scatter.joint, or leave [scatter] out",
+                 s_.joint));
+  }
+
+ private:
+  void refuse(const std::string& key, const std::string& value, const std::string& problem,
+              const std::string& cure) {
+    faults_.add({"", key.empty() ? "scatter" : "scatter." + key, value, problem, cure, 0});
+  }
+  void refuse_kind() {
+    std::vector<std::string> names;
+    for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+    refuse("use", s_.use, "is no kind of masonry whose scatter is known",
+           name_advice(s_.use, names));
+  }
+
+  [[nodiscard]] const JointMaterial* material(const std::string& name) const {
+    const auto found = spec_.material.find(name);
+    return found == spec_.material.end() ? nullptr : &found->second;
+  }
+  [[nodiscard]] static bool scatters(double mean) { return mean > 0 && std::isfinite(mean); }
+
+  // Whether another field has the key: then that one holds.
+  [[nodiscard]] bool has_own(const std::string& name, const std::string& path) const {
+    return std::any_of(spec_.field.begin(), spec_.field.end(), [&](const auto& field) {
+      return field.first != name && field.second.path == path;
+    });
+  }
+
+  // The field of one key, "scatter_joint_tensile_strength"; none where the model has its own.
+  FieldSpec* field(const std::string& role, const std::string& name, const char* key) {
+    const std::string own = fmt::format("scatter_{}_{}", role, key);
+    const std::string path = fmt::format("material.{}.{}", name, key);
+    if (has_own(own, path) || !has_places_(path)) return nullptr;
+    FieldSpec& f = spec_.field[own];
+    if (f.path.empty()) f.path = path;
+    ++added_;
+    return &f;
+  }
+  std::string scattered(const std::string& role, const std::string& name, const char* key,
+                        double cov, DistributionKind distribution, double upper) {
+    if (!(cov > 0)) return "";
+    FieldSpec* f = field(role, name, key);
+    if (f == nullptr) return "";
+    if (std::isnan(f->cov)) {
+      f->cov = cov;
+      f->distribution = distribution;
+      f->by = s_.by;
+      if (distribution == DistributionKind::kLognormal) f->lower = kLower, f->upper = upper;
+    }
+    if (f->seed == 0) f->seed = s_.seed;
+    return fmt::format("scatter_{}_{}", role, key);
+  }
+  void follows(const std::string& role, const std::string& name, const char* key,
+               const std::string& formula) {
+    if (FieldSpec* f = field(role, name, key); f != nullptr) f->formula = formula;
+  }
+
+  // "max(GI0/ft0 ft, 1.05 G ft^2/kn)", G the steepest slope of the softening: never snap-back.
+  static std::string energy(const std::string& proportional, const std::string& drop,
+                            double stiffness, const JointMaterial& m) {
+    return fmt::format("max({}, {:.17g} * ({}) ^ 2 / {:.17g} Pa/m)", proportional,
+                       kAbove * contact::steepest_slope(m.softening), drop, stiffness);
+  }
+  // The drop from peak to residual shear, greatest_drop(), with cohesion `c` in the place of the mean.
+  static std::string drop_of(const std::string& c, const JointMaterial& m) {
+    const double kept = m.cohesion > 0 ? m.residual_cohesion / m.cohesion : 0;
+    const double friction =
+        std::max(0.0, contact::greatest_drop(m) - (m.cohesion - m.residual_cohesion));
+    return fmt::format("{:.17g} * {} + {:.17g} Pa", 1 - kept, c, friction);
+  }
+
+  void add_joints(double tension, double cohesion) {
+    const JointMaterial* found = material(s_.joint);
+    if (found == nullptr) return;
+    const JointMaterial m = *found;
+    std::string ft, c;
+    if (scatters(m.tensile_strength))
+      ft = scattered("joint", s_.joint, "tensile_strength", tension, DistributionKind::kWeibull,
+                     kUnset);
+    if (scatters(m.cohesion))
+      c = scattered("joint", s_.joint, "cohesion", cohesion, DistributionKind::kLognormal,
+                    most_cohesion(m));
+    if (!ft.empty() && !c.empty() && spec_.field[c].correlation.empty() &&
+        spec_.field[ft].correlation.empty())
+      spec_.field[c].correlation[ft].gaussian = kTie;
+    if (!ft.empty() && scatters(m.mode_1_energy))
+      follows("joint", s_.joint, "mode_1_energy",
+              energy(fmt::format("{:.17g} m * {}", m.mode_1_energy / m.tensile_strength, ft), ft,
+                     m.normal_stiffness, m));
+    if (!c.empty())
+      follow_cohesion("joint", s_.joint, m, c,
+                      fmt::format("{:.17g} m * {}", m.mode_2_energy / m.cohesion, c));
+  }
+
+  // GII, and the residual cohesion, with the cohesion that `c` says.
+  void follow_cohesion(const std::string& role, const std::string& name, const JointMaterial& m,
+                       const std::string& c, const std::string& proportional) {
+    if (scatters(m.residual_cohesion))
+      follows(role, name, "residual_cohesion",
+              fmt::format("{:.17g} * {}", m.residual_cohesion / m.cohesion, c));
+    if (scatters(m.mode_2_energy) && contact::greatest_drop(m) > 0)
+      follows(role, name, "mode_2_energy",
+              energy(proportional, drop_of(c, m), m.shear_stiffness, m));
+  }
+
+  // What a compression cap leaves of a cohesion, as a multiple of its mean.
+  static double most_cohesion(const JointMaterial& m) {
+    if (!(m.compression_cap > 0)) return kUpper;
+    const double most =
+        kBelowCap * m.compressive_strength / std::sqrt(m.compression_cap) / m.cohesion;
+    return most > 1 ? std::min(kUpper, most) : kUpper;
+  }
+
+  void add_units(double tension) {
+    const JointMaterial* found = material(s_.unit);
+    if (found == nullptr || !scatters(found->tensile_strength)) return;
+    const JointMaterial m = *found;
+    const std::string ft = scattered("unit", s_.unit, "tensile_strength", tension,
+                                     DistributionKind::kLognormal, kUpper);
+    if (ft.empty()) return;
+    const std::string power =
+        fmt::format("({} / {:.17g} Pa) ^ {:g}", ft, m.tensile_strength, kUnitEnergy);
+    if (scatters(m.mode_1_energy))
+      follows("unit", s_.unit, "mode_1_energy",
+              energy(fmt::format("{:.17g} N/m * {}", m.mode_1_energy, power), ft,
+                     m.normal_stiffness, m));
+    if (!scatters(m.cohesion)) return;
+    std::string c = fmt::format("{:.17g} * {}", m.cohesion / m.tensile_strength, ft);
+    if (m.compression_cap > 0)
+      c = fmt::format("min({}, {:.17g} Pa)", c, most_cohesion(m) * m.cohesion);
+    follows("unit", s_.unit, "cohesion", c);
+    follow_cohesion("unit", s_.unit, m, "(" + c + ")",
+                    fmt::format("{:.17g} N/m * {}", m.mode_2_energy, power));
+  }
+
+  ModelSpec& spec_;
+  const ScatterSpec& s_;
+  const std::function<bool(const std::string&)>& has_places_;
+  FaultList& faults_;
+  int added_ = 0;
+};
+
+}  // namespace
+
+void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
+                 FaultList& faults) {
+  if (spec.scatter.is_asked()) Scatter(spec, has_places, faults).add();
+}
+
+}  // namespace wythe::study

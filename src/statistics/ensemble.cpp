@@ -1,0 +1,98 @@
+// A few walls of one model: medians by order statistics, shares of failure modes.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statistics/intervals.h"
+#include "statistics/statistics_parts.h"
+#include "wythe/statistics.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kConfidence = 0.95;
+
+// Largest k for which the k-th smallest and the k-th largest of n hold the median with kConfidence: the median
+// lies below the k-th smallest where fewer than k of n fall below it, P = sum_{i<k} C(n, i) / 2^n (David and
+// Nagaraja, Order Statistics, 7.1). 0: not even the smallest and the largest do.
+int order_of_median(int n) {
+  double term = std::pow(0.5, n), below = term;
+  int k = 0;
+  while (2 * below <= 1 - kConfidence && k < n / 2) {
+    ++k;
+    term *= static_cast<double>(n - k + 1) / k;
+    below += term;
+  }
+  return k;
+}
+
+double middle_of(const std::vector<double>& ascending) {
+  const std::size_t half = ascending.size() / 2;
+  return ascending.size() % 2 == 1 ? ascending[half]
+                                   : 0.5 * (ascending[half - 1] + ascending[half]);
+}
+
+}  // namespace
+
+OfWalls of_walls(const std::vector<Reading>& readings) {
+  OfWalls out;
+  std::vector<double> low, high;  // each number as a bound from below, and from above
+  study::Moments logs;
+  for (const Reading& r : readings) {
+    if (!r.is_known()) continue;
+    low.push_back(r.value);
+    high.push_back(r.censored ? std::numeric_limits<double>::infinity() : r.value);
+    out.bounds += r.censored ? 1 : 0;
+    if (!r.censored) out.largest = std::fmax(out.largest, r.value);
+  }
+  out.n = static_cast<int>(low.size());
+  if (out.n == 0) return out;
+  std::sort(low.begin(), low.end());
+  std::sort(high.begin(), high.end());
+  out.smallest = low.front();
+  // both agree where no bound is among those in the middle
+  out.median.value = middle_of(high);
+  if (const int k = order_of_median(out.n); k > 0)
+    out.median.interval = {low[static_cast<std::size_t>(k - 1)],
+                           high[high.size() - static_cast<std::size_t>(k)]};
+  if (out.bounds == 0 && low.front() > 0) {
+    for (const double value : low) logs.add(std::log(value));
+    out.log_scatter = logs.standard_deviation();
+  }
+  return out;
+}
+
+WallEnsemble ensemble_of(const Campaign& campaign) {
+  WallEnsemble out;
+  const study::Answered samples = study::answered_of(campaign);
+  const auto over = [&](const auto& read) {
+    std::vector<Reading> readings;
+    for (const SampleRecord* record : samples.record) readings.push_back(read(record->responses));
+    return of_walls(readings);
+  };
+  out.peak_reaction = over([](const Responses& r) {
+    return Reading{r.peak_reaction, r.censored_peak};
+  });
+  out.displacement_at_peak = over([](const Responses& r) {
+    return Reading{r.displacement_at_peak, r.censored_peak};
+  });
+  out.displacement_at_80 = over([](const Responses& r) {
+    return Reading{r.displacement_at_80, r.censored_80};
+  });
+  for (const double left : campaign.study.fractions) {
+    out.left.push_back(left);
+    out.capacity.push_back(over([&](const Responses& r) {
+      const auto fall = std::find_if(r.falls.begin(), r.falls.end(),
+                                     [&](const FallTo& f) { return f.fraction == left; });
+      return fall == r.falls.end() ? Reading{} : Reading{fall->displacement, fall->censored};
+    }));
+  }
+  out.mode = study::shares_of(samples);
+  std::stable_sort(out.mode.begin(), out.mode.end(),
+                   [](const Share& a, const Share& b) { return a.count > b.count; });
+  std::erase_if(out.mode,
+                [](const Share& share) { return share.count == 0 || share.modes.size() > 1; });
+  return out;
+}
+
+}  // namespace wythe

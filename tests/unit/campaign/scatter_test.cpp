@@ -1,0 +1,173 @@
+// [scatter] of a model: the fields that it makes, and what follows them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "model/field_places.h"
+#include "scenes/scenes.h"
+#include "wythe/contact_law.h"
+#include "wythe/error.h"
+#include "wythe/io.h"
+#include "wythe/study.h"
+
+namespace wythe {
+namespace {
+
+// A wall of 5 x 5 m in brick, whose units may crack.
+ModelSpec wall_of(const std::string& scatter, const std::vector<std::string>& settings = {}) {
+  const std::string text = R"(
+[wall]
+length = "5 m"
+height = "5 m"
+thickness = "0.25 m"
+[wall.unit]
+length = "250 mm"
+height = "62.5 mm"
+split = "at_joints"
+density = "1800 kg/m^3"
+[material.joint]
+normal_stiffness = "60 GPa/m"
+shear_stiffness = "24 GPa/m"
+tensile_strength = "0.25 MPa"
+cohesion = "0.35 MPa"
+friction_angle = "35 deg"
+residual_friction_angle = "30 deg"
+residual_cohesion = "0.05 MPa"
+mode_1_energy = "1 N/m"
+mode_2_energy = "40 N/m"
+compressive_strength = "8 MPa"
+compressive_energy = "12000 N/m"
+[material.unit]
+normal_stiffness = "60 GPa/m"
+shear_stiffness = "24 GPa/m"
+tensile_strength = "2 MPa"
+cohesion = "2.8 MPa"
+friction_angle = "45 deg"
+residual_friction_angle = "45 deg"
+residual_cohesion = "0 MPa"
+mode_1_energy = "60 N/m"
+mode_2_energy = "300 N/m"
+compressive_strength = "20 MPa"
+compressive_energy = "30000 N/m"
+[[stage]]
+name = "gravity"
+)";
+  return parse_model(text + scatter, "wall.toml", settings);
+}
+
+struct Spread {
+  double mean = 0, cov = 0, least = 1e300, most = 0;
+};
+Spread spread_of(const std::vector<double>& values) {
+  Spread s;
+  const double n = static_cast<double>(values.size());
+  s.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double v : values) {
+    squares += (v - s.mean) * (v - s.mean);
+    s.least = std::min(s.least, v), s.most = std::max(s.most, v);
+  }
+  s.cov = std::sqrt(squares / (n - 1)) / s.mean;
+  return s;
+}
+
+TEST(Scatter, a_kind_of_masonry_gives_its_scatter) {
+  const ModelSpec spec = wall_of("[scatter]\nuse = \"clay_brick\"\n");
+  // some 1600 units: a CoV of 0.30 is met within 2.2 % of itself (one standard deviation), a mean within 0.8 %
+  const Spread ft = spread_of(spec.field.at("scatter_joint_tensile_strength").drawn);
+  EXPECT_NEAR(ft.cov, 0.30, 0.03);
+  EXPECT_NEAR(ft.mean, 1, 0.03);
+  EXPECT_NEAR(spread_of(spec.field.at("scatter_joint_cohesion").drawn).cov, 0.25, 0.03);
+  EXPECT_NEAR(spread_of(spec.field.at("scatter_unit_tensile_strength").drawn).cov, 0.20, 0.03);
+  EXPECT_EQ(spec.field.at("scatter_joint_tensile_strength").distribution,
+            DistributionKind::kWeibull);
+}
+
+TEST(Scatter, numbers_take_the_place_of_a_kind) {
+  const ModelSpec spec = wall_of("[scatter]\njoint_tension = 0.5\nby = \"joint\"\n");
+  EXPECT_NEAR(spread_of(spec.field.at("scatter_joint_tensile_strength").drawn).cov, 0.5, 0.05);
+  EXPECT_FALSE(spec.field.contains("scatter_joint_cohesion"));
+  EXPECT_FALSE(spec.field.contains("scatter_unit_tensile_strength"));
+}
+
+// The joint's GI of 1 N/m stands at 1.9 times the least that its mean strength allows, so a joint of twice the strength
+// would snap back if GI only grew with ft; the units' at 1.8.
+TEST(Scatter, no_draw_is_refused_for_snap_back) {
+  for (int seed = 0; seed < 20; ++seed) {
+    const ModelSpec spec = wall_of(
+        "[scatter]\nuse = \"stone\"\njoint_tension = 0.6\nseed = " + std::to_string(seed) + "\n");
+    EXPECT_NO_THROW(static_cast<void>(compile(spec))) << seed;
+    EXPECT_GT(spread_of(spec.field.at("scatter_joint_tensile_strength").drawn).most, 2) << seed;
+  }
+}
+
+TEST(Scatter, energies_and_residuals_follow_their_strengths) {
+  const ModelSpec spec =
+      wall_of("[scatter]\nuse = \"clay_brick\"\n",
+              {"material.joint.mode_1_energy=20 N/m", "material.joint.mode_2_energy=400 N/m"});
+  const auto& ft = spec.field.at("scatter_joint_tensile_strength").drawn;
+  const auto& c = spec.field.at("scatter_joint_cohesion").drawn;
+  const auto& g1 = spec.field.at("scatter_joint_mode_1_energy").drawn;
+  const auto& g2 = spec.field.at("scatter_joint_mode_2_energy").drawn;
+  const auto& kept = spec.field.at("scatter_joint_residual_cohesion").drawn;
+  ASSERT_EQ(g1.size(), ft.size());
+  for (std::size_t i = 0; i < ft.size(); ++i) {
+    EXPECT_NEAR(g1[i], 20 * ft[i], 1e-9 * g1[i]);
+    EXPECT_NEAR(g2[i], 400 * c[i], 1e-9 * g2[i]);
+    EXPECT_NEAR(kept[i], 0.05e6 * c[i], 1e-9 * kept[i]);
+  }
+}
+
+TEST(Scatter, walls_of_another_seed_differ_and_the_same_is_the_same) {
+  const auto drawn = [](int seed) {
+    return wall_of("[scatter]\nuse = \"tuff\"\nseed = " + std::to_string(seed) + "\n")
+        .field.at("scatter_joint_cohesion")
+        .drawn;
+  };
+  EXPECT_EQ(drawn(1), drawn(1));
+  EXPECT_NE(drawn(1), drawn(2));
+}
+
+TEST(Scatter, a_field_of_the_model_itself_holds) {
+  const ModelSpec spec = wall_of(
+      "[scatter]\nuse = \"clay_brick\"\n[field.own]\npath = "
+      "\"material.joint.tensile_strength\"\ncov = 0.1\nby = \"joint\"\n");
+  EXPECT_FALSE(spec.field.contains("scatter_joint_tensile_strength"));
+  EXPECT_NEAR(spread_of(spec.field.at("own").drawn).cov, 0.1, 0.01);
+}
+
+TEST(Scatter, what_is_written_reads_back_as_the_same_wall) {
+  const ModelSpec spec = wall_of("[scatter]\nuse = \"clay_brick\"\nseed = 3\n");
+  const ModelSpec again = parse_model(write_model(spec), "again.toml");
+  ASSERT_EQ(again.field.size(), spec.field.size());
+  for (const auto& [name, field] : spec.field)
+    EXPECT_EQ(again.field.at(name).drawn, field.drawn) << name;
+}
+
+std::string fault_of(const std::string& scatter, const std::vector<std::string>& settings = {}) {
+  try {
+    static_cast<void>(wall_of(scatter, settings));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scatter, bad_input_is_named_and_cured) {
+  const std::string kind = fault_of("[scatter]\nuse = \"clay_bricks\"\n");
+  EXPECT_NE(kind.find("scatter.use"), std::string::npos) << kind;
+  EXPECT_NE(kind.find("clay_brick"), std::string::npos) << kind;
+  EXPECT_NE(fault_of("[scatter]\nuse = \"tuff\"\nby = \"place\"\n").find("scatter.by"),
+            std::string::npos);
+  EXPECT_NE(fault_of("[scatter]\njoint_tension = -0.1\n").find("joint_tension"), std::string::npos);
+  // dry joints that cannot crack, and units without planes: nothing scatters
+  const std::string nothing =
+      fault_of("[scatter]\nuse = \"stone\"\n",
+               {"material.joint.tensile_strength=0 MPa", "material.joint.cohesion=0 MPa",
+                "material.joint.residual_cohesion=0 MPa", "wall.unit.split=none"});
+  EXPECT_NE(nothing.find("changes nothing"), std::string::npos) << nothing;
+}
+
+}  // namespace
+}  // namespace wythe
