@@ -259,10 +259,13 @@ TEST(StageRefused, key_of_another_kind) {
       "stages of kind push");
 }
 
-TEST(StageRefused, push_without_velocity) {
-  EXPECT_EQ(fault_of("velocity = \"10 mm/s\"\n", ""),
-            "model.toml:36: stage.2.velocity: is missing, a push stage needs it; write e.g. "
-            "velocity = \"10 mm/s\"");
+TEST(StageDefault, push_without_velocity_adapts_it) {
+  const std::string text = with(kModel, "velocity = \"10 mm/s\"\n", "");
+  const ModelSpec spec = parse_model(text, "model.toml");
+  EXPECT_EQ(spec.stage[2].velocity, kWaitingVelocity);
+  EXPECT_EQ(spec.stage[2].fast_velocity, kAdaptedVelocity);
+  const ModelSpec slower = parse_model(text, "model.toml", {"stage.2.fast_velocity=2 mm/s"});
+  EXPECT_EQ(slower.stage[2].fast_velocity, 2e-3);
 }
 
 TEST(StageRefused, push_at_rest) {
