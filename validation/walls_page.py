@@ -10,7 +10,7 @@ from page import readme_part, table
 MEANING = {"shear": "crack diagonally through joints and units", "sliding": "slide along their beds",
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
-HELD = "src/judge/modes/tested_walls.h"
+HELD, CONSTANTS = "src/judge/modes/tested_walls.h", "validation/drift_constants.csv"
 VERIFIED, IN_SPACE = "docs/evidence/verification.md", "validation/in_space.csv"  # what stands for walls in space
 LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote
@@ -192,6 +192,17 @@ def tested_kinds(found):
     return rows
 
 
+def own_drifts(found):
+    """[(kind, walls, middle ratio, factor of scatter)] of predicted over measured drifts; bounds are in the statistic."""
+    rows = []
+    for kind in ("shear", "rocking", "mixed"):
+        b = found["drift"][kind]
+        known = b is not None and b["sigma_M"] is not None
+        rows.append((kind, b["n"] if known else 0, b["median"] if known else None,
+                     math.exp(math.hypot(b["sigma_M"], b["sigma_E"])) if known else None))
+    return rows
+
+
 def header(found):
     """The table as the program holds it."""
     def number(value):
@@ -204,6 +215,19 @@ def header(found):
              "  double axial_low, axial_high;               // pressure at the base over compressive strength", "};",
              "// clang-format off", "inline constexpr TestedKind kTestedKinds[] = {"]
     lines += [f'    {{"{kind}", {n}, {", ".join(map(number, rest))}}},' for kind, n, *rest in tested_kinds(found)]
+    lines[-1] = lines[-1][:-1] + "};"
+    lines += ["", "// Drift at which walls of a kind have lost 20 % of their peak [-]: validation/drift_constants.csv.",
+              "struct TestedDriftKind {", "  const char* kind;", "  bool stone;", "  int walls;",
+              "  double median, low, high;  // nine of ten between", "};",
+              "inline constexpr TestedDriftKind kTestedDrifts[] = {"]
+    lines += [f'    {{"{row["kind"]}", {"true" if row["masonry"] == "stone" else "false"}, {row["walls"]}, '
+              + ", ".join(f"{float(row[key + '_percent']) / 100:.4g}" for key in ("median", "low", "high")) + "},"
+              for row in walls.read_csv(CONSTANTS)]
+    lines[-1] = lines[-1][:-1] + "};"
+    lines += ["", "// Predicted over measured drifts by kind: middle ratio, and exp(sd of ln) about it.",
+              "struct OwnDrift {", "  const char* kind;", "  int walls;", "  double ratio, factor;", "};",
+              "inline constexpr OwnDrift kOwnDrifts[] = {"]
+    lines += [f'    {{"{kind}", {n}, {number(ratio)}, {number(factor)}}},' for kind, n, ratio, factor in own_drifts(found)]
     lines[-1] = lines[-1][:-1] + "};"
     lines.append("// clang-format on")
     return "\n".join(lines + ["", "}  // namespace wythe::study", ""])

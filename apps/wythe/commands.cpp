@@ -166,7 +166,10 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
     print_assessment(spec, model, r);
-    if (const Message note = note_of(compare_with_tests(model, r)); !note.empty())
+    const TestedRange range = compare_with_tests(model, r);
+    if (const Message note = drift_note_of(range); !note.empty())
+      fmt::print("drift: {}\n", text_of(note));
+    if (const Message note = note_of(range); !note.empty())
       fmt::print("tests: {}\n", text_of(note));
     for (const Event& e : r.events)
       if (e.is_beyond_limit)

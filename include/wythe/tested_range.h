@@ -17,6 +17,17 @@
 
 namespace wythe {
 
+// What tests say of the drift up to which walls of a kind keep 80 % of their peak [-], and how the program's own drift
+// compares with the tests of that kind.
+struct TestedDrift {
+  bool stone = false;                                   // stone walls; else brick and block
+  int walls = 0;                                        // 0: nothing is known of the kind
+  double median = kUnset, low = kUnset, high = kUnset;  // nine walls of ten lie between
+  int own_walls = 0;                                    // 0: never compared
+  double own_ratio = kUnset,
+         own_factor = kUnset;  // predicted over measured: middle, and exp(sd of ln)
+};
+
 struct TestedRange {
   std::string kind;  // "shear", "sliding", "rocking"; "" where the run has no peak or no such kind
   int walls = 0;     // tested walls of that kind
@@ -24,10 +35,13 @@ struct TestedRange {
   double bias = kUnset, bias_low = kUnset, bias_high = kUnset, scatter = kUnset;
   // In what the run leaves the range of the tests, or why their bias is no good news; empty: it is inside.
   std::vector<Message> notes;
+  TestedDrift drift;
 };
 
 // All notes as one; empty where there is none.
 [[nodiscard]] Message note_of(const TestedRange& range);
+// What the drift of this run is worth; empty where nothing is known.
+[[nodiscard]] Message drift_note_of(const TestedRange& range);
 [[nodiscard]] TestedRange compare_with_tests(const Model& model, const Result& result);
 
 // The kind of a failure mode's name, "shear + rocking" is shear; "" for a name of none.

@@ -239,7 +239,7 @@ class RunHeadline {
     return " " +
            texts_.say(words, {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
                               {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +
-           dips() + threshold();
+           dips() + threshold() + tested_drift();
   }
   // The deepest fall that the wall made good: no end of its capacity.
   [[nodiscard]] std::string dips() const {
@@ -255,6 +255,10 @@ class RunHeadline {
                       {"lowest", texts_.quantity(1e2 * number_in(*deepest, "lowest_left"), "%", 2)},
                       {"from", texts_.quantity(number_in(*deepest, "from_mm"), "mm")},
                       {"back", texts_.quantity(number_in(*deepest, "back_mm"), "mm")}});
+  }
+  [[nodiscard]] std::string tested_drift() const {
+    const std::string note = said_in(member(member(s_, "tested_range"), "drift"), "note");
+    return note.empty() ? "" : " " + report::sentence(escaped(note));
   }
   [[nodiscard]] std::string threshold() const {
     const Json& capacity = member(s_, "drift_capacity");

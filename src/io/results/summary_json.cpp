@@ -304,6 +304,15 @@ Json tested_range_json(const TestedRange& range) {
                {"bias_interval", {range.bias_low, range.bias_high}},
                {"scatter", range.scatter}};
   io::put(json, "note", note_of(range));
+  const TestedDrift& d = range.drift;
+  json["drift"] = {{"masonry", d.stone ? "stone" : "brick"},
+                   {"walls", d.walls},
+                   {"median_percent", 1e2 * d.median},
+                   {"nine_of_ten_percent", {1e2 * d.low, 1e2 * d.high}},
+                   {"own_walls", d.own_walls},
+                   {"own_ratio", d.own_ratio},
+                   {"own_factor", d.own_factor}};
+  io::put(json["drift"], "note", drift_note_of(range));
   return json;
 }
 

@@ -77,6 +77,27 @@ const char* words_of(const std::string& kind) {
   return kind == "sliding" ? "range.kind_sliding" : "range.kind_rocking";
 }
 
+// Shear and rocking together are a kind of their own.
+std::string drift_kind(const std::string& name) {
+  const bool both =
+      name.find("shear") != std::string::npos && name.find("rocking") != std::string::npos;
+  return both ? "mixed" : kind_of_mode(name);
+}
+
+TestedDrift drift_of(const Model& model, const std::string& kind) {
+  TestedDrift out;
+  out.stone = !has_unit_planes(model);  // units that cannot crack are stones
+  for (const study::TestedDriftKind& tested : study::kTestedDrifts) {
+    if (kind != tested.kind || out.stone != tested.stone) continue;
+    out.walls = tested.walls;
+    out.median = tested.median, out.low = tested.low, out.high = tested.high;
+  }
+  for (const study::OwnDrift& own : study::kOwnDrifts)
+    if (kind == own.kind)
+      out.own_walls = own.walls, out.own_ratio = own.ratio, out.own_factor = own.factor;
+  return out;
+}
+
 void note_bias(std::vector<Message>& notes, const TestedKind& tested) {
   const Message kind{words_of(tested.kind)};
   if (tested.walls < kFew) {
@@ -105,6 +126,22 @@ Message note_of(const TestedRange& range) {
   return range.notes.empty() ? Message{} : Message{"range.note", {{"notes", range.notes}}};
 }
 
+Message drift_note_of(const TestedRange& range) {
+  const TestedDrift& d = range.drift;
+  if (d.walls == 0) return {};
+  Message note{d.stone ? "range.drift_stone" : "range.drift_brick",
+               {{"walls", d.walls},
+                {"median", 1e2 * d.median},
+                {"low", 1e2 * d.low},
+                {"high", 1e2 * d.high}}};
+  if (d.own_walls < kFew) return note;
+  return {"range.drift_both",
+          {{"tests", std::move(note)},
+           {"own",
+            Message{"range.drift_own",
+                    {{"walls", d.own_walls}, {"ratio", d.own_ratio}, {"factor", d.own_factor}}}}}};
+}
+
 TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& model,
                                 const Result& result) {
   TestedRange range;
@@ -114,6 +151,7 @@ TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& 
     return range;
   }
   range.kind = kind_of_mode(result.failure_mode.name);
+  range.drift = drift_of(model, drift_kind(result.failure_mode.name));
   const auto tested = std::find_if(tests.begin(), tests.end(),
                                    [&](const TestedKind& k) { return range.kind == k.kind; });
   if (tested == tests.end()) {

@@ -73,6 +73,34 @@ TEST(TestedRange, AFailureOfNoTestedKindSaysSo) {
   EXPECT_EQ(codes_of(model, run_of(model, "unclear")), Codes{"range.no_kind"});
 }
 
+// validation/drift_constants.csv: brick in shear 0.28 %, mixed 0.71, stone rocking 1.74
+TEST(TestedDrift, is_that_of_the_kind_and_masonry) {
+  const Model brick = compile(wall_spec());
+  ModelSpec spec = wall_spec();
+  spec.wall.unit.split = Split::kNone;
+  const Model stone = compile(spec);
+  const auto drift = [](const Model& model, const char* mode) {
+    return study::compare_with(kTests, model, run_of(model, mode)).drift;
+  };
+  EXPECT_DOUBLE_EQ(drift(brick, "shear").median, 0.00277);
+  EXPECT_DOUBLE_EQ(drift(brick, "shear + rocking").median, 0.00711);
+  EXPECT_DOUBLE_EQ(drift(stone, "rocking").median, 0.0174);
+  EXPECT_TRUE(drift(stone, "rocking").stone);
+  EXPECT_EQ(drift(brick, "sliding at the top").walls, 0);
+  EXPECT_EQ(drift(brick, "unclear").walls, 0);
+}
+
+TEST(TestedDrift, is_told_with_its_range_and_nothing_where_none_is_known) {
+  const Model brick = compile(wall_spec());
+  const auto note = [&](const char* mode) {
+    return text_of(drift_note_of(study::compare_with(kTests, brick, run_of(brick, mode))));
+  };
+  EXPECT_NE(note("shear").find("up to a drift of 0.28 % (nine of ten of 79 walls: 0.18 to 0.61 %)"),
+            std::string::npos)
+      << note("shear");
+  EXPECT_EQ(note("sliding at the base"), "");
+}
+
 TEST(TestedRange, PressureBeyondTheTestsAndBelowThemIsNoted) {
   const Model model = compile(wall_spec());
   EXPECT_EQ(codes_of(model, run_of(model, "shear", 0.24 * 4e6)), Codes{});  // within a quarter
