@@ -172,6 +172,13 @@ void check_time(const ModelSpec& spec, const Size& size, FaultList& faults) {
 
 }  // namespace
 
+StageSpec with_velocity(StageSpec stage) {
+  if (stage.kind != StageKind::kPush || !std::isnan(stage.velocity)) return stage;
+  stage.velocity = kWaitingVelocity;
+  if (std::isnan(stage.fast_velocity)) stage.fast_velocity = kAdaptedVelocity;
+  return stage;
+}
+
 Pace pace_of(const StageSpec& stage) {
   const double ramp = or_else(stage.ramp, kSeconds);
   const auto at_rate = [](double path, double rate, const char* key) -> Pace {
@@ -181,11 +188,12 @@ Pace pace_of(const StageSpec& stage) {
     case StageKind::kGravity:
     case StageKind::kLoad: break;
     case StageKind::kPush: {
+      const StageSpec adapted = with_velocity(stage);
       // near balance most of the way: measured pushes that adapt took 1.1 to 3 times as long as at full speed
       constexpr double kOfAdapting = 2;
-      const bool adapts = stage.fast_velocity > stage.velocity;
+      const bool adapts = adapted.fast_velocity > adapted.velocity;
       Pace pace =
-          at_rate(push_path(stage), adapts ? stage.fast_velocity / kOfAdapting : stage.velocity,
+          at_rate(push_path(stage), adapts ? adapted.fast_velocity / kOfAdapting : adapted.velocity,
                   adapts ? "fast_velocity" : "velocity");
       pace.seconds += 0.5 * ramp;
       return pace;

@@ -11,6 +11,9 @@
 
 namespace wythe {
 
+// A push that says no velocity adapts it (kWaitingVelocity, kAdaptedVelocity); all other stages as they are.
+[[nodiscard]] StageSpec with_velocity(StageSpec stage);
+
 // How a stage goes: its path [m] or load factor, which its rows divide; the time it will probably take [s];
 // and the key by which it takes longer.
 struct Pace {

@@ -6,6 +6,7 @@
 
 #include "model/parts.h"
 #include "model/shaking.h"
+#include "model/size.h"
 
 namespace wythe {
 namespace {
@@ -36,7 +37,7 @@ class StageCompiler {
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
-      stage.spec = spec_.stage[k];
+      stage.spec = with_velocity(spec_.stage[k]);
       set_defaults(stage);
       set_direction(stage);
       refuse_space(stage);

@@ -214,7 +214,7 @@ void make_shake(StageSpec& stage) {
     stage.scale.factor = kUnset;
     set_if_unset(stage.scale.sa, 1.0 / 3), set_if_unset(stage.scale.period, 0.1);
   }
-  for (ViscousSpec* viscous : {&stage.mass_damping, &stage.joint_damping}) {
+  for (ViscousSpec* viscous : {&stage.mass_damping, &stage.joint_damping, &stage.maxwell_damping}) {
     if (std::isnan(viscous->fraction) && std::isnan(viscous->frequency)) continue;
     set_if_unset(viscous->fraction, 0.05), set_if_unset(viscous->frequency, 1.0 / 3);
   }
@@ -299,6 +299,7 @@ ModelSpec any_spec() {
   for (std::size_t i = 0; i < spec.stage.size(); ++i) make_valid(spec.stage[i], i);
   for (auto& [name, material] : spec.material) make_valid(material);
   make_valid(spec.assessment);
+  if (!spec.scatter.use.empty()) spec.scatter.use = coin(2) ? "tuff" : "stone";
   for (std::size_t i = 0; i < spec.history.size(); ++i)
     spec.history[i].name += std::to_string(i), make_place(spec.history[i].at);
   for (ContactRule& rule : spec.contact)

@@ -243,21 +243,6 @@ void build(const BuilderSpec& built, ModelSpec& spec) {
 }  // namespace
 }  // namespace io
 
-namespace io {
-namespace {
-
-// A push that says no velocity adapts it.
-void adapt_pushes(ModelSpec& spec) {
-  for (StageSpec& stage : spec.stage) {
-    if (stage.kind != StageKind::kPush || !std::isnan(stage.velocity)) continue;
-    stage.velocity = kWaitingVelocity;
-    if (std::isnan(stage.fast_velocity)) stage.fast_velocity = kAdaptedVelocity;
-  }
-}
-
-}  // namespace
-}  // namespace io
-
 ModelSpec parse_model(const std::string& toml_text, const std::string& file_name,
                       const std::vector<std::string>& overrides, const std::string& blocks,
                       const std::map<std::string, std::string>& records) {
@@ -269,7 +254,6 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);
-  io::adapt_pushes(spec);
   const BuilderSpec built = io::read_builder(file_name, root, spec);
   if (!spec.wall.blocks.empty() && built.empty()) io::read_blocks(context, root, spec, blocks);
   io::read_records(context, spec);

@@ -1,6 +1,7 @@
 // What a stage's keys must be together: its kind is told from them, a kind needs some and knows
 // only its own.
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -211,8 +212,9 @@ void check_contraflexure(TableReader& reader, const StageSpec& stage) {
 }
 
 void check_push(TableReader& reader, const StageSpec& stage) {
-  if (stage.fast_velocity < stage.velocity)
-    reader.refuse("fast_velocity", "is slower than velocity",
+  const double slow = std::isnan(stage.velocity) ? kWaitingVelocity : stage.velocity;
+  if (stage.fast_velocity < slow)
+    reader.refuse("fast_velocity", "is slower than velocity, 0.1 mm/s where none is given",
                   "write a faster one, or leave it out for one velocity throughout");
   if (!reader.has("until") && !reader.has("targets"))
     reader.miss("until", "is missing, a push needs until or targets");

@@ -7,6 +7,7 @@
 
 #include "model/parts.h"
 #include "model/shaking.h"
+#include "model/size.h"
 #include "model/space/space.h"
 #include "model/space/space_places.h"
 
@@ -42,7 +43,7 @@ class SpaceStages {
     for (std::size_t k = 0; k < spec_.stage.size(); ++k) {
       path_ = fmt::format("stage.{}", k);
       Stage stage;
-      stage.spec = spec_.stage[k];
+      stage.spec = with_velocity(spec_.stage[k]);
       StageSpec& s = stage.spec;
       const bool push = s.kind == StageKind::kPush;
       if (std::isnan(s.damping))

@@ -312,6 +312,19 @@ TEST(Stages, a_push_stops_where_the_reaction_has_fallen_to_stay) {
     EXPECT_EQ(fall.censored, end < (1 + kLastingShare) * fall.displacement) << fall.fraction;
 }
 
+TEST(Stages, a_push_without_a_velocity_adapts_it) {
+  ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
+  spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, kUnset, 1e-3)};
+  const StageSpec push = compile(spec).stages[1].spec;
+  EXPECT_EQ(push.velocity, kWaitingVelocity);
+  EXPECT_EQ(push.fast_velocity, kAdaptedVelocity);
+  spec.stage[1].fast_velocity = 2e-3;
+  EXPECT_EQ(compile(spec).stages[1].spec.fast_velocity, 2e-3);
+  spec.stage[1].fast_velocity = kUnset;
+  spec.stage[1].velocity = 1e-3;
+  EXPECT_TRUE(std::isnan(compile(spec).stages[1].spec.fast_velocity));
+}
+
 // Of a cracking wall pushed at 20 mm/s and, where it is quieter than `below`, at 100 mm/s.
 double push_seconds(double fast, double below) {
   ModelSpec spec = scenes::small_wall(3e-3, 0.02);

@@ -259,13 +259,13 @@ TEST(StageRefused, key_of_another_kind) {
       "stages of kind push");
 }
 
-TEST(StageDefault, push_without_velocity_adapts_it) {
+TEST(StageDefault, push_may_leave_its_velocity_out) {
   const std::string text = with(kModel, "velocity = \"10 mm/s\"\n", "");
-  const ModelSpec spec = parse_model(text, "model.toml");
-  EXPECT_EQ(spec.stage[2].velocity, kWaitingVelocity);
-  EXPECT_EQ(spec.stage[2].fast_velocity, kAdaptedVelocity);
-  const ModelSpec slower = parse_model(text, "model.toml", {"stage.2.fast_velocity=2 mm/s"});
-  EXPECT_EQ(slower.stage[2].fast_velocity, 2e-3);
+  EXPECT_TRUE(std::isnan(parse_model(text, "model.toml").stage[2].velocity));
+  EXPECT_EQ(fault_of("velocity = \"10 mm/s\"\n", "fast_velocity = \"0.05 mm/s\"\n"),
+            "model.toml:36: stage.2.fast_velocity = 0.05 mm/s: is slower than velocity, 0.1 mm/s "
+            "where none is given; write a "
+            "faster one, or leave it out for one velocity throughout");
 }
 
 TEST(StageRefused, push_at_rest) {
