@@ -71,7 +71,8 @@ void print_walls(const WallEnsemble& walls) {
 }  // namespace
 
 int run_walls(const RunArguments& a) {
-  check_language(a.language);
+  const std::string language = a.language.empty() ? "en" : a.language;
+  check_language(language);
   for (const auto& [option, value] :
        {std::pair("--checkpoint", a.checkpoint), std::pair("--resume", a.resume)})
     if (!value.empty())
@@ -95,7 +96,7 @@ int run_walls(const RunArguments& a) {
   }
   for (const Message& note : outcome.notes)
     fmt::print(stderr, "note: {}\n", readable(text_of(note)));
-  const Statistics statistics = write_campaign_files(a.out, read_answers(a.out), a.language);
+  const Statistics statistics = write_campaign_files(a.out, read_answers(a.out), language);
   print_walls(statistics.walls);
   fmt::print("report {}/report.html\n", a.out);
   return outcome.interrupted || statistics.answered == 0 ? kFailed : 0;

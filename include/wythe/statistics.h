@@ -79,7 +79,8 @@ struct Share {
 // A wall whose number is a lower bound counts as that below, and as unlimited above.
 struct OfWalls {
   int n = 0, bounds = 0;
-  Estimate median;                             // infinite above where too many are bounds
+  Estimate median;                             // infinite where too many are bounds
+  double at_least = kUnset;                    // the median with each bound at its own value
   double smallest = kUnset, largest = kUnset;  // the largest that is known
   double log_scatter = kUnset;                 // standard deviation of ln, where none is a bound
 };

@@ -38,10 +38,6 @@ void each_response(const Visitor& v, R& r) {
   v(AnswerKey{"displacement_at_peak_m", "displacement_at_peak_mm", {"mm", "displacement at the capacity"}, Listed::kCsv, "displacement_at_peak_mm", 1e3}, r.displacement_at_peak);
   v(AnswerKey{"displacement_at_80_percent_m", "displacement_at_80_percent_mm", {"mm", "displacement capacity: the first fall below 0.8 of the peak that lasts; a lower bound where censored_80 is 1"}, Listed::kCsv, "displacement_at_80_percent_mm", 1e3}, r.displacement_at_80);
   v(AnswerKey{"censored_80", "censored_80", {"", "1: the push ended before the force had fallen below 0.8 of the peak to stay"}, Listed::kCsv, "censored_80"}, r.censored_80);
-  v(AnswerKey{"first_fall_80_percent_m", "first_fall_80_percent_mm", {"mm", "the first fall of all below 0.8 of the peak, also one that is made good again"}, Listed::kCsv, "first_fall_80_percent_mm", 1e3}, r.first_fall_80);
-  v(AnswerKey{"censored_first_80", "censored_first_80", {"", "1: the force was never below 0.8 of the peak, so the first fall is a lower bound"}, Listed::kCsv, "censored_first_80"}, r.censored_first_80);
-  v(AnswerKey{"last_fall_80_percent_m", "last_fall_80_percent_mm", {"mm", "the last fall below 0.8 of the peak, after which the force never came back"}, Listed::kView, "last_fall_80_percent_mm", 1e3}, r.last_fall_80);
-  v(AnswerKey{"censored_last_80", "censored_last_80", {"", "1: at the end of the push the force was above 0.8 of the peak, so the last fall is a lower bound"}, Listed::kView, "censored_last_80"}, r.censored_last_80);
   v(AnswerKey{"displacement_max_m", "displacement_max_mm", {"mm", "where the force stays below 0.2 of the peak; a lower bound where censored_max is 1"}, Listed::kCsv, "displacement_max_mm", 1e3}, r.displacement_max);
   v(AnswerKey{"censored_max", "censored_max", {"", "1: the push ended before the force stayed below 0.2 of the peak"}, Listed::kCsv, "censored_max"}, r.censored_max);
   v(AnswerKey{"initial_stiffness_N_per_m", "initial_stiffness_kN_per_mm", {"kN/mm", "slope of the rise between 0.1 and 0.3 of the peak"}, Listed::kCsv, "initial_stiffness_kN_per_mm", 1e-6}, r.initial_stiffness);
@@ -66,6 +62,10 @@ void each_response(const Visitor& v, R& r) {
   v(AnswerKey{"bilinear_ultimate_displacement_m", "bilinear.ultimate_displacement_mm", {"mm", "ultimate displacement of the bilinear curve"}, Listed::kNowhere, "", 1e3}, r.bilinear.ultimate_displacement);
   v(AnswerKey{"bilinear_ductility", "bilinear.ductility", {"–", "ultimate over yield displacement; a lower bound where bilinear_censored is 1"}}, r.bilinear.ductility);
   v(AnswerKey{"bilinear_censored", "bilinear.censored", {"", "1: 0.8 of the peak was never crossed"}}, r.bilinear.censored);
+  v(AnswerKey{"first_fall_80_percent_m", "first_fall_80_percent_mm", {"mm", "the first fall of all below 0.8 of the peak, also one that is made good again"}, Listed::kCsv, "first_fall_80_percent_mm", 1e3}, r.first_fall_80);
+  v(AnswerKey{"censored_first_80", "censored_first_80", {"", "1: the force was never below 0.8 of the peak, so the first fall is a lower bound"}, Listed::kCsv, "censored_first_80"}, r.censored_first_80);
+  v(AnswerKey{"last_fall_80_percent_m", "last_fall_80_percent_mm", {"mm", "the last fall below 0.8 of the peak, after which the force never came back"}, Listed::kView, "last_fall_80_percent_mm", 1e3}, r.last_fall_80);
+  v(AnswerKey{"censored_last_80", "censored_last_80", {"", "1: at the end of the push the force was above 0.8 of the peak, so the last fall is a lower bound"}, Listed::kView, "censored_last_80"}, r.censored_last_80);
 }
 
 template <class Visitor, class Meters>

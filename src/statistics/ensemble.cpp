@@ -52,6 +52,7 @@ OfWalls of_walls(const std::vector<Reading>& readings) {
   out.smallest = low.front();
   // both agree where no bound is among those in the middle
   out.median.value = middle_of(high);
+  out.at_least = middle_of(low);
   if (const int k = order_of_median(out.n); k > 0)
     out.median.interval = {low[static_cast<std::size_t>(k - 1)],
                            high[high.size() - static_cast<std::size_t>(k)]};

@@ -18,7 +18,7 @@ from hostile_test import RAW  # noqa: E402
 
 # options whose value is a number, with what else their command needs; `help` below finds that none is missing
 NUMBERS = {
-    "run": {"--threads": [], "--checkpoint": []},
+    "run": {"--threads": [], "--checkpoint": [], "--walls": [], "--jobs": ["--walls", "2"]},
     "campaign": {"--samples": [], "--seed": [], "--jobs": [], "--slurm": [], "--cores": ["--slurm", "2"], "--shard": [],
                  "--until": []},
     "replay": {"--sample": [], "--threads": ["--sample", "1"], "--intensity": ["--sample", "1"]},

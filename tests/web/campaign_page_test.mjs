@@ -157,7 +157,7 @@ test("sensitivity has a bar for each random input, for every measure", async () 
 test("every response can be picked, in words", async () => {
   for (const list of ["#table3-quantity", "#scatter-1 .pick-response", "#running select"]) {
     const words = await page.locator(`${list} option`).allInnerTexts();
-    assert.equal(words.length, 7, list);
+    assert.equal(words.length, 8, list);
     for (const w of words) assert.doesNotMatch(w, /_|quantity\./, list);
   }
   await page.locator("#table3-quantity").selectOption({ index: 6 });

@@ -203,7 +203,7 @@ export function writeInputs() {
     ["tied.toml", kTied],
     ["rising_model.toml", shortModel("1 mm")], // hardly a wall reaches its peak
     ["rising.toml", shortStudy("rising_model.toml")],
-    ["falling_model.toml", shortModel("11 mm")], // some fall to 0.8 of it
+    ["falling_model.toml", shortModel("12.5 mm")], // some fall below 0.8 of it to stay
     ["falling.toml", shortStudy("falling_model.toml")],
   ]) {
     // whole or not at all: other tests read them at the same time

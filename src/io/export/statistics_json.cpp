@@ -167,6 +167,7 @@ Json running_json(const Statistics& s) {
 Json of_walls_json(const OfWalls& of, double scale) {
   Json json = {{"n", of.n}, {"bounds", of.bounds}};
   add(json, "median", of.median, scale);
+  json["at_least"] = number(of.at_least * scale);
   json["smallest"] = number(of.smallest * scale);
   json["largest"] = number(of.largest * scale);
   json["log_scatter"] = number(of.log_scatter);

@@ -58,6 +58,7 @@ TEST(OfWalls, bounds_count_as_bounds) {
   // with five the median itself is not reached
   readings[3].censored = readings[4].censored = true;
   EXPECT_TRUE(std::isinf(of_walls(readings).median.value));
+  EXPECT_EQ(of_walls(readings).at_least, 17);
   // a wall without a number is not counted
   EXPECT_EQ(of_walls({{1, false}, {}}).n, 1);
 }
