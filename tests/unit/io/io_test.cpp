@@ -263,7 +263,7 @@ TEST(StageDefault, push_may_leave_its_velocity_out) {
   const std::string text = with(kModel, "velocity = \"10 mm/s\"\n", "");
   EXPECT_TRUE(std::isnan(parse_model(text, "model.toml").stage[2].velocity));
   EXPECT_EQ(fault_of("velocity = \"10 mm/s\"\n", "fast_velocity = \"0.05 mm/s\"\n"),
-            "model.toml:36: stage.2.fast_velocity = 0.05 mm/s: is slower than velocity, 0.1 mm/s "
+            "model.toml:40: stage.2.fast_velocity = 0.05 mm/s: is slower than velocity, 0.1 mm/s "
             "where none is given; write a "
             "faster one, or leave it out for one velocity throughout");
 }
