@@ -46,8 +46,10 @@ void print_assessment(const CampaignAssessment& a) {
   fmt::print("{}assessment, {}: {}\n", is_signed ? "" : "WARNING ", a.spec.code, text_of(said));
 }
 
+}  // namespace
+
 // What must be known before any number: how many pushes were no static ones.
-void print_warning(const Statistics& statistics) {
+void print_rate_warning(const Statistics& statistics) {
   std::string counts;
   int doubtful = 0, judged = 0;
   for (const auto& [judgement, count] : statistics.judgement) {
@@ -64,10 +66,8 @@ void print_warning(const Statistics& statistics) {
         doubtful, judged, counts);
 }
 
-}  // namespace
-
 void print_table(const Campaign& campaign, const Statistics& statistics) {
-  print_warning(statistics);
+  print_rate_warning(statistics);
   print_assessment(statistics.assessment);
   fmt::print("samples {} of {}:", campaign.records.size(), campaign.samples.n_sample());
   const char* between = " ";

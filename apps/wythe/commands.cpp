@@ -104,7 +104,7 @@ void print_push(const Result& r) {
              std::isnan(q.initial_stiffness)
                  ? "not known"
                  : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
-  if (q.censored_80 && !q.censored_last_80)
+  if (q.censored_80 && !q.censored_first_80)
     fmt::print("the push ended before the fall below 80 % had lasted: {:.2f} mm is a lower bound\n",
                1e3 * q.displacement_at_80);
   for (const Dip& dip : q.dips)

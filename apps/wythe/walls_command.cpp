@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
 
 #include "campaign_commands.h"
+#include "campaign_table.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "wythe/campaign.h"
@@ -24,34 +26,52 @@ constexpr int kMostWalls = 100'000;
 constexpr int kFailed = 3;
 constexpr int kFewestForInterval = 6;  // of a median (OfWalls)
 
+// A basic string of TOML.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
 // A study with the walls as its samples, and d(r) read at all its shares.
 StudySpec study_of_walls(const RunArguments& a, int walls) {
+  const ModelSpec base = read_model(a.model, a.overrides);  // its faults with their own places
+  if (std::all_of(base.field.begin(), base.field.end(),
+                  [](const auto& field) { return !field.second.formula.empty(); }))
+    refuse(
+        "--walls", std::to_string(walls),
+        "asks for walls that differ, and nothing scatters within this one",
+        "write [scatter] and under it use = \"clay_brick\", or add --set scatter.use=clay_brick");
   std::string shares;
   for (const double left : kSharesLeft)
     shares += fmt::format("{}{:g}", shares.empty() ? "" : ", ", left);
   const std::filesystem::path model = std::filesystem::absolute(a.model);
   const std::string text = fmt::format(
-      "[study]\nname = '''{}'''\nmodel = '''{}'''\nsamples = {}\nseed = 0\ndesign = "
-      "\"monte_carlo\"\n"
+      "[study]\nname = {}\nmodel = {}\nsamples = {}\nseed = 0\ndesign = \"monte_carlo\"\n"
       "fractions = [{}]\n",
-      a.model, model.string(), walls, shares);
+      quoted(a.model), quoted(model.string()), walls, shares);
   return parse_study(text, (model.parent_path() / "walls of the model").string(), a.overrides);
 }
 
 std::string number_of(double value, double scale, const char* unit) {
-  if (std::isinf(value)) return "not reached";
+  if (std::isinf(value)) return "beyond the push";
   return std::isnan(value) ? "-" : fmt::format("{:.2f} {}", value * scale, unit);
 }
 
 void print_of_walls(const std::string& name, const OfWalls& of, double scale, const char* unit) {
   if (of.n == 0) return;
   const Interval& interval = of.median.interval;
-  fmt::print("{:<10} median {}", name, number_of(of.median.value, scale, unit));
+  const bool is_bound = std::isinf(of.median.value);
+  fmt::print("{:<10} median {}{}", name, is_bound ? "> " : "",
+             number_of(is_bound ? of.at_least : of.median.value, scale, unit));
   if (!std::isnan(interval.low))
     fmt::print(" (95 %: {} to {})", number_of(interval.low, scale, unit),
                number_of(interval.high, scale, unit));
   fmt::print("; walls from {} to {}", number_of(of.smallest, scale, unit),
-             of.bounds > 0 ? "farther than the push" : number_of(of.largest, scale, unit));
+             of.bounds > 0 ? "beyond the push" : number_of(of.largest, scale, unit));
   if (of.bounds > 0) fmt::print(" ({} of {})", of.bounds, of.n);
   fmt::print("\n");
 }
@@ -62,10 +82,22 @@ void print_walls(const WallEnsemble& walls) {
   for (std::size_t k = 0; k < walls.left.size(); ++k)
     print_of_walls(fmt::format("{:g} % left", 100 * walls.left[k]), walls.capacity[k], 1e3, "mm");
   for (const Share& mode : walls.mode)
-    fmt::print("failure mode {}: {} walls ({:.0f} to {:.0f} % of all such walls)\n", mode.name,
-               mode.count, 100 * mode.share.interval.low, 100 * mode.share.interval.high);
-  if (walls.peak_reaction.n < kFewestForInterval)
-    fmt::print("fewer than six walls give no interval of a median\n");
+    fmt::print("failure mode {}: {} wall{} ({:.0f} to {:.0f} % of all such walls)\n", mode.name,
+               mode.count, mode.count == 1 ? "" : "s", 100 * mode.share.interval.low,
+               100 * mode.share.interval.high);
+}
+
+// Walls that say nothing, and why an interval is missing.
+void print_silent(const Statistics& s) {
+  const int known = s.walls.peak_reaction.n;
+  if (known < s.run)
+    fmt::print("{} of {} walls have a peak force; medians are of these\n", known, s.run);
+  for (const Unanswered& wall : s.unanswered)
+    fmt::print("wall {}: {}{}\n", wall.sample, wall.status,
+               wall.reason.empty() ? "" : ": " + readable(text_of(wall.reason)));
+  if (known < kFewestForInterval)
+    fmt::print("{} of {} walls have a peak force; the interval of a median needs six\n", known,
+               s.run);
 }
 
 }  // namespace
@@ -73,11 +105,14 @@ void print_walls(const WallEnsemble& walls) {
 int run_walls(const RunArguments& a) {
   const std::string language = a.language.empty() ? "en" : a.language;
   check_language(language);
+  if (a.model.empty() || a.out.empty())
+    refuse(a.model.empty() ? "MODEL.toml" : "--out", "", "is missing",
+           "write wythe run MODEL.toml --out DIR --walls N");
   for (const auto& [option, value] :
        {std::pair("--checkpoint", a.checkpoint), std::pair("--resume", a.resume)})
     if (!value.empty())
       refuse(option, value, "is for one wall, and --walls asks for several",
-             "leave it out; wythe campaign --resume goes on with walls that are stored");
+             "leave it out; the same command goes on with walls that are stored");
   const int walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
   CampaignOptions options;
   if (!a.jobs.empty())
@@ -85,6 +120,7 @@ int run_walls(const RunArguments& a) {
   options.provenance = provenance_text();
   const StudySpec study = study_of_walls(a, walls);
   const ModelBuilder build = model_builder(study);
+  options.resume = holds_campaign(a.out);  // its study must be the same
   check_folder(a.out, FolderFor::kCampaign);
   CampaignOutcome outcome;
   {
@@ -97,7 +133,9 @@ int run_walls(const RunArguments& a) {
   for (const Message& note : outcome.notes)
     fmt::print(stderr, "note: {}\n", readable(text_of(note)));
   const Statistics statistics = write_campaign_files(a.out, read_answers(a.out), language);
+  print_rate_warning(statistics);
   print_walls(statistics.walls);
+  print_silent(statistics);
   fmt::print("report {}/report.html\n", a.out);
   return outcome.interrupted || statistics.answered == 0 ? kFailed : 0;
 }

@@ -32,8 +32,7 @@ struct RecordingNumbers {
   double reaction_sum = 0, shear_sum = 0, unbalance_sum = 0, kinetic_sum = 0;
   std::int64_t steps = 0, shear_samples = 0, unbalance_samples = 0;
   std::int64_t full_window = 0;  // steps of the last window that was closed whole
-  std::int64_t low_rows = 0;     // rows below stop_below in a row
-  double low_from = 0;           // where the first of them stands [m]
+  double stop_asked = 0;         // where stop_below was asked last, of the displacement [m]
 
   // Of a cyclic push: the leg under way.
   double leg_way = 0;                  // 1 or -1 along the push; 0: not a cyclic push

@@ -233,9 +233,9 @@ class RunHeadline {
   }
   [[nodiscard]] std::string ductility() const {
     if (std::isnan(number_in(s_, "displacement_at_80_percent_mm"))) return "";
-    const char* words = !is("censored_80")       ? "run.keeps"
-                        : is("censored_last_80") ? "run.keeps_to_end"
-                                                 : "run.falls_at_end";
+    const char* words = !is("censored_80")        ? "run.keeps"
+                        : is("censored_first_80") ? "run.keeps_to_end"
+                                                  : "run.falls_at_end";
     return " " +
            texts_.say(words, {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
                               {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +

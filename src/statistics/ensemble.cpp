@@ -50,9 +50,10 @@ OfWalls of_walls(const std::vector<Reading>& readings) {
   std::sort(low.begin(), low.end());
   std::sort(high.begin(), high.end());
   out.smallest = low.front();
-  // both agree where no bound is among those in the middle
-  out.median.value = middle_of(high);
+  // known where bounds do not move it: they may stand anywhere above their values
   out.at_least = middle_of(low);
+  const double at_most = middle_of(high);
+  out.median.value = at_most == out.at_least ? at_most : std::numeric_limits<double>::infinity();
   if (const int k = order_of_median(out.n); k > 0)
     out.median.interval = {low[static_cast<std::size_t>(k - 1)],
                            high[high.size() - static_cast<std::size_t>(k)]};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include "contact/parameters.h"
 #include "contact/softening.h"
@@ -29,7 +30,22 @@ constexpr double kLower = 0.2;  // of a lognormal, times the mean
 constexpr double kUpper = 2.5;
 constexpr double kAbove = 1.05;      // of the least energy without snap-back
 constexpr double kUnitEnergy = 0.7;  // GI of units goes with ft^0.7 (docs/theory/material_rules.md)
+constexpr double kLeastRoom = 1.05;  // under the cap, times the mean: a scatter has room
 constexpr double kBelowCap = 0.95;   // of the cohesion that a compression cap allows
+
+constexpr const char* kPrefix = "scatter_";  // of the names of its fields
+
+bool is_same(const FieldSpec& a, const FieldSpec& b) {
+  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  if (a.correlation.size() != b.correlation.size()) return false;
+  for (const auto& [name, tie] : a.correlation)
+    if (!b.correlation.contains(name) || !same(tie.gaussian, b.correlation.at(name).gaussian))
+      return false;
+  return a.path == b.path && a.formula == b.formula && a.distribution == b.distribution &&
+         a.by == b.by && a.kernel == b.kernel && a.seed == b.seed && same(a.cov, b.cov) &&
+         same(a.low, b.low) && same(a.high, b.high) && same(a.lower, b.lower) &&
+         same(a.upper, b.upper) && same(a.along, b.along) && same(a.across, b.across);
+}
 
 class Scatter {
  public:
@@ -45,9 +61,18 @@ class Scatter {
       if (found == std::end(kKinds)) return refuse_kind();
       kind = *found;
     }
-    if (s_.by == FieldBy::kPlace)
-      return refuse("by", "place", "needs lengths, which [scatter] does not have",
-                    "write by = \"unit\", or a [field.<name>] of its own with along and across");
+    if (s_.by == FieldBy::kPlace || s_.by == FieldBy::kCourse)
+      return refuse(
+          "by", std::string(word_of(kFieldByWords, s_.by)),
+          "needs lengths, or courses for joints at beams too, which [scatter] does not have",
+          "write by = \"unit\" or \"joint\", or a [field.<name>] of its own");
+    for (const auto& [key, name, usual] :
+         {std::tuple("joint", s_.joint, "joint"), {"unit", s_.unit, "unit"}})
+      if (name != usual && material(name) == nullptr) {
+        std::vector<std::string> names;
+        for (const auto& [known, law] : spec_.material) names.push_back(known);
+        return refuse(key, name, "is no material of the model", name_advice(name, names));
+      }
     const auto or_own = [](double own, double of_kind) { return std::isnan(own) ? of_kind : own; };
     add_joints(or_own(s_.joint_tension, kind.joint_tension),
                or_own(s_.joint_cohesion, kind.joint_cohesion));
@@ -87,7 +112,7 @@ class Scatter {
 
   // The field of one key, "scatter_joint_tensile_strength"; none where the model has its own.
   FieldSpec* field(const std::string& role, const std::string& name, const char* key) {
-    const std::string own = fmt::format("scatter_{}_{}", role, key);
+    const std::string own = fmt::format("{}{}_{}", kPrefix, role, key);
     const std::string path = fmt::format("material.{}.{}", name, key);
     if (has_own(own, path) || !has_places_(path)) return nullptr;
     FieldSpec& f = spec_.field[own];
@@ -100,14 +125,17 @@ class Scatter {
     if (!(cov > 0)) return "";
     FieldSpec* f = field(role, name, key);
     if (f == nullptr) return "";
-    if (std::isnan(f->cov)) {
+    const bool says_scatter = !std::isnan(f->cov);  // the model changes this field
+    if (!says_scatter) {
       f->cov = cov;
       f->distribution = distribution;
-      f->by = s_.by;
-      if (distribution == DistributionKind::kLognormal) f->lower = kLower, f->upper = upper;
     }
+    if (f->by == FieldBy::kPlace && std::isnan(f->along) && std::isnan(f->across)) f->by = s_.by;
+    const bool lognormal = f->distribution == DistributionKind::kLognormal;
+    if (lognormal && std::isnan(f->lower) && std::isnan(f->upper))
+      f->lower = kLower, f->upper = upper;
     if (f->seed == 0) f->seed = s_.seed;
-    return fmt::format("scatter_{}_{}", role, key);
+    return fmt::format("{}{}_{}", kPrefix, role, key);
   }
   void follows(const std::string& role, const std::string& name, const char* key,
                const std::string& formula) {
@@ -136,7 +164,7 @@ class Scatter {
     if (scatters(m.tensile_strength))
       ft = scattered("joint", s_.joint, "tensile_strength", tension, DistributionKind::kWeibull,
                      kUnset);
-    if (scatters(m.cohesion))
+    if (scatters(m.cohesion) && most_cohesion(m) > kLeastRoom)
       c = scattered("joint", s_.joint, "cohesion", cohesion, DistributionKind::kLognormal,
                     most_cohesion(m));
     if (!ft.empty() && !c.empty() && spec_.field[c].correlation.empty() &&
@@ -167,7 +195,7 @@ class Scatter {
     if (!(m.compression_cap > 0)) return kUpper;
     const double most =
         kBelowCap * m.compressive_strength / std::sqrt(m.compression_cap) / m.cohesion;
-    return most > 1 ? std::min(kUpper, most) : kUpper;
+    return std::min(kUpper, most);
   }
 
   void add_units(double tension) {
@@ -204,6 +232,25 @@ class Scatter {
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults) {
   if (spec.scatter.is_asked()) Scatter(spec, has_places, faults).add();
+}
+
+void drop_scatter(ModelSpec& spec) {
+  if (!spec.scatter.is_asked()) return;
+  const auto own = [](const auto& field) { return field.first.starts_with(kPrefix); };
+  ModelSpec again = spec;
+  std::erase_if(again.field, own);
+  FaultList faults;
+  add_scatter(
+      again,
+      [&](const std::string& path) {
+        return std::any_of(spec.field.begin(), spec.field.end(),
+                           [&](const auto& f) { return own(f) && f.second.path == path; });
+      },
+      faults);
+  std::erase_if(spec.field, [&](const auto& field) {
+    const auto made = again.field.find(field.first);
+    return own(field) && made != again.field.end() && is_same(field.second, made->second);
+  });
 }
 
 }  // namespace wythe::study

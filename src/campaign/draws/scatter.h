@@ -14,4 +14,7 @@ namespace wythe::study {
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults);
 
+// Takes out of `spec.field` what add_scatter() would put there just so.
+void drop_scatter(ModelSpec& spec);
+
 }  // namespace wythe::study

@@ -110,13 +110,16 @@ double returns_at(const Curve& curve, std::size_t back, double reaction) {
 
 Below below_from(const Curve& curve, std::size_t fell, double reaction) {
   Below below{{fell, crossing(curve[fell - 1], curve[fell], reaction), reaction, false}};
+  const double end = curve.back().displacement;
   for (std::size_t next = fell; next < curve.size();) {
     below.back = next_row(curve, next, reaction, false);
     below.until = returns_at(curve, below.back, reaction);
     next = next_row(curve, below.back, reaction, true);
-    if (next >= curve.size()) break;
-    const double held = crossing(curve[next - 1], curve[next], reaction) - below.until;
-    if (held >= below.until - below.fell.displacement) break;
+    const double left =
+        next < curve.size() ? crossing(curve[next - 1], curve[next], reaction) : end;
+    if (left - below.until >= below.until - below.fell.displacement) break;
+    below.until = end,
+    below.back = curve.size();  // not held for long enough, as far as the push tells
   }
   below.came_back = below.back < curve.size();
   return below;
@@ -149,6 +152,9 @@ Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool colla
   // the very last fall: nothing after it carries the reaction
   for (std::size_t row = curve.size() - 1; carried(curve[row]) < reaction && row > peak; --row)
     falls.last = {row, crossing(curve[row - 1], curve[row], reaction), reaction, false};
+  falls.last.censored =
+      falls.last.censored ||
+      (!collapsed && end.displacement < (1 + kLastingShare) * falls.last.displacement);
   return falls;
 }
 

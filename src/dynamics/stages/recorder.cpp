@@ -276,10 +276,6 @@ void Recorder::close_row(const State& state) {
   row.head_axial = columns_of(model_).held_head ? head_axial(state) : 0;
   result_.curve.push_back(row);
   RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
-  const double force = displacement_ < 0 ? -row.reaction : row.reaction;
-  const bool low = force < stage_.spec.stop_below * side.peak;
-  n_.low_rows = low && std::fabs(displacement_) >= side.furthest ? n_.low_rows + 1 : 0;
-  if (n_.low_rows == 1) n_.low_from = std::fabs(displacement_);
   side.furthest = std::max(side.furthest, std::fabs(displacement_));
   n_.full_window = n_.steps;
   n_.weight_sum = n_.shear_weight = 0;
@@ -397,9 +393,19 @@ void Recorder::note_limits(const State& state, double displacement, double react
   }
 }
 
-bool Recorder::fell_below() const {
-  constexpr int kRows = 3;
-  return n_.low_rows >= kRows && std::fabs(displacement_) >= (1 + kLastingShare) * n_.low_from;
+// Asked again each hundredth farther, since it reads the whole curve; so what ends the push is what its curve says.
+std::optional<FallTo> Recorder::lasting_fall() {
+  constexpr double kAgain = 1.01;
+  const double way = std::fabs(displacement_), share = stage_.spec.stop_below;
+  const CurveRow& row = result_.curve.back();
+  const RecordedSide& side = recording_.side[displacement_ < 0 ? 1 : 0];
+  const double force = displacement_ < 0 ? -row.reaction : row.reaction;
+  if (way < kAgain * n_.stop_asked || !(side.peak > 0) || force >= side.peak) return std::nullopt;
+  n_.stop_asked = way;
+  const Responses read = read_responses(result_.curve, {.fractions = {share}});
+  if (read.falls.empty() || read.falls.front().censored || !(read.falls.front().displacement > 0))
+    return std::nullopt;
+  return read.falls.front();
 }
 
 void Recorder::finish(const WallAccess& access, State& state, const Controls& controls,

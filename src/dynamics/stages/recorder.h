@@ -3,6 +3,7 @@
 // remember from step to step lies in a Recording, so that a run can be cut and continued anywhere.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dynamics/executors/executor.h"
@@ -27,9 +28,8 @@ class Recorder {
   // wall fell.
   void finish(const WallAccess& access, State& state, const Controls& controls,
               bool ran_away = false);
-  // True when the last rows, all beyond any displacement before on their side, lie below the stage's
-  // stop_below share of the peak so far on that side.
-  [[nodiscard]] bool fell_below() const;
+  // The fall below the stage's stop_below share of the peak, once the curve so far says that it lasts.
+  [[nodiscard]] std::optional<FallTo> lasting_fall();
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:

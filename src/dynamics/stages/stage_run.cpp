@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/real.h"
 #include "dynamics/meters/residual.h"
@@ -289,16 +290,22 @@ class Push : public StageRun {
       state_.turn_time = state_.stage_time;
     }
     watch(state_.travelled / path_);
-    if (recorder_.row_closed() && stage_.spec.stop_below > 0 && recorder_.fell_below())
-      end({SolveStatus::kCompleted,
-           {"push.fell_below",
-            {{"share", stage_.spec.stop_below}, {"displacement_mm", 1e3 * displacement()}}},
-           false});
+    if (recorder_.row_closed() && stage_.spec.stop_below > 0) end_where_it_fell();
     if (!ended() && !target_left()) end({});
     if (stage_.control >= 0) end_where_control_stays_back();
   }
 
  private:
+  // The wall stands, so what comes after this push goes on.
+  void end_where_it_fell() {
+    const std::optional<FallTo> fall = recorder_.lasting_fall();
+    if (!fall) return;
+    end({SolveStatus::kCompleted,
+         {"push.fell_below",
+          {{"share", fall->fraction},
+           {"from_mm", 1e3 * fall->displacement},
+           {"displacement_mm", 1e3 * displacement()}}}});
+  }
   [[nodiscard]] bool target_left() const {
     return static_cast<std::size_t>(state_.target) < targets_.size();
   }

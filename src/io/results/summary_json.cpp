@@ -215,6 +215,8 @@ Json drift_capacity_json(const Responses& r) {
                {"lasting_mm", Json::array()},
                {"last_mm", Json::array()},
                {"lasting_drift_percent", Json::array()},
+               {"censored_first", Json::array()},
+               {"censored_last", Json::array()},
                {"censored", Json::array()}};
   for (const FallTo& fall : r.drift_capacity) {
     json["left"].push_back(fall.fraction);
@@ -223,6 +225,8 @@ Json drift_capacity_json(const Responses& r) {
     json["last_mm"].push_back(fall.last * 1e3);
     json["lasting_drift_percent"].push_back(fall.drift * 1e2);
     json["censored"].push_back(fall.censored);
+    json["censored_first"].push_back(fall.censored_first);
+    json["censored_last"].push_back(fall.censored_last);
   }
   json["lasts_percent"] = kLastingShare * 1e2;
   json["threshold_decides"] = threshold_decides(r);

@@ -1,4 +1,5 @@
 #include "io/text/toml_writer.h"
+#include "campaign/draws/scatter.h"
 
 #include <algorithm>
 #include <cctype>
@@ -126,7 +127,8 @@ std::string Writer::in_braces() const {
 }  // namespace io
 
 std::string write_model(const ModelSpec& spec) {
-  ModelSpec copy = spec;  // one description serves readers and writers, so it takes T&
+  ModelSpec copy = spec;      // one description serves readers and writers, so it takes T&
+  study::drop_scatter(copy);  // [scatter] makes these fields again
   io::Writer writer("");
   describe(writer, copy);
   const std::string text = writer.whole();

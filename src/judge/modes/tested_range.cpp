@@ -84,16 +84,26 @@ std::string drift_kind(const std::string& name) {
   return both ? "mixed" : kind_of_mode(name);
 }
 
+// No joint has any bond.
+bool is_dry(const Model& model) {
+  for (JointId j = 0; j < joint_count(model); ++j) {
+    const auto& law = model.materials[static_cast<std::size_t>(joint_shape(model, j).material)];
+    if (law.tensile_strength > 0 || law.cohesion > 0) return false;
+  }
+  return true;
+}
+
 TestedDrift drift_of(const Model& model, const std::string& kind) {
   TestedDrift out;
-  out.stone = !has_unit_planes(model);  // units that cannot crack are stones
+  out.stone = is_dry(model);  // the tested stone walls whose units cannot crack
+  if (!out.stone && !has_unit_planes(model)) return out;
   for (const study::TestedDriftKind& tested : study::kTestedDrifts) {
     if (kind != tested.kind || out.stone != tested.stone) continue;
     out.walls = tested.walls;
     out.median = tested.median, out.low = tested.low, out.high = tested.high;
   }
   for (const study::OwnDrift& own : study::kOwnDrifts)
-    if (kind == own.kind)
+    if (!out.stone && kind == own.kind)
       out.own_walls = own.walls, out.own_ratio = own.ratio, out.own_factor = own.factor;
   return out;
 }

@@ -231,6 +231,23 @@ TEST(Lasting, dips_that_follow_each_other_closely_are_one) {
   EXPECT_EQ(teeth.dips.size(), 2U);
 }
 
+TEST(Lasting, a_return_too_short_to_be_held_at_the_end_makes_no_dip) {
+  // below 80 from 10 to 10.6, back for 0.2 when the push ends: had it gone on, it might have fallen at once
+  const Responses r = read_responses(
+      curve_of({{0, 0}, {2, 100}, {10, 80}, {10.01, 70}, {10.59, 70}, {10.6, 80}, {10.8, 80}}));
+  EXPECT_DOUBLE_EQ(r.displacement_at_80, 10);
+  EXPECT_TRUE(r.censored_80);
+  EXPECT_TRUE(r.dips.empty());
+}
+
+TEST(Lasting, a_last_fall_not_seen_to_last_is_a_bound) {
+  const Responses r =
+      read_responses(curve_of({{0, 0}, {2, 100}, {10, 80}, {10.01, 70}, {10.5, 70}}));
+  EXPECT_TRUE(r.censored_80);
+  EXPECT_TRUE(r.censored_last_80);
+  EXPECT_FALSE(r.censored_first_80);
+}
+
 TEST(Lasting, a_push_that_ends_in_a_dip_gives_a_bound) {
   auto curve = with_a_dip(60, 10.8);
   curve.resize(5);  // ends at 10.8, 8 % beyond the fall

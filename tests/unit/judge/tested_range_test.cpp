@@ -78,6 +78,9 @@ TEST(TestedDrift, is_that_of_the_kind_and_masonry) {
   const Model brick = compile(wall_spec());
   ModelSpec spec = wall_spec();
   spec.wall.unit.split = Split::kNone;
+  const Model whole = compile(spec);  // bricks or stones: nobody knows
+  for (auto& [name, material] : spec.material)
+    material.tensile_strength = material.cohesion = material.residual_cohesion = 0;
   const Model stone = compile(spec);
   const auto drift = [](const Model& model, const char* mode) {
     return study::compare_with(kTests, model, run_of(model, mode)).drift;
@@ -86,6 +89,7 @@ TEST(TestedDrift, is_that_of_the_kind_and_masonry) {
   EXPECT_DOUBLE_EQ(drift(brick, "shear + rocking").median, 0.00711);
   EXPECT_DOUBLE_EQ(drift(stone, "rocking").median, 0.0174);
   EXPECT_TRUE(drift(stone, "rocking").stone);
+  EXPECT_EQ(drift(whole, "shear").walls, 0);
   EXPECT_EQ(drift(brick, "sliding at the top").walls, 0);
   EXPECT_EQ(drift(brick, "unclear").walls, 0);
 }

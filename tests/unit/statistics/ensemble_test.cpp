@@ -59,6 +59,10 @@ TEST(OfWalls, bounds_count_as_bounds) {
   readings[3].censored = readings[4].censored = true;
   EXPECT_TRUE(std::isinf(of_walls(readings).median.value));
   EXPECT_EQ(of_walls(readings).at_least, 17);
+  // a bound below the middle may stand above it, so the middle is not known
+  const OfWalls low = of_walls({{10, false}, {12, true}, {14, false}, {16, false}, {18, false}});
+  EXPECT_TRUE(std::isinf(low.median.value));
+  EXPECT_EQ(low.at_least, 14);
   // a wall without a number is not counted
   EXPECT_EQ(of_walls({{1, false}, {}}).n, 1);
 }
