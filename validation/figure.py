@@ -77,8 +77,8 @@ class LogSquare:
     """Predicted against measured on two equal logarithmic axes, with rays of equal ratio and bands between them."""
     SIZE, LEFT, TOP = 420, 62, 16
 
-    def __init__(self, x_label, y_label, low, high):
-        self.low, self.high, self.labels = low, high, (x_label, y_label)
+    def __init__(self, x_label, y_label, low, high, unit="kN"):
+        self.low, self.high, self.labels, self.unit = low, high, (x_label, y_label), unit
         self.bands, self.rays, self.points, self.keys = [], [], [], []
 
     def at(self, value):
@@ -108,7 +108,7 @@ class LogSquare:
     def point(self, measured, predicted, colour, is_full, name):
         x, y = self.xy(measured, predicted)
         self.points.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{colour if is_full else "white"}" stroke="{colour}" '
-                           f'stroke-width="1.6"><title>{name}: {predicted:g} for {measured:.4g} kN</title></circle>')
+                           f'stroke-width="1.6"><title>{name}: {predicted:g} for {measured:.4g} {self.unit}</title></circle>')
 
     def key(self, colour, name, hollow=False):
         fill = "white" if hollow else colour
@@ -116,7 +116,7 @@ class LogSquare:
 
     def axes(self):
         parts = []
-        for t in (10, 20, 50, 100, 200, 500, 1000):
+        for t in (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000):
             if not self.low <= t <= self.high:
                 continue
             x, y = self.xy(t, t)

@@ -68,6 +68,12 @@ def statistic_table(found):
                   "so a prediction is"], rows)
 
 
+def constants_table():
+    return table(["kind", "masonry", "tests", "middle drift, %", "nine of ten, %", "sd of ln", "source"],
+                 [[row["kind"], row["masonry"], row["walls"], row["median_percent"], f"{row['low_percent']} to {row['high_percent']}", row["log_scatter"],
+                   row["source"]] for row in walls.read_csv(CONSTANTS)])
+
+
 def bound_text(value, is_bound, unit="", digits=3):
     return ("> " if is_bound else "") + f"{value:.{digits}g}{unit}"
 
@@ -157,7 +163,7 @@ def settings_table(name):
 
 def draw(figures, found):
     """Predicted against measured peaks with the bands of the tests' scatter and of the model's about its bias."""
-    figure = LogSquare("measured peak (kN)", "predicted peak (kN)", 10, 500)
+    figure = LogSquare("measured peak (kN)", "predicted peak (kN)", 10, 1000)
     everything = found["all"]
     if everything and everything["sigma_M"] is not None:
         figure.band(everything["delta"] * math.exp(-2 * everything["sigma_M"]), everything["delta"] * math.exp(2 * everything["sigma_M"]),
@@ -175,6 +181,25 @@ def draw(figures, found):
         figure.key(COLOUR[kind], MEANING[kind])
     figure.key(INK, "hollow: does not count", hollow=True)
     with open(os.path.join(figures, "validation_peaks.svg"), "w", encoding="utf-8") as file:
+        file.write(figure.svg())
+
+
+def draw_drifts(figures):
+    """Predicted against measured drifts at 80 % of the peak; hollow where either is a bound or the test does not count."""
+    figure = LogSquare("measured drift (%)", "predicted drift (%)", 0.02, 5, "%")
+    figure.ray(1, INK)
+    answers = walls.predicted()
+    for test in walls.read_csv(walls.WALLS):
+        answer, told = answers.get(test["wall"]), walls.measured_drift(test)
+        if told is None or not answer or not answer["at_80_mm"]:
+            continue
+        drift = float(answer["at_80_mm"]) / 10 / float(test["drift_height_m"])
+        known = not walls.left_out(test) and answer["is_bound"] != "yes" and not told[1]
+        figure.point(told[0], drift, COLOUR[test["kind"]], known, test["test"])
+    for kind in walls.KINDS:
+        figure.key(COLOUR[kind], MEANING[kind])
+    figure.key(INK, "hollow: a bound, or does not count", hollow=True)
+    with open(os.path.join(figures, "validation_drifts.svg"), "w", encoding="utf-8") as file:
         file.write(figure.svg())
 
 
@@ -261,11 +286,15 @@ def write(page, held=HELD):
     lines += first_lines(found["peak"], found["drift"])
     lines += [readme_part(".", "Range"), "", "![predicted against measured peaks](figures/validation_peaks.svg)", "",
               "## Peak force", ""] + statistic_table(found["peak"])
-    lines += ["## Drift where the force has fallen to 80 % of the peak", ""] + statistic_table(found["drift"])
+    draw_drifts(figures)
+    lines += ["## Drift where the force has fallen to 80 % of the peak", "", "![predicted against measured drifts](figures/validation_drifts.svg)", ""]
+    lines += statistic_table(found["drift"])
+    lines += ["What a constant for each kind is worth instead, and how far tests of that kind went (validation/drift_constants.csv):", ""]
+    lines += constants_table()
     lines += ["\\* The scatter is that of the tests: the model cannot be shown to be better than they are.", "",
               readme_part(".", "Reading"), "",
-              f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice, and of drifts {drift_scatter:.2f}, from the "
-              f"two directions of {drift_pairs} tests.", "", "## Wall by wall", ""]
+              f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice, and of drifts {drift_scatter:.2f}, from replicates of "
+              f"brick and block walls that failed alike ({drift_pairs} degrees of freedom).", "", "## Wall by wall", ""]
     lines += wall_table() + [f"The kind of failure is that of the test in {agree} of {named} tests. Builds: {', '.join(builds)}.", "",
                              "Not counted:", ""] + left_out_lines(tests)
     lines += [readme_part(".", "Rules"), "", "### What was changed after a result had been seen", "",
