@@ -223,7 +223,7 @@ def own_drifts(found):
     for kind in ("shear", "rocking", "mixed"):
         b = found["drift"][kind]
         known = b is not None and b["sigma_M"] is not None
-        rows.append((kind, b["n"] if known else 0, b["median"] if known else None,
+        rows.append((kind, b["n"] + b["censored"] if known else 0, b["median"] if known else None,
                      math.exp(math.hypot(b["sigma_M"], b["sigma_E"])) if known else None))
     return rows
 

@@ -189,7 +189,7 @@ Pace pace_of(const StageSpec& stage) {
     case StageKind::kLoad: break;
     case StageKind::kPush: {
       const StageSpec adapted = with_velocity(stage);
-      // near balance most of the way: measured pushes that adapt took 1.1 to 3 times as long as at full speed
+      // pushes that adapt took 1 to 5 times as many steps as at full speed (docs/evidence/rate.md)
       constexpr double kOfAdapting = 2;
       const bool adapts = adapted.fast_velocity > adapted.velocity;
       Pace pace =

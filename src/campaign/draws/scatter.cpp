@@ -33,20 +33,6 @@ constexpr double kUnitEnergy = 0.7;  // GI of units goes with ft^0.7 (docs/theor
 constexpr double kLeastRoom = 1.05;  // under the cap, times the mean: a scatter has room
 constexpr double kBelowCap = 0.95;   // of the cohesion that a compression cap allows
 
-constexpr const char* kPrefix = "scatter_";  // of the names of its fields
-
-bool is_same(const FieldSpec& a, const FieldSpec& b) {
-  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  if (a.correlation.size() != b.correlation.size()) return false;
-  for (const auto& [name, tie] : a.correlation)
-    if (!b.correlation.contains(name) || !same(tie.gaussian, b.correlation.at(name).gaussian))
-      return false;
-  return a.path == b.path && a.formula == b.formula && a.distribution == b.distribution &&
-         a.by == b.by && a.kernel == b.kernel && a.seed == b.seed && same(a.cov, b.cov) &&
-         same(a.low, b.low) && same(a.high, b.high) && same(a.lower, b.lower) &&
-         same(a.upper, b.upper) && same(a.along, b.along) && same(a.across, b.across);
-}
-
 class Scatter {
  public:
   Scatter(ModelSpec& spec, const std::function<bool(const std::string&)>& has_places,
@@ -112,7 +98,7 @@ class Scatter {
 
   // The field of one key, "scatter_joint_tensile_strength"; none where the model has its own.
   FieldSpec* field(const std::string& role, const std::string& name, const char* key) {
-    const std::string own = fmt::format("{}{}_{}", kPrefix, role, key);
+    const std::string own = fmt::format("{}{}_{}", kScatterPrefix, role, key);
     const std::string path = fmt::format("material.{}.{}", name, key);
     if (has_own(own, path) || !has_places_(path)) return nullptr;
     FieldSpec& f = spec_.field[own];
@@ -135,7 +121,7 @@ class Scatter {
     if (lognormal && std::isnan(f->lower) && std::isnan(f->upper))
       f->lower = kLower, f->upper = upper;
     if (f->seed == 0) f->seed = s_.seed;
-    return fmt::format("{}{}_{}", kPrefix, role, key);
+    return fmt::format("{}{}_{}", kScatterPrefix, role, key);
   }
   void follows(const std::string& role, const std::string& name, const char* key,
                const std::string& formula) {
@@ -232,25 +218,6 @@ class Scatter {
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults) {
   if (spec.scatter.is_asked()) Scatter(spec, has_places, faults).add();
-}
-
-void drop_scatter(ModelSpec& spec) {
-  if (!spec.scatter.is_asked()) return;
-  const auto own = [](const auto& field) { return field.first.starts_with(kPrefix); };
-  ModelSpec again = spec;
-  std::erase_if(again.field, own);
-  FaultList faults;
-  add_scatter(
-      again,
-      [&](const std::string& path) {
-        return std::any_of(spec.field.begin(), spec.field.end(),
-                           [&](const auto& f) { return own(f) && f.second.path == path; });
-      },
-      faults);
-  std::erase_if(spec.field, [&](const auto& field) {
-    const auto made = again.field.find(field.first);
-    return own(field) && made != again.field.end() && is_same(field.second, made->second);
-  });
 }
 
 }  // namespace wythe::study

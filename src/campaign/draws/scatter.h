@@ -9,12 +9,12 @@
 
 namespace wythe::study {
 
+// Names of its fields: "scatter_joint_tensile_strength".
+inline constexpr const char* kScatterPrefix = "scatter_";
+
 // Adds the fields that [scatter] asks for, of keys that have places in the wall; a field that stands there
 // already keeps what it says. Refuses an unknown kind of masonry and a scatter of nothing.
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults);
-
-// Takes out of `spec.field` what add_scatter() would put there just so.
-void drop_scatter(ModelSpec& spec);
 
 }  // namespace wythe::study

@@ -1,5 +1,6 @@
 #include "io/text/toml_writer.h"
 #include "campaign/draws/scatter.h"
+#include "io/keys/same_spec.h"
 
 #include <algorithm>
 #include <cctype>
@@ -126,9 +127,37 @@ std::string Writer::in_braces() const {
 
 }  // namespace io
 
+namespace {
+
+// Takes out the fields that [scatter] makes again just so.
+void drop_scatter(ModelSpec& spec) {
+  if (!spec.scatter.is_asked()) return;
+  const auto is_own = [](const auto& field) {
+    return field.first.starts_with(study::kScatterPrefix);
+  };
+  ModelSpec again = spec;
+  std::erase_if(again.field, is_own);
+  FaultList faults;
+  study::add_scatter(
+      again,
+      [&](const std::string& path) {
+        return std::any_of(spec.field.begin(), spec.field.end(), [&](const auto& field) {
+          return is_own(field) && field.second.path == path;
+        });
+      },
+      faults);
+  std::erase_if(spec.field, [&](const auto& field) {
+    const auto made = again.field.find(field.first);
+    return is_own(field) && made != again.field.end() &&
+           io::flatten(field.second) == io::flatten(made->second);
+  });
+}
+
+}  // namespace
+
 std::string write_model(const ModelSpec& spec) {
-  ModelSpec copy = spec;      // one description serves readers and writers, so it takes T&
-  study::drop_scatter(copy);  // [scatter] makes these fields again
+  ModelSpec copy = spec;  // one description serves readers and writers, so it takes T&
+  drop_scatter(copy);     // [scatter] makes these fields again
   io::Writer writer("");
   describe(writer, copy);
   const std::string text = writer.whole();

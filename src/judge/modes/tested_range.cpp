@@ -15,7 +15,8 @@ using study::TestedKind;
 // A wall this much beyond the most extreme test is still like it: the tests of a kind lie further apart.
 constexpr double kNear = 1.25;
 constexpr double kUsableLow = 0.9, kUsableHigh = 1.15;  // a bias within them needs no word
-constexpr int kFew = 3;                                 // walls below which a bias is an anecdote
+constexpr double kUsableFactor = 1.65;  // of drifts: exp(0.5); a constant of shear has exp(0.38)
+constexpr int kFew = 3;                 // walls below which a bias is an anecdote
 
 bool is_beyond(double value, double low, double high) {
   return value < low / kNear || value > kNear * high;
@@ -145,11 +146,12 @@ Message drift_note_of(const TestedRange& range) {
                 {"low", 1e2 * d.low},
                 {"high", 1e2 * d.high}}};
   if (d.own_walls < kFew) return note;
-  return {"range.drift_both",
-          {{"tests", std::move(note)},
-           {"own",
-            Message{"range.drift_own",
-                    {{"walls", d.own_walls}, {"ratio", d.own_ratio}, {"factor", d.own_factor}}}}}};
+  const char* own = d.own_factor > kUsableFactor ? "range.drift_worthless" : "range.drift_own";
+  return {
+      "range.drift_both",
+      {{"tests", std::move(note)},
+       {"own",
+        Message{own, {{"walls", d.own_walls}, {"ratio", d.own_ratio}, {"factor", d.own_factor}}}}}};
 }
 
 TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& model,

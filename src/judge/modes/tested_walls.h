@@ -41,9 +41,9 @@ struct OwnDrift {
   double ratio, factor;
 };
 inline constexpr OwnDrift kOwnDrifts[] = {
-    {"shear", 11, 5.09, 18.4},
-    {"rocking", 2, 0.123, 11.2},
-    {"mixed", 4, 1.36, 2.4}};
+    {"shear", 23, 5.09, 18.4},
+    {"rocking", 4, 0.123, 11.2},
+    {"mixed", 5, 1.36, 2.4}};
 // clang-format on
 
 }  // namespace wythe::study
