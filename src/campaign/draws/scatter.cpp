@@ -110,8 +110,8 @@ class Scatter {
                         double cov, DistributionKind distribution, double upper) {
     if (!(cov > 0)) return "";
     FieldSpec* f = field(role, name, key);
-    if (f == nullptr) return "";
-    const bool says_scatter = !std::isnan(f->cov);  // the model changes this field
+    if (f == nullptr || !f->formula.empty()) return "";  // the model's own formula holds
+    const bool says_scatter = !std::isnan(f->cov);       // the model changes this field
     if (!says_scatter) {
       f->cov = cov;
       f->distribution = distribution;
@@ -125,7 +125,8 @@ class Scatter {
   }
   void follows(const std::string& role, const std::string& name, const char* key,
                const std::string& formula) {
-    if (FieldSpec* f = field(role, name, key); f != nullptr) f->formula = formula;
+    FieldSpec* f = field(role, name, key);
+    if (f != nullptr && f->formula.empty() && std::isnan(f->cov)) f->formula = formula;
   }
 
   // "max(GI0/ft0 ft, 1.05 G ft^2/kn)", G the steepest slope of the softening: never snap-back.

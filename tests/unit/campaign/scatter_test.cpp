@@ -137,6 +137,22 @@ TEST(Scatter, a_field_of_the_model_itself_holds) {
   EXPECT_NEAR(spread_of(spec.field.at("own").drawn).cov, 0.1, 0.01);
 }
 
+TEST(Scatter, one_change_of_its_own_field_holds) {
+  const char* kUse = "[scatter]\nuse = \"clay_brick\"\n";
+  const auto field = [&](const std::string& key, const std::string& change) {
+    return wall_of(kUse + ("[field.scatter_joint_" + key + "]\n" + change + "\n"))
+        .field.at("scatter_joint_" + key);
+  };
+  const FieldSpec wider = field("tensile_strength", "cov = 0.45");
+  EXPECT_EQ(wider.cov, 0.45);
+  EXPECT_EQ(wider.by, FieldBy::kUnit);
+  const FieldSpec tied = field("tensile_strength", "formula = \"0.7 * scatter_joint_cohesion\"");
+  EXPECT_EQ(tied.formula, "0.7 * scatter_joint_cohesion");
+  EXPECT_TRUE(std::isnan(tied.cov));
+  const FieldSpec free = field("mode_1_energy", "cov = 0.05\nby = \"joint\"");
+  EXPECT_EQ(free.formula, "");
+}
+
 TEST(Scatter, what_is_written_reads_back_as_the_same_wall) {
   const ModelSpec spec = wall_of("[scatter]\nuse = \"clay_brick\"\nseed = 3\n");
   const ModelSpec again = parse_model(write_model(spec), "again.toml");
