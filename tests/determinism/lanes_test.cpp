@@ -332,6 +332,27 @@ TEST(Lanes, any_number_of_points_a_face) {
     }
 }
 
+// GII grows with pressure in one, by another b in the next, and by 0 in the last.
+TEST(Lanes, walls_whose_energy_grows_with_pressure_too) {
+  for (const bool in_space : {false, true}) {
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double b : {0.2e-3, 0.05e-3, 0.0}) {
+      ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
+      spec.material.at("joint").mode_2_energy_per_pressure = b;
+      walls.push_back(std::make_unique<Wall>(in_space ? scenes::prisms(spec) : spec, 1));
+    }
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[1]->model));
+    ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[2]->model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    const Wall none(in_space ? scenes::prisms(scenes::plain_wall(5, 7, 0.3e-3, 0.05))
+                             : scenes::plain_wall(5, 7, 0.3e-3, 0.05),
+                    1);
+    EXPECT_EQ(walls[2]->alone, none.alone);
+    EXPECT_FALSE(dynamics::fit_together(walls[2]->model, none.model));
+    solve_together(walls, 4);
+  }
+}
+
 // Walls that were stepped alone beside others enter lanes of their own in the middle of their run.
 TEST(Lanes, walls_that_enter_midway_keep_their_bits) {
   std::vector<std::unique_ptr<Wall>> walls;
