@@ -23,7 +23,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <type_traits>
 
 #include "contact/softening.h"
@@ -39,7 +38,7 @@ struct LawChoice {
   Unloading unloading = Unloading::kSecant;
   bool cap = false;     // crushing by an ellipse in normal and shear stress, hardening, dilatancy
   bool rising = false;  // GII grows with pressure
-  auto operator<=>(const LawChoice&) const = default;
+  bool operator==(const LawChoice&) const = default;
 };
 
 // How a function of the law learns of the choice: a Variant states it when the program is compiled, so

@@ -193,8 +193,7 @@ TEST(ClosedForm, CF13e_energy_that_grows_with_pressure) {
   verify({"CF13e", "mode II, GII = a + b sn: plastic slip at which cohesion is exhausted", "m",
           0.002186667, 1e-6, "straight branch; the value has 7 digits"},
          end);
-  const double friction =
-      0.3e6 * std::tan(degrees(16.2)) * plastic(static_cast<std::size_t>(4000));
+  const double friction = 0.3e6 * std::tan(degrees(16.2)) * plastic(static_cast<std::size_t>(4000));
   verify({"CF13e", "mode II, GII = a + b sn: work above the residual under 0.3 MPa", "N/m", 164,
           1e-6, "straight branch; one substep over its end"},
          s.answers.back().dissipated - friction);

@@ -186,7 +186,8 @@ std::vector<std::size_t> joint_order(const std::vector<Face>& faces, const Block
     const bool ground =
         face.a == geometry::kGround || map[static_cast<std::size_t>(face.a)] == kGroundBlock;
     const JointMaterial& m = model.materials[static_cast<std::size_t>(material[f])];
-    return std::tuple(ground, contact::choice_of(m), model.stated(material[f]));
+    return std::tuple(ground, m.softening, m.coupling, m.unloading, contact::choice_of(m).cap,
+                      model.stated(material[f]));
   };
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
   return order;

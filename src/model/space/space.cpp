@@ -370,10 +370,14 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
   }
   materials.report_drawn();
   faults.throw_if_any();
+  const auto variant = [&](const Placed& joint) {
+    const contact::LawChoice c = contact::choice_of(model.materials[at(joint.material)]);
+    return std::array{static_cast<int>(c.softening), static_cast<int>(c.coupling),
+                      static_cast<int>(c.unloading), static_cast<int>(c.cap)};
+  };
   const auto key = [&](const Placed& joint) {
-    return std::tuple(joint.a >= model.n_block,
-                      contact::choice_of(model.materials[at(joint.material)]),
-                      model.stated(joint.material), joint.points.r1.size());
+    return std::tuple(joint.a >= model.n_block, variant(joint), model.stated(joint.material),
+                      joint.points.r1.size());
   };
   std::stable_sort(joints.begin(), joints.end(),
                    [&](const Placed& p, const Placed& q) { return key(p) < key(q); });

@@ -158,8 +158,7 @@ TEST(RisingEnergy, damage_never_falls_on_any_path) {
     const auto law = contact::constants_of(m);
     contact::History<double> h{};
     double last = 0;
-    for (const auto& [pressed, slip] :
-         *rc::gen::container<std::vector<std::pair<int, int>>>(
+    for (const auto& [pressed, slip] : *rc::gen::container<std::vector<std::pair<int, int>>>(
              rc::gen::pair(rc::gen::inRange(-100, 20), rc::gen::inRange(-300, 301)))) {
       const auto now = update(law, 1e-6 * pressed, 2e-6 * slip, h);
       RC_ASSERT(now.damage >= last - 1e-15);
@@ -179,8 +178,7 @@ TEST(RisingEnergy, none_stated_as_zero_has_the_bits_of_none) {
     const auto law = contact::constants_of(m), same = contact::constants_of(zero);
     RC_ASSERT(!law.choice.rising && same.choice.rising);
     contact::History<double> h{}, g{};
-    for (const auto& [opening, slip] :
-         *rc::gen::container<std::vector<std::pair<int, int>>>(
+    for (const auto& [opening, slip] : *rc::gen::container<std::vector<std::pair<int, int>>>(
              rc::gen::pair(rc::gen::inRange(-100, 60), rc::gen::inRange(-300, 301)))) {
       const auto one = update(law, 1e-6 * opening, 2e-6 * slip, h);
       const auto other = update(same, 1e-6 * opening, 2e-6 * slip, g);
