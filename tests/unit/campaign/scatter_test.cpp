@@ -117,7 +117,9 @@ TEST(Scatter, no_draw_is_refused_where_energy_grows_with_pressure) {
     const auto& g2 = spec.field.at("scatter_joint_mode_2_energy").drawn;
     EXPECT_GT(spread_of(c).most, 2) << seed;
     for (std::size_t i = 0; i < c.size(); ++i) {
-      if (c[i] < 1) EXPECT_NEAR(g2[i], 3.5 * c[i], 1e-9) << seed;
+      if (c[i] < 1) {
+        EXPECT_NEAR(g2[i], 3.5 * c[i], 1e-9) << seed;
+      }
     }
   }
 }
