@@ -41,7 +41,9 @@ struct JointMaterial {
   double residual_friction_angle = kUnset;  // phi_res [rad]
   double residual_cohesion = kUnset;        // c_res [Pa]
   double mode_1_energy = kUnset;            // GI [N/m], whole area; needed when ft > 0
-  double mode_2_energy = kUnset;         // GII [N/m], work above the residual; needed when t0 > tr
+  double mode_2_energy = kUnset;  // GII [N/m], work above the residual; needed when t0 > tr
+  // b [m]: GII grows by b with each Pa of pressure, GII = mode_2_energy + b sn; unset: it does not.
+  double mode_2_energy_per_pressure = kUnset;
   double compressive_strength = kUnset;  // fc [Pa], kUnlimited allowed
   double compressive_energy = kUnset;    // Gc [N/m], whole area; needed when fc is finite
   // Any of the next three makes crushing follow q, the path of normal and shear displacement together.

@@ -7,7 +7,8 @@
 //
 //   crushing   w_e = w + p,  p >= 0 grows where kn w_e < -fc(p)          area Gc
 //   tension    y = 1 - d_t = g(ft/GI (kappa - y w0)),  w0 = ft/kn         area GI, elastic part included
-//   shear      T = R + B (1 - d_s),  d_s = 1 - g(s (t0 - tr)/GII)          work above the residual GII
+//   shear      T = R + B (1 - d_s),  d_s = 1 - g(s (t0 - tr)/GII)          work above the residual GII,
+//              which is a + b sn where it grows with pressure (LawChoice::rising)
 //   coupling   1 - d = (1 - d_t)(1 - d_s)  or  min(1 - d_t, 1 - d_s); with stiffness damage shear sees
 //              1 - secant/kn in place of d_t
 //   normal     w_e > 0: secant through (kappa, (1 - d) ft) or elastic to w_t;  w_e <= 0: kn w_e
@@ -35,7 +36,8 @@ struct LawChoice {
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;
-  bool cap = false;  // crushing by an ellipse in normal and shear stress, hardening, dilatancy
+  bool cap = false;     // crushing by an ellipse in normal and shear stress, hardening, dilatancy
+  bool rising = false;  // GII grows with pressure
   bool operator==(const LawChoice&) const = default;
 };
 
@@ -44,7 +46,7 @@ struct LawChoice {
 // are compiled (with_variant, parameters.h): each costs seconds of compile time.
 template <Softening softening_, Coupling coupling_, Unloading unloading_, bool cap_ = false>
 struct Variant {
-  static constexpr LawChoice known{softening_, coupling_, unloading_, cap_};
+  static constexpr LawChoice known{softening_, coupling_, unloading_, cap_, false};
 };
 using PaperVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant>;
 using CappedVariant = Variant<Softening::kBilinear, Coupling::kUnion, Unloading::kSecant, true>;
@@ -66,9 +68,10 @@ struct LawConstants {
   Real tension_onset, tension_rate;  // bilinear d_t = clip((kappa - onset) rate, 0, 1)
   Real c_res, c_drop;                // c_res, c - c_res [Pa]
   Real tan_res, tan_drop;            // tan phi_res, tan phi0 - tan phi_res
-  Real half_inv_GII;                 // 1/(2 GII) [m/N]
+  Real half_inv_GII;                 // 1/(2 GII), of a rising GII without pressure, 1/(2 a) [m/N]
   Real fc, p_full, inv_p_full;       // [Pa], 2 Gc/fc [m], [1/m]
   Real crush_gain;                   // 1/(kn - fc/p_full) [m/Pa]
+  Real twice_b;                      // 2 b, of a law with a rising GII alone [m]
   // of a law with a cap alone
   Real root_css, css_ks;                          // sqrt Css [-], Css ks [Pa/m]
   Real harden, inv_harden, harden_drop;           // kappa_p [m]; share of fc missing at q = 0 [-]
@@ -98,6 +101,7 @@ inline constexpr std::array kConstants{&C::tension_onset,
                                        &C::inv_ks,
                                        &C::p_full,
                                        &C::crush_gain,
+                                       &C::twice_b,
                                        &C::root_css,
                                        &C::css_ks,
                                        &C::harden,
@@ -194,7 +198,7 @@ struct Yield {
   Real residual;   // R [Pa]
   Real drop;       // B [Pa]
   Real floor;      // damage below which ds does not act (coupling by maximum)
-  Real slip_rate;  // (t0 - tr)/(2 GII) = 1/su [1/m]
+  Real slip_rate;  // (t0 - tr)/(2 GII) = 1/su at the present pressure [1/m]
 };
 
 template <class V, class C, class Real>
@@ -206,8 +210,11 @@ template <class V, class C, class Real>
   yield.residual = m.c_res + sn * m.tan_res;
   yield.drop = m.c_drop + sn * m.tan_drop;
   yield.floor = zero;
-  const Real peak_drop = m.c_drop + maximum(sn, zero) * m.tan_drop;  // t0 - tr
+  const Real pressure = maximum(sn, zero);
+  const Real peak_drop = m.c_drop + pressure * m.tan_drop;  // t0 - tr
   yield.slip_rate = maximum(peak_drop, zero) * m.half_inv_GII;
+  if (choice_of<V>(m).rising)  // GII = a (1 + sn b/a)
+    yield.slip_rate = yield.slip_rate / (one + pressure * (m.twice_b * m.half_inv_GII));
   const Coupling coupling = choice_of<V>(m).coupling;
   if (coupling == Coupling::kUnion) {
     yield.drop = yield.drop * left;

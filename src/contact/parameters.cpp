@@ -35,11 +35,15 @@ namespace contact {
 double greatest_drop(const JointMaterial& m) {
   return std::max(drop_of(m, 0.0), drop_of(m, greatest_compression(m)));
 }
+double greatest_rise(const JointMaterial& m) {
+  return choice_of(m).rising ? m.mode_2_energy_per_pressure * greatest_compression(m) : 0.0;
+}
 }  // namespace contact
 
 namespace {
 
 using contact::greatest_drop;
+using contact::greatest_rise;
 
 class Checker {
  public:
@@ -93,9 +97,10 @@ class Checker {
             fmt::format("write e.g. {} = \"30 deg\"", key));
   }
 
-  // Asks for an energy only where it acts, and for a branch no steeper than the elastic one.
+  // Asks for an energy only where it acts, and for a branch no steeper than the elastic one. `already_spent`
+  // is missing for it; below 0: comes on top.
   void check_energy(const char* key, double energy, double strength, double stiffness,
-                    double steepest, const char* what, const char* example,
+                    double steepest, const std::string& what, const char* example,
                     double already_spent = 0) {
     const double least = already_spent + steepest * strength * strength / stiffness;
     if (std::isnan(energy)) {
@@ -118,10 +123,12 @@ class Checker {
   }
 
   void check_shear() {
-    if (m_.tensile_strength > 0 && greatest_drop(m_) > 0)
-      check_energy("mode_2_energy", m_.mode_2_energy, greatest_drop(m_), m_.shear_stiffness,
-                   contact::steepest_slope(m_.softening), "the drop from peak to residual shear",
-                   "\"125 N/m\"");
+    const double rise = m_.mode_2_energy_per_pressure;
+    if (!std::isnan(rise) && !(rise >= 0 && std::isfinite(rise)))
+      fault("mode_2_energy_per_pressure", fmt::format("{:g} mm", 1e3 * rise), "must be at least 0",
+            "write e.g. \"0.1 mm\", or leave it out");
+    else if (m_.tensile_strength > 0 && greatest_drop(m_) > 0)
+      check_slip_energy();
     if (m_.residual_friction_angle > m_.friction_angle)
       fault("residual_friction_angle", degrees(m_.residual_friction_angle),
             "is above friction_angle " + degrees(m_.friction_angle),
@@ -130,6 +137,18 @@ class Checker {
       fault("residual_cohesion", fmt::format("{:g} MPa", m_.residual_cohesion * 1e-6),
             fmt::format("is above cohesion {:g} MPa", m_.cohesion * 1e-6),
             "write a residual no greater than the peak");
+  }
+
+  // GII less what snap-back asks for is concave in the pressure, so the worse of its ends decides (joint_law.md, 3.13).
+  void check_slip_energy() {
+    const double steepest = contact::steepest_slope(m_.softening), rise = greatest_rise(m_);
+    const double least = std::max(0.0, drop_of(m_, 0.0)), most = greatest_drop(m_);
+    const bool pressed = steepest * (most * most - least * least) >= rise * m_.shear_stiffness;
+    std::string what = "the drop from peak to residual shear";
+    if (pressed && rise > 0)
+      what += fmt::format(", for {:g} N/m more by mode_2_energy_per_pressure,", rise);
+    check_energy("mode_2_energy", m_.mode_2_energy, pressed ? most : least, m_.shear_stiffness,
+                 steepest, what, "\"125 N/m\"", pressed ? -rise : 0);
   }
 
   void check_compression() {
@@ -216,7 +235,9 @@ double resolving_step(const JointMaterial& m) {
                      m.mode_1_energy / m.tensile_strength / 500});
   const double drop = greatest_drop(m);
   if (m.tensile_strength > 0 && drop > 0)
-    step = std::min({step, drop / m.shear_stiffness / 50, m.mode_2_energy / drop / 500});
+    // GII over its drop goes up or down all the way with the pressure
+    step = std::min({step, drop / m.shear_stiffness / 50, m.mode_2_energy / drop_of(m, 0.0) / 500,
+                     (m.mode_2_energy + greatest_rise(m)) / drop / 500});
   return step;
 }
 
@@ -352,6 +373,7 @@ LawConstants<double> constants_of(const JointMaterial& s) {
     m.tension_onset = -1.0;
     m.tension_rate = 1.0;
   }
+  m.twice_b = choice_of(s).rising ? 2.0 * s.mode_2_energy_per_pressure : 0.0;
   m.c_res = std::min(s.residual_cohesion, kHuge);
   m.c_drop = std::min(s.cohesion, kHuge) - m.c_res;
   m.tan_res = std::tan(s.residual_friction_angle);

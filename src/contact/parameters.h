@@ -12,10 +12,12 @@ namespace wythe::contact {
 
 // The largest fall from peak to residual shear stress at any pressure up to crushing [Pa].
 [[nodiscard]] double greatest_drop(const JointMaterial& material);
+// What a GII that rises with pressure gains up to crushing, or to 10 MPa where that is unlimited [N/m].
+[[nodiscard]] double greatest_rise(const JointMaterial& material);
 
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
   const bool cap = m.compression_cap > 0 || m.hardening_displacement > 0 || m.dilatancy_angle > 0;
-  return {m.softening, m.coupling, m.unloading, cap};
+  return {m.softening, m.coupling, m.unloading, cap, m.mode_2_energy_per_pressure >= 0};
 }
 
 // Calls visitor(V{}) with the compiled variant that a law runs through: the paper's, the same with a cap,

@@ -45,6 +45,7 @@ struct Rule {
   double (*value)(const Inputs&);
   bool by_unit_type = false;
   bool on_request = false;  // for a key the law does without: `missing` leaves it out
+  bool clay_alone = false;  // tested on clay units alone; goes with by_unit_type
 };
 
 // Every rule. Of those with the same role and key the first is the one meant by "rule".

@@ -24,6 +24,7 @@ constexpr FieldKey kKeys[] = {
     {"compressive_strength", &JointMaterial::compressive_strength, "Pa", "MPa"},
     {"mode_1_energy", &JointMaterial::mode_1_energy, "N/m", "N/m"},
     {"mode_2_energy", &JointMaterial::mode_2_energy, "N/m", "N/m"},
+    {"mode_2_energy_per_pressure", &JointMaterial::mode_2_energy_per_pressure, "m", "mm"},
     {"compressive_energy", &JointMaterial::compressive_energy, "N/m", "N/m"},
     {"normal_stiffness", &JointMaterial::normal_stiffness, "Pa/m", "GPa/m"},
     {"shear_stiffness", &JointMaterial::shear_stiffness, "Pa/m", "GPa/m"},

@@ -87,7 +87,8 @@ std::uint64_t topology_of(const Model& model) {
   for (const JointMaterial& m : model.materials) {
     const contact::LawChoice choice = contact::choice_of(m);
     for (const int word : {static_cast<int>(choice.softening), static_cast<int>(choice.coupling),
-                           static_cast<int>(choice.unloading), static_cast<int>(choice.cap)})
+                           static_cast<int>(choice.unloading), static_cast<int>(choice.cap),
+                           static_cast<int>(choice.rising)})
       hash.add(static_cast<double>(word));
   }
   if (model.in_space()) hash.add(static_cast<double>(static_cast<int>(model.solve.damping_form)));

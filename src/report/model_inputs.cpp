@@ -36,6 +36,7 @@ constexpr MaterialRow kMaterialRows[] = {
     {"compressive_strength", "MPa", 1e-6, &JointMaterial::compressive_strength},
     {"mode_1_energy", "kN/m", 1e-3, &JointMaterial::mode_1_energy},
     {"mode_2_energy", "kN/m", 1e-3, &JointMaterial::mode_2_energy},
+    {"mode_2_energy_per_pressure", "mm", 1e3, &JointMaterial::mode_2_energy_per_pressure},
     {"compressive_energy", "kN/m", 1e-3, &JointMaterial::compressive_energy},
     {"compression_cap", "", 1, &JointMaterial::compression_cap},
     {"hardening_displacement", "mm", 1e3, &JointMaterial::hardening_displacement},

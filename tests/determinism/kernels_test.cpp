@@ -58,13 +58,15 @@ void add_cap(JointMaterial& material) {
   material.dilatancy_angle = 0.3 * material.residual_friction_angle;
 }
 
-Model wall_of(Softening softening, Coupling coupling, Unloading unloading, int points, bool cap) {
+Model wall_of(Softening softening, Coupling coupling, Unloading unloading, int points, bool cap,
+              bool rising = false) {
   ModelSpec spec = scenes::plain_wall(5, 7, 0.3e-3, 0.05);
   for (auto& [name, material] : spec.material) {
     material.softening = softening;
     material.coupling = coupling;
     material.unloading = unloading;
     if (cap && std::isfinite(material.compressive_strength)) add_cap(material);
+    if (rising) material.mode_2_energy_per_pressure = 0.2e-3;
   }
   spec.solve.points_per_face = points;
   return compile(spec);
@@ -88,6 +90,18 @@ TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one) {
                   << set->name << ", " << points << " points, turn " << turn;
           }
         }
+}
+
+TEST(Kernels, all_sets_give_the_bits_of_the_scalar_one_where_energy_grows_with_pressure) {
+  for (const Softening softening : {Softening::kBilinear, Softening::kExponential})
+    for (const bool cap : {false, true}) {
+      const Model model = wall_of(softening, Coupling::kUnion, Unloading::kSecant, 3, cap, true);
+      const Model without = wall_of(softening, Coupling::kUnion, Unloading::kSecant, 3, cap);
+      const End scalar = step_with(*dynamics::kernels_here()[0], model, 1e-4);
+      EXPECT_FALSE(scalar == step_with(*dynamics::kernels_here()[0], without, 1e-4));
+      for (const Kernels* set : dynamics::kernels_here())
+        EXPECT_TRUE(step_with(*set, model, 1e-4) == scalar) << set->name;
+    }
 }
 
 // 15 x 3 zones and their contacts: whole packs and what is left over.

@@ -332,6 +332,29 @@ TEST(Lanes, any_number_of_points_a_face) {
     }
 }
 
+// GII grows with pressure in one, by another b in the next, and by 0 in the last. Of little cohesion, so that joints slide.
+TEST(Lanes, walls_whose_energy_grows_with_pressure_too) {
+  for (const bool in_space : {false, true}) {
+    const auto wall = [&](double b) {
+      ModelSpec spec = scenes::plain_wall(5, 7, 1.5e-3, 0.05);
+      JointMaterial& joint = spec.material.at("joint");
+      joint.cohesion *= 0.1;
+      joint.mode_2_energy_per_pressure = b;
+      return in_space ? scenes::prisms(spec) : spec;
+    };
+    std::vector<std::unique_ptr<Wall>> walls;
+    for (const double b : {0.2e-3, 0.05e-3, 0.0})
+      walls.push_back(std::make_unique<Wall>(wall(b), 1));
+    const Wall none(wall(kUnset), 1);
+    for (const std::size_t k : {1, 2})
+      ASSERT_TRUE(dynamics::fit_together(walls[0]->model, walls[k]->model));
+    EXPECT_FALSE(dynamics::fit_together(walls[2]->model, none.model));
+    EXPECT_NE(walls[0]->alone, walls[1]->alone);
+    EXPECT_EQ(walls[2]->alone, none.alone);
+    solve_together(walls, 4);
+  }
+}
+
 // Walls that were stepped alone beside others enter lanes of their own in the middle of their run.
 TEST(Lanes, walls_that_enter_midway_keep_their_bits) {
   std::vector<std::unique_ptr<Wall>> walls;

@@ -178,6 +178,27 @@ TEST(ClosedForm, CF13d_work_to_slip_5_mm) {
          0.1 * s.answers.back().dissipated);
 }
 
+// a 125 N/m, b 0.13 mm, 0.3 MPa: GII = 125 + 39 = 164 N/m; su = 2 x 164/0.15e6.
+TEST(ClosedForm, CF13e_energy_that_grows_with_pressure) {
+  JointMaterial m = shear_joint(degrees(16.2));
+  m.mode_2_energy_per_pressure = 0.13e-3;
+  const Shearing s = shear_under(m, 0.3e6, 4e-3, 4000);
+  std::size_t k = 0;
+  while (s.answers[k].damage_shear < 1) ++k;
+  const auto plastic = [&](std::size_t i) {
+    return s.path[i].slip - s.answers[i].shear_stress / m.shear_stiffness;
+  };
+  const double d0 = s.answers[k - 2].damage_shear, d1 = s.answers[k - 1].damage_shear;
+  const double end = plastic(k - 1) + (1 - d1) / (d1 - d0) * (plastic(k - 1) - plastic(k - 2));
+  verify({"CF13e", "mode II, GII = a + b sn: plastic slip at which cohesion is exhausted", "m",
+          0.002186667, 1e-6, "straight branch; the value has 7 digits"},
+         end);
+  const double friction = 0.3e6 * std::tan(degrees(16.2)) * plastic(static_cast<std::size_t>(4000));
+  verify({"CF13e", "mode II, GII = a + b sn: work above the residual under 0.3 MPa", "N/m", 164,
+          1e-6, "straight branch; one substep over its end"},
+         s.answers.back().dissipated - friction);
+}
+
 TEST(ClosedForm, CF15_closure_at_zero_compressive_stress) {
   const JointMaterial m = scenes::paper_joint();
   std::vector<ContactPathRow> path;

@@ -129,18 +129,28 @@ class Scatter {
     if (f != nullptr && f->formula.empty() && std::isnan(f->cov)) f->formula = formula;
   }
 
-  // "max(GI0/ft0 ft, 1.05 G ft^2/kn)", G the steepest slope of the softening: never snap-back.
+  // "max(GI0/ft0 ft, 1.05 G ft^2/kn)", G the steepest slope of the softening: never snap-back. `gained`: what the
+  // energy has on top where the drop is reached [N/m].
   static std::string energy(const std::string& proportional, const std::string& drop,
-                            double stiffness, const JointMaterial& m) {
-    return fmt::format("max({}, {:.17g} * ({}) ^ 2 / {:.17g} Pa/m)", proportional,
-                       kAbove * contact::steepest_slope(m.softening), drop, stiffness);
+                            double stiffness, const JointMaterial& m, double gained = 0) {
+    const std::string less = gained > 0 ? fmt::format(" - {:.17g} N/m", gained) : "";
+    return fmt::format("max({}, {:.17g} * ({}) ^ 2 / {:.17g} Pa/m{})", proportional,
+                       kAbove * contact::steepest_slope(m.softening), drop, stiffness, less);
   }
-  // The drop from peak to residual shear, greatest_drop(), with cohesion `c` in the place of the mean.
-  static std::string drop_of(const std::string& c, const JointMaterial& m) {
+  // The drop from peak to residual shear with cohesion `c` in the place of the mean, of which friction has a share.
+  static std::string drop_of(const std::string& c, const JointMaterial& m, double friction) {
     const double kept = m.cohesion > 0 ? m.residual_cohesion / m.cohesion : 0;
+    return fmt::format("{:.17g} * {} + {:.17g} Pa", 1 - kept, c, friction);
+  }
+  // GII, never snap-back under any pressure: without one, and at greatest_drop().
+  static std::string slip_energy(const std::string& proportional, const std::string& c,
+                                 const JointMaterial& m) {
     const double friction =
         std::max(0.0, contact::greatest_drop(m) - (m.cohesion - m.residual_cohesion));
-    return fmt::format("{:.17g} * {} + {:.17g} Pa", 1 - kept, c, friction);
+    const double rise = contact::greatest_rise(m), ks = m.shear_stiffness;
+    const std::string unpressed =
+        rise > 0 ? energy(proportional, drop_of(c, m, 0), ks, m) : proportional;
+    return energy(unpressed, drop_of(c, m, friction), ks, m, rise);
   }
 
   void add_joints(double tension, double cohesion) {
@@ -173,8 +183,7 @@ class Scatter {
       follows(role, name, "residual_cohesion",
               fmt::format("{:.17g} * {}", m.residual_cohesion / m.cohesion, c));
     if (scatters(m.mode_2_energy) && contact::greatest_drop(m) > 0)
-      follows(role, name, "mode_2_energy",
-              energy(proportional, drop_of(c, m), m.shear_stiffness, m));
+      follows(role, name, "mode_2_energy", slip_energy(proportional, c, m));
   }
 
   // What a compression cap leaves of a cohesion, as a multiple of its mean.

@@ -201,6 +201,10 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
              .range = kNotNegative, .fallback = "needed where shear strength drops",
              .example = "125 N/m",
              .doc = "GII, energy to shear a unit area through, above the residual friction."});
+  v.quantity("mode_2_energy_per_pressure", m.mode_2_energy_per_pressure, {.unit = "m", .shown = "mm",
+             .range = kNotNegative, .fallback = "none", .example = "0.13 mm",
+             .doc = "b: GII grows with the pressure on the joint, mode_2_energy + b sn (1 mm is 1 N/mm "
+                    "per MPa). Without it GII is the same under every pressure."});
   v.quantity("compressive_energy", m.compressive_energy, {.unit = "N/m", .shown = "N/m",
              .range = kNotNegative, .fallback = "needed where fc is limited",
              .example = "12800 N/m",

@@ -12,15 +12,16 @@ namespace {
 
 // A table with none of these describes a body (lintel, block), not a joint. The words softening,
 // coupling and unloading have defaults, which write_model writes for bodies too.
-constexpr std::array<std::string_view, 16> kLawKeys = {
-    "normal_stiffness",       "shear_stiffness",
-    "tensile_strength",       "cohesion",
-    "friction_angle",         "residual_friction_angle",
-    "residual_cohesion",      "mode_1_energy",
-    "mode_2_energy",          "compressive_strength",
-    "compressive_energy",     "compression_cap",
-    "hardening_displacement", "dilatancy_angle",
-    "dilatancy_slip",         "dilatancy_pressure"};
+constexpr std::array<std::string_view, 17> kLawKeys = {
+    "normal_stiffness",     "shear_stiffness",
+    "tensile_strength",     "cohesion",
+    "friction_angle",       "residual_friction_angle",
+    "residual_cohesion",    "mode_1_energy",
+    "mode_2_energy",        "mode_2_energy_per_pressure",
+    "compressive_strength", "compressive_energy",
+    "compression_cap",      "hardening_displacement",
+    "dilatancy_angle",      "dilatancy_slip",
+    "dilatancy_pressure"};
 
 }  // namespace
 

@@ -113,7 +113,7 @@ std::string rule_text(const Rule& rule) {
     out += fmt::format("range: {}\n", range_text_of(bound, keys));
   out += rule.cov > 0 ? fmt::format("scatter: CoV {:.2f}\n", rule.cov)
                       : "scatter: none, a definition\n";
-  if (rule.by_unit_type) out += ratios_text();
+  if (rule.by_unit_type && !rule.clay_alone) out += ratios_text();
   return out;
 }
 

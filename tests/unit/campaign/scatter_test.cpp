@@ -102,6 +102,28 @@ TEST(Scatter, no_draw_is_refused_for_snap_back) {
   }
 }
 
+// GII is stated far below what snap-back asks for at fc, which b gives; twice the cohesion asks for four times as much
+// without pressure too.
+TEST(Scatter, no_draw_is_refused_where_energy_grows_with_pressure) {
+  const std::vector<std::string> rising = {"material.joint.friction_angle=50 deg",
+                                           "material.joint.mode_2_energy=3.5 N/m",
+                                           "material.joint.mode_2_energy_per_pressure=0.1 mm"};
+  for (int seed = 0; seed < 20; ++seed) {
+    const ModelSpec spec = wall_of(
+        "[scatter]\nuse = \"stone\"\njoint_cohesion = 0.6\nseed = " + std::to_string(seed) + "\n",
+        rising);
+    EXPECT_NO_THROW(static_cast<void>(compile(spec))) << seed;
+    const auto& c = spec.field.at("scatter_joint_cohesion").drawn;
+    const auto& g2 = spec.field.at("scatter_joint_mode_2_energy").drawn;
+    EXPECT_GT(spread_of(c).most, 2) << seed;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      if (c[i] < 1) {
+        EXPECT_NEAR(g2[i], 3.5 * c[i], 1e-9) << seed;
+      }
+    }
+  }
+}
+
 TEST(Scatter, energies_and_residuals_follow_their_strengths) {
   const ModelSpec spec =
       wall_of("[scatter]\nuse = \"clay_brick\"\n",

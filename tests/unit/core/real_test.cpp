@@ -164,8 +164,9 @@ TEST(LawTangent, dual_numbers_agree_with_central_differences_in_every_variant) {
   for (const Softening softening : {Softening::kBilinear, Softening::kExponential,
                                     Softening::kPolynomial, Softening::kPetersson})
     for (const Coupling coupling : {Coupling::kUnion, Coupling::kMaximum, Coupling::kStiffness})
-      for (const int more : {0, 1, 2, 3}) {
-        JointMaterial material = more < 2 ? scenes::paper_joint() : scenes::capped_joint();
+      for (const int more : {0, 1, 2, 3, 4, 5, 6, 7}) {
+        JointMaterial material = more % 4 < 2 ? scenes::paper_joint() : scenes::capped_joint();
+        if (more >= 4) material.mode_2_energy_per_pressure = 0.2e-3;
         material.softening = softening;
         material.coupling = coupling;
         material.unloading = more % 2 == 0 ? Unloading::kSecant : Unloading::kElastic;

@@ -367,6 +367,19 @@ TEST(MaterialInput, a_cap_is_on_only_where_it_is_asked_for) {
   EXPECT_EQ(read(asked).material.at("joint").compression_cap, 9);
 }
 
+TEST(MaterialInput, energy_grows_with_pressure_only_where_it_is_asked_for) {
+  const auto joint = [](const std::string& text) {
+    return read(with(kRules, "[material.joint]\n", "[material.joint]\n" + text))
+        .material.at("joint");
+  };
+  EXPECT_TRUE(std::isnan(joint("").mode_2_energy_per_pressure));
+  EXPECT_EQ(joint("mode_2_energy_per_pressure = \"0.2 mm\"\n").mode_2_energy_per_pressure, 0.2e-3);
+  EXPECT_DOUBLE_EQ(joint("mode_2_energy_per_pressure = \"rule\"\n").mode_2_energy_per_pressure,
+                   0.13e-3);
+  EXPECT_EQ(joint("").mode_2_energy,
+            joint("mode_2_energy_per_pressure = \"rule\"\n").mode_2_energy);
+}
+
 TEST(MaterialInput, a_law_file_may_ask_for_rules) {
   const Folder folder;
   const std::string path = folder.write(

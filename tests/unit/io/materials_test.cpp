@@ -94,6 +94,35 @@ TEST(MaterialRules, energy_of_slip_never_snaps_back) {
               1.05 * std::pow(0.27e6 + 1.9e6, 2) / (2 * ks), 1e-6);
 }
 
+// The same joint with b = 0.02 mm: 134.8 - 0.02 x 5870 = 17.4 N/m, less than 0.093 mm c; with 0.01 mm 76.1 N/m. Stiff
+// cohesion alone: 1.05 x 2^2/(2 x 7.474 GPa/m) = 281 N/m, above 0.093 mm x 2 MPa.
+TEST(MaterialRules, energy_of_slip_beside_one_that_grows_with_pressure) {
+  const double phi = std::atan(0.94), residual = std::atan(0.75), ks = 0.4 * 3.55e9 / 0.19;
+  const auto gii = [&](double c, double b) {
+    return by(Role::kJoint, "mode_2_energy", "gii_without_pressure",
+              {c, phi, residual, ks, 5.87e6, b});
+  };
+  const double without = by(Role::kJoint, "mode_2_energy", "", {0.27e6, phi, residual, ks, 5.87e6});
+  EXPECT_EQ(gii(0.27e6, 0), without);
+  EXPECT_NEAR(gii(0.27e6, 0.01e-3), without - 58.7, 1e-9);
+  EXPECT_NEAR(gii(0.27e6, 0.02e-3), 25.11, 1e-9);
+  EXPECT_NEAR(gii(2e6, 1e-3), 1.05 * 4e12 / (2 * ks), 1e-9);
+}
+
+TEST(MaterialRules, energy_per_pressure_is_of_clay_and_only_on_request) {
+  const Rule* rule = rule_for(Role::kJoint, "mode_2_energy_per_pressure");
+  ASSERT_NE(rule, nullptr);
+  EXPECT_TRUE(rule->on_request);
+  EXPECT_EQ(rule_for(Role::kUnit, "mode_2_energy_per_pressure"), nullptr);
+  EXPECT_DOUBLE_EQ(rule->value({}), 0.13e-3);
+  for (const UnitType type :
+       {UnitType::kClay, UnitType::kClayPerforated, UnitType::kClayLightPerforated})
+    EXPECT_TRUE(holds_for(*rule, type));
+  for (const UnitType type : {UnitType::kCalciumSilicate, UnitType::kAeratedConcrete,
+                              UnitType::kTuff, UnitType::kUnstated})
+    EXPECT_FALSE(holds_for(*rule, type));
+}
+
 // 1.6 mm x 4 MPa = 6.4 N/mm; at 20 MPa 15 + 8.6 - 1.44 = 22.16 N/mm.
 TEST(MaterialRules, crushing_energy_has_no_step_where_its_formula_changes) {
   const auto gc = [](double fc) { return by(Role::kJoint, "compressive_energy", "", {fc}); };
