@@ -30,11 +30,12 @@ inline constexpr Word<GroundType> kGroundTypeWords[] = {{"A", GroundType::kA},
 enum class AssessmentCode { kCircolare2019, kEn1998 };
 inline constexpr Word<AssessmentCode> kAssessmentCodeWords[] = {
     {"circolare_2019", AssessmentCode::kCircolare2019}, {"en1998_3", AssessmentCode::kEn1998}};
-enum class LimitState { kDamageLimitation, kLifeSafety, kNearCollapse };
+enum class LimitState { kDamageLimitation, kLifeSafety, kNearCollapse, kOperational };
 inline constexpr Word<LimitState> kLimitStateWords[] = {
     {"damage_limitation", LimitState::kDamageLimitation},
     {"life_safety", LimitState::kLifeSafety},
-    {"near_collapse", LimitState::kNearCollapse}};
+    {"near_collapse", LimitState::kNearCollapse},
+    {"operational", LimitState::kOperational}};
 
 // --- demand ------------------------------------------------------------------------------------------
 
@@ -54,6 +55,10 @@ struct ElasticSpectrum {
   [[nodiscard]] bool is_given() const { return kind != SpectrumKind::kNone; }
 };
 [[nodiscard]] ElasticSpectrum spectrum_of(const SpectrumSpec& spec);
+// The spectrum that a limit state is compared with: its own, else that of the asked one.
+[[nodiscard]] const SpectrumSpec& spectrum_for(const AssessmentSpec& spec, LimitState state);
+// Whether the spectrum is of this limit state's own return period, so that its verdict counts.
+[[nodiscard]] bool is_checked(const AssessmentSpec& spec, LimitState state);
 // What keys lack or hold that can't be; paths are the keys of [assessment.spectrum] and [assessment]. The
 // functions below take specs without faults.
 [[nodiscard]] std::vector<Fault> faults_of(const SpectrumSpec& spec);
@@ -115,9 +120,22 @@ struct Criterion {
       kUnset;            // of the control point where it is met; the last, where it isn't [m]
   bool reached = false;  // within the push
 };
+enum class AssessmentVerdict { kHolds, kFails, kNotShown, kNoDemand, kNotKnown };
+inline constexpr Word<AssessmentVerdict> kAssessmentVerdictWords[] = {
+    {"holds", AssessmentVerdict::kHolds},
+    {"fails", AssessmentVerdict::kFails},
+    {"not shown", AssessmentVerdict::kNotShown},  // a lower bound that is below the demand
+    {"no demand", AssessmentVerdict::kNoDemand},  // no spectrum is given
+    {"not known", AssessmentVerdict::kNotKnown}};
+
 struct LimitStateCheck {
   LimitState state = LimitState::kNearCollapse;
-  bool is_asked = false;  // the one that the spectrum belongs to
+  bool is_asked = false;    // `limit_state` of the model
+  bool is_checked = false;  // it has a spectrum of its own, and a verdict
+  AssessmentVerdict verdict = AssessmentVerdict::kNoDemand;
+  double demand_acceleration = kUnset;  // peak ground acceleration of its spectrum [m/s^2]
+  double demand_displacement = kUnset;  // of the control point [m]
+  double q = kUnset;                    // q* of its demand [-]
   std::vector<Criterion> criteria = {};
   std::string governing = {};         // name of the criterion that decides
   double displacement = kUnset;       // capacity of the control point [m]
@@ -128,14 +146,6 @@ struct LimitStateCheck {
   double rock_acceleration = kUnset;  // the same over S ST [m/s^2]
   bool at_least = false;              // the push ended before: all of these are lower bounds
 };
-
-enum class AssessmentVerdict { kHolds, kFails, kNotShown, kNoDemand, kNotKnown };
-inline constexpr Word<AssessmentVerdict> kAssessmentVerdictWords[] = {
-    {"holds", AssessmentVerdict::kHolds},
-    {"fails", AssessmentVerdict::kFails},
-    {"not shown", AssessmentVerdict::kNotShown},  // a lower bound that is below the demand
-    {"no demand", AssessmentVerdict::kNoDemand},  // no spectrum is given
-    {"not known", AssessmentVerdict::kNotKnown}};
 
 struct CodeAssessment {
   AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
@@ -153,6 +163,9 @@ struct CodeAssessment {
   double demand_displacement = kUnset;  // Gamma d*max, of the control point [m]
   std::vector<LimitStateCheck> limit_states;
   [[nodiscard]] const LimitStateCheck* asked() const;
+  // The limit state whose verdict is that of the wall: of those checked the one with the least reserve, one that fails
+  // before a lower bound; where none is, the asked one.
+  [[nodiscard]] const LimitStateCheck* deciding() const;
 };
 
 // What is judged of a push: of a run or of a stored sample.
@@ -173,6 +186,8 @@ struct JudgedPush {
   std::string mechanism = {};           // "shear", "flexure", "": not known
   Message barred = {};                  // why the model's stages allow no answer; empty: they do
   std::vector<Message> cautions = {};   // of the model itself: why numbers are not to be signed
+  // Strengths that the file does not state, so that nobody has divided them by the confidence factor.
+  std::vector<Message> undivided = {};
 };
 // Mass and shape at a displacement; called with that of the bilinear curve's yield.
 using ShapeReader = std::function<MassAndShape(double displacement)>;

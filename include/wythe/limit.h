@@ -164,7 +164,12 @@ struct Assessment {
   double mass_share = 0;          // e* = g M* / sum P [-]
   double acceleration0 = 0;       // a0* = alpha0 by weights g / e* [m/s^2], confidence factor 1
   double displacement0 = 0;       // d0, of the load point where the force is nil [m]
-  double life_safety = 0, near_collapse = 0;  // displacements of the limit states [m]
+  double life_safety = 0,
+         near_collapse = 0;  // displacements of the limit states, of the load point [m]
+  // Displacement of the equivalent system over that of the load point, (sum P dx^2) / (dx_load sum P dx): what goes
+  // with a0* and a spectrum [-].
+  double spectral_share = 0;
+  [[nodiscard]] double spectral(double displacement) const { return spectral_share * displacement; }
 };
 struct LimitStateShares {
   double life_safety = 0.4, near_collapse = 0.6;  // of d0

@@ -4,6 +4,7 @@
 //   Result::readings ──read_pushed_wall()──► PushedWall ──► store ──► assessment
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,20 @@ namespace wythe {
 struct DriftPoint {
   double displacement = 0;  // of the curve [m]
   double drift = 0;         // largest of the storeys, or of a pier [-]
+  double shear = std::numeric_limits<double>::quiet_NaN();  // of a pier, along the push [N]
 };
 
 // Drift across one pier's clear height while the wall was pushed, and how it fails.
 struct PierDrift {
   std::string mark;                // "P2"
-  std::string mechanism;           // "shear", "flexure", "": not known
+  std::string mechanism;           // in the end: "shear", "flexure", "": not known
   std::vector<DriftPoint> drifts;  // ascending by displacement
   std::string element = {};        // "pier 2 of storey 1", as in FailureMode::elements
+  int storey = 0;
+  // Displacement of the first state that shows each kind, infinite: none does; both NaN: it is not known when,
+  // and `mechanism` holds from the start [m].
+  double shear_from = std::numeric_limits<double>::quiet_NaN();
+  double flexure_from = std::numeric_limits<double>::quiet_NaN();
 };
 
 // How far the masses of an assessment had gone along the push at one state; u_i of mass m_i.

@@ -45,6 +45,7 @@ struct RecordingNumbers {
   double next_reading = 0;      // [m]
   double read_at = 0;           // [m]; infinite once a state is kept there
   double due = 0;               // the next of states and readings [m]
+  double next_shape = 0;        // of Result::rise_shapes [m]; infinite: no more
   double farthest = 0;          // of any step, this way or that [m]
   std::int64_t grows = 0;       // 1: the last step went farther than any before
 

@@ -39,6 +39,13 @@ struct RisePoint {
   double force = 0;         // mean of reaction and base shear over the window's path [N]
 };
 
+// How far each block has gone along a push since its start. Readings lie a millimetre apart, which is far
+// beyond the yield of a stiff wall; these lie a twentieth of the displacement apart or less.
+struct MovedBlocks {
+  double displacement = 0;    // of the curve [m]
+  std::vector<double> moved;  // by number of the block; supports 0 [m]
+};
+
 // A fall below a share of the peak lasts unless the force comes back to it before the displacement has grown
 // by this share, and then stays for at least as long as it was away (docs/theory/drift.md).
 inline constexpr double kLastingShare = 0.1;
@@ -328,6 +335,7 @@ struct Result {
   // States for the failure mode, independent of output.states: the first step at each millimetre and
   // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
   std::vector<Snapshot> readings;
+  std::vector<MovedBlocks> rise_shapes;  // of a push one way, up to where readings are as close
   std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
   double load_factor = 0;       // largest lambda carried in balance (body force), tan(tilt)

@@ -441,10 +441,15 @@ struct SpectrumSpec {
   std::vector<double> periods;          // table [s]
   std::vector<double> accelerations;    // table [m/s^2]
 };
+// The spectra of limit states that have one of their own; none: that of `AssessmentSpec::spectrum`.
+struct SpectraSpec {
+  SpectrumSpec operational, damage_limitation, life_safety, near_collapse;
+};
 // What a run or campaign is asked for beside its curve (docs/theory/assessment.md).
 struct AssessmentSpec {
   std::string code;       // "": none; circolare_2019, en1998_3
-  SpectrumSpec spectrum;  // of the near-collapse or life-safety limit state, by `limit_state`
+  SpectrumSpec spectrum;  // of `limit_state`
+  SpectraSpec spectra;    // of others, or in its place
   std::string limit_state = "life_safety";
   double confidence_factor = kUnset;  // of the knowledge level; unset: 1, and said
   double masonry_share = 1;           // of the building's mass and force that this wall stands for

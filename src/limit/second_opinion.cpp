@@ -44,6 +44,8 @@ void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion
                 [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
   });
   if (!asked.assessment) return;
+  if (opinion.mechanisms.empty())
+    opinion.refused.push_back({{"limit.assessment"}, text_of(Message{"limit.no_chain"})});
   for (const Mechanism& m : opinion.mechanisms)
     opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
 }

@@ -11,13 +11,13 @@
 #include <functional>
 #include <vector>
 
+#include "statistics/intervals.h"
 #include "wythe/statistics.h"
 
 namespace wythe::study {
 
 inline constexpr int kReplicates = 2000;
-inline constexpr int kFewestForBootstrap = 5;  // fewer samples say nothing about their own scatter
-inline constexpr int kMostResampled = 2000;    // of more, so many stand for all
+inline constexpr int kMostResampled = 2000;  // of more, so many stand for all
 
 // Random numbers: splitmix64 (Steele, Lea and Flood 2014).
 class RandomBits {
@@ -56,7 +56,7 @@ void each_replicate(int n, const std::function<void(const Counts& count)>& visit
 [[nodiscard]] Estimate bca_interval(double value, std::vector<double> replicates,
                                     double acceleration);
 
-// Of n samples, by a statistic; at most kMostResampled, which the caller sees to by Resampled.
+// Of n samples, by a statistic; none below kFewestForBootstrap, and at most kMostResampled, which the caller sees to by Resampled.
 [[nodiscard]] Estimate percentile_bootstrap(int n, const Statistic& statistic);
 // The acceleration from the jackknife.
 [[nodiscard]] Estimate bca_bootstrap(int n, const Statistic& statistic);

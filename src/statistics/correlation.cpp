@@ -240,7 +240,7 @@ FirstOrderIndex first_order_index(const Column& input, const Column& response) {
   const Column y = centred(response);
   const Variance own = analyse(bin, out.bins, y, Counts(n, 1));
   out.index.value = own.index();
-  if (!std::isfinite(out.index.value)) return out;
+  if (!std::isfinite(out.index.value) || n < kFewestForBootstrap) return out;
   // To a replicate the samples are the truth, and its index estimates their ratio(), chance
   // included: index - S scatters as the replicates' index - ratio().
   const Resampled part(response.size());

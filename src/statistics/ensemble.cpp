@@ -10,22 +10,6 @@
 namespace wythe {
 namespace {
 
-constexpr double kConfidence = 0.95;
-
-// Largest k for which the k-th smallest and the k-th largest of n hold the median with kConfidence: the median
-// lies below the k-th smallest where fewer than k of n fall below it, P = sum_{i<k} C(n, i) / 2^n (David and
-// Nagaraja, Order Statistics, 7.1). 0: not even the smallest and the largest do.
-int order_of_median(int n) {
-  double term = std::pow(0.5, n), below = term;
-  int k = 0;
-  while (2 * below <= 1 - kConfidence && k < n / 2) {
-    ++k;
-    term *= static_cast<double>(n - k + 1) / k;
-    below += term;
-  }
-  return k;
-}
-
 double middle_of(const std::vector<double>& ascending) {
   const std::size_t half = ascending.size() / 2;
   return ascending.size() % 2 == 1 ? ascending[half]
@@ -54,7 +38,7 @@ OfWalls of_walls(const std::vector<Reading>& readings) {
   out.at_least = middle_of(low);
   const double at_most = middle_of(high);
   out.median.value = at_most == out.at_least ? at_most : std::numeric_limits<double>::infinity();
-  if (const int k = order_of_median(out.n); k > 0)
+  if (const int k = study::order_of_median(out.n); k > 0)
     out.median.interval = {low[static_cast<std::size_t>(k - 1)],
                            high[high.size() - static_cast<std::size_t>(k)]};
   if (out.bounds == 0 && low.front() > 0) {

@@ -333,11 +333,11 @@ Fragility fragility_of(const Answered& samples, const FragilityEvent& event) {
   out.event = event;
   const Outcomes outcomes = outcomes_of(samples, event, out);
   out.n = outcomes.n(), out.seen = outcomes.seen, out.unknown = outcomes.unknown;
-  out.share = wilson(out.seen, out.n - out.unknown);
+  out.share = share_estimate(out.seen, out.n - out.unknown);
   if (out.unknown > 0)
     out.share = {kUnset,
-                 {wilson(out.seen, out.n).interval.low,
-                  wilson(out.seen + out.unknown, out.n).interval.high}};
+                 {share_estimate(out.seen, out.n).interval.low,
+                  share_estimate(out.seen + out.unknown, out.n).interval.high}};
   const SampleTable& table = samples.campaign.samples;
   const std::vector<InputCorrelation> pairs = input_correlations(table);
   std::vector<Column> shown;

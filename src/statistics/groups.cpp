@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -129,6 +130,27 @@ Replicated replicated(const std::vector<Reading>& readings, const Column& values
   return out;
 }
 
+// Of few readings: closed forms, since the bootstrap of few holds far less than it claims. A mean up to the end of the
+// pushes is that of the recorded values where all bounds lie at that end; elsewhere nothing is told of it.
+void put_few_intervals(const std::vector<Reading>& readings, bool can_be_censored, Summary& out) {
+  Moments moments;
+  bool at_the_end = true;
+  Column high;
+  for (const Reading& r : readings) {
+    moments.add(r.value);
+    at_the_end = at_the_end && (!r.censored || r.value == readings.back().value);
+    high.push_back(r.censored ? std::numeric_limits<double>::infinity() : r.value);
+  }
+  std::sort(high.begin(), high.end());
+  out.mean.interval = moments.student().interval;
+  out.cov = vangel(out.cov.value, out.n);
+  const auto k = static_cast<std::size_t>(order_of_median(out.n));
+  if (k > 0) out.median.interval = {readings[k - 1].value, readings[readings.size() - k].value};
+  if (!can_be_censored) return;
+  if (at_the_end) out.survival_mean.interval = out.mean.interval;
+  if (k > 0) out.survival_median.interval = {readings[k - 1].value, high[high.size() - k]};
+}
+
 // Intervals of a part of the readings, as those of all: every value of `out` is there.
 void put_intervals(const std::vector<Reading>& readings, bool can_be_censored, Summary& out) {
   const Resampled part(readings.size());
@@ -182,7 +204,10 @@ Summary summarise_one(std::vector<Reading> readings, bool can_be_censored) {
       out.percentile_95 = survival_quantile(readings, once, 0.95);
     }
   }
-  if (out.n >= kFewestForBootstrap) put_intervals(readings, can_be_censored, out);
+  if (out.n >= kFewestForBootstrap)
+    put_intervals(readings, can_be_censored, out);
+  else if (out.n >= kFewestForInterval)
+    put_few_intervals(readings, can_be_censored, out);
   if (out.censored == out.n)  // lower bounds alone scatter little and say nothing
     out.mean.interval = out.cov.interval = out.median.interval = out.survival_mean.interval = {};
   return out;
@@ -190,7 +215,7 @@ Summary summarise_one(std::vector<Reading> readings, bool can_be_censored) {
 
 Share share_of(const Group& group, int n) {
   const int count = static_cast<int>(group.record.size());
-  return {group.name, group.modes, count, wilson(count, n)};
+  return {group.name, group.modes, count, share_estimate(count, n)};
 }
 
 // Equal for readings that `what` says the same of.
@@ -294,7 +319,7 @@ std::vector<NameSensitivity> name_sensitivities(const Answered& samples) {
       if (s.n++ == 0) s.reading = other, s.reading.name.clear();
       s.differs += other.name != record->failure_mode.name ? 1 : 0;
     }
-  for (NameSensitivity& s : by.all) s.share = wilson(s.differs, s.n);
+  for (NameSensitivity& s : by.all) s.share = share_estimate(s.differs, s.n);
   return std::move(by.all);
 }
 
@@ -306,7 +331,7 @@ std::vector<FlagCount> flag_counts(const Answered& samples) {
       if (f.n++ == 0) f.flag = flag, f.flag.value = 0;
       f.raised += flag.holds() ? 1 : 0;
     }
-  for (FlagCount& f : by.all) f.share = wilson(f.raised, f.n);
+  for (FlagCount& f : by.all) f.share = share_estimate(f.raised, f.n);
   return std::move(by.all);
 }
 

@@ -25,7 +25,7 @@ ModeBin bin_of(const Answered& samples, const Column& input, const std::vector<i
       count[m] += samples.record[i]->failure_mode.name == samples.modes[m] ? 1 : 0;
   }
   out.n = moments.n(), out.mean = moments.mean();
-  for (int of_mode : count) out.share.push_back(wilson(of_mode, out.n));
+  for (int of_mode : count) out.share.push_back(share_estimate(of_mode, out.n));
   return out;
 }
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "statistics/scatter.h"
 
 namespace wythe::study {
 namespace {
 
-constexpr int kFewestForStudent = 5;
+constexpr double kTail = 0.025;
 
 double polynomial(const double* coefficient, int count, double x) {
   double sum = 0;
@@ -65,6 +68,68 @@ Estimate wilson(int count, int n) {
   return {p, {count == 0 ? 0 : centre - half, count == n ? 1 : centre + half}};
 }
 
+Estimate exact_share(int count, int n) {
+  if (n == 0) return {kUnset, {0, 1}};
+  const auto end = [](int k, int rest) {  // below it lies the tail of k or more
+    return k / (k + (rest + 1) * f_quantile_beyond(kTail, 2 * (rest + 1), 2 * k));
+  };
+  return {static_cast<double>(count) / n,
+          {count == 0 ? 0 : end(count, n - count), count == n ? 1 : 1 - end(n - count, count)}};
+}
+
+Estimate share_estimate(int count, int n) {
+  return n < kFewestForBootstrap ? exact_share(count, n) : wilson(count, n);
+}
+
+// K = sqrt(chi^2): v / sqrt(((chi^2 + 2)/n - 1) v^2 + chi^2/(n - 1)).
+Estimate vangel(double cov, int n) {
+  if (n < kFewestForInterval || !std::isfinite(cov)) return {cov, {}};
+  const double v2 = cov * cov;
+  const auto end = [&](double beyond) {
+    const double chi = chi_square_quantile_beyond(beyond, n - 1);
+    const double under = ((chi + 2) / n - 1) * v2 + chi / (n - 1);
+    return under > 0 ? cov / std::sqrt(under) : std::numeric_limits<double>::infinity();
+  };
+  return {cov, {end(kTail), end(1 - kTail)}};
+}
+
+LognormalIntervals lognormal_intervals(double median, double beta, int observed) {
+  LognormalIntervals out;
+  if (observed < kFewestForInterval || !(beta > 0)) return out;
+  const double r = observed, s = beta * std::sqrt(r / (r - 1));
+  const double half = student_95(observed - 1) * s / std::sqrt(r);
+  out.median = {median * std::exp(-half), median * std::exp(half)};
+  const auto end = [&](double beyond) {
+    return s * std::sqrt((r - 1) / chi_square_quantile_beyond(beyond, observed - 1));
+  };
+  out.beta = {end(kTail), end(1 - kTail)};
+  return out;
+}
+
+// z = ln(x / median) / hypot(beta, more) by first order in both, on Student's scale.
+Interval lognormal_band(double x, double median, double beta, double more, int observed) {
+  if (observed < kFewestForInterval || !(beta > 0)) return {};
+  if (!(x > 0)) return {0, 0};
+  const double r = observed, s = beta * std::sqrt(r / (r - 1)), all = std::hypot(s, more);
+  const double part = s * s / (all * all), z = std::log(x / median) / all;
+  const double half =
+      student_95(observed - 1) * std::sqrt(part / r + z * z * part * part / (2 * (r - 1)));
+  return {normal_cdf(z - half), normal_cdf(z + half)};
+}
+
+// The median lies below the k-th smallest where fewer than k of n fall below it, P = sum_{i<k} C(n, i) / 2^n (David and
+// Nagaraja, Order Statistics, 7.1).
+int order_of_median(int n) {
+  double term = std::pow(0.5, n), below = term;
+  int k = 0;
+  while (below <= kTail && k < n / 2) {
+    ++k;
+    term *= static_cast<double>(n - k + 1) / k;
+    below += term;
+  }
+  return k;
+}
+
 void Moments::add(double value) {
   ++n_;
   const double from_old = value - mean_;
@@ -77,7 +142,7 @@ double Moments::standard_deviation() const {
 }
 
 Estimate Moments::student() const {
-  if (n_ < kFewestForStudent) return {mean(), {}};
+  if (n_ < kFewestForInterval) return {mean(), {}};
   const double half = student_95(n_ - 1) * standard_deviation() / std::sqrt(n_);
   return {mean_, {mean_ - half, mean_ + half}};
 }

@@ -304,6 +304,7 @@ Estimate variance_taken(const std::vector<double>& input, const std::vector<doub
     const double again = corrected(few.explained(count), m, few.size());
     replicate.push_back(part.of_all(again, centre, raw));
   });
+  if (n < kFewestForBootstrap) return {value, {}};
   std::vector<double> ascending = replicate;
   std::erase_if(ascending, [](double v) { return std::isnan(v); });
   std::sort(ascending.begin(), ascending.end());

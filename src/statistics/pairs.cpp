@@ -127,6 +127,7 @@ void take_scatter(PairedResponse& r, const Sides& sides) {
     const Column bases = part.of(sides.base), options = part.of(sides.option);
     const Counts once(sides.base.size(), 1);
     const auto scatter = [&](const auto& of) {
+      if (r.in_means < kFewestForBootstrap) return Estimate{of(bases, options, once), {}};
       const Estimate of_few = percentile_bootstrap(
           part.size(), [&](const Counts& count) { return of(bases, options, count); });
       return part.of_all(of_few, of(sides.base, sides.option, once));
@@ -140,6 +141,10 @@ void take_scatter(PairedResponse& r, const Sides& sides) {
       const double of_base = cov_of(base, count);
       return of_base > 0 ? cov_of(option, count) / of_base : kUnset;
     });
+    if (r.in_means < kFewestForBootstrap) {
+      r.cov_base = vangel(r.cov_base.value, r.in_means);
+      r.cov_option = vangel(r.cov_option.value, r.in_means);
+    }
   }
   r.correlation = pearson(sides.base, sides.option);
   const double base = moments_of(sides.base).standard_deviation();
@@ -174,8 +179,8 @@ void take_median(PairedResponse& r) {
 
 void take_shares(PairedResponse& r, int lost) {
   const int n = r.pairs;
-  r.share_larger = wilson(r.larger, n);
-  r.share_larger.interval.high = wilson(r.larger + r.undecided, n).interval.high;
+  r.share_larger = share_estimate(r.larger, n);
+  r.share_larger.interval.high = share_estimate(r.larger + r.undecided, n).interval.high;
   const double all = n + lost + r.without_value;
   if (all > 0)
     r.share_larger_with_lost = {r.larger / all,
@@ -309,7 +314,7 @@ ModeTable mode_table(const std::vector<ChangedMode>& pairs, const std::vector<st
       table.changed.push_back(pair);
   }
   const int named = table.pairs - table.unclear;
-  table.share_changed = wilson(static_cast<int>(table.changed.size()), named);
+  table.share_changed = share_estimate(static_cast<int>(table.changed.size()), named);
   std::vector<double> p;
   for (std::size_t m = 0; m < order.size(); ++m) {
     ModeShift& shift = table.shift.emplace_back();

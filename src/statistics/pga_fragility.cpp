@@ -18,13 +18,16 @@ using study::Lognormal;
 
 constexpr int kGrid = 60;  // points of a curve
 
-// The band of the curve: 2.5 and 97.5 % of what the replicates give.
+// The band of the curve: 2.5 and 97.5 % of what the replicates give, of few samples by the closed form; of `observed`
+// 0 none.
 Estimate probability(double x, const Lognormal& fit, const std::vector<Lognormal>& replicates,
-                     double record_scatter) {
+                     double record_scatter, int observed) {
   const auto p = [&](const Lognormal& of) {
     return 1 - Lognormal{of.median, std::hypot(of.beta, record_scatter)}.exceedance(x);
   };
   Estimate out{p(fit), {}};
+  if (replicates.empty())
+    out.interval = study::lognormal_band(x, fit.median, fit.beta, record_scatter, observed);
   std::vector<double> values;
   for (const Lognormal& of : replicates) values.push_back(p(of));
   std::sort(values.begin(), values.end());
@@ -46,13 +49,20 @@ void fit_to(std::vector<Reading> readings, double stated_scatter, PgaFragility& 
     by = study::lognormal_replicates(readings, fit);
     out.median.interval = by.median, out.beta_capacity.interval = by.beta;
   }
+  // bounds beside few values: what they are worth is not tested where they are more than half
+  const int observed = by.fit.empty() && 2 * out.censored <= n ? n - out.censored : 0;
+  if (observed > 0) {
+    const auto of_few = study::lognormal_intervals(fit.median, fit.beta, observed);
+    out.median.interval = of_few.median, out.beta_capacity.interval = of_few.beta;
+  }
   out.median.value = fit.median, out.beta_capacity.value = fit.beta;
   const double scatter = std::isnan(stated_scatter) ? 0 : stated_scatter;
   out.beta = std::hypot(fit.beta, scatter);
   const double last = std::fmax(fit.median * std::exp(3 * out.beta), 1.1 * out.demand);
   for (int i = 0; i <= kGrid; ++i)
-    out.curve.push_back({last * i / kGrid, probability(last * i / kGrid, fit, by.fit, scatter)});
-  if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter);
+    out.curve.push_back(
+        {last * i / kGrid, probability(last * i / kGrid, fit, by.fit, scatter, observed)});
+  if (out.demand > 0) out.at_demand = probability(out.demand, fit, by.fit, scatter, observed);
 }
 
 // Whether a sample with this key set has the mass, the shape and the spectrum of the base model.
@@ -181,13 +191,15 @@ namespace {
 
 // Of each limit state, where there is a spectrum.
 void add_fragility(std::vector<std::vector<Reading>> readings, CampaignAssessment& out) {
-  const ElasticSpectrum spectrum = spectrum_of(out.spec.spectrum);
-  if (!spectrum.is_given()) return;
   for (std::size_t k = 0; k < readings.size(); ++k) {
+    const auto state = static_cast<LimitState>(k);
+    const ElasticSpectrum spectrum = spectrum_of(spectrum_for(out.spec, state));
+    if (!spectrum.is_given() || (readings[k].empty() && state == LimitState::kOperational))
+      continue;
     PgaFragility& of = out.fragility.emplace_back();
-    of.limit_state = word_of(kLimitStateWords, static_cast<LimitState>(k));
+    of.limit_state = word_of(kLimitStateWords, state);
     of.is_checked = of.limit_state == out.spec.limit_state;
-    of.demand = of.is_checked ? spectrum.peak_ground_acceleration() : kUnset;
+    of.demand = is_checked(out.spec, state) ? spectrum.peak_ground_acceleration() : kUnset;
     fit_to(std::move(readings[k]), out.spec.record_scatter, of);
   }
 }

@@ -29,7 +29,7 @@ std::vector<double> share_half_widths(const Answered& samples) {
     ++count[samples.record[n - 1]->failure_mode.name];
     double widest = 0;
     for (const auto& [name, of_mode] : count)
-      widest = std::fmax(widest, wilson(of_mode, n).interval.width());
+      widest = std::fmax(widest, share_estimate(of_mode, n).interval.width());
     widths.push_back(widest / 2);
   }
   return widths;

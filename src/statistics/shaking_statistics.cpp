@@ -155,7 +155,7 @@ std::vector<LimitStateCount> counts_of(const ShakingSpec& shaking, const LimitSt
       count.lost += counts ? 0 : 1;
       count.reached += counts && (after || reaches(limit, *shake)) ? 1 : 0;
     }
-    count.share = wilson(count.reached, count.n);
+    count.share = share_estimate(count.reached, count.n);
     out.push_back(count);
   }
   return out;

@@ -128,11 +128,11 @@ Estimate share_before(const std::vector<Reading>& readings, double x) {
   const bool all_known = fallen == before;
   if (all_known || before == n) {
     if (!all_known && fallen == 0) return {};
-    Estimate share = wilson(fallen, n);
+    Estimate share = share_estimate(fallen, n);
     if (!all_known) share.interval.high = 1;
     return share;
   }
-  if (fallen == 0) return wilson(0, n - static_cast<int>(before));
+  if (fallen == 0) return share_estimate(0, n - static_cast<int>(before));
   Estimate beyond;
   for (const ExceedancePoint& p : kaplan_meier(readings))
     if (p.value < x) beyond = p.probability;
@@ -214,6 +214,9 @@ Exceedance exceedance_of(const std::string& quantity, std::vector<Reading> readi
   out.median.value = fit.median, out.beta.value = fit.beta;
   if (n >= kFewestForBootstrap && std::isfinite(fit.median)) {
     const LognormalReplicates by = lognormal_replicates(readings, fit);
+    out.median.interval = by.median, out.beta.interval = by.beta;
+  } else if (std::isfinite(fit.median) && 2 * out.censored <= n) {
+    const LognormalIntervals by = lognormal_intervals(fit.median, fit.beta, n - out.censored);
     out.median.interval = by.median, out.beta.interval = by.beta;
   }
   out.misfit = misfit_of(fit, out.point);

@@ -149,7 +149,7 @@ double widest_share(const Campaign& campaign) {
     if (is_answered(record)) ++count[record.failure_mode.name], ++n;
   double widest = n > 0 ? 0 : 1;
   for (const auto& [name, of_mode] : count)
-    widest = std::fmax(widest, study::wilson(of_mode, n).interval.width());
+    widest = std::fmax(widest, study::share_estimate(of_mode, n).interval.width());
   return widest;
 }
 

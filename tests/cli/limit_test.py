@@ -102,6 +102,17 @@ class Limit(unittest.TestCase):
         a = data["mechanisms"][0]["assessment"]
         self.assertIn("C8.7.1.2.1", a["clause"])
         self.assertAlmostEqual(a["life_safety_displacement_mm"], 0.4 * a["displacement0_mm"])
+        self.assertAlmostEqual(a["spectral_displacement0_mm"], a["spectral_share"] * a["displacement0_mm"])
+        self.assertGreater(a["spectral_share"], 0)
+
+    def test_assessment_of_what_has_no_chain_is_refused_by_name(self):
+        out = self.out()
+        model = self.folder / "plain.toml"
+        model.write_text(dry(SMALL))
+        self.limit("--out", out, "--assessment", model=model)
+        refused = {r["what"]: r["why"] for r in json.loads((out / "mechanisms.json").read_text())["refused"]}
+        self.assertIn("macro-blocks", refused["assessment"])
+
 
     def test_other_direction_mirrors_the_hinges(self):
         there, back = self.out("there"), self.out("back")

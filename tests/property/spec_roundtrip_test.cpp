@@ -264,15 +264,7 @@ void make_valid(JointMaterial& material) {
 }
 
 // What stands between the keys of a spectrum: each kind has its own.
-void make_valid(AssessmentSpec& assessment) {
-  if (assessment.code.empty()) {  // not asked for: no table
-    assessment = {};
-    return;
-  }
-  assessment.code = coin(2) ? "circolare_2019" : "en1998_3";
-  assessment.limit_state = coin(2) ? "near_collapse" : "damage_limitation";
-  if (!(assessment.added_mass > 0)) assessment.added_height = kUnset;
-  SpectrumSpec& s = assessment.spectrum;
+void make_valid(SpectrumSpec& s) {
   const SpectrumSpec drawn = s;
   s = {};
   s.kind = drawn.kind;
@@ -286,6 +278,25 @@ void make_valid(AssessmentSpec& assessment) {
     if (drawn.kind == SpectrumKind::kEn1998) s.shape = coin(2) ? "1" : "2";
     if (drawn.kind == SpectrumKind::kNtc2018) s.amplification = 2.45, s.corner_period = 1.0 / 3;
   }
+}
+
+void make_valid(AssessmentSpec& assessment) {
+  if (assessment.code.empty()) {  // not asked for: no table
+    assessment = {};
+    return;
+  }
+  assessment.code = coin(2) ? "circolare_2019" : "en1998_3";
+  assessment.limit_state = coin(2) ? "near_collapse" : "damage_limitation";
+  if (!(assessment.added_mass > 0)) assessment.added_height = kUnset;
+  SpectraSpec& own = assessment.spectra;
+  for (SpectrumSpec* s : {&assessment.spectrum, &own.operational, &own.damage_limitation,
+                          &own.life_safety, &own.near_collapse})
+    make_valid(*s);
+  if (assessment.code == "en1998_3") own.operational = {};
+  // one spectrum for the limit state that is asked
+  if (assessment.spectrum.kind != SpectrumKind::kNone)
+    (assessment.limit_state == "near_collapse" ? own.near_collapse : own.damage_limitation) =
+        SpectrumSpec{};
 }
 
 ModelSpec any_spec() {

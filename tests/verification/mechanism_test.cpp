@@ -390,6 +390,7 @@ TEST(MacroBlock, assessment_of_one_block) {
   EXPECT_NEAR(a.participating_mass, 10e3 / 9.81, 1e-6);
   EXPECT_NEAR(a.acceleration0, 0.25 * 9.81, 1e-9);
   EXPECT_NEAR(a.displacement0, curve.states.back().displacement, 0);
+  EXPECT_NEAR(a.spectral_share, 0.5, 1e-12) << "the mass goes half as far as the top";
   EXPECT_NEAR(a.life_safety / a.displacement0, 0.4, 1e-12);
   EXPECT_NEAR(a.near_collapse / a.displacement0, 0.6, 1e-12);
 }

@@ -303,6 +303,9 @@ function numbers(opinion: any): Child {
             "displacement0_mm",
             "life_safety_displacement_mm",
             "near_collapse_displacement_mm",
+            "spectral_displacement0_mm",
+            "life_safety_spectral_displacement_mm",
+            "near_collapse_spectral_displacement_mm",
           ].map((key) => [say(`assessment.${key}`), ...assessed.map((m) => num(m.assessment[key], 4))]),
           say("assessment.title", { clause: phrase(assessed[0].assessment.clause) }),
         )

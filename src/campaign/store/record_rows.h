@@ -190,6 +190,7 @@ void each_list(Visitor& v) {
     c("mark", p.mark);
     c("displacement_m", p.at.displacement);
     c("drift", p.at.drift);
+    c("shear_N", p.at.shear);
   });
 }
 

@@ -42,7 +42,7 @@ void check_peaks(const Refuse& refuse, const SampleRecord& record) {
     refuse("peak_reaction_N and displacement_at_peak_m are no row of its curve");
 }
 
-// Its states go on, and each pier was read at each of them: an assessment goes by them.
+// Its states go on, and each pier was read at the same of them, up to the last: an assessment goes by them.
 template <class Refuse>
 void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
   double before = 0;
@@ -53,13 +53,22 @@ void check_pushed_wall(const Refuse& refuse, const RecordLists& lists) {
     if (!(m.displacement > before)) refuse("its moved masses are not in order");
     before = m.displacement;
   }
-  const std::size_t states = lists.moved.size();
-  if (states > 0 ? lists.piers.size() % states != 0 : !lists.piers.empty())
+  const std::vector<PierRow>& piers = lists.piers;
+  if (piers.empty()) return;
+  const auto is_of_first = [&](const PierRow& row) { return row.element == piers.front().element; };
+  const auto states = static_cast<std::size_t>(
+      std::find_if_not(piers.begin(), piers.end(), is_of_first) - piers.begin());
+  if (piers.size() % states != 0 || lists.moved.empty() ||
+      piers.back().at.displacement != lists.moved.back().mass.displacement)
     refuse("a pier's drift is missing");
-  for (std::size_t i = 0; i < lists.piers.size(); ++i) {
-    const PierRow &row = lists.piers[i], &first = lists.piers[i - i % states];
+  const auto is_state = [&](double displacement) {
+    return std::any_of(lists.moved.begin(), lists.moved.end(),
+                       [&](const MovedRow& row) { return row.mass.displacement == displacement; });
+  };
+  for (std::size_t i = 0; i < piers.size(); ++i) {
+    const PierRow &row = piers[i], &first = piers[i - i % states];
     if (!std::isfinite(row.at.drift) || row.element != first.element ||
-        row.at.displacement != lists.moved[i % states].mass.displacement)
+        row.at.displacement != piers[i % states].at.displacement || !is_state(row.at.displacement))
       refuse("a pier's drifts are not those of its states");
   }
 }

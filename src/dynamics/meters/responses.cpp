@@ -319,10 +319,21 @@ void read_load(const Curve& curve, const ResponseOptions& options, Responses& r)
 
 }  // namespace
 
+namespace {
+// Whether the run ended in the stage whose curve it has, not in one after it.
+bool ended_in_curve(const Model& model, const Result& result) {
+  const std::size_t reports = std::min(result.stages.size(), model.stages.size());
+  for (std::size_t k = reports; k-- > 0;)
+    if (model.stages[k].spec.kind == result.curve_of) return k + 1 == reports;
+  return true;
+}
+}  // namespace
+
 ResponseOptions reading_of(const Model& model, const Result& result) {
   ResponseOptions read;
-  // a wall that falls in a shake after its push had ended standing tells nothing of the push
-  if (result.status == SolveStatus::kCollapsed && !result.shaking.collapsed)
+  // a wall that falls after its push had ended standing, in a shake or under a load, tells nothing of the push
+  if (result.status == SolveStatus::kCollapsed && !result.shaking.collapsed &&
+      ended_in_curve(model, result))
     read.collapse = result.reason;
   read.rise = result.rise;
   if (is_load_controlled(result)) read.carried = result.load_factor * model.weight;

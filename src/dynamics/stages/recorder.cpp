@@ -14,10 +14,12 @@
 namespace wythe::dynamics {
 namespace {
 
-constexpr int kShearEvery = 8;       // steps between samples of base shear and kinetic energy
-constexpr int kUnbalanceEvery = 32;  // steps between samples of the unbalance
-constexpr double kReadEvery = 1e-3;  // between readings [m]
-constexpr double kThrough = 0.999;   // tension or shear damage that counts as cracked through
+constexpr int kShearEvery = 8;         // steps between samples of base shear and kinetic energy
+constexpr int kUnbalanceEvery = 32;    // steps between samples of the unbalance
+constexpr double kReadEvery = 1e-3;    // between readings [m]
+constexpr double kShapesFrom = 1e-5;   // Result::rise_shapes: the first [m]
+constexpr double kShapesApart = 0.05;  // and how far apart, of the displacement
+constexpr double kThrough = 0.999;     // tension or shear damage that counts as cracked through
 
 // Centimetres, without a minus before zero.
 double clean(double metres) { return std::round(1e2 * metres) * 1e-2 + 0.0; }
@@ -58,6 +60,8 @@ void Recorder::begin(double read_at) {
   n_.next_reading = kReadEvery;
   n_.read_at = read_at;
   n_.due = std::min({state_at_.front(), n_.next_reading, read_at});
+  const bool one_way = stage_.spec.kind == StageKind::kPush && stage_.spec.targets.empty();
+  n_.next_shape = one_way ? kShapesFrom : std::numeric_limits<double>::infinity();
   const auto joints = static_cast<std::size_t>(model_.n_joint);
   recording_.slid_off.assign(joints, 0);
   result_.curve_of = stage_.spec.kind;
@@ -67,6 +71,7 @@ void Recorder::begin(double read_at) {
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
+  result_.rise_shapes.clear();
   result_.frames.clear();
   result_.validity = {};
   result_.joint_crack_displacement.assign(joints, std::numeric_limits<double>::quiet_NaN());
@@ -115,6 +120,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
     close_row(state);
     take_frame(state, travelled);
   }
+  take_shape(access, state);
   take_states(access, state);
   if (has_turned()) begin_leg(static_cast<std::size_t>(state.target) + 1, displacement, travelled);
 }
@@ -137,6 +143,28 @@ void Recorder::take_states(const WallAccess& access, State& state) {
   if (far >= n_.next_reading) n_.next_reading = kReadEvery * (1 + std::floor(far / kReadEvery));
   if (far >= n_.read_at) n_.read_at = std::numeric_limits<double>::infinity();
   n_.due = std::min({next_state_at(), n_.next_reading, n_.read_at});
+}
+
+// How far the blocks have gone, until readings are as close as the next of these.
+void Recorder::take_shape(const WallAccess& access, State& state) {
+  if (displacement_ < n_.next_shape) return;
+  access.bring_up(state);
+  const Vec3 along = stage_.drive();
+  const State& start = result_.snapshots.front().state;
+  MovedBlocks& shape = result_.rise_shapes.emplace_back();
+  shape.displacement = displacement_;
+  const int supports = model_.in_space() ? model_.space.n_support : 0;
+  const auto bodies =
+      static_cast<int>(model_.solids.bodies.size() + model_.space.solids.bodies.size());
+  shape.moved.assign(static_cast<std::size_t>(model_.n_block + supports + bodies), 0.0);
+  for (BlockId b = 0; b < model_.n_block + supports + bodies; ++b) {
+    if (b >= model_.n_block && b < model_.n_block + supports) continue;
+    shape.moved[static_cast<std::size_t>(b)] =
+        dot(along, read_block(model_, state, b).moved - read_block(model_, start, b).moved);
+  }
+  const double apart = kShapesApart * displacement_;
+  n_.next_shape =
+      apart < kReadEvery ? displacement_ + apart : std::numeric_limits<double>::infinity();
 }
 
 // Windows of at least one sample of base shear; the push's beginning is felt at the driven blocks first

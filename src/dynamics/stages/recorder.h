@@ -49,6 +49,7 @@ class Recorder {
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const WallAccess& access, State& state);
+  void take_shape(const WallAccess& access, State& state);
   void take_frame(const State& state, double travelled);
   void take_rise(double displacement, double travelled);
   void note_peak(const State& state);

@@ -50,6 +50,18 @@ void describe(Visitor& v, SpectrumSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, SpectraSpec& s) {
+  v.table("operational", s.operational, {.optional = true, .fallback = "the limit state is not looked at",
+          .doc = "circolare_2019: the spectrum of SLO, whose displacement is two thirds of that of damage limitation."});
+  v.table("damage_limitation", s.damage_limitation, {.optional = true, .fallback = "spectrum",
+          .doc = "SLD, or DL of EN 1998-3."});
+  v.table("life_safety", s.life_safety, {.optional = true, .fallback = "spectrum",
+          .doc = "SLV, or SD of EN 1998-3."});
+  v.table("near_collapse", s.near_collapse, {.optional = true, .fallback = "spectrum",
+          .doc = "SLC, or NC of EN 1998-3."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, AssessmentSpec& s) {
   v.text("code", s.code, {.fallback = kRequired, .example = "circolare_2019",
          .doc = "Whose limit states: `circolare_2019` (with NTC 2018) or `en1998_3`."});
@@ -58,6 +70,9 @@ void describe(Visitor& v, AssessmentSpec& s) {
                 "`damage_limitation`, `life_safety`, `near_collapse`."});
   v.table("spectrum", s.spectrum, {.optional = true, .fallback = "no demand, capacity alone",
           .doc = "The elastic spectrum of the demand."});
+  v.table("spectra", s.spectra, {.optional = true, .fallback = "that of limit_state alone is checked",
+          .doc = "Spectra of limit states, each of its own return period: every limit state that has one is checked, and the "
+                 "verdict is that of the one with the least reserve."});
   v.number("confidence_factor", s.confidence_factor, {.range = kFromOne,
            .fallback = "none, and the page says so", .example = "1.2",
            .doc = "Of the knowledge level. Only said: strengths in the file are to be divided by it already."});

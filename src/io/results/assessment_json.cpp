@@ -34,6 +34,7 @@ Json limit_states_json(const CodeAssessment& a) {
   for (const LimitStateCheck& check : a.limit_states)
     list.push_back({{"state", word_of(kLimitStateWords, check.state)},
                     {"is_checked", check.is_asked},
+                    {"verdict", word_of(kAssessmentVerdictWords, check.verdict)},
                     {"displacement_mm", check.displacement * 1e3},
                     {"drift_percent", check.drift * 1e2},
                     {"at_least", check.at_least},
@@ -42,6 +43,9 @@ Json limit_states_json(const CodeAssessment& a) {
                     {"spectrum_factor", check.scale},
                     {"pga_g", check.acceleration / kStandardGravity},
                     {"ground_acceleration_g", check.rock_acceleration / kStandardGravity},
+                    {"demand_pga_g", check.demand_acceleration / kStandardGravity},
+                    {"demand_displacement_mm", check.demand_displacement * 1e3},
+                    {"q", check.q},
                     {"criteria", criteria_json(check)}});
   return list;
 }
@@ -102,6 +106,8 @@ Json assessment_json(const CodeAssessment& a) {
   if (a.spectrum.is_given()) json["spectrum"] = spectrum_json(a.spectrum);
   put(json, "notes", a.notes);
   if (a.limit_states.empty()) return json;
+  if (const LimitStateCheck* check = a.deciding())
+    json["decides"] = word_of(kLimitStateWords, check->state);
   json["mass"] = mass_json(a.mass);
   const Bilinear& b = a.bilinear;
   json["bilinear"] = {{"stiffness_kN_per_mm", b.stiffness * 1e-6},

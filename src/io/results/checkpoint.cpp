@@ -38,7 +38,7 @@ using io::ArchiveOut;
 using io::Damaged;
 
 constexpr char kMagic[] = "wythe checkpoint";
-constexpr std::uint32_t kFormat = 1;
+constexpr std::uint32_t kFormat = 2;
 
 struct Head {
   char magic[16];
@@ -188,6 +188,14 @@ void walk_recording(A& archive, const Model& model, R& recording) {
   }
 }
 
+// As MovedBlocks numbers them.
+std::size_t moved_blocks(const Model& model) {
+  const Space& space = model.space;
+  const std::size_t of_space =
+      model.in_space() ? static_cast<std::size_t>(space.n_support) + space.solids.bodies.size() : 0;
+  return static_cast<std::size_t>(model.n_block) + model.solids.bodies.size() + of_space;
+}
+
 // Without what the end of a stage or of the run writes anew.
 template <class A, class R>
 void walk_result(A& archive, const Model& model, R& result) {
@@ -241,6 +249,10 @@ void walk_result(A& archive, const Model& model, R& result) {
   archive(result.wall_seconds);
   walk_states(archive, model, result.snapshots);
   walk_states(archive, model, result.readings);
+  archive.list(result.rise_shapes, [&](auto& shape) {
+    archive(shape.displacement);
+    archive.array(shape.moved, moved_blocks(model));
+  });
   walk_states(archive, model, result.frames);
 }
 

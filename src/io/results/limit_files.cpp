@@ -67,21 +67,26 @@ Json curve_json(const CapacityCurve& curve) {
 }
 
 Json assessment_json(const Assessment& a, const LimitStateShares& shares) {
-  return {
-      {"clause", "Circolare 7/2019, C8.7.1.2.1"},
-      {"note",
-       "force at the load point, confidence factor 1; the shares of d0 for the limit states are "
-       "an input, not read from the code's text"},
-      {"alpha0", a.alpha0},
-      {"alpha0_by_weights", a.alpha0_by_weights},
-      {"participating_mass_kg", a.participating_mass},
-      {"participating_mass_share", a.mass_share},
-      {"acceleration0_m_per_s2", a.acceleration0},
-      {"displacement0_mm", a.displacement0 * kMilli},
-      {"life_safety_share_of_d0", shares.life_safety},
-      {"life_safety_displacement_mm", a.life_safety * kMilli},
-      {"near_collapse_share_of_d0", shares.near_collapse},
-      {"near_collapse_displacement_mm", a.near_collapse * kMilli}};
+  return {{"clause", "Circolare 7/2019, C8.7.1.2.1"},
+          {"note",
+           "force and displacements at the load point, confidence factor 1; acceleration0 goes "
+           "with the "
+           "displacements that are called spectral; the shares of d0 for the limit states are "
+           "an input, not read from the code's text"},
+          {"alpha0", a.alpha0},
+          {"alpha0_by_weights", a.alpha0_by_weights},
+          {"participating_mass_kg", a.participating_mass},
+          {"participating_mass_share", a.mass_share},
+          {"acceleration0_m_per_s2", a.acceleration0},
+          {"displacement0_mm", a.displacement0 * kMilli},
+          {"spectral_share", a.spectral_share},
+          {"spectral_displacement0_mm", a.spectral(a.displacement0) * kMilli},
+          {"life_safety_share_of_d0", shares.life_safety},
+          {"life_safety_displacement_mm", a.life_safety * kMilli},
+          {"near_collapse_share_of_d0", shares.near_collapse},
+          {"near_collapse_displacement_mm", a.near_collapse * kMilli},
+          {"life_safety_spectral_displacement_mm", a.spectral(a.life_safety) * kMilli},
+          {"near_collapse_spectral_displacement_mm", a.spectral(a.near_collapse) * kMilli}};
 }
 
 Json mechanism_json(const Mechanism& m) {

@@ -14,6 +14,7 @@
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
 #include "wythe/provenance.h"
+#include "wythe/reading.h"
 #include "wythe/tested_range.h"
 
 namespace wythe {
@@ -378,6 +379,17 @@ Json shaking_json(const Model& model, const Result& result) {
 
 }  // namespace
 
+namespace {
+// The farthest that any block is turned at the end of the run [rad].
+double lean_of(const Model& model, const Result& result) {
+  if (result.snapshots.empty()) return 0;
+  double most = 0;
+  for (BlockId b = 0; b < model.n_block; ++b)
+    most = std::max(most, length(read_block(model, result.snapshots.back().state, b).turned.by));
+  return most;
+}
+}  // namespace
+
 // By the largest record of the base; a second motion is told with the records.
 Message shaken_sentence(const Model& model, const Result& result) {
   const ShakeReadings& r = result.shaking;
@@ -397,6 +409,13 @@ Message shaken_sentence(const Model& model, const Result& result) {
                 {"drift_percent", 1e2 * r.peak_drift},
                 {"residual_mm", 1e3 * r.motion.front().residual},
                 {"shear_kN", 1e-3 * r.peak_base_shear}}};
+  constexpr double kSeen =
+      M_PI /
+      180;  // a lean that anybody sees: such a wall has not fallen, but is no wall that stands
+  if (const double lean = lean_of(model, result); whole && lean > kSeen) {
+    said.code = "shaken.leans";
+    said.arguments.emplace_back("degrees", lean * 180 / M_PI);
+  }
   if (whole && dynamics::is_still_moving(model, result))
     return {"shaken.still_moving", {{"what", std::move(said)}}};
   if (result.validity.holds()) return said;

@@ -1,10 +1,13 @@
 // The assessment of a run: what its model and its states say of the push, then assess().
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/element_states.h"
+#include "judge/modes/in_space.h"
+#include "materials/origin.h"
 #include "wythe/element_forces.h"
 #include "wythe/reading.h"
 
@@ -35,7 +38,7 @@ std::vector<std::vector<BlockId>> blocks_at(const Model& model, const std::vecto
   return found;
 }
 
-// The largest drift of any storey at each state kept.
+// The largest drift of any storey at each shape of moved_masses().
 std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
                                       const Result& result) {
   const Stage* push = study::push_of(model);
@@ -43,8 +46,7 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
   if (levels.empty()) return {};
   const std::vector<std::vector<BlockId>> blocks = blocks_at(model, levels);
   std::vector<DriftPoint> out;
-  for (const Snapshot* state : study::states_by_displacement(result)) {
-    const std::vector<double> moved = study::moved_at(model, result, *state);
+  for (const auto& [displacement, moved] : study::shapes_of(model, result)) {
     double below = 0, at = 0, largest = 0;
     for (std::size_t k = 0; k < levels.size(); ++k) {
       if (blocks[k].empty()) return {};
@@ -54,7 +56,7 @@ std::vector<DriftPoint> storey_drifts(const ModelSpec& spec, const Model& model,
       largest = std::fmax(largest, std::fabs(mean - below) / (levels[k] - at));
       below = mean, at = levels[k];
     }
-    out.push_back({state->displacement, largest});
+    out.push_back({displacement, largest});
   }
   return out;
 }
@@ -72,13 +74,16 @@ double slenderness_of(const Anatomy& anatomy) {
 // Of every pier, from the states read each millimetre; the end counts too.
 std::vector<PierDrift> pier_drifts(const Model& model, const Result& result) {
   std::vector<PierDrift> out;
+  const double along = study::push_of(model)->drive_x;
   for (const ElementForces& element : read_element_forces(model, result)) {
     if (element.kind != "pier" || element.rows.empty()) continue;
     PierDrift& pier = out.emplace_back();
     pier.mark = element.mark;
     pier.element = element.element;
     for (const ElementForces::Row& row : element.rows)
-      if (row.displacement > 0) pier.drifts.push_back({row.displacement, std::fabs(row.drift)});
+      if (row.displacement > 0)
+        pier.drifts.push_back({row.displacement, std::fabs(row.drift),
+                               along * 0.5 * (row.end[0].shear + row.end[1].shear)});
     // each displacement once, ascending: the states of states_by_displacement()
     std::stable_sort(pier.drifts.begin(), pier.drifts.end(),
                      [](const auto& a, const auto& b) { return a.displacement < b.displacement; });
@@ -137,6 +142,12 @@ std::string mechanism_in_space(const std::string& name) {
   return name.empty() || name == "unclear" || name == "none" ? "" : kOutOfPlane;
 }
 
+namespace {
+bool is_shear(const ElementSign& sign) {
+  return sign.state == kDiagonal || sign.state == kSliding || sign.state == kBaseSliding;
+}
+}  // namespace
+
 // "shear" where any pier shows it, "flexure" where piers show that alone, "" where nothing is known.
 std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
   bool flexure = false;
@@ -144,12 +155,32 @@ std::string mechanism_of(const FailureMode& mode, const std::string& pier) {
     if (element.kind != "pier" || (!pier.empty() && element.element != pier)) continue;
     for (const ElementSign& sign : element.signs) {
       if (!sign.holds()) continue;
-      if (sign.state == kDiagonal || sign.state == kSliding || sign.state == kBaseSliding)
-        return "shear";
+      if (is_shear(sign)) return "shear";
       flexure = true;
     }
   }
   return flexure ? "flexure" : "";
+}
+
+// "pier 2 of storey 1"; 0 where there is one storey.
+int storey_of(const std::string& element) {
+  static const std::string kOf = " of storey ";
+  const std::size_t at = element.find(kOf);
+  return at == std::string::npos ? 0 : std::atoi(element.c_str() + at + kOf.size());
+}
+
+// From which displacement on a pier shows shear, and flexure; a sign that closed again counts.
+void find_kinds(const FailureMode& mode, PierDrift& pier) {
+  for (const ElementState& element : mode.elements) {
+    if (element.element != pier.element) continue;
+    pier.shear_from = pier.flexure_from = std::numeric_limits<double>::infinity();
+    for (const ElementSign& sign : element.signs) {
+      const bool is_dated = std::isfinite(sign.displacement_first);
+      if (!is_dated && !sign.holds()) continue;
+      double& from = is_shear(sign) ? pier.shear_from : pier.flexure_from;
+      from = std::fmin(from, is_dated ? sign.displacement_first : mode.read_at);
+    }
+  }
 }
 
 JudgedPush judged_push(const Model& model) {
@@ -215,10 +246,67 @@ std::vector<Message> notes_of_masses(const ModelSpec& spec, const Model& model) 
 }
 
 namespace {
-// What codes ask of piers, which a wall in space does not know.
-void caution_in_space(const AssessmentSpec& spec, const FailureMode& mode, JudgedPush& push) {
-  if (push.mechanism == kOutOfPlane)
+bool is_strength(const std::string& key) {
+  return key == "cohesion" || key == "residual_cohesion" || key.ends_with("strength");
+}
+
+// Typical values and what follows from them by a rule: nobody has divided them by anything.
+std::vector<Message> undivided_strengths(const ModelSpec& spec) {
+  bool is_any_typical = false;
+  std::vector<Message> found;
+  const auto look = [&](const std::string& table, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      const auto origin = materials::origin_of(line);
+      if (!origin || origin->kind == materials::Origin::kGiven || !is_strength(origin->key))
+        continue;
+      if (origin->value.starts_with("0 ")) continue;  // nothing to divide
+      is_any_typical = is_any_typical || origin->kind == materials::Origin::kTypical;
+      found.push_back(as_text(table + "." + origin->key + " " + origin->value));
+    }
+  };
+  look("masonry", spec.masonry.origin);
+  for (const auto& [name, material] : spec.material) look("material." + name, material.origin);
+  // what follows from values of the file alone is divided as they are
+  return is_any_typical ? found : std::vector<Message>{};
+}
+
+// The point whose displacement is followed lies at the roof, or what fails above it is not seen.
+void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
+  const Stage* stage = push_of(model);
+  if (stage == nullptr || !(stage->load_height > 0)) return;
+  if (stage->control < 0 && stage->spec.pattern != Pattern::kNone) return;  // a mean of all blocks
+  std::vector<double> levels = levels_of(spec, *stage);
+  if (levels.empty()) {
+    const double foot = foot_of(model);
+    double top = 0;
+    for (const BlockId b : moving_blocks(model))
+      top = std::fmax(top, extent_of(model, b).high - foot);
+    levels = {top};
+  }
+  const double roof = levels.back(), below = levels.size() > 1 ? levels[levels.size() - 2] : 0;
+  constexpr double kHalf = 0.5;  // of the uppermost storey
+  if (stage->load_height >= roof - kHalf * (roof - below)) return;
+  push.cautions.push_back(
+      {"assessment.caution.control", {{"height_m", stage->load_height}, {"roof_m", roof}}});
+}
+
+// What codes ask of piers, which a wall in space does not know. A push across the plane of walls is one out of their
+// plane whatever name the failure has, and where it has none it is that of any wall that stands across.
+void caution_in_space(const AssessmentSpec& spec, const Model& model, const FailureMode& mode,
+                      JudgedPush& push) {
+  push.mechanism = mechanism_in_space(mode.name);
+  const Stage* stage = push_of(model);
+  const WallsByPush walls = stage != nullptr ? walls_by_push(model, stage->drive()) : WallsByPush{};
+  const bool is_named = push.mechanism == kOutOfPlane;
+  const bool is_across = walls.all_across() || (push.mechanism.empty() && !walls.all_along());
+  if (walls.all_across()) push.mechanism = kOutOfPlane;
+  if (is_named)
     push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
+  else if (is_across)
+    push.cautions.push_back({"assessment.caution.across",
+                             {{"mode", mode.name.empty() ? "unclear" : mode.name},
+                              {"off", walls.walls - walls.along},
+                              {"walls", walls.walls}}});
   else if (mode.name == "sliding")  // in its plane or out of it: the name does not say
     push.cautions.push_back({"assessment.caution.sliding"});
   else if (push.mechanism != "shear" &&
@@ -232,13 +320,19 @@ void caution_in_space(const AssessmentSpec& spec, const FailureMode& mode, Judge
 
 CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPush push,
                              const FailureMode& mode, const PushedWall& wall) {
-  push.mechanism = model.in_space() ? mechanism_in_space(mode.name) : mechanism_of(mode);
+  push.mechanism = mechanism_of(mode);
   push.cautions = cautions_of_masses(spec, model);
-  if (model.in_space()) caution_in_space(spec.assessment, mode, push);
+  push.undivided = undivided_strengths(spec);
+  caution_of_control(spec, model, push);
+  if (model.in_space()) caution_in_space(spec.assessment, model, mode, push);
   push.drifts = wall.storeys;
   push.storeys_known = !wall.storeys.empty();
   push.piers = wall.piers;
-  for (PierDrift& pier : push.piers) pier.mechanism = mechanism_of(mode, pier.element);
+  for (PierDrift& pier : push.piers) {
+    pier.mechanism = mechanism_of(mode, pier.element);
+    find_kinds(mode, pier);
+    pier.storey = storey_of(pier.element);
+  }
   CodeAssessment out = assess(spec.assessment, push, [&](double displacement) {
     const MassAndShape shape = mass_and_shape(wall, displacement);
     return std::isfinite(shape.read_at) ? shape : mass_and_linear_shape(spec.assessment, model);

@@ -43,8 +43,14 @@ constexpr Rules kCircolareClauses = {"Circolare 7/2019, C7.8.1.6", "Circolare 7/
                                      "Circolare 7/2019, C7.8.1.6"};
 constexpr Rules kEn1998Clauses = {"EN 1998-3, C.4.1.1", "EN 1998-3, C.4.1.2", "EN 1998-3, C.4.1.3"};
 constexpr double kForceLeft = 0.8, kShareOfCollapse = 0.75;
-constexpr double kMostQ = 4.0;  // NTC 2018, 7.8.1.6
-constexpr const char* kQClause = "NTC 2018, 7.8.1.6";
+// Circolare 7/2019, C8.7.1.3.1: q* at most, at life safety and at near collapse. EN 1998-3 has no such bound.
+constexpr double kMostQLifeSafety = 3.0, kMostQNearCollapse = 4.0;
+constexpr const char* kOfBuildings = "Circolare 7/2019, C8.7.1.3.1";
+constexpr double kOperationalShare = 2.0 / 3;  // of damage limitation, the same clause
+// Damage limitation, the same clause: all piers of a storey at their shear strength, but not before this share of
+// the largest base shear. A computed force creeps on where a pier has yielded, so its strength is reached where it
+// carries so much of the greatest.
+constexpr double kLeastShear = 0.75, kAtStrength = 0.95;
 
 bool is_circolare(const AssessmentSpec& spec) {
   return value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kCircolare2019;
@@ -97,7 +103,8 @@ class Judge {
 
   CodeAssessment all() {
     out_.spec = spec_;
-    out_.spectrum = spectrum_of(spec_.spectrum);
+    const auto asked = value_of(kLimitStateWords, spec_.limit_state);
+    if (asked) out_.spectrum = spectrum_of(spectrum_for(spec_, *asked));
     note_assumptions();
     out_.reason = refusal();
     if (out_.reason.empty()) judge();
@@ -131,9 +138,18 @@ class Judge {
     if (!idealise(collapse)) return;
     LimitStateCheck safety = life_safety(collapse);
     LimitStateCheck damage = damage_limitation(collapse);
-    out_.limit_states = {std::move(damage), std::move(safety), std::move(collapse)};
+    if (asks_operational()) out_.limit_states.push_back(operational(damage));
+    for (LimitStateCheck* check : {&damage, &safety, &collapse})
+      out_.limit_states.push_back(std::move(*check));
     if (out_.spectrum.is_given() && !find_demand()) return;
-    for (LimitStateCheck& check : out_.limit_states) compare(check);
+    for (LimitStateCheck& check : out_.limit_states)
+      if (!compare(check)) return;
+  }
+
+  [[nodiscard]] bool asks_operational() const {
+    return is_circolare(spec_) &&
+           (is_checked(spec_, LimitState::kOperational) ||
+            value_of(kLimitStateWords, spec_.limit_state) == LimitState::kOperational);
   }
 
   [[nodiscard]] const Rules& clauses() const {
@@ -178,6 +194,77 @@ class Judge {
                               .unit = "-",
                               .displacement = out_.bilinear.yield_displacement,
                               .reached = !collapse.at_least});
+    if (is_circolare(spec_)) add_strengths(check, collapse);
+    return decided(std::move(check));
+  }
+
+  // All piers of one storey at their shear strength, not before three quarters of the base shear.
+  void add_strengths(LimitStateCheck& check, const LimitStateCheck& collapse) {
+    std::optional<double> first;
+    bool known = !push_.piers.empty();
+    for (const PierDrift& of : push_.piers) {
+      double all = 0;
+      for (const PierDrift& pier : push_.piers) {
+        if (pier.storey != of.storey) continue;
+        const double at = strength_at(pier, collapse.displacement);
+        known = known && std::isfinite(at);
+        all = std::fmax(all, at);
+      }
+      if (!first || all < *first) first = all;
+    }
+    if (!known) {
+      out_.notes.push_back({"assessment.note.strengths"});
+      return;
+    }
+    const double floor = rising_to(kLeastShear, collapse.displacement);
+    check.criteria.push_back({.name = "shear strength of piers",
+                              .words = {"assessment.strength_of_piers"},
+                              .clause = kOfBuildings,
+                              .value = 1,
+                              .unit = "-",
+                              .displacement = std::fmax(*first, floor),
+                              .reached = !collapse.at_least});
+  }
+  // Where the pier can have reached its strength at the earliest: the last state read before it carries that. NaN: no
+  // shears are known.
+  [[nodiscard]] static double strength_at(const PierDrift& pier, double until) {
+    double most = 0;
+    for (const DriftPoint& at : pier.drifts) {
+      if (std::isnan(at.shear)) return kUnset;
+      if (at.displacement <= until) most = std::fmax(most, at.shear);
+    }
+    double before = 0;
+    for (const DriftPoint& at : pier.drifts) {
+      if (at.displacement > until || at.shear >= kAtStrength * most) break;
+      before = at.displacement;
+    }
+    return pier.drifts.empty() ? kUnset : before;
+  }
+  // Where the curve first carries this share of the largest force up to `until`.
+  [[nodiscard]] double rising_to(double share, double until) const {
+    double most = 0;
+    for (const CurveRow& row : push_.curve)
+      if (row.displacement <= until) most = std::fmax(most, row.reaction);
+    CurveRow before;
+    for (const CurveRow& row : push_.curve) {
+      if (row.reaction >= share * most) {
+        const double part = (share * most - before.reaction) / (row.reaction - before.reaction);
+        return before.displacement + part * (row.displacement - before.displacement);
+      }
+      before = row;
+    }
+    return before.displacement;
+  }
+
+  LimitStateCheck operational(const LimitStateCheck& damage) {
+    LimitStateCheck check{.state = LimitState::kOperational};
+    check.criteria.push_back({.name = "share of damage limitation",
+                              .words = {"assessment.share_of_damage"},
+                              .clause = kOfBuildings,
+                              .value = kOperationalShare,
+                              .unit = "-",
+                              .displacement = kOperationalShare * damage.displacement,
+                              .reached = !damage.at_least});
     return decided(std::move(check));
   }
 
@@ -190,15 +277,60 @@ class Judge {
     }
     std::optional<Criterion> first;
     for (const PierDrift& pier : push_.piers) {
-      const auto rule = rule_of(check.state, pier.mechanism);
-      if (!rule) continue;
-      const Criterion met = met_at(pier_criterion(*rule, pier.mark), pier.drifts);
+      const std::optional<Criterion> met = pier_met(check.state, pier);
+      if (!met) continue;
       const bool is_first =
-          !first || (met.reached && !first->reached) ||
-          (met.reached == first->reached && met.displacement < first->displacement);
+          !first || (met->reached && !first->reached) ||
+          (met->reached == first->reached && met->displacement < first->displacement);
       if (is_first) first = met;
     }
     if (first) check.criteria.push_back(*std::move(first));
+  }
+
+  // How a pier fails, as far as the states up to this displacement tell.
+  [[nodiscard]] static std::string kind_at(const PierDrift& pier, double displacement) {
+    if (std::isnan(pier.shear_from) && std::isnan(pier.flexure_from)) return pier.mechanism;
+    if (pier.shear_from <= displacement) return "shear";
+    return pier.flexure_from <= displacement ? "flexure" : "";
+  }
+
+  // Where a pier first reaches the limit of its kind, as far as that is known there: what it does later decides
+  // nothing. Between two states the earlier one tells.
+  [[nodiscard]] std::optional<Criterion> pier_met(LimitState state, const PierDrift& pier) const {
+    std::optional<Criterion> last;
+    DriftPoint before;
+    for (const DriftPoint& now : pier.drifts) {
+      for (const double known : {before.displacement, now.displacement}) {
+        const auto rule = rule_of(state, kind_at(pier, known));
+        if (!rule) continue;
+        last = pier_criterion(*rule, pier.mark);
+        last->displacement = now.displacement;
+        if (now.drift < rule->drift) continue;
+        const bool inside = known < now.displacement && before.drift < rule->drift;
+        const double share = inside ? (rule->drift - before.drift) / (now.drift - before.drift) : 1;
+        last->displacement = before.displacement + share * (now.displacement - before.displacement);
+        last->reached = true;
+        return last;
+      }
+      before = now;
+    }
+    return last;
+  }
+
+  // A pier that shears beyond a limit state, and would have ended it earlier had that been known.
+  void caution_of_kinds(const LimitStateCheck& check, std::vector<Message>& say) const {
+    for (const PierDrift& pier : push_.piers) {
+      if (!std::isfinite(pier.shear_from) || pier.shear_from <= check.displacement) continue;
+      PierDrift sheared = pier;
+      sheared.mechanism = "shear", sheared.shear_from = sheared.flexure_from = kUnset;
+      const auto then = pier_met(LimitState::kNearCollapse, sheared);
+      if (!then || !then->reached || then->displacement >= check.displacement) continue;
+      say.push_back({"assessment.caution.kind_changes",
+                     {{"mark", pier.mark},
+                      {"from_mm", 1e3 * pier.shear_from},
+                      {"displacement_mm", 1e3 * check.displacement},
+                      {"then_mm", 1e3 * then->displacement}}});
+    }
   }
 
   // Of a mechanism; of the lesser limit where that is not known.
@@ -308,33 +440,49 @@ class Judge {
   bool find_demand() {
     out_.demand = demand_of(out_.system, out_.spectrum);
     out_.demand_displacement = out_.system.participation * out_.demand.displacement;
-    if (std::isfinite(out_.demand.displacement)) return true;
-    return fails(
-        {"assessment.period_beyond_table",
-         {{"period_s", out_.system.period()},
-          {"last_s", out_.spectrum.periods.empty() ? kUnset : out_.spectrum.periods.back()}}});
+    return std::isfinite(out_.demand.displacement) || beyond(out_.spectrum);
+  }
+  bool beyond(const ElasticSpectrum& spectrum) {
+    return fails({"assessment.period_beyond_table",
+                  {{"period_s", out_.system.period()},
+                   {"last_s", spectrum.periods.empty() ? kUnset : spectrum.periods.back()}}});
   }
 
-  void compare(LimitStateCheck& check) {
-    if (!out_.spectrum.is_given()) return;
+  bool compare(LimitStateCheck& check) {
+    const ElasticSpectrum spectrum = spectrum_of(spectrum_for(spec_, check.state));
+    if (!spectrum.is_given()) return true;
+    const SpectralDemand demand = demand_of(out_.system, spectrum);
+    if (!std::isfinite(demand.displacement)) return beyond(spectrum);
     const double equivalent = check.displacement / out_.system.participation;
-    check.ratio = check.displacement / out_.demand_displacement;
-    check.scale = scale_for(out_.system, out_.spectrum, equivalent);
+    check.is_checked = is_checked(spec_, check.state);
+    check.q = demand.q;
+    check.demand_acceleration = spectrum.peak_ground_acceleration();
+    check.demand_displacement = out_.system.participation * demand.displacement;
+    check.ratio = check.displacement / check.demand_displacement;
+    check.scale = scale_for(out_.system, spectrum, equivalent);
     check.at_least = check.at_least || out_.bilinear.censored;
-    if (is_circolare(spec_) && check.state != LimitState::kDamageLimitation) limit_q(check);
-    check.acceleration = check.scale * out_.spectrum.peak_ground_acceleration();
-    check.rock_acceleration = check.scale * out_.spectrum.ground_acceleration;
+    if (is_circolare(spec_) && check.state == LimitState::kLifeSafety)
+      limit_q(check, spectrum, kMostQLifeSafety);
+    if (is_circolare(spec_) && check.state == LimitState::kNearCollapse)
+      limit_q(check, spectrum, kMostQNearCollapse);
+    check.acceleration = check.scale * spectrum.peak_ground_acceleration();
+    check.rock_acceleration = check.scale * spectrum.ground_acceleration;
+    if (check.is_checked)
+      check.verdict = check.scale >= 1 ? AssessmentVerdict::kHolds
+                      : check.at_least ? AssessmentVerdict::kNotShown
+                                       : AssessmentVerdict::kFails;
+    return true;
   }
 
-  // A wall whose force is a quarter of the elastic one or less is not believed, however far it goes.
-  void limit_q(LimitStateCheck& check) {
-    const double scale = scale_for_q(out_.system, out_.spectrum, kMostQ);
+  // A wall whose force is a third or a quarter of the elastic one or less is not believed, however far it goes.
+  void limit_q(LimitStateCheck& check, const ElasticSpectrum& spectrum, double most) {
+    const double scale = scale_for_q(out_.system, spectrum, most);
     Criterion c{.name = "q*",
-                .words = {"assessment.q_limit", {{"q", out_.demand.q}, {"limit", kMostQ}}},
-                .clause = kQClause,
-                .value = kMostQ,
+                .words = {"assessment.q_limit", {{"q", check.q}, {"limit", most}}},
+                .clause = kOfBuildings,
+                .value = most,
                 .unit = "-"};
-    const SpectralDemand then = demand_of(out_.system, out_.spectrum, scale);
+    const SpectralDemand then = demand_of(out_.system, spectrum, scale);
     c.displacement = out_.system.participation * then.displacement;
     c.reached = scale <= check.scale;
     if (c.reached) check.governing = c.name, check.scale = scale;
@@ -351,6 +499,8 @@ class Judge {
     out_.notes.push_back({"assessment.note.clauses"});
     if (std::isnan(spec_.confidence_factor))
       out_.notes.push_back({"assessment.note.no_confidence_factor"});
+    else if (is_undivided())
+      out_.notes.push_back({"assessment.note.undivided", {{"factor", spec_.confidence_factor}}});
     else
       out_.notes.push_back(
           {"assessment.note.confidence_factor", {{"factor", spec_.confidence_factor}}});
@@ -366,6 +516,10 @@ class Judge {
                                  ? push_.mechanism.empty()
                                  : std::any_of(push_.piers.begin(), push_.piers.end(), is_unknown);
     if (any_unknown) out_.notes.push_back({"assessment.note.no_mechanism"});
+  }
+
+  [[nodiscard]] bool is_undivided() const {
+    return spec_.confidence_factor > 1 && !push_.undivided.empty();
   }
 
   // What can be meant, but is more often a slip.
@@ -387,13 +541,18 @@ class Judge {
   void collect_cautions() {
     std::vector<Message>& say = out_.cautions;
     say = push_.cautions;
+    if (is_undivided())
+      say.push_back({"assessment.caution.undivided",
+                     {{"factor", spec_.confidence_factor}, {"strengths", push_.undivided}}});
     if (push_.judgement != "slow enough" && push_.judgement != "usable")
       say.push_back(push_.judgement == "too fast" ? Message{"assessment.too_fast"}
                                                   : Message{"assessment.rate_unknown"});
     if (push_.status != SolveStatus::kCompleted && push_.status != SolveStatus::kCollapsed)
       say.push_back({"assessment.caution.unfinished"});
-    const LimitStateCheck* check = out_.asked();
+    const LimitStateCheck* check = out_.deciding();
     if (check == nullptr) return;
+    for (const LimitStateCheck& collapse : out_.limit_states)
+      if (collapse.state == LimitState::kNearCollapse) caution_of_kinds(collapse, say);
     if (std::fabs(push_.overlap_lost) <= check->displacement)
       say.push_back({"assessment.caution.overlap",
                      {{"displacement_mm", 1e3 * std::fabs(push_.overlap_lost)}}});
@@ -414,16 +573,14 @@ class Judge {
             : Message{"assessment.unsigned", {{"cautions", out_.cautions}, {"verdict", said}}};
   }
   [[nodiscard]] AssessmentVerdict verdict() const {
-    const LimitStateCheck* check = out_.asked();
+    const LimitStateCheck* check = out_.deciding();
     if (!out_.reason.empty() || check == nullptr) return AssessmentVerdict::kNotKnown;
-    if (!out_.spectrum.is_given()) return AssessmentVerdict::kNoDemand;
-    if (check->scale >= 1) return AssessmentVerdict::kHolds;
-    return check->at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
+    return check->verdict;
   }
   [[nodiscard]] Message verdict_in_words() const {
     if (out_.verdict == AssessmentVerdict::kNotKnown)
       return {"assessment.not_known", {{"why", out_.reason}}};
-    const LimitStateCheck& check = *out_.asked();
+    const LimitStateCheck& check = *out_.deciding();
     const Message state = study::words_of_state(check.state);
     if (out_.verdict == AssessmentVerdict::kNoDemand)
       return {check.at_least ? "assessment.no_demand_bound" : "assessment.no_demand",
@@ -432,7 +589,9 @@ class Judge {
             {{"state", state},
              {"ratio", check.ratio},
              {"pga_g", check.acceleration / kStandardGravity},
-             {"demand_g", out_.spectrum.peak_ground_acceleration() / kStandardGravity}}};
+             {"demand_g", check.demand_acceleration / kStandardGravity},
+             {"limit",
+              check.state == LimitState::kLifeSafety ? kMostQLifeSafety : kMostQNearCollapse}}};
   }
   [[nodiscard]] const char* verdict_code(const LimitStateCheck& check) const {
     if (out_.verdict == AssessmentVerdict::kFails)
@@ -455,8 +614,21 @@ const LimitStateCheck* CodeAssessment::asked() const {
   return nullptr;
 }
 
+const LimitStateCheck* CodeAssessment::deciding() const {
+  const LimitStateCheck* least = nullptr;
+  const auto goes_before = [](const LimitStateCheck& a, const LimitStateCheck& b) {
+    const bool a_fails = a.verdict == AssessmentVerdict::kFails;
+    const bool b_fails = b.verdict == AssessmentVerdict::kFails;
+    return a_fails != b_fails ? a_fails : a.scale < b.scale;
+  };
+  for (const LimitStateCheck& check : limit_states)
+    if (check.is_checked && (least == nullptr || goes_before(check, *least))) least = &check;
+  return least != nullptr ? least : asked();
+}
+
 Message study::words_of_state(LimitState state) {
   switch (state) {
+    case LimitState::kOperational: return {"assessment.operational"};
     case LimitState::kDamageLimitation: return {"assessment.damage_limitation"};
     case LimitState::kLifeSafety: return {"assessment.life_safety"};
     case LimitState::kNearCollapse: break;

@@ -21,6 +21,9 @@ struct Extent {
 // Result::readings of a push, each displacement once, ascending, beyond its start: they depend neither on
 // the states asked for nor on frames, so that a sample is judged as a run of it.
 [[nodiscard]] std::vector<const Snapshot*> states_by_displacement(const Result& result);
+// How far each block went along the push, at the displacements of Result::rise_shapes and of those states,
+// ascending: a number is told of the displacement it is stated for, which on the rise lies within the first millimetre.
+[[nodiscard]] std::vector<MovedBlocks> shapes_of(const Model& model, const Result& result);
 // How far each block went along the push from its start to this state, by its number; supports 0 [m].
 [[nodiscard]] std::vector<double> moved_at(const Model& model, const Result& result,
                                            const Snapshot& state);

@@ -81,6 +81,20 @@ std::vector<const Snapshot*> states_by_displacement(const Result& result) {
   return states;
 }
 
+std::vector<MovedBlocks> shapes_of(const Model& model, const Result& result) {
+  std::vector<MovedBlocks> shapes = result.rise_shapes;
+  for (const Snapshot* state : states_by_displacement(result))
+    shapes.push_back({state->displacement, moved_at(model, result, *state)});
+  std::stable_sort(shapes.begin(), shapes.end(), [](const MovedBlocks& a, const MovedBlocks& b) {
+    return a.displacement < b.displacement;
+  });
+  const auto same = [](const MovedBlocks& a, const MovedBlocks& b) {
+    return a.displacement == b.displacement;
+  };
+  shapes.erase(std::unique(shapes.begin(), shapes.end(), same), shapes.end());
+  return shapes;
+}
+
 }  // namespace study
 
 namespace {
@@ -175,13 +189,12 @@ std::vector<MovedMass> study::moved_masses(const AssessmentSpec& spec, const Mod
   const std::vector<Part> parts = parts_of(spec, model, push->load_height, masses);
   std::vector<MovedMass> out;
   std::vector<double> before(parts.size(), 0.0);
-  for (const Snapshot* state : states_by_displacement(result)) {
-    const std::vector<double> moved = moved_at(model, result, *state);
+  for (const auto& [displacement, moved] : shapes_of(model, result)) {
     MovedMass& sum = out.emplace_back();
-    sum.displacement = state->displacement;
+    sum.displacement = displacement;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const Part& part = parts[k];
-      double u = state->displacement;  // goes with the control point
+      double u = displacement;  // goes with the control point
       if (part.block >= 0)
         u = moved[static_cast<std::size_t>(part.block)];
       else if (std::isfinite(spec.added_height))

@@ -130,6 +130,18 @@ class SpectrumFaults {
 
 }  // namespace
 
+namespace {
+const SpectrumSpec& own_spectrum(const AssessmentSpec& spec, LimitState state) {
+  switch (state) {
+    case LimitState::kOperational: return spec.spectra.operational;
+    case LimitState::kDamageLimitation: return spec.spectra.damage_limitation;
+    case LimitState::kLifeSafety: return spec.spectra.life_safety;
+    case LimitState::kNearCollapse: break;
+  }
+  return spec.spectra.near_collapse;
+}
+}  // namespace
+
 std::vector<Fault> faults_of(const SpectrumSpec& spec) { return SpectrumFaults(spec).all(); }
 
 std::vector<Fault> faults_of(const AssessmentSpec& spec) {
@@ -139,11 +151,36 @@ std::vector<Fault> faults_of(const AssessmentSpec& spec) {
                       "write code = \"circolare_2019\" or \"en1998_3\"", 0});
   if (!value_of(kLimitStateWords, spec.limit_state))
     faults.push_back({"", "limit_state", spec.limit_state, "is no limit state",
-                      "write damage_limitation, life_safety or near_collapse", 0});
+                      "write operational, damage_limitation, life_safety or near_collapse", 0});
   if (std::isfinite(spec.added_height) && !(spec.added_mass > 0))
     faults.push_back({"", "added_height", "", "there is no added mass to act there",
                       "write added_mass too, or leave it out", 0});
+  const auto state = value_of(kLimitStateWords, spec.limit_state);
+  if (state && spec.spectrum.kind != SpectrumKind::kNone &&
+      own_spectrum(spec, *state).kind != SpectrumKind::kNone)
+    faults.push_back({"", "spectrum", "", "there is another in spectra, of the same limit state",
+                      "leave one of them out: spectrum is that of limit_state", 0});
+  const bool asks_operational =
+      state == LimitState::kOperational || spec.spectra.operational.kind != SpectrumKind::kNone;
+  if (asks_operational && value_of(kAssessmentCodeWords, spec.code) == AssessmentCode::kEn1998)
+    faults.push_back({"", state == LimitState::kOperational ? "limit_state" : "spectra",
+                      "operational", "EN 1998-3 has no such limit state",
+                      "leave it out, or assess by circolare_2019", 0});
   return faults;
+}
+
+const SpectrumSpec& spectrum_for(const AssessmentSpec& spec, LimitState state) {
+  const SpectrumSpec& own = own_spectrum(spec, state);
+  if (own.kind != SpectrumKind::kNone || spec.spectrum.kind != SpectrumKind::kNone)
+    return own.kind != SpectrumKind::kNone ? own : spec.spectrum;
+  const auto asked = value_of(kLimitStateWords, spec.limit_state);
+  return asked ? own_spectrum(spec, *asked) : own;
+}
+
+bool is_checked(const AssessmentSpec& spec, LimitState state) {
+  const bool is_asked = value_of(kLimitStateWords, spec.limit_state) == state;
+  return own_spectrum(spec, state).kind != SpectrumKind::kNone ||
+         (is_asked && spec.spectrum.kind != SpectrumKind::kNone);
 }
 
 ElasticSpectrum spectrum_of(const SpectrumSpec& spec) {

@@ -264,6 +264,13 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   mode.read_at = read->displacement;
   mode.reading = words_for(model, result, *read, read_at);
   for (const study::Reading& r : readings) note_first(r.elements, r.displacement, mode.elements);
+  // when a part that is sound so far fails later: limit states may lie beyond the state that is read
+  for (std::size_t i = readings.size(); i < result.readings.size() && !is_cyclic(model, *read);
+       ++i) {
+    const Snapshot& s = result.readings[i];
+    note_first(study::element_states(parts, study::read_motion(model, s.state), rules),
+               s.displacement, mode.elements);
+  }
   mode.flags = study::state_flags(model, parts, motion.joints, rules);
   mode.flags.push_back(study::drop_flag(backbone_of(result.curve), rules));
   mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules, later);

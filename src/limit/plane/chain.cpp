@@ -235,6 +235,7 @@ Assessment assess(const Chain& chain, const CapacityCurve& curve, double gravity
   a.mass_share = gravity * a.participating_mass / weight;
   a.acceleration0 = a.alpha0_by_weights * gravity / a.mass_share;
   a.displacement0 = curve.states.back().displacement;
+  a.spectral_share = second / (std::fabs(follower.load_speed(rest)) * first);
   a.life_safety = shares.life_safety * a.displacement0;
   a.near_collapse = shares.near_collapse * a.displacement0;
   return a;

@@ -51,7 +51,7 @@ class Doubles : public testing::Test {
          {"INSERT INTO rise VALUES (2, 0, 0.001, 5)",
           "INSERT INTO shake (sample, position, intensity, status) VALUES (2, 0, 1.5, 'unstable')",
           "INSERT INTO moved VALUES (2, 0, 0.001, 1, 1, 1, NULL)",
-          "INSERT INTO pier_drift VALUES (2, 0, 'left pier', 'P1', 0.001, 0.01)"})
+          "INSERT INTO pier_drift VALUES (2, 0, 'left pier', 'P1', 0.001, 0.01, 5)"})
       database.execute(std::string("DELETE FROM ") +
                        std::string(sql).substr(12, std::string(sql).find(' ', 12) - 12) +
                        " WHERE sample = 2; " + sql);

@@ -240,6 +240,41 @@ TEST(Lasting, a_return_too_short_to_be_held_at_the_end_makes_no_dip) {
   EXPECT_TRUE(r.dips.empty());
 }
 
+// A push that its rule stopped at 0.9, and a wall that falls in a stage after it: what the push did not show it did not
+// show.
+TEST(Lasting, a_fall_after_the_push_is_none_of_it) {
+  Model model;
+  for (const StageKind kind : {StageKind::kGravity, StageKind::kPush, StageKind::kHold})
+    model.stages.emplace_back().spec.kind = kind;
+  Result result;
+  result.curve = curve_of({{0, 0}, {2, 100}, {10, 89}, {11.1, 88}});
+  result.status = SolveStatus::kCollapsed;
+  result.reason = {"block.moved_away"};
+  const auto read = [&](std::size_t stages) {
+    result.stages.assign(stages, {});
+    return read_responses(result.curve, reading_of(model, result));
+  };
+  EXPECT_FALSE(read(2).censored_80);  // it fell as it was pushed
+  const Responses later = read(3);
+  EXPECT_TRUE(later.censored_80);
+  EXPECT_TRUE(later.collapse.censored);
+  for (const FallTo& fall : later.drift_capacity)
+    EXPECT_EQ(fall.censored, fall.fraction < 0.9) << fall.fraction;
+}
+
+// A stop at a share is a bound for every share below it, in each reading.
+TEST(Lasting, a_stop_rule_makes_no_fall_below_its_share) {
+  const Responses r = read_responses(
+      curve_of({{0, 0}, {2, 100}, {7, 92}, {7.2, 89}, {8, 89}}), {.fractions = {0.8, 0.5}});
+  EXPECT_TRUE(r.censored_80 && r.censored_first_80 && r.censored_last_80 && r.censored_max);
+  EXPECT_TRUE(r.collapse.censored && r.bilinear.censored);
+  EXPECT_DOUBLE_EQ(r.displacement_at_80, 8);
+  for (const FallTo& fall : r.falls)
+    EXPECT_TRUE(fall.censored && fall.censored_first && fall.censored_last) << fall.fraction;
+  for (const FallTo& fall : r.drift_capacity)
+    EXPECT_EQ(fall.censored, fall.fraction < 0.895) << fall.fraction;
+}
+
 TEST(Lasting, a_last_fall_not_seen_to_last_is_a_bound) {
   const Responses r =
       read_responses(curve_of({{0, 0}, {2, 100}, {10, 80}, {10.01, 70}, {10.5, 70}}));

@@ -339,5 +339,22 @@ TEST_P(ModesInSpace, walls_that_rock_together_in_their_planes_are_told_from_thos
 
 INSTANTIATE_TEST_SUITE_P(Turned, ModesInSpace, testing::Values(0.0, 0.7, 2.5));
 
+// What a push does to walls depends on how they stand, not on the name of what happened.
+TEST(ModesInSpace, the_push_tells_which_walls_it_goes_across) {
+  for (const Frame& frame : {Frame{}, Frame::turned(1, 0, 0.7, 0, {1, 2, 3})}) {
+    const Wall one(false, frame), corner(true, frame);
+    const auto by = [&](const Wall& wall, Vec3 push) {
+      return study::walls_by_push(wall.model, frame.direction(push));
+    };
+    EXPECT_TRUE(by(one, {1, 0, 0}).all_along());
+    EXPECT_TRUE(by(one, {0.9848, 0, 0.1736}).all_along());  // ten degrees off
+    EXPECT_TRUE(by(one, {0, 0, 1}).all_across());
+    EXPECT_TRUE(by(one, {0.7071, 0, 0.7071}).all_across());
+    // an angle of stones without names has no plane: neither is known of it
+    EXPECT_FALSE(by(corner, {1, 0, 0}).all_along());
+    EXPECT_FALSE(by(corner, {1, 0, 0}).all_across());
+  }
+}
+
 }  // namespace
 }  // namespace wythe

@@ -389,7 +389,7 @@ TEST(Fragility, counts_samples_without_an_answer) {
 }
 
 TEST(Measuring, names_the_input_that_decides) {
-  const Campaign campaign = made(60, [](double a, double b, int i) {
+  const Campaign campaign = made(100, [](double a, double b, int i) {
     return Made{.peak = 100 + 10 * a + 60 * b + chance(i)};
   });
   const std::vector<Measuring> all = measurings(answered_of(campaign));

@@ -90,13 +90,15 @@ TEST(Quantiles, of_a_sample_lie_straight_between_neighbours) {
 }
 
 TEST(Bootstrap, of_equal_values_has_no_width) {
-  const Estimate e = bca_bootstrap(8, [](const Counts&) { return 3.0; });
+  const Estimate e = bca_bootstrap(kFewestForBootstrap, [](const Counts&) { return 3.0; });
   EXPECT_EQ(e.interval.low, 3);
   EXPECT_EQ(e.interval.high, 3);
 }
 
 TEST(Bootstrap, few_samples_have_no_interval) {
-  EXPECT_TRUE(std::isnan(bca_bootstrap(4, [](const Counts& c) { return c[0]; }).interval.low));
+  const auto first = [](const Counts& c) { return c[0]; };
+  EXPECT_TRUE(std::isnan(bca_bootstrap(kFewestForBootstrap - 1, first).interval.low));
+  EXPECT_TRUE(std::isnan(percentile_bootstrap(kFewestForBootstrap - 1, first).interval.low));
 }
 
 // --- censored values ---------------------------------------------------------------------------
@@ -121,20 +123,20 @@ TEST(KaplanMeier, follows_the_hand_example) {
 TEST(KaplanMeier, a_share_is_never_more_certain_than_the_samples) {
   const std::vector<Reading> r =
       in_order({{10, true}, {5, true}, {3, false}, {8, false}, {5, false}});
-  // none of five has fallen before 1: no less can be said than by Wilson
+  // none of five has fallen before 1: no less can be said than by the share of none
   EXPECT_EQ(share_before(r, 1).value, 0);
-  EXPECT_DOUBLE_EQ(share_before(r, 1).interval.high, wilson(0, 5).interval.high);
+  EXPECT_DOUBLE_EQ(share_before(r, 1).interval.high, share_estimate(0, 5).interval.high);
   // beyond the last reading three of five are known to have fallen, the others may have
   EXPECT_DOUBLE_EQ(share_before(r, 12).value, 0.6);
-  EXPECT_DOUBLE_EQ(share_before(r, 12).interval.low, wilson(3, 5).interval.low);
+  EXPECT_DOUBLE_EQ(share_before(r, 12).interval.low, share_estimate(3, 5).interval.low);
   EXPECT_EQ(share_before(r, 12).interval.high, 1);
   // one left early, then none fell: those still going on count
   const std::vector<Reading> late = in_order({{1, true}, {4, false}, {5, true}, {6, true}});
-  EXPECT_DOUBLE_EQ(share_before(late, 3).interval.high, wilson(0, 3).interval.high);
+  EXPECT_DOUBLE_EQ(share_before(late, 3).interval.high, share_estimate(0, 3).interval.high);
   const std::vector<Reading> unknown = in_order({{2, true}, {2, true}});
   EXPECT_TRUE(std::isnan(share_before(unknown, 5).value));
   EXPECT_TRUE(std::isnan(share_before(unknown, 5).interval.low));
-  EXPECT_DOUBLE_EQ(share_before(unknown, 1).interval.high, wilson(0, 2).interval.high);
+  EXPECT_DOUBLE_EQ(share_before(unknown, 1).interval.high, share_estimate(0, 2).interval.high);
 }
 
 TEST(KaplanMeier, interval_follows_greenwood_by_hand) {
@@ -300,14 +302,14 @@ TEST(CampaignStatistics, drift_limits_count_the_unknown_apart) {
     if (limit.limit == 0.005) {
       EXPECT_EQ(limit.below, 4);
       EXPECT_EQ(limit.unknown, 0);
-      EXPECT_DOUBLE_EQ(limit.share.interval.low, wilson(4, 10).interval.low);
+      EXPECT_DOUBLE_EQ(limit.share.interval.low, share_estimate(4, 10).interval.low);
       EXPECT_FALSE(limit.is_lower_bound);
     }
     if (limit.limit == 0.01) {
       EXPECT_EQ(limit.below, 7);
       EXPECT_EQ(limit.unknown, 3);
       EXPECT_DOUBLE_EQ(limit.share.value, 0.7);  // at least: all pushes end at 0.9 %
-      EXPECT_DOUBLE_EQ(limit.share.interval.low, wilson(7, 10).interval.low);
+      EXPECT_DOUBLE_EQ(limit.share.interval.low, share_estimate(7, 10).interval.low);
       EXPECT_EQ(limit.share.interval.high, 1);
       EXPECT_TRUE(limit.is_lower_bound);
     }
@@ -455,7 +457,7 @@ TEST(CampaignStatistics, changes_of_the_name_and_flags_are_counted_over_samples)
   EXPECT_EQ(s.name_sensitivity[2].differs, 1);
   ASSERT_EQ(s.flag.size(), 1u);
   EXPECT_EQ(s.flag[0].raised, 4);
-  EXPECT_DOUBLE_EQ(s.flag[0].share.interval.low, wilson(4, 10).interval.low);
+  EXPECT_DOUBLE_EQ(s.flag[0].share.interval.low, share_estimate(4, 10).interval.low);
   const std::string json = statistics_json(s);
   EXPECT_NE(json.find("\"reading\": \"at 20 mm\""), std::string::npos);
   EXPECT_NE(json.find("\"raised\": 4"), std::string::npos);
@@ -476,6 +478,33 @@ TEST(CampaignStatistics, a_peak_at_the_end_and_an_early_name_are_counted) {
   const std::string json = statistics_json(s);
   EXPECT_NE(json.find("\"still_rising\": 1"), std::string::npos);
   EXPECT_NE(json.find("\"named_earlier\": 1"), std::string::npos);
+}
+
+// Eight walls: Student, Vangel, the second and seventh value; bounds at one end leave the mean up to there.
+TEST(CampaignStatistics, of_few_samples_intervals_are_closed_forms) {
+  std::vector<SampleRecord> records;
+  Moments peaks, ends;
+  for (int i = 1; i <= 8; ++i) {
+    records.push_back(sample_record(i, 100e3 + 1e3 * i, "FM-1"));
+    Responses& r = records.back().responses;
+    r.displacement_at_80 = std::fmin(1e-3 * i, 6e-3), r.censored_80 = i > 6;
+    peaks.add(r.peak_reaction), ends.add(r.displacement_at_80);
+  }
+  const Statistics s = statistics_of(of_records(records));
+  const Summary &peak = s.group[0].quantity[0], &fall = s.group[0].quantity[2];
+  ASSERT_EQ(peak.n, 8);
+  ASSERT_EQ(fall.censored, 2);
+  EXPECT_DOUBLE_EQ(peak.mean.interval.low, peaks.student().interval.low);
+  EXPECT_DOUBLE_EQ(peak.cov.interval.high,
+                   vangel(peaks.standard_deviation() / peaks.mean(), 8).interval.high);
+  EXPECT_DOUBLE_EQ(peak.median.interval.low, records[0].responses.peak_reaction);
+  EXPECT_DOUBLE_EQ(peak.median.interval.high, records[7].responses.peak_reaction);
+  EXPECT_DOUBLE_EQ(fall.survival_mean.interval.low, ends.student().interval.low);
+  EXPECT_DOUBLE_EQ(fall.survival_median.interval.low, 1e-3);
+  EXPECT_TRUE(std::isinf(fall.survival_median.interval.high));
+  records[7].responses.displacement_at_80 = 2.5e-3;  // a push that ended early: no mean up to anywhere
+  const Statistics early = statistics_of(of_records(records));
+  EXPECT_TRUE(std::isnan(early.group[0].quantity[2].survival_mean.interval.low));
 }
 
 TEST(CampaignStatistics, lower_bounds_alone_have_no_interval) {
