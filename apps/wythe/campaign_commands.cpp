@@ -308,8 +308,8 @@ void write_replay(const ReplayArguments& a, Replacement& results, const Campaign
   results.commit(hold_for_test);
 }
 
-void print_sample(const Result& result) {
-  const std::string warning = text_of(warning_of(result));
+void print_sample(const Model& model, const Result& result) {
+  const std::string warning = text_of(warning_of(model, result));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   const double peak = result.responses.peak_reaction;
   fmt::print("peak {}   mode {}   state {}\n",
@@ -331,7 +331,7 @@ int compare_replay(const ReplayArguments& a, const SampleRecord* stored_sample,
                    const SampleRun& run) {
   const std::string status = run.refused.empty() ? to_string(run.result.status) : "refused";
   fmt::print("sample {}: {}{}\n", a.sample, status, run.refused.empty() ? "" : ": " + run.refused);
-  if (run.refused.empty()) print_sample(run.result);
+  if (run.refused.empty()) print_sample(run.model, run.result);
   const bool shaken = stored_sample != nullptr && !stored_sample->shakes.empty();
   const ShakeAnswer* shake = shaken ? shake_in(*stored_sample, run) : nullptr;
   if (stored_sample == nullptr || (shaken && shake == nullptr)) {

@@ -18,6 +18,7 @@
 #include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
+#include "wythe/promise.h"
 #include "wythe/solve.h"
 #include "wythe/starter.h"
 #include "wythe/tested_range.h"
@@ -137,9 +138,17 @@ void print_assessment(const ModelSpec& spec, const Model& model, const Result& r
   fmt::print("note: {}\n", text_of(a.notes.front()));
 }
 
+// Beyond the force. Why a displacement is not known the first line says already.
+void print_promises(const Promise& displacement, const Promise& mode) {
+  if (mode.verdict == "no push" || mode.reason.code == "promise.force") return;
+  const bool is_new = mode.is_missing() && !displacement.is_missing();
+  fmt::print("rate, for the displacement: {}; for the failure mode: {}{}\n", displacement.verdict,
+             mode.verdict, is_new ? ": " + text_of(mode.reason) : "");
+}
+
 void print_result(const ModelSpec& spec, const Model& model, const Result& r,
                   const std::string& out) {
-  const std::string warning = text_of(warning_of(r));
+  const std::string warning = text_of(warning_of(model, r));
   if (!warning.empty()) fmt::print("WARNING {}\n", warning);
   fmt::print("status {}{}\n", to_string(r.status),
              r.reason.empty() ? "" : ": " + readable(text_of(r.reason)));
@@ -165,6 +174,7 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
+    print_promises(promised_displacement(model, r), promised_mode(model, r));
     print_assessment(spec, model, r);
     const TestedRange range = compare_with_tests(model, r);
     if (const Message note = drift_note_of(range); !note.empty())

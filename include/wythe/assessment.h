@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wythe/error.h"
+#include "wythe/promise.h"
 #include "wythe/pushed_wall.h"
 #include "wythe/result.h"
 #include "wythe/wall_spec.h"
@@ -177,6 +178,8 @@ struct JudgedPush {
   const std::vector<CurveRow>& curve;
   const Responses& responses;
   std::string judgement = {};           // RateVerdict::judgement
+  Promise displacement = {};            // that of a slow push
+  Promise mode = {};                    // the same
   double overlap_lost = kUnset;         // Validity::overlap_lost [m]
   std::vector<RisePoint> rise = {};     // Result::rise
   std::vector<DriftPoint> drifts = {};  // ascending; empty: displacement over load height

@@ -159,7 +159,7 @@ class Result:
 
     def _facts(self) -> list[tuple[str, str]]:
         s = self.summary
-        mode = s.get("failure_mode") or {}
+        mode, rate = s.get("failure_mode") or {}, s.get("quasi_static") or {}
         warning = [("warning", str(s["warning"]))] if s.get("warning") else []
         reason = [("reason", str(s["reason"]))] if s.get("reason") else []
         return [
@@ -169,7 +169,10 @@ class Result:
             ("capacity", f"{_number(s.get('peak_reaction_kN'))} kN"
                          f" at {_number(s.get('displacement_at_peak_mm'))} mm"),
             ("failure mode", str(mode.get("name", "-"))),
-            ("rate", str((s.get("quasi_static") or {}).get("verdict", "-"))),
+            ("rate", str(rate.get("verdict", "-"))),
+            *((f"rate, {name}", f"not known: {said['reason']}") for key, name in
+              (("displacement", "displacement"), ("mode", "failure mode"))
+              if (said := rate.get(key) or {}).get("verdict") == "not known"),
         ]
 
     def _repr_html_(self) -> str:

@@ -128,6 +128,8 @@ class RunHeadline {
     const std::string judgement = words_in(member(s_, "quasi_static"), "judgement");
     if (judgement == "too fast") add(texts_.say("run.too_fast"));
     if (judgement == "usable") words += caution(texts_.say("run.usable"), " mild");
+    if (judgement == "slow enough" && is_unknown("displacement"))
+      words += caution(texts_.say("run.no_drift"), " mild");
     const double gap = std::fabs(number_in(member(s_, "energy_J"), "gap_ratio"));
     const bool is_none = std::isnan(gap) && member(s_, "energy_J").contains("gap_ratio");
     if (is_none || (judgement == "unknown" && !(gap > kGap))) add(texts_.say("run.unknown_rate"));
@@ -136,6 +138,10 @@ class RunHeadline {
     if (const double at = lost(false); std::isfinite(at))
       add(texts_.say("run.slid_off", {{"at", texts_.quantity(at, "mm")}}));
     return words;
+  }
+  // Whether a slow push may have another displacement or mode.
+  [[nodiscard]] bool is_unknown(const char* of) const {
+    return words_in(member(member(s_, "quasi_static"), of), "verdict") == "not known";
   }
   [[nodiscard]] double lost(bool late) const {  // where blocks slid off, before the peak or late
     const double at = number_in(member(s_, "validity"), "overlap_lost_at_mm");

@@ -172,6 +172,7 @@ Message sentence_of(const CampaignAssessment& a) {
 CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
                              const Model& model) {
   const JudgedPush push = study::judged_push(model);
+  const JudgedCurve curve{record.curve, record.responses, record.quasi_static};
   JudgedPush of{
       .status = value_of(kSolveStatusWords, record.status).value_or(SolveStatus::kInterrupted),
       .curve_of = push.curve_of,
@@ -180,6 +181,8 @@ CodeAssessment assess_sample(const SampleRecord& record, const ModelSpec& base,
       .curve = record.curve,
       .responses = record.responses,
       .judgement = record.quasi_static.judgement,
+      .displacement = promised_displacement(model, curve),
+      .mode = promised_mode(model, curve, record.failure_mode.read_at),
       .overlap_lost = record.overlap_lost,
       .rise = record.rise,
       .pier_slenderness = push.pier_slenderness,
@@ -212,6 +215,16 @@ MassAndShape middle_of(std::vector<MassAndShape> masses) {
   return masses[(masses.size() - 1) / 2];
 }
 
+// A bound has its place in a fragility. And what one run cannot tell the scatter of many tells, if no bias goes with
+// their speed (docs/evidence/rate.md).
+bool is_doubtful(const CodeAssessment& a, const Model& model) {
+  return std::any_of(a.cautions.begin(), a.cautions.end(), [&](const Message& caution) {
+    const bool of_one_run =
+        caution.code == "assessment.caution.drift" || caution.code == "assessment.caution.mode";
+    return caution.code != "assessment.caution.bound" && !(of_one_run && adapts(model));
+  });
+}
+
 }  // namespace
 
 CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& base,
@@ -242,8 +255,7 @@ CampaignAssessment assess_campaign(const Campaign& campaign, const ModelSpec& ba
     }
     ++out.answered;
     masses.push_back(a.mass);
-    const LimitStateCheck* asked = a.asked();
-    out.doubtful += a.may_be_signed || (a.cautions.size() == 1 && asked->at_least) ? 0 : 1;
+    out.doubtful += is_doubtful(a, model) ? 1 : 0;
     for (const LimitStateCheck& check : a.limit_states)
       readings[static_cast<std::size_t>(check.state)].push_back(
           {check.acceleration, check.at_least});

@@ -6,7 +6,7 @@ import math
 import re
 import unittest
 
-from cli_test import Base, SMALL, wythe
+from cli_test import Base, SMALL, SOURCE, wythe
 
 DRY = """
 wall = { length = "1.0 m", height = "1.2 m", thickness = "0.2 m", unit = { length = "200 mm", height = "100 mm", split = "none", density = "1800 kg/m^3" } }
@@ -91,6 +91,27 @@ class Trust(Base):
         self.assertGreater(summary["quasi_static"]["damping_share"], 0.1)
         self.assertEqual(summary["quasi_static"]["judgement"], "too fast")
         self.assertTrue(words.startswith("WARNING too fast"), words)
+
+    # COMP2_1 rocks for ever at 5 mm/s and has cracked through at 3.2 mm at 0.1 and 1 mm/s (docs/evidence/rate.md).
+    def test_a_fast_push_that_went_another_way_tells_no_drift_and_a_slow_one_does(self):
+        def pushed(*settings):
+            out = self.folder / "comp"
+            done = wythe("run", SOURCE / "validation/brick_wall_comp2_1/model.toml", "--out", out, "--quiet", "--set", "output.window=0.04 mm",
+                         "--set", "output.states=[]", *(word for setting in settings for word in ("--set", f"stage.push.{setting}")))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads((out / "summary.json").read_text()), done.stdout
+        fast, words = pushed("velocity=5 mm/s", "until=5 mm")
+        self.assertEqual(fast["quasi_static"]["judgement"], "slow enough")
+        self.assertTrue(fast["censored_80"])
+        self.assertEqual(fast["quasi_static"]["displacement"]["verdict"], "not known")
+        self.assertEqual(fast["quasi_static"]["displacement"]["reason_message"]["code"], "promise.jump")
+        self.assertEqual(fast["quasi_static"]["mode"]["verdict"], "not known")
+        self.assertTrue(words.startswith("WARNING one run cannot tell the drift: from 2.9"), words)
+        self.assertTrue(fast["warning"].startswith("one run cannot tell the drift"))
+        slow, words = pushed("velocity=1 mm/s", "until=3.6 mm")
+        self.assertAlmostEqual(slow["displacement_at_80_percent_mm"], 3.18, delta=0.03)
+        self.assertEqual(slow["quasi_static"]["displacement"], {"verdict": "slow enough", "reason": ""})
+        self.assertNotIn("WARNING", words)
 
     def test_ten_metres_a_second_gets_no_number(self):
         summary, _ = self.summary_of(SMALL, "stage.push.velocity=10 m/s")

@@ -98,6 +98,14 @@ export function energySection(header: any): Child {
 
 // --- trust ---------------------------------------------------------------------------------------
 
+// Where the force was slow enough: what else a slow push would show, or may not.
+function promise(of: string, q: any): Child {
+  const said = q[of];
+  if (q.judgement !== "slow enough" || !said || said.verdict === "no push") return null;
+  if (said.verdict === "slow enough") return h("p", { class: "soft" }, say(`trust.${of}`));
+  return h("p", { class: "warning" }, `${say(`trust.${of}.not_known`)} ${sentence(said.reason)}`);
+}
+
 export function trustSection(summary: any, curve: Curve): Child {
   const q = summary.quasi_static;
   // what a measure says stands beneath its name
@@ -120,7 +128,10 @@ export function trustSection(summary: any, curve: Curve): Child {
     ],
   );
   const fine = ["slow enough", "no push", undefined].includes(q.judgement);
-  const verdict = h("p", { class: fine ? "lead" : "warning" }, sentence(q.verdict));
+  const verdict = [
+    h("p", { class: fine ? "lead" : "warning" }, sentence(q.verdict)),
+    ...["displacement", "mode"].map((of) => promise(of, q)),
+  ];
   const stages =
     summary.stages.length === 0
       ? null
@@ -141,9 +152,9 @@ export function trustSection(summary: any, curve: Curve): Child {
           ]),
           say("stages"),
         );
-  if (curve.displacement.length < 3) return [verdict, list, stages];
+  if (curve.displacement.length < 3) return [...verdict, list, stages];
   return [
-    verdict,
+    ...verdict,
     h("div", { class: "pair" }, ratioFigure(summary, curve).element, h("div", {}, list, stages)),
   ];
 }

@@ -68,7 +68,6 @@ constexpr double kLift = 2.0;         // of the drag at the peak: what it adds t
 constexpr double kSlow = 0.04;        // lift up to which a push is slow enough: a drag of 1 %
 constexpr double kUsable = 0.08;      // up to which it is usable: a drag of 3 %
 constexpr double kKinetic = 0.05;     // kinetic energy / work of the drive, at the peak
-constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces, at the peak
 constexpr double kLedger = 0.01;      // energy that the ledger misses
 constexpr double kApproach = 0.8;     // of the displacement at the peak: where the way to it begins
 

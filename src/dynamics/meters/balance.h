@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "wythe/model.h"
 #include "wythe/result.h"
 
 namespace wythe::dynamics {
@@ -15,6 +16,7 @@ namespace wythe::dynamics {
 inline constexpr double kBalance = 0.02;  // gap of a row in balance, as a share of the force
 inline constexpr double kBalanceOver =
     0.05;  // length of the stretch, as a share of its displacement
+inline constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces: more rejects a peak
 
 // Rows within kBalanceOver of a row's displacement (half on either side), and its neighbours at least.
 struct Stretch {
@@ -36,6 +38,15 @@ inline constexpr double kKnown = 0.25;
 
 // Why a curve has no force in balance.
 [[nodiscard]] Message why_out_of_balance(const std::vector<CurveRow>& curve);
+
+// Whether a push goes faster while the wall is in balance (4.7a).
+[[nodiscard]] inline bool adapts(const StageSpec& push) {
+  return push.fast_velocity > push.velocity;
+}
+
+[[nodiscard]] inline bool drives_supports(const Model& model, const Stage& push) {
+  return !push.driven.empty() && push.driven.front() >= model.n_block;
+}
 
 // The verdict on the rate, from curve, responses and energy of a run. `supports`: the curve is of supports that a
 // stage drives. They may give way to the wall as well as press on it, and no peak sums their way up: the whole

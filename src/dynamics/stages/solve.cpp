@@ -139,11 +139,11 @@ void WallRun::move_to(std::unique_ptr<WallAccess> access) {
 }
 
 // Whether the curve, that of the last push so far, is of supports.
-bool WallRun::drives_supports() const {
+bool WallRun::is_of_supports() const {
   for (int k = std::min(state_.stage, static_cast<int>(model_.stages.size()) - 1); k >= 0; --k) {
     const Stage& stage = model_.stages[static_cast<std::size_t>(k)];
     if (stage.spec.kind == StageKind::kPush)
-      return !stage.driven.empty() && stage.driven.front() >= model_.n_block;
+      return drives_supports(model_, stage);
   }
   return false;
 }
@@ -152,7 +152,7 @@ Result WallRun::finish() {
   Result& result = record_.result;
   result.responses = read_responses(result.curve, reading_of(model_, result));
   read_shaking(model_, result);
-  result.quasi_static = judge_quasi_static(result, drives_supports());
+  result.quasi_static = judge_quasi_static(result, is_of_supports());
   result.top_displacement = top_displacement(model_, state_);
   result.debris = reading::read_debris(model_, state_);
   result.steps = state_.step;

@@ -31,7 +31,7 @@ class WallRun {
   Result finish();
 
  private:
-  [[nodiscard]] bool drives_supports() const;
+  [[nodiscard]] bool is_of_supports() const;
   void start_stages();
   void close_stage();
   void heed_caller();

@@ -13,6 +13,7 @@
 #include "judge/modes/wall_parts.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
+#include "wythe/promise.h"
 #include "wythe/provenance.h"
 #include "wythe/reading.h"
 #include "wythe/tested_range.h"
@@ -129,6 +130,12 @@ Json failure_mode_json(const Model& model, const Result& result) {
                {"elements", elements_json(model, mode.elements)},
                {"flags", flags_json(mode.flags)},
                {"sensitivity", sensitivity}});
+  return json;
+}
+
+Json promise_json(const Promise& promise) {
+  Json json = {{"verdict", promise.verdict}};
+  io::put(json, "reason", promise.reason);
   return json;
 }
 
@@ -430,7 +437,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   Json json;
   json["status"] = to_string(result.status);
   io::put(json, "reason", result.reason);
-  io::put(json, "warning", warning_of(result));
+  io::put(json, "warning", warning_of(model, result));
   io::add_project(json, spec.project);
   add_responses(json, result.responses);
   if (is_asked(spec.assessment))
@@ -458,6 +465,8 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
                       {"load_off_kN", result.debris.load * 1e-3}};
   }
   study::each_quasi_static(Answers{json}, result.quasi_static);
+  json["quasi_static"]["displacement"] = promise_json(promised_displacement(model, result));
+  json["quasi_static"]["mode"] = promise_json(promised_mode(model, result));
   json["validity"] = {{"overlap_lost_at_mm", result.validity.overlap_lost * 1e3},
                       {"joints", result.validity.joints}};
   io::put(json["validity"], "where", result.validity.where);

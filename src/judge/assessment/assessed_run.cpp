@@ -367,6 +367,8 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
                   .curve = result.curve,
                   .responses = result.responses,
                   .judgement = result.quasi_static.judgement,
+                  .displacement = promised_displacement(model, result),
+                  .mode = promised_mode(model, result),
                   .overlap_lost = result.validity.overlap_lost,
                   .rise = result.rise,
                   .pier_slenderness = of_model.pier_slenderness,

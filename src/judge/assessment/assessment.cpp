@@ -547,6 +547,8 @@ class Judge {
     if (push_.judgement != "slow enough" && push_.judgement != "usable")
       say.push_back(push_.judgement == "too fast" ? Message{"assessment.too_fast"}
                                                   : Message{"assessment.rate_unknown"});
+    else
+      caution_of_promises();
     if (push_.status != SolveStatus::kCompleted && push_.status != SolveStatus::kCollapsed)
       say.push_back({"assessment.caution.unfinished"});
     const LimitStateCheck* check = out_.deciding();
@@ -559,6 +561,18 @@ class Judge {
     if (check->at_least)
       say.push_back({"assessment.caution.bound",
                      {{"displacement_mm", 1e3 * push_.curve.back().displacement}}});
+  }
+
+  // The displacement ends the curve that every limit state is read from; limits of shear are the lesser ones.
+  void caution_of_promises() {
+    if (push_.displacement.is_missing())
+      out_.cautions.push_back({"assessment.caution.drift", {{"why", push_.displacement.reason}}});
+    const bool any_flexure =
+        push_.mechanism == "flexure" ||
+        std::any_of(push_.piers.begin(), push_.piers.end(),
+                    [](const PierDrift& pier) { return pier.mechanism == "flexure"; });
+    if (any_flexure && push_.mode.is_missing())
+      out_.cautions.push_back({"assessment.caution.mode", {{"why", push_.mode.reason}}});
   }
 
   void conclude() {

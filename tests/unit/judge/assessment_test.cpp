@@ -332,6 +332,19 @@ TEST(Assessment, of_a_curve_that_never_yields_gives_no_number) {
 
 TEST(Assessment, of_too_fast_a_push_says_so_before_any_number) {
   Pushed p;
+  p.push.displacement = {"not known", {"promise.force"}};
+  CodeAssessment unknown = assess(asked(), p.push, mass_of);
+  ASSERT_EQ(unknown.cautions.size(), 1u);
+  EXPECT_EQ(unknown.cautions.front().code, "assessment.caution.drift");
+  EXPECT_FALSE(unknown.may_be_signed);
+  p.push.displacement = {"slow enough", {}};
+  p.push.mode = {"not known", {"promise.force"}};
+  for (const char* mechanism : {"flexure", "shear", ""}) {
+    p.push.mechanism = mechanism;
+    EXPECT_EQ(assess(asked(), p.push, mass_of).may_be_signed, p.push.mechanism != "flexure")
+        << mechanism;
+  }
+  p.push.mode = {};
   for (const char* judgement : {"too fast", "unknown", ""}) {
     p.push.judgement = judgement;
     const CodeAssessment a = assess(asked(), p.push, mass_of);

@@ -66,6 +66,13 @@ TEST(Headline, a_push_that_was_too_fast_is_said_before_any_number) {
   EXPECT_TRUE(begins("no push", "The wall resists"));
 }
 
+TEST(Headline, a_drift_that_one_run_cannot_tell_is_said_first) {
+  const std::string head = run_head(pushed(R"(, "quasi_static": {"judgement": "slow enough",
+    "verdict": "slow enough", "displacement": {"verdict": "not known", "reason": "it jumped"}})"));
+  EXPECT_EQ(answer_of(head).rfind("One run cannot tell the drift:", 0), 0u) << head;
+  EXPECT_NE(head.find("caution mild"), std::string::npos);  // the force is what it says
+}
+
 TEST(Headline, no_capacity_is_said_with_its_reason_and_the_raw_maximum) {
   const std::string none = R"({"status": "completed", "reason": "", "peak_reaction_kN": null,
     "displacement_at_peak_mm": null, "displacement_at_80_percent_mm": null, "drift_percent_at_peak": null,

@@ -1,0 +1,38 @@
+// What one push says of a push ten times slower, beyond its force: of the displacement capacity and of the failure
+// mode. RateVerdict (result.h) judges the force at the peak; these judge the way to where each of them is read.
+// Theory: docs/theory/integration.md, "Displacement and mode".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/model.h"
+#include "wythe/result.h"
+
+namespace wythe {
+
+struct Promise {
+  std::string verdict = "no push";  // "slow enough", "not known", "no push"
+  Message reason = {};              // of "not known": what happened on the way, and what helps
+  [[nodiscard]] bool is_missing() const { return verdict == "not known"; }
+};
+
+// Of a run or of a stored sample.
+struct JudgedCurve {
+  const std::vector<CurveRow>& rows;
+  const Responses& responses;
+  const RateVerdict& rate;
+};
+// That a push ten times slower keeps 80 % of its peak up to the same displacement, within a tenth of it.
+[[nodiscard]] Promise promised_displacement(const Model& model, const JudgedCurve& curve);
+[[nodiscard]] Promise promised_displacement(const Model& model, const Result& result);
+// That it fails in the same way; the mode is read at a displacement [m].
+[[nodiscard]] Promise promised_mode(const Model& model, const JudgedCurve& curve, double read_at);
+[[nodiscard]] Promise promised_mode(const Model& model, const Result& result);
+
+// Whether the speed of its last push follows the wall.
+[[nodiscard]] bool adapts(const Model& model);
+// warning_of(result), or else that one run cannot tell the drift.
+[[nodiscard]] Message warning_of(const Model& model, const Result& result);
+
+}  // namespace wythe
