@@ -65,6 +65,34 @@ Estimate wilson(int count, int n) {
   return {p, {count == 0 ? 0 : centre - half, count == n ? 1 : centre + half}};
 }
 
+namespace {
+// P(X <= k) of n trials, each with chance p in (0, 1).
+double binomial_cdf(int k, int n, double p) {
+  double sum = 0;
+  for (int i = 0; i <= k; ++i)
+    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) +
+                    i * std::log(p) + (n - i) * std::log1p(-p));
+  return sum;
+}
+// The chance at which k or fewer of n have this probability: it falls as the chance grows.
+double chance_of(int k, int n, double probability) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double p = 0.5 * (low + high);
+    (binomial_cdf(k, n, p) > probability ? low : high) = p;
+  }
+  return 0.5 * (low + high);
+}
+}  // namespace
+
+Estimate clopper_pearson(int count, int n) {
+  if (n == 0) return {kUnset, {0, 1}};
+  constexpr double kTail = 0.025;
+  return {static_cast<double>(count) / n,
+          {count == 0 ? 0 : chance_of(count - 1, n, 1 - kTail),
+           count == n ? 1 : chance_of(count, n, kTail)}};
+}
+
 void Moments::add(double value) {
   ++n_;
   const double from_old = value - mean_;

@@ -20,6 +20,8 @@ inline constexpr double kNormal95 = 1.959963984540054;  // quantile of 97.5 % of
 
 // Score interval of a share of `count` in `n`; (0, 1) when n = 0.
 [[nodiscard]] Estimate wilson(int count, int n);
+// Exact interval of the same: it holds the share with at least 95 %, at any n (Clopper and Pearson 1934).
+[[nodiscard]] Estimate clopper_pearson(int count, int n);
 
 // Running count, mean and standard deviation (Welford).
 class Moments {
