@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -22,16 +23,26 @@ namespace wythe::app {
 namespace {
 
 constexpr int kFailed = 3;
-constexpr int kUsualWalls = 8, kMostWalls = 100'000;
+constexpr int kMostWalls = 100'000;
+
+double coefficient(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value > 0) || !(value <= 1))
+    refuse(option, text, "must be a number above 0 and up to 1", "write e.g. " + option + " 0.2");
+  return value;
+}
 
 // The walls in each way; a resumed assessment keeps their number unless more are asked for.
 StudySpec asked_walls(const AssessArguments& a) {
-  const int walls = a.walls.empty()
-                        ? kUsualWalls
-                        : whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
-  const int seed =
-      a.seed.empty() ? 0 : whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
-  StudySpec study = assess_study(a.model, walls, seed, a.overrides);
+  AskedWalls asked{.model_file = a.model, .overrides = a.overrides};
+  if (!a.walls.empty())
+    asked.walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
+  if (!a.seed.empty())
+    asked.seed = whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
+  if (!a.between.empty()) asked.between = coefficient("--between", a.between);
+  StudySpec study = assess_study(asked);
   const std::string base = a.out + "/" + kBaseFolder;
   if (!a.resume || !a.walls.empty() || !holds_campaign(base)) return study;
   study.batch = stored_batches(base);

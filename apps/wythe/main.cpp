@@ -159,6 +159,9 @@ void add_assess(CLI::App& app, AssessArguments& a, int& code) {
   command->add_option("--walls", a.walls,
                       "walls in each way of pushing (default: 8); more with --resume adds to them");
   command->add_option("--seed", a.seed, "seed of the walls (default: 0)");
+  command->add_option("--between", a.between,
+                      "coefficient of variation of strengths from wall to wall, beside what "
+                      "scatters within each (default: none)");
   add_overrides(command, a.overrides);
   command->add_option("--jobs", a.jobs,
                       "walls run at the same time (default: one a core); no change of results");

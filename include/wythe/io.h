@@ -20,7 +20,8 @@
 namespace wythe {
 
 struct PairedComparison;  // comparison.h
-struct WallsVerdict;      // verdict.h
+struct AskedWalls;        // verdict.h
+struct WallsVerdict;
 class InputError;         // error.h
 
 // `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
@@ -77,8 +78,7 @@ void write_reference(const std::string& folder);
 // The study of `wythe assess`: so many walls of a model file, drawn by its [scatter] and fields, and each way
 // of ways_of() as a [[variant]] of the first one. Throws InputError with every fault of the model, and where
 // nothing scatters.
-[[nodiscard]] StudySpec assess_study(const std::string& model_file, int walls, int seed,
-                                     const std::vector<std::string>& overrides = {});
+[[nodiscard]] StudySpec assess_study(const AskedWalls& asked);
 // Makes a sample's model: base model, the study's settings and states, then the sample's settings.
 [[nodiscard]] ModelBuilder model_builder(const StudySpec& study);
 

@@ -19,6 +19,19 @@
 
 namespace wythe {
 
+// What `wythe assess` is asked for; assess_study() (io.h) makes a study of it.
+struct AskedWalls {
+  std::string model_file;
+  std::vector<std::string> overrides = {};  // --set
+  int walls = 8;                            // in each way of pushing
+  int seed = 0;
+  // Coefficient of variation of the mean strength from wall to wall, lognormal: one factor for all strengths and
+  // energies of joints and units. NaN: the means of the file hold in every wall [-].
+  double between = kUnset;
+};
+// The name of that factor among the study's variables.
+inline constexpr const char* kBetweenWalls = "strength_of_wall";
+
 // One wall pushed one way.
 struct JudgedWall {
   int wall = 0;                  // 1-based; the same wall in every way
@@ -26,7 +39,7 @@ struct JudgedWall {
   Message lost;                  // why it has no answer; empty: it has
   CodeAssessment assessment;     // as a single run of it would have
   std::string mode, state_hash;  // name of its failure
-  bool is_in_plane = true;       // false: in space, and its failure is not named as one in its plane
+  bool is_in_plane = true;  // false: in space, and its failure is not named as one in its plane
   [[nodiscard]] bool is_lost() const { return !lost.empty(); }
   [[nodiscard]] AssessmentVerdict verdict() const {
     return is_lost() ? AssessmentVerdict::kNotKnown : assessment.verdict;
@@ -65,7 +78,7 @@ struct WallsVerdict {
   Message reason;                 // why there is no verdict; empty: there is
   Message sentence;               // cautions and verdict, for a reader
   std::vector<Message> notes;
-  std::string program;            // that ran the walls
+  std::string program;  // that ran the walls
   AssessmentSpec spec;
   ElasticSpectrum spectrum;
   std::vector<WayOfPushing> ways;

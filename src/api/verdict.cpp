@@ -1,5 +1,6 @@
 // The verdict from the campaigns of `wythe assess`, and its files.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "wythe/folders.h"
@@ -7,6 +8,22 @@
 #include "wythe/report.h"
 
 namespace wythe {
+
+namespace {
+
+// What makes the walls differ.
+Message note_of_scatter(const StudySpec& study, const ModelSpec& base) {
+  const auto between =
+      std::find_if(study.variable.begin(), study.variable.end(),
+                   [](const VariableSpec& variable) { return variable.name == kBetweenWalls; });
+  if (between == study.variable.end()) return {"verdict.note.within_only"};
+  const bool within = std::any_of(base.field.begin(), base.field.end(),
+                                  [](const auto& field) { return field.second.formula.empty(); });
+  return {within ? "verdict.note.between" : "verdict.note.between_only",
+          {{"percent", 100 * between->cov}}};
+}
+
+}  // namespace
 
 WallsVerdict read_verdict(const std::vector<std::string>& folders) {
   std::vector<WayOfPushing> ways;
@@ -22,7 +39,10 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
       spec = base.assessment;
       program = campaign.provenance;
       asked = ways_of(base, model);
-      if (campaign.study.variable.empty()) asked.notes.push_back({"verdict.note.within_only"});
+      asked.notes.push_back(note_of_scatter(campaign.study, base));
+      if (std::isnan(spec.confidence_factor) &&
+          asked.notes.back().code == "verdict.note.within_only")
+        asked.cautions.push_back({"verdict.caution.means"});
     }
     const PushWay way = way_of(base);
     ways.push_back({.direction = way.direction,

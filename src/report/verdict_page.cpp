@@ -34,13 +34,13 @@ h1{font-size:1.35em;margin:0}h2{font-size:1.02em;margin:5mm 0 1.5mm}
 .card .value{font-size:1.3em;font-weight:600}.card .name{font-weight:600;font-size:.9em}.card .means{color:var(--soft);font-size:.85em}
 table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:right;padding:.7mm 2mm;border-bottom:1px solid var(--hair);font-variant-numeric:tabular-nums}
 th{font-weight:600;vertical-align:bottom}.left{text-align:left}tr.decides td{font-weight:600}
-.wide{overflow-x:auto}ul{margin:1mm 0;padding-left:5mm}li{margin:.5mm 0}.small{font-size:.85em;color:var(--soft)}
+.wide{overflow-x:auto}.wide svg{min-width:150mm}td:not(.left){white-space:nowrap}a{color:inherit}ul{margin:1mm 0;padding-left:5mm}li{margin:.5mm 0}.small{font-size:.85em;color:var(--soft)}
 .signature{display:flex;justify-content:space-between;align-items:flex-end;margin-top:7mm;font-size:.85em;color:var(--soft)}
 .signature span:last-child{border-top:1px solid var(--ink);width:60mm;text-align:center}
 .dot{fill:var(--curve);fill-opacity:.45;stroke:var(--curve)}.dot.fails{fill:var(--open);stroke:var(--open);fill-opacity:.45}
 .dot.bound{fill:none}.asked{stroke:var(--open);stroke-width:1.6;stroke-dasharray:5 3}.span{stroke:var(--ink);stroke-width:2.2}
 figure{margin:2mm 0}figcaption{font-size:.85em;color:var(--soft)}
-@media print{@page{size:A4;margin:12mm}:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc}body{font-size:9.5pt}main{max-width:none;padding:0}
+@media print{.wide svg{min-width:0}@page{size:A4;margin:12mm}:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc}body{font-size:9.5pt}main{max-width:none;padding:0}
 .appendix{break-before:page}tr,li,.card{break-inside:avoid}}
 )css";
 
@@ -66,9 +66,13 @@ class VerdictPage {
   [[nodiscard]] std::string say(const char* key, Places places = {}) const {
     return texts_.say(std::string("assess.") + key, places);
   }
-  [[nodiscard]] std::string g(double acceleration) const {
-    return texts_.quantity(acceleration * kToG, "g");
+  // Three decimals, so that numbers below each other compare.
+  [[nodiscard]] std::string fixed(double value, const char* unit) const {
+    std::string text = fmt::format("{:.3f}", value);
+    if (language_ == "it") std::replace(text.begin(), text.end(), '.', ',');
+    return *unit == 0 ? text : text + "\u202f" + unit;
   }
+  [[nodiscard]] std::string g(double acceleration) const { return fixed(acceleration * kToG, "g"); }
   [[nodiscard]] std::string words(const Message& message) const {
     return sentence(text_of(message, language_));
   }
@@ -114,13 +118,12 @@ class VerdictPage {
   // "0.14 to 0.24 g"; "" without an interval.
   [[nodiscard]] std::string interval(const Interval& of, double scale, const char* unit) const {
     if (std::isnan(of.low)) return "";
-    if (std::isinf(of.high))
-      return say("or_more", {{"from", texts_.quantity(of.low * scale, unit)}});
-    return say("between", {{"from", texts_.number(of.low * scale)},
-                           {"to", texts_.quantity(of.high * scale, unit)}});
+    if (std::isinf(of.high)) return say("or_more", {{"from", fixed(of.low * scale, unit)}});
+    return say("between",
+               {{"from", fixed(of.low * scale, "")}, {"to", fixed(of.high * scale, unit)}});
   }
   [[nodiscard]] std::string median(const WallCapacity& c, double scale, const char* unit) const {
-    const std::string value = texts_.quantity(c.median.value * scale, unit);
+    const std::string value = fixed(c.median.value * scale, unit);
     return c.at_least ? say("at_least", {{"value", value}}) : value;
   }
 
@@ -202,7 +205,8 @@ class VerdictPage {
     if (!(most > 0)) return "";
     const double height = kRow * static_cast<double>(v_.ways.size()) + kFoot;
     const Axis X = Axis::between(0, most, kLeft, kWidth - kRight);
-    std::string out = "<figure>" + svg_begin(kWidth, height, "curve", say("figure"));
+    std::string out =
+        "<figure><div class=\"wide\">" + svg_begin(kWidth, height, "curve", say("figure"));
     const double foot = height - kFoot;
     for (const double tick : ticks(0, most, 6)) {
       out += line({X(tick), 0}, {X(tick), foot}, "grid");
@@ -229,7 +233,7 @@ class VerdictPage {
       out += label({X(demand), foot + 29}, say("demand") + " " + texts_.number(demand),
                    "small bold", "middle");
     }
-    return out + "</svg><figcaption>" + say("figure") + "</figcaption></figure>\n";
+    return out + "</svg></div><figcaption>" + say("figure") + "</figcaption></figure>\n";
   }
 
   [[nodiscard]] std::string limit_states() const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "judge/assessment/assessment_parts.h"
+#include "judge/modes/mode_names.h"
 #include "statistics/intervals.h"
 #include "wythe/verdict.h"
 
@@ -264,7 +265,8 @@ class Verdict {
         for (const Message& caution : wall.assessment.cautions)
           // a bound that is beyond the demand is an answer; one below it is counted as not shown
           if (caution.code != "assessment.caution.bound") add(caution);
-        if (!wall.is_in_plane) add({"verdict.not_in_plane", {{"mode", wall.mode}}});
+        if (!wall.is_in_plane)
+          add({"verdict.not_in_plane", {{"mode", study::words_of_mode(wall.mode)}}});
       }
     for (auto& [code, kind] : kinds)
       out_.cautions.push_back({"verdict.caution.pushes",
@@ -338,12 +340,13 @@ class Verdict {
             {{"state", study::words_of_state(*value_of(kLimitStateWords, out_.spec.limit_state))},
              {"capacity", capacity_in_words()},
              {"demand_g", out_.spectrum.peak_ground_acceleration() / kStandardGravity},
+             {"met", out_.counts.met},
              {"not_met", out_.counts.not_met},
              {"walls", out_.counts.met + out_.counts.not_met},
              {"from", 100 * share.interval.low},
              {"to", 100 * share.interval.high},
              {"decides", decides_in_words()},
-             {"mode", out_.mode},
+             {"mode", study::words_of_mode(out_.mode)},
              {"modes", out_.mode_count}}};
   }
   [[nodiscard]] Message decides_in_words() const {

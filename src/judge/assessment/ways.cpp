@@ -128,7 +128,8 @@ class Ways {
              "asks for no peak ground acceleration, which every wall carries",
              "write that of the place; in a table the first one is that of period 0 s");
     check_push();
-    if (is_asked(asked) && !(mass_and_linear_shape(asked, model_).total() > 0))
+    const double mass = is_asked(asked) ? mass_and_linear_shape(asked, model_).total() : 1;
+    if (!(mass > 0) || !std::isfinite(mass))
       refuse("assessment", "finds no mass that an earthquake moves",
              "write gravity in [solve], densities of units, or added_mass");
   }
