@@ -88,7 +88,24 @@ struct CompareArguments {
 };
 int compare(const CompareArguments& arguments);
 int campaign_of_options(const CampaignArguments& arguments, const StudySpec& study,
-                        CampaignOptions options);
+                        const CampaignOptions& options);
+// The base of a study with [[variant]] and its options, each in its folder: what campaign_of_options() and
+// `wythe assess` run.
+struct OptionRun {
+  const StudySpec* study;
+  std::string name, folder;
+  ModelBuilder build;
+  int done = 0, total = 0;
+};
+struct OptionRuns {
+  std::vector<OptionRun> runs;
+  bool interrupted = false;
+};
+// Refuses what can be refused before the first sample runs. `study` outlives what is returned.
+OptionRuns run_options(const CampaignArguments& arguments, const StudySpec& study,
+                       CampaignOptions options);
+// Writes what is there, and says how to go on.
+int say_stopped(const CampaignArguments& arguments, const std::vector<OptionRun>& runs);
 // The wall of an option; its faults name the option.
 Model compile_option(const StudySpec& study, const ModelBuilder& build);
 // Whether a folder holds such campaigns; then its base and options, in order.

@@ -24,13 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr int kFailed = 3;
 
-struct OptionRun {
-  const StudySpec* study;
-  std::string name, folder;
-  ModelBuilder build;
-  int done = 0, total = 0;
-};
-
 std::vector<OptionRun> runs_of(const StudySpec& study, const std::string& out) {
   std::vector<OptionRun> runs = {
       {&study, study.variant, out + "/" + kBaseFolder, model_builder(study)}};
@@ -164,18 +157,6 @@ int write_comparison(const std::vector<std::string>& folders, const std::string&
   return all ? 0 : kFailed;
 }
 
-int say_stopped(const CampaignArguments& a, const std::vector<OptionRun>& runs) {
-  int done = 0, total = 0;
-  for (const OptionRun& run : runs) {
-    done += run.done, total += run.total;
-    if (run.done > 0)
-      static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
-  }
-  fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", done, total,
-             resume_command(a));
-  return kFailed;
-}
-
 }  // namespace
 
 Model compile_option(const StudySpec& study, const ModelBuilder& build) try {
@@ -206,47 +187,63 @@ std::vector<std::string> option_folders(const std::string& folder) {
   return folders;
 }
 
-int campaign_of_options(const CampaignArguments& a, const StudySpec& study,
-                        CampaignOptions options) {
-  std::vector<OptionRun> runs = runs_of(study, a.out);
+OptionRuns run_options(const CampaignArguments& a, const StudySpec& study,
+                       CampaignOptions options) {
+  OptionRuns out{.runs = runs_of(study, a.out)};
+  std::vector<OptionRun>& runs = out.runs;
   check_runs(runs, a.out, a.resume);
-  bool interrupted = false;
-  {
-    const StopSignal stop;
-    open_all(runs, options);
-    options.resume = true;
-    options.stop = &stop.asked();
-    ProgressOfAll progress(runs, a.quiet);
-    int stored = 0;
-    for (const OptionRun& run : runs) stored += run.done;
-    for (std::size_t k = 0; k < runs.size() && !interrupted; ++k) {
-      OptionRun& run = runs[k];
-      StudySpec asked = *run.study;
-      if (k > 0) asked.until.clear();  // options take the samples that the base took
-      const CampaignOutcome outcome =
-          run_campaign(asked, run.build, run.folder, options, [&](const CampaignProgress& p) {
-            progress(k, p);
-            if (p.last != nullptr) hold_for_test(fmt::format("sample {}", ++stored));
-          });
-      run.done = outcome.done, run.total = outcome.total;
-      interrupted = outcome.interrupted;
-      if (k == 0) options.last = outcome.precise_at;
-      if (k == 0 && outcome.precise_at > 0)
-        fmt::print("precise enough after {} samples of the base: {}\n", outcome.precise_at,
-                   text_of(outcome.until_state));
-      if (k == 0 && outcome.precise_at > 0)
-        for (std::size_t i = 1; i < runs.size(); ++i)
-          runs[i].total = std::min(runs[i].total, outcome.precise_at);
-    }
+  const StopSignal stop;
+  open_all(runs, options);
+  options.resume = true;
+  options.stop = &stop.asked();
+  ProgressOfAll progress(runs, a.quiet);
+  int stored = 0;
+  for (const OptionRun& run : runs) stored += run.done;
+  for (std::size_t k = 0; k < runs.size() && !out.interrupted; ++k) {
+    OptionRun& run = runs[k];
+    StudySpec asked = *run.study;
+    if (k > 0) asked.until.clear();  // options take the samples that the base took
+    const CampaignOutcome outcome =
+        run_campaign(asked, run.build, run.folder, options, [&](const CampaignProgress& p) {
+          progress(k, p);
+          if (p.last != nullptr) hold_for_test(fmt::format("sample {}", ++stored));
+        });
+    run.done = outcome.done, run.total = outcome.total;
+    out.interrupted = outcome.interrupted;
+    if (k == 0) options.last = outcome.precise_at;
+    if (k == 0 && outcome.precise_at > 0)
+      fmt::print("precise enough after {} samples of the base: {}\n", outcome.precise_at,
+                 text_of(outcome.until_state));
+    if (k == 0 && outcome.precise_at > 0)
+      for (std::size_t i = 1; i < runs.size(); ++i)
+        runs[i].total = std::min(runs[i].total, outcome.precise_at);
   }
-  if (interrupted) return say_stopped(a, runs);
+  return out;
+}
+
+int say_stopped(const CampaignArguments& a, const std::vector<OptionRun>& runs) {
+  int done = 0, total = 0;
   for (const OptionRun& run : runs) {
+    done += run.done, total += run.total;
+    if (run.done > 0)
+      static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
+  }
+  fmt::print(stderr, "stopped: {} of {} samples are stored. To continue:\n  {}\n", done, total,
+             resume_command(a));
+  return kFailed;
+}
+
+int campaign_of_options(const CampaignArguments& a, const StudySpec& study,
+                        const CampaignOptions& options) {
+  const OptionRuns ran = run_options(a, study, options);
+  if (ran.interrupted) return say_stopped(a, ran.runs);
+  for (const OptionRun& run : ran.runs) {
     fmt::print("\n{}\n", readable(run.name));
     static_cast<void>(write_results(run.folder, a.language));
   }
   fmt::print("\n");
   std::vector<std::string> folders;
-  for (const OptionRun& run : runs) folders.push_back(run.folder);
+  for (const OptionRun& run : ran.runs) folders.push_back(run.folder);
   return write_comparison(folders, a.out, a.language);
 }
 

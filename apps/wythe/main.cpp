@@ -9,6 +9,7 @@
 #include <new>
 #include <string_view>
 
+#include "assess_command.h"
 #include "campaign_commands.h"
 #include "commands.h"
 #include "report_files.h"
@@ -145,6 +146,29 @@ void add_campaign(CLI::App& app, CampaignArguments& a, int& code) {
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = campaign(a); });
+}
+
+void add_assess(CLI::App& app, AssessArguments& a, int& code) {
+  CLI::App* command = app.add_subcommand(
+      "assess", "the verdict on a wall, from many walls of its model pushed both ways");
+  command->footer("example: wythe assess examples/brick_facade/model.toml --out out/facade");
+  command->add_option("model", a.model, "the wall, MODEL.toml, with [assessment] and [scatter]")
+      ->required();
+  command->add_option("--out", a.out, "folder for the stores and results, made if absent")
+      ->required();
+  command->add_option("--walls", a.walls,
+                      "walls in each way of pushing (default: 8); more with --resume adds to them");
+  command->add_option("--seed", a.seed, "seed of the walls (default: 0)");
+  command->add_option("--between", a.between,
+                      "coefficient of variation of strengths from wall to wall, beside what "
+                      "scatters within each (default: none)");
+  add_overrides(command, a.overrides);
+  command->add_option("--jobs", a.jobs,
+                      "walls run at the same time (default: one a core); no change of results");
+  command->add_flag("--resume", a.resume, "go on with the walls that the folder holds");
+  command->add_flag("--quiet", a.quiet, "no forecast, no progress");
+  add_language(command, a.language);
+  command->callback([&] { code = assess(a); });
 }
 
 void add_status(CLI::App& app, StatusArguments& a, int& code) {
@@ -304,6 +328,9 @@ int parse_and_run(int argc, char** argv) {
   add_materials(app, material_name, code);
   DrawingArguments drawing_arguments;
   add_drawing(app, drawing_arguments, code);
+  AssessArguments assess_arguments;
+  assess_arguments.command.assign(argv, argv + argc);
+  add_assess(app, assess_arguments, code);
   CampaignArguments campaign_arguments;
   campaign_arguments.command.assign(argv, argv + argc);
   MergeArguments merge_arguments;

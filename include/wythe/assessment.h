@@ -213,4 +213,26 @@ struct CampaignAssessment;  // wythe/statistics.h
 [[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
                                         const Result& result);
 
+
+// --- ways of pushing (docs/theory/assessment.md, "The verdict from many walls") --------------------------
+
+// A direction and a pattern of forces that the verdict asks for, and the settings that make a model push so.
+struct PushWay {
+  std::string direction;                   // "+x", "[1, 0, -1]"
+  std::string pattern;                     // word of Pattern, or "at": at the place that the file names
+  std::vector<std::string> settings = {};  // "path=value", as for --set; none: the model as it stands
+};
+struct PushWays {
+  std::vector<PushWay> ways;      // the model's own first
+  std::vector<Message> cautions;  // what codes ask for and this model does not allow
+  std::vector<Message> notes;
+};
+// The way a model pushes now.
+[[nodiscard]] PushWay way_of(const ModelSpec& spec);
+// Those that the verdict asks for: both directions, in two patterns where they differ. Throws InputError where the
+// model has nothing to judge or nothing to judge it by; its faults name keys, not lines.
+[[nodiscard]] PushWays ways_of(const ModelSpec& spec, const Model& model);
+// In words: "forces by mass times height".
+[[nodiscard]] Message words_of_pattern(const std::string& pattern);
+
 }  // namespace wythe

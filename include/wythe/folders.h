@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "wythe/campaign.h"
 #include "wythe/io.h"
@@ -11,6 +12,7 @@
 #include "wythe/model.h"
 #include "wythe/result.h"
 #include "wythe/statistics.h"
+#include "wythe/verdict.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe {
@@ -39,6 +41,12 @@ void read_result(const ModelSpec& spec, const Model& model, Result& result);
 Statistics write_campaign_files(const std::string& folder, const Campaign& campaign,
                                 const std::string& language, const Points& at = {});
 [[nodiscard]] Statistics full_statistics(const Campaign& campaign);  // with its assessment
+
+// The verdict from campaigns in these folders, one way of pushing each, the model's own first.
+[[nodiscard]] WallsVerdict read_verdict(const std::vector<std::string>& folders);
+// assessment.json, walls.csv and report.html in `folder`, from the campaigns in its folders `inner`.
+WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
+                           const std::string& language, const Points& at = {});
 
 // mechanisms.json, a CSV and an SVG of each mechanism, and a page, whose path it gives. A folder that holds a
 // run keeps that run's page; one that holds a campaign is refused (InputError).

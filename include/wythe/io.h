@@ -20,6 +20,9 @@
 namespace wythe {
 
 struct PairedComparison;  // comparison.h
+struct AskedWalls;        // verdict.h
+struct WallsVerdict;
+class InputError;         // error.h
 
 // `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
 // of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.
@@ -40,6 +43,10 @@ struct PairedComparison;  // comparison.h
 [[nodiscard]] Model read_and_compile(const std::string& path,
                                      const std::vector<std::string>& overrides = {},
                                      ModelSpec* spec = nullptr);
+// Throws the faults of such a spec, each with file and line of its key.
+[[noreturn]] void throw_with_lines(const InputError& error, const ModelSpec& spec,
+                                   const std::string& toml_text, const std::string& file_name,
+                                   const std::vector<std::string>& overrides = {});
 // Every key with its value, defaults included; parse_model(write_model(s)) == s.
 [[nodiscard]] std::string write_model(const ModelSpec& spec);
 // Identifies a spec: hash of the text of write_model and of its blocks.
@@ -68,6 +75,10 @@ void write_reference(const std::string& folder);
 [[nodiscard]] std::string write_study(const StudySpec& study);
 // Whether a file is a study rather than a model: it has a [study] table.
 [[nodiscard]] bool is_study(const std::string& path);
+// The study of `wythe assess`: so many walls of a model file, drawn by its [scatter] and fields, and each way
+// of ways_of() as a [[variant]] of the first one. Throws InputError with every fault of the model, and where
+// nothing scatters.
+[[nodiscard]] StudySpec assess_study(const AskedWalls& asked);
 // Makes a sample's model: base model, the study's settings and states, then the sample's settings.
 [[nodiscard]] ModelBuilder model_builder(const StudySpec& study);
 
@@ -123,6 +134,9 @@ void write_run(const std::string& folder, const ModelSpec& spec, const Model& mo
 [[nodiscard]] std::string samples_csv(const Campaign& campaign);
 // statistics.json of a campaign; keys: docs/reference/statistics.md.
 [[nodiscard]] std::string statistics_json(const Statistics& statistics);
+// assessment.json and walls.csv of `wythe assess`; keys and columns: docs/reference/assess.md.
+[[nodiscard]] std::string verdict_json(const WallsVerdict& verdict);
+[[nodiscard]] std::string walls_csv(const WallsVerdict& verdict);
 // comparison.json of `wythe compare`; keys: docs/reference/comparison.md.
 [[nodiscard]] std::string comparison_json(const PairedComparison& comparison);
 // mechanisms.json and mechanism_<name>.csv of `wythe limit`; keys: docs/reference/limit.md.

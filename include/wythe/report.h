@@ -20,6 +20,7 @@
 namespace wythe {
 
 struct PairedComparison;  // comparison.h
+struct WallsVerdict;      // verdict.h
 
 // Deformed, cracked wall at a snapshot as an SVG document; `scale` magnifies displacements.
 [[nodiscard]] std::string wall_svg(const Model& model, const State& state, double scale);
@@ -48,6 +49,10 @@ struct SampleWalls {
 
 // Options side by side.
 [[nodiscard]] std::string comparison_data(const PairedComparison& comparison);
+
+// The page of `wythe assess`: one sheet of A4 for who signs, then the tables it rests on.
+[[nodiscard]] std::string verdict_page(const WallsVerdict& verdict, const ProjectSpec& project,
+                                       const std::string& language = "en");
 
 // The page made from these bytes. Throws IoError where they are damaged or of another version, InputError
 // where the language is none of report_languages().

@@ -12,8 +12,8 @@
 namespace wythe {
 
 // A campaign as samples.csv, statistics.json and report.html need it: read_campaign (wythe/campaign.h) without
-// features, events, energies, the program that ran each sample, and evidence, scores and elements of failure modes: a
-// part of the memory, so that 100 000 small samples fit into 1 GiB. InputError and IoError as there.
+// features, events, energies, the program that ran each sample, and evidence and scores of failure modes (their elements
+// too, where no assessment asks for them): a part of the memory, so that 100 000 small samples fit into 1 GiB. InputError and IoError as there.
 [[nodiscard]] Campaign read_answers(const std::string& folder);
 
 class StoredStates {

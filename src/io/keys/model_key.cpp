@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/draws/scatter.h"
 #include "core/limits.h"
 #include "core/text.h"
 #include "io/model/builder_file.h"
@@ -114,12 +115,16 @@ const ModelKey* find_key(const std::vector<ModelKey>& keys, const std::string& p
 SettableKeys::SettableKeys(const std::string& text, const std::string& file,
                            const std::vector<std::string>& settings, const ModelSpec& base)
     : keys_(number_keys(base)) {
-  for (const auto& [name, field] : base.field)
-    if (!field.formula.empty()) formula_[field.path] = name;
-  // What stands for other keys: [masonry] through its rules, tangents for angles.
   toml::table root = parse_toml(text, file);
   ReadContext context{file};
   apply_overrides(context, root, settings);
+  // a formula that [scatter] made begins from what the key says
+  const auto is_made = [&](const std::string& name) {
+    return name.starts_with(study::kScatterPrefix) && !root["field"][name]["formula"];
+  };
+  for (const auto& [name, field] : base.field)
+    if (!field.formula.empty() && !is_made(name)) formula_[field.path] = name;
+  // What stands for other keys: [masonry] through its rules, tangents for angles.
   resolve_materials(context, root);
   BuilderSpec built = read_builder(file, root, base);
   for (ModelKey& key : keys_of(built)) keys_.push_back(std::move(key));

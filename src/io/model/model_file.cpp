@@ -280,11 +280,16 @@ Model compile_model(const ModelSpec& spec, const std::string& toml_text,
   try {
     return compile(spec);
   } catch (const InputError& error) {
-    toml::table root = io::parse_toml(toml_text, file_name);
-    io::ReadContext context{file_name};
-    io::apply_overrides(context, root, overrides);
-    io::throw_placed(error, spec, root, context);
+    throw_with_lines(error, spec, toml_text, file_name, overrides);
   }
+}
+
+void throw_with_lines(const InputError& error, const ModelSpec& spec, const std::string& toml_text,
+                      const std::string& file_name, const std::vector<std::string>& overrides) {
+  toml::table root = io::parse_toml(toml_text, file_name);
+  io::ReadContext context{file_name};
+  io::apply_overrides(context, root, overrides);
+  io::throw_placed(error, spec, root, context);
 }
 
 Model read_and_compile(const std::string& path, const std::vector<std::string>& overrides,

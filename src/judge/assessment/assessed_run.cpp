@@ -358,6 +358,21 @@ PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Res
   return wall;
 }
 
+namespace {
+// One push in one direction shows what this wall carries that way; the verdict comes from many walls and both ways.
+void bar_signing(CodeAssessment& out) {
+  if (out.verdict == AssessmentVerdict::kNotKnown) return;
+  Message said = out.sentence;
+  if (said.code == "assessment.unsigned")
+    for (const Argument& argument : out.sentence.arguments)
+      if (argument.name == "verdict") said = std::get<std::vector<Message>>(argument.value).front();
+  out.may_be_signed = false;
+  out.cautions.push_back({"assessment.caution.one_push"});
+  out.sentence = {"assessment.unsigned",
+                  {{"cautions", out.cautions}, {"verdict", std::move(said)}}};
+}
+}  // namespace
+
 CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Result& result) {
   const JudgedPush of_model = study::judged_push(model);
   JudgedPush push{.status = result.status,
@@ -377,6 +392,7 @@ CodeAssessment assess_run(const ModelSpec& spec, const Model& model, const Resul
       spec, model, std::move(push), result.failure_mode,
       result.pushed.is_read() ? result.pushed : read_pushed_wall(spec, model, result));
   for (Message& note : study::notes_of_masses(spec, model)) out.notes.push_back(std::move(note));
+  bar_signing(out);
   return out;
 }
 

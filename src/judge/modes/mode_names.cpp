@@ -347,4 +347,6 @@ Named name_wall(const WallParts& parts, const WallMotion& motion, const ModeRule
   return {mode, namer.mechanism()};
 }
 
+Message words_of_mode(const std::string& name) { return words_of(name); }
+
 }  // namespace wythe::study

@@ -30,4 +30,7 @@ struct Named {
 [[nodiscard]] Named name_wall(const WallParts& parts, const WallMotion& motion,
                               const ModeRules& rules, double spandrel_later = 0);
 
+// A name that a mode was given, for a reader; one that needs no words stays as it is.
+[[nodiscard]] Message words_of_mode(const std::string& name);
+
 }  // namespace wythe::study

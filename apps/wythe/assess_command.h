@@ -1,0 +1,18 @@
+// wythe assess: the verdict on a wall from many walls of its model, pushed both ways.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wythe::app {
+
+struct AssessArguments {
+  std::string model, out, language = "en";
+  std::string walls, seed, between, jobs;  // as typed, "": not given
+  std::vector<std::string> overrides;
+  bool resume = false, quiet = false;
+  std::vector<std::string> command;  // as typed, to say how to go on
+};
+int assess(const AssessArguments& arguments);
+
+}  // namespace wythe::app

@@ -1,0 +1,105 @@
+// The verdict on a wall, from many walls of one model, each pushed in several ways: both directions, and the
+// patterns of forces that a code asks for.
+//
+//   model.toml ──assess_study()──► a study: one way of pushing each [[variant]] ──► a campaign each
+//   campaign ──judge_walls()──► WayOfPushing ─┐
+//   campaign ──judge_walls()──► WayOfPushing ─┴─verdict_of()──► WallsVerdict ──► assessment.json, page
+//
+// All ways push the same walls: wall 3 is the same heap of units in each of them. Rules and reasons:
+// docs/theory/assessment.md, "The verdict from many walls". SI units; NaN: not known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/assessment.h"
+#include "wythe/campaign.h"
+#include "wythe/message.h"
+#include "wythe/statistics.h"
+
+namespace wythe {
+
+// What `wythe assess` is asked for; assess_study() (io.h) makes a study of it.
+struct AskedWalls {
+  std::string model_file;
+  std::vector<std::string> overrides = {};  // --set
+  int walls = 8;                            // in each way of pushing
+  int seed = 0;
+  // Coefficient of variation of the mean strength from wall to wall, lognormal: one factor for all strengths and
+  // energies of joints and units. NaN: the means of the file hold in every wall [-].
+  double between = kUnset;
+};
+// The name of that factor among the study's variables.
+inline constexpr const char* kBetweenWalls = "strength_of_wall";
+
+// One wall pushed one way.
+struct JudgedWall {
+  int wall = 0;                  // 1-based; the same wall in every way
+  int seed = 0;                  // of what scatters within it
+  Message lost;                  // why it has no answer; empty: it has
+  CodeAssessment assessment;     // as a single run of it would have
+  std::string mode, state_hash;  // name of its failure
+  bool is_in_plane = true;  // false: in space, and its failure is not named as one in its plane
+  [[nodiscard]] bool is_lost() const { return !lost.empty(); }
+  [[nodiscard]] AssessmentVerdict verdict() const {
+    return is_lost() ? AssessmentVerdict::kNotKnown : assessment.verdict;
+  }
+  // Of the limit state asked for: its PGA, a lower bound where the push ended before the wall; NaN of a lost wall.
+  [[nodiscard]] Reading capacity() const;
+};
+
+// How many walls meet the limit state asked for.
+struct WallCounts {
+  int walls = 0, met = 0, not_met = 0, not_shown = 0, lost = 0;
+  // Share of walls that do not meet it, of those that are known. The interval is that of Clopper and Pearson;
+  // those not known stand on its two sides: all met at its lower end, none at its upper end.
+  [[nodiscard]] Estimate probability() const;
+};
+// PGA of walls [m/s^2]: a median and its interval by order statistics. The median is of the walls that answered;
+// in the interval a lost wall may stand anywhere.
+struct WallCapacity {
+  Estimate median;
+  bool at_least = false;  // too many walls went beyond their push: the median is a lower bound
+};
+
+struct WayOfPushing {
+  std::string direction;  // "+x", "-x"; along [1, 0, 1]
+  std::string pattern;    // word of Pattern, or "at": at the place that the file names
+  std::string folder;     // of its campaign
+  std::vector<JudgedWall> walls = {};
+  WallCounts counts = {};
+  WallCapacity capacity = {};
+};
+
+struct WallsVerdict {
+  AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
+  bool may_be_signed = false;
+  std::vector<Message> cautions;  // why not; said before the verdict
+  Message reason;                 // why there is no verdict; empty: there is
+  Message sentence;               // cautions and verdict, for a reader
+  std::vector<Message> notes;
+  std::string program;  // that ran the walls
+  AssessmentSpec spec;
+  ElasticSpectrum spectrum;
+  std::vector<WayOfPushing> ways;
+  // Of the pattern that decides: each wall by the direction that is worse for it.
+  std::string pattern, direction;  // of most walls, the direction
+  WallCounts counts;
+  WallCapacity capacity;
+  std::vector<WallCapacity> limit_states;  // by LimitState
+  std::string mode;                        // the name most often given there
+  int mode_count = 0;
+  // "-x", or "-x, uniform" where there are several patterns.
+  [[nodiscard]] std::string decides() const;
+};
+
+// Every wall of a campaign, as a run of it would be judged; `model` is that of `base`, the study's base model.
+[[nodiscard]] std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& base,
+                                                  const Model& model);
+// `asked` walls were to be pushed in each way. `cautions` and `notes` are those of the model: patterns that it
+// does not allow, what does not scatter.
+[[nodiscard]] WallsVerdict verdict_of(const AssessmentSpec& spec, std::vector<WayOfPushing> ways,
+                                      int asked, std::vector<Message> cautions = {},
+                                      std::vector<Message> notes = {});
+
+}  // namespace wythe

@@ -1,0 +1,77 @@
+// The verdict from the campaigns of `wythe assess`, and its files.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "wythe/folders.h"
+#include "wythe/model.h"
+#include "wythe/report.h"
+
+namespace wythe {
+
+namespace {
+
+// What makes the walls differ.
+Message note_of_scatter(const StudySpec& study, const ModelSpec& base) {
+  const auto between =
+      std::find_if(study.variable.begin(), study.variable.end(),
+                   [](const VariableSpec& variable) { return variable.name == kBetweenWalls; });
+  if (between == study.variable.end()) return {"verdict.note.within_only"};
+  const bool within = std::any_of(base.field.begin(), base.field.end(),
+                                  [](const auto& field) { return field.second.formula.empty(); });
+  return {within ? "verdict.note.between" : "verdict.note.between_only",
+          {{"percent", 100 * between->cov}}};
+}
+
+}  // namespace
+
+WallsVerdict read_verdict(const std::vector<std::string>& folders) {
+  std::vector<WayOfPushing> ways;
+  PushWays asked;
+  AssessmentSpec spec;
+  std::string program;
+  int walls = 0;
+  for (const std::string& folder : folders) {
+    const Campaign campaign = read_campaign(folder);  // with the signs of each pier
+    const ModelSpec base = model_builder(campaign.study)({});
+    const Model model = compile(base);
+    if (ways.empty()) {
+      spec = base.assessment;
+      program = campaign.provenance;
+      asked = ways_of(base, model);
+      asked.notes.push_back(note_of_scatter(campaign.study, base));
+      if (std::isnan(spec.confidence_factor) &&
+          asked.notes.back().code == "verdict.note.within_only")
+        asked.cautions.push_back({"verdict.caution.means"});
+    }
+    const PushWay way = way_of(base);
+    ways.push_back({.direction = way.direction,
+                    .pattern = way.pattern,
+                    .folder = std::filesystem::path(folder).filename().string(),
+                    .walls = judge_walls(campaign, base, model)});
+    walls = std::max(walls, campaign.samples.n_sample());
+  }
+  WallsVerdict verdict =
+      verdict_of(spec, std::move(ways), walls, std::move(asked.cautions), std::move(asked.notes));
+  verdict.program = std::move(program);
+  return verdict;
+}
+
+WallsVerdict write_verdict(const std::string& folder, const std::vector<std::string>& inner,
+                           const std::string& language, const Points& at) {
+  std::vector<std::string> folders;
+  folders.reserve(inner.size());
+  for (const std::string& name : inner) folders.push_back(folder + "/" + name);
+  WallsVerdict verdict = read_verdict(folders);
+  Replacement results(folder, [](const std::string& name) {
+    return name == "assessment.json" || name == "walls.csv" || name == "report.html";
+  });
+  write_text(results.path() + "/assessment.json", verdict_json(verdict));
+  write_text(results.path() + "/walls.csv", walls_csv(verdict));
+  const ProjectSpec project = model_builder(read_study_of(folders.front()))({}).project;
+  write_text(results.path() + "/report.html", verdict_page(verdict, project, language));
+  results.commit(at);
+  return verdict;
+}
+
+}  // namespace wythe

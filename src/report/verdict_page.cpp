@@ -1,0 +1,302 @@
+// verdict_page(): the page of `wythe assess`, plain HTML that needs no script. One sheet of A4 with the sentence
+// first, then what each wall did.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "report/html.h"
+#include "report/style.h"
+#include "report/svg.h"
+#include "report/texts.h"
+#include "wythe/report.h"
+#include "wythe/verdict.h"
+
+namespace wythe {
+namespace {
+
+using namespace report;
+
+constexpr double kToG = 1 / kStandardGravity;
+
+constexpr const char* kStyle = R"css(
+body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.45 system-ui,"Segoe UI",Roboto,Helvetica,Arial,sans-serif}
+main{max-width:190mm;margin:0 auto;padding:6mm 5mm}
+header{display:flex;flex-wrap:wrap;gap:2mm 6mm;justify-content:space-between;align-items:baseline;border-bottom:2px solid var(--ink);padding-bottom:2mm}
+h1{font-size:1.35em;margin:0}h2{font-size:1.02em;margin:5mm 0 1.5mm}
+.facts{color:var(--soft);margin:0;font-size:.9em}
+.verdict{border-left:5px solid var(--soft);padding:2mm 4mm;margin:4mm 0;background:color-mix(in srgb,var(--soft) 8%,transparent)}
+.verdict.holds{border-color:#1a7f4b}.verdict.fails,.verdict.unsigned{border-color:var(--open)}
+.verdict b{display:block;font-size:1.15em}.verdict p{margin:1mm 0 0}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(38mm,1fr));gap:3mm;margin:3mm 0}
+.card{border:1px solid var(--hair);border-radius:2mm;padding:2mm 3mm}
+.card .value{font-size:1.3em;font-weight:600}.card .name{font-weight:600;font-size:.9em}.card .means{color:var(--soft);font-size:.85em}
+table{border-collapse:collapse;width:100%;font-size:.9em}th,td{text-align:right;padding:.7mm 2mm;border-bottom:1px solid var(--hair);font-variant-numeric:tabular-nums}
+th{font-weight:600;vertical-align:bottom}.left{text-align:left}tr.decides td{font-weight:600}
+.wide{overflow-x:auto}.wide svg{min-width:150mm}td:not(.left){white-space:nowrap}a{color:inherit}ul{margin:1mm 0;padding-left:5mm}li{margin:.5mm 0}.small{font-size:.85em;color:var(--soft)}
+.signature{display:flex;justify-content:space-between;align-items:flex-end;margin-top:7mm;font-size:.85em;color:var(--soft)}
+.signature span:last-child{border-top:1px solid var(--ink);width:60mm;text-align:center}
+.dot{fill:var(--curve);fill-opacity:.45;stroke:var(--curve)}.dot.fails{fill:var(--open);stroke:var(--open);fill-opacity:.45}
+.dot.bound{fill:none}.asked{stroke:var(--open);stroke-width:1.6;stroke-dasharray:5 3}.span{stroke:var(--ink);stroke-width:2.2}
+figure{margin:2mm 0}figcaption{font-size:.85em;color:var(--soft)}
+@media print{.wide svg{min-width:0}@page{size:A4;margin:12mm}:root{--paper:#fff;--ink:#111;--soft:#555;--hair:#ccc}body{font-size:9.5pt}main{max-width:none;padding:0}
+.appendix{break-before:page}tr,li,.card{break-inside:avoid}}
+)css";
+
+class VerdictPage {
+ public:
+  VerdictPage(const WallsVerdict& verdict, const ProjectSpec& project, const std::string& language)
+      : v_(verdict), project_(project), language_(language), texts_(language) {}
+
+  std::string all() {
+    std::string page = fmt::format(
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+        "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}: "
+        "wythe</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n",
+        language_, title(), picture_style(), kStyle);
+    page += head() + verdict() + cards() + cautions();
+    if (!v_.ways.empty()) page += ways() + limit_states();
+    page += notes() + signature();
+    if (!v_.ways.empty()) page += walls();
+    return page + "</main>\n</body>\n</html>\n";
+  }
+
+ private:
+  [[nodiscard]] std::string say(const char* key, Places places = {}) const {
+    return texts_.say(std::string("assess.") + key, places);
+  }
+  // Three decimals, so that numbers below each other compare.
+  [[nodiscard]] std::string fixed(double value, const char* unit) const {
+    std::string text = fmt::format("{:.3f}", value);
+    if (language_ == "it") std::replace(text.begin(), text.end(), '.', ',');
+    return *unit == 0 ? text : text + "\u202f" + unit;
+  }
+  [[nodiscard]] std::string g(double acceleration) const { return fixed(acceleration * kToG, "g"); }
+  [[nodiscard]] std::string words(const Message& message) const {
+    return sentence(text_of(message, language_));
+  }
+  [[nodiscard]] std::string title() const {
+    return project_.title.empty() ? say("kind") : escaped(project_.title);
+  }
+
+  [[nodiscard]] std::string head() const {
+    std::string facts;
+    for (const auto& [key, text] :
+         {std::pair("place", &project_.place), std::pair("client", &project_.client),
+          std::pair("author", &project_.author), std::pair("date", &project_.date)})
+      if (!text->empty())
+        facts += fmt::format("{}{}: {}", facts.empty() ? "" : " · ",
+                             texts_.say(std::string("sheet.") + key), escaped(*text));
+    return fmt::format(
+        "<header><div><h1>{}</h1><p class=\"facts\">{}</p></div><p "
+        "class=\"facts\">{}</p></header>\n",
+        title(), facts, project_.title.empty() ? "" : say("kind"));
+  }
+
+  // Met or not in a word, then the sentence.
+  [[nodiscard]] std::string verdict() const {
+    const char* key = "undecided";
+    if (v_.verdict == AssessmentVerdict::kHolds) key = "holds";
+    if (v_.verdict == AssessmentVerdict::kFails) key = "fails";
+    std::string state = texts_.say("assessment." + v_.spec.limit_state);
+    state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
+    std::string standing =
+        v_.verdict == AssessmentVerdict::kNotKnown ? say("unknown") : say(key, {{"state", state}});
+    if (!v_.may_be_signed) standing += " " + say("unsigned");
+    const Message* said = &v_.sentence;  // without its cautions, which follow in a list
+    if (v_.sentence.code == "assessment.unsigned")
+      for (const Argument& argument : v_.sentence.arguments)
+        if (argument.name == "verdict")
+          said = &std::get<std::vector<Message>>(argument.value).front();
+    return fmt::format(
+        "<section class=\"verdict {}\" id=\"verdict\"><b>{}</b><p "
+        "id=\"sentence\">{}</p></section>\n",
+        v_.may_be_signed ? key : "unsigned", standing, words(*said));
+  }
+
+  // "0.14 to 0.24 g"; "" without an interval.
+  [[nodiscard]] std::string interval(const Interval& of, double scale, const char* unit) const {
+    if (std::isnan(of.low)) return "";
+    if (std::isinf(of.high)) return say("or_more", {{"from", fixed(of.low * scale, unit)}});
+    return say("between",
+               {{"from", fixed(of.low * scale, "")}, {"to", fixed(of.high * scale, unit)}});
+  }
+  [[nodiscard]] std::string median(const WallCapacity& c, double scale, const char* unit) const {
+    const std::string value = fixed(c.median.value * scale, unit);
+    return c.at_least ? say("at_least", {{"value", value}}) : value;
+  }
+
+  [[nodiscard]] std::string cards() const {
+    if (v_.verdict == AssessmentVerdict::kNotKnown) return "";
+    const auto card = [](const std::string& value, const std::string& name,
+                         const std::string& means) {
+      return fmt::format(
+          "<div class=\"card\"><div class=\"value\">{}</div><div class=\"name\">{}</div><div "
+          "class=\"means\">{}</div></div>\n",
+          value, name, means);
+    };
+    const double demand = v_.spectrum.peak_ground_acceleration();
+    const auto more = [&](const std::string& range, const std::string& means) {
+      return range.empty() ? means : range + "; " + means;
+    };
+    const Estimate share = v_.counts.probability();
+    const auto percent = [&](double x) { return texts_.quantity(100 * x, "%", 2); };
+    return "<section class=\"cards\">\n" +
+           card(median(v_.capacity, kToG, "g"), say("capacity"),
+                more(interval(v_.capacity.median.interval, kToG, "g"), say("capacity.means"))) +
+           card(g(demand), say("demand"), say("demand.means")) +
+           card(median(v_.capacity, 1 / demand, ""), say("index"),
+                more(interval(v_.capacity.median.interval, 1 / demand, ""), say("index.means"))) +
+           card(fmt::format("{} / {}", v_.counts.not_met, v_.counts.met + v_.counts.not_met),
+                say("share"),
+                say("share.means", {{"from", percent(share.interval.low)},
+                                    {"to", percent(share.interval.high)}})) +
+           "</section>\n";
+  }
+
+  [[nodiscard]] std::string list(const std::vector<Message>& messages) const {
+    std::string out = "<ul>\n";
+    for (const Message& message : messages) out += "<li>" + words(message) + "</li>\n";
+    return out + "</ul>\n";
+  }
+  [[nodiscard]] std::string cautions() const {
+    if (v_.cautions.empty()) return "";
+    return "<h2>" + say("why") + "</h2>\n" + list(v_.cautions);
+  }
+  [[nodiscard]] std::string notes() const {
+    if (v_.notes.empty()) return "";
+    return "<h2>" + say("assumed") + "</h2>\n<div class=\"small\">" + list(v_.notes) + "</div>\n";
+  }
+
+  [[nodiscard]] std::string name_of(const WayOfPushing& way) const {
+    return escaped(way.direction + ", " + text_of(words_of_pattern(way.pattern), language_));
+  }
+
+  [[nodiscard]] std::string ways() const {
+    std::string rows;
+    for (const WayOfPushing& way : v_.ways) {
+      const bool decides = way.direction == v_.direction && way.pattern == v_.pattern;
+      rows += fmt::format(
+          "<tr{}><td class=\"left\"><a href=\"{}/report.html\">{}</a>{}</td><td>{}</td><td>{}</td>"
+          "<td>{} / {}</td><td>{}</td><td>{}</td></tr>\n",
+          decides ? " class=\"decides\"" : "", escaped(way.folder), name_of(way),
+          decides ? " (" + say("decides") + ")" : "", median(way.capacity, kToG, "g"),
+          interval(way.capacity.median.interval, kToG, "g"), way.counts.not_met,
+          way.counts.met + way.counts.not_met, way.counts.not_shown, way.counts.lost);
+    }
+    return "<h2>" + say("ways") + "</h2>\n" + figure() +
+           "<div class=\"wide\"><table><tr><th class=\"left\">" + say("way") + "</th><th>" +
+           say("median") + "</th><th>" + say("interval") + "</th><th>" + say("not_met") +
+           "</th><th>" + say("not_shown") + "</th><th>" + say("lost") + "</th></tr>\n" + rows +
+           "</table></div>\n";
+  }
+
+  // A row of dots for each way: what its walls carry, against the demand.
+  [[nodiscard]] std::string figure() const {
+    constexpr double kWidth = 700, kRow = 30, kLeft = 250, kRight = 20, kFoot = 34;
+    const double demand =
+        v_.spectrum.is_given() ? v_.spectrum.peak_ground_acceleration() * kToG : 0;
+    double most = 1.15 * demand;
+    for (const WayOfPushing& way : v_.ways)
+      for (const JudgedWall& wall : way.walls)
+        if (const Reading r = wall.capacity(); r.is_known())
+          most = std::fmax(most, 1.05 * r.value * kToG);
+    if (!(most > 0)) return "";
+    const double height = kRow * static_cast<double>(v_.ways.size()) + kFoot;
+    const Axis X = Axis::between(0, most, kLeft, kWidth - kRight);
+    std::string out =
+        "<figure><div class=\"wide\">" + svg_begin(kWidth, height, "curve", say("figure"));
+    const double foot = height - kFoot;
+    for (const double tick : ticks(0, most, 6)) {
+      out += line({X(tick), 0}, {X(tick), foot}, "grid");
+      out += label({X(tick), foot + 14}, texts_.number(tick), "small", "middle");
+    }
+    out += label({kWidth - kRight, foot + 29}, "PGA, g", "small", "end");
+    double y = 0.5 * kRow;
+    for (const WayOfPushing& way : v_.ways) {
+      out += label({0, y + 4}, name_of(way), "");
+      const Interval& of = way.capacity.median.interval;
+      if (std::isfinite(of.low))
+        out += line({X(of.low * kToG), y + 9},
+                    {std::isfinite(of.high) ? X(of.high * kToG) : kWidth - kRight, y + 9}, "span");
+      for (const JudgedWall& wall : way.walls) {
+        const Reading r = wall.capacity();
+        if (!r.is_known()) continue;
+        const char* kind = wall.verdict() == AssessmentVerdict::kFails ? "dot fails" : "dot";
+        out += circle({X(r.value * kToG), y}, 4.5, r.censored ? "dot bound" : kind);
+      }
+      y += kRow;
+    }
+    if (demand > 0) {
+      out += line({X(demand), 0}, {X(demand), foot + 4}, "asked");
+      out += label({X(demand), foot + 29}, say("demand") + " " + texts_.number(demand),
+                   "small bold", "middle");
+    }
+    return out + "</svg></div><figcaption>" + say("figure") + "</figcaption></figure>\n";
+  }
+
+  [[nodiscard]] std::string limit_states() const {
+    std::string rows;
+    for (std::size_t s = 0; s < v_.limit_states.size(); ++s) {
+      const std::string state = word_of(kLimitStateWords, static_cast<LimitState>(s));
+      const WallCapacity& c = v_.limit_states[s];
+      rows += fmt::format("<tr><td class=\"left\">{}{}</td><td>{}</td><td>{}</td></tr>\n",
+                          texts_.say("assessment." + state),
+                          state == v_.spec.limit_state ? " (" + say("checked") + ")" : "",
+                          median(c, kToG, "g"), interval(c.median.interval, kToG, "g"));
+    }
+    if (rows.empty()) return "";
+    return "<h2>" + say("states") + "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" +
+           say("state") + "</th><th>" + say("median") + "</th><th>" + say("interval") +
+           "</th></tr>\n" + rows + "</table></div>\n";
+  }
+
+  [[nodiscard]] std::string signature() const {
+    return "<div class=\"signature\"><span>" + escaped(v_.program) + "</span><span>" +
+           texts_.say("sheet.signature") + "</span></div>\n";
+  }
+
+  [[nodiscard]] std::string verdict_of(const JudgedWall& wall) const {
+    switch (wall.verdict()) {
+      case AssessmentVerdict::kHolds: return say("holds.short");
+      case AssessmentVerdict::kFails: return say("not_met");
+      case AssessmentVerdict::kNotShown: return say("not_shown");
+      default: return say("lost");
+    }
+  }
+
+  [[nodiscard]] std::string walls() const {
+    std::string rows;
+    for (const WayOfPushing& way : v_.ways)
+      for (const JudgedWall& wall : way.walls) {
+        const Reading r = wall.capacity();
+        const std::string value = r.is_known() ? g(r.value) : "–";
+        rows += fmt::format(
+            "<tr><td class=\"left\">{}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td><td "
+            "class=\"left\">{}</td></tr>\n",
+            name_of(way), wall.wall, r.censored ? say("at_least", {{"value", value}}) : value,
+            verdict_of(wall),
+            wall.is_lost() ? words(wall.lost) : escaped(texts_.phrase(wall.mode)));
+      }
+    return "<section class=\"appendix\"><h2>" + say("walls") +
+           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("way") + "</th><th>" +
+           say("wall") + "</th><th>" + say("capacity") + "</th><th class=\"left\">" +
+           say("verdict") + "</th><th class=\"left\">" + say("mode") + "</th></tr>\n" + rows +
+           "</table></div></section>\n";
+  }
+
+  const WallsVerdict& v_;
+  const ProjectSpec& project_;
+  const std::string& language_;
+  Texts texts_;
+};
+
+}  // namespace
+
+std::string verdict_page(const WallsVerdict& verdict, const ProjectSpec& project,
+                         const std::string& language) {
+  return VerdictPage(verdict, project, language).all();
+}
+
+}  // namespace wythe

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""wythe assess as a user meets it: one model in, one verdict out; both ways, resumed, replayed, refused."""
+import csv
+import json
+import pathlib
+import re
+import signal
+import tempfile
+import unittest
+
+from cli_test import SMALL, Held, wythe
+
+ASSESSMENT = """
+[scatter]
+use = "clay_brick"
+[assessment]
+code = "circolare_2019"
+confidence_factor = 1.2
+added_mass = "3000 kg"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.30 s"
+ground = "A"
+"""
+WALL = SMALL.replace('until = "3 mm"', 'until = "4 mm"') + ASSESSMENT
+PATTERN = WALL.replace('at = { x = "0 m", y = "0.75 m" }',
+                       'pattern = "mass_height"\nlevels = ["0.4 m", "0.8 m"]\ncontrol = { x = "0.1 m", y = "0.75 m" }')
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Assess(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.model = cls.file("model.toml", WALL)
+        cls.out = cls.folder / "out"
+        cls.ended = wythe("assess", cls.model, "--out", cls.out, "--walls", "6", "--jobs", "1", "--quiet")
+        cls.json = json.loads((cls.out / "assessment.json").read_text()) if cls.ended.returncode == 0 else None
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def file(cls, name, text):
+        path = cls.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def refused(self, text, *said, arguments=()):
+        model = self.file("bad.toml", text)
+        out = self.folder / "refused"
+        ended = wythe("assess", model, "--out", out, "--quiet", *arguments)
+        self.assertEqual(ended.returncode, 2, ended.stdout + ended.stderr)
+        for words in said:
+            self.assertIn(words, ended.stderr)
+        self.assertFalse(out.exists())
+
+    def test_one_model_gives_one_verdict(self):
+        self.assertEqual(self.ended.returncode, 0, self.ended.stderr)
+        j = self.json
+        self.assertEqual(set(j["pga_capacity_g"]), {"median", "low", "high", "at_least"})
+        self.assertEqual([(w["direction"], w["pattern"]) for w in j["ways"]], [("+x", "at"), ("-x", "at")])
+        self.assertIn(j["decides"], ("+x", "-x"))
+        self.assertEqual(j["walls"], 6)
+        self.assertEqual(j["probability"], j["not_met"] / (j["met"] + j["not_met"]))
+        self.assertEqual(j["verdict"], "holds")
+        self.assertIn("life safety met in 6 of 6 walls", j["sentence"])
+        self.assertTrue(j["may_be_signed"], j["cautions"])
+        self.assertIn(j["sentence"], self.ended.stdout)
+        for name in ("base/campaign.db", "minus_x_at/campaign.db", "walls.csv", "report.html"):
+            self.assertTrue((self.out / name).exists(), name)
+
+    def test_the_page_begins_with_the_sentence_in_both_languages(self):
+        for language, word in (("en", "asked"), ("it", "richiesti")):
+            out = self.folder / f"page_{language}"
+            ended = wythe("assess", self.model, "--out", out, "--walls", "2", "--quiet", "--lang", language)
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            page = (out / "report.html").read_text(encoding="utf-8")
+            self.assertIn(f'<html lang="{language}">', page)
+            self.assertRegex(page, rf'(?s)<p id="sentence">[^<]*{word} 0[.,]153')
+            self.assertLess(page.index('id="sentence"'), page.index("<table>"))
+            for key in ("mass_height", "life_safety", "verdict.", "assess."):
+                self.assertNotIn(f">{key}", page)
+
+    def test_both_ways_push_the_same_walls(self):
+        rows = rows_of(self.out / "walls.csv")
+        self.assertEqual(len(rows), 12)
+        seeds = [[r["seed"] for r in rows if r["direction"] == d] for d in ("+x", "-x")]
+        self.assertEqual(seeds[0], seeds[1])
+        self.assertEqual(len(set(seeds[0])), 6)
+        self.assertEqual(len({r["state_hash"] for r in rows}), 12)
+
+    def test_a_wall_is_judged_as_a_run_of_it(self):
+        row = next(r for r in rows_of(self.out / "walls.csv") if r["direction"] == "-x" and r["wall"] == "3")
+        out = self.folder / "replayed"
+        ended = wythe("replay", self.out / "minus_x_at", "--sample", "3", "--out", out)
+        self.assertIn("bit for bit", ended.stdout)
+        summary = json.loads((out / "summary.json").read_text())
+        self.assertEqual(summary["state_hash"], row["state_hash"])
+        states = {s["state"]: s for s in summary["assessment"]["limit_states"]}
+        for state, of_run in states.items():
+            self.assertAlmostEqual(float(row[f"{state}_pga_g"]), of_run["pga_g"], places=12)
+        self.assertAlmostEqual(float(row["pga_capacity_g"]), states["life_safety"]["pga_g"], places=12)
+
+    def test_seeds_make_other_walls(self):
+        out = self.folder / "seed"
+        ended = wythe("assess", self.model, "--out", out, "--walls", "2", "--seed", "7", "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertFalse({r["state_hash"] for r in rows_of(out / "walls.csv")}
+                         & {r["state_hash"] for r in rows_of(self.out / "walls.csv")})
+
+    def test_stopped_and_resumed_equals_undisturbed(self):
+        out = self.folder / "stopped"
+        arguments = ("assess", self.model, "--out", out, "--walls", "6", "--jobs", "1", "--quiet")
+        held = Held("sample 3", *arguments)
+        held.process.send_signal(signal.SIGINT)
+        said = held.process.communicate(timeout=120)[1]
+        self.assertEqual(held.process.returncode, 3, said)
+        self.assertIn("--resume", said)
+        self.assertFalse((out / "assessment.json").exists())
+        self.assertEqual(wythe(*arguments).returncode, 2)  # without --resume
+        ended = wythe(*arguments, "--resume")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertEqual((out / "walls.csv").read_bytes(), (self.out / "walls.csv").read_bytes())
+        self.assertEqual((out / "assessment.json").read_bytes(), (self.out / "assessment.json").read_bytes())
+
+    def test_more_walls_add_to_those_there(self):
+        out = self.folder / "more"
+        self.assertEqual(wythe("assess", self.model, "--out", out, "--walls", "2", "--quiet").returncode, 0)
+        first = rows_of(out / "walls.csv")
+        ended = wythe("assess", self.model, "--out", out, "--walls", "4", "--quiet", "--resume")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        rows = rows_of(out / "walls.csv")
+        self.assertEqual(len(rows), 8)
+        for row in first:
+            self.assertIn(row, rows)
+        # and without a number it keeps them
+        self.assertEqual(wythe("assess", self.model, "--out", out, "--quiet", "--resume").returncode, 0)
+        self.assertEqual(rows_of(out / "walls.csv"), rows)
+
+    def test_what_is_not_known_of_the_means_is_stated(self):
+        model = self.file("means.toml", WALL.replace("confidence_factor = 1.2\n", ""))
+        for more, signed, spread in (((), False, 0.02), (("--between", "0.3"), True, 0.1)):
+            out = self.folder / f"means{len(more)}"
+            ended = wythe("assess", model, "--out", out, "--walls", "6", "--quiet", *more)
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            j = json.loads((out / "assessment.json").read_text())
+            self.assertEqual(j["may_be_signed"], signed, j["cautions"])
+            peaks = [float(r["peak_reaction_kN"]) for r in rows_of(out / "base/samples.csv")]
+            (self.assertGreater if more else self.assertLess)(max(peaks) / min(peaks) - 1, spread)
+        self.assertIn("30 %", " ".join(j["notes"]))
+        # one factor on all of a wall's strengths and energies, those that follow a field of [scatter] too
+        used = self.folder / "used_between"
+        self.assertEqual(wythe("replay", out / "base", "--sample", "2", "--out", used).returncode, 0)
+        text = (used / "model.used.toml").read_text()
+        factors = []
+        for table, values in (("joint", (0.15e6, 0.15e6, 4.3, 125, 4e6, 12800)), ("unit", (0.5e6, 0.75e6, 20, 550, 4e6, 12800))):
+            section = text[text.index(f"[material.{table}]"):]
+            for key, value in zip(("tensile_strength", "cohesion", "mode_1_energy", "mode_2_energy",
+                                   "compressive_strength", "compressive_energy"), values):
+                number, unit = re.search(rf'(?m)^{key} = "(\S+) (\S+)"', section).groups()
+                factors.append(float(number) * {"MPa": 1e6, "kPa": 1e3, "Pa": 1}.get(unit, 1) / value)
+        self.assertGreater(abs(factors[0] - 1), 0.01)
+        for factor in factors:
+            self.assertAlmostEqual(factor, factors[0], places=12)
+        self.refused(WALL, "--between", "above 0", arguments=("--between", "-0.2"))
+
+    def test_two_patterns_where_the_push_has_levels(self):
+        model = self.file("pattern.toml", PATTERN)
+        out = self.folder / "pattern"
+        ended = wythe("assess", model, "--out", out, "--walls", "2", "--quiet")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        j = json.loads((out / "assessment.json").read_text())
+        self.assertEqual([(w["direction"], w["pattern"]) for w in j["ways"]],
+                         [("+x", "mass_height"), ("-x", "mass_height"), ("+x", "uniform"), ("-x", "uniform")])
+        self.assertRegex(j["decides"], r"^[+-]x, (mass_height|uniform)$")
+        self.assertFalse(j["may_be_signed"])  # two walls tell nothing of half of all
+        # the other side is the mirror image: its control point too
+        used = [wythe("replay", out / way, "--sample", "1", "--out", self.folder / f"used_{way}")
+                for way in ("base", "minus_x_mass_height")]
+        self.assertEqual([u.returncode for u in used], [0, 0], used[0].stderr + used[1].stderr)
+        text = (self.folder / "used_minus_x_mass_height/model.used.toml").read_text()
+        self.assertRegex(text, r'control = \{ x = "0\.7 m"')
+
+    def test_a_lost_wall_is_named_and_signs_nothing(self):
+        model = self.file("lost.toml", WALL.replace('ground_acceleration = "1.5', 'ground_acceleration = "0.5'))
+        out = self.folder / "lost"
+        ended = wythe("assess", model, "--out", out, "--walls", "2", "--quiet", "--set", "solve.settle_limit=0.001 s")
+        self.assertEqual(ended.returncode, 3, ended.stdout)
+        j = json.loads((out / "assessment.json").read_text())
+        self.assertEqual(j["verdict"], "not known")
+        self.assertFalse(j["may_be_signed"])
+        self.assertEqual(len(j["ways"][0]["lost_walls"]), 2)
+        self.assertRegex(ended.stdout, r"lost: .*/base, wall 1: ")
+
+    def test_bad_input_is_named_located_and_cured(self):
+        spectrum = ASSESSMENT.index("[assessment.spectrum]")
+        without = WALL.replace(ASSESSMENT, "[scatter]\nuse = \"clay_brick\"\n")
+        self.refused(without, "assessment: is missing", "write [assessment]")
+        self.refused(WALL.replace(ASSESSMENT[spectrum:], ""), "assessment.spectrum: is missing", "bad.toml:")
+        self.refused(WALL.replace('use = "clay_brick"', "").replace("[scatter]", ""), "nothing scatters", "clay_brick")
+        self.refused(WALL.replace('direction = "+x"', 'direction = "-y"'), "not horizontal", "direction")
+        self.refused(WALL.replace('velocity = "2 mm/s"\nuntil = "4 mm"', 'velocity = "2 mm/s"\ntargets = ["1 mm", "-1 mm"]'),
+                     "cyclic", "until")
+        self.refused(WALL + "[solve]\ngravity = \"0 m/s^2\"\n", "no mass", arguments=("--set", "assessment.added_mass=0 kg"))
+        self.refused(WALL, "--walls", "whole number from 2", arguments=("--walls", "1"))
+        self.refused(WALL.replace('at = { x = "0 m", y = "0.75 m" }', 'pattern = "pyramid"\nlevels = ["0.7 m"]'), "pattern",
+                     "mass_height")
+
+    def test_one_direction_impossible_is_named(self):
+        # the mirrored place lies in an opening
+        self.refused(WALL.replace("[wall.unit]", '[[wall.opening]]\nx = "0.6 m"\ny = "0.6 m"\nwidth = "0.2 m"\nheight = "0.2 m"\n'
+                                  "[wall.unit]"), "minus x, at")
+
+
+if __name__ == "__main__":
+    unittest.main()

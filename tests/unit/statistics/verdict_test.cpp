@@ -1,0 +1,261 @@
+// The verdict from many walls: which direction and pattern decide, what lost walls and bounds do to the share, and
+// when nothing may be signed. Walls are made up; only their capacities count.
+#include "wythe/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "statistics/intervals.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kDemand = 0.2 * kStandardGravity;
+
+AssessmentSpec asked() {
+  AssessmentSpec spec;
+  spec.code = "circolare_2019";
+  spec.spectrum.kind = SpectrumKind::kNtc2018;
+  spec.spectrum.ground_acceleration = kDemand;
+  spec.spectrum.amplification = 2.5;
+  spec.spectrum.corner_period = 0.3;
+  return spec;
+}
+
+JudgedWall wall_of(double g, bool at_least = false, const char* mode = "rocking") {
+  JudgedWall wall;
+  wall.mode = mode;
+  LimitStateCheck check{.state = LimitState::kLifeSafety, .is_asked = true};
+  check.acceleration = g * kStandardGravity;
+  check.at_least = at_least;
+  wall.assessment.limit_states.push_back(check);
+  if (check.acceleration >= kDemand)
+    wall.assessment.verdict = AssessmentVerdict::kHolds;
+  else
+    wall.assessment.verdict = at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
+  wall.assessment.may_be_signed = true;
+  return wall;
+}
+JudgedWall lost_wall() {
+  JudgedWall wall;
+  wall.lost = as_text("collapsed under its weight");
+  return wall;
+}
+
+WayOfPushing way(const char* direction, const char* pattern, std::vector<JudgedWall> walls) {
+  int number = 0;
+  for (JudgedWall& wall : walls) wall.wall = ++number;
+  return {.direction = direction, .pattern = pattern, .folder = "x", .walls = std::move(walls)};
+}
+std::vector<JudgedWall> walls_of(const std::vector<double>& capacities) {
+  std::vector<JudgedWall> walls;
+  for (const double g : capacities) walls.push_back(wall_of(g));
+  return walls;
+}
+std::vector<JudgedWall> same(int n, double g) {
+  return walls_of(std::vector<double>(static_cast<std::size_t>(n), g));
+}
+
+bool has(const std::vector<Message>& messages, const char* code) {
+  return std::any_of(messages.begin(), messages.end(),
+                     [&](const Message& m) { return m.code == code; });
+}
+
+TEST(Verdict, of_strong_walls_in_both_directions_may_be_signed) {
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", same(8, 0.30)), way("-x", "at", same(8, 0.28))}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
+  EXPECT_EQ(v.decides(), "-x");
+  EXPECT_EQ(v.counts.met, 8);
+  EXPECT_EQ(v.counts.probability().value, 0);
+  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.28, 1e-12);
+}
+
+// Each direction fails other walls: half of them in each, none of them stands in both.
+TEST(Verdict, takes_each_wall_by_its_worse_direction) {
+  const WallsVerdict v =
+      verdict_of(asked(),
+                 {way("+x", "at", walls_of({0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3})),
+                  way("-x", "at", walls_of({0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.05}))},
+                 10);
+  EXPECT_EQ(v.ways[0].counts.not_met, 5);
+  EXPECT_EQ(v.counts.not_met, 10);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_EQ(v.direction, "+x");  // five walls each: the model's own
+}
+
+TEST(Verdict, is_that_of_the_worse_pattern) {
+  const std::vector<WayOfPushing> ways = {
+      way("+x", "mass_height", same(8, 0.25)), way("-x", "mass_height", same(8, 0.24)),
+      way("+x", "uniform", same(8, 0.15)), way("-x", "uniform", same(8, 0.16))};
+  const WallsVerdict v = verdict_of(asked(), ways, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_EQ(v.decides(), "+x, uniform");
+  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.15, 1e-12);
+  // whatever the order in which they ran
+  std::vector<WayOfPushing> turned(ways.rbegin(), ways.rend());
+  const WallsVerdict w = verdict_of(asked(), turned, 8);
+  EXPECT_EQ(w.decides(), v.decides());
+  EXPECT_EQ(w.capacity.median.value, v.capacity.median.value);
+}
+
+// A pattern that shows nothing must not lose to one that is met.
+TEST(Verdict, of_a_pattern_not_known_is_not_met_by_another) {
+  const std::vector<JudgedWall> bounds(8, wall_of(0.1, true));
+  const WallsVerdict v =
+      verdict_of(asked(),
+                 {way("+x", "mass_height", same(8, 0.3)), way("-x", "mass_height", same(8, 0.3)),
+                  way("+x", "uniform", bounds), way("-x", "uniform", bounds)},
+                 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.not_shown"));
+}
+
+TEST(Verdict, is_undecided_where_half_of_all_walls_may_lie_on_either_side) {
+  std::vector<double> mixed = {0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0.1, 0.1};
+  WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", walls_of(mixed)), way("-x", "at", walls_of(mixed))}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.undecided"));
+  EXPECT_FALSE(v.may_be_signed);
+  // five walls, all met, are too few: 1 in 32 that all lie on one side of a median
+  v = verdict_of(asked(), {way("+x", "at", same(5, 0.3)), way("-x", "at", same(5, 0.3))}, 5);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+}
+
+TEST(Verdict, counts_a_lost_wall_on_both_sides) {
+  std::vector<JudgedWall> with_lost = same(8, 0.3);
+  with_lost[3] = lost_wall();
+  WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", with_lost), way("-x", "at", same(8, 0.3))}, 8);
+  EXPECT_EQ(v.counts.lost, 1);
+  EXPECT_EQ(v.counts.met, 7);
+  EXPECT_EQ(v.counts.probability().value, 0);
+  EXPECT_NEAR(v.counts.probability().interval.high, study::exact_share(1, 8).interval.high,
+              1e-12);
+  EXPECT_EQ(v.capacity.median.interval.low, 0);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.lost"));
+  EXPECT_FALSE(v.may_be_signed);
+  // a wall that does not meet it in one direction does not, whatever the other would say
+  std::vector<JudgedWall> weak = same(8, 0.3);
+  weak[3] = wall_of(0.1);
+  v = verdict_of(asked(), {way("+x", "at", with_lost), way("-x", "at", weak)}, 8);
+  EXPECT_EQ(v.counts.lost, 0);
+  EXPECT_EQ(v.counts.not_met, 1);
+}
+
+TEST(Verdict, signs_nothing_where_all_walls_are_lost_in_a_direction) {
+  const std::vector<JudgedWall> lost(8, lost_wall());
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", same(8, 0.5)), way("-x", "at", lost)}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotKnown);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_EQ(v.reason.code, "verdict.all_lost");
+  EXPECT_NE(text_of(v.sentence).find("-x"), std::string::npos);
+}
+
+TEST(Verdict, waits_for_walls_that_have_not_run) {
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", same(8, 0.5)), way("-x", "at", same(3, 0.5))}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotKnown);
+  EXPECT_EQ(v.reason.code, "verdict.walls_missing");
+}
+
+TEST(Verdict, says_what_stands_against_single_pushes) {
+  std::vector<JudgedWall> fast = same(8, 0.3);
+  fast[1].assessment.cautions = {{"assessment.too_fast"}};
+  fast[2].assessment.cautions = {{"assessment.too_fast"},
+                                 {"assessment.caution.bound", {{"displacement_mm", 6.0}}}};
+  fast[5].is_in_plane = false;
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", same(8, 0.3)), way("-x", "at", fast)}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_FALSE(v.may_be_signed);
+  ASSERT_EQ(v.cautions.size(), 2U);  // the bound lies beyond the demand
+  EXPECT_EQ(v.cautions[0].number("pushes"), 2);
+  EXPECT_EQ(v.cautions[0].number("all"), 16);
+  EXPECT_EQ(v.cautions[1].number("pushes"), 1);
+  // what the model does not allow bars it too
+  EXPECT_FALSE(verdict_of(asked(), {way("+x", "at", same(8, 0.3)), way("-x", "at", same(8, 0.3))},
+                          8, {{"verdict.caution.one_pattern"}})
+                   .may_be_signed);
+}
+
+// Ends of pushes: a lower bound below another wall's value leaves the lesser of both a bound.
+TEST(Verdict, keeps_bounds_as_bounds) {
+  std::vector<JudgedWall> forth(8, wall_of(0.25, true));
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", forth), way("-x", "at", same(8, 0.30))}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_TRUE(v.capacity.at_least);
+  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.25, 1e-12);
+  EXPECT_NEAR(v.capacity.median.interval.high / kStandardGravity, 0.30, 1e-12);
+}
+
+// The knife: one run turns from met to not met where the strength changes by 0.6 %. Many walls that scatter
+// let the share of those not met rise slowly, and never fall, as all of them get weaker.
+TEST(Verdict, moves_smoothly_with_strength) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> scatter(0, 0.2);
+  std::vector<double> logs;
+  for (int i = 0; i < 400; ++i) logs.push_back(scatter(random));
+  double before = 0;
+  for (double strength = 0.26; strength > 0.15; strength *= 0.994) {
+    std::vector<JudgedWall> walls;
+    walls.reserve(logs.size());
+    for (const double log : logs) walls.push_back(wall_of(strength * std::exp(log)));
+    const double p = verdict_of(asked(), {way("+x", "at", walls), way("-x", "at", walls)}, 400)
+                         .counts.probability()
+                         .value;
+    EXPECT_GE(p, before);
+    EXPECT_LT(p - before, 0.05);  // density of the normal 0.4 over 0.2, times 0.006, is 0.012
+    before = p;
+  }
+  EXPECT_GT(before, 0.85);
+}
+
+TEST(Verdict, has_a_sentence_in_every_language) {
+  const WallsVerdict v =
+      verdict_of(asked(), {way("+x", "at", same(8, 0.19)), way("-x", "at", same(8, 0.15))}, 8);
+  EXPECT_EQ(text_of(v.sentence),
+            "carries 0.150 g (0.150 to 0.150); asked 0.200 g: life safety not met in 8 of 8 walls; "
+            "-x decides; most often rocking (8 walls)");
+  EXPECT_EQ(text_of(v.sentence, "it"),
+            "sostiene 0,150 g (da 0,150 a 0,150); richiesti 0,200 g: salvaguardia della vita non "
+            "soddisfatta in 8 di 8 pareti; decide -x; più spesso oscillazione (8 pareti)");
+}
+
+// --- the interval of a share
+
+TEST(ClopperPearson, is_that_of_tables) {
+  // Clopper and Pearson 1934 by the quantiles of beta: 0 of 10 and 3 of 10
+  const Estimate none = study::exact_share(0, 10), three = study::exact_share(3, 10);
+  EXPECT_EQ(none.interval.low, 0);
+  EXPECT_NEAR(none.interval.high, 1 - std::pow(0.025, 0.1), 1e-12);
+  EXPECT_NEAR(three.interval.low, 0.06673951, 1e-7);
+  EXPECT_NEAR(three.interval.high, 0.65245285, 1e-7);
+  EXPECT_EQ(study::exact_share(10, 10).interval.high, 1);
+  EXPECT_TRUE(std::isnan(study::exact_share(0, 0).value));
+}
+
+// At every n from 5 to 30, and any share, it holds the share at least as often as it says.
+TEST(ClopperPearson, covers_what_it_says_at_small_n) {
+  for (int n = 5; n <= 30; ++n)
+    for (double p = 0.01; p < 1; p += 0.01) {
+      double held = 0, chance = std::pow(1 - p, n);  // of k = 0
+      for (int k = 0; k <= n; ++k) {
+        const Interval interval = study::exact_share(k, n).interval;
+        if (interval.low <= p && p <= interval.high) held += chance;
+        chance *= p / (1 - p) * (n - k) / (k + 1);
+      }
+      EXPECT_GE(held, 0.95 - 1e-9) << n << " " << p;
+    }
+}
+
+}  // namespace
+}  // namespace wythe
