@@ -37,6 +37,8 @@ void print_model(const ModelSpec& spec, const Model& m) {
              m.n_point(), 1e-3 * m.weight);
   if (!spec.body.empty() && !spec.note.empty()) fmt::print("note: {}\n", readable(spec.note));
   for (const Message& note : m.anatomy.notes) fmt::print("note: {}\n", readable(text_of(note)));
+  for (const Message& note : notes_of_drawing(spec))
+    fmt::print("note: {}\n", readable(text_of(note)));
   for (const Message& note : notes_of_fields(spec))
     fmt::print("note: {}\n", readable(text_of(note)));
 }

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "wythe/message.h"
 
 namespace wythe {
+
+struct ModelSpec;
 
 // Where what is drawn; upper and lower case are the same. "none": there is none.
 struct DrawingLayers {
@@ -13,5 +18,8 @@ struct DrawingLayers {
 // "": the file's. Throws InputError with every fault, IoError where the file can't be read.
 [[nodiscard]] std::string drawing_text(const std::string& path, const std::string& unit,
                                        const DrawingLayers& layers = {});
+
+// What was left aside of the drawing that a model's blocks come from; empty for other models.
+[[nodiscard]] std::vector<Message> notes_of_drawing(const ModelSpec& spec);
 
 }  // namespace wythe

@@ -15,22 +15,42 @@ constexpr std::size_t kMostCorners = 1000;  // all pairs of edges are compared
 
 std::string path_of(const BlockSpec& block) { return "wall.blocks." + block.id; }
 
-Polygon corners_of(const BlockSpec& block) {
-  Polygon corners;
-  for (const auto& [x, y] : block.polygon) {
-    const bool repeats = !corners.empty() && corners.back().x == x && corners.back().y == y;
-    if (!repeats) corners.push_back({x, y});
-  }
-  const auto closes = [&] {
-    return corners.front().x == corners.back().x && corners.front().y == corners.back().y;
-  };
-  while (corners.size() > 1 && closes()) corners.pop_back();
-  return corners;
-}
-
 bool is_finite(const Polygon& corners) {
   return std::all_of(corners.begin(), corners.end(),
                      [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+// The corners that make the outline: neither one that repeats its neighbour but for rounding, nor one on the straight
+// line of its neighbours, which would part a joint in two. Those of a block that is cut into zones stay: they are its
+// nodes.
+Polygon corners_of(const BlockSpec& block) {
+  constexpr double kRounding = 1e-6;  // of the outline's size, as for contacts
+  Polygon corners;
+  for (const auto& [x, y] : block.polygon) corners.push_back({x, y});
+  if (corners.empty() || corners.size() > kMostCorners || !is_finite(corners)) return corners;
+  const Rect box = bounds(corners);
+  const double near = kRounding * std::max(box.x1 - box.x0, box.y1 - box.y0);
+  const auto is_idle = [&](Vec2 before, Vec2 at, Vec2 after) {
+    const double to = std::hypot(at.x - before.x, at.y - before.y);
+    if (to <= near) return true;
+    if (block.zone.zones > 0) return false;
+    const double x = after.x - before.x, y = after.y - before.y, length = std::hypot(x, y);
+    const double along = (at.x - before.x) * x + (at.y - before.y) * y;
+    const double off = std::abs((at.x - before.x) * y - (at.y - before.y) * x);
+    return length > near && off <= near * length && along > 0 && along < length * length;
+  };
+  for (std::size_t i = 0, seen = 0; corners.size() > 2 && seen < corners.size();) {
+    const std::size_t n = corners.size();
+    if (is_idle(corners[(i + n - 1) % n], corners[i % n], corners[(i + 1) % n])) {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i % n));
+      i = (i % n + n - 2) % (n - 1);  // the corner before it has another neighbour now
+      seen = 0;
+    } else {
+      ++i;
+      ++seen;
+    }
+  }
+  return corners;
 }
 
 bool add_outline(const BlockSpec& spec, Block& block, FaultList& faults) {

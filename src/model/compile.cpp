@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "model/compiler.h"
+#include "model/densities.h"
 #include "model/field_places.h"
 #include "model/fields.h"
 #include "model/parts.h"
@@ -199,6 +200,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   note_coarse_records(model);
   note_storeys_without_top(model);
   note_idle_materials(spec, model);
+  note_densities(spec, model);
   set_push_ramps(model);
   for (const double mass : model.heavy_mass) model.weight += mass * model.solve.gravity;
   for (const double mass : model.solids.node_heavy_mass) model.weight += mass * model.solve.gravity;

@@ -235,12 +235,7 @@ class ShakeCompiler {
       fault(stage_.spec.record[k].pulse == PulseShape::kNone ? "scale" : key_of(k, "amplitude"),
             fmt::format("{:.3g} g", pga), "is the peak acceleration that follows",
             "write a smaller one");
-    note("shake.record", {{"stage", stage_.spec.name},
-                          {"record", m.source},
-                          {"pga_g", pga},
-                          {"pgv_mm_per_s", 1e3 * peak_velocity(m)},
-                          {"duration_s", m.duration()},
-                          {"factor", m.factor}});
+    note_record(m, stage_.spec.record[k], pga);
     note_coarse(m, k);
     const double left = std::fabs(m.velocity.back()), most = peak_velocity(m);
     if (left > kDrift * most)
@@ -249,6 +244,28 @@ class ShakeCompiler {
                               {"velocity_mm_per_s", 1e3 * m.velocity.back()},
                               {"percent", 100 * left / most},
                               {"displacement_mm", 1e3 * m.displacement.back()}});
+  }
+
+  // Of a file what was read of it too: a wrong column or unit shows here or nowhere.
+  void note_record(const GroundMotion& m, const RecordSpec& r, double pga) {
+    std::vector<Argument> said = {{"stage", stage_.spec.name},
+                                  {"record", m.source},
+                                  {"pga_g", pga},
+                                  {"pgv_mm_per_s", 1e3 * peak_velocity(m)},
+                                  {"duration_s", m.duration()},
+                                  {"factor", m.factor}};
+    if (r.file.empty()) return note("shake.record", std::move(said));
+    double sum = 0;
+    for (const double a : m.acceleration) sum += a;
+    const auto count = static_cast<double>(m.acceleration.size());
+    const double peak = peak_acceleration(m);
+    said.push_back(
+        {"column", r.column.empty() ? Message{} : Message{"shake.column", {{"name", r.column}}}});
+    said.push_back({"unit", std::string(word_of(kRecordUnitWords, r.unit))});
+    said.push_back({"count", count});
+    said.push_back({"step_ms", 1e3 * m.duration() / (count - 1)});
+    said.push_back({"mean_percent", peak > 0 ? 100 * sum / count / peak : 0});
+    note("shake.record_file", std::move(said));
   }
 
   // A wall that stands because nothing shakes it.

@@ -6,6 +6,7 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -176,7 +177,46 @@ void refuse_second_number(std::string_view text, std::string_view unit) {
                         "write one number without blanks, then its unit");
 }
 
+// Words that UDUNITS reads as units of the trade in America, and masonry's own users do not: a short ton of 2000 lb,
+// the grain of 65 mg.
+struct DoubtfulWord {
+  std::string_view word, meaning, cure;
+};
+constexpr DoubtfulWord kDoubtful[] = {
+    {"ton", "2000 lb in UDUNITS, 1000 kg to most", "write t (1000 kg) or 2000 lb"},
+    {"tons", "2000 lb in UDUNITS, 1000 kg to most", "write t (1000 kg) or 2000 lb"},
+    {"gr", "a grain of 65 mg in UDUNITS, a gram to most", "write g"},
+    {"ton_force", "of 2000 lb in UDUNITS, of 1000 kg to most",
+     "write 9.80665 kN for each (1000 kg) or 2000 lbf"},
+    {"ton_forces", "of 2000 lb in UDUNITS, of 1000 kg to most",
+     "write 9.80665 kN for each (1000 kg) or 2000 lbf"}};
+
+bool is_multiple(std::string_view word, std::string_view of) {
+  if (!word.ends_with(of)) return false;
+  const std::string_view prefix = word.substr(0, word.size() - of.size());
+  for (const std::string_view known : {"k", "kilo", "M", "mega", "c", "centi", "m", "milli"})
+    if (prefix == known) return true;
+  return false;
+}
+
+void refuse_doubtful_words(std::string_view unit, std::string_view si_unit) {
+  const auto is_letter = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (std::size_t i = 0; i < unit.size();) {
+    std::size_t end = i;
+    while (end < unit.size() && is_letter(unit[end])) ++end;
+    const std::string_view word = unit.substr(i, end - i);
+    for (const DoubtfulWord& known : kDoubtful)
+      if (word == known.word || is_multiple(word, known.word))
+        throw QuantityError(fmt::format("{} is {}: {}", word, known.meaning, known.cure),
+                            fmt::format("write it in {} or a multiple of it", si_unit));
+    i = std::max(end, i + 1);
+  }
+}
+
 double checked_factor(const std::string& unit, std::string_view si_unit) {
+  refuse_doubtful_words(unit, si_unit);
   const Factor factor = unit_table().factor(unit, std::string(si_unit));
   const std::string cure = fmt::format("write it in {} or a multiple of it", si_unit);
   if (factor.verdict == Verdict::kUnknown)

@@ -74,7 +74,7 @@ std::string address(const std::string& file, const std::string& how) {
     else
       escaped += c;
   }
-  return "file:" + escaped + how;
+  return "file://" + escaped + how;  // an empty host: //tmp/x would name one
 }
 
 bool is_there(const std::string& file) {
@@ -290,6 +290,13 @@ Database::Database(const std::filesystem::path& file, Access access) : name_(fil
 }
 
 int Database::open(const std::string& how, int flags) {
+  constexpr std::size_t kLongest = 500;  // SQLite takes 512, the ending of a journal included
+  if (const std::size_t length = std::filesystem::absolute(name_).string().size();
+      length > kLongest)
+    throw IoError(
+        fmt::format("{}: its path has {} characters, and a store takes {} at most; choose a "
+                    "shorter folder",
+                    name_, length, kLongest));
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(address(name_, how).c_str(), &handle,
                                    flags | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);

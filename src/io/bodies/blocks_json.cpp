@@ -305,15 +305,16 @@ class BlocksReader {
   std::set<std::string> ids_;
 };
 
-bool is_drawing(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  return same_layer(ending, ".dxf");
-}
-
 // A closed polyline is a block: its layer is the material, or says that it is fixed or the beam.
 void read_drawn_blocks(ReadContext& context, const std::string& file, const std::string& unit,
                        ModelSpec& spec) {
   const Drawing drawing = read_drawing(file, unit);
+  if (drawing.outlines.empty() && drawing.unread.empty() &&
+      (!drawing.hidden.empty() || drawing.invisible > 0))
+    context.faults.add(
+        {file, "wall.blocks", joined(drawing.hidden, ", "),
+         "shows no outline: all lie on layers that are off or frozen, or are invisible",
+         "show them in the drawing program", 0});
   for (const Unread& entity : drawing.unread)
     if (!enough(context.faults)) context.faults.add(fault_of(entity, file));
   for (const DrawnOutline& outline : drawing.outlines) {

@@ -4,6 +4,7 @@
 //   {"dtype": ".../BlockModel", "data": {"elements": {guid: {"data": {"geometry": {"data": mesh},
 //     "is_support": true}}}, "graph": {"node": {"0": {"element": guid}}}}}
 //   [[mesh], [mesh], ...]
+//   {"assembly": {"node": {"0": {"is_support": true}}}, "blocks": {"0": mesh}}          before 1.0
 //
 // What differs between versions: "data" or "value" around an object, once or twice, or none; elements in a list
 // or by guid; a mesh under block, geometry, shape or mesh; keys of corners as texts; faces as lists of corners or,
@@ -44,6 +45,11 @@ bool is_mesh(const Json& json) {
          json["vertex"].is_object() && json["face"].is_object();
 }
 
+bool is_before_1(const Json& json) {
+  return json.is_object() && json.contains("assembly") && json["assembly"].is_object() &&
+         json.contains("blocks") && json["blocks"].is_object();
+}
+
 bool is_flagged(const Json& json, const char* name) {
   return json.is_object() && json.contains(name) && json[name].is_boolean() &&
          json[name].get<bool>();
@@ -75,7 +81,9 @@ class CompasReader {
 
   std::vector<BodySpec> read(const Json& json) {
     const Json& top = opened(json);
-    if (top.is_array())
+    if (is_before_1(top))
+      read_before_1(top);
+    else if (top.is_array())
       read_list(top);
     else if (top.is_object() && top.contains("elements"))
       read_elements(top);
@@ -104,6 +112,15 @@ class CompasReader {
     for (const Json& item : list)
       read_block(std::to_string(number++), item.is_array() && item.size() == 1 ? item[0] : item,
                  false);
+  }
+
+  // Blocks by the keys of their nodes.
+  void read_before_1(const Json& top) {
+    const Json& graph = opened(top["assembly"]);
+    const Json nodes = graph.is_object() ? graph.value("node", Json::object()) : Json::object();
+    for (const std::string& key : sorted_keys(top["blocks"]))
+      read_block(key, top["blocks"][key],
+                 nodes.is_object() && nodes.contains(key) && is_flagged(nodes[key], "is_support"));
   }
 
   void read_nodes(const Json& graph) {
@@ -256,7 +273,7 @@ class CompasReader {
 }  // namespace
 
 bool is_compas(const Json& json) {
-  if (json.is_object() && json.contains("dtype")) return true;
+  if (json.is_object() && (json.contains("dtype") || is_before_1(opened(json)))) return true;
   return json.is_array() && !json.empty();
 }
 

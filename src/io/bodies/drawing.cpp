@@ -1,6 +1,7 @@
 // What `wythe drawing` prints: the wall and its openings from a drawing of a facade.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "geometry/polygon.h"
 #include "io/bodies/dxf.h"
 #include "wythe/drawing.h"
+#include "wythe/wall_spec.h"
 
 namespace wythe {
 namespace io {
@@ -175,6 +177,10 @@ class Facade {
       if (closed.contains(layer) || other.contains(layer))
         text += fmt::format("# Left aside: layer {}, {} closed polylines, {} other entities\n",
                             layer, closed[layer], other[layer]);
+    for (const std::string& layer : drawing_.hidden)
+      text += fmt::format("# Left aside: layer {}, which is off or frozen\n", layer);
+    if (drawing_.invisible > 0)
+      text += fmt::format("# Left aside: {} invisible entities\n", drawing_.invisible);
     return text.empty() ? text : "\n" + text;
   }
 
@@ -193,6 +199,20 @@ class Facade {
 std::string drawing_text(const std::string& path, const std::string& unit,
                          const DrawingLayers& layers) {
   return io::Facade(path, unit, layers).text();
+}
+
+std::vector<Message> notes_of_drawing(const ModelSpec& spec) {
+  const std::filesystem::path file = std::filesystem::path(spec.folder) / spec.wall.blocks;
+  if (!io::is_drawing(file.string())) return {};
+  std::vector<Message> notes;
+  const io::Drawing drawing = io::read_drawing(file.string(), "m");  // whatever its unit
+  if (!drawing.hidden.empty())
+    notes.push_back(
+        {"drawing.hidden", {{"file", spec.wall.blocks}, {"layers", joined(drawing.hidden, ", ")}}});
+  if (drawing.invisible > 0)
+    notes.push_back(
+        {"drawing.invisible", {{"file", spec.wall.blocks}, {"count", drawing.invisible}}});
+  return notes;
 }
 
 }  // namespace wythe

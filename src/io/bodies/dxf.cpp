@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <set>
 
@@ -143,13 +144,58 @@ std::optional<std::vector<Corner>> chords_of(const Corner& a, const Corner& b, d
   return corners;
 }
 
+// The last corner is the first but for the rounding of an export, 1e-6 of the outline's size.
+bool returns_to_start(const std::vector<Corner>& corners) {
+  double x0 = corners[0][0], x1 = x0, y0 = corners[0][1], y1 = y0;
+  for (const Corner& c : corners) {
+    x0 = std::min(x0, c[0]), x1 = std::max(x1, c[0]);
+    y0 = std::min(y0, c[1]), y1 = std::max(y1, c[1]);
+  }
+  return std::hypot(corners.front()[0] - corners.back()[0],
+                    corners.front()[1] - corners.back()[1]) <= 1e-6 * std::max(x1 - x0, y1 - y0);
+}
+
+// A name with its characters beyond ASCII: "\\U+00E9" -> é.
+std::string plain_name(std::string_view name) {
+  std::string out;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    const char* const from = name.data() + i + 3;
+    const bool is_coded = name.substr(i).starts_with("\\U+") && name.size() >= i + 7 &&
+                          std::from_chars(from, from + 4, code, 16).ptr == from + 4 &&
+                          code > 0x1f && (code < 0xd800 || code > 0xdfff);  // no halves of pairs
+    if (!is_coded) {
+      out += name[i];
+      continue;
+    }
+    if (code < 0x80) {
+      out += static_cast<char>(code);
+    } else if (code < 0x800) {
+      out += static_cast<char>(0xc0 | (code >> 6));
+      out += static_cast<char>(0x80 | (code & 0x3f));
+    } else {
+      out += static_cast<char>(0xe0 | (code >> 12));
+      out += static_cast<char>(0x80 | ((code >> 6) & 0x3f));
+      out += static_cast<char>(0x80 | (code & 0x3f));
+    }
+    i += 6;
+  }
+  return out;
+}
+
+std::string layer_key(std::string name) {
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return name;
+}
+
 // One entity while its groups come in.
 struct Entity {
   std::string type, layer = "0", handle;
   int line = 0;
   int flags = 0;
   bool on_paper = false;  // a sheet, not the drawing itself
-  double normal = 1;      // z of the extrusion direction
+  bool is_invisible = false;
+  double normal = 1;  // z of the extrusion direction
   std::vector<Vertex> vertices;
 };
 
@@ -181,6 +227,7 @@ class DrawingReader {
  private:
   void read_section(const Group& name) {
     if (name.value == "HEADER") return read_header();
+    if (name.value == "TABLES") return read_tables();
     if (name.value == "ENTITIES") return read_entities();
   }
 
@@ -190,6 +237,29 @@ class DrawingReader {
     while (groups_.next(group) && !(group.code == 0 && group.value == "ENDSEC")) {
       if (group.code == 9) variable = group.value;
       if (group.code == 70 && variable == "$INSUNITS") stated_ = number_in<int>(group.value);
+    }
+  }
+
+  // Layers that are off (a negative colour) or frozen.
+  void read_tables() {
+    constexpr int kFrozen = 1;
+    Group group;
+    std::string name;
+    bool in_layer = false, is_hidden = false;
+    while (groups_.next(group)) {
+      if (group.code == 0) {
+        if (in_layer && is_hidden) hidden_.insert(layer_key(name));
+        if (group.value == "ENDSEC") return;
+        in_layer = group.value == "LAYER";
+        is_hidden = false;
+        name.clear();
+      } else if (in_layer && group.code == 2) {
+        name = plain_name(trimmed(group.value));
+      } else if (in_layer && group.code == 70) {
+        is_hidden = is_hidden || (number_in<int>(group.value).value_or(0) & kFrozen) != 0;
+      } else if (in_layer && group.code == 62) {
+        is_hidden = is_hidden || number_in<int>(group.value).value_or(0) < 0;
+      }
     }
   }
 
@@ -254,7 +324,10 @@ class DrawingReader {
         if (!in_vertex_) entity.handle = trimmed(group.value);
         break;
       case 8:
-        if (!in_vertex_) entity.layer = trimmed(group.value);
+        if (!in_vertex_) entity.layer = plain_name(trimmed(group.value));
+        break;
+      case 60:
+        if (!in_vertex_) entity.is_invisible = integer(group) == 1;
         break;
       case 67: entity.on_paper = entity.on_paper || integer(group) == 1; break;
       case 70:
@@ -280,6 +353,14 @@ class DrawingReader {
 
   void finish(const Entity& entity) {
     if (entity.type.empty() || entity.on_paper || is_annotation(entity.type)) return;
+    if (hidden_.contains(layer_key(entity.layer))) {
+      if (left_.insert(layer_key(entity.layer)).second) drawing_.hidden.push_back(entity.layer);
+      return;
+    }
+    if (entity.is_invisible) {
+      ++drawing_.invisible;
+      return;
+    }
     if (layers_.insert(entity.layer).second) drawing_.layers.push_back(entity.layer);
     if (++entities_ > kMostEntities)
       refuse(file_, "", fmt::format("has more than {} entities", kMostEntities),
@@ -316,8 +397,7 @@ class DrawingReader {
         return leave(entity, "lies more than 10 km from the origin",
                      "move the drawing to the origin, or check its unit");
     }
-    const bool returns =
-        outline.corners.size() > 1 && outline.corners.front() == outline.corners.back();
+    const bool returns = outline.corners.size() > 1 && returns_to_start(outline.corners);
     if ((entity.flags & kClosed) == 0 && !returns)
       return leave(entity, "is open", "close it (PEDIT, Close)");
     if (returns) outline.corners.pop_back();
@@ -360,6 +440,7 @@ class DrawingReader {
   std::size_t chords_ = 0;  // so far
   int entities_ = 0;        // so far
   std::set<std::string> layers_;
+  std::set<std::string> hidden_, left_;  // in small letters
   Drawing drawing_;
 };
 
@@ -386,6 +467,10 @@ bool same_layer(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+bool is_drawing(const std::string& file) {
+  return same_layer(std::filesystem::path(file).extension().string(), ".dxf");
 }
 
 double units_in_a_metre(std::string_view name) {

@@ -39,9 +39,15 @@ struct Drawing {
   std::vector<DrawnOutline> outlines;  // in the file's order
   std::vector<Unread> unread;
   std::vector<std::string> layers;  // that hold entities, each once
+  // What the drawing program does not show is left aside: layers that are off or frozen, and hold outlines; and
+  // entities that are invisible.
+  std::vector<std::string> hidden;
+  int invisible = 0;
 };
 
-// Texts, dimensions and points are left aside. `unit` ("mm", "m", ...) goes before what the file states; "": the
+[[nodiscard]] bool is_drawing(const std::string& file);  // by its ending
+
+// Texts, dimensions and points are left aside, and what the drawing program hides. `unit` ("mm", "m", ...) goes before what the file states; "": the
 // file's. Throws InputError where the file is no such drawing, or no unit is known.
 [[nodiscard]] Drawing read_drawing(const std::string& file, const std::string& unit);
 

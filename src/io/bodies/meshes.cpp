@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "io/bodies/mesh_parts.h"
+#include "wythe/text.h"
 
 namespace wythe::io {
 namespace {
@@ -151,7 +152,7 @@ class StlReader {
   // A binary file may begin with "solid" too: its length tells.
   [[nodiscard]] bool is_binary() const {
     if (text_.size() >= kHead && kHead + kTriangle * count() == text_.size()) return true;
-    return !trimmed(std::string_view(text_).substr(0, 512)).starts_with("solid");
+    return !small_letters(trimmed(std::string_view(text_).substr(0, 512))).starts_with("solid");
   }
 
   [[nodiscard]] double number_at(std::size_t place) const {
@@ -189,17 +190,18 @@ class StlReader {
     while (!faults_.enough() && lines.next(line)) {
       const auto words = words_of(line);
       if (words.empty()) continue;
-      if (words[0] == "solid") {
-        const std::string_view name = trimmed(line.substr(line.find("solid") + 5));
+      const std::string word = small_letters(words[0]);
+      if (word == "solid") {
+        const std::string_view name = trimmed(trimmed(line).substr(word.size()));
         solids_.push_back({std::string(name), {}});
-      } else if (words[0] == "vertex") {
+      } else if (word == "vertex") {
         const auto point = point_in(words, 1);
         if (!point)
           faults_.add(lines.number(), line, "must be three finite numbers",
                       "write e.g. vertex 0 0.25 1.5");
         vertex_.push_back(point.value_or(Vec3{}));
         ++open;
-      } else if (words[0] == "endloop") {
+      } else if (word == "endloop") {
         close_triangle(lines.number(), open);
         open = 0;
       }

@@ -8,9 +8,10 @@
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
-#include "io/text/csv.h"
+#include "io/text/table.h"
 #include "io/text/toml_reader.h"
 #include "wythe/io.h"
+#include "wythe/units.h"
 
 namespace wythe {
 namespace io {
@@ -51,74 +52,75 @@ JointMaterial pick_law(ReadContext& context, const LawFile& file) {
 
 // --- path ----------------------------------------------------------------------------------------
 
-struct PathColumn {
-  std::string name;
-  std::size_t index = 0;
-};
-
 class PathReader {
-  static constexpr double kFarthest = 1e6;  // [mm]
+  static constexpr double kFarthest = 1e3;  // [m]
 
  public:
   explicit PathReader(const std::string& file) : context_{file} {}
 
   std::vector<ContactPathRow> read(const std::string& text) {
     std::vector<ContactPathRow> rows;
-    CsvLines lines(text, context_.file);
-    const bool has_header = lines.next() && read_header(lines);
-    while (has_header && !enough(context_.faults) && lines.next()) read_row(lines, rows);
+    NumberTable table(text, context_.file, HeadRule::kNeeded);
+    if (!table.is_empty()) {
+      find(table, opening_);
+      find(table, slip_);
+    }
+    const bool is_known = !table.is_empty() && context_.faults.empty();
+    while (is_known && !enough(context_.faults) && table.next())
+      rows.push_back({.opening = read_cell(table, opening_), .slip = read_cell(table, slip_)});
     if (rows.empty() && context_.faults.empty())
-      context_.fault("", 0, "", has_header ? "has no rows" : "is empty",
+      context_.fault("", 0, "", table.is_empty() ? "is empty" : "has no rows",
                      "write a header opening_mm,slip_mm and one row for each point of the path");
     throw_faults(context_);
     return rows;
   }
 
  private:
-  bool read_header(const CsvLines& lines) {
-    header_ = lines.cells();
-    line_ = lines.line();
-    for (PathColumn* column : {&opening_, &slip_}) {
-      const auto found = std::find(header_.begin(), header_.end(), column->name);
-      column->index = static_cast<std::size_t>(found - header_.begin());
-      if (found == header_.end())
-        context_.fault(column->name, line_, "", "no such column in the header",
-                       fmt::format("the columns are {}; opening_mm and slip_mm are needed",
-                                   joined(header_, ", ")));
+  struct Column {
+    std::string name, unit;
+    std::size_t index = 0;
+  };
+
+  void find(const NumberTable& table, Column& column) {
+    int found = 0;
+    for (std::size_t k = 0; k < table.width(); ++k) {
+      const ColumnHead head = column_head(table.head()[k], {"m"});
+      if (head.name != column.name || head.unit.empty()) continue;
+      column.index = k;
+      column.unit = spelt_unit(head.unit, "m");
+      ++found;
     }
-    return context_.faults.empty();
+    if (found != 1)
+      context_.fault(column.name + "_mm", table.head_line(), "",
+                     found == 0 ? "no such column in the header" : "stands there twice",
+                     fmt::format("the columns are {}; opening_mm and slip_mm are needed",
+                                 joined(table.head(), ", ")));
+    else if (column.unit.empty())
+      context_.fault(column.name + "_mm", table.head_line(), table.head()[column.index],
+                     "is in no unit of length", "write it in mm");
   }
 
-  void read_row(const CsvLines& lines, std::vector<ContactPathRow>& rows) {
-    const std::vector<std::string>& cells = lines.cells();
-    line_ = lines.line();
-    if (cells.size() != header_.size())
-      return context_.fault(
-          "", line_, lines.text(),
-          fmt::format("has {} cells, the header has {}", cells.size(), header_.size()),
-          "separate the cells by commas");
-    rows.push_back({.opening = read_mm(cells, opening_), .slip = read_mm(cells, slip_)});
-  }
-
-  double read_mm(const std::vector<std::string>& cells, const PathColumn& column) {
-    const std::string& cell = cells[column.index];
-    const double value = number_in(cell);
-    if (std::fabs(value) <= kFarthest) return value / 1e3;
-    if (!std::isnan(value)) {
-      context_.fault(column.name, line_, cell,
-                     fmt::format("is farther than a kilometre ({:.0f} mm)", kFarthest),
-                     "write it in millimetres; a joint is open or worn smooth long before");
+  double read_cell(NumberTable& table, const Column& column) {
+    const double number = table.number(column.index);
+    if (std::isnan(number)) {
+      Fault fault = table.no_number(column.index);
+      fault.path = column.name + '_' + column.unit;
+      context_.faults.add(std::move(fault));
       return 0;
     }
-    context_.fault(column.name, line_, cell, "must be a finite number",
-                   "write it in millimetres with a decimal point, e.g. 0.05");
+    constexpr double kNoWay = 1e100;  // in any unit
+    const double value = std::fabs(number) < kNoWay
+                             ? parse_quantity(fmt::format("{} {}", number, column.unit), "m")
+                             : number;
+    if (std::fabs(value) <= kFarthest) return value;
+    context_.fault(column.name + '_' + column.unit, table.line(), table.cell(column.index),
+                   fmt::format("is farther than a kilometre ({:.0f} m)", kFarthest),
+                   "write it in millimetres; a joint is open or worn smooth long before");
     return 0;
   }
 
   ReadContext context_;
-  int line_ = 0;
-  std::vector<std::string> header_;
-  PathColumn opening_{.name = "opening_mm"}, slip_{.name = "slip_mm"};
+  Column opening_{.name = "opening", .unit = ""}, slip_{.name = "slip", .unit = ""};
 };
 
 std::string answer_row(const ContactPathRow& row, const ContactAnswer& answer) {

@@ -1,10 +1,5 @@
-// Records of accelerations -> RecordSpec::read_times, read_accelerations.
-//
-//   CSV   # comments, a head or none, one row a time:       time_s,acceleration
-//         of one column: accelerations every `step`
-//   AT2   four lines of head (PEER):   ... UNITS OF G
-//                                      NPTS=  4000, DT=   .0050 SEC     (older: 4000  .0050  NPTS, DT)
-//         then the accelerations, any number a line
+// Records of accelerations -> RecordSpec::read_times, read_accelerations: tables of numbers, and formats of the
+// field (record_formats.h). The column of a table is the one that key or head name, and never a guess.
 #include "io/model/record_file.h"
 
 #include <fmt/format.h>
@@ -12,237 +7,262 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
-#include <sstream>
+#include <optional>
+#include <utility>
 
 #include "core/files.h"
 #include "core/limits.h"
 #include "core/text.h"
-#include "io/text/csv.h"
+#include "io/model/record_formats.h"
+#include "io/text/table.h"
 #include "model/shaking.h"
 #include "wythe/text.h"
+#include "wythe/units.h"
 
 namespace wythe::io {
 namespace {
 
-struct Numbers {
-  std::vector<double> time, acceleration;  // times empty: every step
-  double step = kUnset;                    // that the file states [s]
+enum class ColumnKind { kTime, kIndex, kAcceleration, kOther, kUnknown };
+
+struct Column {
+  ColumnKind kind = ColumnKind::kUnknown;
+  ColumnHead head;
+  bool is_certain = true;  // kOther: its name or its unit says so, not its first letter alone
 };
 
-class RecordReader {
- public:
-  RecordReader(ReadContext& context, const RecordSpec& record, std::string path, std::string file)
-      : context_(context), record_(record), path_(std::move(path)), file_(std::move(file)) {}
+bool is_one_of(const std::string& word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
-  Numbers read(const std::string& text) {
-    const bool is_at2 = small_letters(std::filesystem::path(file_).extension().string()) == ".at2";
-    return is_at2 ? read_at2(text) : read_csv(text);
+// Whether a word of the name begins so: "ground acc" with acc.
+bool has_word(const std::string& name, std::string_view start) {
+  for (std::size_t at = name.find(start); at != std::string::npos; at = name.find(start, at + 1))
+    if (at == 0 || std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0) return true;
+  return false;
+}
+
+// A letter that stands alone, or before a mark, a digit or an axis: a, a_x, ax, a1.
+bool is_letter(const std::string& name, char letter) {
+  return !name.empty() && name[0] == letter &&
+         (name.size() == 1 || std::isalpha(static_cast<unsigned char>(name[1])) == 0 ||
+          (name.size() == 2 && std::string("xyzgh").find(name[1]) != std::string::npos));
+}
+
+Column column_of(const std::string& text) {
+  Column column;
+  const ColumnHead time = column_head(text, {"s"});
+  const std::string name = small_letters(time.name), whole = small_letters(text);
+  if (whole.starts_with("time") || has_word(whole, "seconds") ||
+      is_one_of(name, {"t", "s", "sec", "secs", "tempo", "temps", "zeit", "tiempo"}))
+    return {ColumnKind::kTime, time};
+  if (is_one_of(whole, {"", "#", "n", "no", "nr", "i", "k", "id", "idx", "index", "row", "num",
+                        "number", "sample", "samples", "point", "points", "step"}) ||
+      whole.starts_with("unnamed"))
+    return {ColumnKind::kIndex, time};
+  column.head = column_head(text, {"m/s^2", "m/s", "m"});
+  if (std::string rest = text; column.head.unit.empty() && !column.head.in_brackets) {
+    for (const char* unit : {"g", "gal", "%g", "mg"})  // UDUNITS has grams and gallons
+      for (const char mark : {'_', ' ', '/'})
+        if (whole.ends_with(mark + std::string(unit)))
+          column.head = {text, text.substr(0, text.size() - std::strlen(unit) - 1), unit};
+  }
+  const std::string bare = small_letters(column.head.name);
+  const std::string& unit = column.head.unit;
+  const bool is_moved = !unit.empty() && acceleration_unit(unit).empty() &&
+                        (!spelt_unit(unit, "m/s").empty() || !spelt_unit(unit, "m").empty());
+  if (has_word(bare, "vel") || has_word(bare, "disp") || has_word(bare, "spost") || is_moved) {
+    column.kind = ColumnKind::kOther;
+  } else if (has_word(bare, "acc") || has_word(bare, "beschl") || is_letter(bare, 'a') ||
+             (!unit.empty() && !acceleration_unit(unit).empty())) {
+    column.kind = ColumnKind::kAcceleration;
+  } else if (bare.starts_with('v') || bare.starts_with('d') || bare.starts_with('u')) {
+    column.kind = ColumnKind::kOther;
+    column.is_certain = false;
+  }
+  return column;
+}
+
+class TableRecord {
+ public:
+  TableRecord(const RecordSpec& record, const std::string& path, const std::string& file)
+      : record_(record), path_(path), file_(file) {}
+
+  RecordNumbers read(const std::string& text) {
+    NumberTable table(text, file_, HeadRule::kMayLack);
+    if (table.is_empty())
+      refuse("file", "", "is empty", "give a record: time_s,acceleration and one row a time");
+    for (const std::string& head : table.head()) columns_.push_back(column_of(head));
+    if (columns_.empty()) columns_.resize(table.width());
+    has_head_ = !table.head().empty();
+    head_line_ = table.head_line();
+    choose_times();
+    choose_accelerations();
+    check_heads();
+    read_rows(table);
+    RecordNumbers n = std::move(numbers_);
+    n.column = has_head_ ? columns_[column_].head.whole : fmt::format("{}", column_ + 1);
+    return n;
   }
 
  private:
-  void fault(int line, std::string value, std::string problem, std::string cure) {
-    context_.faults.add(
-        {file_, path_ + ".file", std::move(value), std::move(problem), std::move(cure), line});
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  [[noreturn]] void refuse(const char* key, std::string value, std::string problem,
+                           std::string cure, int line = 0) const {
+    throw InputError({{line > 0 || std::string_view(key) == "file" ? file_ : "", path_ + '.' + key,
+                       std::move(value), std::move(problem), std::move(cure), line}});
   }
 
-  // --- CSV
-  Numbers read_csv(const std::string& text) {
-    Numbers n;
-    CsvLines lines(text, file_);
-    bool more = lines.next();
-    if (!more) {
-      fault(0, "", "is empty", "give a record: time_s,acceleration and one row for each time");
-      return n;
-    }
-    std::vector<std::string> head;
-    if (std::isnan(number_in(lines.cells().front()))) {
-      head = lines.cells();
-      more = lines.next();
-    }
-    const std::size_t width = head.empty() ? lines.cells().size() : head.size();
-    if (!choose_columns(head, width)) return n;
-    check_head(head);
-    for (; more && !enough(context_.faults); more = lines.next()) read_row(lines, n);
-    return n;
+  // "time_s, ns, ew", or their numbers.
+  [[nodiscard]] std::string names() const {
+    std::vector<std::string> all;
+    for (const Column& column : columns_) all.push_back(column.head.whole);
+    return has_head_ ? joined(all, ", ") : fmt::format("1 to {}", columns_.size());
+  }
+  [[nodiscard]] std::vector<std::size_t> of_kind(ColumnKind kind) const {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      if (columns_[k].kind == kind && k != time_) found.push_back(k);
+    return found;
   }
 
-  bool choose_columns(const std::vector<std::string>& head, std::size_t width) {
-    const auto named = [&](const std::string& name) {
-      for (std::size_t k = 0; k < head.size(); ++k)
-        if (small_letters(head[k]) == small_letters(name)) return static_cast<int>(k);
-      return -1;
-    };
-    for (const char* name : {"time_s", "t_s", "time", "t", "time (s)", "time [s]", "time(s)",
-                             "time[s]", "seconds", "sec", "s"})
-      if (time_ < 0) time_ = named(name);
-    if (time_ < 0 && width > 1 && std::isnan(record_.step)) time_ = 0;
-    column_ = width > 1 ? (time_ == 1 ? 0 : 1) : 0;
-    if (record_.column.empty()) return true;
+  void choose_times() {
+    const std::vector<std::size_t> named = of_kind(ColumnKind::kTime);
+    if (named.size() > 1)
+      refuse("file", names(), "has several columns of times", "leave one of them", head_line_);
+    if (!named.empty()) {
+      time_ = named.front();
+      return;
+    }
+    // without a name: the first of two, or the first where there is no head
+    const std::vector<std::size_t> motions = of_kind(ColumnKind::kAcceleration);
+    const std::vector<std::size_t> rows = of_kind(ColumnKind::kIndex);
+    const std::size_t width = columns_.size() - rows.size();
+    const bool is_told = has_head_ ? width == 2 && motions.size() < 2 : width > 1;
+    if (!is_told || (!has_head_ && width > 2 && !std::isnan(record_.step))) return;
+    for (std::size_t k = 0; k < columns_.size() && time_ == kNone; ++k)
+      if (columns_[k].kind == ColumnKind::kUnknown) time_ = k;
+    if (time_ == kNone)
+      refuse("file", names(), "has no column of times", "call it time_s", head_line_);
+  }
+
+  void choose_accelerations() {
+    if (!record_.column.empty()) return choose_named();
+    const std::vector<std::size_t> motions = of_kind(ColumnKind::kAcceleration);
+    const std::vector<std::size_t> unknown = of_kind(ColumnKind::kUnknown);
+    std::size_t others = 0;
+    for (const Column& column : columns_) others += column.kind == ColumnKind::kOther ? 1 : 0;
+    is_named_ = motions.size() == 1;
+    if (is_named_)
+      column_ = motions.front();
+    else if (motions.empty() && unknown.size() == 1 && others == 0)
+      column_ = unknown.front();
+    else if (columns_.size() == 1 && columns_[0].kind == ColumnKind::kOther &&
+             columns_[0].is_certain)
+      refuse("file", names(), "is no column of accelerations",
+             "give the accelerations of this record", head_line_);
+    else
+      refuse("column", "",
+             fmt::format("is missing: {} has the columns {}, and {} is named as an acceleration",
+                         file_, names(), motions.empty() ? "none of them" : "more than one"),
+             has_head_ ? fmt::format("write {}.column = \"NAME\" with one of them", path_)
+                       : fmt::format("write {}.column = 2, or whichever holds the accelerations; "
+                                     "of numbers without columns write one a line",
+                                     path_));
+  }
+
+  void choose_named() {
     const double number = number_in(record_.column);
-    const bool is_number = number >= 1 && number <= kMostColumns;  // else its int is anything
-    column_ = is_number ? static_cast<int>(number) - 1 : named(record_.column);
-    if (column_ >= 0 && column_ < static_cast<int>(width) && column_ != time_) return true;
-    std::string all;
-    for (const std::string& name : head) all += (all.empty() ? "" : ", ") + name;
-    context_.fault(
-        path_ + ".column", 0, record_.column, "is no column of accelerations in " + file_,
-        all.empty() ? fmt::format("write a number from 1 to {}", width) : "write one of: " + all);
-    return false;
-  }
-
-  // Units and quantities that the head names: "time_ms", "acc [m/s2]", "acceleration_g", "velocity_m_s".
-  void check_head(const std::vector<std::string>& head) {
-    const auto words_of = [&](int column) {
-      std::set<std::string> words;
-      std::string word;
-      for (const char c : small_letters(head[static_cast<std::size_t>(column)]) + ' ') {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-          word += c;
-        else if (!word.empty())
-          words.insert(std::exchange(word, ""));
+    std::vector<std::size_t> found;
+    if (number >= 1 && number <= static_cast<double>(columns_.size())) {
+      found = {static_cast<std::size_t>(number) - 1};
+    } else {
+      for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const std::string asked = small_letters(record_.column);
+        const ColumnHead& head = columns_[k].head;
+        if (has_head_ && (small_letters(head.whole) == asked || small_letters(head.name) == asked))
+          found.push_back(k);
       }
-      return words;
-    };
-    const auto are_there = [&](int column) {
-      return column >= 0 && column < static_cast<int>(head.size());
-    };
-    if (are_there(time_)) {
-      const std::set<std::string> words = words_of(time_);
-      for (const char* name : {"ms", "msec", "milliseconds", "min", "minutes"})
-        if (words.contains(name))
-          fault(1, head[static_cast<std::size_t>(time_)], "has times that are not in seconds",
-                "write the times in seconds, under time_s");
     }
-    if (!are_there(column_)) return;
-    const std::string& name = head[static_cast<std::size_t>(column_)];
-    if (!is_of_accelerations(small_letters(name), 1, name)) return;
-    const std::set<std::string> words = words_of(column_);
-    if (words.contains("mm") || words.contains("mg"))
-      fault(1, name, "is in a unit that is not known here", "write it in g, m/s2 or cm/s2");
-    else if (words.contains("cm") || words.contains("gal"))
-      compare_unit(RecordUnit::kCentimetres, name, 1);
-    else if (words.contains("m"))
-      compare_unit(RecordUnit::kMetres, name, 1);
-    else if (words.contains("g"))
-      compare_unit(RecordUnit::kGravity, name, 1);
+    if (found.size() > 1)
+      refuse("column", record_.column, "is the name of several columns of " + file_,
+             fmt::format("write a number from 1 to {}", columns_.size()));
+    if (found.empty() || found.front() == time_ ||
+        columns_[found.front()].kind == ColumnKind::kTime)
+      refuse("column", record_.column, "is no column of accelerations in " + file_,
+             (has_head_ ? "write one of: " : "write a number from ") + names());
+    column_ = found.front();
+    is_named_ = true;
   }
 
-  // Velocities and displacements come in the same kinds of files.
-  bool is_of_accelerations(const std::string& head, int line, const std::string& value) {
-    for (const char* other : {"velocity", "displacement", "vel_", "disp_"})
-      if (head.find(other) != std::string::npos) {
-        fault(line, value, "is no column of accelerations",
-              "give the accelerations of this record");
-        return false;
+  // What the heads of the two columns say of their units.
+  void check_heads() {
+    if (time_ != kNone && columns_[time_].kind == ColumnKind::kTime) {
+      const ColumnHead& head = columns_[time_].head;
+      const std::string unit = spelt_unit(head.unit, "s");
+      if (!head.unit.empty() && (unit.empty() || unit_factor(unit, "s") != 1))
+        refuse("file", head.whole, "has times that are not in seconds",
+               "write the times in seconds, under time_s", head_line_);
+    }
+    const Column& chosen = columns_[column_];
+    if (chosen.kind == ColumnKind::kOther && chosen.is_certain)
+      refuse("file", chosen.head.whole, "is no column of accelerations",
+             "give the accelerations of this record", head_line_);
+    if (chosen.head.unit.empty() && !chosen.head.in_brackets) return;
+    numbers_.unit = stated_unit(chosen.head.unit);
+    numbers_.stated = chosen.head.whole;
+    numbers_.line = head_line_;
+    if (numbers_.unit == RecordUnit::kNone)
+      refuse("file", chosen.head.whole, "is in a unit that is not known here",
+             "write it in g, m/s2 or cm/s2", head_line_);
+  }
+
+  void read_rows(NumberTable& table) {
+    FaultList faults;
+    const auto number = [&](std::size_t column) {
+      const double value = table.number(column);
+      if (std::isnan(value)) {
+        Fault fault = table.no_number(column);
+        fault.path = path_ + ".file";
+        faults.add(std::move(fault));
       }
-    return true;
-  }
-  void compare_unit(RecordUnit unit, const std::string& stated, int line) {
-    if (record_.unit != RecordUnit::kNone && unit != record_.unit)
-      fault(line, stated, "is the file's unit, and the model file states another",
-            fmt::format("write {}.unit = \"{}\"", path_, word_of(kRecordUnitWords, unit)));
-  }
-
-  void read_row(const CsvLines& lines, Numbers& n) {
-    const auto number = [&](int column) {
-      const auto k = static_cast<std::size_t>(column);
-      const std::string cell = k < lines.cells().size() ? lines.cells()[k] : "";
-      const double value = number_in(cell);
-      if (std::isnan(value))
-        fault(lines.line(), cell.empty() ? lines.text() : cell,
-              cell.empty() ? fmt::format("has no number in column {}", column + 1) : "is no number",
-              "write numbers with a decimal point, cells with commas between them");
       return value;
     };
-    const double a = number(column_), t = time_ >= 0 ? number(time_) : 0;
-    if (std::isnan(a) || std::isnan(t)) return;
-    if (time_ >= 0 && !n.time.empty() && !(t > n.time.back()))
-      return fault(lines.line(), fmt::format("{:g} s after {:g} s", t, n.time.back()),
-                   "times do not rise", "sort the rows, and give each time once");
-    if (time_ >= 0) n.time.push_back(t);
-    n.acceleration.push_back(a);
+    while (!enough(faults) && table.next()) {
+      const double a = number(column_), t = time_ == kNone ? 0 : number(time_);
+      if (std::isnan(a) || std::isnan(t)) continue;
+      if (time_ != kNone && !numbers_.time.empty() && !(t > numbers_.time.back()))
+        faults.add({file_, path_ + ".file",
+                    fmt::format("{:g} s after {:g} s", t, numbers_.time.back()),
+                    "times do not rise", "sort the rows, and give each time once", table.line()});
+      if (time_ != kNone) numbers_.time.push_back(t);
+      numbers_.acceleration.push_back(a);
+    }
+    faults.throw_if_any();
+    if (!is_named_ && rises_evenly(numbers_.acceleration))
+      refuse("column", fmt::format("column {}", column_ + 1),
+             "rises evenly, as row numbers and times do: no acceleration",
+             fmt::format("write {}.column = \"NAME\" or its number; columns: {}", path_, names()));
   }
 
-  // --- AT2
-  Numbers read_at2(const std::string& text) {
-    Numbers n;
-    std::istringstream lines(text);
-    std::string line;
-    double stated = kUnset;
-    for (int k = 1; k <= 4 && std::getline(lines, line); ++k) {
-      const std::string head = small_letters(line);
-      if (head.find("units of") != std::string::npos) check_unit(head, k);
-      if (head.find("npts") != std::string::npos) read_head(head, stated, n.step);
-    }
-    if (!(stated > 0) || !(n.step > 0)) {
-      fault(4, line, "states no NPTS and DT", "is this an AT2 file of PEER? Else write a CSV");
-      return n;
-    }
-    int at = 4;
-    while (std::getline(lines, line) && !enough(context_.faults)) {
-      ++at;
-      std::istringstream cells(line);
-      std::string cell;
-      while (!enough(context_.faults) && cells >> cell) {  // a file may be one line
-        const double value = number_in(cell);
-        if (std::isnan(value)) fault(at, cell, "is no number", "repair the file, or fetch it anew");
-        n.acceleration.push_back(value);
-      }
-    }
-    const auto found = static_cast<double>(n.acceleration.size());
-    if (found != stated && !enough(context_.faults))
-      fault(at, fmt::format("{:.0f} numbers", found),
-            fmt::format("are not the {:.0f} that NPTS states: lines are {}", stated,
-                        found < stated ? "missing" : "too many"),
-            "fetch the whole file");
-    return n;
+  static bool rises_evenly(const std::vector<double>& values) {
+    constexpr double kOff = 1e-3;  // of a step: decimals that are cut
+    if (values.size() < 5 || values[1] == values[0]) return false;
+    const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+    for (std::size_t k = 1; k < values.size(); ++k)
+      if (!(std::fabs(values[k] - values[k - 1] - step) <= kOff * std::fabs(step))) return false;
+    return step > 0;
   }
 
-  void check_unit(const std::string& head, int line) {
-    constexpr std::string_view kBefore = "units of";
-    const std::string_view after =
-        std::string_view(head).substr(head.find(kBefore) + kBefore.size());
-    const std::string stated(trimmed(after));
-    // "g", "gal", "cm/s/s", "m/s**2 ...": the letters in front tell
-    const std::string letters =
-        stated.substr(0, stated.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
-    const RecordUnit unit = letters == "g"                        ? RecordUnit::kGravity
-                            : letters == "gal" || letters == "cm" ? RecordUnit::kCentimetres
-                            : letters == "m"                      ? RecordUnit::kMetres
-                                                                  : RecordUnit::kNone;
-    if (unit == RecordUnit::kNone)
-      return fault(line, stated, "is no unit of accelerations that is known here",
-                   "write the file's numbers as a CSV in g, m/s2 or cm/s2");
-    if (stated == "cm/s" || stated == "m/s" || stated == "cm/sec" || stated == "m/sec")
-      return fault(line, stated, "is a unit of velocities",
-                   "give the accelerations of this record");
-    if (is_of_accelerations(head, line, std::string(trimmed(head))))
-      compare_unit(unit, stated, line);
-  }
-
-  // "npts=  4000, dt=   .0050 sec" or "4000   .0050   npts, dt".
-  static void read_head(const std::string& head, double& count, double& step) {
-    std::vector<double> numbers;
-    std::string cell;
-    for (const char c : head + ' ') {
-      if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == 'e' || c == '-') {
-        cell += c;
-        continue;
-      }
-      const double value = cell.empty() ? kUnset : number_in(cell);
-      if (!std::isnan(value)) numbers.push_back(value);
-      cell.clear();
-    }
-    if (numbers.size() < 2) return;
-    count = numbers[0];
-    step = numbers[1];
-  }
-
-  ReadContext& context_;
   const RecordSpec& record_;
-  std::string path_, file_;
-  int time_ = -1, column_ = 0;
+  const std::string &path_, &file_;
+  RecordNumbers numbers_;
+  std::vector<Column> columns_;
+  std::size_t time_ = kNone, column_ = kNone;
+  int head_line_ = 0;
+  bool has_head_ = false, is_named_ = false;
 };
 
 void look_for_gaps(ReadContext& context, const std::string& file, const std::string& path,
@@ -272,15 +292,36 @@ double in_metres(const RecordSpec& r, double gravity) {
   return r.unit == RecordUnit::kGravity ? gravity : r.unit == RecordUnit::kCentimetres ? 1e-2 : 1;
 }
 
-void read_file_of(ReadContext& context, const std::string& folder, double gravity,
-                  const std::string& path, RecordSpec& r) {
-  const std::string file = (std::filesystem::path(folder) / r.file).string();
+RecordNumbers numbers_of(ReadContext& context, const std::string& file, const std::string& path,
+                         const RecordSpec& r) {
+  const bool given = context.records != nullptr && context.records->contains(r.file);
+  const std::string text = given ? context.records->at(r.file) : read_text(file, kMostCsv);
+  if (std::optional<RecordNumbers> known = read_record_format(text, file)) {
+    if (!r.column.empty())
+      throw InputError({{"", path + ".column", r.column, "has no meaning: " + file + " is no table",
+                         "leave it out", 0}});
+    return std::move(*known);
+  }
+  return TableRecord(r, path, file).read(text);
+}
+
+// A step that the model states beside one of the file, or beside its times.
+void check_step(ReadContext& context, const std::string& file, const std::string& path,
+                const RecordSpec& r, double step) {
+  constexpr double kSame = 1e-3;  // times are written with few digits
+  if (std::isnan(r.step) || std::isnan(step) || std::fabs(r.step - step) <= kSame * step) return;
+  context.fault(path + ".step", 0, fmt::format("{:g} s", r.step),
+                fmt::format("is not the step of {}, {:g} s", file, step),
+                "leave it out; to stretch a record in time, change the file");
+}
+
+void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string& path,
+                  RecordSpec& r) {
+  const std::string file = (std::filesystem::path(spec.folder) / r.file).string();
   const std::size_t before = context.faults.all().size();
-  Numbers n;
+  RecordNumbers n;
   try {
-    const bool given = context.records != nullptr && context.records->contains(r.file);
-    n = RecordReader(context, r, path, file)
-            .read(given ? context.records->at(r.file) : read_text(file, kMostCsv));
+    n = numbers_of(context, file, path, r);
   } catch (const InputError& error) {
     for (Fault fault : error.faults()) {
       if (fault.path.empty()) fault.path = path + ".file";
@@ -290,25 +331,33 @@ void read_file_of(ReadContext& context, const std::string& folder, double gravit
     context.fault(path + ".file", 0, r.file, error.what(),
                   "the path counts from the folder of the model file");
   }
+  if (n.unit != RecordUnit::kNone && n.unit != r.unit)
+    context.faults.add(
+        {file, path + ".file", n.stated, "is the file's unit, and the model file states another",
+         fmt::format("write {}.unit = \"{}\"", path, word_of(kRecordUnitWords, n.unit)), n.line});
   if (context.faults.all().size() > before) return;
-  const double step = std::isnan(n.step) ? r.step : n.step;
-  if (n.time.empty() && !(step > 0))
+  if (n.time.empty() && std::isnan(n.step) && !(r.step > 0))
     return context.fault(path + ".step", 0, "", "is missing: the file has no times",
                          "write step = \"0.005 s\"");
-  if (n.time.empty())
-    for (std::size_t k = 0; k < n.acceleration.size(); ++k)
-      n.time.push_back(static_cast<double>(k) * step);
-  if (n.time.size() < 2)
+  const std::size_t count = n.acceleration.size();
+  if (count < 2)
     return context.fault(path + ".file", 0, r.file, "holds fewer than two accelerations",
                          "give the whole record");
+  const double between = static_cast<double>(count - 1);
+  check_step(context, file, path, r,
+             n.time.empty() ? n.step : (n.time.back() - n.time.front()) / between);
+  const double step = std::isnan(n.step) ? r.step : n.step;
+  if (n.time.empty())
+    for (std::size_t k = 0; k < count; ++k) n.time.push_back(static_cast<double>(k) * step);
   look_for_gaps(context, file, path, n.time);
-  for (double& a : n.acceleration) a *= in_metres(r, gravity);
+  for (double& a : n.acceleration) a *= in_metres(r, spec.solve.gravity);
   const std::string hash = record_hash(n.time, n.acceleration);
   if (!r.hash.empty() && r.hash != hash)
     context.fault(path + ".hash", 0, r.hash,
                   fmt::format("is not that of {}, {}: the record is another", file, hash),
                   "restore the file, or leave hash out");
   r.hash = hash;
+  r.column = n.column;
   r.read_times = std::move(n.time);
   r.read_accelerations = std::move(n.acceleration);
 }
@@ -322,7 +371,7 @@ void read_records(ReadContext& context, ModelSpec& spec) {
       RecordSpec& record = spec.stage[k].record[i];
       check_sources(context, record, path);
       if (!record.file.empty() && record.unit != RecordUnit::kNone)
-        read_file_of(context, spec.folder, spec.solve.gravity, path, record);
+        read_file_of(context, spec, path, record);
     }
 }
 

@@ -14,33 +14,42 @@
 
 namespace wythe::io {
 
-CsvLines::CsvLines(std::string_view text, const std::string& file) : rest_(text), file_(file) {
+CsvLines::CsvLines(std::string_view text, const std::string& file, char delimiter)
+    : rest_(text), file_(file), delimiter_(delimiter) {
   if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // as spreadsheets write it
 }
 
 bool CsvLines::next() {
   while (!rest_.empty()) {
     const std::size_t end = rest_.find('\n');
-    text_of_line_ = trimmed(rest_.substr(0, end));
+    const std::string_view line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     ++line_;
+    text_of_line_ = trimmed(line);
+    if (text_of_line_.starts_with('#')) comment_ = trimmed(text_of_line_.substr(1));
     if (text_of_line_.empty() || text_of_line_.starts_with('#')) continue;
     if (++rows_ > kMostRows + 1) refuse(kMostRows, "rows");  // and the head
-    cut();
+    // a first cell that is empty begins with the tab that ends it
+    cells_ = cells_of(delimiter_ == '\t' ? line : text_of_line_, delimiter_, kMostColumns);
+    if (cells_.size() > kMostColumns) refuse(kMostColumns, "cells in a line");
     return true;
   }
   return false;
 }
 
-void CsvLines::cut() {
-  cells_.clear();
-  for (std::string_view left = text_of_line_;;) {
-    const std::size_t comma = left.find(',');
-    cells_.emplace_back(trimmed(left.substr(0, comma)));
-    if (comma == std::string_view::npos) return;
-    if (cells_.size() == kMostColumns) refuse(kMostColumns, "cells in a line");
-    left.remove_prefix(comma + 1);
+std::vector<std::string> cells_of(std::string_view line, char delimiter, std::size_t most) {
+  std::vector<std::string> cells;
+  const auto ends = [&](char c) { return c == delimiter || (delimiter == kBlanks && c == '\t'); };
+  std::size_t begin = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i <= line.size() && cells.size() <= most; ++i) {
+    if (i < line.size() && line[i] == '"') quoted = !quoted;
+    if (i < line.size() && (quoted || !ends(line[i]))) continue;
+    const std::string_view cell = trimmed(line.substr(begin, i - begin));
+    if (delimiter != kBlanks || !cell.empty()) cells.emplace_back(cell);
+    begin = i + 1;
   }
+  return cells;
 }
 
 void CsvLines::refuse(int most, const char* what) const {

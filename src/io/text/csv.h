@@ -1,4 +1,4 @@
-// Lines of a CSV text, one after the other, as cells: the one place that cuts them (core/limits.h).
+// Lines of a text, one after the other, as cells: the one place that cuts them (core/limits.h).
 #pragma once
 
 #include <string>
@@ -7,10 +7,13 @@
 
 namespace wythe::io {
 
+// Between cells: a mark, or any number of blanks and tabs; of a whole line there is one cell.
+constexpr char kBlanks = ' ', kWholeLine = '\n';
+
 class CsvLines {
  public:
-  // `text` and `file` outlive it.
-  CsvLines(std::string_view text, const std::string& file);
+  // `text` and `file` outlive it. A mark within quotes is a part of its cell.
+  CsvLines(std::string_view text, const std::string& file, char delimiter = ',');
 
   // To the next line that says something: neither blank nor a comment (#). False at the end. Throws
   // InputError at a line of more than kMostColumns cells, and at the line beyond kMostRows.
@@ -18,6 +21,8 @@ class CsvLines {
   [[nodiscard]] const std::vector<std::string>& cells() const { return cells_; }  // trimmed
   [[nodiscard]] const std::string& text() const { return text_of_line_; }         // trimmed
   [[nodiscard]] int line() const { return line_; }                                // from 1
+  // The last comment before the line, without its #.
+  [[nodiscard]] const std::string& comment() const { return comment_; }
 
  private:
   [[noreturn]] void refuse(int most, const char* what) const;
@@ -25,10 +30,15 @@ class CsvLines {
 
   std::string_view rest_;
   const std::string& file_;
-  std::string text_of_line_;
+  char delimiter_;
+  std::string text_of_line_, comment_;
   std::vector<std::string> cells_;
   int line_ = 0, rows_ = 0;
 };
+
+// A line in cells, trimmed; `most` and one more at most.
+[[nodiscard]] std::vector<std::string> cells_of(std::string_view line, char delimiter,
+                                                std::size_t most);
 
 // Text as one cell (RFC 4180): quoted where it holds what would end it. A spreadsheet runs a cell that begins
 // with = + - @ as a formula: such a text gets a ' in front, and so does one that begins with ' itself.

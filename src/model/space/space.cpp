@@ -1,5 +1,6 @@
 #include "model/space/space.h"
 
+#include "model/densities.h"
 #include "model/shaking.h"
 
 #include <fmt/core.h>
@@ -519,6 +520,7 @@ Model compile_space(const ModelSpec& spec, const SpaceAssembly& assembly) {
   faults.throw_if_any();
   carry_floors(bare, model);
   fields.describe(spec, assembly, id, model);
+  note_densities(spec, model);
   bound_space_step(model);
   set_dashpots(model);
   set_ramps(model);

@@ -217,6 +217,14 @@ TEST(StudyRefused, measured_values_that_are_none) {
             std::string::npos);
   EXPECT_NE(fault("ft_MPa\n1\n", "fz").find("no such column in the head"), std::string::npos);
   EXPECT_EQ(fault("ft [kPa]\n100\n", "ft"), "");
+  for (const char* csv : {"n;ft (MPa)\n1;0,1\n2;0,2\n", ",ft_MPa\n0,0.1\n1,0.2\n",
+                          "wall\tft [N/mm^2]\nA\t0.1\nB\t0.2\n", "n ft_MPa\n1 0.1\n2 0.2\n"})
+    EXPECT_EQ(fault(csv, "ft"), "") << csv;
+  EXPECT_EQ(fault(",ft_MPa\n0,0.1\n1,0.2\n", ""), "");
+  EXPECT_NE(fault("ft_MPa,ft_kPa\n0.1,100\n", "ft").find("several columns of this name"),
+            std::string::npos);
+  EXPECT_NE(fault("n;ft_MPa\n1;0,1\n2;0.2\n", "ft").find("another decimal mark"),
+            std::string::npos);
 }
 
 TEST(StudyRefused, faults_of_the_base_model_and_of_settings) {

@@ -53,6 +53,19 @@ std::string refusal(const std::string& text, const std::string& si_unit) {
   return "";
 }
 
+// UDUNITS reads a short ton and a grain, which nobody means who weighs masonry.
+TEST(QuantityRefused, words_that_mean_two_things) {
+  for (const char* text : {"1.8 ton/m^3", "1.8 ton m-3", "1.8 tons/m^3", "0.0018 kton/m^3"})
+    EXPECT_NE(refusal(text, "kg/m^3").find("write t (1000 kg) or 2000 lb"), std::string::npos)
+        << text;
+  for (const char* text : {"1.8 gr/cm^3", "1800 kgr/m^3", "1.8 gr cm-3"})
+    EXPECT_NE(refusal(text, "kg/m^3").find("write g"), std::string::npos) << text;
+  for (const char* text : {"15 ton_force/m^2", "15 ton_force m-2"})
+    EXPECT_NE(refusal(text, "Pa").find("9.80665 kN"), std::string::npos) << text;
+  for (const char* text : {"1.8 t/m^3", "1.8 tonne/m^3", "1.8 metric_ton/m^3", "1.8 g/cm^3"})
+    EXPECT_NEAR(parse_quantity(text, "kg/m^3"), 1800, 1e-9) << text;
+}
+
 TEST(QuantityRefused, bare_number_names_the_cure) {
   EXPECT_EQ(refusal("5.10", "m"), "has no unit; write it with its unit, e.g. \"5.10 m\"");
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <utility>
 
 #include "model/shaking.h"
 #include "scenes/places.h"
@@ -227,6 +229,206 @@ TEST_F(RecordFile, units_in_the_head_of_a_csv_are_compared) {
   says(refusal("record = [{ file = \"v.AT2\", unit = \"cm/s2\" }]\n"), {"is a unit of velocities"});
 }
 
+// A motion of 0.2 g whose numbers can't be taken for others.
+const double kMotion[] = {0, 98.1, -196.2, 49.05};  // [cm/s2]
+
+// As the file that `row` writes, one line for each time and acceleration, under `head`.
+std::string motion(const std::string& head, const std::function<std::string(int, double)>& row) {
+  std::string text = head;
+  for (int k = 0; k < 4; ++k) text += row(k, kMotion[k]) + "\n";
+  return text;
+}
+
+TEST_F(RecordFile, tables_are_read_whatever_stands_between_their_cells) {
+  const auto with = [](const char* format) {
+    return [format](int k, double a) {
+      std::string text = fmt::format(fmt::runtime(format), 0.5 * k, a);
+      if (std::string(format).find(';') != std::string::npos)
+        std::replace(text.begin(), text.end(), '.', ',');
+      return text;
+    };
+  };
+  const std::pair<std::string, std::function<std::string(int, double)>> files[] = {
+      {"time;acc\n", with("{:.2f};{:.3f}")},
+      {"\"Zeit (s)\";\"acc (cm/s2)\"\n", with("{:.2f};{:.3f}")},
+      {"t [s]\tacc [cm/s^2]\n", with("{:.2f}\t{:.3f}")},
+      {"t [s]   acc [cm/s^2]\n", with("  {:.2f}   {:.3f}")},
+      {"", with("{:.2f} {:.3f}")},
+      {"\xEF\xBB\xBFtime, acc\r\n", with("\"{:.2f}\", \"{:.3f}\"\r")},
+      {"# time acc_cm_s2\n", with("{:.2f} {:.3f}")},
+      {"time,acc\n", with("{:.2f},{:.3f},")}};
+  for (const auto& [head, row] : files) {
+    write("a.csv", motion(head, row));
+    const auto& read =
+        parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n").stage.back().record.front();
+    ASSERT_EQ(read.read_accelerations.size(), 4U) << head;
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_DOUBLE_EQ(read.read_accelerations[k], kMotion[k] / 100) << head;
+      EXPECT_DOUBLE_EQ(read.read_times[k], 0.5 * k) << head;
+    }
+  }
+}
+
+TEST_F(RecordFile, decimal_commas_are_read_or_refused_and_never_cut) {
+  const char* const kRecord =
+      "record = { file = \"a.csv\", unit = \"cm/s2\", step = \"0.05 s\" }\n";
+  for (const char* text : {"time,acc\n0,00,0,1\n0,05,0,2\n0,10,0,1\n",  // four cells
+                           "0,0000\n0,0936\n0,2616\n", "acc\n0,0000\n0,0936\n0,2616\n",
+                           "time;acc\n0,00;0.1\n0,05;0.2\n0,10;0.1\n",
+                           "time;acc\n0,00;1.000,5\n0,05;0,2\n0,10;0,1\n"}) {
+    write("a.csv", text);
+    EXPECT_NE(refusal(kRecord), "accepted") << text;
+  }
+}
+
+TEST_F(RecordFile, the_column_is_the_one_that_is_named_as_an_acceleration) {
+  const auto row = [](int k, double a) {
+    return fmt::format("{},{:.2f},{},{}", k, 0.5 * k, a / 10, a);
+  };
+  const auto peak = [&](const std::string& head, const std::string& more = "") {
+    write("a.csv", motion(head + "\n", row));
+    const RecordSpec read = parse("record = { file = \"a.csv\", unit = \"cm/s2\"" + more + " }\n")
+                                .stage.back()
+                                .record.front();
+    return *std::min_element(read.read_accelerations.begin(), read.read_accelerations.end());
+  };
+  for (const char* head : {",time_s,vel,acc", "n,t,v_cm_s,a_cm_s2", "Unnamed: 0,time,d,a",
+                           "index,Time (s),u [cm],acceleration", "row,t [s],disp,ax",
+                           ",t,x (cm/s),y (cm/s^2)", "i,time,north,ns_acc"})
+    EXPECT_DOUBLE_EQ(peak(head), -1.962) << head;
+  EXPECT_DOUBLE_EQ(peak(",time,ax,ay", ", column = \"ay\""), -1.962);
+  EXPECT_DOUBLE_EQ(peak(",time,ax,ay", ", column = \"4\""), -1.962);
+  for (const char* head :
+       {",time,ax,ay", ",time,north,east", ",time,v,d", ",time,vel,disp", ",time,up,east"}) {
+    write("a.csv", motion(std::string(head) + "\n", row));
+    says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), {"column", "time"});
+  }
+  says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\", column = \"acc\" }\n"),
+       {"is no column of accelerations", "time, up, east"});
+  write("a.csv", motion("", row));
+  says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\" }\n"), {"column", "1 to 4"});
+}
+
+TEST_F(RecordFile, row_numbers_and_times_are_no_accelerations) {
+  const auto told = [&](const std::string& head, const std::string& keys) {
+    std::string text = head;
+    for (int k = 0; k < 9; ++k) text += fmt::format("{},{:.2f}\n", k, 0.05 * k);
+    write("a.csv", text);
+    return refusal("record = { file = \"a.csv\", unit = \"cm/s2\"" + keys + " }\n");
+  };
+  says(told("", ""), {"rises evenly"});
+  says(told("x,y\n", ""), {"rises evenly"});
+  says(told("time,what\n", ""), {"rises evenly"});
+  write("a.csv", "0\n1\n2\n3\n4\n5\n");
+  says(refusal("record = { file = \"a.csv\", unit = \"cm/s2\", step = \"1 s\" }\n"),
+       {"rises evenly"});
+}
+
+TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
+  const auto told = [&](const std::string& head, const char* unit) {
+    write("a.csv", "time," + head + "\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+    return refusal(std::string("record = { file = \"a.csv\", unit = \"") + unit + "\" }\n");
+  };
+  for (const char* head : {"acc [cm/s^2]", "acc (cm/s/s)", "a [cm/sec**2]", "acc_cm_s2",
+                           "acc [Gal]", "acc (gal)", "ACC [CM/S2]", "acc cm/s²", "acc_cm_per_s2"})
+    EXPECT_EQ(told(head, "cm/s2"), "accepted") << head;
+  for (const char* head : {"acc (g)", "acc [G]", "a_g", "acc g"})
+    EXPECT_EQ(told(head, "g"), "accepted") << head;
+  for (const char* head : {"acc [%g]", "acc (in/s2)", "acc_in_s2", "acc (ft/s^2)", "acc [mm/s2]",
+                           "acc (mg)", "acc_mg", "acc [-]", "acc (raw)", "acc [counts]"})
+    for (const char* unit : {"g", "m/s2", "cm/s2"})
+      says(told(head, unit), {"unit that is not known here", "g, m/s2 or cm/s2"});
+  for (const char* head : {"acc [m]", "x [cm/s]", "acc (kN)"})
+    EXPECT_NE(told(head, "g"), "accepted") << head;
+  for (const char* head : {"acc [cm/s^2]", "acc (gal)", "acc_m_s2"})
+    says(told(head, "g"), {"states another"});
+}
+
+TEST_F(RecordFile, a_step_beside_that_of_the_file_is_refused) {
+  const auto told = [&](const char* file, const char* step) {
+    return refusal(std::string("record = { file = \"") + file + "\", unit = \"g\", step = \"" +
+                   step + "\" }\n");
+  };
+  write("a.csv", "time,acc\n0,0.1\n0.01,0.2\n0.02,-0.1\n");
+  write("b.csv", "0 0.1\n0.01 0.2\n0.02 -0.1\n");
+  write("c.AT2", "ACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 -.1\n");
+  for (const char* file : {"a.csv", "b.csv", "c.AT2"}) {
+    EXPECT_EQ(told(file, "0.01 s"), "accepted") << file;
+    says(told(file, "0.005 s"), {"is not the step of", "0.01 s"});
+  }
+}
+
+TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
+  for (const char* head :
+       {"Own\n3 points at equal spacing of 0.05 sec\nfive across\nx\nThe units are (g)\n*** Begin "
+        "***\n"
+        "NPTS=  3, DT= .05000 SEC\n",
+        "PEER\nOwn, 1 Jan 2000\nACCELERATION TIME SERIES IN UNITS OF G\nDT= .0500 SEC, NPTS=  3\n",
+        "PEER\nhouse, units of 3 storeys\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  3, DT= "
+        ".05\n",
+        "PEER\nx\nACCELERATION TIME HISTORY IN UNITS OF G.\n  3   .0500  NPTS, DT\n",
+        "ACCELERATION, UNITS: g\nNPTS: 3 DT: 5e-2\n", "DT=0.05 NPTS=3\n"}) {
+    write("a.AT2", std::string(head) + " .1E+00 -.2 .3\n");
+    const RecordSpec read =
+        parse("record = { file = \"a.AT2\", unit = \"g\" }\n").stage.back().record.front();
+    ASSERT_EQ(read.read_times.size(), 3U) << head;
+    EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << head;
+    EXPECT_DOUBLE_EQ(read.read_accelerations[1], -0.2 * 9.81) << head;
+  }
+  write("a.AT2", "some\nwords\n1 2 3\n");
+  says(refusal("record = { file = \"a.AT2\", unit = \"g\" }\n"), {"names NPTS and DT"});
+}
+
+TEST_F(RecordFile, formats_of_the_field_are_read_or_named) {
+  std::string esm =
+      "EVENT_NAME: OWN\nUNITS: cm/s^2\nSAMPLING_INTERVAL_S: 0.05\nNDATA: 4\nDATA_TYPE: "
+      "ACCELERATION\n";
+  for (int k = 1; k < 60; ++k) esm += fmt::format("USER{}:\n", k);
+  write("a.ASC", motion(esm, [](int, double a) { return fmt::format("{:.4f}", a); }));
+  // counts of 1/1000 gal
+  const std::string knet =
+      "Origin Time       2000/01/01 00:00:00\nSampling Freq(Hz) 20Hz\nDuration Time(s)  0.2\n"
+      "Scale Factor      2000(gal)/2000000\nMemo.\n";
+  write("a.NS", motion(knet, [](int, double a) { return fmt::format("{:9.0f}", 1000 * a); }));
+  for (const char* file : {"a.ASC", "a.NS"}) {
+    const RecordSpec read =
+        parse(std::string("record = { file = \"") + file + "\", unit = \"cm/s2\" }\n")
+            .stage.back()
+            .record.front();
+    ASSERT_EQ(read.read_accelerations.size(), 4U) << file;
+    EXPECT_DOUBLE_EQ(read.read_times[1], 0.05) << file;
+    EXPECT_NEAR(read.read_accelerations[2], -1.962, 1e-12) << file;
+    says(refusal(std::string("record = { file = \"") + file + "\", unit = \"g\" }\n"),
+         {"states another", "cm/s2"});
+  }
+  esm.replace(esm.find("TYPE: ACCELERATION"), 18, "TYPE: VELOCITY");
+  write("v.ASC", motion(esm, [](int, double a) { return fmt::format("{:.4f}", a); }));
+  says(refusal("record = { file = \"v.ASC\", unit = \"cm/s2\" }\n"), {"velocity"});
+  write("c.v2",
+        "Corrected accelerogram 57007\nx\n  4 points of accel data equally spaced at  .020 sec, in "
+        "cm/sec2. (8f10.3)\n"
+        "  1.000  2.000  3.000\n");
+  says(refusal("record = { file = \"c.v2\", unit = \"cm/s2\" }\n"), {"CSMIP", "not read here"});
+  write("w.txt", "some words\nother words\n1\n2\n3\n");
+  const std::string told =
+      refusal("record = { file = \"w.txt\", unit = \"cm/s2\", step = \"1 s\" }\n");
+  says(told, {"2 lines before its first number", "begin the others with #"});
+  EXPECT_EQ(told.find('\n'), std::string::npos) << told;  // one fault
+}
+
+TEST_F(RecordFile, what_was_taken_is_told) {
+  write("a.csv", ",time_s,acc_cm_s2\n0,0,10\n1,0.05,-20\n2,0.1,10\n3,0.15,20\n");
+  const std::string all = [&] {
+    std::string text;
+    for (const std::string& note : texts_of(
+             compile(parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n")).anatomy.notes))
+      text += note + "\n";
+    return text;
+  }();
+  says(all, {"a.csv, column acc_cm_s2 in cm/s2, 4 accelerations, one each 50 ms",
+             "mean of 25 % of the peak", "0.0204 g"});
+}
+
 TEST_F(RecordFile, faults_are_named_with_their_lines) {
   write("a.csv", kCsv);
   says(refusal("record = { file = \"a.csv\" }\n"), {"unit", "without its unit"});
@@ -234,15 +436,14 @@ TEST_F(RecordFile, faults_are_named_with_their_lines) {
   says(refusal("record = { file = \"a.csv\", unit = \"g\", column = \"up\" }\n"), {"up", "ns, ew"});
   write("c.csv", "time_s,a\n0,0\n0.01,x\n0.02,\n0.02,1\n0.01,1\n");
   says(refusal("record = { file = \"c.csv\", unit = \"g\" }\n"),
-       {"c.csv:3", "is no number", "c.csv:4", "times do not rise"});
+       {"c.csv:3", "must be a finite number", "c.csv:4", "times do not rise"});
   std::string gap = "time_s,a\n";
   for (int k = 0; k < 40; ++k)
     if (k != 20 && k != 21) gap += fmt::format("{},0.1\n", 0.01 * k);
   write("d.csv", gap);
   says(refusal("record = { file = \"d.csv\", unit = \"g\" }\n"), {"0.19 s to 0.22 s", "missing"});
   write("e.AT2", "a\nb\nACCELERATION IN UNITS OF G\nNPTS= 6, DT= .005 SEC\n1 2 3\n");
-  says(refusal("record = { file = \"e.AT2\", unit = \"cm/s2\" }\n"),
-       {"states another", "3 numbers", "missing"});
+  says(refusal("record = { file = \"e.AT2\", unit = \"g\" }\n"), {"3 numbers", "missing"});
 }
 
 TEST_F(RecordFile, a_wrong_unit_shows_by_its_size) {
@@ -285,10 +486,13 @@ TEST_F(RecordFile, a_shake_that_shakes_nothing_is_told) {
 
 TEST_F(RecordFile, a_changed_file_is_refused_where_its_hash_is_stated) {
   write("a.csv", kCsv);
-  const std::string was =
-      parse("record = { file = \"a.csv\", unit = \"g\" }\n").stage.back().record.front().hash;
+  const std::string was = parse("record = { file = \"a.csv\", unit = \"g\", column = \"ns\" }\n")
+                              .stage.back()
+                              .record.front()
+                              .hash;
   ASSERT_EQ(was.size(), 16U);
-  const std::string lines = "record = { file = \"a.csv\", unit = \"g\", hash = \"" + was + "\" }\n";
+  const std::string lines =
+      "record = { file = \"a.csv\", unit = \"g\", column = \"ns\", hash = \"" + was + "\" }\n";
   EXPECT_EQ(refusal(lines), "accepted");
   write("a.csv", "time_s,ns\n0,0\n0.01,0.3\n0.02,-0.1\n");
   says(refusal(lines), {was.c_str(), "another"});

@@ -176,6 +176,19 @@ std::string path_fault(const std::string& text) {
   return refusal([&] { (void)read_contact_path(path); });
 }
 
+TEST(Path, is_read_as_spreadsheets_write_it) {
+  for (const char* text :
+       {"opening_mm;slip_mm\n0,5;2,5\n", "\"opening [mm]\";\"slip [mm]\"\n0,5;2,5\n",
+        "n\topening (mm)\tslip (mm)\n1\t0.5\t2.5\n", "slip_cm opening_mm\n0.25 0.5\n",
+        "opening_m,slip_m\n0.0005,0.0025\n"}) {
+    const Folder folder;
+    const std::vector<ContactPathRow> rows = read_contact_path(folder.write("p.csv", text));
+    ASSERT_EQ(rows.size(), 1U) << text;
+    EXPECT_DOUBLE_EQ(rows[0].opening, 0.0005) << text;
+    EXPECT_DOUBLE_EQ(rows[0].slip, 0.0025) << text;
+  }
+}
+
 TEST(PathRefused, missing_column) {
   EXPECT_EQ(path_fault("opening_mm,slip\n0,0\n"),
             "p.csv:1: slip_mm: no such column in the header; the columns are opening_mm, slip; "
@@ -185,8 +198,8 @@ TEST(PathRefused, missing_column) {
 TEST(PathRefused, bad_numbers_all_at_once) {
   const std::string fault = path_fault("opening_mm,slip_mm\n0,0\nx,0\n0,nan\n");
   EXPECT_EQ(fault,
-            "p.csv:4: slip_mm = nan: must be a finite number; write it in millimetres with a "
-            "decimal point, e.g. 0.05");
+            "p.csv:4: slip_mm = nan: must be a finite number; write it as 0.05 or 1.5e-3, without "
+            "a unit or marks of thousands");
   const Folder folder;
   const std::string path = folder.write("p.csv", "opening_mm,slip_mm\nx,0\n0,y\n");
   try {
@@ -201,8 +214,10 @@ TEST(PathRefused, bad_numbers_all_at_once) {
 }
 
 TEST(PathRefused, row_of_another_width_and_no_rows) {
-  EXPECT_EQ(path_fault("opening_mm,slip_mm\n0,0,0\n"),
-            "p.csv:2: 0,0,0: has 3 cells, the header has 2; separate the cells by commas");
+  EXPECT_EQ(
+      path_fault("opening_mm,slip_mm\n0,0,0\n"),
+      "p.csv:2: 0,0,0: has 3 cells, the head has 2; separate cells by commas and decimals by a "
+      "point, or cells by semicolons and decimals by a comma");
   EXPECT_EQ(path_fault(""),
             "p.csv: is empty; write a header opening_mm,slip_mm and one row for each "
             "point of the path");

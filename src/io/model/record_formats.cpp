@@ -1,0 +1,369 @@
+#include "io/model/record_formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/limits.h"
+#include "core/text.h"
+#include "io/text/csv.h"
+#include "io/text/table.h"
+#include "wythe/error.h"
+#include "wythe/text.h"
+#include "wythe/units.h"
+
+namespace wythe::io {
+namespace {
+
+// The lines of a text by their numbers, blank ones too.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
+  bool next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find('\n');
+    text_ = trimmed(rest_.substr(0, end));
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++line_;
+    return true;
+  }
+  [[nodiscard]] std::string_view text() const { return text_; }
+  [[nodiscard]] int line() const { return line_; }
+
+ private:
+  std::string_view rest_, text_;
+  int line_ = 0;
+};
+
+struct HeadLine {
+  std::string text, small;
+  int line = 0;
+};
+
+std::vector<HeadLine> head_of(std::string_view text) {
+  std::vector<HeadLine> head;
+  Lines lines(text);
+  while (lines.line() < kMostHeadLines && lines.next()) {
+    constexpr std::size_t kLongestHead = 1000;  // of what tells a format
+    const std::string line(lines.text().substr(0, kLongestHead));
+    head.push_back({line, small_letters(line), lines.line()});
+  }
+  return head;
+}
+
+[[noreturn]] void refuse(const std::string& file, int line, std::string value, std::string problem,
+                         std::string cure) {
+  throw InputError({{file, "", std::move(value), std::move(problem), std::move(cure), line}});
+}
+
+// The line of that word, null where there is none.
+const HeadLine* line_with(const std::vector<HeadLine>& head, std::string_view word) {
+  for (const HeadLine& line : head)
+    if (line.small.find(word) != std::string::npos) return &line;
+  return nullptr;
+}
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+// Where a word begins that stands alone.
+std::size_t word_at(std::string_view line, std::string_view word) {
+  for (std::size_t at = line.find(word); at != std::string_view::npos;
+       at = line.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end])))
+      return at;
+  }
+  return std::string_view::npos;
+}
+
+// The numbers of a text, whatever stands between them.
+std::vector<double> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  std::string cell;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? text[i] : ' ';
+    const bool is_exponent =
+        !cell.empty() && (c == 'e' || ((c == '-' || c == '+') && cell.back() == 'e'));
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || is_exponent ||
+        (c == '-' && cell.empty())) {
+      cell += c;
+      continue;
+    }
+    while (cell.ends_with('e') || cell.ends_with('-') || cell.ends_with('+')) cell.pop_back();
+    if (const double value = number_in(cell); !std::isnan(value)) numbers.push_back(value);
+    cell.clear();
+  }
+  return numbers;
+}
+
+// Numbers behind the head, any number a line; `stated` of them.
+std::vector<double> values_after(std::string_view text, const std::string& file, int head_lines,
+                                 double stated, const char* says_so) {
+  std::vector<double> values;
+  FaultList faults;
+  Lines lines(text);
+  while (lines.line() < head_lines && lines.next()) {
+  }
+  while (!enough(faults) && lines.next()) {
+    std::string_view rest = lines.text();
+    while (!enough(faults) && !rest.empty()) {  // a file may be one line
+      const std::string_view cell = rest.substr(0, rest.find_first_of(" \t"));
+      rest = trimmed(rest.substr(cell.size()));
+      const double value = number_in(cell);
+      if (std::isnan(value))
+        faults.add({file, "", std::string(cell), "is no number",
+                    "repair the file, or fetch it anew", lines.line()});
+      values.push_back(value);
+    }
+  }
+  const auto found = static_cast<double>(values.size());
+  if (found != stated && !enough(faults))
+    faults.add({file, "", fmt::format("{:.0f} numbers", found),
+                fmt::format("are not the {:.0f} that {} states: lines are {}", stated, says_so,
+                            found < stated ? "missing" : "too many"),
+                "fetch the whole file", lines.line()});
+  faults.throw_if_any();
+  return values;
+}
+
+void check_head(const std::string& file, int line, double count, double step, const char* names) {
+  if (count >= 1 && count <= kMostRows && step > 0 && std::isfinite(step)) return;
+  refuse(file, line, fmt::format("{:g} and {:g} s", count, step), fmt::format("are no {}", names),
+         "repair the head, or fetch the file anew");
+}
+
+// --- AT2
+
+struct Counts {
+  double number = kUnset, step = kUnset;
+};
+
+// "npts=  4000, dt=   .0050 sec", in any order, or "4000   .0050   npts, dt".
+Counts counts_in(std::string_view line) {
+  const std::size_t npts = word_at(line, "npts"), dt = word_at(line, "dt");
+  if (npts == std::string_view::npos || dt == std::string_view::npos) return {};
+  const auto behind = [&](std::size_t at, std::size_t length) {
+    const std::string_view rest = trimmed(line.substr(at + length));
+    if (!rest.starts_with('=') && !rest.starts_with(':')) return kUnset;
+    const std::size_t other = npts < dt ? dt : npts;
+    const std::vector<double> numbers =
+        numbers_in(line.substr(at + length, at < other ? other - at - length : line.size()));
+    return numbers.empty() ? kUnset : numbers.front();
+  };
+  Counts out{behind(npts, 4), behind(dt, 2)};
+  if (!std::isnan(out.number) && !std::isnan(out.step)) return out;
+  const std::vector<double> numbers = numbers_in(line);
+  if (numbers.size() < 2) return {};
+  return npts < dt ? Counts{numbers[0], numbers[1]} : Counts{numbers[1], numbers[0]};
+}
+
+// The unit of a line that states one: "units of g", "the units are (cm/sec**2)", "in units: m/s2".
+std::string unit_text(const HeadLine& line) {
+  std::size_t at = word_at(line.small, "units");
+  if (at == std::string::npos) at = word_at(line.small, "unit");
+  if (at == std::string::npos) return "";
+  std::string_view rest = std::string_view(line.text).substr(at);
+  rest.remove_prefix(std::min(rest.size(), rest.find_first_of(" :=\t")));
+  for (bool again = true; again;) {
+    again = false;
+    rest = trimmed(rest);
+    for (const std::string_view word : {"of ", "are ", "is ", "in ", ":", "=", "(", "["})
+      if (small_letters(rest.substr(0, word.size())) == word) {
+        rest.remove_prefix(word.size());
+        again = true;
+      }
+  }
+  return std::string(trimmed(rest.substr(0, rest.find_first_of(")],;"))));
+}
+
+bool is_velocity(const std::string& unit) {
+  return acceleration_unit(unit).empty() && !spelt_unit(unit, "m/s").empty();
+}
+
+// A unit that a line of the head states: one that speaks of accelerations comes first, and titles may hold any words.
+void find_unit(const std::vector<HeadLine>& head, int last, const std::string& file,
+               RecordNumbers& out) {
+  const HeadLine* told = nullptr;
+  for (const HeadLine& line : head) {
+    if (line.line > last) break;
+    const std::string unit = unit_text(line);
+    const bool speaks = line.small.find("accel") != std::string::npos;
+    if (unit.empty() || (!speaks && acceleration_unit(unit).empty() && !is_velocity(unit)))
+      continue;
+    if (told == nullptr || speaks) told = &line;
+  }
+  if (told == nullptr) return;
+  const std::string unit = unit_text(*told);
+  const bool moved = told->small.find("velocity") != std::string::npos ||
+                     told->small.find("displacement") != std::string::npos;
+  if (is_velocity(unit))
+    refuse(file, told->line, unit, "is a unit of velocities",
+           "give the accelerations of this record");
+  if (moved)
+    refuse(file, told->line, told->text, "is no head of accelerations",
+           "give the accelerations of this record");
+  out.unit = stated_unit(unit);
+  out.stated = unit;
+  out.line = told->line;
+  if (out.unit == RecordUnit::kNone)
+    refuse(file, told->line, unit, "is no unit of accelerations that is known here",
+           "write the file's numbers as a CSV in g, m/s2 or cm/s2");
+}
+
+std::optional<RecordNumbers> read_at2(const std::string& text, const std::string& file,
+                                      const std::vector<HeadLine>& head) {
+  Counts counts;
+  int last = 0;
+  for (const HeadLine& line : head) {
+    if (last > 0) break;
+    counts = counts_in(line.small);
+    if (!std::isnan(counts.number)) last = line.line;
+  }
+  if (last == 0) return std::nullopt;
+  check_head(file, last, counts.number, counts.step, "NPTS and DT");
+  RecordNumbers out;
+  find_unit(head, last, file, out);
+  out.step = counts.step;
+  out.acceleration = values_after(text, file, last, counts.number, "NPTS");
+  return out;
+}
+
+// --- ESM
+
+std::optional<RecordNumbers> read_esm(const std::string& text, const std::string& file,
+                                      const std::vector<HeadLine>& head) {
+  const auto value_of = [&](std::string_view key) {
+    const HeadLine* line = line_with(head, key);
+    const std::size_t colon = line == nullptr ? std::string::npos : line->text.find(':');
+    return colon == std::string::npos ? std::string()
+                                      : std::string(trimmed(line->text.substr(colon + 1)));
+  };
+  const HeadLine* step = line_with(head, "sampling_interval_s:");
+  if (step == nullptr) return std::nullopt;
+  const HeadLine* unit = line_with(head, "units:");
+  const std::string kind = small_letters(value_of("data_type:"));
+  if (!kind.empty() && kind != "acceleration")
+    refuse(file, line_with(head, "data_type:")->line, kind, "is no column of accelerations",
+           "give the accelerations of this record");
+  int last = 0;
+  for (const HeadLine& line : head)
+    if (line.text.find(':') != std::string::npos) last = line.line;
+  RecordNumbers out;
+  out.step = number_in(value_of("sampling_interval_s:"));
+  const double count = number_in(value_of("ndata:"));
+  check_head(file, step->line, count, out.step, "NDATA and SAMPLING_INTERVAL_S");
+  if (unit != nullptr) {
+    out.stated = value_of("units:");
+    out.line = unit->line;
+    out.unit = stated_unit(out.stated);
+    if (out.unit == RecordUnit::kNone)
+      refuse(file, unit->line, out.stated, "is no unit of accelerations that is known here",
+             "write the file's numbers as a CSV in g, m/s2 or cm/s2");
+  }
+  out.acceleration = values_after(text, file, last, count, "NDATA");
+  return out;
+}
+
+// --- K-NET
+
+std::optional<RecordNumbers> read_knet(const std::string& text, const std::string& file,
+                                       const std::vector<HeadLine>& head) {
+  const HeadLine* scale = line_with(head, "scale factor");
+  const HeadLine* rate = line_with(head, "sampling freq");
+  const HeadLine* memo = line_with(head, "memo");
+  if (scale == nullptr || rate == nullptr || memo == nullptr) return std::nullopt;
+  const auto numbers_of = [](const HeadLine& line, std::string_view label) {
+    return numbers_in(std::string_view(line.small).substr(label.size()));
+  };
+  // "Scale Factor      3920(gal)/6182761"
+  const std::vector<double> parts = numbers_of(*scale, "scale factor");
+  if (parts.size() != 2 || !(parts[0] > 0 && parts[1] > 0) ||
+      scale->small.find("(gal)/") == std::string::npos)
+    refuse(file, scale->line, scale->text, "is no scale of K-NET",
+           "write it as Scale Factor 3920(gal)/6182761");
+  const std::vector<double> frequency = numbers_of(*rate, "sampling freq(hz)");
+  if (frequency.empty() || !(frequency.front() > 0))
+    refuse(file, rate->line, rate->text, "states no frequency",
+           "write it as Sampling Freq(Hz) 100Hz");
+  RecordNumbers out;
+  out.step = 1 / frequency.front();
+  out.unit = RecordUnit::kCentimetres;
+  out.stated = scale->text;
+  out.line = scale->line;
+  const HeadLine* duration = line_with(head, "duration time");
+  std::size_t numbers = 0;  // without a stated duration as many as there are
+  Lines lines(text);
+  while (lines.next())
+    if (lines.line() > memo->line) numbers += cells_of(lines.text(), kBlanks, kMostColumns).size();
+  double stated = static_cast<double>(numbers);
+  if (duration != nullptr)
+    if (const std::vector<double> seconds = numbers_of(*duration, "duration time(s)");
+        !seconds.empty())
+      stated = std::round(seconds.front() * frequency.front());
+  check_head(file, rate->line, stated, out.step, "duration and frequency");
+  out.acceleration = values_after(text, file, memo->line, stated, "Duration Time");
+  for (double& a : out.acceleration) a *= parts[0] / parts[1];
+  return out;
+}
+
+// --- known, and not read
+
+struct Foreign {
+  std::string_view word, also, name;
+};
+constexpr Foreign kForeign[] = {
+    {"corrected accelerogram", "", "CSMIP, COSMOS or SMC"},
+    {"uncorrected accelerogram", "", "CSMIP, COSMOS or SMC"},
+    {"points of accel data", "", "CSMIP or COSMOS"},
+    {"acceleration pts", "", "COSMOS"},
+    {"strong-motion data", "fmt", "COSMOS"},
+    {"timeseries ", "samples", "MiniSEED as text (ObsPy, IRIS)"},
+};
+
+}  // namespace
+
+std::string acceleration_unit(std::string_view text) {
+  const std::string small = small_letters(trimmed(text));
+  for (const std::string_view known : {"g", "gal", "%g", "% g", "mg", "mgal", "milli-g"})
+    if (small == known) return small;
+  return spelt_unit(text, "m/s^2");
+}
+
+RecordUnit stated_unit(std::string_view text) {
+  const std::string unit = acceleration_unit(text);
+  if (unit == "g") return RecordUnit::kGravity;
+  if (unit == "gal") return RecordUnit::kCentimetres;
+  const std::string spelt = spelt_unit(text, "m/s^2");
+  if (spelt.empty()) return RecordUnit::kNone;
+  const double factor = unit_factor(spelt, "m/s^2");
+  constexpr double kSame = 1e-12;
+  return std::fabs(factor - 1) < kSame      ? RecordUnit::kMetres
+         : std::fabs(factor - 0.01) < kSame ? RecordUnit::kCentimetres
+                                            : RecordUnit::kNone;
+}
+
+std::optional<RecordNumbers> read_record_format(const std::string& text, const std::string& file) {
+  const std::vector<HeadLine> head = head_of(text);
+  if (auto esm = read_esm(text, file, head)) return esm;
+  if (auto knet = read_knet(text, file, head)) return knet;
+  if (auto at2 = read_at2(text, file, head)) return at2;
+  if (small_letters(std::filesystem::path(file).extension().string()) == ".at2")
+    refuse(file, 0, "",
+           fmt::format("has no line in its first {} that names NPTS and DT", kMostHeadLines),
+           "is this an AT2 file of PEER? Else write a CSV");
+  for (const Foreign& known : kForeign)
+    if (const HeadLine* line = line_with(head, known.word);
+        line != nullptr && (known.also.empty() || line_with(head, known.also) != nullptr))
+      refuse(file, line->line, line->text,
+             fmt::format("is of the format {}, which is not read here", known.name),
+             "write its accelerations as a CSV, time_s,acc_cm_s2 and one row a time");
+  return std::nullopt;
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,36 @@
+// Records in the formats of the field, told by what stands in their heads and not by the names of files.
+//
+//   AT2     PEER and others: a line names NPTS and DT, in any order, up to kMostHeadLines from the top
+//   ESM     "KEY: value" lines with SAMPLING_INTERVAL_S, NDATA, UNITS (also ITACA)
+//   K-NET   17 lines with "Sampling Freq(Hz)" and "Scale Factor": counts times gal (also KiK-net)
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wythe/wall_spec.h"
+
+namespace wythe::io {
+
+struct RecordNumbers {
+  std::vector<double> time, acceleration;  // times empty: every step
+  double step = kUnset;                    // that the file states [s]
+  RecordUnit unit = RecordUnit::kNone;     // that the file states
+  std::string stated;                      // where it does so
+  int line = 0;
+  std::string column;  // of a table: its head or number
+};
+
+// The unit of accelerations that a text spells, "" where it is none: "g", "gal", "m/s^2", "in/s2", "%g".
+[[nodiscard]] std::string acceleration_unit(std::string_view text);
+// The one that records may have; kNone for others, %g and in/s2 too.
+[[nodiscard]] RecordUnit stated_unit(std::string_view text);
+
+// Nothing where the text is of none of these formats. Throws InputError where it is broken, or of a format that is
+// known but not read. Faults have no path: it is that of the key that names the file.
+[[nodiscard]] std::optional<RecordNumbers> read_record_format(const std::string& text,
+                                                              const std::string& file);
+
+}  // namespace wythe::io

@@ -1,0 +1,262 @@
+#include "io/text/table.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/limits.h"
+#include "core/text.h"
+#include "units/quantity_error.h"
+#include "wythe/text.h"
+#include "wythe/units.h"
+
+namespace wythe::io {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::string unquoted(const std::string& cell) { return std::string(trimmed(text_of_cell(cell))); }
+
+// "0,05": a number whose decimals follow a comma.
+bool has_decimal_comma(std::string_view cell) {
+  const std::size_t comma = cell.find(',');
+  return comma != std::string_view::npos && comma > 0 && comma + 1 < cell.size() &&
+         is_digit(cell[comma - 1]) && is_digit(cell[comma + 1]) &&
+         cell.find_first_of(",.", comma + 1) == std::string_view::npos &&
+         cell.substr(0, comma).find('.') == std::string_view::npos;
+}
+
+double number_with_mark(std::string cell, char mark) {
+  if (mark == ',') cell[cell.find(',')] = '.';
+  return number_in(cell);
+}
+
+bool is_number(const std::string& cell) {
+  return !std::isnan(number_with_mark(cell, has_decimal_comma(cell) ? ',' : '.'));
+}
+
+bool are_numbers(const std::vector<std::string>& cells) {
+  return std::all_of(cells.begin(), cells.end(),
+                     [](const std::string& cell) { return is_number(unquoted(cell)); });
+}
+
+bool has_number(const std::vector<std::string>& cells) {
+  return std::any_of(cells.begin(), cells.end(),
+                     [](const std::string& cell) { return is_number(unquoted(cell)); });
+}
+
+// The first lines, those with numbers if there are any: a head may hold any mark.
+std::vector<std::string> sampled_rows(std::string_view text, const std::string& file) {
+  std::vector<std::string> all, rows;
+  CsvLines lines(text, file, kWholeLine);
+  while (static_cast<int>(all.size()) <= kMostSampledRows && lines.next()) {
+    all.push_back(lines.text());
+    std::string marks = lines.text();
+    std::replace_if(
+        marks.begin(), marks.end(), [](char c) { return c == ';' || c == ','; }, ' ');
+    if (has_number(cells_of(marks, kBlanks, kMostColumns))) rows.push_back(lines.text());
+  }
+  return rows.empty() ? all : rows;
+}
+
+std::string outside_quotes(const std::string& line) {
+  std::string out;
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted) out += c;
+  }
+  return out;
+}
+
+// A comma parts cells unless another mark does, or blanks part numbers.
+char delimiter_of(std::string_view text, const std::string& file) {
+  const std::vector<std::string> rows = sampled_rows(text, file);
+  const auto in_all = [&](const auto& holds) {
+    return !rows.empty() && std::all_of(rows.begin(), rows.end(), holds);
+  };
+  for (const char mark : {';', '\t'}) {
+    const auto is_there = [&](const std::string& row) {
+      const std::string marks = outside_quotes(row);
+      return marks.find(mark) != std::string::npos &&
+             (mark == ';' || marks.find(",\t") == std::string::npos);
+    };
+    if (in_all(is_there)) return mark;
+  }
+  const auto is_parted_by_blanks = [](const std::string& row) {
+    const std::vector<std::string> cells = cells_of(row, kBlanks, kMostColumns);
+    return cells.size() > 1 && are_numbers(cells);
+  };
+  return in_all(is_parted_by_blanks) ? kBlanks : ',';
+}
+
+// Blanks part the names of a head too, but not a name from the brackets behind it.
+std::vector<std::string> with_brackets(std::vector<std::string> cells) {
+  std::vector<std::string> out;
+  bool open = false;
+  for (std::string& cell : cells) {
+    if (!out.empty() && (open || cell.starts_with('[') || cell.starts_with('(')))
+      out.back() += ' ' + cell;
+    else
+      out.push_back(cell);
+    open = out.back().find_first_of("[(") != std::string::npos &&
+           out.back().find_first_of("])") == std::string::npos;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string spelt_unit(std::string_view text, std::string_view si_unit) {
+  std::string unit(trimmed(text));
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    for (std::size_t at = unit.find(from); at != std::string::npos; at = unit.find(from, at + 1))
+      unit.replace(at, from.size(), to);
+  };
+  replace("_per_", "/");
+  replace(" per ", "/");
+  replace("**", "^");
+  replace("_", "/");
+  for (const std::string& spelling : {unit, small_letters(unit)}) try {
+      (void)unit_factor(spelling, si_unit);
+      return spelling;
+    } catch (const QuantityError&) {  // the next spelling
+    }
+  return "";
+}
+
+ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_view> si_units) {
+  const std::string whole(trimmed(cell));
+  const std::size_t bracket = whole.find_first_of("[(");
+  if (bracket != std::string::npos && (whole.ends_with(']') || whole.ends_with(')'))) {
+    std::string_view name = trimmed(std::string_view(whole).substr(0, bracket));
+    while (name.ends_with('_') || name.ends_with(' ')) name.remove_suffix(1);
+    const std::string inner = whole.substr(bracket + 1, whole.size() - bracket - 2);
+    return {whole, std::string(name), std::string(trimmed(inner)), true};
+  }
+  for (std::size_t at = whole.find_first_of("_ ,/"); at != std::string::npos;
+       at = whole.find_first_of("_ ,/", at + 1))
+    for (const std::string_view si_unit : si_units) {
+      const std::string unit = spelt_unit(whole.substr(at + 1), si_unit);
+      if (!unit.empty()) return {whole, whole.substr(0, at), unit};
+    }
+  return {whole, whole, ""};
+}
+
+NumberTable::NumberTable(std::string_view text, const std::string& file, HeadRule rule)
+    : file_(file), delimiter_(delimiter_of(text, file)), lines_(text, file, delimiter_) {
+  if (!lines_.next()) {
+    is_empty_ = true;
+    return;
+  }
+  look_for_lines_before_the_numbers(text);
+  if (rule == HeadRule::kNeeded || !has_number(lines_.cells())) {
+    read_head(lines_.cells());
+    width_ = head_.size();
+    return;
+  }
+  is_at_row_ = true;
+  width_ = lines_.cells().size();
+  // NumPy writes the names of the columns behind a #
+  const std::vector<std::string> names =
+      with_brackets(cells_of(lines_.comment(), delimiter_, kMostColumns));
+  const bool tells_times = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    const std::string word = small_letters(name);
+    return word == "t" || word.starts_with("time") || word.starts_with("t_") ||
+           word.starts_with("t [") || word.starts_with("t (");
+  });
+  if (width_ > 1 && names.size() == width_ && tells_times) read_head(names);
+}
+
+void NumberTable::read_head(std::vector<std::string> cells) {
+  if (delimiter_ == kBlanks) cells = with_brackets(std::move(cells));
+  head_line_ = lines_.line();
+  for (const std::string& cell : cells) head_.push_back(unquoted(cell));
+}
+
+void NumberTable::look_for_lines_before_the_numbers(std::string_view text) const {
+  CsvLines lines(text, file_, delimiter_);
+  const auto is_of_words = [&] {
+    const auto& cells = lines.cells();
+    return !has_number(cells) && std::find(cells.begin(), cells.end(), "") == cells.end();
+  };
+  int before = 0;
+  while (before <= kMostHeadLines && lines.next() && (before == 0 || is_of_words())) {
+    if (has_number(lines.cells())) return;
+    ++before;
+  }
+  if (before > 1 && has_number(lines.cells()))
+    refuse(lines.line(), "", fmt::format("has {} lines before its first number", before),
+           "leave one line with the names of the columns, and begin the others with #");
+}
+
+bool NumberTable::next() {
+  if (is_at_row_)
+    is_at_row_ = false;
+  else if (!lines_.next())
+    return false;
+  const std::size_t cells = lines_.cells().size();
+  const bool ends_with_mark = cells == width_ + 1 && lines_.cells().back().empty();
+  if (cells == width_ || ends_with_mark) return true;
+  const std::string problem =
+      fmt::format("has {} {}, {} has {}", cells, cells == 1 ? "cell" : "cells",
+                  head_.empty() ? "the first row" : "the head", width_);
+  if (cells == width_ + 1 && !head_.empty() && delimiter_ != ',')
+    refuse(line(), lines_.text(), problem, "give each column a name, that of row numbers too");
+  refuse(line(), lines_.text(), problem,
+         delimiter_ == ',' ? "separate cells by commas and decimals by a point, or cells by "
+                             "semicolons and decimals by a comma"
+                           : "give each row a cell for each column");
+}
+
+std::string NumberTable::cell(std::size_t column) const { return unquoted(lines_.cells()[column]); }
+
+double NumberTable::number(std::size_t column) {
+  const std::string cell = this->cell(column);
+  const bool comma = has_decimal_comma(cell);
+  const char mark = comma ? ',' : cell.find('.') != std::string::npos ? '.' : '\0';
+  // "0,0936" cut at its comma
+  const bool are_decimals = delimiter_ == ',' && cell.size() > 1 && cell[0] == '0' &&
+                            cell.find_first_not_of("0123456789") == std::string::npos;
+  if ((mark != '\0' && decimal_mark_ != '\0' && mark != decimal_mark_) || are_decimals)
+    return std::numeric_limits<double>::quiet_NaN();
+  const double value = number_with_mark(cell, comma ? ',' : '.');
+  if (mark != '\0' && !std::isnan(value)) decimal_mark_ = mark;
+  return value;
+}
+
+Fault NumberTable::no_number(std::size_t column) const {
+  const std::string cell = this->cell(column);
+  if (cell.empty())
+    return {file_,
+            "",
+            lines_.text(),
+            fmt::format("has no number in column {}", column + 1),
+            "write one, or leave the row out",
+            line()};
+  if (is_number(cell))
+    return {file_,
+            "",
+            cell,
+            decimal_mark_ == '\0' ? "looks like decimals behind a comma"
+                                  : "has another decimal mark than the numbers before it",
+            "write decimals in one way: behind a point, or behind a comma with semicolons between "
+            "cells",
+            line()};
+  return {file_,
+          "",
+          cell,
+          "must be a finite number",
+          "write it as 0.05 or 1.5e-3, without a unit or marks of thousands",
+          line()};
+}
+
+void NumberTable::refuse(int line, std::string value, std::string problem, std::string cure) const {
+  throw InputError({{file_, "", std::move(value), std::move(problem), std::move(cure), line}});
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,71 @@
+// Tables of numbers as others write them, with one head or none: the one reader of records, measured values
+// and paths. It finds what stands between cells and before decimals, and refuses what can be read in two ways.
+//
+//   time_s,acc_cm_s2      "time";"acc (g)"      t [s]   acc [cm/s^2]      # time acc
+//   0.00,1.5              0,00;0,12             0.00    1.5               0.00 1.5
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/csv.h"
+#include "wythe/error.h"
+
+namespace wythe::io {
+
+constexpr int kMostHeadLines = 100;   // before the numbers of a record: ESM has 64
+constexpr int kMostSampledRows = 50;  // from which a delimiter is told
+
+// What a head says of its column: "acc [cm/s^2]" -> acc, cm/s^2.
+struct ColumnHead {
+  std::string whole, name, unit;
+  bool in_brackets = false;  // the unit: whatever stands in brackets is one
+};
+// Without brackets the unit is the end of the head, behind a _ or a blank, where that is one of these quantities:
+// "acc_m_per_s2" -> acc, m/s2 for {"m/s^2"}.
+[[nodiscard]] ColumnHead column_head(std::string_view cell,
+                                     std::initializer_list<std::string_view> si_units);
+// A unit as heads spell it, "cm/sec**2", "m_per_s2", as UDUNITS reads it; "" where it is none of `si_unit`.
+[[nodiscard]] std::string spelt_unit(std::string_view text, std::string_view si_unit);
+
+enum class HeadRule { kNeeded, kMayLack };  // kMayLack: a first line with a number is a row
+
+class NumberTable {
+ public:
+  // `text` and `file` outlive it. Throws InputError where it can't tell what stands between cells, or where
+  // several lines stand before the first number.
+  NumberTable(std::string_view text, const std::string& file, HeadRule rule);
+
+  [[nodiscard]] bool is_empty() const { return is_empty_; }
+  // The names of the columns, without quotes; empty where there is no head.
+  [[nodiscard]] const std::vector<std::string>& head() const { return head_; }
+  [[nodiscard]] int head_line() const { return head_line_; }
+  [[nodiscard]] std::size_t width() const { return width_; }
+
+  // To the next row. Throws InputError where its cells are not as many as the head's.
+  bool next();
+  [[nodiscard]] std::string cell(std::size_t column) const;  // of the row, without quotes
+  // Of a row; NaN for what is no finite number, or one with the other decimal mark than those before.
+  [[nodiscard]] double number(std::size_t column);
+  [[nodiscard]] Fault no_number(std::size_t column) const;  // what is wrong with it
+  [[nodiscard]] int line() const { return lines_.line(); }
+
+ private:
+  void look_for_lines_before_the_numbers(std::string_view text) const;
+  void read_head(std::vector<std::string> cells);
+  [[noreturn]] void refuse(int line, std::string value, std::string problem,
+                           std::string cure) const;
+
+  const std::string& file_;
+  char delimiter_;
+  CsvLines lines_;
+  std::vector<std::string> head_;
+  std::size_t width_ = 0;
+  int head_line_ = 0;
+  bool is_empty_ = false, is_at_row_ = false;
+  char decimal_mark_ = '\0';  // '\0': none seen yet
+};
+
+}  // namespace wythe::io

@@ -1,0 +1,52 @@
+#include "model/densities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "core/text.h"
+
+namespace wythe {
+namespace {
+
+// Names that blocks bear, that no table gives a density and no contact rule speaks of: a layer's name, say.
+std::vector<std::string> unmatched(const ModelSpec& spec) {
+  std::set<std::string> known = {"masonry"};
+  for (const auto& [name, material] : spec.material)
+    if (std::isfinite(material.density)) known.insert(name);
+  for (const ContactRule& rule : spec.contact)
+    known.insert(rule.between.begin(), rule.between.end());
+  std::set<std::string> names;
+  const auto look = [&](const auto& blocks) {
+    for (const auto& block : blocks)
+      if (!block.fixed && !block.material.empty() && !known.contains(block.material))
+        names.insert(block.material);
+  };
+  look(spec.block);
+  look(spec.body);
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void note_densities(const ModelSpec& spec, Model& model) {
+  // Aerated concrete has 400 kg/m3, granite 3000; wood 350 and more, steel 7850.
+  constexpr double kLeast = 300, kMost = 5000, kMostOfMetals = 8000;
+  const auto look = [&](const std::string& path, double density, double most) {
+    if (std::isfinite(density) && density > 0 && (density < kLeast || density > most))
+      model.anatomy.notes.push_back(
+          {"density.odd", {{"key", path}, {"density_kg_per_m3", density}}});
+  };
+  look("wall.unit.density", spec.wall.unit.density, kMost);
+  for (const StoreySpec& storey : spec.storey)
+    look("storey." + storey.name + ".unit.density", storey.unit.density, kMost);
+  for (const auto& [name, material] : spec.material)
+    look("material." + name + ".density", material.density, kMostOfMetals);
+  if (const std::vector<std::string> names = unmatched(spec); !names.empty())
+    model.anatomy.notes.push_back(
+        {"density.of_unit",
+         {{"materials", joined(names, ", ")}, {"density_kg_per_m3", spec.wall.unit.density}}});
+}
+
+}  // namespace wythe
