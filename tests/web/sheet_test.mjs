@@ -145,7 +145,8 @@ test("long texts and markup stay text, on one page", async () => {
 });
 
 const sound = (s) => {
-  Object.assign(s.quasi_static, { judgement: "slow enough", verdict: "slow enough" });
+  const kept = { verdict: "slow enough", reason: "" };
+  Object.assign(s.quasi_static, { judgement: "slow enough", verdict: "slow enough", displacement: kept, mode: kept });
   Object.assign(s, { status: "completed", censored_80: false, censored_max: true, project: kProject });
   s.displacement_at_peak_mm = 0.5 * s.displacement_max_mm;
 };
@@ -188,6 +189,7 @@ test("the verdict says first what must not be signed", async () => {
     rising: [(_, s) => (s.displacement_at_peak_mm = s.displacement_max_mm), "bound", /^Lower bounds only[^]*at least/],
     censored: [(_, s) => (s.censored_80 = true), "bound", /^The displacement is only a lower bound/],
     usable: [(_, s) => (s.quasi_static.judgement = "usable"), "reserve", /^This run was pushed a little too fast/],
+    drift: [(_, s) => (s.quasi_static.displacement = { verdict: "not known", reason: "it jumped" }), "reserve", /^One run cannot tell the drift/],
     good: [() => {}, "yes", /^The wall resists/],
     unsigned: [(_, s) => (s.assessment = { ...kAssessed, may_be_signed: false }), "no", /^Not to be signed as it stands\./],
     unanswered: [(_, s) => (s.assessment = { verdict: "not known", may_be_signed: false, sentence: "the assessment has no answer: x", notes: [] }), "no", /^Not to be signed: the assessment has no answer/],
