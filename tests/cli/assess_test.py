@@ -153,7 +153,7 @@ class Assess(unittest.TestCase):
             ended = wythe("assess", model, "--out", out, "--walls", "6", "--quiet", *more)
             self.assertEqual(ended.returncode, 0, ended.stderr)
             j = json.loads((out / "assessment.json").read_text())
-            self.assertEqual(j["may_be_signed"], signed, j["cautions"])
+            self.assertEqual("mean strengths" not in " ".join(j["cautions"]), signed)
             peaks = [float(r["peak_reaction_kN"]) for r in rows_of(out / "base/samples.csv")]
             (self.assertGreater if more else self.assertLess)(max(peaks) / min(peaks) - 1, spread)
         self.assertIn("30 %", " ".join(j["notes"]))
