@@ -205,7 +205,7 @@ TEST(Verdict, moves_smoothly_with_strength) {
   std::vector<double> logs;
   for (int i = 0; i < 400; ++i) logs.push_back(scatter(random));
   double before = 0;
-  for (double strength = 0.26; strength > 0.15; strength *= 0.994) {
+  for (double strength = 0.35; strength > 0.15; strength *= 0.994) {
     std::vector<JudgedWall> walls;
     walls.reserve(logs.size());
     for (const double log : logs) walls.push_back(wall_of(strength * std::exp(log)));
