@@ -281,30 +281,6 @@ TEST(CampaignAssessment, of_a_facade_is_that_of_its_runs) {
   EXPECT_FALSE(accelerations.empty());
 }
 
-// samples.csv, statistics.json and the page read a store in little memory: how each pier failed decides its limit,
-// and must be among what they read.
-TEST(CampaignAssessment, of_the_answers_alone_is_that_of_the_whole_store) {
-  const scenes::TemporaryFolder folder;
-  const Facade f(folder / "out", 2);
-  const Campaign answers = read_answers(folder / "out");
-  ASSERT_EQ(answers.records.size(), f.campaign.records.size());
-  for (std::size_t i = 0; i < answers.records.size(); ++i) {
-    const CodeAssessment a = assess_sample(f.campaign.records[i], f.base, f.model),
-                         b = assess_sample(answers.records[i], f.base, f.model);
-    ASSERT_FALSE(a.limit_states.empty());
-    ASSERT_EQ(b.limit_states.size(), a.limit_states.size());
-    for (std::size_t k = 0; k < a.limit_states.size(); ++k) {
-      const auto &is = b.limit_states[k].criteria, &was = a.limit_states[k].criteria;
-      ASSERT_EQ(is.size(), was.size());
-      for (std::size_t c = 0; c < was.size(); ++c) {
-        EXPECT_EQ(is[c].name, was[c].name);
-        EXPECT_EQ(is[c].displacement, was[c].displacement);
-      }
-    }
-    EXPECT_EQ(texts_of(b.notes), texts_of(a.notes));
-  }
-}
-
 // What ends a wall is its weakest pier, not its mean: a pier that drifts more lowers the answer, and one
 // that never reaches its limit makes it a bound.
 TEST(CampaignAssessment, follows_the_drift_of_each_pier) {
