@@ -12,6 +12,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from assess_test import WALL  # noqa: E402
 from campaign_test import MODEL, STUDY  # noqa: E402
 from cli_test import WYTHE  # noqa: E402
 from hostile_test import RAW  # noqa: E402
@@ -19,6 +20,7 @@ from hostile_test import RAW  # noqa: E402
 # options whose value is a number, with what else their command needs; `help` below finds that none is missing
 NUMBERS = {
     "run": {"--threads": [], "--checkpoint": [], "--walls": [], "--jobs": ["--walls", "2"]},
+    "assess": {"--walls": [], "--seed": [], "--between": [], "--jobs": []},
     "campaign": {"--samples": [], "--seed": [], "--jobs": [], "--slurm": [], "--cores": ["--slurm", "2"], "--shard": [],
                  "--until": []},
     "replay": {"--sample": [], "--threads": ["--sample", "1"], "--intensity": ["--sample", "1"]},
@@ -28,7 +30,7 @@ NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--quiet", "--lang", "--pa
               "--lintels", "--submit", "--stored", "--partition", "--time", "--with", "--only", "--assessment", "--hdf5"}
 BAD = ("nan", "inf", "1e308", "-1", "", " ", "99999999999999999999", "1,5", "abc", "nan s",
        "relative_interval(peak_reaction) < nan", "relative_interval(peak_reaction) < 1e308")
-COMMANDS = ("run", "check", "contact", "drawing", "materials", "campaign", "merge", "store", "status", "compare", "replay",
+COMMANDS = ("run", "assess", "check", "contact", "drawing", "materials", "campaign", "merge", "store", "status", "compare", "replay",
             "report", "limit", "export", "new", "picture")
 
 
@@ -44,6 +46,7 @@ class Surroundings(unittest.TestCase):
         cls.made = pathlib.Path(cls.temporary.name)
         (cls.made / "model.toml").write_text(MODEL)
         (cls.made / "study.toml").write_text(STUDY)
+        (cls.made / "assess.toml").write_text(WALL)
         for command in (["campaign", "study.toml", "--samples", 2, "--out", "campaign"], ["run", "model.toml", "--out", "run"]):
             done = wythe(*command, "--quiet", cwd=cls.made)
             assert done.returncode == 0, done.stderr
@@ -59,6 +62,7 @@ class Surroundings(unittest.TestCase):
 
     def start_of(self, command):
         return {"run": ["run", self.made / "model.toml", "--out", self.out, "--quiet"],
+                "assess": ["assess", self.made / "assess.toml", "--out", self.out, "--quiet"],
                 "campaign": ["campaign", self.made / "study.toml", "--out", self.out, "--quiet"],
                 "replay": ["replay", self.made / "campaign", "--out", self.out, "--quiet"],
                 "picture": ["picture", self.made / "campaign", "--out", self.out]}[command]
