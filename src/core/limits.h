@@ -25,6 +25,8 @@ constexpr int kMostDepth = 32;         // of tables and lists in each other: a m
 constexpr int kMostKeys = 20'000;      // of a TOML file: a model of 1000 openings has 11 000
 constexpr int kMostSettings = 2'000;   // of --set and study.set: each is looked for among all keys
 constexpr int kMostColumns = 1'000;    // of a CSV file
+constexpr int kMostHeadLines = 100;    // before the numbers of a record: ESM has 64
+constexpr int kMostSampledRows = 50;   // of a table, from which its delimiter is told
 constexpr int kMostRows = 10'000'000;  // of a CSV file or a curve: output.rows may ask for a tenth
 
 // --- what is said about it

@@ -11,15 +11,17 @@ namespace wythe::io {
 template <class Visitor>
 void describe(Visitor& v, RecordSpec& s) {
   v.text("file", s.file, {.fallback = "a pulse, or accelerations", .example = "aigio.csv",
-         .doc = "Record of accelerations, relative to the model file: a CSV with a head, or PEER's AT2."});
-  v.text("column", s.column, {.fallback = "the second, or the only one", .example = "acceleration",
-         .doc = "Column of the CSV that holds the accelerations: its head, or its number from 1. Times are "
-                "the column called time, t, time_s or t_s, or the first of several."});
+         .doc = "Record of accelerations, relative to the model file: a table of numbers with a head or none (CSV and its "
+                "kin, decimals behind a point or a comma), AT2, ESM or K-NET. `wythe check` tells what was read."});
+  v.text("column", s.column, {.fallback = "the one named so, or the only one", .example = "acceleration",
+         .doc = "Column of a table that holds the accelerations: its head, or its number from 1. Needed where none or "
+                "several are named as accelerations (acc, a, a unit such as [g]). Times are the column called time, t, "
+                "time_s or t_s, or the first of two."});
   v.choice("unit", s.unit, kRecordUnitWords, {.fallback = "required but of a pulse", .example = "g",
            .doc = "Unit of the accelerations; g is `solve.gravity`."});
   v.quantity("step", s.step, {.unit = "s", .shown = "s", .range = kPositive,
              .fallback = "the times given", .example = "0.005 s",
-             .doc = "Time between accelerations that stand without times."});
+             .doc = "Time between accelerations that stand without times. Another than that of the file is refused."});
   v.numbers("times", s.times, {.fallback = "every `step`", .example = "[0, 0.01, 0.02]",
             .doc = "Times of `accelerations` in seconds; they rise."});
   v.numbers("accelerations", s.accelerations, {.fallback = "a file, or a pulse", .example = "[0, 0.2, -0.1]",

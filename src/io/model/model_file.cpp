@@ -255,7 +255,8 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);
   const BuilderSpec built = io::read_builder(file_name, root, spec);
-  if (!spec.wall.blocks.empty() && built.empty()) io::read_blocks(context, root, spec, blocks);
+  if (!spec.wall.blocks.empty() && built.empty() && !context.has_fault_at("wall.blocks"))
+    io::read_blocks(context, root, spec, blocks);
   io::read_records(context, spec);
   io::throw_faults(context);
   try {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -50,6 +49,30 @@ bool is_letter(const std::string& name, char letter) {
           (name.size() == 2 && std::string("xyzgh").find(name[1]) != std::string::npos));
 }
 
+// A head with its unit, g and gal too: UDUNITS has grams and gallons. An acceleration's unit may have words behind it.
+ColumnHead acceleration_head(const std::string& text) {
+  const ColumnHead head = column_head(text, {"m/s^2", "m/s", "m"});
+  constexpr std::string_view kMarks = "_ ,/";
+  constexpr std::size_t kLongest = 100;
+  if (head.in_brackets || text.size() > kLongest) return head;
+  const std::string small = small_letters(text);
+  const bool is_unit = stated_unit(text) != RecordUnit::kNone ||
+                       is_one_of(small, {"%g", "mg", "m/s", "cm/s", "mm/s", "in/s2", "ft/s2"});
+  if (is_unit) return {text, "", text};
+  std::vector<std::size_t> marks;
+  for (std::size_t at = text.find_first_of(kMarks); at != std::string::npos;
+       at = text.find_first_of(kMarks, at + 1))
+    marks.push_back(at);
+  if (!acceleration_unit(head.unit).empty()) return head;
+  marks.push_back(text.size());
+  for (std::size_t last = marks.size(); last-- > 1;)
+    for (std::size_t first = 0; first < last; ++first) {
+      const std::string unit = text.substr(marks[first] + 1, marks[last] - marks[first] - 1);
+      if (!acceleration_unit(unit).empty()) return {text, text.substr(0, marks[first]), unit};
+    }
+  return head;
+}
+
 Column column_of(const std::string& text) {
   Column column;
   const ColumnHead time = column_head(text, {"s"});
@@ -61,18 +84,14 @@ Column column_of(const std::string& text) {
                         "number", "sample", "samples", "point", "points", "step"}) ||
       whole.starts_with("unnamed"))
     return {ColumnKind::kIndex, time};
-  column.head = column_head(text, {"m/s^2", "m/s", "m"});
-  if (std::string rest = text; column.head.unit.empty() && !column.head.in_brackets) {
-    for (const char* unit : {"g", "gal", "%g", "mg"})  // UDUNITS has grams and gallons
-      for (const char mark : {'_', ' ', '/'})
-        if (whole.ends_with(mark + std::string(unit)))
-          column.head = {text, text.substr(0, text.size() - std::strlen(unit) - 1), unit};
-  }
+  column.head = acceleration_head(text);
   const std::string bare = small_letters(column.head.name);
   const std::string& unit = column.head.unit;
   const bool is_moved = !unit.empty() && acceleration_unit(unit).empty() &&
                         (!spelt_unit(unit, "m/s").empty() || !spelt_unit(unit, "m").empty());
-  if (has_word(bare, "vel") || has_word(bare, "disp") || has_word(bare, "spost") || is_moved) {
+  const bool is_spectral = is_one_of(bare, {"sa", "psa", "sv", "psv", "sd", "pga", "pgv"});
+  if (is_spectral || has_word(bare, "vel") || has_word(bare, "disp") || has_word(bare, "spost") ||
+      is_moved) {
     column.kind = ColumnKind::kOther;
   } else if (has_word(bare, "acc") || has_word(bare, "beschl") || is_letter(bare, 'a') ||
              (!unit.empty() && !acceleration_unit(unit).empty())) {
@@ -152,15 +171,14 @@ class TableRecord {
     if (!record_.column.empty()) return choose_named();
     const std::vector<std::size_t> motions = of_kind(ColumnKind::kAcceleration);
     const std::vector<std::size_t> unknown = of_kind(ColumnKind::kUnknown);
-    std::size_t others = 0;
-    for (const Column& column : columns_) others += column.kind == ColumnKind::kOther ? 1 : 0;
+    const std::vector<std::size_t> others = of_kind(ColumnKind::kOther);
     is_named_ = motions.size() == 1;
     if (is_named_)
       column_ = motions.front();
-    else if (motions.empty() && unknown.size() == 1 && others == 0)
+    else if (motions.empty() && unknown.size() == 1 && others.empty())
       column_ = unknown.front();
-    else if (columns_.size() == 1 && columns_[0].kind == ColumnKind::kOther &&
-             columns_[0].is_certain)
+    else if (motions.empty() && unknown.empty() && others.size() == 1 &&
+             columns_[others.front()].is_certain)
       refuse("file", names(), "is no column of accelerations",
              "give the accelerations of this record", head_line_);
     else
@@ -370,7 +388,8 @@ void read_records(ReadContext& context, ModelSpec& spec) {
       const std::string path = fmt::format("stage.{}.record.{}", k, i);
       RecordSpec& record = spec.stage[k].record[i];
       check_sources(context, record, path);
-      if (!record.file.empty() && record.unit != RecordUnit::kNone)
+      if (!record.file.empty() && record.unit != RecordUnit::kNone &&
+          !context.has_fault_at(path + ".file"))
         read_file_of(context, spec, path, record);
     }
 }

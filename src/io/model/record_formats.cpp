@@ -163,6 +163,10 @@ Counts counts_in(std::string_view line) {
   return npts < dt ? Counts{numbers[0], numbers[1]} : Counts{numbers[1], numbers[0]};
 }
 
+bool is_velocity(const std::string& unit) {
+  return acceleration_unit(unit).empty() && !spelt_unit(unit, "m/s").empty();
+}
+
 // The unit of a line that states one: "units of g", "the units are (cm/sec**2)", "in units: m/s2".
 std::string unit_text(const HeadLine& line) {
   std::size_t at = word_at(line.small, "units");
@@ -179,11 +183,14 @@ std::string unit_text(const HeadLine& line) {
         again = true;
       }
   }
-  return std::string(trimmed(rest.substr(0, rest.find_first_of(")],;"))));
-}
-
-bool is_velocity(const std::string& unit) {
-  return acceleration_unit(unit).empty() && !spelt_unit(unit, "m/s").empty();
+  // alone, or before other words: "G. FILTER POINTS: HP=0.1 Hz"
+  const auto without_stop = [](std::string_view text) {
+    while (text.ends_with('.') || text.ends_with(':')) text.remove_suffix(1);
+    return std::string(text);
+  };
+  const std::string whole = without_stop(trimmed(rest.substr(0, rest.find_first_of(")],;"))));
+  if (!acceleration_unit(whole).empty() || is_velocity(whole)) return whole;
+  return without_stop(whole.substr(0, whole.find_first_of(" \t")));
 }
 
 // A unit that a line of the head states: one that speaks of accelerations comes first, and titles may hold any words.

@@ -130,16 +130,19 @@ std::string spelt_unit(std::string_view text, std::string_view si_unit) {
 }
 
 ColumnHead column_head(std::string_view cell, std::initializer_list<std::string_view> si_units) {
+  constexpr std::string_view kMarks = "_ ,/";
+  constexpr std::size_t kLongest = 100;  // of a head with a unit that is not in brackets
   const std::string whole(trimmed(cell));
-  const std::size_t bracket = whole.find_first_of("[(");
-  if (bracket != std::string::npos && (whole.ends_with(']') || whole.ends_with(')'))) {
-    std::string_view name = trimmed(std::string_view(whole).substr(0, bracket));
+  const std::size_t open = whole.find_last_of("[("), close = whole.find_last_of("])");
+  if (open != std::string::npos && close != std::string::npos && open < close) {
+    std::string_view name = trimmed(std::string_view(whole).substr(0, open));
     while (name.ends_with('_') || name.ends_with(' ')) name.remove_suffix(1);
-    const std::string inner = whole.substr(bracket + 1, whole.size() - bracket - 2);
-    return {whole, std::string(name), std::string(trimmed(inner)), true};
+    return {whole, std::string(name),
+            std::string(trimmed(std::string_view(whole).substr(open + 1, close - open - 1))), true};
   }
-  for (std::size_t at = whole.find_first_of("_ ,/"); at != std::string::npos;
-       at = whole.find_first_of("_ ,/", at + 1))
+  if (whole.size() > kLongest) return {whole, whole, ""};
+  for (std::size_t at = whole.find_first_of(kMarks); at != std::string::npos;
+       at = whole.find_first_of(kMarks, at + 1))
     for (const std::string_view si_unit : si_units) {
       const std::string unit = spelt_unit(whole.substr(at + 1), si_unit);
       if (!unit.empty()) return {whole, whole.substr(0, at), unit};

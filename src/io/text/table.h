@@ -15,9 +15,6 @@
 
 namespace wythe::io {
 
-constexpr int kMostHeadLines = 100;   // before the numbers of a record: ESM has 64
-constexpr int kMostSampledRows = 50;  // from which a delimiter is told
-
 // What a head says of its column: "acc [cm/s^2]" -> acc, cm/s^2.
 struct ColumnHead {
   std::string whole, name, unit;

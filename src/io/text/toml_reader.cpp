@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "io/text/magnitude.h"
 #include "io/text/range_text.h"
+#include "io/text/toml_slips.h"
 #include "units/quantity_error.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
@@ -242,12 +243,24 @@ void TableReader::flag(const char* name, bool& value, const Key& key) {
   }
 }
 
+namespace {
+
+bool is_one_of_paths(std::string_view key) {
+  return key == "file" || key == "blocks" || key == "model" || key == "logo";
+}
+
+}  // namespace
+
 void TableReader::text(const char* name, std::string& value, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
   const auto* read = node->as_string();
   if (read) {
     value = read->get();
+    const bool is_path = is_one_of_paths(name);
+    if (const std::string meant = is_path ? path_as_meant(value) : ""; !meant.empty())
+      refuse(name, "holds a tab or another mark that a \\ in double quotes makes",
+             fmt::format("write {} = \"{}\", or single quotes", name, meant));
   } else {
     refuse(name, "must be a text in quotes", cure_by_example(name, key, ValueKind::kText));
   }
@@ -369,12 +382,21 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw InputError({Fault{.file = file,
-                            .path = "",
-                            .value = "",
-                            .problem = "not valid TOML: " + std::string(error.description()),
-                            .cure = "",
-                            .line = static_cast<int>(error.source().begin.line)}});
+    const auto line = static_cast<int>(error.source().begin.line);
+    std::string_view rest = text;
+    for (int k = 1; k < line && !rest.empty(); ++k)
+      rest.remove_prefix(std::min(rest.size(), rest.find('\n') + 1));
+    constexpr std::size_t kLongestLine = 1000;
+    const std::string_view written = rest.substr(0, std::min(rest.find('\n'), kLongestLine));
+    const Slip slip = slip_in(written);
+    throw InputError(
+        {Fault{.file = file,
+               .path = "",
+               .value = "",
+               .problem = "not valid TOML: " +
+                          (slip.problem.empty() ? std::string(error.description()) : slip.problem),
+               .cure = slip.cure,
+               .line = line}});
   }
 }
 

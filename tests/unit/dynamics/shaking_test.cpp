@@ -259,7 +259,7 @@ TEST_F(RecordFile, tables_are_read_whatever_stands_between_their_cells) {
       {"time,acc\n", with("{:.2f},{:.3f},")}};
   for (const auto& [head, row] : files) {
     write("a.csv", motion(head, row));
-    const auto& read =
+    const RecordSpec read =
         parse("record = { file = \"a.csv\", unit = \"cm/s2\" }\n").stage.back().record.front();
     ASSERT_EQ(read.read_accelerations.size(), 4U) << head;
     for (int k = 0; k < 4; ++k) {
@@ -338,7 +338,14 @@ TEST_F(RecordFile, a_unit_in_the_head_is_the_unit_or_the_file_is_refused) {
                            "acc (mg)", "acc_mg", "acc [-]", "acc (raw)", "acc [counts]"})
     for (const char* unit : {"g", "m/s2", "cm/s2"})
       says(told(head, unit), {"unit that is not known here", "g, m/s2 or cm/s2"});
-  for (const char* head : {"acc [m]", "x [cm/s]", "acc (kN)"})
+  for (const char* head : {"acc_cm_s2_ns", "acc in gal", "acc (NS) [cm/s^2]", "acc_gal_filtered"})
+    EXPECT_EQ(told(head, "cm/s2"), "accepted") << head;
+  for (const char* head : {"acc in g", "acc_g_x", "a_x_g", "g", "G"}) {
+    EXPECT_EQ(told(head, "g"), "accepted") << head;
+    says(told(head, "cm/s2"), {"states another"});
+  }
+  says(told("acc (in/s2) NS", "g"), {"unit that is not known here"});
+  for (const char* head : {"acc [m]", "x [cm/s]", "acc (kN)", "cm/s", "Sa (g)", "PSA [g]"})
     EXPECT_NE(told(head, "g"), "accepted") << head;
   for (const char* head : {"acc [cm/s^2]", "acc (gal)", "acc_m_s2"})
     says(told(head, "g"), {"states another"});
@@ -366,7 +373,8 @@ TEST_F(RecordFile, heads_of_at2_that_are_in_use) {
         "PEER\nOwn, 1 Jan 2000\nACCELERATION TIME SERIES IN UNITS OF G\nDT= .0500 SEC, NPTS=  3\n",
         "PEER\nhouse, units of 3 storeys\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  3, DT= "
         ".05\n",
-        "PEER\nx\nACCELERATION TIME HISTORY IN UNITS OF G.\n  3   .0500  NPTS, DT\n",
+        "PEER\nx\nACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz, LP=30 Hz\n  3 "
+        "  .0500  NPTS, DT\n",
         "ACCELERATION, UNITS: g\nNPTS: 3 DT: 5e-2\n", "DT=0.05 NPTS=3\n"}) {
     write("a.AT2", std::string(head) + " .1E+00 -.2 .3\n");
     const RecordSpec read =

@@ -209,6 +209,38 @@ TEST(ModelRefused, syntax_error_with_its_line) {
   EXPECT_TRUE(fault.starts_with("model.toml:3: not valid TOML: ")) << fault;
 }
 
+// One slip, one fault, and a cure that gives a valid file.
+TEST(ModelRefused, slips_of_the_hand_with_their_cure) {
+  const std::string right = "height = \"3.62 m\"";
+  const std::pair<const char*, const char*> slips[] = {
+      {"height = \"3.62 m", "lacks a quote; write height = \"3.62 m\""},
+      {"height = 3.62 m\"", "lacks a quote; write height = \"3.62 m\""},
+      {"height = 3.62 m", "without quotes; write height = \"3.62 m\""},
+      {"height = 3,62 m", "has a decimal comma; write height = \"3.62 m\""},
+      {"height \"3.62 m\"", "has no =; write key = value"},
+      {"height = “3.62 m”", "quotes of a text program; write straight ones"}};
+  for (const auto& [slip, told] : slips) {
+    const std::string fault = fault_of(right, slip);
+    EXPECT_TRUE(fault.starts_with("model.toml:3: not valid TOML: ")) << fault;
+    EXPECT_NE(fault.find(told), std::string::npos) << slip << '\n' << fault;
+  }
+  EXPECT_NE(fault_of("[wall]", "[wall").find("has no ] at its end; write [wall]"),
+            std::string::npos);
+}
+
+TEST(ModelRefused, a_path_of_windows_in_double_quotes) {
+  for (const char* path : {"C:\\temp\\new.json", "data\\test.json", "b\\rows.json"}) {
+    const std::string fault =
+        fault_of("thickness =", std::string("blocks = \"") + path + "\"\nthickness =");
+    std::string meant = path;
+    std::replace(meant.begin(), meant.end(), '\\', '/');
+    EXPECT_NE(fault.find("write blocks = \"" + meant + "\""), std::string::npos) << fault;
+  }
+  const std::string fault =
+      fault_of("thickness =", "blocks = \"D:\\walls\\house.json\"\nthickness =");
+  EXPECT_NE(fault.find("write blocks = \"D:/walls/house.json\""), std::string::npos) << fault;
+}
+
 TEST(ModelRefused, every_fault_at_once_in_order_of_lines) {
   const std::string text =
       with(with(with(kModel, "\"5.10 m\"", "5"), "\"+x\"", "\"x\""), "\"310 mm\"", "\"0 mm\"");

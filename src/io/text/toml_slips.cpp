@@ -1,0 +1,110 @@
+#include "io/text/toml_slips.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+
+namespace wythe::io {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+// Without its comment; quotes of either kind hold a # in.
+std::string_view without_comment(std::string_view line) {
+  char open = '\0';
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (open == '"' && line[i] == '\\')
+      ++i;
+    else if (open != '\0')
+      open = line[i] == open ? '\0' : open;
+    else if (line[i] == '"' || line[i] == '\'')
+      open = line[i];
+    else if (line[i] == '#')
+      return line.substr(0, i);
+  }
+  return line;
+}
+
+bool has_any(std::string_view text, std::initializer_list<std::string_view> parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
+    return text.find(part) != std::string_view::npos;
+  });
+}
+
+// "1.0 m", "-2 mm/s": a number and something behind it.
+bool is_bare_quantity(std::string_view value) {
+  std::size_t i = value.starts_with('-') || value.starts_with('+') ? 1 : 0;
+  const std::size_t first = i;
+  while (i < value.size() && (is_digit(value[i]) || value[i] == '.')) ++i;
+  return i > first && i < value.size() &&
+         (std::isalpha(static_cast<unsigned char>(value[i])) != 0 || value[i] == ' ' ||
+          value[i] == '%');
+}
+
+}  // namespace
+
+Slip slip_in(std::string_view written) {
+  const std::string_view line = trimmed(without_comment(written));
+  if (has_any(line, {"“", "”", "„", "‘", "’", "«", "»"}))
+    return {"has quotes of a text program", "write straight ones: \""};
+  if (line.starts_with('[') && !line.ends_with(']') && line.find('=') == std::string_view::npos)
+    return {"has no ] at its end",
+            fmt::format("write {}]{}", line, line.starts_with("[[") ? "]" : "")};
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos)
+    return line.starts_with('[') ? Slip{} : Slip{"has no =", "write key = value"};
+  const std::string key(trimmed(line.substr(0, equals)));
+  const std::string_view value = trimmed(line.substr(equals + 1));
+  const bool is_plain = !value.empty() && value.find_first_of("[]{}'") == std::string_view::npos;
+  const auto quotes = std::count(value.begin(), value.end(), '"');
+  if (is_plain && quotes == 1) {
+    const std::string inner(trimmed(
+        value.substr(value.starts_with('"') ? 1 : 0,
+                     value.size() - (value.starts_with('"') || value.ends_with('"') ? 1 : 0))));
+    return {"lacks a quote", fmt::format("write {} = \"{}\"", key, inner)};
+  }
+  if (value.empty()) return {"has no value", "write key = value"};
+  if (quotes % 2 == 1) return {"lacks a quote", "write each text between two quotes"};
+  if (is_plain && quotes == 2 && value.starts_with('"') && value.ends_with('"') &&
+      value.find('\\') != std::string_view::npos) {
+    std::string path(value);
+    std::replace(path.begin(), path.end(), '\\', '/');
+    return {"has a \\ in double quotes, which begins a character such as a tab",
+            fmt::format("write {} = {}, or single quotes", key, path)};
+  }
+  if (is_plain && quotes == 0) {
+    std::string number(value);
+    const std::size_t comma = number.find(',');
+    if (comma != std::string::npos && comma > 0 && comma + 1 < number.size() &&
+        is_digit(number[comma - 1]) && is_digit(number[comma + 1])) {
+      number[comma] = '.';
+      const bool has_unit = is_bare_quantity(number);
+      return {"has a decimal comma",
+              fmt::format("write {0} = {2}{1}{2}", key, number, has_unit ? "\"" : "")};
+    }
+    if (is_bare_quantity(value))
+      return {"is a quantity without quotes", fmt::format("write {} = \"{}\"", key, value)};
+    if (std::isalpha(static_cast<unsigned char>(value[0])) != 0)
+      return {"is a text without quotes", fmt::format("write {} = \"{}\"", key, value)};
+  }
+  return {};
+}
+
+std::string path_as_meant(std::string_view path) {
+  constexpr std::string_view kMarks = "\b\t\n\f\r\x1b", kLetters = "btnfre";
+  if (path.find_first_of(kMarks) == std::string_view::npos) return "";
+  std::string meant;
+  for (const char c : path) {
+    const std::size_t mark = kMarks.find(c);
+    if (mark != std::string_view::npos)
+      (meant += '/') += kLetters[mark];
+    else
+      meant += c == '\\' ? '/' : c;
+  }
+  return meant;
+}
+
+}  // namespace wythe::io

@@ -1,0 +1,19 @@
+// Slips of the hand in a TOML text, in a user's words: the parser's own say where it stopped, not what is wrong.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace wythe::io {
+
+struct Slip {
+  std::string problem, cure;  // "" where none is known
+};
+
+// What is wrong with a line at which the parser stopped.
+[[nodiscard]] Slip slip_in(std::string_view line);
+
+// "C:\temp" in double quotes holds a tab: the name as it was written, with / for each \; "" where nothing is wrong.
+[[nodiscard]] std::string path_as_meant(std::string_view path);
+
+}  // namespace wythe::io
