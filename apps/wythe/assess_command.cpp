@@ -57,8 +57,8 @@ void print_forecast(const StudySpec& study, const CampaignOptions& options) {
                         ? options.jobs
                         : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const double push = estimate(compile(model_builder(study)({}))).seconds;
-  fmt::print("{} ways of pushing, {} walls each: at most about {} on {} core{}\n", ways, walls,
-             duration_text(push * ways * walls / cores), cores, cores == 1 ? "" : "s");
+  fmt::print(stderr, "{} ways of pushing, {} walls each: at most about {} on {} core{}\n", ways,
+             walls, duration_text(push * ways * walls / cores), cores, cores == 1 ? "" : "s");
 }
 
 void print_way(const WayOfPushing& way) {

@@ -113,6 +113,13 @@ int run_walls(const RunArguments& a) {
     if (!value.empty())
       refuse(option, value, "is for one wall, and --walls asks for several",
              "leave it out; the same command goes on with walls that are stored");
+  if (a.threads != 1)
+    refuse("--threads", std::to_string(a.threads), "is for one wall, and --walls asks for several",
+           "write --jobs for walls at the same time");
+  for (const std::string& text : a.overrides)
+    if (text.starts_with("study."))
+      refuse("--set", text, "is of a study, and --walls makes its own",
+             "leave it out, or write a study and run wythe campaign");
   const int walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
   CampaignOptions options;
   if (!a.jobs.empty())

@@ -169,6 +169,14 @@ class Run(Base):
         self.assertEqual(nowhere.returncode, 2)
         self.assertIn("report.data", nowhere.stderr)
 
+    def test_several_walls_refuse_what_is_for_one_wall_or_for_a_study(self):
+        model, out = self.result.parent / "model.toml", self.result.parent / "walls"
+        for more, word in ((("--threads", "2"), "--jobs"), (("--set", "study.samples=3"), "study.samples=3")):
+            done = wythe("run", model, "--out", out, "--walls", "2", "--set", "scatter.use=clay_brick", *more)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(word, done.stderr)
+            self.assertFalse(out.exists())
+
     def test_curve_has_the_contract_columns_and_500_rows(self):
         with open(self.result / "force_displacement.csv") as file:
             rows = list(csv.reader(file))

@@ -39,7 +39,7 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 STAND_IN = """#!%s
 import os, shlex, sys
 words, short = sys.argv[1:], shlex.split(os.environ["SHORT"])
-if words[:1] in (["run"], ["campaign"]) and words[1:2] != ["--resume"]:
+if words[:1] in (["run"], ["campaign"], ["assess"]) and words[1:2] != ["--resume"]:
     for option in short:
         if option.startswith("--") and option != "--set" and option in words:
             del words[words.index(option):words.index(option) + 2]

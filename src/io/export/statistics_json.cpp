@@ -180,10 +180,12 @@ Json walls_json(const WallEnsemble& walls) {
                {"displacement_at_peak_mm", of_walls_json(walls.displacement_at_peak, 1e3)},
                {"displacement_at_80_percent_mm", of_walls_json(walls.displacement_at_80, 1e3)}};
   Json& capacity = json["drift_capacity"] = {{"left", walls.left}};
-  for (const char* key : {"median_mm", "low_mm", "high_mm", "bounds"})
+  for (const char* key : {"n", "median_mm", "at_least_mm", "low_mm", "high_mm", "bounds"})
     capacity[key] = Json::array();
   for (const OfWalls& of : walls.capacity) {
+    capacity["n"].push_back(of.n);
     capacity["median_mm"].push_back(number(of.median.value * 1e3));
+    capacity["at_least_mm"].push_back(number(of.at_least * 1e3));
     capacity["low_mm"].push_back(number(of.median.interval.low * 1e3));
     capacity["high_mm"].push_back(number(of.median.interval.high * 1e3));
     capacity["bounds"].push_back(of.bounds);

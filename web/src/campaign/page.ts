@@ -16,7 +16,7 @@ import { flags, nameSensitivity } from "./names";
 import { SamplePanel } from "./sample";
 import { campaignSheet } from "./sheet";
 import { isShaken, limitStates, lostShakes, response } from "./shaken";
-import { driftLimits, exceedance, precision, running, shares, tableThree } from "./statistics";
+import { driftLimits, exceedance, medians, precision, running, shares, tableThree } from "./statistics";
 
 const kListed = 200;
 
@@ -141,6 +141,7 @@ export function campaignSections(bundle: Bundle): Section[] {
                 exceedance(campaign, q),
               ),
             ),
+            medians(campaign),
             driftLimits(campaign),
           ]
         : null,

@@ -349,6 +349,59 @@ export function driftLimits(campaign: Campaign): Child {
   );
 }
 
+// Medians over the walls of this model, with the interval by order statistics: what one wall cannot tell.
+export function medians(campaign: Campaign): Child {
+  const walls = campaign.statistics.walls as any;
+  if (!walls || campaign.answered.length < 2) return null;
+  const show = (v: number | null, of: any): string =>
+    v === null ? (of.bounds > 0 ? say("beyond") : "–") : num(v, 3);
+  const row = (what: string, unit: string, of: any): Cell[] => [
+    { show: what },
+    { show: of.median === null && of.bounds > 0 ? `> ${num(of.at_least, 3)}` : show(of.median, of) },
+    { show: of.n < 6 ? "–" : `${show(of.low, of)} … ${show(of.high, of)}` },
+    { show: unit },
+    { show: String(of.n) },
+    { show: String(of.bounds) },
+  ];
+  const read = (json: any): any => ({
+    ...json,
+    low: json.median_interval?.[0] ?? null,
+    high: json.median_interval?.[1] ?? null,
+  });
+  const d = walls.drift_capacity;
+  const rows = [
+    row(say("quantity.peak_reaction"), "kN", read(walls.peak_reaction_kN)),
+    row(say("quantity.displacement_at_peak"), "mm", read(walls.displacement_at_peak_mm)),
+    ...(d.left as number[]).map((left, k) =>
+      row(say("medians.left", { share: qty(100 * left, "%") }), "mm", {
+        n: d.n[k],
+        median: d.median_mm[k],
+        at_least: d.at_least_mm[k],
+        low: d.low_mm[k],
+        high: d.high_mm[k],
+        bounds: d.bounds[k],
+      }),
+    ),
+  ];
+  return h(
+    "div",
+    { id: "medians" },
+    table(
+      [
+        { head: "", left: true },
+        { head: say("medians.median") },
+        { head: "95 %" },
+        { head: "" },
+        { head: say("medians.walls") },
+        { head: say("medians.bounds") },
+      ],
+      rows,
+      say("medians.title"),
+    ),
+    h("p", { class: "soft small" }, say("medians.lead")),
+  );
+}
+
 // --- running means -----------------------------------------------------------------------------------
 
 export function running(campaign: Campaign): HTMLElement | null {
