@@ -169,6 +169,12 @@ class Run(Base):
         self.assertEqual(nowhere.returncode, 2)
         self.assertIn("report.data", nowhere.stderr)
 
+    def test_whether_the_threshold_decides_is_not_said_where_it_was_not_seen(self):
+        capacity = self.summary["drift_capacity"]
+        bound = dict(zip(capacity["left"], capacity["censored"]))
+        self.assertTrue(bound[0.75], "this push is meant to end before that fall")
+        self.assertIsNone(capacity["threshold_decides"])
+
     def test_several_walls_refuse_what_is_for_one_wall_or_for_a_study(self):
         model, out = self.result.parent / "model.toml", self.result.parent / "walls"
         for more, word in ((("--threads", "2"), "--jobs"), (("--set", "study.samples=3"), "study.samples=3")):

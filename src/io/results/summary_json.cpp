@@ -216,6 +216,16 @@ Json falls_json(const std::vector<FallTo>& falls) {
   return list;
 }
 
+// No answer where the push ended before the falls that are compared.
+Json threshold_json(const Responses& r) {
+  if (threshold_decides(r)) return true;
+  const bool unknown =
+      std::any_of(r.drift_capacity.begin(), r.drift_capacity.end(), [](const FallTo& fall) {
+        return (fall.fraction == 0.75 || fall.fraction == 0.85) && fall.censored;
+      });
+  return unknown ? Json(nullptr) : Json(false);
+}
+
 // d(r): arrays of one length, by the share of the peak that is left.
 Json drift_capacity_json(const Responses& r) {
   Json json = {{"left", Json::array()},
@@ -237,7 +247,7 @@ Json drift_capacity_json(const Responses& r) {
     json["censored_last"].push_back(fall.censored_last);
   }
   json["lasts_percent"] = kLastingShare * 1e2;
-  json["threshold_decides"] = threshold_decides(r);
+  json["threshold_decides"] = threshold_json(r);
   json["dips"] = Json::array();
   for (const Dip& dip : r.dips)
     json["dips"].push_back({{"left", dip.fraction},
