@@ -31,7 +31,7 @@ class Shake(unittest.TestCase):
     def test_check_tells_record_damping_and_cost_before_the_run(self):
         done = wythe("check", self.model)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("record.csv with a peak of", done.stdout)
+        self.assertIn("record.csv, column acceleration_m_per_s2 in m/s2", done.stdout)
         self.assertIn("shorten the time step", done.stdout)
         self.assertIn("steps", done.stdout)
 
