@@ -260,9 +260,11 @@ ground_acceleration = "1.5 m/s^2"
   run("run", input("assessed.toml"), "--out", folder("sheet_assessed"), "--quiet");
   const seen = await printed("sheet_assessed");
   assertFits(seen, "sheet_assessed");
-  assert.equal(seen.standing, "yes");
-  assert.match(seen.verdict, /^Life safety: met\./);
-  assert.match(seen.words, /School <script>[^]*near collapse[^]*Circolare 7\/2019[^]*Signature/);
+  assert.equal(seen.standing, "no"); // one push in one direction is no verdict
+  assert.match(seen.verdict, /^Not to be signed as it stands\./);
+  assert.match(seen.words, /wythe assess/);
+  assert.match(seen.words, /School <script>[^]*near collapse[^]*Circolare 7\/2019/);
+  assert.doesNotMatch(seen.words, /Signature/);
 });
 
 // --- a campaign ----------------------------------------------------------------------------------------
