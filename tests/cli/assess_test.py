@@ -24,7 +24,7 @@ amplification = 2.5
 corner_period = "0.30 s"
 ground = "A"
 """
-WALL = SMALL.replace('until = "3 mm"', 'until = "4 mm"') + ASSESSMENT
+WALL = SMALL.replace('until = "3 mm"', 'until = "4 mm"').replace('velocity = "2 mm/s"', 'velocity = "1 mm/s"') + ASSESSMENT
 PATTERN = WALL.replace('at = { x = "0 m", y = "0.75 m" }',
                        'pattern = "mass_height"\nlevels = ["0.4 m", "0.8 m"]\ncontrol = { x = "0.1 m", y = "0.75 m" }')
 
@@ -215,7 +215,7 @@ class Assess(unittest.TestCase):
         self.refused(WALL.replace(ASSESSMENT[spectrum:], ""), "assessment.spectrum: is missing", "bad.toml:")
         self.refused(WALL.replace('use = "clay_brick"', "").replace("[scatter]", ""), "nothing scatters", "clay_brick")
         self.refused(WALL.replace('direction = "+x"', 'direction = "-y"'), "not horizontal", "direction")
-        self.refused(WALL.replace('velocity = "2 mm/s"\nuntil = "4 mm"', 'velocity = "2 mm/s"\ntargets = ["1 mm", "-1 mm"]'),
+        self.refused(WALL.replace('velocity = "1 mm/s"\nuntil = "4 mm"', 'velocity = "1 mm/s"\ntargets = ["1 mm", "-1 mm"]'),
                      "cyclic", "until")
         self.refused(WALL + "[solve]\ngravity = \"0 m/s^2\"\n", "no mass", arguments=("--set", "assessment.added_mass=0 kg"))
         self.refused(WALL, "--walls", "whole number from 2", arguments=("--walls", "1"))

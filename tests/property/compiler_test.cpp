@@ -358,7 +358,7 @@ TEST(Compiler,
       }
     // the claim is about both: assemblies that were kept and others
     EXPECT_GT(kept, keys * kWays / 5) << name;
-    EXPECT_LT(kept, keys * kWays * 24 / 25) << name;  // most keys are of stages and materials
+    EXPECT_GT(keys * kWays - kept, 100) << name;  // most keys are of stages and materials
     EXPECT_GT(models, keys * kWays / 5) << name;
   }
 }
