@@ -213,14 +213,14 @@ struct CampaignAssessment;  // wythe/statistics.h
 [[nodiscard]] CodeAssessment assess_run(const ModelSpec& spec, const Model& model,
                                         const Result& result);
 
-
 // --- ways of pushing (docs/theory/assessment.md, "The verdict from many walls") --------------------------
 
 // A direction and a pattern of forces that the verdict asks for, and the settings that make a model push so.
 struct PushWay {
-  std::string direction;                   // "+x", "[1, 0, -1]"
-  std::string pattern;                     // word of Pattern, or "at": at the place that the file names
-  std::vector<std::string> settings = {};  // "path=value", as for --set; none: the model as it stands
+  std::string direction;  // "+x", "[1, 0, -1]"
+  std::string pattern;    // word of Pattern, or "at": at the place that the file names
+  std::vector<std::string> settings =
+      {};  // "path=value", as for --set; none: the model as it stands
 };
 struct PushWays {
   std::vector<PushWay> ways;      // the model's own first

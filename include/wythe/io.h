@@ -22,7 +22,7 @@ namespace wythe {
 struct PairedComparison;  // comparison.h
 struct AskedWalls;        // verdict.h
 struct WallsVerdict;
-class InputError;         // error.h
+class InputError;  // error.h
 
 // `overrides` are the "path=value" texts of --set. The value is TOML, quotes may be left out; members
 // of a list are given by name or by index: stage.push.velocity=1 mm/s, stage.2.velocity=1 mm/s.

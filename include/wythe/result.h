@@ -336,7 +336,7 @@ struct Result {
   // at SolveOptions::read_modes_at, each turn of a cyclic push ("turn"), and the end ("end").
   std::vector<Snapshot> readings;
   std::vector<MovedBlocks> rise_shapes;  // of a push one way, up to where readings are as close
-  std::vector<Snapshot> frames;  // between them, as many as SolveOptions::frames asked for
+  std::vector<Snapshot> frames;          // between them, as many as SolveOptions::frames asked for
   std::vector<StageReport> stages;
   double load_factor = 0;       // largest lambda carried in balance (body force), tan(tilt)
   double top_displacement = 0;  // [m]

@@ -39,7 +39,7 @@ Polygon corners_of(const BlockSpec& block) {
     const double off = std::abs((at.x - before.x) * y - (at.y - before.y) * x);
     return length > near && off <= near * length && along > 0 && along < length * length;
   };
-  for (std::size_t i = 0, seen = 0; corners.size() > 2 && seen < corners.size();) {
+  for (std::size_t i = 0, seen = 0; corners.size() > 3 && seen < corners.size();) {
     const std::size_t n = corners.size();
     if (is_idle(corners[(i + n - 1) % n], corners[i % n], corners[(i + 1) % n])) {
       corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(i % n));

@@ -64,7 +64,7 @@ class VerdictPage {
 
  private:
   [[nodiscard]] std::string say(const char* key, Places places = {}) const {
-    return texts_.say(std::string("assess.") + key, places);
+    return texts_.say(key, places);
   }
   // Three decimals, so that numbers below each other compare.
   [[nodiscard]] std::string fixed(double value, const char* unit) const {
@@ -77,7 +77,7 @@ class VerdictPage {
     return sentence(text_of(message, language_));
   }
   [[nodiscard]] std::string title() const {
-    return project_.title.empty() ? say("kind") : escaped(project_.title);
+    return project_.title.empty() ? say("assess.kind") : escaped(project_.title);
   }
 
   [[nodiscard]] std::string head() const {
@@ -91,19 +91,20 @@ class VerdictPage {
     return fmt::format(
         "<header><div><h1>{}</h1><p class=\"facts\">{}</p></div><p "
         "class=\"facts\">{}</p></header>\n",
-        title(), facts, project_.title.empty() ? "" : say("kind"));
+        title(), facts, project_.title.empty() ? "" : say("assess.kind"));
   }
 
   // Met or not in a word, then the sentence.
   [[nodiscard]] std::string verdict() const {
-    const char* key = "undecided";
-    if (v_.verdict == AssessmentVerdict::kHolds) key = "holds";
-    if (v_.verdict == AssessmentVerdict::kFails) key = "fails";
+    const char* key = "assess.undecided";
+    if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
+    if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
     std::string state = texts_.say("assessment." + v_.spec.limit_state);
     state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
-    std::string standing =
-        v_.verdict == AssessmentVerdict::kNotKnown ? say("unknown") : say(key, {{"state", state}});
-    if (!v_.may_be_signed) standing += " " + say("unsigned");
+    std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
+                               ? say("assess.unknown")
+                               : say(key, {{"state", state}});
+    if (!v_.may_be_signed) standing += " " + say("assess.unsigned");
     const Message* said = &v_.sentence;  // without its cautions, which follow in a list
     if (v_.sentence.code == "assessment.unsigned")
       for (const Argument& argument : v_.sentence.arguments)
@@ -118,13 +119,13 @@ class VerdictPage {
   // "0.14 to 0.24 g"; "" without an interval.
   [[nodiscard]] std::string interval(const Interval& of, double scale, const char* unit) const {
     if (std::isnan(of.low)) return "";
-    if (std::isinf(of.high)) return say("or_more", {{"from", fixed(of.low * scale, unit)}});
-    return say("between",
+    if (std::isinf(of.high)) return say("assess.or_more", {{"from", fixed(of.low * scale, unit)}});
+    return say("assess.between",
                {{"from", fixed(of.low * scale, "")}, {"to", fixed(of.high * scale, unit)}});
   }
   [[nodiscard]] std::string median(const WallCapacity& c, double scale, const char* unit) const {
     const std::string value = fixed(c.median.value * scale, unit);
-    return c.at_least ? say("at_least", {{"value", value}}) : value;
+    return c.at_least ? say("assess.at_least", {{"value", value}}) : value;
   }
 
   [[nodiscard]] std::string cards() const {
@@ -143,15 +144,17 @@ class VerdictPage {
     const Estimate share = v_.counts.probability();
     const auto percent = [&](double x) { return texts_.quantity(100 * x, "%", 2); };
     return "<section class=\"cards\">\n" +
-           card(median(v_.capacity, kToG, "g"), say("capacity"),
-                more(interval(v_.capacity.median.interval, kToG, "g"), say("capacity.means"))) +
-           card(g(demand), say("demand"), say("demand.means")) +
-           card(median(v_.capacity, 1 / demand, ""), say("index"),
-                more(interval(v_.capacity.median.interval, 1 / demand, ""), say("index.means"))) +
+           card(median(v_.capacity, kToG, "g"), say("assess.capacity"),
+                more(interval(v_.capacity.median.interval, kToG, "g"),
+                     say("assess.capacity.means"))) +
+           card(g(demand), say("assess.demand"), say("assess.demand.means")) +
+           card(median(v_.capacity, 1 / demand, ""), say("assess.index"),
+                more(interval(v_.capacity.median.interval, 1 / demand, ""),
+                     say("assess.index.means"))) +
            card(fmt::format("{} / {}", v_.counts.not_met, v_.counts.met + v_.counts.not_met),
-                say("share"),
-                say("share.means", {{"from", percent(share.interval.low)},
-                                    {"to", percent(share.interval.high)}})) +
+                say("assess.share"),
+                say("assess.share.means", {{"from", percent(share.interval.low)},
+                                           {"to", percent(share.interval.high)}})) +
            "</section>\n";
   }
 
@@ -162,11 +165,12 @@ class VerdictPage {
   }
   [[nodiscard]] std::string cautions() const {
     if (v_.cautions.empty()) return "";
-    return "<h2>" + say("why") + "</h2>\n" + list(v_.cautions);
+    return "<h2>" + say("assess.why") + "</h2>\n" + list(v_.cautions);
   }
   [[nodiscard]] std::string notes() const {
     if (v_.notes.empty()) return "";
-    return "<h2>" + say("assumed") + "</h2>\n<div class=\"small\">" + list(v_.notes) + "</div>\n";
+    return "<h2>" + say("assess.assumed") + "</h2>\n<div class=\"small\">" + list(v_.notes) +
+           "</div>\n";
   }
 
   [[nodiscard]] std::string name_of(const WayOfPushing& way) const {
@@ -181,15 +185,15 @@ class VerdictPage {
           "<tr{}><td class=\"left\"><a href=\"{}/report.html\">{}</a>{}</td><td>{}</td><td>{}</td>"
           "<td>{} / {}</td><td>{}</td><td>{}</td></tr>\n",
           decides ? " class=\"decides\"" : "", escaped(way.folder), name_of(way),
-          decides ? " (" + say("decides") + ")" : "", median(way.capacity, kToG, "g"),
+          decides ? " (" + say("assess.decides") + ")" : "", median(way.capacity, kToG, "g"),
           interval(way.capacity.median.interval, kToG, "g"), way.counts.not_met,
           way.counts.met + way.counts.not_met, way.counts.not_shown, way.counts.lost);
     }
-    return "<h2>" + say("ways") + "</h2>\n" + figure() +
-           "<div class=\"wide\"><table><tr><th class=\"left\">" + say("way") + "</th><th>" +
-           say("median") + "</th><th>" + say("interval") + "</th><th>" + say("not_met") +
-           "</th><th>" + say("not_shown") + "</th><th>" + say("lost") + "</th></tr>\n" + rows +
-           "</table></div>\n";
+    return "<h2>" + say("assess.ways") + "</h2>\n" + figure() +
+           "<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.way") + "</th><th>" +
+           say("assess.median") + "</th><th>" + say("assess.interval") + "</th><th>" +
+           say("assess.not_met") + "</th><th>" + say("assess.not_shown") + "</th><th>" +
+           say("assess.lost") + "</th></tr>\n" + rows + "</table></div>\n";
   }
 
   // A row of dots for each way: what its walls carry, against the demand.
@@ -206,7 +210,7 @@ class VerdictPage {
     const double height = kRow * static_cast<double>(v_.ways.size()) + kFoot;
     const Axis X = Axis::between(0, most, kLeft, kWidth - kRight);
     std::string out =
-        "<figure><div class=\"wide\">" + svg_begin(kWidth, height, "curve", say("figure"));
+        "<figure><div class=\"wide\">" + svg_begin(kWidth, height, "curve", say("assess.figure"));
     const double foot = height - kFoot;
     for (const double tick : ticks(0, most, 6)) {
       out += line({X(tick), 0}, {X(tick), foot}, "grid");
@@ -230,10 +234,10 @@ class VerdictPage {
     }
     if (demand > 0) {
       out += line({X(demand), 0}, {X(demand), foot + 4}, "asked");
-      out += label({X(demand), foot + 29}, say("demand") + " " + texts_.number(demand),
+      out += label({X(demand), foot + 29}, say("assess.demand") + " " + texts_.number(demand),
                    "small bold", "middle");
     }
-    return out + "</svg></div><figcaption>" + say("figure") + "</figcaption></figure>\n";
+    return out + "</svg></div><figcaption>" + say("assess.figure") + "</figcaption></figure>\n";
   }
 
   [[nodiscard]] std::string limit_states() const {
@@ -243,12 +247,13 @@ class VerdictPage {
       const WallCapacity& c = v_.limit_states[s];
       rows += fmt::format("<tr><td class=\"left\">{}{}</td><td>{}</td><td>{}</td></tr>\n",
                           texts_.say("assessment." + state),
-                          state == v_.spec.limit_state ? " (" + say("checked") + ")" : "",
+                          state == v_.spec.limit_state ? " (" + say("assess.checked") + ")" : "",
                           median(c, kToG, "g"), interval(c.median.interval, kToG, "g"));
     }
     if (rows.empty()) return "";
-    return "<h2>" + say("states") + "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" +
-           say("state") + "</th><th>" + say("median") + "</th><th>" + say("interval") +
+    return "<h2>" + say("assess.states") +
+           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.state") +
+           "</th><th>" + say("assess.median") + "</th><th>" + say("assess.interval") +
            "</th></tr>\n" + rows + "</table></div>\n";
   }
 
@@ -259,10 +264,10 @@ class VerdictPage {
 
   [[nodiscard]] std::string verdict_of(const JudgedWall& wall) const {
     switch (wall.verdict()) {
-      case AssessmentVerdict::kHolds: return say("holds.short");
-      case AssessmentVerdict::kFails: return say("not_met");
-      case AssessmentVerdict::kNotShown: return say("not_shown");
-      default: return say("lost");
+      case AssessmentVerdict::kHolds: return say("assess.holds.short");
+      case AssessmentVerdict::kFails: return say("assess.not_met");
+      case AssessmentVerdict::kNotShown: return say("assess.not_shown");
+      default: return say("assess.lost");
     }
   }
 
@@ -275,15 +280,15 @@ class VerdictPage {
         rows += fmt::format(
             "<tr><td class=\"left\">{}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td><td "
             "class=\"left\">{}</td></tr>\n",
-            name_of(way), wall.wall, r.censored ? say("at_least", {{"value", value}}) : value,
-            verdict_of(wall),
+            name_of(way), wall.wall,
+            r.censored ? say("assess.at_least", {{"value", value}}) : value, verdict_of(wall),
             wall.is_lost() ? words(wall.lost) : escaped(texts_.phrase(wall.mode)));
       }
-    return "<section class=\"appendix\"><h2>" + say("walls") +
-           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("way") + "</th><th>" +
-           say("wall") + "</th><th>" + say("capacity") + "</th><th class=\"left\">" +
-           say("verdict") + "</th><th class=\"left\">" + say("mode") + "</th></tr>\n" + rows +
-           "</table></div></section>\n";
+    return "<section class=\"appendix\"><h2>" + say("assess.walls") +
+           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.way") +
+           "</th><th>" + say("assess.wall") + "</th><th>" + say("assess.capacity") +
+           "</th><th class=\"left\">" + say("assess.verdict") + "</th><th class=\"left\">" +
+           say("assess.mode") + "</th></tr>\n" + rows + "</table></div></section>\n";
   }
 
   const WallsVerdict& v_;

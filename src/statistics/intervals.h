@@ -21,7 +21,7 @@ inline constexpr double kNormal95 = 1.959963984540054;  // quantile of 97.5 % of
 // below 1e-3 from 4 degrees of freedom on.
 [[nodiscard]] double student_95(int degrees);
 
-inline constexpr int kFewestForInterval = 5;    // fewer samples say nothing about their own scatter
+inline constexpr int kFewestForInterval = 5;  // fewer samples say nothing about their own scatter
 inline constexpr int kFewestForBootstrap = 100;  // below, closed forms
 
 // A share of `count` in `n`: exact of few, Wilson's of many.

@@ -220,7 +220,7 @@ class Checkpoint(Base):
         def with_format(head, program, content):
             head[1] += 1
         self.rewritten(with_format)
-        self.refused_resume("has format 2, this program reads 1")
+        self.refused_resume("has format 3, this program reads 2")
 
         def with_program(head, program, content):
             program[:11] = b"wythe 9.9.9"

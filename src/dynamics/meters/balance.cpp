@@ -63,13 +63,13 @@ Message why_out_of_balance(const Curve& curve) {
 namespace {
 
 // Limits of the verdict; docs/theory/integration.md says where each comes from.
-constexpr double kScatter = 0.02;     // two runs that differ by rounding alone differ by up to this
-constexpr double kLift = 2.0;         // of the drag at the peak: what it adds to the force, at most
-constexpr double kSlow = 0.04;        // lift up to which a push is slow enough: a drag of 1 %
-constexpr double kUsable = 0.08;      // up to which it is usable: a drag of 3 %
-constexpr double kKinetic = 0.05;     // kinetic energy / work of the drive, at the peak
-constexpr double kLedger = 0.01;      // energy that the ledger misses
-constexpr double kApproach = 0.8;     // of the displacement at the peak: where the way to it begins
+constexpr double kScatter = 0.02;  // two runs that differ by rounding alone differ by up to this
+constexpr double kLift = 2.0;      // of the drag at the peak: what it adds to the force, at most
+constexpr double kSlow = 0.04;     // lift up to which a push is slow enough: a drag of 1 %
+constexpr double kUsable = 0.08;   // up to which it is usable: a drag of 3 %
+constexpr double kKinetic = 0.05;  // kinetic energy / work of the drive, at the peak
+constexpr double kLedger = 0.01;   // energy that the ledger misses
+constexpr double kApproach = 0.8;  // of the displacement at the peak: where the way to it begins
 
 // The larger of two, and not a number where either is none: a comparison with it holds never, and std::max
 // then drops it.

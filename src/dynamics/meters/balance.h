@@ -16,7 +16,8 @@ namespace wythe::dynamics {
 inline constexpr double kBalance = 0.02;  // gap of a row in balance, as a share of the force
 inline constexpr double kBalanceOver =
     0.05;  // length of the stretch, as a share of its displacement
-inline constexpr double kUnbalance = 0.003;  // unbalanced forces / contact forces: more rejects a peak
+inline constexpr double kUnbalance =
+    0.003;  // unbalanced forces / contact forces: more rejects a peak
 
 // Rows within kBalanceOver of a row's displacement (half on either side), and its neighbours at least.
 struct Stretch {

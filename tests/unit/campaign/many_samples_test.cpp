@@ -115,7 +115,7 @@ TEST(ManySamples, a_response_of_one_value_has_no_indices) {
 
 // What is drawn from sums about the mean is what is drawn from the values.
 TEST(ManySamples, mean_and_cov_are_those_of_the_general_bootstrap) {
-  const Campaign campaign = many(60);
+  const Campaign campaign = many(120);
   const Summary peak = summary_of(statistics_of(campaign), "peak_reaction");
   std::vector<double> values;
   for (const SampleRecord& r : campaign.records) values.push_back(r.responses.peak_reaction);
@@ -131,8 +131,8 @@ TEST(ManySamples, mean_and_cov_are_those_of_the_general_bootstrap) {
     EXPECT_NEAR(a.interval.low, b.interval.low, 1e-9 * b.value);
     EXPECT_NEAR(a.interval.high, b.interval.high, 1e-9 * b.value);
   };
-  same(peak.mean, bca_bootstrap(60, [&](const Counts& c) { return moments(c).mean(); }));
-  same(peak.cov, bca_bootstrap(60, [&](const Counts& c) {
+  same(peak.mean, bca_bootstrap(120, [&](const Counts& c) { return moments(c).mean(); }));
+  same(peak.cov, bca_bootstrap(120, [&](const Counts& c) {
          const Moments m = moments(c);
          return m.standard_deviation() / m.mean();
        }));

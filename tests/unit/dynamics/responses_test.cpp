@@ -264,8 +264,8 @@ TEST(Lasting, a_fall_after_the_push_is_none_of_it) {
 
 // A stop at a share is a bound for every share below it, in each reading.
 TEST(Lasting, a_stop_rule_makes_no_fall_below_its_share) {
-  const Responses r = read_responses(
-      curve_of({{0, 0}, {2, 100}, {7, 92}, {7.2, 89}, {8, 89}}), {.fractions = {0.8, 0.5}});
+  const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {7, 92}, {7.2, 89}, {8, 89}}),
+                                     {.fractions = {0.8, 0.5}});
   EXPECT_TRUE(r.censored_80 && r.censored_first_80 && r.censored_last_80 && r.censored_max);
   EXPECT_TRUE(r.collapse.censored && r.bilinear.censored);
   EXPECT_DOUBLE_EQ(r.displacement_at_80, 8);

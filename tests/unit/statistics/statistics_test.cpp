@@ -502,7 +502,8 @@ TEST(CampaignStatistics, of_few_samples_intervals_are_closed_forms) {
   EXPECT_DOUBLE_EQ(fall.survival_mean.interval.low, ends.student().interval.low);
   EXPECT_DOUBLE_EQ(fall.survival_median.interval.low, 1e-3);
   EXPECT_TRUE(std::isinf(fall.survival_median.interval.high));
-  records[7].responses.displacement_at_80 = 2.5e-3;  // a push that ended early: no mean up to anywhere
+  records[7].responses.displacement_at_80 =
+      2.5e-3;  // a push that ended early: no mean up to anywhere
   const Statistics early = statistics_of(of_records(records));
   EXPECT_TRUE(std::isnan(early.group[0].quantity[2].survival_mean.interval.low));
 }

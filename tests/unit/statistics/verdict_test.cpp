@@ -136,8 +136,7 @@ TEST(Verdict, counts_a_lost_wall_on_both_sides) {
   EXPECT_EQ(v.counts.lost, 1);
   EXPECT_EQ(v.counts.met, 7);
   EXPECT_EQ(v.counts.probability().value, 0);
-  EXPECT_NEAR(v.counts.probability().interval.high, study::exact_share(1, 8).interval.high,
-              1e-12);
+  EXPECT_NEAR(v.counts.probability().interval.high, study::exact_share(1, 8).interval.high, 1e-12);
   EXPECT_EQ(v.capacity.median.interval.low, 0);
   EXPECT_TRUE(has(v.cautions, "verdict.caution.lost"));
   EXPECT_FALSE(v.may_be_signed);
