@@ -227,7 +227,33 @@ Size size_of(const ModelSpec& spec) {
   return size;
 }
 
+constexpr double kShortestWall = 0.03, kThinnestWall = 0.002, kLongestUnit = 10;  // [m]
+
+// Millimetres for metres, or the other way: told alone, before every opening is said to lie outside the wall.
+static void check_scale(const ModelSpec& spec, FaultList& faults) {
+  const auto wall = [&](const std::string& path, double size, double least = kShortestWall) {
+    if (size > 0 && size < least)
+      faults.add({"", path, fmt::format("{:g} mm", 1e3 * size), "is smaller than any wall",
+                  fmt::format("write \"{:g} m\", if metres are meant", 1e3 * size), 0});
+  };
+  const auto unit = [&](const char* path, double size) {
+    if (size > kLongestUnit)
+      faults.add({"", path, fmt::format("{:g} m", size), "is larger than any unit of masonry",
+                  fmt::format("write \"{:g} mm\", if millimetres are meant", size), 0});
+  };
+  wall("wall.thickness", spec.wall.thickness, kThinnestWall);
+  if (!spec.block.empty() || !spec.body.empty() || !spec.wall.blocks.empty()) return;
+  wall("wall.length", spec.wall.length);
+  wall("wall.height", spec.wall.height);
+  for (const StoreySpec& storey : spec.storey)
+    wall("storey." + storey.name + ".height", storey.height);
+  unit("wall.unit.length", spec.wall.unit.length);
+  unit("wall.unit.height", spec.wall.unit.height);
+}
+
 void check_size(const ModelSpec& spec, FaultList& faults) {
+  check_scale(spec, faults);
+  if (!faults.empty()) return;
   const Size size = size_of(spec);
   check_blocks(spec, size, faults);
   check_rows(spec, faults);

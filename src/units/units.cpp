@@ -112,7 +112,7 @@ std::string quantity_name(std::string_view si_unit) {
       {"Pa", "a stress"},
       {"Pa/m", "a stiffness per area"},
       {"rad", "an angle"},
-      {"N/m", "an energy per area"},
+      {"N/m", "an energy per area or force per length"},
       {"kg/m^3", "a density"},
       {"N", "a force"},
       {"s", "a time"},

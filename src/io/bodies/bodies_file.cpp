@@ -85,6 +85,19 @@ void read_solid(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
   body.part.push_back(std::move(part));
 }
 
+// Without corners that repeat the one before them but for rounding, 1e-6 of the outline's size.
+void leave_repeats_out(std::vector<std::array<double, 2>>& outline) {
+  constexpr double kRounding = 1e-6;
+  double size = 0;
+  for (const auto& p : outline)
+    size = std::max({size, std::abs(p[0] - outline[0][0]), std::abs(p[1] - outline[0][1])});
+  const auto repeat = [&](const auto& p, const auto& q) {
+    return std::hypot(p[0] - q[0], p[1] - q[1]) <= kRounding * size;
+  };
+  outline.erase(std::unique(outline.begin(), outline.end(), repeat), outline.end());
+  while (outline.size() > 3 && repeat(outline.front(), outline.back())) outline.pop_back();
+}
+
 // The outline of the block between two depths z.
 void read_prism(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
   const Json& z = json["z"];
@@ -103,6 +116,9 @@ void read_prism(const Json& json, BodySpec& body, const RefuseBlock& refuse) {
       return refuse("polygon", p, "must be two numbers [x, y]", "");
     outline.push_back({p[0].get<double>(), p[1].get<double>()});
   }
+  leave_repeats_out(outline);
+  if (outline.size() < 3)
+    return refuse("polygon", polygon, "must have 3 different vertices or more", "");
   const auto n = static_cast<std::int32_t>(outline.size());
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const auto &p = outline[i], &q = outline[(i + 1) % outline.size()];

@@ -81,9 +81,10 @@ Slip slip_in(std::string_view written) {
     if (comma != std::string::npos && comma > 0 && comma + 1 < number.size() &&
         is_digit(number[comma - 1]) && is_digit(number[comma + 1])) {
       number[comma] = '.';
-      const bool has_unit = is_bare_quantity(number);
+      if (is_bare_quantity(number))
+        return {"has a decimal comma", fmt::format("write {} = \"{}\"", key, number)};
       return {"has a decimal comma",
-              fmt::format("write {0} = {2}{1}{2}", key, number, has_unit ? "\"" : "")};
+              fmt::format("write {0} = {1}, or {0} = \"{1} UNIT\" for a quantity", key, number)};
     }
     if (is_bare_quantity(value))
       return {"is a quantity without quotes", fmt::format("write {} = \"{}\"", key, value)};

@@ -66,7 +66,8 @@ TEST(StudyRefused, cycle_with_its_way) {
 
 TEST(StudyRefused, formula_of_another_unit_than_its_key) {
   EXPECT_EQ(study_fault("1.5 * ft_j", "3 mm * ft_j"),
-            "study.toml:18: dependent.c.formula = 3 mm * ft_j: gives an energy per area [N/m], but "
+            "study.toml:18: dependent.c.formula = 3 mm * ft_j: gives an energy per area or force "
+            "per length [N/m], but "
             "material.joint.cohesion is a stress [Pa]; make it a formula in MPa");
   EXPECT_EQ(study_fault("atan(0.9 * tan(phi))", "ft_j"),
             "study.toml:26: dependent.phi_res.formula = ft_j: gives a stress [Pa], but "
