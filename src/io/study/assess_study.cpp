@@ -7,6 +7,7 @@
 
 #include "core/files.h"
 #include "io/text/toml_reader.h"
+#include "io/text/toml_writer.h"
 #include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -14,16 +15,6 @@
 
 namespace wythe {
 namespace {
-
-// A basic string of TOML.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
 
 bool scatters(const ModelSpec& spec) {
   return std::any_of(spec.field.begin(), spec.field.end(),
@@ -91,14 +82,15 @@ std::string text_of_study(const AskedWalls& asked) {
   }
   std::string study = fmt::format(
       "[study]\nname = {}\nmodel = {}\nsamples = {}\nseed = {}\ndesign = \"monte_carlo\"\n",
-      quoted(file), quoted(std::filesystem::absolute(file).string()), asked.walls, asked.seed);
+      io::quoted(file), io::quoted(std::filesystem::absolute(file).string()), asked.walls,
+      asked.seed);
   if (!std::isnan(asked.between)) study += between_walls(spec, asked.between);
   const PushWay& own = ways.ways.front();
   for (std::size_t k = 1; k < ways.ways.size(); ++k) {
     const PushWay& way = ways.ways[k];
     study += fmt::format("[[variant]]\nname = {}\nset = [",
-                         quoted(name_of(way, way.direction == own.direction)));
-    for (const std::string& setting : way.settings) study += quoted(setting) + ", ";
+                         io::quoted(name_of(way, way.direction == own.direction)));
+    for (const std::string& setting : way.settings) study += io::quoted(setting) + ", ";
     study += "]\n";
   }
   return study;
