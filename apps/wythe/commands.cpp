@@ -50,6 +50,23 @@ std::string shown(double value, int decimals) {
 
 constexpr double kMuchDrag = 0.1;  // of a loop's energy
 
+// Falls that a push made good, and what the share decides: of a push, or of one direction.
+template <class Readings>
+void print_falls(const Readings& q) {
+  for (const Dip& dip : q.dips)
+    fmt::print("a dip to {:.0f} % of the {} from {:.2f} to {:.2f} mm was made good {}\n",
+               1e2 * dip.lowest, dip.before_peak ? "force before it" : "peak", 1e3 * dip.from,
+               1e3 * dip.back, dip.before_peak ? "before the peak" : "and does not count");
+  if (!threshold_decides(q.drift_capacity).value_or(false)) return;
+  const auto at = [&](double left) {
+    for (const FallTo& fall : q.drift_capacity)
+      if (fall.fraction == left)
+        return fmt::format("{}{:.2f} mm", fall.censored ? "> " : "", 1e3 * fall.displacement);
+    return std::string();
+  };
+  fmt::print("the threshold decides the drift: 85 % at {}, 75 % at {}\n", at(0.85), at(0.75));
+}
+
 void print_cycles(const CyclicReadings& c) {
   const bool along = c.sense > 0;
   const DirectionReadings& other = along ? c.negative : c.positive;
@@ -58,6 +75,7 @@ void print_cycles(const CyclicReadings& c) {
       along ? "along" : "against", along ? "against" : "along",
       shown(1e-3 * other.peak_reaction, 2), shown(1e3 * other.displacement_at_peak, 2),
       other.censored_80 ? "> " : "", shown(1e3 * other.displacement_at_80, 2));
+  print_falls(other);
   fmt::print("{:>5} {:<10} {:>14} {:>14} {:>7} {:>8} {:>9} {:>8}\n", "cycle", "", "mm", "kN",
              "kept", "kN/mm", "J", "damping");
   bool much_drag = false;
@@ -110,19 +128,7 @@ void print_push(const Result& r) {
   if (q.censored_80 && !q.censored_first_80)
     fmt::print("the push ended before the fall below 80 % had lasted: {:.2f} mm is a lower bound\n",
                1e3 * q.displacement_at_80);
-  for (const Dip& dip : q.dips)
-    fmt::print(
-        "a dip to {:.0f} % of the peak from {:.2f} to {:.2f} mm was made good and does not count\n",
-        1e2 * dip.lowest, 1e3 * dip.from, 1e3 * dip.back);
-  if (threshold_decides(q)) {
-    const auto at = [&](double left) {
-      for (const FallTo& fall : q.drift_capacity)
-        if (fall.fraction == left)
-          return fmt::format("{}{:.2f} mm", fall.censored ? "> " : "", 1e3 * fall.displacement);
-      return std::string();
-    };
-    fmt::print("the threshold decides the drift: 85 % at {}, 75 % at {}\n", at(0.85), at(0.75));
-  }
+  print_falls(q);
   if (q.peak_raw > 1.02 * q.peak_reaction)
     fmt::print(
         "the largest force of all, {:.2f} kN at {:.2f} mm, is out of balance: it is no strength\n",

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,11 +65,12 @@ struct FallTo {
   bool censored_last = true;
 };
 
-// A fall from which the force came back: no end of the capacity.
+// A fall from which the force came back: no end of the capacity. After the peak the force before it is the peak.
 struct Dip {
-  double fraction = 0;        // of the peak, below which it fell [-]
+  double fraction = 0;        // of the largest force before it, below which it fell [-]
   double from = 0, back = 0;  // where it fell and where it was back [m]
-  double lowest = 0;          // the least force on the way, over the peak [-]
+  double lowest = 0;          // the least force on the way, over the largest before it [-]
+  bool before_peak = false;   // of the curve
 };
 
 // Elastic, perfectly plastic curve of equal area: the secant through 0.7 peak, cut at the force that
@@ -99,11 +101,14 @@ struct BackbonePoint {
 struct DirectionReadings {
   double peak_reaction = 0;         // [N]
   double displacement_at_peak = 0;  // [m]
-  double displacement_at_80 = 0;    // [m]
-  bool censored_80 = true;
+  // As of Responses [m].
+  double displacement_at_80 = 0, first_fall_80 = 0, last_fall_80 = 0;
+  bool censored_80 = true, censored_first_80 = true, censored_last_80 = true;
   double displacement_max = 0;  // [m]
   bool censored_max = true;
   double initial_stiffness = 0;  // [N/m]
+  std::vector<FallTo> drift_capacity = {};
+  std::vector<Dip> dips = {};
   Bilinear bilinear = {};
   std::vector<BackbonePoint> backbone = {};
 };
@@ -155,7 +160,7 @@ struct Responses {
   double work_to_peak = 0, work_to_80 = 0, work_total = 0;   // area under the curve [J]
   std::vector<FallTo> falls = {};           // one for each fraction asked for, in that order
   std::vector<FallTo> drift_capacity = {};  // d(r), one for each of kSharesLeft
-  std::vector<Dip> dips = {};               // below 0.8 peak, in their order
+  std::vector<Dip> dips = {};               // below 0.8 of the force before, in their order
   Bilinear bilinear = {};
   Collapse collapse = {};
   CyclicReadings cyclic = {};
@@ -173,8 +178,8 @@ struct ResponseOptions {
   std::vector<RisePoint> rise = {};            // for stiffnesses; empty: read off the rows
   double carried = kUnset;  // load-controlled: the largest load carried in balance [N]
 };
-// Whether d(0.75) is more than kThresholdDecides times d(0.85).
-[[nodiscard]] bool threshold_decides(const Responses& responses);
+// Whether d(0.75) is more than kThresholdDecides times d(0.85); nothing where the push ended too soon to tell.
+[[nodiscard]] std::optional<bool> threshold_decides(const std::vector<FallTo>& drift_capacity);
 [[nodiscard]] Responses read_responses(const std::vector<CurveRow>& curve,
                                        const ResponseOptions& options = {});
 // The curve from which responses are read: the curve itself; of a cyclic push the envelope of the

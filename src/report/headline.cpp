@@ -245,19 +245,24 @@ class RunHeadline {
     return " " +
            texts_.say(words, {{"at", bold(millimetres("displacement_at_80_percent_mm"))},
                               {"drift", drift("drift_percent_at_80", " ", "run.drift")}}) +
-           dips() + threshold() + tested_drift();
+           dips(true) + dips(false) + threshold() + tested_drift();
   }
-  // The deepest fall that the wall made good: no end of its capacity.
-  [[nodiscard]] std::string dips() const {
-    const Json& all = member(member(s_, "drift_capacity"), "dips");
+  // The deepest fall that the wall made good, before its peak or after it: no end of its capacity.
+  [[nodiscard]] std::string dips(bool before) const {
     const Json* deepest = nullptr;
-    for (const Json& dip : all)
+    std::size_t count = 0;
+    for (const Json& dip : member(member(s_, "drift_capacity"), "dips")) {
+      if ((member(dip, "before_peak") == true) != before) continue;
+      ++count;
       if (deepest == nullptr || number_in(dip, "lowest_left") < number_in(*deepest, "lowest_left"))
         deepest = &dip;
+    }
     if (deepest == nullptr) return "";
+    const char* one = before ? "run.dip.before" : "run.dip";
+    const char* many = before ? "run.dips.before" : "run.dips";
     return " " + texts_.say(
-                     all.size() > 1 ? "run.dips" : "run.dip",
-                     {{"n", std::to_string(all.size())},
+                     count > 1 ? many : one,
+                     {{"n", std::to_string(count)},
                       {"lowest", texts_.quantity(1e2 * number_in(*deepest, "lowest_left"), "%", 2)},
                       {"from", texts_.quantity(number_in(*deepest, "from_mm"), "mm")},
                       {"back", texts_.quantity(number_in(*deepest, "back_mm"), "mm")}});

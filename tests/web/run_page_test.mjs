@@ -460,6 +460,9 @@ test("a push to and fro shows its loops, their envelopes and every cycle", async
   assert.equal(await tables.nth(0).locator("tr").count(), 2);
   assert.equal(await tables.nth(1).locator("tr").count(), cyclic.cycles.length);
   assert.match(await tables.nth(1).innerText(), /unfinished/);
+  // d(r) of both directions, by three readings
+  assert.equal(await tables.nth(2).locator("tr").count(), cyclic.positive.drift_capacity.left.length);
+  assert.equal(await tables.nth(2).locator("tr").first().locator("td").count(), 6);
   // the mark of the peak lies on the side that is read
   await other.locator("#curve svg.plot").scrollIntoViewIfNeeded();
   const peak = await other.locator("#curve circle.peak").first().boundingBox();

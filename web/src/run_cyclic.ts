@@ -69,12 +69,56 @@ function directionRow({ sign, readings: r }: Way): Child[] {
   ];
 }
 
+// d(r) of both directions: the first fall, the one that lasts, the last.
+function capacityRow(ways: Way[], k: number): Child[] {
+  const one = (d: any, mm: string, censored: string): string =>
+    (d[censored][k] && d[mm][k] !== null ? "≥ " : "") + num(d[mm][k]);
+  return [
+    qty(100 * ways[0].readings.drift_capacity.left[k], "%"),
+    ...ways.flatMap(({ readings: { drift_capacity: d } }) => [
+      one(d, "first_mm", "censored_first"),
+      one(d, "lasting_mm", "censored"),
+      one(d, "last_mm", "censored_last"),
+    ]),
+  ];
+}
+
+function dipsOf({ sign, readings }: Way): Child[] {
+  return (readings.drift_capacity.dips as any[]).map((dip) =>
+    h(
+      "li",
+      {},
+      say(dip.before_peak ? "cycles.dip.before" : "cycles.dip", {
+        direction: say(sign > 0 ? "cycles.along" : "cycles.against"),
+        lowest: qty(100 * dip.lowest_left, "%"),
+        from: qty(dip.from_mm, "mm"),
+        back: qty(dip.back_mm, "mm"),
+      }),
+    ),
+  );
+}
+
+function capacityTable(ways: Way[]): Child {
+  const heads = ways.flatMap(({ sign }) => {
+    const way = say(sign > 0 ? "cycles.along" : "cycles.against");
+    return ["first", "lasting", "last"].map((fall) => ({ head: `${way}: ${say(`cycles.${fall}`)}` }));
+  });
+  return table(
+    [{ head: say("cycles.left"), title: say("cycles.left.means") }, ...heads],
+    (ways[0].readings.drift_capacity.left as number[]).map((_, k) => capacityRow(ways, k)),
+    say("cycles.capacity"),
+  );
+}
+
 // The section of a cyclic push; empty for another.
 export function cyclesSection(summary: any): Section {
   const section = { id: "cycles", title: say("section.cycles"), content: null as Child };
   const cyclic = summary.cyclic;
   if (!cyclic) return section;
   const rows = (cyclic.cycles as any[]).map(cycleRow);
+  const ways = waysOf(summary);
+  const knows = ways.every(({ readings }) => readings.drift_capacity); // not so in results of earlier programs
+  const dips = knows ? ways.flatMap(dipsOf) : [];
   const marked = rows.some((r) => String(r[r.length - 1]).endsWith("*"));
   section.content = [
     h("p", {}, say("cycles.lead")),
@@ -88,7 +132,7 @@ export function cyclesSection(summary: any): Section {
         { head: say("card.stiffness") },
         { head: say("cycles.ductility") },
       ],
-      waysOf(summary).map(directionRow),
+      ways.map(directionRow),
       say("cycles.directions"),
     ),
     table(
@@ -107,6 +151,8 @@ export function cyclesSection(summary: any): Section {
     ),
     marked ? h("p", { class: "note" }, say("cycles.drag")) : null,
     h("p", { class: "soft" }, say("cycles.means")),
+    knows ? capacityTable(ways) : null,
+    dips.length > 0 ? h("ul", {}, dips) : null,
   ];
   return section;
 }

@@ -21,12 +21,6 @@ constexpr const char* kMore[] = {"sample",
                                  "failure_mode",
                                  "state_hash",
                                  "read_in",
-                                 "peak_reaction_positive_kN",
-                                 "displacement_at_80_percent_positive_mm",
-                                 "censored_80_positive",
-                                 "peak_reaction_negative_kN",
-                                 "displacement_at_80_percent_negative_mm",
-                                 "censored_80_negative",
                                  "intensity_pga_m_per_s2",
                                  "intensity_sa_m_per_s2",
                                  "intensity_pgv_m_per_s",
@@ -49,6 +43,9 @@ constexpr const char* kMore[] = {"sample",
 std::set<std::string> all_columns() {
   std::set<std::string> all;
   for (const char* more : kMore) all.insert(without_case(more));
+  for (const char* side : {"positive", "negative"})
+    each_direction_column([&](const std::string& title, auto) { all.insert(without_case(title)); },
+                          side, {});
   const auto add = [&](const AnswerKey& key, const auto&) {
     std::string summary = key.summary;  // an exported table names it so
     std::replace(summary.begin(), summary.end(), '.', '_');

@@ -240,10 +240,16 @@ DirectionReadings direction_of(const Responses& r, const Curve& envelope) {
   DirectionReadings d{.peak_reaction = r.peak_reaction,
                       .displacement_at_peak = r.displacement_at_peak,
                       .displacement_at_80 = r.displacement_at_80,
+                      .first_fall_80 = r.first_fall_80,
+                      .last_fall_80 = r.last_fall_80,
                       .censored_80 = r.censored_80,
+                      .censored_first_80 = r.censored_first_80,
+                      .censored_last_80 = r.censored_last_80,
                       .displacement_max = r.displacement_max,
                       .censored_max = r.censored_max,
                       .initial_stiffness = r.initial_stiffness,
+                      .drift_capacity = r.drift_capacity,
+                      .dips = r.dips,
                       .bilinear = r.bilinear};
   for (const CurveRow& row : envelope) d.backbone.push_back({row.displacement, row.reaction});
   return d;

@@ -82,6 +82,9 @@ struct Place {
   bool censored = true;
 };
 
+// What a row holds for certain: a rebound lifts one of the two alone.
+double held(const CurveRow& row) { return std::min(row.reaction, row.base_shear); }
+
 // Falls to one reaction after the peak.
 struct Falls {
   Place first, lasting, last;
@@ -156,6 +159,27 @@ Falls falls_to(const Curve& curve, std::size_t peak, double reaction, bool colla
       falls.last.censored ||
       (!collapsed && end.displacement < (1 + kLastingShare) * falls.last.displacement);
   return falls;
+}
+
+// Falls below `fraction` of the largest force so far from which the rising branch came back, up to its peak. Rows of
+// less than a fifth of the peak tell how the push began.
+std::vector<Dip> dips_before(const Curve& curve, std::size_t peak, double fraction) {
+  constexpr double kBegun = 0.2;
+  std::vector<Dip> dips;
+  double largest = 0;
+  for (std::size_t row = 1; row < peak;) {
+    const double reaction = fraction * largest;
+    if (largest < kBegun * curve[peak].reaction || carried(curve[row]) >= reaction) {
+      largest = std::max(largest, held(curve[row++]));
+      continue;
+    }
+    const std::size_t back = std::min(peak, next_row(curve, row, reaction, false));
+    Dip dip{fraction, crossing(curve[row - 1], curve[row], reaction),
+            crossing(curve[back - 1], curve[back], reaction), 1, true};
+    for (; row < back; ++row) dip.lowest = std::min(dip.lowest, carried(curve[row]) / largest);
+    dips.push_back(dip);
+  }
+  return dips;
 }
 
 FallTo fall_to(double fraction, const Falls& falls) {
@@ -275,7 +299,8 @@ void read_after_peak(const Curve& curve, std::size_t peak, const ResponseOptions
   r.displacement_at_80 = read.displacement, r.censored_80 = read.censored;
   r.first_fall_80 = read.first, r.censored_first_80 = read.censored_first;
   r.last_fall_80 = read.last, r.censored_last_80 = read.censored_last;
-  r.dips = to_80.dips;
+  r.dips = dips_before(curve, peak, 0.8);
+  r.dips.insert(r.dips.end(), to_80.dips.begin(), to_80.dips.end());
   for (const double fraction : options.fractions)
     r.falls.push_back(fall_to(fraction, falls(fraction)));
   for (const double left : kSharesLeft) r.drift_capacity.push_back(fall_to(left, falls(left)));
@@ -340,14 +365,16 @@ ResponseOptions reading_of(const Model& model, const Result& result) {
   return read;
 }
 
-bool threshold_decides(const Responses& responses) {
+std::optional<bool> threshold_decides(const std::vector<FallTo>& drift_capacity) {
   const auto at = [&](double fraction) {
-    const auto found =
-        std::find_if(responses.drift_capacity.begin(), responses.drift_capacity.end(),
-                     [&](const FallTo& fall) { return fall.fraction == fraction; });
-    return found == responses.drift_capacity.end() ? kUnset : found->displacement;
+    const auto found = std::find_if(drift_capacity.begin(), drift_capacity.end(),
+                                    [&](const FallTo& fall) { return fall.fraction == fraction; });
+    return found == drift_capacity.end() ? FallTo{} : *found;
   };
-  return at(0.75) > kThresholdDecides * at(0.85);
+  const FallTo late = at(0.75), early = at(0.85);
+  if (late.displacement > kThresholdDecides * early.displacement) return true;
+  if (late.censored || early.censored) return std::nullopt;
+  return false;
 }
 
 Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptions& options) {

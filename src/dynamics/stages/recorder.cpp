@@ -422,7 +422,7 @@ void Recorder::note_limits(const State& state, double displacement, double react
 }
 
 // Asked again each hundredth farther, since it reads the whole curve; so what ends the push is what its curve says.
-std::optional<FallTo> Recorder::lasting_fall() {
+std::optional<LastingFall> Recorder::lasting_fall() {
   constexpr double kAgain = 1.01;
   const double way = std::fabs(displacement_), share = stage_.spec.stop_below;
   const CurveRow& row = result_.curve.back();
@@ -433,7 +433,7 @@ std::optional<FallTo> Recorder::lasting_fall() {
   const Responses read = read_responses(result_.curve, {.fractions = {share}});
   if (read.falls.empty() || read.falls.front().censored || !(read.falls.front().displacement > 0))
     return std::nullopt;
-  return read.falls.front();
+  return LastingFall{read.falls.front(), read.cyclic.sense};
 }
 
 void Recorder::finish(const WallAccess& access, State& state, const Controls& controls,

@@ -3,6 +3,7 @@
 // remember from step to step lies in a Recording, so that a run can be cut and continued anywhere.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "wythe/recording.h"
 
 namespace wythe::dynamics {
+
+// A fall, and on which side of a push to and fro: 1 along it, -1 against it; 0 where it goes one way.
+struct LastingFall {
+  FallTo fall;
+  std::int64_t sense = 0;
+};
 
 class Recorder {
  public:
@@ -29,7 +36,7 @@ class Recorder {
   void finish(const WallAccess& access, State& state, const Controls& controls,
               bool ran_away = false);
   // The fall below the stage's stop_below share of the peak, once the curve so far says that it lasts.
-  [[nodiscard]] std::optional<FallTo> lasting_fall();
+  [[nodiscard]] std::optional<LastingFall> lasting_fall();
   [[nodiscard]] bool row_closed() const { return row_closed_; }
 
  private:

@@ -298,12 +298,15 @@ class Push : public StageRun {
  private:
   // The wall stands, so what comes after this push goes on.
   void end_where_it_fell() {
-    const std::optional<FallTo> fall = recorder_.lasting_fall();
-    if (!fall) return;
+    const std::optional<LastingFall> found = recorder_.lasting_fall();
+    if (!found) return;
+    const auto& [fall, sense] = *found;
     end({SolveStatus::kCompleted,
-         {"push.fell_below",
-          {{"share", fall->fraction},
-           {"from_mm", 1e3 * fall->displacement},
+         {sense == 0  ? "push.fell_below"
+          : sense > 0 ? "push.fell_below_along"
+                      : "push.fell_below_against",
+          {{"share", fall.fraction},
+           {"from_mm", 1e3 * (sense < 0 ? -fall.displacement : fall.displacement)},
            {"displacement_mm", 1e3 * displacement()}}}});
   }
   [[nodiscard]] bool target_left() const {

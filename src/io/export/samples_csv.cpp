@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "campaign/answer_keys.h"
+#include "campaign/draws/result_columns.h"
 #include "io/results/shakes_csv.h"
 #include "io/text/csv.h"
 #include "wythe/io.h"
@@ -46,27 +47,26 @@ bool any_cyclic(const Campaign& campaign) {
                      [](const SampleRecord& record) { return cyclic_readings(record).sense != 0; });
 }
 
-constexpr const char* kCyclicTitles =
-    ",read_in,peak_reaction_positive_kN,displacement_at_80_percent_positive_mm,censored_80_"
-    "positive,"
-    "peak_reaction_negative_kN,displacement_at_80_percent_negative_mm,censored_80_negative";
-
-// The two directions of a cyclic push, after all other columns.
-std::vector<std::string> cyclic_cells(const CyclicReadings& c) {
-  if (c.sense == 0) return std::vector<std::string>(7);
-  std::vector<std::string> cells = {c.sense > 0 ? "positive" : "negative"};
-  for (const DirectionReadings* d : {&c.positive, &c.negative}) {
-    cells.push_back(number(1e-3 * d->peak_reaction));
-    cells.push_back(number(1e3 * d->displacement_at_80));
-    cells.emplace_back(d->censored_80 ? "1" : "0");
-  }
-  return cells;
-}
-
 // One column of an answer: its title, and its cell in a row.
 struct Cell {
   std::string title, text;
 };
+
+// The two directions of a cyclic push, after all other columns.
+std::vector<Cell> cyclic_cells(const CyclicReadings& c) {
+  std::vector<Cell> cells = {{"read_in", c.sense > 0 ? "positive" : "negative"}};
+  const auto add = [&](const std::string& title, auto value) {
+    if constexpr (std::is_same_v<decltype(value), bool>)
+      cells.push_back({title, value ? "1" : "0"});
+    else
+      cells.push_back({title, number(value)});
+  };
+  study::each_direction_column(add, "positive", c.positive);
+  study::each_direction_column(add, "negative", c.negative);
+  if (c.sense == 0)
+    for (Cell& cell : cells) cell.text.clear();
+  return cells;
+}
 
 // The columns that each response has (answer_keys.h); the failure mode and the other fractions of the peak
 // stand among them.
@@ -113,7 +113,10 @@ std::string title_row(const Campaign& campaign, bool cyclic) {
     row += "," + io::csv_cell(column_title(column));
   row += ",status";
   for (const Cell& cell : answer_cells(campaign, {})) row += "," + cell.title;
-  return row + ",retried,state_hash" + (cyclic ? kCyclicTitles : "") + "\n";
+  row += ",retried,state_hash";
+  if (cyclic)
+    for (const Cell& cell : cyclic_cells({})) row += "," + cell.title;
+  return row + "\n";
 }
 
 }  // namespace
@@ -134,7 +137,7 @@ std::string samples_csv(const Campaign& campaign) {
     for (const Cell& cell : answer_cells(campaign, record)) text += "," + cell.text;
     text += fmt::format(",{},{}", record.retried ? 1 : 0, record.state_hash);
     if (cyclic)
-      for (const std::string& cell : cyclic_cells(cyclic_readings(record))) text += "," + cell;
+      for (const Cell& cell : cyclic_cells(cyclic_readings(record))) text += "," + cell.text;
     if (shaken)
       text += io::shake_cells(campaign.study,
                               record.shakes.empty() ? ShakeAnswer{} : record.shakes.front());

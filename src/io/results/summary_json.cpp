@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "campaign/answer_keys.h"
 #include "dynamics/meters/still_moving.h"
@@ -216,18 +217,9 @@ Json falls_json(const std::vector<FallTo>& falls) {
   return list;
 }
 
-// No answer where the push ended before the falls that are compared.
-Json threshold_json(const Responses& r) {
-  if (threshold_decides(r)) return true;
-  const bool unknown =
-      std::any_of(r.drift_capacity.begin(), r.drift_capacity.end(), [](const FallTo& fall) {
-        return (fall.fraction == 0.75 || fall.fraction == 0.85) && fall.censored;
-      });
-  return unknown ? Json(nullptr) : Json(false);
-}
-
-// d(r): arrays of one length, by the share of the peak that is left.
-Json drift_capacity_json(const Responses& r) {
+// d(r): arrays of one length, by the share of the peak that is left; of a push, or of one of its directions.
+template <class Readings>
+Json drift_capacity_json(const Readings& r) {
   Json json = {{"left", Json::array()},
                {"first_mm", Json::array()},
                {"lasting_mm", Json::array()},
@@ -247,13 +239,15 @@ Json drift_capacity_json(const Responses& r) {
     json["censored_last"].push_back(fall.censored_last);
   }
   json["lasts_percent"] = kLastingShare * 1e2;
-  json["threshold_decides"] = threshold_json(r);
+  const std::optional<bool> decides = threshold_decides(r.drift_capacity);
+  json["threshold_decides"] = decides ? Json(*decides) : Json(nullptr);
   json["dips"] = Json::array();
   for (const Dip& dip : r.dips)
     json["dips"].push_back({{"left", dip.fraction},
                             {"from_mm", dip.from * 1e3},
                             {"back_mm", dip.back * 1e3},
-                            {"lowest_left", dip.lowest}});
+                            {"lowest_left", dip.lowest},
+                            {"before_peak", dip.before_peak}});
   return json;
 }
 
@@ -283,9 +277,14 @@ Json direction_json(const DirectionReadings& d) {
           {"displacement_at_peak_mm", d.displacement_at_peak * 1e3},
           {"displacement_at_80_percent_mm", d.displacement_at_80 * 1e3},
           {"censored_80", d.censored_80},
+          {"first_fall_80_percent_mm", d.first_fall_80 * 1e3},
+          {"censored_first_80", d.censored_first_80},
+          {"last_fall_80_percent_mm", d.last_fall_80 * 1e3},
+          {"censored_last_80", d.censored_last_80},
           {"displacement_max_mm", d.displacement_max * 1e3},
           {"censored_max", d.censored_max},
           {"initial_stiffness_kN_per_mm", d.initial_stiffness * 1e-6},
+          {"drift_capacity", drift_capacity_json(d)},
           {"bilinear", bilinear_json(d.bilinear)},
           {"envelope", {{"displacement_mm", displacement}, {"reaction_kN", reaction}}}};
 }

@@ -341,6 +341,43 @@ TEST(Cyclic, the_stronger_direction_is_the_one_read) {
   EXPECT_EQ(backbone_of(driven(lopsided, {7, -5, 0})).back().displacement, 5);
 }
 
+// 100 at 2, a dip to 60 from 3 on that is made good at 3.2, down to 40 at 8; against the push twice that without
+// a dip, and a dip before its peak.
+double dipped(double x) { return x > 3 && x < 3.2 ? 60 : humped(x); }
+double dipped_before(double x) { return 2 * (x > 1.5 && x < 1.7 ? 40 : humped(x)); }
+
+TEST(Cyclic, each_direction_has_all_readings_of_a_push_along_its_envelope) {
+  const Law law = [](double d) { return d < 0 ? -dipped_before(-d) : dipped(d); };
+  const Responses r = read_responses(driven(law, {1, -1, 7, -7, 0}));
+  ASSERT_EQ(r.cyclic.sense, -1);
+  for (const bool along : {true, false}) {
+    const DirectionReadings& d = along ? r.cyclic.positive : r.cyclic.negative;
+    const Responses push = read_responses(driven(along ? dipped : dipped_before, {7}));
+    EXPECT_NEAR(d.displacement_at_80, push.displacement_at_80, 1e-9);
+    EXPECT_NEAR(d.first_fall_80, push.first_fall_80, 1e-9);
+    EXPECT_NEAR(d.last_fall_80, push.last_fall_80, 1e-9);
+    EXPECT_EQ(d.censored_first_80, push.censored_first_80);
+    EXPECT_EQ(d.censored_last_80, push.censored_last_80);
+    ASSERT_EQ(d.dips.size(), 1U);
+    ASSERT_EQ(push.dips.size(), 1U);
+    EXPECT_EQ(d.dips[0].before_peak, !along);
+    EXPECT_NEAR(d.dips[0].from, push.dips[0].from, 1e-9);
+    EXPECT_NEAR(d.dips[0].lowest, push.dips[0].lowest, 1e-9);
+    ASSERT_EQ(d.drift_capacity.size(), std::size(kSharesLeft));
+    for (std::size_t k = 0; k < d.drift_capacity.size(); ++k) {
+      const FallTo &own = d.drift_capacity[k], &alone = push.drift_capacity[k];
+      EXPECT_NEAR(own.displacement, alone.displacement, 1e-9) << own.fraction;
+      EXPECT_NEAR(own.first, alone.first, 1e-9) << own.fraction;
+      EXPECT_NEAR(own.last, alone.last, 1e-9) << own.fraction;
+      EXPECT_EQ(own.censored, alone.censored) << own.fraction;
+      EXPECT_NEAR(own.drift, own.displacement / 2, 1e-12);
+    }
+  }
+  EXPECT_LT(r.cyclic.positive.first_fall_80, r.cyclic.positive.displacement_at_80);
+  EXPECT_EQ(r.dips.size(), 1U);
+  EXPECT_EQ(r.first_fall_80, r.cyclic.negative.first_fall_80);
+}
+
 TEST(Cyclic, mirrored_pushes_have_mirrored_readings) {
   const auto lopsided = [](double d) { return d < 0 ? -1.3 * humped(-d) : humped(d); };
   const auto curve = driven(lopsided, {1, -2, 1, -2, 5, -6, 2});

@@ -338,6 +338,23 @@ TEST(Stages, a_push_stops_where_the_reaction_has_fallen_to_stay) {
     EXPECT_EQ(fall.censored, end < (1 + kLastingShare) * fall.displacement) << fall.fraction;
 }
 
+// The side on which the force fell is said, with its sign.
+TEST(Stages, a_push_to_and_fro_says_in_which_direction_it_fell) {
+  for (const double way : {1.0, -1.0}) {
+    ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
+    spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, 5e-4, 1e-3)};
+    spec.stage[1].stop_below = 0.7;
+    spec.stage[1].targets = {-way * 0.02e-3, way * 1e-3};
+    const Model model = compile(spec);
+    State state = initial_state(model);
+    const Message why = solve(model, state).reason;
+    EXPECT_EQ(why.code, way > 0 ? "push.fell_below_along" : "push.fell_below_against") << why;
+    EXPECT_NE(text_of(why).find(way > 0 ? "along the push" : "against the push"),
+              std::string::npos);
+    EXPECT_EQ(text_of(why).find("from -") != std::string::npos, way < 0) << why;
+  }
+}
+
 TEST(Stages, a_push_without_a_velocity_adapts_it) {
   ModelSpec spec = scenes::stack(2, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
   spec.stage = {scenes::gravity_stage(), scenes::push_stage("b1", Direction::kPlusX, kUnset, 1e-3)};

@@ -201,6 +201,38 @@ TEST(Lasting, a_dip_of_more_than_the_stated_share_is_the_fall) {
   }
 }
 
+TEST(Lasting, a_dip_before_the_peak_is_named_and_moves_no_reading) {
+  // 100 at 2, down to 60, 100 again at 3.1 and 120 at 4; straight down to 0 at 16 from there
+  const auto curve =
+      curve_of({{0, 0}, {2, 100}, {2.1, 60}, {3, 60}, {3.1, 100}, {4, 120}, {16, 0}, {20, 0}});
+  const Responses r = read_responses(curve);
+  ASSERT_EQ(r.dips.size(), 1U);
+  EXPECT_TRUE(r.dips[0].before_peak);
+  EXPECT_EQ(r.dips[0].fraction, 0.8);
+  EXPECT_NEAR(r.dips[0].from, 2.05, 1e-12);
+  EXPECT_NEAR(r.dips[0].back, 3.05, 1e-12);
+  EXPECT_NEAR(r.dips[0].lowest, 0.6, 1e-12);
+  EXPECT_NEAR(r.displacement_at_80, 6.4, 1e-12);
+  EXPECT_NEAR(r.first_fall_80, 6.4, 1e-12);
+  // one after it is told apart
+  EXPECT_FALSE(read_responses(with_a_dip(60, 10.8)).dips.at(0).before_peak);
+}
+
+TEST(Lasting, what_is_no_dip_before_the_peak) {
+  const auto dips = [](const std::vector<CurveRow>& curve) { return read_responses(curve).dips; };
+  // where the push begins, below a fifth of the peak
+  EXPECT_TRUE(dips(curve_of({{0, 0}, {0.1, 19}, {0.2, 1}, {0.3, 19}, {2, 100}, {9, 0}})).empty());
+  // to 81 of 100, and a rise that only slows down
+  EXPECT_TRUE(dips(curve_of({{0, 0}, {1, 100}, {1.5, 81}, {2, 120}, {9, 0}})).empty());
+  EXPECT_TRUE(dips(curve_of({{0, 0}, {1, 80}, {2, 80}, {3, 100}, {9, 0}})).empty());
+  // a rebound: the reaction or the base shear alone jumps up, or dips
+  for (const auto& [reaction, shear] : {std::pair(130, 70), {70, 130}, {10, 75}, {75, 10}}) {
+    auto curve = curve_of({{0, 0}, {1, 75}, {1.4, 75}, {1.5, 75}, {1.6, 75}, {3, 100}, {9, 0}});
+    curve[3].reaction = reaction, curve[3].base_shear = shear;
+    EXPECT_TRUE(dips(curve).empty()) << reaction << " " << shear;
+  }
+}
+
 TEST(Lasting, dips_that_follow_each_other_closely_are_one) {
   // a saw: below 80 for 0.3, back for 0.1, again and again from 10 to 12: more than a tenth of 10 in all
   std::vector<std::pair<double, double>> points = {{0, 0}, {2, 100}, {10, 80}};
@@ -320,11 +352,14 @@ TEST(Lasting, a_knife_edge_is_told) {
   // slides at 0.78 of its peak for ever: 80 % at 2.2, 75 % not within 40
   const Responses r = read_responses(curve_of({{0, 0}, {2, 100}, {2.22, 78}, {40, 78}}));
   EXPECT_NEAR(r.displacement_at_80, 2.2, 1e-9);
-  EXPECT_TRUE(threshold_decides(r));
-  EXPECT_FALSE(threshold_decides(read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}))));
-  // a bound below 1.5 times says nothing
-  EXPECT_FALSE(
-      threshold_decides(read_responses(curve_of({{0, 0}, {2, 100}, {2.22, 78}, {3, 78}}))));
+  const auto decides = [](const Responses& read) { return threshold_decides(read.drift_capacity); };
+  EXPECT_EQ(decides(r), true);
+  EXPECT_EQ(decides(read_responses(curve_of({{0, 0}, {2, 100}, {12, 0}}))), false);
+  // a bound below 1.5 times says nothing, nor does a wall without a peak, or without a curve
+  EXPECT_EQ(decides(read_responses(curve_of({{0, 0}, {2, 100}, {2.22, 78}, {3, 78}}))),
+            std::nullopt);
+  EXPECT_EQ(decides(read_responses(std::vector<CurveRow>(3))), std::nullopt);
+  EXPECT_EQ(decides({}), std::nullopt);
 }
 
 TEST(Responses, displacement_at_80_is_censored_where_the_force_stays) {
