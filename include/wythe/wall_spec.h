@@ -363,7 +363,11 @@ struct StageSpec {
   double line_load = kUnset;      // in space: load along the line `from` - `to` [N/m]
   PlaceSpec from, to;             //
   std::vector<double> targets;    // cyclic: displacements along `direction`, in turn [m]
-  double stop_below = 0;          // stop when the reaction falls below this share of the peak
+  // cyclic, by a protocol (model/protocol.h): how far each level goes, as lengths or as drifts, and how often
+  std::vector<double> amplitudes;  // [m]
+  std::vector<double> drifts;      // over the height of the rows' drift [-]
+  std::vector<double> cycles;  // one number for all levels, or one a level; empty: one cycle each
+  double stop_below = 0;       // stop when the reaction falls below this share of the peak
   Freedom rotation = Freedom::kFree;
   Freedom across = Freedom::kFree;  // motion across the push direction
   // body force: horizontal force lambda W_i on every block, growing at `rate` up to `factor`

@@ -57,6 +57,9 @@ void compile_links(const ModelSpec& spec, const geometry::Assembly& assembly, co
 void compile_stages(const ModelSpec& spec, const geometry::Assembly& assembly, const BlockMap& map,
                     const std::vector<PointLoad>& floors, Model& model, FaultList& faults);
 
+// Targets of a push by a protocol, once the height of its drifts is known; `path` of the stage.
+void set_targets(const std::string& path, Stage& stage, FaultList& faults);
+
 // First period of the elastic wall along (px, py) [s], every contact closed; NaN where it has none.
 [[nodiscard]] double first_period(const Model& model, double px, double py);
 // The default smooth start of each push, from that period; needs masses and joints.

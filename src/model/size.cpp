@@ -10,6 +10,7 @@
 
 #include "geometry/wall/storeys.h"
 #include "model/point_rule.h"
+#include "model/protocol.h"
 #include "wythe/curve.h"
 
 namespace wythe {
@@ -73,10 +74,13 @@ double blocks_of(const ModelSpec& spec) {
   return blocks;
 }
 
+// Before the wall is built nobody knows what a drift is of: `kUsualHeight` stands for it.
 double push_path(const StageSpec& stage) {
-  if (stage.targets.empty()) return or_else(stage.until, 0);
+  constexpr double kUsualHeight = 3;  // [m]
+  if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
+  if (stage.targets.empty() && fault_of_protocol(stage)) return 0;  // a fault of its own
   double path = 0, at = 0;
-  for (const double target : stage.targets) {
+  for (const double target : targets_of(stage, kUsualHeight)) {
     path += std::fabs(target - at);
     at = target;
   }

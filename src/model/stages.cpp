@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/parts.h"
+#include "model/protocol.h"
 #include "model/shaking.h"
 #include "model/size.h"
 
@@ -42,7 +43,10 @@ class StageCompiler {
       set_direction(stage);
       refuse_space(stage);
       if (stage.spec.kind == StageKind::kLoad) set_loads(stage);
-      if (stage.spec.kind == StageKind::kPush) set_driven(stage);
+      if (stage.spec.kind == StageKind::kPush) {
+        set_driven(stage);
+        set_targets(path_, stage, faults_);
+      }
       if (stage.spec.kind == StageKind::kShake)
         compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(stage);
@@ -243,10 +247,11 @@ class StageCompiler {
 
   void set_driven(Stage& stage) {
     const PlaceSpec& at = stage.spec.at;
-    const bool moves = stage.spec.targets.empty()
-                           ? stage.spec.until > 0
-                           : std::any_of(stage.spec.targets.begin(), stage.spec.targets.end(),
-                                         [](double target) { return target != 0; });
+    const std::vector<double>& targets = stage.spec.targets;
+    const bool moves = goes_to_and_fro(stage.spec)
+                           ? targets.empty() || std::any_of(targets.begin(), targets.end(),
+                                                            [](double t) { return t != 0; })
+                           : stage.spec.until > 0;
     if (!moves) fault("until", "", "a push must go somewhere", "write e.g. until = \"50 mm\"");
     if (stage.spec.pattern != Pattern::kNone) {
       set_pattern(stage);
@@ -591,6 +596,17 @@ std::size_t stage_of_floors(const ModelSpec& spec, FaultList& faults) {
     break;
   }
   return found;
+}
+
+void set_targets(const std::string& path, Stage& stage, FaultList& faults) {
+  StageSpec& s = stage.spec;
+  if (const auto found = fault_of_protocol(s))
+    faults.add({"", path + "." + found->key, found->value, found->problem, found->cure, 0});
+  else if (!s.drifts.empty() && !stage.driven.empty() && !(stage.load_height > 0))
+    faults.add({"", path + ".drifts", "", "have no height: what is pushed is at the wall's foot",
+                "write the levels as amplitudes", 0});
+  else
+    s.targets = targets_of(s, stage.load_height);
 }
 
 void compile_stages(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,

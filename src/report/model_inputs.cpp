@@ -8,6 +8,7 @@
 
 #include "materials/library.h"
 #include "materials/origin.h"
+#include "model/protocol.h"
 #include "report/said.h"
 
 namespace wythe::report {
@@ -365,12 +366,15 @@ Json stage_of(const Stage& stage) {
   if (s.kind == StageKind::kGravity || s.floors) add("floors", weight_of(stage), "kN", 1e-3);
   add("velocity", s.velocity, "mm/s", 1e3);
   add("fast_velocity", s.fast_velocity, "mm/s", 1e3);
-  add("until", s.until, "mm", 1e3);
+  if (!goes_to_and_fro(s)) add("until", s.until, "mm", 1e3);
   if (s.pattern != Pattern::kNone)
     rows.push_back({"pattern", word_of(kPatternWords, s.pattern), ""});
   for (double level : s.levels) add("level", level, "m", 1);
   for (double share : s.shares) add("share", share, "", 1);
-  for (double target : s.targets) add("target", target, "mm", 1e3);
+  if (has_protocol(s))
+    rows.push_back({"amplitudes", told_levels(s), s.amplitudes.empty() ? "%" : "mm"});
+  else
+    for (double target : s.targets) add("target", target, "mm", 1e3);
   add("load_factor_rate", s.rate, "1/s", 1);
   add("load_factor_until", s.factor, "", 1);
   add("tilt_rate", s.tilt_rate, "°/s", kDegree);

@@ -16,6 +16,7 @@
 
 #include "io/keys/same_spec.h"
 #include "io/text/magnitude.h"
+#include "model/protocol.h"
 #include "wythe/io.h"
 #include "wythe/units.h"
 
@@ -177,22 +178,31 @@ void make_pattern(StageSpec& stage) {
     return make_place(stage.at);
   }
   stage.at = {};
-  if (stage.targets.empty() && coin(2)) stage.control.x = -0.0, stage.control.y = 1.0 / 3;
+  if (!goes_to_and_fro(stage) && coin(2)) stage.control.x = -0.0, stage.control.y = 1.0 / 3;
   if (stage.pattern == Pattern::kMass) return;
   stage.levels = levels.empty() ? std::vector<double>{1.0 / 3} : levels;
   if (stage.pattern == Pattern::kGiven) stage.shares.assign(stage.levels.size(), -0.0);
 }
 
+// Levels that grow, by one of their keys, with cycles for all or for each.
+void make_protocol(StageSpec& stage) {
+  stage.amplitudes.clear(), stage.drifts.clear(), stage.cycles.clear();
+  if (!stage.targets.empty() || coin(2)) return;
+  (coin(2) ? stage.drifts : stage.amplitudes) = {0.001, 1.0 / 3};
+  if (coin(2)) stage.cycles.assign(coin(2) ? 1 : 2, 3);
+}
+
 void make_push(StageSpec& stage) {
+  make_protocol(stage);
   make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);
   stage.fast_velocity = coin(2) ? kUnset : stage.velocity;
-  if (stage.targets.empty()) set_if_unset(stage.until, 0.05);
+  if (!goes_to_and_fro(stage)) set_if_unset(stage.until, 0.05);
   const bool alike = stage.pattern == Pattern::kNone && coin(2);
   stage.as = coin(3) ? Manner::kDefault : alike ? Manner::kEach : Manner::kSpreader;
   const bool level = stage.direction == Direction::kPlusX || stage.direction == Direction::kMinusX;
   if (!level || stage.pattern != Pattern::kNone || stage.as == Manner::kEach ||
-      stage.rotation == Freedom::kBlocked || !stage.targets.empty())
+      stage.rotation == Freedom::kBlocked || goes_to_and_fro(stage))
     stage.contraflexure = kUnset;  // is for one head that turns
 }
 

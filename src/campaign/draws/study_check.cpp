@@ -15,6 +15,7 @@
 #include "campaign/draws/result_columns.h"
 #include "campaign/draws/sampling.h"
 #include "core/text.h"
+#include "model/protocol.h"
 #include "units/quantity_error.h"
 #include "wythe/campaign.h"
 #include "wythe/failure_mode.h"
@@ -441,7 +442,9 @@ std::vector<Message> notes_of(const StudySpec& study, const ModelSpec& base) {
   for (const StageSpec& stage : base.stage) {
     if (stage.kind != StageKind::kPush) continue;
     if (!std::isnan(stage.until)) end = std::max(end, stage.until);
-    for (const double target : stage.targets) end = std::max(end, std::fabs(target));
+    if (!stage.drifts.empty())
+      return notes_of_fields(base);  // of a height that only the built wall has
+    for (const double target : targets_of(stage, 0)) end = std::max(end, std::fabs(target));
   }
   std::vector<Message> notes = notes_of_fields(base);
   if (!(end > 0)) return notes;

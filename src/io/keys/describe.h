@@ -413,12 +413,22 @@ void describe_push(Visitor& v, StageSpec& s) {
            .doc = "Unbalance ratio below which the push goes at `fast_velocity`; above twice this "
                   "it goes at `velocity`."});
   v.quantity("until", s.until, {.unit = "m", .shown = "mm", .range = kLength,
-             .kinds = kPushStage, .fallback = "required, or targets", .example = "50 mm",
+             .kinds = kPushStage, .fallback = "required, or targets, amplitudes or drifts", .example = "50 mm",
              .doc = "Displacement at which the push ends."});
   v.quantities("targets", s.targets, {.unit = "m", .shown = "mm", .range = kCoordinate,
                .kinds = kPushStage,
                .fallback = "none", .example = "[\"2 mm\", \"-2 mm\", \"4 mm\"]",
                .doc = "Cyclic push: displacements along `direction`, one after the other."});
+  v.quantities("amplitudes", s.amplitudes, {.unit = "m", .shown = "mm", .range = kLength, .kinds = kPushStage,
+               .fallback = "none", .example = "[\"2 mm\", \"4 mm\", \"8 mm\"]",
+               .doc = "Cyclic push by a protocol: how far each level goes, to both sides, first along `direction`. The levels "
+                      "grow, and the push ends at zero."});
+  v.quantities("drifts", s.drifts, {.unit = "1", .shown = "%", .range = kPositive, .kinds = kPushStage,
+               .fallback = "none", .example = "[\"0.05 %\", \"0.1 %\", \"0.2 %\"]",
+               .doc = "The same as drifts: of the height of the rows' `drift_percent`, from the wall's foot to the middle of "
+                      "what is pushed or of `control`."});
+  v.numbers("cycles", s.cycles, {.may_be_alone = true, .kinds = kPushStage, .fallback = "1", .example = "2",
+            .doc = "How many cycles each level of `amplitudes` or `drifts` has: one number, or a list with one a level."});
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",
            .doc = "End when the reaction has stayed below this share of its peak over a tenth of the displacement; 0: never."});

@@ -57,7 +57,8 @@ struct Key {
   const char* shown = "";  // unit an engineer writes it in
   Range range = kAnyValue;
   bool may_be_unlimited = false;
-  int count = 0;  // of a list of words: how many, 0 for any number
+  bool may_be_alone = false;  // of a list of numbers: one may stand without brackets
+  int count = 0;              // of a list of words: how many, 0 for any number
   Kinds kinds = 0;
   bool in_braces = false;     // table written as key = { ... }
   bool optional = false;      // table left out while it says nothing

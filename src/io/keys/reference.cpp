@@ -69,7 +69,8 @@ class Reference {
         ValueKind::kBare);
   }
   void numbers(const char* name, const std::vector<double>&, const Key& key) {
-    row(name, key, "list of numbers", allowed(key), "", ValueKind::kBare);
+    row(name, key, key.may_be_alone ? "number, or list" : "list of numbers", allowed(key), "",
+        ValueKind::kBare);
   }
   void number(const char* name, const double& value, const Key& key) {
     const std::string fallback = std::isnan(value) ? "" : fmt::format("{}", value);

@@ -10,6 +10,7 @@
 
 #include "core/text.h"
 #include "io/text/toml_reader.h"
+#include "model/protocol.h"
 #include "wythe/model.h"
 
 namespace wythe::io {
@@ -187,7 +188,7 @@ void check_control(TableReader& reader, const StageSpec& stage) {
   if (half || more || point == !at.block.empty())
     reader.refuse("control", "must be one point, or one block",
                   "write e.g. control = { x = \"0 m\", y = \"6.2 m\" }");
-  if (!stage.targets.empty())
+  if (goes_to_and_fro(stage))
     reader.refuse("control", "follows a push in one direction",
                   "leave it out of a cyclic push, or write until in the place of targets");
 }
@@ -207,8 +208,35 @@ void check_contraflexure(TableReader& reader, const StageSpec& stage) {
   if (stage.direction != Direction::kPlusX && stage.direction != Direction::kMinusX)
     reader.refuse(key, "is a height, and this push is not horizontal",
                   "write direction = \"+x\" or \"-x\"");
-  if (!stage.targets.empty())
+  if (goes_to_and_fro(stage))
     reader.refuse(key, "follows a push in one direction", "write until in the place of targets");
+}
+
+// True when the key, or a member of its list, was refused already.
+bool list_has_faults(TableReader& reader, const char* key) {
+  const std::string path = reader.below(key);
+  const std::vector<Fault>& all = reader.context().faults.all();
+  return reader.context().has_fault_at(path) ||
+         std::any_of(all.begin(), all.end(),
+                     [&](const Fault& fault) { return fault.path.starts_with(path + "."); });
+}
+
+void check_protocol(TableReader& reader, const StageSpec& stage) {
+  constexpr const char* kKeys[] = {"amplitudes", "drifts", "cycles"};
+  const auto is_bad = [&](const char* key) { return list_has_faults(reader, key); };
+  if (std::any_of(std::begin(kKeys), std::end(kKeys), is_bad)) return;
+  for (const auto& [key, list] : {std::pair("amplitudes", &stage.amplitudes),
+                                  {"drifts", &stage.drifts},
+                                  {"cycles", &stage.cycles}})
+    if (reader.has(key) && list->empty())
+      return reader.refuse(key, "is empty",
+                           "write e.g. amplitudes = [\"2 mm\", \"4 mm\"], cycles = 2");
+  const auto found = fault_of_protocol(stage);
+  if (!found) return;
+  int line = 0;
+  for (const TableReader::Entry& entry : reader.entries())
+    if (entry.node != nullptr && found->key.starts_with(entry.name)) line = line_of(*entry.node);
+  reader.context().fault(reader.below(found->key), line, found->value, found->problem, found->cure);
 }
 
 void check_push(TableReader& reader, const StageSpec& stage) {
@@ -216,8 +244,10 @@ void check_push(TableReader& reader, const StageSpec& stage) {
   if (stage.fast_velocity < slow)
     reader.refuse("fast_velocity", "is slower than velocity, 0.1 mm/s where none is given",
                   "write a faster one, or leave it out for one velocity throughout");
-  if (!reader.has("until") && !reader.has("targets"))
+  const auto has = [&](const char* key) { return reader.has(key); };
+  if (!has("until") && !has("targets") && !has("amplitudes") && !has("drifts"))
     reader.miss("until", "is missing, a push needs until or targets");
+  check_protocol(reader, stage);
   if (reader.has("targets") && stage.targets.empty() &&
       !reader.context().has_fault_at(reader.below("targets")))
     reader.refuse("targets", "is empty", "write e.g. targets = [\"2 mm\", \"-2 mm\"]");

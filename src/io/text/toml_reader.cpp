@@ -179,12 +179,16 @@ void TableReader::points(const char* name, std::vector<std::array<double, 2>>& p
 void TableReader::numbers(const char* name, std::vector<double>& values, const Key& key) {
   const toml::node* node = find(name, key);
   if (!node) return;
-  const toml::array* array = node->as_array();
   const auto is_good = [](const toml::node& item) {
     return item.is_number() && std::isfinite(*item.value<double>());
   };
+  toml::array one;
+  if (key.may_be_alone && is_good(*node)) one.push_back(*node->value<double>());
+  const toml::array* array = one.empty() ? node->as_array() : &one;
   if (!array || !std::all_of(array->begin(), array->end(), is_good)) {
-    refuse(name, "must be a list of numbers without quotes",
+    refuse(name,
+           key.may_be_alone ? "must be a number, or a list of them, without quotes"
+                            : "must be a list of numbers without quotes",
            cure_by_example(name, key, ValueKind::kBare));
     return;
   }

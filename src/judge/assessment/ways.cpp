@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "judge/assessment/assessment_parts.h"
 #include "wythe/error.h"
@@ -147,9 +148,12 @@ class Ways {
                                                              : "assessment.of_body_force"}),
                     cure);
     const JudgedPush judged = study::judged_push(model_);
-    if (!push().targets.empty())
-      return refuse(key("targets"), text_of({"assessment.of_cycles"}),
-                    "write until in the place of targets");
+    for (const auto& [name, list] : {std::pair("targets", &push().targets),
+                                     {"amplitudes", &push().amplitudes},
+                                     {"drifts", &push().drifts}})
+      if (!list->empty())
+        return refuse(key(name), text_of({"assessment.of_cycles"}),
+                      fmt::format("write until in the place of {}", name));
     if (!judged.is_horizontal)
       return refuse(push().along.empty() ? key("direction") : key("along"),
                     text_of({"assessment.not_horizontal"}), "push the wall sideways");

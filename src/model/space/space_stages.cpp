@@ -55,7 +55,10 @@ class SpaceStages {
       }
       set_direction(stage);
       if (s.kind == StageKind::kLoad) set_loads(stage);
-      if (push) set_driven(stage);
+      if (push) {
+        set_driven(stage);
+        set_targets(path_, stage, faults_);
+      }
       if (s.kind == StageKind::kShake) compile_shake(path_, places(), model_, stage, faults_);
       refuse_second_factor(s);
       refuse_zones(stage);

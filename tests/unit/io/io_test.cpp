@@ -312,6 +312,67 @@ TEST(StageRefused, push_without_end) {
             "until = \"50 mm\"");
 }
 
+TEST(StageRefused, a_protocol_that_cannot_be_run) {
+  const auto refused = [](const std::string& keys) { return fault_of("until = \"50 mm\"", keys); };
+  const std::string levels = "amplitudes = [\"2 mm\", \"4 mm\"]\n";
+  EXPECT_EQ(
+      refused("amplitudes = [\"2 mm\", \"4 mm\", \"3 mm\"]"),
+      "model.toml:41: stage.2.amplitudes.2 = 3 mm: falls back behind the level before it, 4 mm; "
+      "write levels that grow; for any other order write every displacement in targets");
+  EXPECT_EQ(
+      refused("drifts = [\"0.2 %\", \"0.1 %\"]"),
+      "model.toml:41: stage.2.drifts.1 = 0.1 %: falls back behind the level before it, 0.2 %; "
+      "write levels that grow; for any other order write every displacement in targets");
+  EXPECT_EQ(refused("amplitudes = [\"2 mm\", \"0 mm\"]"),
+            "model.toml:41: stage.2.amplitudes.1 = 0 mm: must be more than 0 mm; write e.g. "
+            "amplitudes = [\"2 mm\", \"4 mm\", \"8 mm\"]");
+  EXPECT_EQ(
+      refused(levels + "cycles = 0"),
+      "model.toml:42: stage.2.cycles.0 = 0: asks for no cycle; write a whole number from 1 on, or "
+      "leave the level out");
+  EXPECT_EQ(
+      refused(levels + "cycles = [1, 2.5]"),
+      "model.toml:42: stage.2.cycles.1 = 2.5: is no number of cycles; write a whole number from 1 "
+      "on, or leave the level out");
+  EXPECT_EQ(
+      refused(levels + "cycles = [1, 2, 3]"),
+      "model.toml:42: stage.2.cycles: must be one number, or one a level: 2 and not 3; write e.g. "
+      "cycles = 2");
+  EXPECT_EQ(refused(levels + "cycles = \"two\""),
+            "model.toml:42: stage.2.cycles = two: must be a number, or a list of them, without "
+            "quotes; write "
+            "e.g. cycles = 2");
+  EXPECT_EQ(refused(levels + "cycles = inf").substr(0, 53),
+            "model.toml:42: stage.2.cycles = inf: must be a number");
+  EXPECT_EQ(
+      refused(levels + "cycles = 1000000"),
+      "model.toml:42: stage.2.cycles: asks for 2e+06 cycles in all, at most 10000 are run; write "
+      "fewer cycles, or fewer levels");
+  EXPECT_EQ(refused("amplitudes = []").substr(0, 48),
+            "model.toml:41: stage.2.amplitudes = a list: is e");
+  EXPECT_EQ(
+      refused("until = \"50 mm\"\ncycles = 2"),
+      "model.toml:42: stage.2.cycles: has no levels; write e.g. amplitudes = [\"2 mm\", \"4 mm\", "
+      "\"8 mm\"]");
+  EXPECT_EQ(refused(levels + "targets = [\"2 mm\"]"),
+            "model.toml:42: stage.2.targets: says where the push goes, and so do the levels of a "
+            "protocol; "
+            "keep one of them");
+  EXPECT_EQ(
+      refused(levels + "drifts = [\"1 %\"]"),
+      "model.toml:42: stage.2.drifts: states levels, and so does amplitudes; keep one of them");
+}
+
+TEST(StageRead, one_number_of_cycles_is_for_all_levels) {
+  const auto read = [](const std::string& cycles) {
+    const std::string keys = "drifts = [\"0.1 %\", \"0.2 %\"]\n" + cycles;
+    return parse_model(with(kModel, "until = \"50 mm\"", keys), "model.toml").stage[2];
+  };
+  EXPECT_EQ(read("cycles = 3").cycles, std::vector<double>{3});
+  EXPECT_EQ(read("cycles = [3, 1]").cycles, (std::vector<double>{3, 1}));
+  EXPECT_EQ(read("").drifts, (std::vector<double>{0.001, 0.002}));
+}
+
 TEST(StageRefused, push_without_place) {
   EXPECT_EQ(fault_of("at = { x = \"0 m\", y = \"3.12 m\", courses = 3 }\n", ""),
             "model.toml:36: stage.2.at: is missing, a push needs at, or a pattern with its levels; "
