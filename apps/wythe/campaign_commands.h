@@ -104,8 +104,9 @@ struct OptionRuns {
 };
 // The first samples of the base, run before all others to measure how long they take.
 struct FirstLook {
-  int samples = 0;            // 0: none
-  std::function<void()> say;  // once they are stored
+  int samples = 0;  // 0: none
+  // Once they are stored; how many ran now, and how long it took [s].
+  std::function<void(int ran, double seconds)> say;
 };
 // Refuses what can be refused before the first sample runs. `study` outlives what is returned.
 OptionRuns run_options(const CampaignArguments& arguments, const StudySpec& study,

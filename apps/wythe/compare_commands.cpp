@@ -203,12 +203,17 @@ OptionRuns run_options(const CampaignArguments& a, const StudySpec& study, Campa
     CampaignOptions first = options;
     first.last = look.samples;
     const OptionRun& base = runs.front();
+    const auto start = std::chrono::steady_clock::now();
+    int ran = 0;
     const CampaignOutcome outcome =
         run_campaign(*base.study, base.build, base.folder, first, [&](const CampaignProgress& p) {
-          if (p.last != nullptr) hold_for_test(fmt::format("sample {}", ++stored));
+          if (p.last == nullptr) return;
+          ++ran;
+          hold_for_test(fmt::format("sample {}", ++stored));
         });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     out.interrupted = outcome.interrupted;
-    if (!out.interrupted) look.say();
+    if (!out.interrupted) look.say(ran, took.count());
   }
   for (std::size_t k = 0; k < runs.size() && !out.interrupted; ++k) {
     OptionRun& run = runs[k];

@@ -218,7 +218,10 @@ class VerdictPage {
       out += line({X(tick), 0}, {X(tick), foot}, "grid");
       out += label({X(tick), foot + 14}, texts_.number(tick), "small", "middle");
     }
-    out += label({kWidth - kRight, foot + 29}, "PGA, g", "small", "end");
+    const bool is_right =
+        demand > 0.5 * most;  // the demand's own label: the axis goes to the other end
+    out += label({is_right ? kLeft : kWidth - kRight, foot + 29}, "PGA, g", "small",
+                 is_right ? "start" : "end");
     double y = 0.5 * kRow;
     for (const WayOfPushing& way : v_.ways) {
       out += label({0, y + 4}, name_of(way), "");
@@ -279,8 +282,8 @@ class VerdictPage {
         rows += fmt::format(
             "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td>{} / "
             "{}</td></tr>\n",
-            state, words(rule.words), texts_.quantity(1e3 * rule.displacement, "mm", 3),
-            rule.decides, of.worst.size());
+            state, escaped(text_of(rule.words, language_)),
+            texts_.quantity(1e3 * rule.displacement, "mm", 3), rule.decides, of.worst.size());
         state.clear();
       }
     }

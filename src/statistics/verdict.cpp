@@ -110,10 +110,10 @@ double demand_of_state(const AssessmentSpec& spec, LimitState state) {
   return spectrum.is_given() ? spectrum.peak_ground_acceleration() : kUnset;
 }
 
-// A rule of a code in other walls: of which pier, and how it fails; not what the wall's own numbers are.
-bool is_same_rule(const Message& a, const Message& b) {
-  if (a.code != b.code) return false;
-  return a.code == "assessment.q_limit" || a == b;
+// A rule of a code in words that hold for every wall.
+Message words_of_rule(const Criterion& criterion) {
+  if (criterion.words.code != "assessment.q_limit") return criterion.words;
+  return {"verdict.q_limit", {{"limit", criterion.value}}};
 }
 
 // One limit state of one pattern, all its directions. One that is lost in a way counts as lost, for that way may be
@@ -180,8 +180,9 @@ class OfPattern {
       if (check == nullptr) continue;
       for (const Criterion& c : check->criteria) {
         std::size_t k = 0;
-        while (k < out_.rules.size() && !is_same_rule(out_.rules[k].words, c.words)) ++k;
-        if (k == out_.rules.size()) out_.rules.push_back({.words = c.words}), at.emplace_back();
+        const Message words = words_of_rule(c);
+        while (k < out_.rules.size() && !(out_.rules[k].words == words)) ++k;
+        if (k == out_.rules.size()) out_.rules.push_back({.words = words}), at.emplace_back();
         ++out_.rules[k].walls;
         out_.rules[k].decides += c.name == check->governing ? 1 : 0;
         at[k].push_back(c.displacement);
