@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <numeric>
 #include <thread>
@@ -25,12 +26,16 @@ namespace {
 constexpr int kFailed = 3;
 constexpr int kMostWalls = 100'000;
 
-double coefficient(const std::string& option, const std::string& text) {
+constexpr double kNarrowest = 0.05;  // interval of a share: 1560 walls
+constexpr int kPair = 2;             // walls that measure how long the others take
+
+double number_between(const std::string& option, const std::string& text, double above,
+                      const char* range) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !(value > 0) || !(value <= 1))
-    refuse(option, text, "must be a number above 0 and up to 1", "write e.g. " + option + " 0.2");
+  if (error != std::errc() || stop != end || !(value > above) || !(value <= 1))
+    refuse(option, text, std::string("must be a number ") + range, "write e.g. " + option + " 0.3");
   return value;
 }
 
@@ -41,30 +46,73 @@ StudySpec asked_walls(const AssessArguments& a) {
     asked.walls = whole_number("--walls", a.walls, 2, kMostWalls, "write e.g. --walls 8");
   if (!a.seed.empty())
     asked.seed = whole_number("--seed", a.seed, 0, 2'147'483'647, "write e.g. --seed 1");
-  if (!a.between.empty()) asked.between = coefficient("--between", a.between);
+  if (!a.between.empty())
+    asked.between = number_between("--between", a.between, 0, "above 0 and up to 1");
   StudySpec study = assess_study(asked);
   const std::string base = a.out + "/" + kBaseFolder;
-  if (!a.resume || !a.walls.empty() || !holds_campaign(base)) return study;
-  study.batch = stored_batches(base);
+  if (!a.resume || !holds_campaign(base)) return study;
+  const std::vector<int> stored = stored_batches(base);
+  const auto walls_in = [](const std::vector<int>& batches) {
+    return std::accumulate(batches.begin(), batches.end(), 0);
+  };
+  if (!a.walls.empty() && walls_in(study.batch) > walls_in(stored)) return study;
+  study.batch = stored;
   for (VariantSpec& way : study.option) way.study.batch = study.batch;
   return study;
 }
 
-void print_forecast(const StudySpec& study, const CampaignOptions& options) {
-  const int walls = std::accumulate(study.batch.begin(), study.batch.end(), 0);
-  const auto ways = static_cast<int>(study.option.size()) + 1;
-  const int cores = options.jobs > 0
-                        ? options.jobs
-                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const double push = estimate(compile(model_builder(study)({}))).seconds;
-  fmt::print(stderr, "{} ways of pushing, {} walls each: at most about {} on {} core{}\n", ways,
-             walls, duration_text(push * ways * walls / cores), cores, cores == 1 ? "" : "s");
+// How many times faster walls run side by side than alone (docs/evidence/benchmarks.md).
+// 1.9 of two, 3.5 of four, 6 of eight.
+double gain_of(int lanes) { return lanes / (1 + 0.047 * (lanes - 1)); }
+int lanes_of_machine() {
+  const std::string text = instruction_set();  // "avx2, 4 walls side by side"
+  const std::size_t comma = text.find(", ");
+  return comma == std::string::npos ? 1 : std::max(1, std::atoi(text.c_str() + comma + 2));
 }
+
+// How long the walls take that are not stored yet, by a first pair that ran just now; where it was stored already, by
+// the time of a core that the stored ones took.
+class Forecast {
+ public:
+  Forecast(const StudySpec& study, const std::string& out, const CampaignOptions& options)
+      : base_(out + "/" + kBaseFolder),
+        walls_(std::accumulate(study.batch.begin(), study.batch.end(), 0)),
+        ways_(static_cast<int>(study.option.size()) + 1),
+        jobs_(options.jobs > 0
+                  ? options.jobs
+                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {}
+
+  // `most`: walls that there may be.
+  void say(int most, int ran, double took) const {
+    const StoreProgress there = campaign_progress(base_);
+    if (there.done == 0) return;
+    const int of = ran > 0 ? ran : there.done;
+    const double alone =  // of one wall on a core of its own
+        (ran > 0 ? took * std::min(jobs_, ran) : there.seconds) / of * gain_of(lanes(of));
+    const auto time = [&](int walls) {
+      const int left = ways_ * walls - there.done;
+      return duration_text(alone * left / gain_of(lanes(walls)) / std::min(jobs_, walls));
+    };
+    if (ways_ * walls_ <= there.done) return;
+    const std::string more =
+        most > walls_ ? fmt::format(", and up to {} for {} walls", time(most), most) : "";
+    fmt::print(stderr, "{} ways of pushing, {} walls each: about {} on {} core{}{}\n", ways_,
+               walls_, time(walls_), jobs_, jobs_ == 1 ? "" : "s", more);
+  }
+
+ private:
+  [[nodiscard]] int lanes(int walls) const {
+    return std::min(lanes_of_machine(), (walls + jobs_ - 1) / jobs_);
+  }
+
+  std::string base_;
+  int walls_, ways_, jobs_;
+};
 
 void print_way(const WayOfPushing& way) {
   constexpr double kToG = 1 / kStandardGravity;
   const WallCapacity& c = way.capacity;
-  const Interval& interval = c.median.interval;
+  const Interval& interval = c.with_tests;
   fmt::print("{:<4} {:<32} {}{:.3f} g", way.direction, text_of(words_of_pattern(way.pattern)),
              c.at_least ? "at least " : "", c.median.value * kToG);
   if (!std::isnan(interval.low) && !std::isinf(interval.high))
@@ -89,32 +137,75 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
 
 }  // namespace
 
-int assess(const AssessArguments& a) {
+namespace {
+
+// All walls of a study in all its ways, and the verdict from them, unless the user stopped.
+struct Round {
+  OptionRuns ran;
+  WallsVerdict verdict;
+};
+Round run_round(const AssessArguments& a, const CampaignArguments& as_campaign,
+                const StudySpec& study, const CampaignOptions& options, int most) {
+  const Forecast forecast(study, a.out, options);
+  FirstLook look;
+  if (!a.quiet)
+    look = {.samples = kPair,
+            .say = [&](int ran, double seconds) { forecast.say(most, ran, seconds); }};
+  Round out{.ran = run_options(as_campaign, study, options, look), .verdict = {}};
+  if (out.ran.interrupted) return out;
+  std::vector<std::string> folders;
+  for (const OptionRun& run : out.ran.runs) {
+    folders.push_back(std::filesystem::path(run.folder).filename().string());
+    static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
+  }
+  out.verdict = write_verdict(a.out, folders, a.language, hold_for_test);
+  return out;
+}
+
+}  // namespace
+
+int assess(const AssessArguments& asked) {
+  AssessArguments a = asked;
   check_language(a.language);
   CampaignOptions options;
   if (!a.jobs.empty())
     options.jobs = whole_number("--jobs", a.jobs, 1, 4096, "leave it out for one wall a core");
   options.resume = a.resume;
   options.provenance = provenance_text();
-  const StudySpec study = asked_walls(a);
+  double width = kUnset;
+  if (!a.until.empty())
+    width = number_between("--until", a.until, kNarrowest, "above 0.05 and up to 1");
+  const int most = std::isnan(width) ? 0 : most_walls(width);
+  StudySpec study = asked_walls(a);
   hold_for_test("model read");
-  if (!a.quiet) print_forecast(study, options);
   CampaignArguments as_campaign;
   as_campaign.out = a.out;
   as_campaign.resume = a.resume;
   as_campaign.quiet = a.quiet;
   as_campaign.language = a.language;
   as_campaign.command = a.command;
-  const OptionRuns ran = run_options(as_campaign, study, options);
-  if (ran.interrupted) return say_stopped(as_campaign, ran.runs);
-  std::vector<std::string> folders;
-  for (const OptionRun& run : ran.runs) {
-    folders.push_back(std::filesystem::path(run.folder).filename().string());
-    static_cast<void>(write_campaign_files(run.folder, read_answers(run.folder), a.language));
+  while (true) {
+    const Round round = run_round(a, as_campaign, study, options, most);
+    if (round.ran.interrupted) return say_stopped(as_campaign, round.ran.runs);
+    const WallsVerdict& verdict = round.verdict;
+    const bool is_known = verdict.verdict != AssessmentVerdict::kNotKnown;
+    const WallCounts& counts = verdict.worst.counts;
+    const int next = is_known && most > 0 ? next_walls(counts, width) : 0;
+    if (next == 0) {
+      print_verdict(verdict, a.out);
+      if (is_known && most > 0)
+        fmt::print("the share that does not meet it is known to {:.2f} after {} walls\n",
+                   counts.probability().interval.width(), counts.walls);
+      return is_known ? 0 : kFailed;
+    }
+    if (!a.quiet)
+      fmt::print(stderr, "{} walls: not met in {} of {}; going on with {} walls\n", counts.walls,
+                 counts.not_met, counts.met + counts.not_met, next);
+    if (!a.resume) as_campaign.command.emplace_back("--resume");
+    a.resume = as_campaign.resume = options.resume = true;
+    a.walls = std::to_string(next);
+    study = asked_walls(a);
   }
-  const WallsVerdict verdict = write_verdict(a.out, folders, a.language, hold_for_test);
-  print_verdict(verdict, a.out);
-  return verdict.verdict == AssessmentVerdict::kNotKnown ? kFailed : 0;
 }
 
 }  // namespace wythe::app

@@ -8,7 +8,7 @@ namespace wythe::app {
 
 struct AssessArguments {
   std::string model, out, language = "en";
-  std::string walls, seed, between, jobs;  // as typed, "": not given
+  std::string walls, until, seed, between, jobs;  // as typed, "": not given
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
   std::vector<std::string> command;  // as typed, to say how to go on

@@ -1,6 +1,7 @@
 // The commands about campaigns: run, join shards, replay a sample, rewrite results, check a study.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -101,9 +102,15 @@ struct OptionRuns {
   std::vector<OptionRun> runs;
   bool interrupted = false;
 };
+// The first samples of the base, run before all others to measure how long they take.
+struct FirstLook {
+  int samples = 0;  // 0: none
+  // Once they are stored; how many ran now, and how long it took [s].
+  std::function<void(int ran, double seconds)> say;
+};
 // Refuses what can be refused before the first sample runs. `study` outlives what is returned.
 OptionRuns run_options(const CampaignArguments& arguments, const StudySpec& study,
-                       CampaignOptions options);
+                       CampaignOptions options, const FirstLook& look = {});
 // Writes what is there, and says how to go on.
 int say_stopped(const CampaignArguments& arguments, const std::vector<OptionRun>& runs);
 // The wall of an option; its faults name the option.

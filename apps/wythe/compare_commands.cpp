@@ -187,8 +187,8 @@ std::vector<std::string> option_folders(const std::string& folder) {
   return folders;
 }
 
-OptionRuns run_options(const CampaignArguments& a, const StudySpec& study,
-                       CampaignOptions options) {
+OptionRuns run_options(const CampaignArguments& a, const StudySpec& study, CampaignOptions options,
+                       const FirstLook& look) {
   OptionRuns out{.runs = runs_of(study, a.out)};
   std::vector<OptionRun>& runs = out.runs;
   check_runs(runs, a.out, a.resume);
@@ -199,6 +199,22 @@ OptionRuns run_options(const CampaignArguments& a, const StudySpec& study,
   ProgressOfAll progress(runs, a.quiet);
   int stored = 0;
   for (const OptionRun& run : runs) stored += run.done;
+  if (look.samples > 0) {
+    CampaignOptions first = options;
+    first.last = look.samples;
+    const OptionRun& base = runs.front();
+    const auto start = std::chrono::steady_clock::now();
+    int ran = 0;
+    const CampaignOutcome outcome =
+        run_campaign(*base.study, base.build, base.folder, first, [&](const CampaignProgress& p) {
+          if (p.last == nullptr) return;
+          ++ran;
+          hold_for_test(fmt::format("sample {}", ++stored));
+        });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    out.interrupted = outcome.interrupted;
+    if (!out.interrupted) look.say(ran, took.count());
+  }
   for (std::size_t k = 0; k < runs.size() && !out.interrupted; ++k) {
     OptionRun& run = runs[k];
     StudySpec asked = *run.study;

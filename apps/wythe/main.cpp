@@ -158,6 +158,9 @@ void add_assess(CLI::App& app, AssessArguments& a, int& code) {
       ->required();
   command->add_option("--walls", a.walls,
                       "walls in each way of pushing (default: 8); more with --resume adds to them");
+  command->add_option("--until", a.until,
+                      "add walls until the 95 % interval of the share that does not meet the limit "
+                      "state is narrower than this, e.g. 0.3 (default: none are added)");
   command->add_option("--seed", a.seed, "seed of the walls (default: 0)");
   command->add_option("--between", a.between,
                       "coefficient of variation of strengths from wall to wall, beside what "

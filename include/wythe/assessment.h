@@ -146,6 +146,17 @@ struct LimitStateCheck {
   double acceleration = kUnset;       // peak ground acceleration then, soil included [m/s^2]
   double rock_acceleration = kUnset;  // the same over S ST [m/s^2]
   bool at_least = false;              // the push ended before: all of these are lower bounds
+  // `acceleration` if the force fell where it did in tested walls that failed alike: at the least and the largest drift
+  // of nine in ten. Infinite: beyond the push. NaN: no tests, or no number [m/s^2].
+  double tested_low = kUnset, tested_high = kUnset;
+};
+
+// Drifts at which tested walls had lost a fifth of their force, by how they failed.
+struct DriftOfTests {
+  std::string mechanism;  // "shear", "flexure"
+  bool stone = false;     // stone walls; else brick and block
+  int walls = 0;
+  double low = kUnset, high = kUnset;  // nine in ten lie between [-]
 };
 
 struct CodeAssessment {
@@ -163,7 +174,9 @@ struct CodeAssessment {
   SpectralDemand demand;
   double demand_displacement = kUnset;  // Gamma d*max, of the control point [m]
   std::vector<LimitStateCheck> limit_states;
+  std::vector<DriftOfTests> tests;  // behind tested_low and tested_high
   [[nodiscard]] const LimitStateCheck* asked() const;
+  [[nodiscard]] const LimitStateCheck* at(LimitState state) const;  // null: not looked at
   // The limit state whose verdict is that of the wall: of those checked the one with the least reserve, one that fails
   // before a lower bound; where none is, the asked one.
   [[nodiscard]] const LimitStateCheck* deciding() const;
@@ -187,8 +200,10 @@ struct JudgedPush {
   std::vector<PierDrift> piers = {};    // where they are known they stand for the storeys
   double pier_slenderness = kUnset;     // least H0 / D of the piers [-]
   std::string mechanism = {};           // "shear", "flexure", "": not known
-  Message barred = {};                  // why the model's stages allow no answer; empty: they do
-  std::vector<Message> cautions = {};   // of the model itself: why numbers are not to be signed
+  double mechanism_from = 0;            // displacement of the state that shows it [m]
+  std::vector<DriftOfTests> tests = {};
+  Message barred = {};                 // why the model's stages allow no answer; empty: they do
+  std::vector<Message> cautions = {};  // of the model itself: why numbers are not to be signed
   // Strengths that the file does not state, so that nobody has divided them by the confidence factor.
   std::vector<Message> undivided = {};
 };

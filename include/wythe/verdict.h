@@ -39,27 +39,53 @@ struct JudgedWall {
   Message lost;                  // why it has no answer; empty: it has
   CodeAssessment assessment;     // as a single run of it would have
   std::string mode, state_hash;  // name of its failure
+  double peak = kUnset;          // of its force [N]
   bool is_in_plane = true;  // false: in space, and its failure is not named as one in its plane
   [[nodiscard]] bool is_lost() const { return !lost.empty(); }
-  [[nodiscard]] AssessmentVerdict verdict() const {
-    return is_lost() ? AssessmentVerdict::kNotKnown : assessment.verdict;
-  }
-  // Of the limit state asked for: its PGA, a lower bound where the push ended before the wall; NaN of a lost wall.
-  [[nodiscard]] Reading capacity() const;
+  [[nodiscard]] AssessmentVerdict verdict(LimitState state) const;
+  // PGA of a limit state, a lower bound where the push ended before the wall; NaN of a lost wall.
+  [[nodiscard]] Reading capacity(LimitState state) const;
 };
 
-// How many walls meet the limit state asked for.
+// How many walls meet a limit state.
 struct WallCounts {
   int walls = 0, met = 0, not_met = 0, not_shown = 0, lost = 0;
+  // Of them those that meet it, and do not, at whichever drift of tested walls their force falls.
+  int met_anyhow = 0, fails_anyhow = 0;
   // Share of walls that do not meet it, of those that are known. The interval is that of Clopper and Pearson;
   // those not known stand on its two sides: all met at its lower end, none at its upper end.
   [[nodiscard]] Estimate probability() const;
+  // The same, with those on its two sides whose answer hangs on the drift.
+  [[nodiscard]] Interval with_tests() const;
 };
 // PGA of walls [m/s^2]: a median and its interval by order statistics. The median is of the walls that answered;
 // in the interval a lost wall may stand anywhere.
 struct WallCapacity {
   Estimate median;
   bool at_least = false;  // too many walls went beyond their push: the median is a lower bound
+  // That interval, from the least drift of tested walls to the largest; the same where tests say nothing.
+  Interval with_tests;
+};
+
+// A rule that may end a limit state, in the worse direction of each wall.
+struct RuleOfWalls {
+  Message words;
+  int walls = 0, decides = 0;  // that have the rule; that it ends
+  double displacement =
+      kUnset;  // median of the control point; where a push ended before, its end [m]
+};
+
+// A limit state, by the pattern that is worst for it, each wall by its worse direction.
+struct StateVerdict {
+  LimitState state = LimitState::kLifeSafety;
+  bool is_checked = false;  // it has a spectrum of its own
+  AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
+  double demand = kUnset;          // PGA of its spectrum [m/s^2]
+  std::string pattern, direction;  // of most walls, the direction
+  std::vector<std::size_t> worst;  // the way that is worst for each wall
+  WallCounts counts;
+  WallCapacity capacity;
+  std::vector<RuleOfWalls> rules;
 };
 
 struct WayOfPushing {
@@ -80,14 +106,11 @@ struct WallsVerdict {
   std::vector<Message> notes;
   std::string program;  // that ran the walls
   AssessmentSpec spec;
-  ElasticSpectrum spectrum;
   std::vector<WayOfPushing> ways;
-  // Of the pattern that decides: each wall by the direction that is worse for it.
-  std::string pattern, direction;  // of most walls, the direction
-  WallCounts counts;
-  WallCapacity capacity;
-  std::vector<WallCapacity> limit_states;  // by LimitState
-  std::string mode;                        // the name most often given there
+  std::vector<StateVerdict> limit_states;
+  StateVerdict worst;        // of those checked, the one that decides
+  ElasticSpectrum spectrum;  // its own
+  std::string mode;          // the name most often given there
   int mode_count = 0;
   // "-x", or "-x, uniform" where there are several patterns.
   [[nodiscard]] std::string decides() const;
@@ -101,5 +124,13 @@ struct WallsVerdict {
 [[nodiscard]] WallsVerdict verdict_of(const AssessmentSpec& spec, std::vector<WayOfPushing> ways,
                                       int asked, std::vector<Message> cautions = {},
                                       std::vector<Message> notes = {});
+
+// --- how many walls (docs/theory/assessment.md, "How many walls")
+
+// Walls after which the interval of any share is narrower than `width`.
+[[nodiscard]] int most_walls(double width);
+// How many walls to go on with, where the interval of this share is wider than `width`; 0: it is not, or no number
+// below most_walls() makes it so.
+[[nodiscard]] int next_walls(const WallCounts& counts, double width);
 
 }  // namespace wythe

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "campaign/draws/scatter.h"
 #include "wythe/folders.h"
 #include "wythe/model.h"
 #include "wythe/report.h"
@@ -11,16 +12,20 @@ namespace wythe {
 
 namespace {
 
+// Of the mean strength from wall to wall; NaN: none.
+double scatter_between(const StudySpec& study) {
+  for (const VariableSpec& variable : study.variable)
+    if (variable.name == kBetweenWalls) return variable.cov;
+  return kUnset;
+}
+
 // What makes the walls differ.
-Message note_of_scatter(const StudySpec& study, const ModelSpec& base) {
-  const auto between =
-      std::find_if(study.variable.begin(), study.variable.end(),
-                   [](const VariableSpec& variable) { return variable.name == kBetweenWalls; });
-  if (between == study.variable.end()) return {"verdict.note.within_only"};
+Message note_of_scatter(const ModelSpec& base, double between) {
+  if (std::isnan(between)) return {"verdict.note.within_only"};
   const bool within = std::any_of(base.field.begin(), base.field.end(),
                                   [](const auto& field) { return field.second.formula.empty(); });
   return {within ? "verdict.note.between" : "verdict.note.between_only",
-          {{"percent", 100 * between->cov}}};
+          {{"percent", 100 * between}}};
 }
 
 }  // namespace
@@ -39,10 +44,16 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
       spec = base.assessment;
       program = campaign.provenance;
       asked = ways_of(base, model);
-      asked.notes.push_back(note_of_scatter(campaign.study, base));
-      if (std::isnan(spec.confidence_factor) &&
-          asked.notes.back().code == "verdict.note.within_only")
+      const double between = scatter_between(campaign.study);
+      asked.notes.push_back(note_of_scatter(base, between));
+      if (std::isnan(spec.confidence_factor) && std::isnan(between))
         asked.cautions.push_back({"verdict.caution.means"});
+      for (const study::OddScatter& odd : study::odd_scatter(base, model, between))
+        asked.cautions.push_back(
+            {"verdict.caution.scatter",
+             {{"strength", Message{std::string("verdict.scatter.") + odd.strength}},
+              {"percent", 100 * odd.cov},
+              {"tested_percent", 100 * odd.tested}}});
     }
     const PushWay way = way_of(base);
     ways.push_back({.direction = way.direction,

@@ -99,7 +99,8 @@ class VerdictPage {
     const char* key = "assess.undecided";
     if (v_.verdict == AssessmentVerdict::kHolds) key = "assess.holds";
     if (v_.verdict == AssessmentVerdict::kFails) key = "assess.fails";
-    std::string state = texts_.say("assessment." + v_.spec.limit_state);
+    std::string state =
+        texts_.say("assessment." + std::string(word_of(kLimitStateWords, v_.worst.state)));
     state[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(state[0])));
     std::string standing = v_.verdict == AssessmentVerdict::kNotKnown
                                ? say("assess.unknown")
@@ -128,6 +129,10 @@ class VerdictPage {
     return c.at_least ? say("assess.at_least", {{"value", value}}) : value;
   }
 
+  [[nodiscard]] static std::string not_met_of(const WallCounts& counts) {
+    return fmt::format("{} / {}", counts.not_met, counts.met + counts.not_met);
+  }
+
   [[nodiscard]] std::string cards() const {
     if (v_.verdict == AssessmentVerdict::kNotKnown) return "";
     const auto card = [](const std::string& value, const std::string& name,
@@ -137,24 +142,22 @@ class VerdictPage {
           "class=\"means\">{}</div></div>\n",
           value, name, means);
     };
-    const double demand = v_.spectrum.peak_ground_acceleration();
+    const double demand = v_.worst.demand;
+    const WallCapacity& capacity = v_.worst.capacity;
     const auto more = [&](const std::string& range, const std::string& means) {
       return range.empty() ? means : range + "; " + means;
     };
-    const Estimate share = v_.counts.probability();
+    const Interval share = v_.worst.counts.with_tests();
     const auto percent = [&](double x) { return texts_.quantity(100 * x, "%", 2); };
     return "<section class=\"cards\">\n" +
-           card(median(v_.capacity, kToG, "g"), say("assess.capacity"),
-                more(interval(v_.capacity.median.interval, kToG, "g"),
-                     say("assess.capacity.means"))) +
+           card(median(capacity, kToG, "g"), say("assess.capacity"),
+                more(interval(capacity.with_tests, kToG, "g"), say("assess.capacity.means"))) +
            card(g(demand), say("assess.demand"), say("assess.demand.means")) +
-           card(median(v_.capacity, 1 / demand, ""), say("assess.index"),
-                more(interval(v_.capacity.median.interval, 1 / demand, ""),
-                     say("assess.index.means"))) +
-           card(fmt::format("{} / {}", v_.counts.not_met, v_.counts.met + v_.counts.not_met),
-                say("assess.share"),
-                say("assess.share.means", {{"from", percent(share.interval.low)},
-                                           {"to", percent(share.interval.high)}})) +
+           card(median(capacity, 1 / demand, ""), say("assess.index"),
+                more(interval(capacity.with_tests, 1 / demand, ""), say("assess.index.means"))) +
+           card(not_met_of(v_.worst.counts), say("assess.share"),
+                say("assess.share.means",
+                    {{"from", percent(share.low)}, {"to", percent(share.high)}})) +
            "</section>\n";
   }
 
@@ -180,14 +183,14 @@ class VerdictPage {
   [[nodiscard]] std::string ways() const {
     std::string rows;
     for (const WayOfPushing& way : v_.ways) {
-      const bool decides = way.direction == v_.direction && way.pattern == v_.pattern;
+      const bool decides = way.direction == v_.worst.direction && way.pattern == v_.worst.pattern;
       rows += fmt::format(
           "<tr{}><td class=\"left\"><a href=\"{}/report.html\">{}</a>{}</td><td>{}</td><td>{}</td>"
-          "<td>{} / {}</td><td>{}</td><td>{}</td></tr>\n",
+          "<td>{}</td><td>{}</td><td>{}</td></tr>\n",
           decides ? " class=\"decides\"" : "", escaped(way.folder), name_of(way),
           decides ? " (" + say("assess.decides") + ")" : "", median(way.capacity, kToG, "g"),
-          interval(way.capacity.median.interval, kToG, "g"), way.counts.not_met,
-          way.counts.met + way.counts.not_met, way.counts.not_shown, way.counts.lost);
+          interval(way.capacity.with_tests, kToG, "g"), not_met_of(way.counts),
+          way.counts.not_shown, way.counts.lost);
     }
     return "<h2>" + say("assess.ways") + "</h2>\n" + figure() +
            "<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.way") + "</th><th>" +
@@ -199,12 +202,11 @@ class VerdictPage {
   // A row of dots for each way: what its walls carry, against the demand.
   [[nodiscard]] std::string figure() const {
     constexpr double kWidth = 700, kRow = 30, kLeft = 250, kRight = 20, kFoot = 34;
-    const double demand =
-        v_.spectrum.is_given() ? v_.spectrum.peak_ground_acceleration() * kToG : 0;
+    const double demand = std::isnan(v_.worst.demand) ? 0 : v_.worst.demand * kToG;
     double most = 1.15 * demand;
     for (const WayOfPushing& way : v_.ways)
       for (const JudgedWall& wall : way.walls)
-        if (const Reading r = wall.capacity(); r.is_known())
+        if (const Reading r = wall.capacity(v_.worst.state); r.is_known())
           most = std::fmax(most, 1.05 * r.value * kToG);
     if (!(most > 0)) return "";
     const double height = kRow * static_cast<double>(v_.ways.size()) + kFoot;
@@ -216,18 +218,22 @@ class VerdictPage {
       out += line({X(tick), 0}, {X(tick), foot}, "grid");
       out += label({X(tick), foot + 14}, texts_.number(tick), "small", "middle");
     }
-    out += label({kWidth - kRight, foot + 29}, "PGA, g", "small", "end");
+    const bool is_right =
+        demand > 0.5 * most;  // the demand's own label: the axis goes to the other end
+    out += label({is_right ? kLeft : kWidth - kRight, foot + 29}, "PGA, g", "small",
+                 is_right ? "start" : "end");
     double y = 0.5 * kRow;
     for (const WayOfPushing& way : v_.ways) {
       out += label({0, y + 4}, name_of(way), "");
-      const Interval& of = way.capacity.median.interval;
+      const Interval& of = way.capacity.with_tests;
       if (std::isfinite(of.low))
         out += line({X(of.low * kToG), y + 9},
                     {std::isfinite(of.high) ? X(of.high * kToG) : kWidth - kRight, y + 9}, "span");
       for (const JudgedWall& wall : way.walls) {
-        const Reading r = wall.capacity();
+        const Reading r = wall.capacity(v_.worst.state);
         if (!r.is_known()) continue;
-        const char* kind = wall.verdict() == AssessmentVerdict::kFails ? "dot fails" : "dot";
+        const char* kind =
+            wall.verdict(v_.worst.state) == AssessmentVerdict::kFails ? "dot fails" : "dot";
         out += circle({X(r.value * kToG), y}, 4.5, r.censored ? "dot bound" : kind);
       }
       y += kRow;
@@ -240,21 +246,51 @@ class VerdictPage {
     return out + "</svg></div><figcaption>" + say("assess.figure") + "</figcaption></figure>\n";
   }
 
+  // Each limit state against its own spectrum, with its risk index.
   [[nodiscard]] std::string limit_states() const {
+    if (v_.limit_states.empty()) return "";
     std::string rows;
-    for (std::size_t s = 0; s < v_.limit_states.size(); ++s) {
-      const std::string state = word_of(kLimitStateWords, static_cast<LimitState>(s));
-      const WallCapacity& c = v_.limit_states[s];
-      rows += fmt::format("<tr><td class=\"left\">{}{}</td><td>{}</td><td>{}</td></tr>\n",
-                          texts_.say("assessment." + state),
-                          state == v_.spec.limit_state ? " (" + say("assess.checked") + ")" : "",
-                          median(c, kToG, "g"), interval(c.median.interval, kToG, "g"));
+    for (const StateVerdict& of : v_.limit_states) {
+      const WallCapacity& c = of.capacity;
+      const bool decides = of.is_checked && of.state == v_.worst.state;
+      rows += fmt::format(
+          "<tr{}><td "
+          "class=\"left\">{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+          "<td>{}</td></tr>\n",
+          decides ? " class=\"decides\"" : "",
+          texts_.say("assessment." + std::string(word_of(kLimitStateWords, of.state))),
+          decides ? " (" + say("assess.decides") + ")" : "", median(c, kToG, "g"),
+          interval(c.with_tests, kToG, "g"), of.is_checked ? g(of.demand) : "–",
+          of.is_checked ? median(c, 1 / of.demand, "") : "–",
+          of.is_checked ? interval(c.with_tests, 1 / of.demand, "") : "",
+          of.is_checked ? not_met_of(of.counts) : "–");
     }
-    if (rows.empty()) return "";
     return "<h2>" + say("assess.states") +
            "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.state") +
-           "</th><th>" + say("assess.median") + "</th><th>" + say("assess.interval") +
-           "</th></tr>\n" + rows + "</table></div>\n";
+           "</th><th>" + say("assess.median") + "</th><th>" + say("assess.interval") + "</th><th>" +
+           say("assess.demand") + "</th><th>ζE</th><th>" + say("assess.interval") + "</th><th>" +
+           say("assess.not_met") + "</th></tr>\n" + rows + "</table></div>\n" + rules();
+  }
+
+  // What may end each limit state side by side: the fall of the force, the drift of each pier, q*.
+  [[nodiscard]] std::string rules() const {
+    std::string rows;
+    for (const StateVerdict& of : v_.limit_states) {
+      std::string state =
+          texts_.say("assessment." + std::string(word_of(kLimitStateWords, of.state)));
+      for (const RuleOfWalls& rule : of.rules) {
+        rows += fmt::format(
+            "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td>{}</td><td>{} / "
+            "{}</td></tr>\n",
+            state, escaped(text_of(rule.words, language_)),
+            texts_.quantity(1e3 * rule.displacement, "mm", 3), rule.decides, of.worst.size());
+        state.clear();
+      }
+    }
+    return "<h2>" + say("assess.rules") +
+           "</h2>\n<div class=\"wide\"><table><tr><th class=\"left\">" + say("assess.state") +
+           "</th><th class=\"left\">" + say("assess.rule") + "</th><th>" + say("assess.rule_at") +
+           "</th><th>" + say("assess.rule_decides") + "</th></tr>\n" + rows + "</table></div>\n";
   }
 
   [[nodiscard]] std::string signature() const {
@@ -263,7 +299,7 @@ class VerdictPage {
   }
 
   [[nodiscard]] std::string verdict_of(const JudgedWall& wall) const {
-    switch (wall.verdict()) {
+    switch (wall.verdict(v_.worst.state)) {
       case AssessmentVerdict::kHolds: return say("assess.holds.short");
       case AssessmentVerdict::kFails: return say("assess.not_met");
       case AssessmentVerdict::kNotShown: return say("assess.not_shown");
@@ -275,7 +311,7 @@ class VerdictPage {
     std::string rows;
     for (const WayOfPushing& way : v_.ways)
       for (const JudgedWall& wall : way.walls) {
-        const Reading r = wall.capacity();
+        const Reading r = wall.capacity(v_.worst.state);
         const std::string value = r.is_known() ? g(r.value) : "–";
         rows += fmt::format(
             "<tr><td class=\"left\">{}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td><td "

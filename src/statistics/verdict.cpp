@@ -18,21 +18,30 @@ namespace {
 constexpr double kHalf =
     0.5;  // of the walls: codes judge one wall of mean strengths, the one in the middle
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Standard deviation of ln of the peaks of tested walls of one masonry, size and pressure (docs/theory/assessment.md):
+// a hundred equal walls know no more than one, and one tenth of what tests scatter is as good as equal.
+constexpr double kTestedScatter = 0.085, kAlike = 0.1;
+
 bool is_in_plane(const Model& model, const std::string& mode) {
   return !model.in_space() || mode.starts_with("in-plane");
 }
 
-// What is known of a wall's capacity: it lies from low to high, and `seen` is what its pushes showed of it.
+// What is known of a wall's capacity: it lies from low to high by its own curve, and from least to most at whichever
+// drift of tested walls its force falls; `seen` is what its pushes showed of it.
 struct Range {
   Reading seen;
-  double low = 0, high = std::numeric_limits<double>::infinity();
+  double low = 0, high = kInfinite, least = 0, most = kInfinite;
 };
 
-Range range_of(const Reading& seen) {
-  Range out{.seen = seen};
-  if (!seen.is_known()) return out;
-  out.low = seen.value;
-  if (!seen.censored) out.high = seen.value;
+Range range_of(const JudgedWall& wall, LimitState state) {
+  Range out{.seen = wall.capacity(state)};
+  if (!out.seen.is_known()) return out;
+  const LimitStateCheck& check = *wall.assessment.at(state);
+  out.low = out.seen.value;
+  if (!out.seen.censored) out.high = out.seen.value;
+  out.least = std::fmin(out.low, check.tested_low);  // no NaN where one of them is none
+  out.most = std::fmax(out.high, check.tested_high);
   return out;
 }
 
@@ -40,30 +49,31 @@ Range lesser(const Range& a, const Range& b) {
   const bool is_first = !b.seen.is_known() ||
                         (a.seen.is_known() && (a.seen.value < b.seen.value ||
                                                (a.seen.value == b.seen.value && !a.seen.censored)));
-  return {is_first ? a.seen : b.seen, std::fmin(a.low, b.low), std::fmin(a.high, b.high)};
+  return {is_first ? a.seen : b.seen, std::fmin(a.low, b.low), std::fmin(a.high, b.high),
+          std::fmin(a.least, b.least), std::fmin(a.most, b.most)};
+}
+
+// The interval of a median whose values lie anywhere from `low` to `high`.
+Interval median_between(const std::vector<Range>& ranges, double Range::*low, double Range::*high) {
+  std::vector<Reading> from, to;
+  for (const Range& r : ranges) {
+    from.push_back({r.*low, false});
+    to.push_back({std::isinf(r.*high) ? r.*low : r.*high, std::isinf(r.*high)});
+  }
+  return {of_walls(from).median.interval.low, of_walls(to).median.interval.high};
 }
 
 WallCapacity capacity_of(const std::vector<Range>& ranges) {
-  std::vector<Reading> seen, low, high;
-  for (const Range& r : ranges) {
-    seen.push_back(r.seen);
-    low.push_back({r.low, false});
-    high.push_back({std::isinf(r.high) ? r.low : r.high, std::isinf(r.high)});
-  }
+  std::vector<Reading> seen;
+  for (const Range& r : ranges) seen.push_back(r.seen);
   const OfWalls known = of_walls(seen);
   WallCapacity out;
   out.at_least = std::isinf(known.median.value);
   out.median.value = out.at_least ? known.at_least : known.median.value;
-  out.median.interval = {of_walls(low).median.interval.low, of_walls(high).median.interval.high};
+  out.median.interval = median_between(ranges, &Range::low, &Range::high);
+  out.with_tests = median_between(ranges, &Range::least, &Range::most);
   return out;
 }
-
-// What one wall is under one pattern: by its worst way. One that is lost in a way counts as lost, for that way
-// may be the worst, unless another way shows already that the limit state is not met.
-struct WorstWay {
-  std::size_t way = 0;
-  AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
-};
 
 int severity(AssessmentVerdict verdict) {
   switch (verdict) {
@@ -74,7 +84,7 @@ int severity(AssessmentVerdict verdict) {
   }
 }
 
-void count(AssessmentVerdict verdict, WallCounts& counts) {
+void count(AssessmentVerdict verdict, const Range& range, double demand, WallCounts& counts) {
   ++counts.walls;
   switch (verdict) {
     case AssessmentVerdict::kHolds: ++counts.met; break;
@@ -82,58 +92,125 @@ void count(AssessmentVerdict verdict, WallCounts& counts) {
     case AssessmentVerdict::kNotShown: ++counts.not_shown; break;
     default: ++counts.lost; break;
   }
+  if (verdict == AssessmentVerdict::kHolds && range.least >= demand) ++counts.met_anyhow;
+  if (verdict == AssessmentVerdict::kFails && range.most < demand) ++counts.fails_anyhow;
 }
 
-// One pattern, all its directions.
-struct PatternVerdict {
-  std::string pattern;
-  std::vector<std::size_t> ways;
-  std::vector<WorstWay> walls;
-  WallCounts counts;
-  WallCapacity capacity;
-  AssessmentVerdict verdict = AssessmentVerdict::kNotKnown;
-};
-
+AssessmentVerdict verdict_by(const Interval& share) {
+  if (share.low > kHalf) return AssessmentVerdict::kFails;
+  return share.high < kHalf ? AssessmentVerdict::kHolds : AssessmentVerdict::kNotShown;
+}
 AssessmentVerdict verdict_by(const WallCounts& counts) {
   if (counts.met + counts.not_met + counts.not_shown == 0) return AssessmentVerdict::kNotKnown;
-  const Interval interval = counts.probability().interval;
-  if (interval.low > kHalf) return AssessmentVerdict::kFails;
-  return interval.high < kHalf ? AssessmentVerdict::kHolds : AssessmentVerdict::kNotShown;
+  return verdict_by(counts.with_tests());
 }
 
-PatternVerdict judge_pattern(const std::string& pattern, const std::vector<WayOfPushing>& ways) {
-  PatternVerdict out;
-  out.pattern = pattern;
-  for (std::size_t k = 0; k < ways.size(); ++k)
-    if (ways[k].pattern == pattern) out.ways.push_back(k);
-  const std::size_t n = ways[out.ways.front()].walls.size();
-  std::vector<Range> capacities;
-  for (std::size_t w = 0; w < n; ++w) {
-    WorstWay worst{.way = out.ways.front()};
-    Range capacity;
-    for (const std::size_t k : out.ways) {
-      const JudgedWall &now = ways[k].walls[w], &before = ways[worst.way].walls[w];
-      const int is = severity(now.verdict()), was = severity(before.verdict());
-      if (is > was || (is == was && now.capacity().value < before.capacity().value)) worst.way = k;
-      const Range of_way = range_of(now.capacity());
-      capacity = k == out.ways.front() ? of_way : lesser(capacity, of_way);
-    }
-    worst.verdict = ways[worst.way].walls[w].verdict();
-    count(worst.verdict, out.counts);
-    out.walls.push_back(worst);
-    capacities.push_back(capacity);
+double demand_of_state(const AssessmentSpec& spec, LimitState state) {
+  const ElasticSpectrum spectrum = spectrum_of(spectrum_for(spec, state));
+  return spectrum.is_given() ? spectrum.peak_ground_acceleration() : kUnset;
+}
+
+// A rule of a code in words that hold for every wall.
+Message words_of_rule(const Criterion& criterion) {
+  if (criterion.words.code != "assessment.q_limit") return criterion.words;
+  return {"verdict.q_limit", {{"limit", criterion.value}}};
+}
+
+// One limit state of one pattern, all its directions. One that is lost in a way counts as lost, for that way may be
+// the worst, unless another way shows already that the limit state is not met.
+class OfPattern {
+ public:
+  OfPattern(const AssessmentSpec& spec, const std::vector<WayOfPushing>& ways,
+            const std::string& pattern, LimitState state)
+      : ways_(ways) {
+    out_.state = state;
+    out_.pattern = pattern;
+    out_.is_checked = is_checked(spec, state);
+    if (out_.is_checked) out_.demand = demand_of_state(spec, state);
+    for (std::size_t k = 0; k < ways.size(); ++k)
+      if (ways[k].pattern == pattern) of_pattern_.push_back(k);
   }
-  out.capacity = capacity_of(capacities);
-  out.verdict = verdict_by(out.counts);
-  return out;
-}
 
-// The worse verdict; then fewer walls that meet it; then less capacity. What is not known goes last.
-bool is_worse(const PatternVerdict& a, const PatternVerdict& b) {
+  StateVerdict all() {
+    std::vector<Range> capacities;
+    for (std::size_t w = 0; w < ways_[of_pattern_.front()].walls.size(); ++w)
+      capacities.push_back(judge_wall(w));
+    out_.capacity = capacity_of(capacities);
+    out_.verdict = out_.is_checked ? verdict_by(out_.counts) : AssessmentVerdict::kNoDemand;
+    name_direction();
+    collect_rules();
+    return std::move(out_);
+  }
+
+ private:
+  Range judge_wall(std::size_t w) {
+    std::size_t worst = of_pattern_.front();
+    Range capacity;
+    for (const std::size_t k : of_pattern_) {
+      const JudgedWall &now = ways_[k].walls[w], &before = ways_[worst].walls[w];
+      const int is = severity(now.verdict(out_.state)), was = severity(before.verdict(out_.state));
+      if (is > was ||
+          (is == was && now.capacity(out_.state).value < before.capacity(out_.state).value))
+        worst = k;
+      const Range of_way = range_of(now, out_.state);
+      capacity = k == of_pattern_.front() ? of_way : lesser(capacity, of_way);
+    }
+    out_.worst.push_back(worst);
+    if (out_.is_checked)
+      count(ways_[worst].walls[w].verdict(out_.state), capacity, out_.demand, out_.counts);
+    return capacity;
+  }
+
+  // The direction that is the worse one for most walls.
+  void name_direction() {
+    std::map<std::size_t, int> walls;
+    for (const std::size_t way : out_.worst) ++walls[way];
+    std::size_t most = of_pattern_.front();
+    for (const std::size_t k : of_pattern_)
+      if (walls[k] > walls[most]) most = k;
+    out_.direction = ways_[most].direction;
+  }
+
+  // What may end the limit state, side by side: the fall of the force, the drift of each pier.
+  void collect_rules() {
+    std::vector<std::vector<double>> at;
+    for (std::size_t w = 0; w < out_.worst.size(); ++w) {
+      const JudgedWall& wall = ways_[out_.worst[w]].walls[w];
+      const LimitStateCheck* check = wall.is_lost() ? nullptr : wall.assessment.at(out_.state);
+      if (check == nullptr) continue;
+      for (const Criterion& c : check->criteria) {
+        std::size_t k = 0;
+        const Message words = words_of_rule(c);
+        while (k < out_.rules.size() && !(out_.rules[k].words == words)) ++k;
+        if (k == out_.rules.size()) out_.rules.push_back({.words = words}), at.emplace_back();
+        ++out_.rules[k].walls;
+        out_.rules[k].decides += c.name == check->governing ? 1 : 0;
+        at[k].push_back(c.displacement);
+      }
+    }
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      std::sort(at[k].begin(), at[k].end());
+      out_.rules[k].displacement = study::quantile_of(at[k], kHalf);
+    }
+    std::stable_sort(
+        out_.rules.begin(), out_.rules.end(),
+        [](const RuleOfWalls& a, const RuleOfWalls& b) { return a.decides > b.decides; });
+  }
+
+  const std::vector<WayOfPushing>& ways_;
+  std::vector<std::size_t> of_pattern_;
+  StateVerdict out_;
+};
+
+// The worse verdict; then fewer walls that meet it; then less capacity over demand. What is not known goes last.
+bool is_worse(const StateVerdict& a, const StateVerdict& b) {
   if (a.verdict != b.verdict) return severity(a.verdict) > severity(b.verdict);
   const double pa = a.counts.probability().value, pb = b.counts.probability().value;
   if (pa > pb || pb > pa) return pa > pb;
-  return a.capacity.median.value < b.capacity.median.value;
+  const auto index = [](const StateVerdict& v) {
+    return v.capacity.median.value / (std::isnan(v.demand) ? 1 : v.demand);
+  };
+  return index(a) < index(b);
 }
 
 class Verdict {
@@ -146,29 +223,32 @@ class Verdict {
     out_.ways = std::move(ways);
     out_.cautions = std::move(cautions);
     out_.notes = std::move(notes);
+    out_.worst.state =
+        value_of(kLimitStateWords, spec.limit_state).value_or(LimitState::kLifeSafety);
   }
 
   WallsVerdict all() {
-    for (WayOfPushing& way : out_.ways) sum_up(way);
     out_.reason = refusal();
     if (out_.reason.empty()) judge();
+    for (WayOfPushing& way : out_.ways) sum_up(way);
     conclude();
     return std::move(out_);
   }
 
  private:
-  static void sum_up(WayOfPushing& way) {
+  void sum_up(WayOfPushing& way) const {
     std::vector<Range> capacities;
+    const StateVerdict& of = out_.worst;
     for (const JudgedWall& wall : way.walls) {
-      count(wall.verdict(), way.counts);
-      capacities.push_back(range_of(wall.capacity()));
+      capacities.push_back(range_of(wall, of.state));
+      count(wall.verdict(of.state), capacities.back(), of.demand, way.counts);
     }
     way.capacity = capacity_of(capacities);
   }
 
   [[nodiscard]] Message refusal() const {
     if (out_.ways.empty()) return {"verdict.nothing_pushed"};
-    if (!out_.spectrum.is_given()) return {"verdict.without_spectrum"};
+    if (!(demand_of_state(out_.spec, out_.worst.state) > 0)) return {"verdict.without_spectrum"};
     for (const WayOfPushing& way : out_.ways)
       if (static_cast<int>(way.walls.size()) != asked_)
         return {"verdict.walls_missing",
@@ -177,7 +257,8 @@ class Verdict {
                  {"run", way.walls.size()},
                  {"asked", asked_}}};
     for (const WayOfPushing& way : out_.ways)
-      if (way.counts.lost == way.counts.walls)
+      if (std::all_of(way.walls.begin(), way.walls.end(),
+                      [](const JudgedWall& wall) { return wall.is_lost(); }))
         return {"verdict.all_lost",
                 {{"direction", way.direction},
                  {"pattern", words_of_pattern(way.pattern)},
@@ -191,55 +272,43 @@ class Verdict {
     for (const WayOfPushing& way : out_.ways)
       if (std::find(patterns.begin(), patterns.end(), way.pattern) == patterns.end())
         patterns.push_back(way.pattern);
-    PatternVerdict worst = judge_pattern(patterns.front(), out_.ways);
-    for (std::size_t k = 1; k < patterns.size(); ++k)
-      if (PatternVerdict other = judge_pattern(patterns[k], out_.ways); is_worse(other, worst))
-        worst = std::move(other);
-    out_.pattern = worst.pattern;
-    out_.counts = worst.counts;
-    out_.capacity = worst.capacity;
-    out_.verdict = worst.verdict;
-    name_direction(worst);
-    name_mode(worst);
-    for (std::size_t s = 0; s < std::size(kLimitStateWords); ++s)
-      out_.limit_states.push_back(capacity_at(static_cast<LimitState>(s), worst));
+    const StateVerdict* decides = nullptr;
+    out_.limit_states.reserve(std::size(kLimitStateWords));
+    for (std::size_t s = 0; s < std::size(kLimitStateWords); ++s) {
+      const auto state = static_cast<LimitState>(s);
+      if (!is_looked_at(state)) continue;
+      StateVerdict worst = OfPattern(out_.spec, out_.ways, patterns.front(), state).all();
+      for (std::size_t k = 1; k < patterns.size(); ++k) {
+        StateVerdict other = OfPattern(out_.spec, out_.ways, patterns[k], state).all();
+        if (is_worse(other, worst)) worst = std::move(other);
+      }
+      out_.limit_states.push_back(std::move(worst));
+      const StateVerdict& of = out_.limit_states.back();
+      if (of.is_checked && (decides == nullptr || is_worse(of, *decides))) decides = &of;
+    }
+    if (decides == nullptr) return;
+    out_.worst = *decides;
+    out_.verdict = decides->verdict;
+    out_.spectrum = spectrum_of(spectrum_for(out_.spec, decides->state));
+    name_mode();
   }
 
-  // The direction that is the worse one for most walls.
-  void name_direction(const PatternVerdict& worst) {
-    std::map<std::size_t, int> walls;
-    for (const WorstWay& wall : worst.walls) ++walls[wall.way];
-    std::size_t most = worst.ways.front();
-    for (const std::size_t k : worst.ways)
-      if (walls[k] > walls[most]) most = k;
-    out_.direction = out_.ways[most].direction;
+  [[nodiscard]] bool is_looked_at(LimitState state) const {
+    for (const WayOfPushing& way : out_.ways)
+      for (const JudgedWall& wall : way.walls)
+        if (!wall.is_lost() && wall.assessment.at(state) != nullptr) return true;
+    return false;
   }
 
   // The failure most often seen where each wall does worst; of equals the first by name.
-  void name_mode(const PatternVerdict& worst) {
+  void name_mode() {
     std::map<std::string, int> modes;
-    for (std::size_t w = 0; w < worst.walls.size(); ++w) {
-      const JudgedWall& wall = out_.ways[worst.walls[w].way].walls[w];
+    for (std::size_t w = 0; w < out_.worst.worst.size(); ++w) {
+      const JudgedWall& wall = out_.ways[out_.worst.worst[w]].walls[w];
       if (!wall.is_lost()) ++modes[wall.mode];
     }
     for (const auto& [mode, walls] : modes)
       if (walls > out_.mode_count) out_.mode = mode, out_.mode_count = walls;
-  }
-
-  // Of any limit state, each wall by its least acceleration over the directions.
-  [[nodiscard]] WallCapacity capacity_at(LimitState state, const PatternVerdict& worst) const {
-    std::vector<Range> capacities;
-    for (std::size_t w = 0; w < worst.walls.size(); ++w) {
-      Range least;
-      for (const std::size_t k : worst.ways) {
-        Reading of_way;
-        for (const LimitStateCheck& check : out_.ways[k].walls[w].assessment.limit_states)
-          if (check.state == state) of_way = {check.acceleration, check.at_least};
-        least = k == worst.ways.front() ? range_of(of_way) : lesser(least, range_of(of_way));
-      }
-      capacities.push_back(least);
-    }
-    return capacity_of(capacities);
   }
 
   // --- what is said -----------------------------------------------------------------------------------
@@ -290,11 +359,38 @@ class Verdict {
     if (lost > 0)
       out_.cautions.push_back(
           {"verdict.caution.lost", {{"lost", lost}, {"all", all}, {"first", first}}});
-    if (out_.counts.not_shown > 0)
-      out_.cautions.push_back(
-          {"verdict.caution.not_shown", {{"not_shown", out_.counts.not_shown}, {"walls", asked_}}});
-    if (out_.verdict == AssessmentVerdict::kNotShown)
+    if (out_.worst.counts.not_shown > 0)
+      out_.cautions.push_back({"verdict.caution.not_shown",
+                               {{"not_shown", out_.worst.counts.not_shown}, {"walls", asked_}}});
+    if (out_.verdict != AssessmentVerdict::kNotShown) return;
+    const bool walls_tell =
+        verdict_by(out_.worst.counts.probability().interval) != AssessmentVerdict::kNotShown;
+    const Interval& tests = out_.worst.capacity.with_tests;
+    if (!walls_tell)
       out_.cautions.push_back({"verdict.caution.undecided"});
+    else if (std::isinf(tests.high))
+      out_.cautions.push_back(
+          {"verdict.caution.drift_open", {{"low_g", tests.low / kStandardGravity}}});
+    else
+      out_.cautions.push_back(
+          {"verdict.caution.drift",
+           {{"low_g", tests.low / kStandardGravity}, {"high_g", tests.high / kStandardGravity}}});
+  }
+
+  // Walls that are all but equal are one wall, told many times.
+  void caution_of_alike() {
+    for (const WayOfPushing& way : out_.ways) {
+      if (way.pattern != out_.worst.pattern || way.direction != out_.worst.direction) continue;
+      study::Moments logs;
+      for (const JudgedWall& wall : way.walls)
+        if (!wall.is_lost() && wall.peak > 0) logs.add(std::log(wall.peak));
+      const double scatter = logs.standard_deviation();
+      if (!(scatter < kAlike * kTestedScatter)) continue;
+      out_.cautions.push_back({"verdict.caution.alike",
+                               {{"walls", logs.n()},
+                                {"percent", 100 * scatter},
+                                {"tested_percent", 100 * kTestedScatter}}});
+    }
   }
 
   void conclude() {
@@ -302,6 +398,7 @@ class Verdict {
     if (is_known) {
       caution_of_pushes();
       caution_of_walls();
+      caution_of_alike();
     }
     if (!is_known && out_.reason.empty()) out_.reason = {"verdict.no_wall_answers"};
     out_.may_be_signed = is_known && out_.cautions.empty();
@@ -314,49 +411,91 @@ class Verdict {
     add_notes();
   }
 
+  [[nodiscard]] bool tests_widen() const {
+    const Interval &walls = out_.worst.capacity.median.interval,
+                   &tests = out_.worst.capacity.with_tests;
+    return tests.low < walls.low || tests.high > walls.high;
+  }
+
   [[nodiscard]] Message capacity_in_words() const {
     constexpr double kToG = 1 / kStandardGravity;
-    const Estimate& median = out_.capacity.median;
-    const Interval& interval = median.interval;
-    const char* code = "verdict.capacity";
-    if (out_.capacity.at_least)
-      code = "verdict.capacity_at_least";
-    else if (std::isnan(interval.low))
-      code = "verdict.capacity_alone";
-    else if (std::isinf(interval.high))
-      code = "verdict.capacity_open";
+    const WallCapacity& capacity = out_.worst.capacity;
+    const Interval& interval = capacity.with_tests;
+    std::string code = "verdict.capacity";
+    if (std::isnan(interval.low))
+      code += capacity.at_least ? "_at_least" : "_alone";
+    else if (capacity.at_least)
+      code += tests_widen() ? "_at_least_tested" : "_at_least";
+    else
+      code +=
+          std::string(std::isinf(interval.high) ? "_open" : "") + (tests_widen() ? "_tested" : "");
     return {code,
-            {{"median_g", median.value * kToG},
+            {{"median_g", capacity.median.value * kToG},
              {"low_g", interval.low * kToG},
              {"high_g", interval.high * kToG}}};
   }
 
   [[nodiscard]] Message verdict_in_words() const {
-    const Estimate share = out_.counts.probability();
+    const WallCounts& counts = out_.worst.counts;
+    const Interval share = counts.with_tests();
     const char* code = "verdict.undecided";
     if (out_.verdict == AssessmentVerdict::kFails) code = "verdict.fails";
     if (out_.verdict == AssessmentVerdict::kHolds) code = "verdict.holds";
     return {code,
-            {{"state", study::words_of_state(*value_of(kLimitStateWords, out_.spec.limit_state))},
+            {{"state", study::words_of_state(out_.worst.state)},
              {"capacity", capacity_in_words()},
-             {"demand_g", out_.spectrum.peak_ground_acceleration() / kStandardGravity},
-             {"met", out_.counts.met},
-             {"not_met", out_.counts.not_met},
-             {"walls", out_.counts.met + out_.counts.not_met},
-             {"from", 100 * share.interval.low},
-             {"to", 100 * share.interval.high},
+             {"demand_g", out_.worst.demand / kStandardGravity},
+             {"met", counts.met},
+             {"not_met", counts.not_met},
+             {"walls", counts.met + counts.not_met},
+             {"from", 100 * share.low},
+             {"to", 100 * share.high},
              {"decides", decides_in_words()},
              {"mode", study::words_of_mode(out_.mode)},
              {"modes", out_.mode_count}}};
   }
   [[nodiscard]] Message decides_in_words() const {
-    if (out_.decides() == out_.direction) return as_text(out_.direction);
-    return {"verdict.decides",
-            {{"direction", out_.direction}, {"pattern", words_of_pattern(out_.pattern)}}};
+    if (out_.decides() == out_.worst.direction) return as_text(out_.worst.direction);
+    return {
+        "verdict.decides",
+        {{"direction", out_.worst.direction}, {"pattern", words_of_pattern(out_.worst.pattern)}}};
+  }
+
+  // What tested walls say of drift, and what it does to the interval.
+  void note_tests() {
+    if (out_.verdict == AssessmentVerdict::kNotKnown) return;
+    const std::vector<DriftOfTests>* tests = nullptr;
+    int silent = 0;
+    for (const WayOfPushing& way : out_.ways)
+      for (const JudgedWall& wall : way.walls) {
+        if (wall.is_lost()) continue;
+        if (wall.assessment.tests.empty())
+          ++silent;
+        else
+          tests = &wall.assessment.tests;
+      }
+    if (silent > 0) out_.notes.push_back({"verdict.note.no_tests", {{"pushes", silent}}});
+    if (tests == nullptr) return;
+    std::vector<Message> said;
+    for (const DriftOfTests& t : *tests)
+      said.push_back(
+          {t.stone ? "verdict.tests.stone" : "verdict.tests.brick",
+           {{"walls", t.walls},
+            {"kind", Message{t.mechanism == "shear" ? "range.kind_shear" : "range.kind_rocking"}},
+            {"low", 100 * t.low},
+            {"high", 100 * t.high}}});
+    const Interval& walls = out_.worst.capacity.median.interval;
+    out_.notes.push_back({std::isfinite(walls.low) && std::isfinite(walls.high)
+                              ? "verdict.note.tests"
+                              : "verdict.note.tests_alone",
+                          {{"tests", std::move(said)},
+                           {"low_g", walls.low / kStandardGravity},
+                           {"high_g", walls.high / kStandardGravity}}});
   }
 
   // What was assumed of every wall, once; not what the many walls and ways answer.
   void add_notes() {
+    note_tests();
     for (const WayOfPushing& way : out_.ways)
       for (const JudgedWall& wall : way.walls)
         for (const Message& note : wall.assessment.notes)
@@ -371,8 +510,13 @@ class Verdict {
 
 }  // namespace
 
-Reading JudgedWall::capacity() const {
-  const LimitStateCheck* check = is_lost() ? nullptr : assessment.asked();
+AssessmentVerdict JudgedWall::verdict(LimitState state) const {
+  const LimitStateCheck* check = is_lost() ? nullptr : assessment.at(state);
+  return check == nullptr ? AssessmentVerdict::kNotKnown : check->verdict;
+}
+
+Reading JudgedWall::capacity(LimitState state) const {
+  const LimitStateCheck* check = is_lost() ? nullptr : assessment.at(state);
   return check == nullptr ? Reading{} : Reading{check->acceleration, check->at_least};
 }
 
@@ -385,10 +529,37 @@ Estimate WallCounts::probability() const {
            study::exact_share(not_met + unknown, walls).interval.high}};
 }
 
+Interval WallCounts::with_tests() const {
+  return {study::exact_share(fails_anyhow, walls).interval.low,
+          study::exact_share(walls - met_anyhow, walls).interval.high};
+}
+
 std::string WallsVerdict::decides() const {
-  const bool several = std::any_of(ways.begin(), ways.end(),
-                                   [&](const WayOfPushing& way) { return way.pattern != pattern; });
-  return several ? direction + ", " + pattern : direction;
+  const bool several = std::any_of(ways.begin(), ways.end(), [&](const WayOfPushing& way) {
+    return way.pattern != worst.pattern;
+  });
+  return several ? worst.direction + ", " + worst.pattern : worst.direction;
+}
+
+int most_walls(double width) {
+  int n = 2;
+  while (!(study::exact_share(n / 2, n).interval.width() < width)) ++n;
+  return n;
+}
+
+int next_walls(const WallCounts& counts, double width) {
+  const int known = counts.met + counts.not_met, most = most_walls(width);
+  if (known == 0 || counts.walls >= most) return 0;
+  const Estimate share = study::exact_share(counts.not_met, known);
+  if (share.interval.width() < width) return 0;
+  // as many as would do if the share stayed
+  int n = known + 1;
+  const auto width_at = [&](int walls) {
+    const int k = static_cast<int>(std::lround(share.value * walls));
+    return study::exact_share(k, walls).interval.width();
+  };
+  while (n < most && !(width_at(n) < width)) ++n;
+  return std::min(most, counts.walls + n - known);
 }
 
 std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& base,
@@ -401,6 +572,7 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
     wall.seed = field_seed_of(campaign.study, record.sample - 1);
     wall.mode = record.failure_mode.name;
     wall.state_hash = record.state_hash;
+    wall.peak = record.responses.peak_reaction;
     wall.is_in_plane = is_in_plane(model, wall.mode);
     wall.assessment = assess_sample(record, base, model);
     if (wall.assessment.limit_states.empty())

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 #include "contact/parameters.h"
 #include "contact/softening.h"
 #include "core/text.h"
 #include "wythe/error.h"
+#include "wythe/reading.h"
 
 namespace wythe::study {
 namespace {
@@ -228,6 +230,62 @@ class Scatter {
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults) {
   if (spec.scatter.is_asked()) Scatter(spec, has_places, faults).add();
+}
+
+namespace {
+
+constexpr double kFewer = 0.5, kMore = 2.5;  // times what tests scatter: far from it
+
+// Coefficient of variation within a wall that a model states for a key.
+double stated_scatter(const ModelSpec& spec, const std::string& path) {
+  for (const auto& [name, field] : spec.field) {
+    if (field.path != path) continue;
+    if (!std::isnan(field.cov)) return field.cov;
+    double sum = 0, squares = 0;  // of a formula, or between two ends: as it was drawn
+    for (const double x : field.drawn) sum += x, squares += x * x;
+    const double n = static_cast<double>(field.drawn.size()), mean = sum / n;
+    return mean > 0 ? std::sqrt(std::fmax(0, squares / n - mean * mean)) / mean : 0;
+  }
+  return 0;
+}
+
+bool has_unit_planes(const Model& model) {
+  for (JointId j = 0; j < joint_count(model); ++j)
+    if (joint_shape(model, j).kind == JointKind::kSplit) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, double between) {
+  std::vector<OddScatter> out;
+  const double b = std::isnan(between) ? 0 : between;
+  const auto look = [&](const char* strength, const std::string& material, const char* key,
+                        double JointMaterial::*mean, double Kind::*tested) {
+    const auto found = spec.material.find(material);
+    if (found == spec.material.end() || !(found->second.*mean > 0) ||
+        std::isinf(found->second.*mean))
+      return;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Kind& kind : kKinds) {
+      if (!spec.scatter.use.empty() && spec.scatter.use != kind.name) continue;
+      least = std::fmin(least, kind.*tested), most = std::fmax(most, kind.*tested);
+    }
+    const double w = stated_scatter(spec, fmt::format("material.{}.{}", material, key));
+    const double total = std::sqrt((1 + w * w) * (1 + b * b) - 1);
+    if (total < kFewer * least)
+      out.push_back({strength, total, least});
+    else if (w > kMore * most)
+      out.push_back({strength, total, most});
+  };
+  look("joint_tension", spec.scatter.joint, "tensile_strength", &JointMaterial::tensile_strength,
+       &Kind::joint_tension);
+  look("joint_cohesion", spec.scatter.joint, "cohesion", &JointMaterial::cohesion,
+       &Kind::joint_cohesion);
+  if (has_unit_planes(model))
+    look("unit_tension", spec.scatter.unit, "tensile_strength", &JointMaterial::tensile_strength,
+         &Kind::unit_tension);
+  return out;
 }
 
 }  // namespace wythe::study

@@ -3,8 +3,10 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "wythe/error.h"
+#include "wythe/model.h"
 #include "wythe/wall_spec.h"
 
 namespace wythe::study {
@@ -16,5 +18,15 @@ inline constexpr const char* kScatterPrefix = "scatter_";
 // already keeps what it says. Refuses an unknown kind of masonry and a scatter of nothing.
 void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& path)>& has_places,
                  FaultList& faults);
+
+// A strength whose stated scatter is far from that of tests.
+struct OddScatter {
+  const char* strength;  // "joint_tension", as in ScatterSpec
+  double cov, tested;    // within a wall and between walls, stated and of tests [-]
+};
+// Of a compiled model and the scatter of its mean strength between walls (NaN: none): less than half of what tests of this
+// masonry have within a wall, or more than 2.5 times.
+[[nodiscard]] std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model,
+                                                  double between);
 
 }  // namespace wythe::study

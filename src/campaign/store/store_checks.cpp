@@ -137,7 +137,12 @@ void Store::check_tables() {
     if (type != "table" || found == all.end())
       none(fmt::format(" (if it is yours: DROP {} {})", type, name));
     due.erase(name);
-    if (sql != found->second) none(" (it is declared in other words)");
+    if (sql != found->second)
+      throw IoError(fmt::format(
+          "{}: its table {} is not declared as this wythe declares it: another state of wythe wrote "
+          "the store, or it is damaged; use the wythe that wrote it, or run the campaign again in "
+          "another folder",
+          database_.name(), name));
   }
   if (!due.empty()) database_.damaged("table " + due.begin()->first + " is missing");
 }

@@ -20,20 +20,66 @@ constexpr double kToG = 1 / kStandardGravity;
 
 Json capacity_json(const WallCapacity& c, double scale) {
   return {{"median", number(c.median.value * scale)},
-          {"low", number(c.median.interval.low * scale)},
-          {"high", number(c.median.interval.high * scale)},
+          {"low", number(c.with_tests.low * scale)},
+          {"high", number(c.with_tests.high * scale)},
           {"at_least", c.at_least}};
 }
 
 void add_counts(Json& json, const WallCounts& counts) {
   const Estimate share = counts.probability();
   json["probability"] = number(share.value);
-  json["probability_interval"] = io::pair(share.interval);
+  json["probability_interval"] = io::pair(counts.with_tests());
+  json["probability_interval_of_walls"] = io::pair(share.interval);
   json["walls"] = counts.walls;
   json["met"] = counts.met;
   json["not_met"] = counts.not_met;
   json["not_shown"] = counts.not_shown;
   json["lost"] = counts.lost;
+}
+
+Json rules_json(const std::vector<RuleOfWalls>& rules) {
+  Json list = Json::array();
+  for (const RuleOfWalls& rule : rules) {
+    Json& one = list.emplace_back();
+    io::put(one, "rule", rule.words);
+    one["walls"] = rule.walls;
+    one["decides"] = rule.decides;
+    one["displacement_mm"] = number(rule.displacement * 1e3);
+  }
+  return list;
+}
+
+Json states_json(const std::vector<StateVerdict>& states) {
+  Json list = Json::array();
+  for (const StateVerdict& v : states) {
+    Json& json = list.emplace_back(Json{{"state", word_of(kLimitStateWords, v.state)},
+                                        {"is_checked", v.is_checked},
+                                        {"verdict", word_of(kAssessmentVerdictWords, v.verdict)},
+                                        {"direction", v.direction},
+                                        {"pattern", v.pattern},
+                                        {"pga_demand_g", number(v.demand * kToG)},
+                                        {"pga_capacity_g", capacity_json(v.capacity, kToG)},
+                                        {"risk_index", capacity_json(v.capacity, 1 / v.demand)},
+                                        {"rules", rules_json(v.rules)}});
+    if (v.is_checked) add_counts(json, v.counts);
+  }
+  return list;
+}
+
+Json tests_json(const WallsVerdict& v) {
+  Json list = Json::array();
+  for (const WayOfPushing& way : v.ways)
+    for (const JudgedWall& wall : way.walls) {
+      if (wall.is_lost() || wall.assessment.tests.empty()) continue;
+      for (const DriftOfTests& t : wall.assessment.tests)
+        list.push_back({{"failure", t.mechanism},
+                        {"masonry", t.stone ? "stone" : "brick"},
+                        {"walls", t.walls},
+                        {"drift_low", number(t.low)},
+                        {"drift_high", number(t.high)}});
+      return list;
+    }
+  return list;
 }
 
 Json ways_json(const std::vector<WayOfPushing>& ways) {
@@ -68,26 +114,22 @@ std::string verdict_json(const WallsVerdict& v) {
   io::put(json, "sentence", v.sentence);
   io::put(json, "cautions", v.cautions);
   io::put(json, "reason", v.reason);
-  add_counts(json, v.counts);
-  json["pga_capacity_g"] = capacity_json(v.capacity, kToG);
-  const double demand = v.spectrum.is_given() ? v.spectrum.peak_ground_acceleration() : kUnset;
-  json["pga_demand_g"] = number(demand * kToG);
-  json["risk_index"] = capacity_json(v.capacity, 1 / demand);
+  const StateVerdict& worst = v.worst;
+  add_counts(json, worst.counts);
+  json["pga_capacity_g"] = capacity_json(worst.capacity, kToG);
+  json["pga_interval_of_walls_g"] = io::pair(
+      {worst.capacity.median.interval.low * kToG, worst.capacity.median.interval.high * kToG});
+  json["tested_drifts"] = tests_json(v);
+  json["pga_demand_g"] = number(worst.demand * kToG);
+  json["risk_index"] = capacity_json(worst.capacity, 1 / worst.demand);
   json["decides"] = v.decides();
-  json["direction"] = v.direction;
-  json["pattern"] = v.pattern;
+  json["direction"] = worst.direction;
+  json["pattern"] = worst.pattern;
   json["failure_mode"] = {{"name", v.mode}, {"walls", v.mode_count}};
   json["code"] = v.spec.code;
-  json["limit_state"] = v.spec.limit_state;
+  json["limit_state"] = word_of(kLimitStateWords, worst.state);
   json["confidence_factor"] = number(v.spec.confidence_factor);
-  Json states = Json::array();
-  for (std::size_t s = 0; s < v.limit_states.size(); ++s) {
-    const std::string state = word_of(kLimitStateWords, static_cast<LimitState>(s));
-    states.push_back({{"state", state},
-                      {"is_checked", state == v.spec.limit_state},
-                      {"pga_capacity_g", capacity_json(v.limit_states[s], kToG)}});
-  }
-  json["limit_states"] = std::move(states);
+  json["limit_states"] = states_json(v.limit_states);
   json["ways"] = ways_json(v.ways);
   if (v.spectrum.is_given()) json["spectrum"] = io::spectrum_json(v.spectrum);
   io::put(json, "notes", v.notes);
@@ -102,12 +144,13 @@ std::string walls_csv(const WallsVerdict& v) {
   text += ",cautions,lost,state_hash\n";
   for (const WayOfPushing& way : v.ways)
     for (const JudgedWall& wall : way.walls) {
-      const Reading capacity = wall.capacity();
-      text += fmt::format("{},{},{},{},{},{},{},{},{}", wall.wall, wall.seed,
-                          direction_cell(way.direction), io::csv_cell(way.pattern),
-                          io::csv_cell(word_of(kAssessmentVerdictWords, wall.verdict())),
-                          io::csv_cell(capacity.value * kToG), capacity.censored ? 1 : 0,
-                          io::csv_cell(wall.mode), wall.is_in_plane ? 1 : 0);
+      const Reading capacity = wall.capacity(v.worst.state);
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{}", wall.wall, wall.seed,
+                      direction_cell(way.direction), io::csv_cell(way.pattern),
+                      io::csv_cell(word_of(kAssessmentVerdictWords, wall.verdict(v.worst.state))),
+                      io::csv_cell(capacity.value * kToG), capacity.censored ? 1 : 0,
+                      io::csv_cell(wall.mode), wall.is_in_plane ? 1 : 0);
       for (std::size_t s = 0; s < std::size(kLimitStateWords); ++s) {
         const LimitStateCheck* found = nullptr;
         for (const LimitStateCheck& check : wall.assessment.limit_states)

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "judge/assessment/assessment_parts.h"
 #include "judge/modes/element_states.h"
 #include "judge/modes/in_space.h"
+#include "judge/modes/tested_range.h"
+#include "judge/modes/tested_walls.h"
 #include "materials/origin.h"
 #include "wythe/element_forces.h"
 #include "wythe/reading.h"
@@ -270,6 +273,18 @@ std::vector<Message> undivided_strengths(const ModelSpec& spec) {
   return is_any_typical ? found : std::vector<Message>{};
 }
 
+// At which drifts walls of this masonry fell in tests.
+std::vector<DriftOfTests> tests_of(const Model& model) {
+  std::vector<DriftOfTests> out;
+  const bool stone = is_dry(model);
+  for (const TestedDriftKind& kind : kTestedDrifts) {
+    const std::string name = kind.kind;
+    if (kind.stone != stone || (name != "shear" && name != "rocking")) continue;
+    out.push_back({name == "shear" ? "shear" : "flexure", stone, kind.walls, kind.low, kind.high});
+  }
+  return out;
+}
+
 // The point whose displacement is followed lies at the roof, or what fails above it is not seen.
 void caution_of_control(const ModelSpec& spec, const Model& model, JudgedPush& push) {
   const Stage* stage = push_of(model);
@@ -299,7 +314,10 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
   const WallsByPush walls = stage != nullptr ? walls_by_push(model, stage->drive()) : WallsByPush{};
   const bool is_named = push.mechanism == kOutOfPlane;
   const bool is_across = walls.all_across() || (push.mechanism.empty() && !walls.all_along());
-  if (walls.all_across()) push.mechanism = kOutOfPlane;
+  if (walls.all_across())
+    push.mechanism = kOutOfPlane;  // whatever a state shows
+  else if (!push.mechanism.empty())
+    push.mechanism_from = mode.read_at;
   if (is_named)
     push.cautions.push_back({"assessment.caution.out_of_plane", {{"mode", mode.name}}});
   else if (is_across)
@@ -321,6 +339,7 @@ void caution_in_space(const AssessmentSpec& spec, const Model& model, const Fail
 CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPush push,
                              const FailureMode& mode, const PushedWall& wall) {
   push.mechanism = mechanism_of(mode);
+  push.tests = tests_of(model);
   push.cautions = cautions_of_masses(spec, model);
   push.undivided = undivided_strengths(spec);
   caution_of_control(spec, model, push);
@@ -343,6 +362,8 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
            note.code == "assessment.note.whole_drift";
   });
   out.notes.push_back({"assessment.note.space_drift"});
+  if (push.mechanism_from > 0 && push.mechanism != "shear")  // shear has the lesser limit anyway
+    out.notes.push_back({"assessment.note.kind_from", {{"from_mm", 1e3 * push.mechanism_from}}});
   return out;
 }
 
@@ -351,7 +372,9 @@ PushedWall read_pushed_wall(const ModelSpec& spec, const Model& model, const Res
   const JudgedPush push = study::judged_push(model);
   if (!push.is_horizontal || push.curve_of != StageKind::kPush) return wall;
   MassAndShape masses;
-  wall.moved = study::moved_masses(spec.assessment, model, result, masses);
+  std::vector<MovedMass> moved = study::moved_masses(spec.assessment, model, result, masses);
+  if (!std::isfinite(masses.total())) return wall;  // loads without gravity: no mass is known
+  wall.moved = std::move(moved);
   wall.blocks = masses.blocks, wall.loads = masses.loads, wall.added = masses.added;
   wall.storeys = storey_drifts(spec, model, result);
   wall.piers = pier_drifts(model, result);

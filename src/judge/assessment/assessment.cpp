@@ -7,6 +7,8 @@
 // lower bounds, one without a peak gives no number.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -78,28 +80,16 @@ std::vector<CurveRow> cut_at(const std::vector<CurveRow>& curve, double displace
   return out;
 }
 
-// Where the drift first reaches a limit; the last displacement where it doesn't.
-Criterion met_at(Criterion c, const std::vector<DriftPoint>& drifts) {
-  DriftPoint before;
-  for (const DriftPoint& now : drifts) {
-    if (now.drift >= c.value) {
-      const double share = (c.value - before.drift) / (now.drift - before.drift);
-      c.displacement = before.displacement + share * (now.displacement - before.displacement);
-      c.reached = true;
-      return c;
-    }
-    before = now;
-  }
-  c.displacement = before.displacement;
-  return c;
-}
-
 // --- limit states -------------------------------------------------------------------------------------
+
+// Where the force falls: where the curve says so, or at a drift at which it did in tests.
+enum class Falls { kOnCurve, kAtLeastOfTests, kAtMostOfTests };
 
 class Judge {
  public:
-  Judge(const AssessmentSpec& spec, const JudgedPush& push, const ShapeReader& shape)
-      : spec_(spec), push_(push), shape_(shape) {}
+  Judge(const AssessmentSpec& spec, const JudgedPush& push, const ShapeReader& shape,
+        Falls falls = Falls::kOnCurve)
+      : spec_(spec), push_(push), shape_(shape), falls_(falls) {}
 
   CodeAssessment all() {
     out_.spec = spec_;
@@ -152,6 +142,14 @@ class Judge {
             value_of(kLimitStateWords, spec_.limit_state) == LimitState::kOperational);
   }
 
+  // A limit of drift, and that of each mechanism.
+  struct Rule {
+    double drift = 0;
+    bool is_shear = true;
+    const char* clause = "";
+  };
+  using RuleOf = std::function<std::optional<Rule>(const std::string& mechanism)>;
+
   [[nodiscard]] const Rules& clauses() const {
     return is_circolare(spec_) ? kCircolareClauses : kEn1998Clauses;
   }
@@ -159,14 +157,18 @@ class Judge {
   LimitStateCheck near_collapse() {
     const Responses& r = push_.responses;
     LimitStateCheck check{.state = LimitState::kNearCollapse};
-    check.criteria.push_back(
-        {.name = "force drop",
-         .words = {"assessment.force_drop", {{"percent", 100 * (1 - kForceLeft)}}},
-         .clause = clauses().force_drop,
-         .value = kForceLeft,
-         .unit = "-",
-         .displacement = r.displacement_at_80,
-         .reached = !r.censored_80});
+    Criterion drop{.name = "force drop",
+                   .words = {"assessment.force_drop", {{"percent", 100 * (1 - kForceLeft)}}},
+                   .clause = clauses().force_drop,
+                   .value = kForceLeft,
+                   .unit = "-",
+                   .displacement = r.displacement_at_80,
+                   .reached = !r.censored_80};
+    if (falls_ != Falls::kOnCurve)
+      if (const auto tested =
+              first_at([this](const std::string& mechanism) { return rule_of_tests(mechanism); }))
+        drop.displacement = tested->displacement, drop.reached = tested->reached;
+    check.criteria.push_back(std::move(drop));
     add_drifts(check);
     return decided(std::move(check));
   }
@@ -268,23 +270,25 @@ class Judge {
     return decided(std::move(check));
   }
 
-  // The first pier at its limit; where piers are not known, the storeys or the whole wall.
   void add_drifts(LimitStateCheck& check) {
-    if (push_.piers.empty()) {
-      if (const auto rule = rule_of(check.state, push_.mechanism))
-        check.criteria.push_back(met_at(whole_criterion(*rule), drifts()));
-      return;
-    }
+    if (auto first =
+            first_at([&](const std::string& mechanism) { return rule_of(check.state, mechanism); }))
+      check.criteria.push_back(*std::move(first));
+  }
+
+  // The first pier at its limit; where piers are not known, the storeys or the whole wall.
+  [[nodiscard]] std::optional<Criterion> first_at(const RuleOf& rule_of) const {
+    if (push_.piers.empty()) return whole_met(rule_of);
     std::optional<Criterion> first;
     for (const PierDrift& pier : push_.piers) {
-      const std::optional<Criterion> met = pier_met(check.state, pier);
+      const std::optional<Criterion> met = pier_met(rule_of, pier);
       if (!met) continue;
       const bool is_first =
           !first || (met->reached && !first->reached) ||
           (met->reached == first->reached && met->displacement < first->displacement);
       if (is_first) first = met;
     }
-    if (first) check.criteria.push_back(*std::move(first));
+    return first;
   }
 
   // How a pier fails, as far as the states up to this displacement tell.
@@ -294,16 +298,37 @@ class Judge {
     return pier.flexure_from <= displacement ? "flexure" : "";
   }
 
-  // Where a pier first reaches the limit of its kind, as far as that is known there: what it does later decides
-  // nothing. Between two states the earlier one tells.
-  [[nodiscard]] std::optional<Criterion> pier_met(LimitState state, const PierDrift& pier) const {
+  [[nodiscard]] static std::optional<Criterion> pier_met(const RuleOf& rule_of,
+                                                         const PierDrift& pier) {
+    return met(
+        pier.drifts, [&](double displacement) { return rule_of(kind_at(pier, displacement)); },
+        [&](const Rule& rule) { return pier_criterion(rule, pier.mark); });
+  }
+  [[nodiscard]] std::optional<Criterion> whole_met(const RuleOf& rule_of) const {
+    const auto rule_at = [&](double displacement) {
+      return rule_of(displacement < push_.mechanism_from ? "" : push_.mechanism);
+    };
+    if (auto found = met(drifts(), rule_at, whole_criterion)) return found;
+    const auto rule = rule_at(0);  // no drift is known: none is granted
+    if (!rule) return std::nullopt;
+    Criterion none = whole_criterion(*rule);
+    none.displacement = 0;
+    return none;
+  }
+
+  // Where a drift first reaches the limit of its kind of failure, as far as that is known there: what comes later
+  // decides nothing. Between two states the earlier one tells.
+  template <typename RuleAt, typename InWords>
+  [[nodiscard]] static std::optional<Criterion> met(const std::vector<DriftPoint>& drifts,
+                                                    const RuleAt& rule_at,
+                                                    const InWords& in_words) {
     std::optional<Criterion> last;
     DriftPoint before;
-    for (const DriftPoint& now : pier.drifts) {
+    for (const DriftPoint& now : drifts) {
       for (const double known : {before.displacement, now.displacement}) {
-        const auto rule = rule_of(state, kind_at(pier, known));
+        const auto rule = rule_at(known);
         if (!rule) continue;
-        last = pier_criterion(*rule, pier.mark);
+        last = in_words(*rule);
         last->displacement = now.displacement;
         if (now.drift < rule->drift) continue;
         const bool inside = known < now.displacement && before.drift < rule->drift;
@@ -323,7 +348,11 @@ class Judge {
       if (!std::isfinite(pier.shear_from) || pier.shear_from <= check.displacement) continue;
       PierDrift sheared = pier;
       sheared.mechanism = "shear", sheared.shear_from = sheared.flexure_from = kUnset;
-      const auto then = pier_met(LimitState::kNearCollapse, sheared);
+      const auto then = pier_met(
+          [this](const std::string& mechanism) {
+            return rule_of(LimitState::kNearCollapse, mechanism);
+          },
+          sheared);
       if (!then || !then->reached || then->displacement >= check.displacement) continue;
       say.push_back({"assessment.caution.kind_changes",
                      {{"mark", pier.mark},
@@ -334,11 +363,6 @@ class Judge {
   }
 
   // Of a mechanism; of the lesser limit where that is not known.
-  struct Rule {
-    double drift = 0;
-    bool is_shear = true;
-    const char* clause = "";
-  };
   [[nodiscard]] std::optional<Rule> rule_of(LimitState state, const std::string& mechanism) const {
     std::optional<Rule> least;
     const auto take = [&](const DriftRule& rule) {
@@ -353,6 +377,18 @@ class Judge {
     else
       for (const DriftRule& rule : kEn1998) take(rule);
     return least;
+  }
+  // Of tested walls that failed so; where that is not known, the least or the largest of all.
+  [[nodiscard]] std::optional<Rule> rule_of_tests(const std::string& mechanism) const {
+    std::optional<Rule> out;
+    for (const DriftOfTests& tests : push_.tests) {
+      if (!mechanism.empty() && mechanism != tests.mechanism) continue;
+      const bool least = falls_ == Falls::kAtLeastOfTests;
+      const double drift = least ? tests.low : tests.high;
+      if (!out || (least ? drift < out->drift : drift > out->drift))
+        out = Rule{drift, tests.mechanism == "shear", ""};
+    }
+    return out;
   }
   [[nodiscard]] static Criterion whole_criterion(const Rule& rule) {
     return {.name = rule.is_shear ? "storey drift, shear" : "storey drift, flexure",
@@ -617,6 +653,7 @@ class Judge {
   const AssessmentSpec& spec_;
   const JudgedPush& push_;
   const ShapeReader& shape_;
+  const Falls falls_;
   CodeAssessment out_;
 };
 
@@ -625,6 +662,12 @@ class Judge {
 const LimitStateCheck* CodeAssessment::asked() const {
   for (const LimitStateCheck& check : limit_states)
     if (check.is_asked) return &check;
+  return nullptr;
+}
+
+const LimitStateCheck* CodeAssessment::at(LimitState state) const {
+  for (const LimitStateCheck& check : limit_states)
+    if (check.state == state) return &check;
   return nullptr;
 }
 
@@ -652,7 +695,21 @@ Message study::words_of_state(LimitState state) {
 
 CodeAssessment assess(const AssessmentSpec& spec, const JudgedPush& push,
                       const ShapeReader& shape) {
-  return Judge(spec, push, shape).all();
+  CodeAssessment out = Judge(spec, push, shape).all();
+  // what tests of walls that leave their plane say is not known
+  if (push.tests.empty() || out.limit_states.empty() || push.mechanism == study::kOutOfPlane)
+    return out;
+  out.tests = push.tests;
+  const CodeAssessment least = Judge(spec, push, shape, Falls::kAtLeastOfTests).all();
+  const CodeAssessment most = Judge(spec, push, shape, Falls::kAtMostOfTests).all();
+  for (LimitStateCheck& check : out.limit_states) {
+    const LimitStateCheck *low = least.at(check.state), *high = most.at(check.state);
+    check.tested_low = low != nullptr ? low->acceleration : 0;
+    check.tested_high = high != nullptr && !high->at_least
+                            ? high->acceleration
+                            : std::numeric_limits<double>::infinity();
+  }
+  return out;
 }
 
 }  // namespace wythe

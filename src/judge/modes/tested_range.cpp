@@ -85,18 +85,9 @@ std::string drift_kind(const std::string& name) {
   return both ? "mixed" : kind_of_mode(name);
 }
 
-// No joint has any bond.
-bool is_dry(const Model& model) {
-  for (JointId j = 0; j < joint_count(model); ++j) {
-    const auto& law = model.materials[static_cast<std::size_t>(joint_shape(model, j).material)];
-    if (law.tensile_strength > 0 || law.cohesion > 0) return false;
-  }
-  return true;
-}
-
 TestedDrift drift_of(const Model& model, const std::string& kind) {
   TestedDrift out;
-  out.stone = is_dry(model);  // the tested stone walls whose units cannot crack
+  out.stone = study::is_dry(model);  // the tested stone walls whose units cannot crack
   if (!out.stone && !has_unit_planes(model)) return out;
   for (const study::TestedDriftKind& tested : study::kTestedDrifts) {
     if (kind != tested.kind || out.stone != tested.stone) continue;
@@ -152,6 +143,14 @@ Message drift_note_of(const TestedRange& range) {
       {{"tests", std::move(note)},
        {"own",
         Message{own, {{"walls", d.own_walls}, {"ratio", d.own_ratio}, {"factor", d.own_factor}}}}}};
+}
+
+bool study::is_dry(const Model& model) {
+  for (JointId j = 0; j < joint_count(model); ++j) {
+    const auto& law = model.materials[static_cast<std::size_t>(joint_shape(model, j).material)];
+    if (law.tensile_strength > 0 || law.cohesion > 0) return false;
+  }
+  return true;
 }
 
 TestedRange study::compare_with(std::span<const TestedKind> tests, const Model& model,

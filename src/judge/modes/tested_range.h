@@ -8,6 +8,8 @@
 
 namespace wythe::study {
 
+// No joint has any bond, as in the tested stone walls whose units cannot crack.
+[[nodiscard]] bool is_dry(const Model& model);
 [[nodiscard]] TestedRange compare_with(std::span<const TestedKind> tests, const Model& model,
                                        const Result& result);
 

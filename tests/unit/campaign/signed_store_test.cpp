@@ -120,7 +120,7 @@ TEST_F(SignedStore, declarations_are_compared_word_for_word) {
   for (const auto& [table, sql] : declared_tables()) {
     changes.emplace_back(
         "UPDATE sqlite_schema SET sql = replace(sql, ' (', '  (') WHERE name = '" + table + "'",
-        "its table " + table + " is none that wythe made (it is declared in other words)");
+        "its table " + table + " is not declared as this wythe declares it");
     changes.emplace_back("DROP TABLE " + table, "table " + table + " is missing");
   }
   for (const auto& [sql, words] : changes) {

@@ -214,6 +214,60 @@ TEST(Assessment, takes_the_lesser_drift_where_the_mechanism_is_not_known) {
   EXPECT_EQ(state_of(a, LimitState::kNearCollapse).governing, "storey drift, shear");
 }
 
+// In space the kind of failure is read at one state: before it nobody knows it.
+TEST(Assessment, of_a_whole_wall_does_not_look_ahead_for_its_kind_of_failure) {
+  Pushed p(Made{.height = 2});  // 0.5 % is 10 mm, 1 % 20 mm
+  const auto near_collapse = [&](double from) {
+    p.push.mechanism_from = from;
+    return state_of(assess(asked(), p.push, mass_of), LimitState::kNearCollapse);
+  };
+  EXPECT_NEAR(near_collapse(0).displacement, 20e-3, 1e-9);
+  EXPECT_NEAR(near_collapse(5e-3).displacement, 20e-3, 1e-4);  // rows of the curve lie between
+  EXPECT_NEAR(near_collapse(30e-3).displacement, 10e-3, 1e-9);
+  EXPECT_EQ(near_collapse(30e-3).governing, "storey drift, shear");
+  p.push.mechanism = "out of plane";
+  EXPECT_EQ(near_collapse(0).governing, "force drop");
+  EXPECT_NEAR(near_collapse(30e-3).displacement, 10e-3, 1e-9);
+}
+
+// --- what tests say of drift
+
+// Tests of shear fell at 0.2 to 0.4 % of 2 m, 4 to 8 mm: the accelerations of the same curve that ends there.
+TEST(Assessment, states_what_the_wall_carries_at_the_drifts_of_tests) {
+  Pushed p(Made{.height = 2});
+  p.push.mechanism = "shear";
+  p.push.tests = {{"shear", false, 79, 0.002, 0.004}, {"flexure", false, 18, 0.003, 0.02}};
+  const CodeAssessment a = assess(asked(), p.push, mass_of);
+  EXPECT_EQ(a.tests.size(), 2U);
+  for (const auto& [displacement, tested] :
+       {std::pair(4e-3, &LimitStateCheck::tested_low), {8e-3, &LimitStateCheck::tested_high}}) {
+    Pushed ends(Made{.height = 2});
+    ends.push.mechanism = "shear";
+    ends.responses.displacement_at_80 = displacement;
+    ends.responses.censored_80 = false;
+    const CodeAssessment b = assess(asked(), ends.push, mass_of);
+    for (const LimitState state : {LimitState::kLifeSafety, LimitState::kNearCollapse})
+      EXPECT_NEAR(state_of(a, state).*tested, state_of(b, state).acceleration, 1e-9);
+  }
+  // how it fails is not known: the least and the largest of all
+  p.push.mechanism = "";
+  const CodeAssessment unknown = assess(asked(), p.push, mass_of);
+  EXPECT_EQ(state_of(unknown, LimitState::kLifeSafety).tested_low,
+            state_of(a, LimitState::kLifeSafety).tested_low);
+  EXPECT_GT(state_of(unknown, LimitState::kLifeSafety).tested_high,
+            state_of(a, LimitState::kLifeSafety).tested_high);
+  // beyond the push there is no upper end; out of the plane no test speaks
+  p.push.mechanism = "flexure";
+  p.push.tests.back().high = 0.09;
+  Pushed brief(Made{.height = 2, .until = 15e-3});
+  brief.push.tests = p.push.tests;
+  EXPECT_TRUE(std::isinf(
+      state_of(assess(asked(), brief.push, mass_of), LimitState::kLifeSafety).tested_high));
+  p.push.mechanism = "out of plane";
+  EXPECT_TRUE(
+      std::isnan(state_of(assess(asked(), p.push, mass_of), LimitState::kLifeSafety).tested_low));
+}
+
 TEST(Assessment, by_en_1998_3_takes_flexure_by_the_slenderness_of_piers) {
   Pushed p(Made{.height = 2});
   p.push.pier_slenderness = 0.5;  // 0.8 % 0.5 2 m = 8 mm

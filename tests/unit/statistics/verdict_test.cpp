@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <random>
+#include <utility>
 
 #include "statistics/intervals.h"
 
@@ -28,14 +31,15 @@ AssessmentSpec asked() {
 JudgedWall wall_of(double g, bool at_least = false, const char* mode = "rocking") {
   JudgedWall wall;
   wall.mode = mode;
-  LimitStateCheck check{.state = LimitState::kLifeSafety, .is_asked = true};
+  LimitStateCheck check{.state = LimitState::kLifeSafety, .is_asked = true, .is_checked = true};
   check.acceleration = g * kStandardGravity;
   check.at_least = at_least;
-  wall.assessment.limit_states.push_back(check);
   if (check.acceleration >= kDemand)
-    wall.assessment.verdict = AssessmentVerdict::kHolds;
+    check.verdict = AssessmentVerdict::kHolds;
   else
-    wall.assessment.verdict = at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
+    check.verdict = at_least ? AssessmentVerdict::kNotShown : AssessmentVerdict::kFails;
+  wall.assessment.limit_states.push_back(check);
+  wall.assessment.verdict = check.verdict;
   wall.assessment.may_be_signed = true;
   return wall;
 }
@@ -47,7 +51,11 @@ JudgedWall lost_wall() {
 
 WayOfPushing way(const char* direction, const char* pattern, std::vector<JudgedWall> walls) {
   int number = 0;
-  for (JudgedWall& wall : walls) wall.wall = ++number;
+  for (JudgedWall& wall : walls) {
+    wall.wall = ++number;
+    if (std::isnan(wall.peak))
+      wall.peak = 1e5 * (1 + 0.1 * (number % 5));  // as walls of tests differ
+  }
   return {.direction = direction, .pattern = pattern, .folder = "x", .walls = std::move(walls)};
 }
 std::vector<JudgedWall> walls_of(const std::vector<double>& capacities) {
@@ -70,9 +78,9 @@ TEST(Verdict, of_strong_walls_in_both_directions_may_be_signed) {
   EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
   EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
   EXPECT_EQ(v.decides(), "-x");
-  EXPECT_EQ(v.counts.met, 8);
-  EXPECT_EQ(v.counts.probability().value, 0);
-  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.28, 1e-12);
+  EXPECT_EQ(v.worst.counts.met, 8);
+  EXPECT_EQ(v.worst.counts.probability().value, 0);
+  EXPECT_NEAR(v.worst.capacity.median.value / kStandardGravity, 0.28, 1e-12);
 }
 
 // Each direction fails other walls: half of them in each, none of them stands in both.
@@ -83,9 +91,9 @@ TEST(Verdict, takes_each_wall_by_its_worse_direction) {
                   way("-x", "at", walls_of({0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.1, 0.3, 0.05}))},
                  10);
   EXPECT_EQ(v.ways[0].counts.not_met, 5);
-  EXPECT_EQ(v.counts.not_met, 10);
+  EXPECT_EQ(v.worst.counts.not_met, 10);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
-  EXPECT_EQ(v.direction, "+x");  // five walls each: the model's own
+  EXPECT_EQ(v.worst.direction, "+x");  // five walls each: the model's own
 }
 
 TEST(Verdict, is_that_of_the_worse_pattern) {
@@ -95,12 +103,12 @@ TEST(Verdict, is_that_of_the_worse_pattern) {
   const WallsVerdict v = verdict_of(asked(), ways, 8);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
   EXPECT_EQ(v.decides(), "+x, uniform");
-  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.15, 1e-12);
+  EXPECT_NEAR(v.worst.capacity.median.value / kStandardGravity, 0.15, 1e-12);
   // whatever the order in which they ran
   std::vector<WayOfPushing> turned(ways.rbegin(), ways.rend());
   const WallsVerdict w = verdict_of(asked(), turned, 8);
   EXPECT_EQ(w.decides(), v.decides());
-  EXPECT_EQ(w.capacity.median.value, v.capacity.median.value);
+  EXPECT_EQ(w.worst.capacity.median.value, v.worst.capacity.median.value);
 }
 
 // A pattern that shows nothing must not lose to one that is met.
@@ -133,19 +141,20 @@ TEST(Verdict, counts_a_lost_wall_on_both_sides) {
   with_lost[3] = lost_wall();
   WallsVerdict v =
       verdict_of(asked(), {way("+x", "at", with_lost), way("-x", "at", same(8, 0.3))}, 8);
-  EXPECT_EQ(v.counts.lost, 1);
-  EXPECT_EQ(v.counts.met, 7);
-  EXPECT_EQ(v.counts.probability().value, 0);
-  EXPECT_NEAR(v.counts.probability().interval.high, study::exact_share(1, 8).interval.high, 1e-12);
-  EXPECT_EQ(v.capacity.median.interval.low, 0);
+  EXPECT_EQ(v.worst.counts.lost, 1);
+  EXPECT_EQ(v.worst.counts.met, 7);
+  EXPECT_EQ(v.worst.counts.probability().value, 0);
+  EXPECT_NEAR(v.worst.counts.probability().interval.high, study::exact_share(1, 8).interval.high,
+              1e-12);
+  EXPECT_EQ(v.worst.capacity.median.interval.low, 0);
   EXPECT_TRUE(has(v.cautions, "verdict.caution.lost"));
   EXPECT_FALSE(v.may_be_signed);
   // a wall that does not meet it in one direction does not, whatever the other would say
   std::vector<JudgedWall> weak = same(8, 0.3);
   weak[3] = wall_of(0.1);
   v = verdict_of(asked(), {way("+x", "at", with_lost), way("-x", "at", weak)}, 8);
-  EXPECT_EQ(v.counts.lost, 0);
-  EXPECT_EQ(v.counts.not_met, 1);
+  EXPECT_EQ(v.worst.counts.lost, 0);
+  EXPECT_EQ(v.worst.counts.not_met, 1);
 }
 
 TEST(Verdict, signs_nothing_where_all_walls_are_lost_in_a_direction) {
@@ -191,9 +200,9 @@ TEST(Verdict, keeps_bounds_as_bounds) {
   const WallsVerdict v =
       verdict_of(asked(), {way("+x", "at", forth), way("-x", "at", same(8, 0.30))}, 8);
   EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
-  EXPECT_TRUE(v.capacity.at_least);
-  EXPECT_NEAR(v.capacity.median.value / kStandardGravity, 0.25, 1e-12);
-  EXPECT_NEAR(v.capacity.median.interval.high / kStandardGravity, 0.30, 1e-12);
+  EXPECT_TRUE(v.worst.capacity.at_least);
+  EXPECT_NEAR(v.worst.capacity.median.value / kStandardGravity, 0.25, 1e-12);
+  EXPECT_NEAR(v.worst.capacity.median.interval.high / kStandardGravity, 0.30, 1e-12);
 }
 
 // The knife: one run turns from met to not met where the strength changes by 0.6 %. Many walls that scatter
@@ -209,13 +218,107 @@ TEST(Verdict, moves_smoothly_with_strength) {
     walls.reserve(logs.size());
     for (const double log : logs) walls.push_back(wall_of(strength * std::exp(log)));
     const double p = verdict_of(asked(), {way("+x", "at", walls), way("-x", "at", walls)}, 400)
-                         .counts.probability()
+                         .worst.counts.probability()
                          .value;
     EXPECT_GE(p, before);
     EXPECT_LT(p - before, 0.05);  // density of the normal 0.4 over 0.2, times 0.006, is 0.012
     before = p;
   }
   EXPECT_GT(before, 0.85);
+}
+
+// --- what tested walls say of drift
+
+// Walls that carry 0.3 g by their own drift, and `low` to `high` by those of tests.
+std::vector<JudgedWall> with_tests(double g, double low, double high) {
+  std::vector<JudgedWall> walls = same(8, g);
+  for (JudgedWall& wall : walls) {
+    LimitStateCheck& check = wall.assessment.limit_states.front();
+    check.tested_low = low * kStandardGravity, check.tested_high = high * kStandardGravity;
+    wall.assessment.tests = {{"shear", false, 79, 0.0018, 0.0061}};
+  }
+  return walls;
+}
+WallsVerdict both_ways(const std::vector<JudgedWall>& walls) {
+  return verdict_of(asked(), {way("+x", "at", walls), way("-x", "at", walls)},
+                    static_cast<int>(walls.size()));
+}
+
+TEST(Verdict, holds_the_drifts_of_tested_walls_in_its_interval) {
+  const WallsVerdict v = both_ways(with_tests(0.30, 0.25, 0.40));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kHolds);
+  EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
+  EXPECT_NEAR(v.worst.capacity.with_tests.low / kStandardGravity, 0.25, 1e-12);
+  EXPECT_NEAR(v.worst.capacity.with_tests.high / kStandardGravity, 0.40, 1e-12);
+  EXPECT_TRUE(has(v.notes, "verdict.note.tests"));
+  EXPECT_NE(text_of(v.sentence).find("0.250 to 0.400 with the drifts of tested walls"),
+            std::string::npos);
+}
+
+TEST(Verdict, is_undecided_where_the_drift_of_tests_turns_it) {
+  WallsVerdict v = both_ways(with_tests(0.30, 0.15, 0.40));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.drift"));
+  EXPECT_FALSE(has(v.cautions, "verdict.caution.undecided"));  // more walls do not help
+  EXPECT_EQ(v.worst.counts.with_tests().high, 1);
+  // a computed drift far below those of tests does not condemn a wall
+  v = both_ways(with_tests(0.10, 0.15, 0.25));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kNotShown);
+  v = both_ways(with_tests(0.10, 0.05, 0.15));
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_TRUE(v.may_be_signed) << text_of(v.sentence);
+  v = both_ways(with_tests(0.10, 0.05, std::numeric_limits<double>::infinity()));
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.drift_open"));
+}
+
+TEST(Verdict, says_where_no_test_speaks_of_drift) {
+  EXPECT_TRUE(has(both_ways(same(8, 0.3)).notes, "verdict.note.no_tests"));
+}
+
+// --- walls that do not differ
+
+TEST(Verdict, of_walls_that_are_all_but_equal_is_not_signed) {
+  std::vector<JudgedWall> equal = same(8, 0.30);
+  for (JudgedWall& wall : equal) wall.peak = 1e5;
+  WallsVerdict v = both_ways(equal);
+  EXPECT_FALSE(v.may_be_signed);
+  EXPECT_TRUE(has(v.cautions, "verdict.caution.alike"));
+  equal[0].peak *= 1 + 1e-4;
+  EXPECT_TRUE(has(both_ways(equal).cautions, "verdict.caution.alike"));
+  equal[0].peak *= 1.05;
+  EXPECT_FALSE(has(both_ways(equal).cautions, "verdict.caution.alike"));
+}
+
+// --- limit states
+
+TEST(Verdict, is_that_of_the_limit_state_with_the_least_reserve) {
+  AssessmentSpec spec = asked();
+  spec.spectra.damage_limitation = spec.spectrum;
+  std::vector<JudgedWall> walls = same(8, 0.30);
+  for (JudgedWall& wall : walls) {
+    LimitStateCheck damage{.state = LimitState::kDamageLimitation, .is_checked = true};
+    damage.acceleration = 0.1 * kStandardGravity;
+    damage.verdict = AssessmentVerdict::kFails;
+    damage.governing = "yield";
+    damage.criteria = {{.name = "yield", .words = {"assessment.yield"}, .displacement = 0.002},
+                       {.name = "shear strength of piers",
+                        .words = {"assessment.strength_of_piers"},
+                        .displacement = 0.003}};
+    wall.assessment.limit_states.push_back(damage);
+  }
+  const WallsVerdict v = verdict_of(spec, {way("+x", "at", walls), way("-x", "at", walls)}, 8);
+  EXPECT_EQ(v.verdict, AssessmentVerdict::kFails);
+  EXPECT_EQ(v.worst.state, LimitState::kDamageLimitation);
+  EXPECT_NE(text_of(v.sentence).find("damage limitation not met in 8 of 8"), std::string::npos);
+  ASSERT_EQ(v.limit_states.size(), 2U);
+  EXPECT_EQ(v.limit_states[1].state, LimitState::kLifeSafety);
+  EXPECT_EQ(v.limit_states[1].verdict, AssessmentVerdict::kHolds);
+  ASSERT_EQ(v.worst.rules.size(), 2U);
+  EXPECT_EQ(v.worst.rules[0].words.code, "assessment.yield");
+  EXPECT_EQ(v.worst.rules[0].decides, 8);
+  EXPECT_EQ(v.worst.rules[1].decides, 0);
+  EXPECT_EQ(v.worst.rules[1].displacement, 0.003);
 }
 
 TEST(Verdict, has_a_sentence_in_every_language) {
@@ -254,6 +357,64 @@ TEST(ClopperPearson, covers_what_it_says_at_small_n) {
       }
       EXPECT_GE(held, 0.95 - 1e-9) << n << " " << p;
     }
+}
+
+// --- how many walls
+
+WallCounts counts_of(int not_met, int walls) {
+  return {.walls = walls, .met = walls - not_met, .not_met = not_met};
+}
+
+TEST(Walls, grow_until_the_share_is_known_well_enough) {
+  EXPECT_EQ(most_walls(0.5), 17);
+  EXPECT_EQ(most_walls(0.3), 47);
+  EXPECT_EQ(next_walls(counts_of(0, 8), 0.3), 11);  // all alike: 1 - 0.025^(1/11) = 0.285
+  EXPECT_EQ(next_walls(counts_of(0, 11), 0.3), 0);
+  EXPECT_EQ(next_walls(counts_of(4, 8), 0.3), 47);
+  EXPECT_EQ(next_walls(counts_of(24, 47), 0.3), 0);
+  // lost walls say nothing, however many: it ends all the same
+  const WallCounts lost{.walls = 47, .met = 1, .not_met = 1, .lost = 45};
+  EXPECT_EQ(next_walls(lost, 0.3), 0);
+  EXPECT_EQ(next_walls({.walls = 8, .lost = 8}, 0.3), 0);
+}
+
+// To look again and again costs certainty: the chance that the last interval holds the share, over every way the walls
+// may fall, from 8 walls on.
+TEST(Walls, that_grow_hold_the_share_almost_as_often_as_said) {
+  std::map<std::pair<int, int>, std::pair<int, Interval>> known;
+  const auto look = [&](int k, int n, double width) -> const std::pair<int, Interval>& {
+    auto& found = known[{k, n}];
+    if (std::isnan(found.second.low))
+      found = {next_walls(counts_of(k, n), width), study::exact_share(k, n).interval};
+    return found;
+  };
+  const auto chance = [](int k, int n, double p) {
+    return std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) +
+                    k * std::log(p) + (n - k) * std::log1p(-p));
+  };
+  double least = 1;
+  for (const double width : {0.3, 0.5}) {
+    known.clear();
+    for (double p = 0.02; p < 0.51; p += 0.02) {
+      std::map<std::pair<int, int>, double> open;
+      for (int k = 0; k <= 8; ++k) open[{k, 8}] = chance(k, 8, p);
+      double held = 0;
+      while (!open.empty()) {
+        std::map<std::pair<int, int>, double> then;
+        for (const auto& [at, probability] : open) {
+          const auto& [k, n] = at;
+          const auto& [next, interval] = look(k, n, width);
+          if (next == 0) held += interval.low <= p && p <= interval.high ? probability : 0;
+          for (int more = 0; next > n && more <= next - n; ++more)
+            then[{k + more, next}] += probability * chance(more, next - n, p);
+        }
+        open.swap(then);
+      }
+      least = std::fmin(least, held);
+    }
+  }
+  EXPECT_GT(least, 0.945);
+  EXPECT_LT(least, 0.96);
 }
 
 }  // namespace
