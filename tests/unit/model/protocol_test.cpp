@@ -104,6 +104,12 @@ TEST(Protocol, is_as_long_as_its_targets) {
   EXPECT_NEAR(pace_of(push).path, 24e-3, 1e-12);
   spec.stage.back() = push;
   EXPECT_EQ(pace_of(compile(spec).stages.back().spec).path, pace_of(push).path);
+  // states are kept where the push goes farther, not at each of its cycles
+  spec.stage.back().cycles = {1000};
+  const double to_and_fro = size_of(spec).bytes;
+  spec.stage.back().amplitudes.clear(), spec.stage.back().cycles.clear();
+  spec.stage.back().until = 2e-3;
+  EXPECT_EQ(size_of(spec).bytes, to_and_fro);
 }
 
 }  // namespace
