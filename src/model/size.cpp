@@ -74,13 +74,25 @@ double blocks_of(const ModelSpec& spec) {
   return blocks;
 }
 
-// Before the wall is built nobody knows what a drift is of: `kUsualHeight` stands for it.
-double push_path(const StageSpec& stage) {
+// Where a push turns; before the wall is built nobody knows what a drift is of: `kUsualHeight` stands for it.
+std::vector<double> turns_of(const StageSpec& stage) {
   constexpr double kUsualHeight = 3;  // [m]
+  if (stage.targets.empty() && fault_of_protocol(stage)) return {};  // a fault of its own
+  return targets_of(stage, kUsualHeight);
+}
+
+// The farthest displacement, on either side: states for reading are kept up to there, however often it comes by.
+double push_reach(const StageSpec& stage) {
   if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
-  if (stage.targets.empty() && fault_of_protocol(stage)) return 0;  // a fault of its own
+  double reach = 0;
+  for (const double target : turns_of(stage)) reach = std::max(reach, std::fabs(target));
+  return reach;
+}
+
+double push_path(const StageSpec& stage) {
+  if (!goes_to_and_fro(stage)) return or_else(stage.until, 0);
   double path = 0, at = 0;
-  for (const double target : targets_of(stage, kUsualHeight)) {
+  for (const double target : turns_of(stage)) {
     path += std::fabs(target - at);
     at = target;
   }
@@ -223,7 +235,7 @@ Size size_of(const ModelSpec& spec) {
     seconds += pace_of(stage).seconds;
     // a wall pushed by its own height has fallen
     if (stage.kind == StageKind::kPush)
-      kept += std::min(pace_of(stage).path, or_else(height, 1)) / kReadEvery;
+      kept += std::min(push_reach(stage), or_else(height, 1)) / kReadEvery;
   }
   size.bytes = size.blocks * (kBuildBytes + kCopies * kept * state);
   size.steps = seconds / step_of(spec);

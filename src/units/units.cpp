@@ -262,7 +262,7 @@ std::string format_quantity(double value, std::string_view si_unit, std::string_
     const double back = read ? scaled(read->number, factor) : std::nan("");
     if (back == value && std::signbit(back) == std::signbit(value)) return text;
   }
-  return fmt::format("{} {}", value, si_unit);
+  return fmt::format("{} {}", value, si_unit == "1" ? "m/m" : si_unit);  // "0.3 1" is two numbers
 }
 
 }  // namespace wythe

@@ -295,8 +295,9 @@ class Assess(unittest.TestCase):
         self.refused(WALL.replace(ASSESSMENT[spectrum:], ""), "assessment.spectrum: is missing", "bad.toml:")
         self.refused(WALL.replace('use = "clay_brick"', "").replace("[scatter]", ""), "nothing scatters", "clay_brick")
         self.refused(WALL.replace('direction = "+x"', 'direction = "-y"'), "not horizontal", "direction")
-        self.refused(WALL.replace('velocity = "1 mm/s"\nuntil = "4 mm"', 'velocity = "1 mm/s"\ntargets = ["1 mm", "-1 mm"]'),
-                     "cyclic", "until")
+        for levels in ('targets = ["1 mm", "-1 mm"]', 'amplitudes = ["1 mm"]', 'drifts = ["0.1 %"]'):
+            self.refused(WALL.replace('velocity = "1 mm/s"\nuntil = "4 mm"', f'velocity = "1 mm/s"\n{levels}'),
+                         "cyclic", f"until in the place of {levels.split()[0]}")
         self.refused(WALL + "[solve]\ngravity = \"0 m/s^2\"\n", "no mass", arguments=("--set", "assessment.added_mass=0 kg"))
         self.refused(WALL, "--walls", "whole number from 2", arguments=("--walls", "1"))
         self.refused(WALL.replace('at = { x = "0 m", y = "0.75 m" }', 'pattern = "pyramid"\nlevels = ["0.7 m"]'), "pattern",

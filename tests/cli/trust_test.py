@@ -204,11 +204,28 @@ class Cyclic(Base):
         cyclic = summary["cyclic"]
         read = cyclic[cyclic["read_in"]]
         for key in ("peak_reaction_kN", "displacement_at_peak_mm", "displacement_at_80_percent_mm", "censored_80",
-                    "displacement_max_mm", "bilinear"):
+                    "first_fall_80_percent_mm", "censored_first_80", "last_fall_80_percent_mm", "censored_last_80",
+                    "displacement_max_mm", "drift_capacity", "bilinear"):
             self.assertEqual(summary[key], read[key], key)
         self.assertEqual(summary["peak_reaction_kN"],
                          max(cyclic[way]["peak_reaction_kN"] for way in ("positive", "negative")))
         self.assertLessEqual(summary["displacement_at_peak_mm"], summary["displacement_at_80_percent_mm"])
+
+    def test_levels_and_cycles_are_the_same_motion(self):
+        _, targets = self.run_to(1, -1, 1, -1, 2, -2, 0)
+        # the model's own until has no say; targets would
+        done = wythe("run", self.model(SMALL), "--out", self.out, "--quiet", "--set", "stage.push.velocity=2 mm/s",
+                     "--set", 'stage.push.amplitudes=["1 mm", "2 mm"]', "--set", "stage.push.cycles=[2, 1]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        levels = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual(levels["state_hash"], targets["state_hash"])
+        self.assertEqual(levels["cyclic"], targets["cyclic"])
+        written = (self.out / "model.used.toml").read_text()
+        self.assertIn('amplitudes = ["1 mm", "2 mm"]', written)
+        self.assertIn("cycles = [2, 1]", written.replace(".0", ""))
+        again = wythe("run", self.out / "model.used.toml", "--out", self.folder / "again", "--quiet")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(json.loads((self.folder / "again" / "summary.json").read_text())["state_hash"], levels["state_hash"])
 
     def test_unloading_at_the_end_leaves_the_readings_of_the_push(self):
         _, there = self.run_to(3)

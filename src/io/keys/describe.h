@@ -426,8 +426,8 @@ void describe_push(Visitor& v, StageSpec& s) {
   v.quantities("drifts", s.drifts, {.unit = "1", .shown = "%", .range = kPositive, .kinds = kPushStage,
                .fallback = "none", .example = "[\"0.05 %\", \"0.1 %\", \"0.2 %\"]",
                .doc = "The same as drifts: of the height of the rows' `drift_percent`, from the wall's foot to the middle of "
-                      "what is pushed or of `control`."});
-  v.numbers("cycles", s.cycles, {.may_be_alone = true, .kinds = kPushStage, .fallback = "1", .example = "2",
+                      "what is pushed."});
+  v.numbers("cycles", s.cycles, {.range = kFromOne, .may_be_alone = true, .kinds = kPushStage, .fallback = "1", .example = "2",
             .doc = "How many cycles each level of `amplitudes` or `drifts` has: one number, or a list with one a level."});
   v.number("stop_below", s.stop_below, {.range = kBelowOne, .kinds = kPushStage,
            .example = "0.2",

@@ -20,6 +20,7 @@
 #include "io/model/record_file.h"
 #include "io/results/curve_csv.h"
 #include "io/results/vtu.h"
+#include "model/protocol.h"
 #include "wythe/checkpoint.h"
 #include "wythe/element_forces.h"
 #include "wythe/error.h"
@@ -125,6 +126,8 @@ std::string used_model(const std::string& folder, const ModelSpec& spec, const M
   used.solve = model.solve;
   for (std::size_t k = 0; k < used.stage.size() && k < model.stages.size(); ++k)
     used.stage[k] = model.stages[k].spec;
+  for (StageSpec& stage : used.stage)
+    if (has_protocol(stage)) stage.targets.clear();  // its levels say so
   if (!used.wall.blocks.empty()) {
     write_file(inside(folder, "blocks.json"), io::blocks_text(used));
     used.wall.blocks = "blocks.json";

@@ -108,8 +108,8 @@ TEST(QuantityWritten, in_the_engineers_unit_and_back_to_the_bit) {
 TEST(QuantityWritten, awkward_values_return_to_the_bit) {
   for (const double value :
        {1.0 / 3, 0.1 + 0.2, 5e-324, 1e-310, 1.7976931348623157e308, -0.0, 1e22})
-    for (const auto& [si, shown] :
-         {std::pair("m", "mm"), std::pair("Pa", "MPa"), std::pair("rad", "deg")}) {
+    for (const auto& [si, shown] : {std::pair("m", "mm"), std::pair("Pa", "MPa"),
+                                    std::pair("rad", "deg"), std::pair("1", "%")}) {
       const double back = parse_quantity(format_quantity(value, si, shown), si);
       EXPECT_EQ(back, value) << si;
       EXPECT_EQ(std::signbit(back), std::signbit(value));

@@ -41,7 +41,7 @@ TEST(Protocol, a_spec_that_no_file_was_read_for_is_refused_by_compile) {
   const auto refused_at = [](const StageSpec& protocol) -> std::string {
     ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
     spec.stage = {scenes::gravity_stage(),
-                  scenes::push_stage("b0", Direction::kPlusX, 0.01, kUnset)};
+                  scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
     spec.stage[1].amplitudes = protocol.amplitudes, spec.stage[1].cycles = protocol.cycles;
     spec.stage[1].drifts = protocol.drifts, spec.stage[1].targets = protocol.targets;
     try {
@@ -104,6 +104,12 @@ TEST(Protocol, is_as_long_as_its_targets) {
   EXPECT_NEAR(pace_of(push).path, 24e-3, 1e-12);
   spec.stage.back() = push;
   EXPECT_EQ(pace_of(compile(spec).stages.back().spec).path, pace_of(push).path);
+  // states are kept where the push goes farther, not at each of its cycles
+  spec.stage.back().cycles = {1000};
+  const double to_and_fro = size_of(spec).bytes;
+  spec.stage.back().amplitudes.clear(), spec.stage.back().cycles.clear();
+  spec.stage.back().until = 2e-3;
+  EXPECT_EQ(size_of(spec).bytes, to_and_fro);
 }
 
 }  // namespace
