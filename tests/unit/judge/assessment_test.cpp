@@ -259,7 +259,7 @@ TEST(Assessment, states_what_the_wall_carries_at_the_drifts_of_tests) {
   // beyond the push there is no upper end; out of the plane no test speaks
   p.push.mechanism = "flexure";
   p.push.tests.back().high = 0.09;
-  Pushed brief(Made{.height = 2, .until = 15e-3});
+  Pushed brief(Made{.until = 15e-3, .height = 2});
   brief.push.tests = p.push.tests;
   EXPECT_TRUE(std::isinf(
       state_of(assess(asked(), brief.push, mass_of), LimitState::kLifeSafety).tested_high));

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <tuple>
 #include <utility>
 
 #include "statistics/intervals.h"
@@ -301,10 +302,13 @@ TEST(Verdict, is_that_of_the_limit_state_with_the_least_reserve) {
     damage.acceleration = 0.1 * kStandardGravity;
     damage.verdict = AssessmentVerdict::kFails;
     damage.governing = "yield";
-    damage.criteria = {{.name = "yield", .words = {"assessment.yield"}, .displacement = 0.002},
-                       {.name = "shear strength of piers",
-                        .words = {"assessment.strength_of_piers"},
-                        .displacement = 0.003}};
+    for (const auto& [name, code, at] :
+         {std::tuple("yield", "assessment.yield", 0.002),
+          {"shear strength", "assessment.strength_of_piers", 0.003}}) {
+      Criterion criterion;
+      criterion.name = name, criterion.words.code = code, criterion.displacement = at;
+      damage.criteria.push_back(criterion);
+    }
     wall.assessment.limit_states.push_back(damage);
   }
   const WallsVerdict v = verdict_of(spec, {way("+x", "at", walls), way("-x", "at", walls)}, 8);
