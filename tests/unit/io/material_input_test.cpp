@@ -380,6 +380,20 @@ TEST(MaterialInput, energy_grows_with_pressure_only_where_it_is_asked_for) {
             joint("mode_2_energy_per_pressure = \"rule\"\n").mode_2_energy);
 }
 
+// docs/howto/materials.md, "Head joints".
+TEST(MaterialInput, a_dry_head_joint_asks_for_its_cohesion_alone) {
+  const ModelSpec spec = read(with(
+      with(kRules, "[wall.unit]\n", "head_joint = \"dry\"\n[wall.unit]\n"), "[material.unit]\n",
+      "[material.dry]\nmissing = \"rule\"\ncohesion = \"0 MPa\"\n[material.unit]\n"));
+  const JointMaterial &dry = spec.material.at("dry"), &bed = spec.material.at("joint");
+  EXPECT_EQ(dry.cohesion, 0);
+  EXPECT_EQ(dry.tensile_strength, 0);
+  EXPECT_EQ(dry.friction_angle, bed.friction_angle);
+  EXPECT_EQ(dry.normal_stiffness, bed.normal_stiffness);
+  EXPECT_EQ(dry.compressive_strength, bed.compressive_strength);
+  EXPECT_GT(bed.tensile_strength, 0);
+}
+
 TEST(MaterialInput, a_law_file_may_ask_for_rules) {
   const Folder folder;
   const std::string path = folder.write(
