@@ -9,6 +9,7 @@
 #include "materials/library.h"
 #include "materials/origin.h"
 #include "report/said.h"
+#include "wythe/notes.h"
 
 namespace wythe::report {
 namespace {
@@ -138,6 +139,16 @@ bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
   return name == "unit" || names_it(spec.wall) ||
          std::any_of(spec.storey.begin(), spec.storey.end(), names_it) ||
          std::any_of(spec.region.begin(), spec.region.end(), names_it);
+}
+
+// Each a text, or one line and the notes that it stands for.
+Json notes_of(const std::vector<Message>& notes) {
+  Json rows = Json::array();
+  for (const NoteGroup& group : grouped(notes))
+    rows.push_back(group.members.empty()
+                       ? said(group.line)
+                       : Json{{"line", said(group.line)}, {"members", said(group.members)}});
+  return rows;
 }
 
 Json origins_of(const ModelSpec& spec) {
@@ -422,7 +433,7 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
            {row("points_per_face", s.points_per_face, word_of(kPointRuleWords, s.point_rule)),
             row("damping", s.damping, ""), row("step_fraction", s.step_fraction, ""),
             row("gravity", s.gravity, "m/s²"), row("mass_scaling", s.mass_scaling, "")}},
-          {"notes", said(model.anatomy.notes)}};
+          {"notes", notes_of(model.anatomy.notes)}};
 }
 
 }  // namespace wythe::report
