@@ -118,7 +118,12 @@ Json origin_row(const std::string& table, materials::Role role, const materials:
   const materials::Entry* entry = materials::entry_of(name);
   if (entry && origin.kind == Origin::kTypical) {
     formula = entry->title;
-    source = by.substr(std::min(end + 2, by.size()));  // after " ("
+    source = by.substr(std::min(by.find(" (", end) + 2, by.size()));
+    const std::size_t way = source.find("): ");  // of a knowledge level
+    if (way != std::string::npos) {
+      inputs = source.substr(way + 3);
+      source.resize(way);
+    }
     if (source.ends_with(')')) source.pop_back();
   }
   const bool given = origin.kind == Origin::kGiven;
@@ -151,12 +156,29 @@ Json notes_of(const std::vector<Message>& notes) {
   return rows;
 }
 
+Json floor_row(const std::string& name, const materials::Origin& origin) {
+  const bool is_load = origin.key == "load";
+  const std::size_t from = origin.by.find(" from ");
+  return {name,
+          is_load ? "line_load" : "floor_mass",
+          origin.value,
+          "derived",
+          is_load ? "floor_load" : "floor_mass",
+          from == std::string::npos ? "" : origin.by.substr(from + 6),
+          is_load ? "(g1 + g2 + psi2 q) span / 2" : "load / 9.81 m/s^2",
+          is_load ? "NTC 2018, 2.5.3" : "NTC 2018, 3.2.4"};
+}
+
 Json origins_of(const ModelSpec& spec) {
   Json rows = Json::array();
   add_origins("masonry", materials::Role::kMasonry, spec.masonry.origin, rows);
   for (const auto& [name, material] : spec.material)
     add_origins(name, is_unit_joint(spec, name) ? materials::Role::kUnit : materials::Role::kJoint,
                 material.origin, rows);
+  for (const FloorSpec& floor : spec.floor)
+    for (const std::string& line : floor.origin)
+      if (const auto origin = materials::origin_of(line))
+        rows.push_back(floor_row(floor.name, *origin));
   return rows;
 }
 
@@ -172,10 +194,13 @@ Json masonry_rows(const MasonrySpec& m) {
   add("mortar_strength", m.mortar_strength, "MPa", 1e-6);
   add("masonry_strength", m.masonry_strength, "MPa", 1e-6);
   add("vertical_stress", m.vertical_stress, "MPa", 1e-6);
+  add("diagonal_shear_strength", m.diagonal_shear_strength, "MPa", 1e-6);
   add("initial_shear_strength", m.initial_shear_strength, "MPa", 1e-6);
   add("friction_tan", m.friction_tan, "", 1);
   add("youngs_modulus", m.youngs_modulus, "MPa", 1e-6);
   add("shear_modulus", m.shear_modulus, "MPa", 1e-6);
+  add("weight", m.weight, "kN/m³", 1e-3);
+  add("density", m.density, "kg/m³", 1);
   add("unit_youngs_modulus", m.unit_youngs_modulus, "MPa", 1e-6);
   add("mortar_youngs_modulus", m.mortar_youngs_modulus, "MPa", 1e-6);
   add("interface_normal_stiffness", m.interface_normal_stiffness, "MPa/mm", 1e-9);

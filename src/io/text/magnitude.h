@@ -21,6 +21,7 @@ inline constexpr Magnitude kMagnitudes[] = {
     {"m/s", 1e-15, 1e3}, {"m/s^2", 1e-9, 1e6}, {"rad", 1e-9, 1e3},     {"rad/s", 1e-9, 1e3},
     {"N", 1e-6, 1e12},   {"N/m", 1e-6, 1e12},  {"Pa", 1e-3, 1e15},     {"Pa/m", 1e-3, 1e18},
     {"kg", 1e-6, 1e12},  {"kg/m", 1e-6, 1e12}, {"kg/m^2", 1e-6, 1e12}, {"kg/m^3", 1e-6, 1e6},
+    {"N/m^3", 1e-5, 1e7},
 };
 inline constexpr Magnitude kMagnitudeOfNumbers{"1", 0, 1e15};
 
