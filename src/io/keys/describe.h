@@ -90,14 +90,14 @@ void describe(Visitor& v, WallSpec& s) {
 
 template <class Visitor>
 void describe_use(Visitor& v) {
-  describe_recipe(v, "use", {.fallback = "none", .example = "brick_lime_circolare",
+  describe_recipe(v, "use", {.fallback = "none", .example = "circolare_brick_lime",
                   .doc = "Typical values, with their source and scatter, for what is not given here; "
                          "`wythe materials` lists the names."});
 }
 
 template <class Visitor>
 void describe_origin(Visitor& v, std::vector<std::string>& origin) {
-  v.texts("origin", origin, {.fallback = "none", .example = "[\"cohesion 0.21 MPa: typical of brick_lime_circolare\"]",
+  v.texts("origin", origin, {.fallback = "none", .example = "[\"cohesion 0.21 MPa: typical of circolare_brick_lime\"]",
           .doc = "Written by the program: where the values come from that were not given. A line holds "
                  "only while the value is the one it names."});
 }

@@ -255,13 +255,16 @@ class Resolver {
       toml::node* node = unit ? unit->get("density") : nullptr;
       if (!asks_for_rule(node)) continue;
       Found found{kUnset, "", true};
-      if (!masonry_.toml) {
-        context_.fault(path + ".unit.density", line_of(*node), "rule", "needs [masonry]",
-                       "give the density, or weight or use under [masonry]");
-      } else {
+      const bool has_weight = masonry_.toml && (masonry_.toml->contains("density") ||
+                                                input(masonry_, "weight").known());
+      if (has_weight) {
         if (!masonry_.toml->contains("density")) masonry_.toml->insert("density", "rule");
         context_.asked.insert("density");
         found = value_of(masonry_, "density");
+      } else if (!use_is_wrong_) {
+        context_.fault(path + ".unit.density", line_of(*node), "rule",
+                       "needs the weight of the masonry",
+                       "give the density, or weight, density or use = \"circolare_...\" under [masonry]");
       }
       // a text that can be read: the fault is told
       *node->as_string() = format_quantity(found.known() ? found.value : 1000, "kg/m^3", "kg/m^3");
@@ -477,6 +480,10 @@ class Resolver {
 
   void refuse_lacking(Table& table, const std::string& key, const Rule& rule,
                       const std::vector<std::string>& lacking) {
+    if (use_is_wrong_) {  // the typology would have given them: one slip, one message
+      table.toml->erase(key);
+      return;
+    }
     std::vector<std::string> masonry, own;
     for (const std::string& name : lacking)
       (name == "unit_type" || !is_law_key(name) || table.role == Role::kMasonry ? masonry : own)
@@ -487,6 +494,7 @@ class Resolver {
       cure += fmt::format("{}give {} here", cure.empty() ? "" : " and ", joined(own, ", "));
     fault(table, key, fmt::format("the rule {} needs {}", rule.name, joined(lacking, ", ")),
           cure + fmt::format(", give {} itself, or a typology by use = \"...\"", key));
+    table.toml->erase(key);  // else its reader would find "rule" no number
   }
 
   bool holds(Table& table, const std::string& key, const Rule& rule, const materials::Inputs& in) {
