@@ -19,18 +19,18 @@ double change_of(const Message& note) {
 std::string kind_of(const Message& note) {
   const std::string part = note.code.substr(0, note.code.find('.'));
   const bool is_part = part == "opening" || part == "lintel" || part == "sill";
-  return is_part && !std::isnan(change_of(note)) ? part + ".fitted" : note.code;
+  return is_part && !std::isnan(change_of(note)) ? part : note.code;
 }
 
 Message line_of(const std::string& kind, const std::vector<Message>& members) {
   const Message* most = &members.front();
   for (const Message& member : members)
     if (change_of(member) > change_of(*most)) most = &member;
-  if (kind.ends_with(".fitted"))
-    return {"notes." + kind,
-            {{"count", members.size()},
-             {"most_mm", 1e3 * change_of(*most)},
-             {"most", *most}}};
+  const double mm = 1e3 * change_of(*most);
+  const std::size_t n = members.size();
+  if (kind == "opening") return {"notes.openings", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
+  if (kind == "lintel") return {"notes.lintels", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
+  if (kind == "sill") return {"notes.sills", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
   return {"notes.alike", {{"first", members.front()}, {"more", members.size() - 1}}};
 }
 
