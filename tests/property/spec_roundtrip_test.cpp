@@ -178,12 +178,19 @@ void make_pattern(StageSpec& stage) {
   }
   stage.at = {};
   if (stage.targets.empty() && coin(2)) stage.control.x = -0.0, stage.control.y = 1.0 / 3;
-  if (stage.pattern == Pattern::kMass) return;
+  if (stage.pattern == Pattern::kMass || stage.pattern == Pattern::kArea) return;
   stage.levels = levels.empty() ? std::vector<double>{1.0 / 3} : levels;
   if (stage.pattern == Pattern::kGiven) stage.shares.assign(stage.levels.size(), -0.0);
 }
 
+// A target that is reached before it is driven to is refused.
+void make_targets(std::vector<double>& targets) {
+  if (!targets.empty() && targets.front() == 0) targets.front() = 1.0 / 3;
+  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+}
+
 void make_push(StageSpec& stage) {
+  make_targets(stage.targets);
   make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);
   stage.fast_velocity = coin(2) ? kUnset : stage.velocity;
