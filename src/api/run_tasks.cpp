@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "api/job.h"
 #include "core/files.h"

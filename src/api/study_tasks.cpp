@@ -65,7 +65,8 @@ std::string rows_of(const std::vector<SampleRecord>& records) {
     if (record.answered()) row["failure_mode"] = record.failure_mode.name;
     if (record.answered()) row["rate_judgement"] = record.quasi_static.judgement;
     // why it ended, else why an answer that ended well has no capacity
-    const Message& why = record.reason.empty() && record.answered() ? record.responses.peak_reason : record.reason;
+    const Message& why =
+        record.reason.empty() && record.answered() ? record.responses.peak_reason : record.reason;
     if (!why.empty()) row["reason"] = text_of(why);
     if (record.retried) row["retried"] = true;
     if (record.sample > 0) row["sample"] = record.sample;

@@ -28,7 +28,8 @@ Message line_of(const std::string& kind, const std::vector<Message>& members) {
     if (change_of(member) > change_of(*most)) most = &member;
   const double mm = 1e3 * change_of(*most);
   const std::size_t n = members.size();
-  if (kind == "opening") return {"notes.openings", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
+  if (kind == "opening")
+    return {"notes.openings", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
   if (kind == "lintel") return {"notes.lintels", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
   if (kind == "sill") return {"notes.sills", {{"count", n}, {"most_mm", mm}, {"most", *most}}};
   return {"notes.alike", {{"first", members.front()}, {"more", members.size() - 1}}};

@@ -69,7 +69,8 @@ double acting(const Applied& a, Parameter parameter) {
   const std::string_view key = a.correction->key;
   const bool modulus = parameter == Parameter::kModulus;
   if (key == "courses") {
-    const bool acts = parameter == Parameter::kCompression || parameter == Parameter::kDiagonalShear;
+    const bool acts =
+        parameter == Parameter::kCompression || parameter == Parameter::kDiagonalShear;
     return acts ? a.factor : 1;
   }
   if (key == "leaf_ties") return parameter == Parameter::kCompression ? a.factor : 1;
@@ -105,9 +106,8 @@ std::vector<Applied> acting_together(std::span<const Applied> applied, std::stri
                        [&](const Applied& a) { return is_named(*a.correction, key); });
   };
   const auto drop = [&](std::string_view key, std::string_view reason) {
-    const auto end = std::remove_if(out.begin(), out.end(), [&](const Applied& a) {
-      return is_named(*a.correction, key);
-    });
+    const auto end = std::remove_if(out.begin(), out.end(),
+                                    [&](const Applied& a) { return is_named(*a.correction, key); });
     if (end == out.end()) return;
     out.erase(end, out.end());
     left_out += fmt::format(", not {}: {}", key, reason);

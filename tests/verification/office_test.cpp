@@ -52,10 +52,13 @@ TEST(Office, a_wall_at_lc1_with_coefficients_and_a_floor) {
   const ModelSpec spec = parse_model(kWall, "model.toml");
   const JointMaterial& joint = spec.material.at("joint");
   const char* const six = "derived values have six digits";
-  verify({"OF01a", "bricks in lime, LC1, through bricks, injected: fc", "MPa", 2.6 * 1.3 * 1.2 / 1.35, 1e-5, six},
+  verify({"OF01a", "bricks in lime, LC1, through bricks, injected: fc", "MPa",
+          2.6 * 1.3 * 1.2 / 1.35, 1e-5, six},
          1e-6 * joint.compressive_strength);
-  verify({"OF01b", "the same: cohesion", "MPa", 0.13 * 1.3 * 1.2 / 1.35, 1e-5, six}, 1e-6 * joint.cohesion);
-  verify({"OF01c", "the same: normal stiffness by E without a factor", "GPa/m", 1.5 * 1.2 / 0.065, 1e-5, six},
+  verify({"OF01b", "the same: cohesion", "MPa", 0.13 * 1.3 * 1.2 / 1.35, 1e-5, six},
+         1e-6 * joint.cohesion);
+  verify({"OF01c", "the same: normal stiffness by E without a factor", "GPa/m", 1.5 * 1.2 / 0.065,
+          1e-5, six},
          1e-9 * joint.normal_stiffness);
   verify({"OF01d", "the same: tau0", "MPa", 0.05 * 1.3 * 1.2 / 1.35, 1e-5, six},
          1e-6 * spec.masonry.diagonal_shear_strength);
@@ -66,7 +69,9 @@ TEST(Office, a_wall_at_lc1_with_coefficients_and_a_floor) {
   double down = 0;  // the lowest joint carries most
   for (const JointReading& read : read_wall(model, state).joints)
     down = std::max(down, read.compression);
-  verify({"OF01e", "the same: what the ground carries, wall and floor", "N", wall + floor, 1e-5, six}, down);
+  verify(
+      {"OF01e", "the same: what the ground carries, wall and floor", "N", wall + floor, 1e-5, six},
+      down);
 }
 
 }  // namespace

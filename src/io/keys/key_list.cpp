@@ -36,11 +36,11 @@ class KeyList {
   void recipe(const char* name, const Key& key) {
     const std::string_view example = key.example;
     add(name,
-        *key.unit                         ? "quantity"
-        : std::isfinite(key.range.low)    ? "number"
-        : example == "true"               ? "factor"
-        : example.starts_with('{')        ? "tables"
-                                          : "text",
+        *key.unit                      ? "quantity"
+        : std::isfinite(key.range.low) ? "number"
+        : example == "true"            ? "factor"
+        : example.starts_with('{')     ? "tables"
+                                       : "text",
         key);
   }
   template <class E, std::size_t N>

@@ -73,9 +73,9 @@ class Floor {
                       magnitude_problem(value, *part.unit ? part.unit : "1").empty();
     if (fits) return value;
     fault(part.key,
-          !*part.unit                                  ? "must be a number from 0 to 1, without quotes"
+          !*part.unit                          ? "must be a number from 0 to 1, without quotes"
           : std::string_view(part.unit) == "m" ? "must be a length above 0 m"
-                                                       : "must be a load an area, at least 0 kN/m^2",
+                                               : "must be a load an area, at least 0 kN/m^2",
           fmt::format("write e.g. {} = {}", part.key, example));
     return kUnset;
   }
@@ -130,8 +130,7 @@ class Floor {
       *old = text;  // keeps its line
     else
       table_.insert_or_assign(key, text);
-    origin_.push_back(
-        materials::to_text({key, text, materials::Origin::kDerived, by}));
+    origin_.push_back(materials::to_text({key, text, materials::Origin::kDerived, by}));
     context_.derived[under(path_, key)] = {"derived " + by, line_of(table_)};
   }
 

@@ -126,8 +126,7 @@ class Resolver {
     masonry_ = Table{"masonry", masonry ? masonry->as_table() : nullptr, Role::kMasonry,
                      &keys_of<MasonrySpec>()};
     if (masonry_.toml) read_recipes(masonry_);
-    if (masonry_.toml)
-      office_ = read_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
+    if (masonry_.toml) office_ = read_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
     std::vector<Table> laws;
     toml::node* materials = root_.get("material");
     if (materials && materials->is_table())
@@ -219,9 +218,11 @@ class Resolver {
   // A second typology beside a knowledge level would stand undivided.
   void refuse_undivided(const Table& law) {
     if (!office_.is_asked() || !law.use || law.use == masonry_.use) return;
-    fault(law, "use", fmt::format("stands undivided beside masonry.knowledge_level {}", office_.word()),
-          fmt::format("give this material its values: wythe materials {} prints them for each level",
-                      law.use->name));
+    fault(
+        law, "use",
+        fmt::format("stands undivided beside masonry.knowledge_level {}", office_.word()),
+        fmt::format("give this material its values: wythe materials {} prints them for each level",
+                    law.use->name));
   }
 
   void state_confidence_factor() {
@@ -235,9 +236,10 @@ class Resolver {
       context_.derived["assessment.confidence_factor"] = {"of masonry.knowledge_level",
                                                           line_of(*table)};
     } else if (stated->value<double>() != factor) {
-      context_.fault("assessment.confidence_factor", line_of(*stated), shown(*stated),
-                     fmt::format("masonry.knowledge_level {} divides by {:.2f}", office_.word(), factor),
-                     "leave it out: the program takes that of the level");
+      context_.fault(
+          "assessment.confidence_factor", line_of(*stated), shown(*stated),
+          fmt::format("masonry.knowledge_level {} divides by {:.2f}", office_.word(), factor),
+          "leave it out: the program takes that of the level");
     }
   }
 
@@ -262,9 +264,9 @@ class Resolver {
         context_.asked.insert("density");
         found = value_of(masonry_, "density");
       } else if (!use_is_wrong_) {
-        context_.fault(path + ".unit.density", line_of(*node), "rule",
-                       "needs the weight of the masonry",
-                       "give the density, or weight, density or use = \"circolare_...\" under [masonry]");
+        context_.fault(
+            path + ".unit.density", line_of(*node), "rule", "needs the weight of the masonry",
+            "give the density, or weight, density or use = \"circolare_...\" under [masonry]");
       }
       // a text that can be read: the fault is told
       *node->as_string() = format_quantity(found.known() ? found.value : 1000, "kg/m^3", "kg/m^3");
@@ -320,7 +322,11 @@ class Resolver {
     if (!datum) return {};
     const Key& known = table.keys->at(key);
     if (role == Role::kMasonry && entry == masonry_.use && office_.is_asked())
-      return {value_of_datum({.role = role, .key = datum->key, .unit = datum->unit, .value = office_.taken(*entry, *datum).value}, known),
+      return {value_of_datum({.role = role,
+                              .key = datum->key,
+                              .unit = datum->unit,
+                              .value = office_.taken(*entry, *datum).value},
+                             known),
               fmt::format(" (typical of {} at {})", entry->name, office_.word())};
     return {value_of_datum(*datum, known), fmt::format(" (typical of {})", entry->name)};
   }
@@ -645,7 +651,9 @@ class Resolver {
     const Datum* datum = entry ? materials::datum_of(*entry, table.role, origin.key) : nullptr;
     if (!datum) return entry && origin.key == "unit_type";
     const std::size_t way = origin.by.find("): ");
-    if (way != std::string::npos)  // a knowledge level, whose recipe is gone: its arithmetic stands in the line
+    if (way !=
+        std::string::
+            npos)  // a knowledge level, whose recipe is gone: its arithmetic stands in the line
       return materials::begins_with_table(std::string_view(origin.by).substr(way + 3), *datum);
     const Key& key = table.keys->at(origin.key);
     return shown_value(value_of_datum(*datum, key), key) == origin.value;

@@ -74,8 +74,7 @@ class Reader {
     for (const Entry& entry : materials::library())
       if (materials::is_in_table(entry)) rows.emplace_back(entry.name);
     if (use_)
-      fault("knowledge_level",
-            fmt::format("{} is no row of Table C8.5.I", use_->name),
+      fault("knowledge_level", fmt::format("{} is no row of Table C8.5.I", use_->name),
             "leave it out, or use one of: " + joined(rows, ", "));
     else if (!use_is_told_)
       fault("knowledge_level", "needs a row of Table C8.5.I",
@@ -85,9 +84,7 @@ class Reader {
   }
 
   // The strength of the mortar in the wall, where the file states it.
-  double stated_mortar() {
-    return quantity(table_["mortar_strength"].value<std::string>(), 0);
-  }
+  double stated_mortar() { return quantity(table_["mortar_strength"].value<std::string>(), 0); }
 
   void read(const materials::Correction& correction) {
     const std::string key = correction.key;
@@ -97,8 +94,7 @@ class Reader {
     const double number = node->is_number() ? *node->value<double>() : kUnset;
     if (flag != false && !is_told_) {
       if (!flag && std::isnan(number))
-        fault(key, "must be true, or a number without quotes",
-              fmt::format("write {} = true", key));
+        fault(key, "must be true, or a number without quotes", fmt::format("write {} = true", key));
       else
         apply(correction, number);
     }
@@ -129,8 +125,7 @@ class Reader {
     } else if (!std::isnan(number) && most < 1) {
       fault(key, "reduces by fixed factors", fmt::format("write {} = true", key));
     } else if (number < 1 || number > most) {
-      fault(key,
-            fmt::format("must lie from 1 to {:.4g}, the coefficient for {}", most, entry.name),
+      fault(key, fmt::format("must lie from 1 to {:.4g}, the coefficient for {}", most, entry.name),
             fmt::format("write {} = true, or a smaller number", key));
     } else {
       out_.applied.push_back({&correction, std::isnan(number) ? most : number});
@@ -139,9 +134,8 @@ class Reader {
 
   void refuse_contradictions() {
     const auto has = [&](std::string_view key) {
-      return std::any_of(out_.applied.begin(), out_.applied.end(), [&](const materials::Applied& a) {
-        return a.correction->key == key;
-      });
+      return std::any_of(out_.applied.begin(), out_.applied.end(),
+                         [&](const materials::Applied& a) { return a.correction->key == key; });
     };
     if (has("good_mortar") && has("poor_mortar"))
       fault("poor_mortar", "stands beside good_mortar", "leave one of the two");
@@ -151,7 +145,8 @@ class Reader {
     const toml::node* node = table_.get("test");
     const toml::array* list = node ? node->as_array() : nullptr;
     if (node && (!list || !list->is_homogeneous<toml::table>() || list->empty()))
-      fault("test", "must be tables", "write [[masonry.test]] and under it of, mean, number, method");
+      fault("test", "must be tables",
+            "write [[masonry.test]] and under it of, mean, number, method");
     for (std::size_t i = 0; list && i < list->size(); ++i)
       if (const toml::table* test = list->get(i)->as_table()) read_test(*test, std::to_string(i));
     if (out_.level == KnowledgeLevel::kLc3 && !node)
@@ -170,7 +165,8 @@ class Reader {
     for (const auto& [name, value] : test)
       if (const std::string key(name.str());
           key != "of" && key != "mean" && key != "number" && key != "method" && key != "kappa")
-        refuse(key.c_str(), "unknown key", name_advice(key, {"of", "mean", "number", "method", "kappa"}));
+        refuse(key.c_str(), "unknown key",
+               name_advice(key, {"of", "mean", "number", "method", "kappa"}));
     if (out_.level != KnowledgeLevel::kLc3) {
       if (!is_told_ && !use_is_told_)
         refuse("of", "tests update the table at LC3 alone (C8.5.4.1)",
@@ -188,7 +184,8 @@ class Reader {
       return refuse("of", fmt::format("Table C8.5.I gives none for {}", use_->name),
                     "give the tested value itself, under [masonry]");
     if (out_.tests.contains(key) || table_.contains(key))
-      return refuse("of", "has a value or tests already", "keep one of them; put all tests of one method together");
+      return refuse("of", "has a value or tests already",
+                    "keep one of them; put all tests of one method together");
     const std::string method = test["method"].value<std::string>().value_or("");
     const auto kappa = materials::kappa_of(method, key);
     if (!kappa)
@@ -200,13 +197,14 @@ class Reader {
                     "write e.g. mean = \"3 MPa\"");
     const auto count = test["number"].value_exact<std::int64_t>();
     if (!count || *count < 1 || *count > 1000)
-      return refuse("number", "must be a whole number of tests, at least 1", "write e.g. number = 3");
+      return refuse("number", "must be a whole number of tests, at least 1",
+                    "write e.g. number = 3");
     const auto own = test["kappa"].value<double>();
     if (test.contains("kappa") && !(own && *own > 0 && std::isfinite(*own)))
       return refuse("kappa", "must be a number above 0",
                     fmt::format("leave it out: Table C8.5.III has {:.4g}", *kappa));
     out_.tests[key] = {method, mean / unit_factor(datum->unit, "Pa"), static_cast<int>(*count),
-                   own.value_or(*kappa)};
+                       own.value_or(*kappa)};
   }
 
   ReadContext& context_;

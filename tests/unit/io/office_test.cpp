@@ -38,8 +38,10 @@ std::string model(const std::string& masonry, const std::string& more = "") {
 }
 // A masonry without fv0 and without rules for its units.
 std::string stone(const std::string& masonry) {
-  std::string text = model(masonry + "initial_shear_strength = \"rule\"\nfriction_tan = \"rule\"\n");
-  text.erase(text.find("[material.unit]"), std::string("[material.unit]\nmissing = \"rule\"\n").size());
+  std::string text =
+      model(masonry + "initial_shear_strength = \"rule\"\nfriction_tan = \"rule\"\n");
+  text.erase(text.find("[material.unit]"),
+             std::string("[material.unit]\nmissing = \"rule\"\n").size());
   text.insert(text.find("density = \"rule\""), "split = \"none\"\n");
   return text;
 }
@@ -68,7 +70,8 @@ TEST(Office, lc1_takes_least_strengths_and_mean_moduli) {
   const MasonrySpec m = read(model(kBrick + R"(knowledge_level = "LC1"
 transverse_connection = true
 injections = true
-)")).masonry;
+)"))
+                            .masonry;
   expect_near(m.masonry_strength, 2.6e6 * 1.3 * 1.2 / 1.35);
   expect_near(m.diagonal_shear_strength, 0.05e6 * 1.3 * 1.2 / 1.35);
   expect_near(m.initial_shear_strength, 0.13e6 * 1.3 * 1.2 / 1.35);
@@ -78,7 +81,8 @@ injections = true
   expect_near(m.density, 18e3 / 9.81);
   EXPECT_NEAR(m.friction_tan, 0.577, 1e-12);
   EXPECT_EQ(line_of(m.origin, "masonry_strength"),
-            "masonry_strength 3.00444 MPa: typical of circolare_brick_lime at LC1 (Circolare 21 January 2019 n. 7, "
+            "masonry_strength 3.00444 MPa: typical of circolare_brick_lime at LC1 (Circolare 21 "
+            "January 2019 n. 7, "
             "Table C8.5.I): minimum 2.6 MPa x 1.3 transverse_connection x 1.2 injections / 1.35");
 }
 
@@ -99,7 +103,8 @@ knowledge_level = "LC2"
 good_mortar = true
 courses = true
 transverse_connection = true
-)")).masonry;
+)"))
+                            .masonry;
   expect_near(m.masonry_strength, 1.5e6 * 1.5 * 1.5 / 1.2);
   expect_near(m.diagonal_shear_strength, 0.025e6 * 1.5 * 1.5 / 1.2);
   expect_near(m.youngs_modulus, 870e6 * 1.5);
@@ -114,12 +119,14 @@ good_mortar = true
 transverse_connection = true
 injections = true
 reinforced_plaster = true
-)")).masonry;
+)"))
+                            .masonry;
   expect_near(m.masonry_strength, 1.0e6 * 3.5 / 1.35);
   expect_near(m.youngs_modulus, 870e6 * 3.5);
   const std::string way = line_of(m.origin, "masonry_strength");
   EXPECT_TRUE(says(way, "not more than 3.5")) << way;
-  EXPECT_TRUE(says(way, "not transverse_connection: does not act beside reinforced_plaster")) << way;
+  EXPECT_TRUE(says(way, "not transverse_connection: does not act beside reinforced_plaster"))
+      << way;
 }
 
 TEST(Office, repointing_gives_moduli_half_and_ties_compression_alone) {
@@ -142,7 +149,8 @@ TEST(Office, mortar_of_bricks_counts_by_its_strength) {
 mortar_strength = "4 MPa"
 good_mortar = true
 thick_joints = true
-)")).masonry;
+)"))
+                            .masonry;
   expect_near(m.masonry_strength, 2.6e6 * 0.7 * 1.62450 / 1.35);
   expect_near(m.youngs_modulus, 1500e6 * 0.8 * 1.62450);
 }
@@ -166,22 +174,26 @@ knowledge_level = "LC3"
   const MasonrySpec m = with("");
   expect_near(m.masonry_strength, 3.62e6);
   expect_near(m.diagonal_shear_strength, 0.065e6 / 1.2);
-  EXPECT_TRUE(says(line_of(m.origin, "masonry_strength"),
-                   "mean 3.2 MPa; 3 tests (double_flat_jack) of mean 3.9 MPa, kappa 2: 3.62 MPa / 1.00"))
+  EXPECT_TRUE(
+      says(line_of(m.origin, "masonry_strength"),
+           "mean 3.2 MPa; 3 tests (double_flat_jack) of mean 3.9 MPa, kappa 2: 3.62 MPa / 1.00"))
       << line_of(m.origin, "masonry_strength");
   EXPECT_TRUE(says(line_of(m.origin, "diagonal_shear_strength"), "/ 1.20 (not tested)"));
   const MasonrySpec injected = with("good_mortar = true\ninjections = true\n");
   expect_near(injected.masonry_strength, (3 * 3.9e6 + 2 * 3.2e6 * 1.3) / 5 * 1.5);
-  expect_near(with("good_mortar = true\ninjections = true\nreinforced_plaster = true\n").masonry_strength,
-              (3 * 3.9e6 + 2 * 3.2e6 * 1.3) / 5 * 2.4 / 1.3);
+  expect_near(
+      with("good_mortar = true\ninjections = true\nreinforced_plaster = true\n").masonry_strength,
+      (3 * 3.9e6 + 2 * 3.2e6 * 1.3) / 5 * 2.4 / 1.3);
 }
 
 // The rule for stone without fv0 against the four masonries for which the table has both: 1.5 tau0 (1 + mu phi) with
 // phi = 2h/l of squared bond, 0.9, lies within 8 % of each fv0.
 TEST(Office, cohesion_by_tau0_agrees_with_the_table_where_it_has_both) {
-  for (const auto& [tau0, fv0] : {std::pair{0.06, 0.145}, {0.105, 0.23}, {0.09, 0.2}, {0.125, 0.28}})
+  for (const auto& [tau0, fv0] :
+       {std::pair{0.06, 0.145}, {0.105, 0.23}, {0.09, 0.2}, {0.125, 0.28}})
     EXPECT_NEAR(1.5 * tau0 * (1 + 0.577 * 0.9), fv0, 0.08 * fv0);
-  const MasonrySpec m = read(stone("use = \"circolare_rubble\"\nknowledge_level = \"LC2\"\n")).masonry;
+  const MasonrySpec m =
+      read(stone("use = \"circolare_rubble\"\nknowledge_level = \"LC2\"\n")).masonry;
   const double phi = 2 * 64.5 / 250;
   expect_near(m.initial_shear_strength, 1.5 * 0.025e6 / 1.2 * (1 + 0.577 * phi));
 }
@@ -196,9 +208,12 @@ TEST(Office, units_follow_from_the_masonry) {
 }
 
 TEST(Office, a_written_model_reads_the_same_and_keeps_its_way) {
-  const ModelSpec first = read(model(kBrick + R"(knowledge_level = "LC1"
+  const ModelSpec first =
+      read(model(kBrick + R"(knowledge_level = "LC1"
 injections = true
-)", "[[floor]]\ny = \"1.29 m\"\ng1 = \"2.6 kN/m^2\"\ng2 = \"1.4 kN/m^2\"\nq = \"2 kN/m^2\"\npsi2 = 0.3\nspan = \"4.8 m\"\nmass = \"rule\"\n"));
+)",
+                 "[[floor]]\ny = \"1.29 m\"\ng1 = \"2.6 kN/m^2\"\ng2 = \"1.4 kN/m^2\"\nq = \"2 "
+                 "kN/m^2\"\npsi2 = 0.3\nspan = \"4.8 m\"\nmass = \"rule\"\n"));
   const std::string written = write_model(first);
   EXPECT_FALSE(says(written, "knowledge_level"));
   const ModelSpec again = read(written);
@@ -209,7 +224,8 @@ injections = true
 }
 
 TEST(Office, the_confidence_factor_is_that_of_the_level) {
-  const std::string judged = model(kBrick + "knowledge_level = \"LC1\"\n", "[assessment]\ncode = \"circolare_2019\"\n");
+  const std::string judged =
+      model(kBrick + "knowledge_level = \"LC1\"\n", "[assessment]\ncode = \"circolare_2019\"\n");
   EXPECT_EQ(read(judged).assessment.confidence_factor, 1.35);
   EXPECT_EQ(read(judged + "confidence_factor = 1.35\n").assessment.confidence_factor, 1.35);
   EXPECT_TRUE(says(faults(judged + "confidence_factor = 1.2\n"), "LC1 divides by 1.35"));
@@ -222,28 +238,39 @@ TEST(Office, what_the_table_has_not_is_refused_by_name) {
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ncourses = true\n"),
                    "Table C8.5.II has no such coefficient for circolare_brick_lime"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ncourses = true\n"), "injections"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ndeep_wedges = true\n"), "no such coefficient"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjections = 1.3\n"), "must lie from 1 to 1.2"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjections = 0.9\n"), "must lie from 1 to 1.2"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjections = nan\n"), "must be true, or a number"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjections = \"yes\"\n"), "must be true, or a number"));
+  EXPECT_TRUE(
+      says(brick("knowledge_level = \"LC1\"\ndeep_wedges = true\n"), "no such coefficient"));
+  EXPECT_TRUE(
+      says(brick("knowledge_level = \"LC1\"\ninjections = 1.3\n"), "must lie from 1 to 1.2"));
+  EXPECT_TRUE(
+      says(brick("knowledge_level = \"LC1\"\ninjections = 0.9\n"), "must lie from 1 to 1.2"));
+  EXPECT_TRUE(
+      says(brick("knowledge_level = \"LC1\"\ninjections = nan\n"), "must be true, or a number"));
+  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjections = \"yes\"\n"),
+                   "must be true, or a number"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\npoor_mortar = 0.9\n"), "fixed factors"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ngood_mortar = true\n"), "above 2 MPa"));
-  EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ngood_mortar = true\nmortar_strength = \"2 MPa\"\n"), "above 2 MPa"));
+  EXPECT_TRUE(
+      says(brick("knowledge_level = \"LC1\"\ngood_mortar = true\nmortar_strength = \"2 MPa\"\n"),
+           "above 2 MPa"));
   EXPECT_TRUE(says(brick("injections = true\n"), "write knowledge_level"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ncore = true\n"), "without its core"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC1\"\ninjection = true\n"), "injections"));
   EXPECT_TRUE(says(brick("knowledge_level = \"LC3\"\n"), "there are none"));
-  const std::string slip = faults(model("use = \"circolare_brik_lime\"\nunit_strength = \"rule\"\nknowledge_level = \"LC1\"\ninjections = true\n"));
+  const std::string slip =
+      faults(model("use = \"circolare_brik_lime\"\nunit_strength = \"rule\"\nknowledge_level = "
+                   "\"LC1\"\ninjections = true\n"));
   EXPECT_TRUE(says(slip, "circolare_brick_lime")) << slip;
   EXPECT_EQ(slip.find('\n'), std::string::npos) << slip;  // one slip, one message
-  EXPECT_TRUE(says(faults(model("use = \"clay_brick_old\"\nknowledge_level = \"LC1\"\n")), "is no row of Table C8.5.I"));
+  EXPECT_TRUE(says(faults(model("use = \"clay_brick_old\"\nknowledge_level = \"LC1\"\n")),
+                   "is no row of Table C8.5.I"));
   std::string two = model(kBrick + "knowledge_level = \"LC1\"\n");
   two.insert(two.find("missing"), "use = \"circolare_rubble\"\n");
   EXPECT_TRUE(says(faults(two), "stands undivided"));
   EXPECT_TRUE(says(faults(kWall + kRest), "needs the weight of the masonry"));
-  const std::string bare = faults(model("use = \"clay_brick_old\"\nvertical_stress = \"0.1 MPa\"\nunit_youngs_modulus = \"rule\"\n"
-                                        "shear_modulus = \"rule\"\n"));
+  const std::string bare = faults(model(
+      "use = \"clay_brick_old\"\nvertical_stress = \"0.1 MPa\"\nunit_youngs_modulus = \"rule\"\n"
+      "shear_modulus = \"rule\"\n"));
   EXPECT_TRUE(says(bare, "wall.unit.density")) << bare;
   EXPECT_EQ(bare.find('\n'), std::string::npos) << bare;
 }
@@ -253,14 +280,16 @@ TEST(Office, tests_are_refused_by_their_place) {
     std::string text = model(kBrick + "knowledge_level = \"" + level + "\"\n");
     return faults(text.insert(text.find("[material.joint]"), "[[masonry.test]]\n" + table));
   };
-  const std::string right = "of = \"masonry_strength\"\nmean = \"3 MPa\"\nnumber = 2\nmethod = \"compression\"\n";
+  const std::string right =
+      "of = \"masonry_strength\"\nmean = \"3 MPa\"\nnumber = 2\nmethod = \"compression\"\n";
   EXPECT_EQ(test("LC3", right), "");
   EXPECT_TRUE(says(test("LC2", right), "at LC3 alone"));
   const auto spoilt = [&](const std::string& from, const std::string& to) {
     std::string table = right;
     return test("LC3", table.replace(table.find(from), from.size(), to));
   };
-  EXPECT_TRUE(says(spoilt("masonry_strength", "friction_tan"), "must be a value that tests update"));
+  EXPECT_TRUE(
+      says(spoilt("masonry_strength", "friction_tan"), "must be a value that tests update"));
   EXPECT_TRUE(says(spoilt("3 MPa", "3"), "must be a stress above 0"));
   EXPECT_TRUE(says(spoilt("3 MPa", "-3 MPa"), "must be a stress above 0"));
   EXPECT_TRUE(says(spoilt("number = 2", "number = 0"), "whole number of tests"));
@@ -286,10 +315,15 @@ TEST(Office, a_floor_by_its_loads_and_span) {
   expect_near(spec.floor[0].load, 11.04e3);
   expect_near(spec.floor[0].mass, 11.04e3 / 9.81);
   EXPECT_EQ(line_of(spec.floor[0].origin, "load"),
-            "load 11.04 kN/m: derived by floor_load from (g1 2.6 kN/m^2 + g2 1.4 kN/m^2 + psi2 0.3 x q 2 kN/m^2) x span 4.8 m / 2");
+            "load 11.04 kN/m: derived by floor_load from (g1 2.6 kN/m^2 + g2 1.4 kN/m^2 + psi2 0.3 "
+            "x q 2 kN/m^2) x span 4.8 m / 2");
   // a setting of a study reaches the load
   expect_near(read(model(kBrick, kFloor), {"floor.0.q=4 kN/m^2"}).floor[0].load, 12.48e3);
-  expect_near(read(model(kBrick, "[[floor]]\ny = \"1.29 m\"\nload = \"981 N/m\"\nmass = \"rule\"\n")).floor[0].mass, 100);
+  expect_near(
+      read(model(kBrick, "[[floor]]\ny = \"1.29 m\"\nload = \"981 N/m\"\nmass = \"rule\"\n"))
+          .floor[0]
+          .mass,
+      100);
 }
 
 TEST(Office, a_floor_is_refused_key_by_key) {
@@ -305,7 +339,8 @@ TEST(Office, a_floor_is_refused_key_by_key) {
   EXPECT_TRUE(says(spoilt("4.8 m", "0 m"), "length above 0 m"));
   EXPECT_TRUE(says(spoilt("psi2 = 0.3", "psi2 = nan"), "from 0 to 1"));
   EXPECT_TRUE(says(faults(model(kBrick, kFloor + "load = \"8 kN/m\"\n")), "keep load, or these"));
-  EXPECT_TRUE(says(faults(model(kBrick, "[[floor]]\ny = \"1.29 m\"\nmass = \"rule\"\n")), "is that of load"));
+  EXPECT_TRUE(says(faults(model(kBrick, "[[floor]]\ny = \"1.29 m\"\nmass = \"rule\"\n")),
+                   "is that of load"));
 }
 
 }  // namespace
