@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "campaign_commands.h"
 #include "checkpoints.h"
@@ -18,6 +21,7 @@
 #include "wythe/folders.h"
 #include "wythe/io.h"
 #include "wythe/mechanism.h"
+#include "wythe/notes.h"
 #include "wythe/promise.h"
 #include "wythe/solve.h"
 #include "wythe/starter.h"
@@ -31,12 +35,34 @@ int exit_code(SolveStatus status) {
   return status == SolveStatus::kCompleted || status == SolveStatus::kCollapsed ? 0 : 3;
 }
 
+// A line for each kind of note; `check` lists what a line stands for, an opening a row.
+void print_notes(const std::vector<Message>& notes, bool with_tables) {
+  for (const NoteGroup& group : grouped(notes)) {
+    fmt::print("note: {}\n", readable(text_of(group.line)));
+    std::string owner;
+    for (std::size_t i = 0; with_tables && i < group.members.size(); ++i) {
+      const Message& member = group.members[i];
+      std::string text = text_of(member), own;
+      for (const Argument& argument : member.arguments)
+        if (const auto* of = std::get_if<std::vector<Message>>(&argument.value);
+            of && argument.name == "opening" && !of->empty())
+          own = text_of(of->front());
+      if (!own.empty() && own == owner && text.starts_with(own + ' '))
+        fmt::print(", {}", readable(text.substr(own.size() + 1)));
+      else
+        fmt::print("{}  {}", i == 0 ? "" : "\n", readable(text));
+      owner = own;
+    }
+    if (with_tables && !group.members.empty()) fmt::print("\n");
+  }
+}
+
 // The summary both `check` and `run` begin with.
-void print_model(const ModelSpec& spec, const Model& m) {
+void print_model(const ModelSpec& spec, const Model& m, bool is_check) {
   fmt::print("blocks {}   joints {}   contact points {}   weight {:.1f} kN\n", m.n_block, m.n_joint,
              m.n_point(), 1e-3 * m.weight);
   if (!spec.body.empty() && !spec.note.empty()) fmt::print("note: {}\n", readable(spec.note));
-  for (const Message& note : m.anatomy.notes) fmt::print("note: {}\n", readable(text_of(note)));
+  print_notes(m.anatomy.notes, is_check);
   for (const Message& note : notes_of_drawing(spec))
     fmt::print("note: {}\n", readable(text_of(note)));
   for (const Message& note : notes_of_fields(spec))
@@ -147,11 +173,39 @@ void print_assessment(const ModelSpec& spec, const Model& model, const Result& r
 }
 
 // Beyond the force. Why a displacement is not known the first line says already.
-void print_promises(const Promise& displacement, const Promise& mode) {
-  if (mode.verdict == "no push" || mode.reason.code == "promise.force") return;
+void print_promises(const Promise& displacement, const Promise& mode, bool is_usable) {
+  if (mode.verdict == "no push" || (mode.reason.code == "promise.force" && !is_usable)) return;
   const bool is_new = mode.is_missing() && !displacement.is_missing();
   fmt::print("rate, for the displacement: {}; for the failure mode: {}{}\n", displacement.verdict,
              mode.verdict, is_new ? ": " + text_of(mode.reason) : "");
+}
+
+// Of many elements how many show what; elements.csv and the page have each.
+std::string counted(Message sentence) {
+  constexpr std::size_t kListed = 3;
+  std::vector<Message>* parts = nullptr;
+  for (Argument& argument : sentence.arguments)
+    if (argument.name == "parts") parts = std::get_if<std::vector<Message>>(&argument.value);
+  if (parts == nullptr || parts->size() <= kListed) return text_of(sentence);
+  std::vector<std::pair<std::string, int>> signs;
+  for (const Message& part : *parts)
+    for (const Argument& argument : part.arguments)
+      if (const auto* shown = std::get_if<std::vector<Message>>(&argument.value);
+          shown && argument.name == "signs")
+        for (const Message& sign : *shown) {
+          const std::string word = text_of(sign);
+          auto at = std::find_if(signs.begin(), signs.end(),
+                                 [&](const auto& known) { return known.first == word; });
+          if (at == signs.end()) at = signs.insert(at, {word, 0});
+          ++at->second;
+        }
+  std::stable_sort(signs.begin(), signs.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string words;
+  for (const auto& [word, count] : signs)
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", word, count);
+  *parts = {as_text(fmt::format("{} elements: {}", parts->size(), words))};
+  return text_of(sentence);
 }
 
 void print_result(const ModelSpec& spec, const Model& model, const Result& r,
@@ -171,7 +225,7 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
     if (r.responses.cyclic.sense != 0) print_cycles(r.responses.cyclic);
     fmt::print("failure mode {}{}{}: {}\n", r.failure_mode.name,
                r.failure_mode.reading.empty() ? "" : ", ", text_of(r.failure_mode.reading),
-               text_of(r.failure_mode.sentence));
+               counted(r.failure_mode.sentence));
     fmt::print("mechanism: {}\n", text_of(read_mechanism(model, r).sentence));
     if (!r.validity.holds())
       fmt::print(
@@ -182,7 +236,8 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
-    print_promises(promised_displacement(model, r), promised_mode(model, r));
+    print_promises(promised_displacement(model, r), promised_mode(model, r),
+                   r.quasi_static.judgement == "usable");
     print_assessment(spec, model, r);
     const TestedRange range = compare_with_tests(model, r);
     if (const Message note = drift_note_of(range); !note.empty())
@@ -250,7 +305,7 @@ int run(const RunArguments& arguments) {
   hold_for_test("model read");
   const Model& model = start.from.model;
   const std::unique_ptr<Replacement> results = replace_run(start.out, start.is_resumed);
-  if (!arguments.quiet) print_model(start.from.spec, model);
+  if (!arguments.quiet) print_model(start.from.spec, model, false);
   State state = start.from.state;
   if (start.is_resumed && !arguments.quiet)
     fmt::print("goes on after {} steps, in stage \"{}\"\n", state.step,
@@ -297,7 +352,7 @@ int check(const CheckArguments& arguments) {
   hold_for_test("model read");
   const RunEstimate e = estimate(model);
   fmt::print("{}: valid\n", readable(arguments.file));
-  print_model(spec, model);
+  print_model(spec, model, true);
   fmt::print(
       "wall {:.3f} x {:.3f} x {:.3f} m, {} courses, {} lost joints, {} masonry blocks before "
       "lintels\n",

@@ -206,6 +206,8 @@ struct JudgedPush {
   std::vector<Message> cautions = {};  // of the model itself: why numbers are not to be signed
   // Strengths that the file does not state, so that nobody has divided them by the confidence factor.
   std::vector<Message> undivided = {};
+  // The knowledge level by which the program divided the typology's strengths, "LC1"; "": it did not.
+  std::string knowledge_level = {};
 };
 // Mass and shape at a displacement; called with that of the bilinear curve's yield.
 using ShapeReader = std::function<MassAndShape(double displacement)>;

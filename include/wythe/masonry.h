@@ -44,9 +44,12 @@ struct MasonrySpec {
   double masonry_strength = kNone;            // fm, across the bed joints [Pa]
   double vertical_stress = kNone;             // mean, in the wall under its loads [Pa]
   double initial_shear_strength = kNone;      // fv0 of triplets [Pa]
+  double diagonal_shear_strength = kNone;     // tau0, of panels that crack along a diagonal [Pa]
   double friction_tan = kNone;                // mu of triplets
   double youngs_modulus = kNone;              // E of masonry, across the bed joints [Pa]
   double shear_modulus = kNone;               // G of masonry [Pa]
+  double weight = kNone;                      // of a volume of masonry [N/m^3]
+  double density = kNone;                     // of the masonry [kg/m^3]
   double unit_youngs_modulus = kNone;         // Eu [Pa]
   double mortar_youngs_modulus = kNone;       // Em [Pa]
   double interface_normal_stiffness = kNone;  // kn_i between elastic units, as published [Pa/m]

@@ -182,6 +182,7 @@ struct FloorSpec {
   double thrust = 0;           // horizontal force of a roof on the wall, +x to the right [N]
   double mass = 0;             // that moves with the wall as inertia [kg/m]
   PlaceSpec from, to;  // in space: the ends of the line it lies on, in the place of y, x, width
+  std::vector<std::string> origin = {};  // how load and mass came about, where they were not given
 };
 
 // A tie: a bar that only pulls, between two points of the wall, or from one to a rigid anchor.

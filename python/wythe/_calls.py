@@ -55,7 +55,7 @@ def run(
     """Runs a wall through its stages.
 
     ``set`` changes keys for this run, ``out`` names a folder for the files that `wythe run` writes (none are
-    written without it), ``threads`` is the number of threads inside one wall: the bits are the same for any.
+    written without it), ``threads`` is the number of cores for this one wall, 0 all: the bits are the same for any.
 
     Raises InputError with every fault of the model, AccessError, and Interrupted at Ctrl-C, whose ``.result``
     is the Result up to there. A run that fails in the mathematics raises nothing: see ``.status``.
@@ -188,7 +188,7 @@ def run_many(
     ``units``. The answers are in the order of the rows; a row gives the same bits alone, in any batch, and
     in a campaign. A row that is not admissible has the status "refused" and a reason; it stops no other row.
 
-    ``curves`` keeps the curves. ``jobs`` is the number of cores; 0 takes all.
+    ``curves`` keeps the curves. ``jobs`` is the number of cores for walls side by side, 0 all.
     """
     found, unit_of = _inputs(inputs, columns, units)
     if not found:
@@ -219,7 +219,7 @@ def campaign(
     """Runs the samples of a study into the folder ``out``, as `wythe campaign` does.
 
     Every sample is stored when it ends. Ctrl-C keeps those; ``resume=True`` goes on with them. ``shard`` is
-    (number, of how many).
+    (number, of how many). ``jobs`` is the number of cores for samples side by side, 0 all.
     """
     folder = path_of("out", out)
     texts = {
@@ -253,7 +253,7 @@ def replay(
     progress: Progress = None,
     language: str = "en",
 ) -> Result:
-    """Runs one sample of a campaign again, with all its states."""
+    """Runs one sample of a campaign again, with all its states. ``threads`` as of ``run``."""
     texts = {"folder": path_of("folder", folder), "out": _folder(out), "language": language}
     result: Result = perform(
         "replay", texts, {"sample": sample, "threads": threads}, progress=progress, answer=Result

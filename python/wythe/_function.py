@@ -44,6 +44,8 @@ class Function:
     answer with ``bounds="take"``. A push that was too fast, or whose energy does not close (``rate_judgement``),
     counts as no answer with ``rate="raise"``, and as the answer with ``rate="take"``.
 
+    ``jobs`` is the number of cores for rows side by side, 0 all.
+
     The model is read once: changes of its file or of the Model do not reach a Function.
     """
 

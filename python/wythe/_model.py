@@ -29,6 +29,7 @@ class Quantity(str):
 
     @property
     def value(self) -> float:
+        """The number, in the unit that stands beside it."""
         match = _NUMBER.fullmatch(self)
         if match is None:
             raise ValueError(f"{str(self)!r} is not a number with a unit")
@@ -36,6 +37,7 @@ class Quantity(str):
 
     @property
     def unit(self) -> str:
+        """The unit as it is written, "" where there is none."""
         match = _NUMBER.fullmatch(self)
         return match.group(2) if match else ""
 
@@ -355,6 +357,7 @@ class SectionList:
         return section
 
     def to_dict(self) -> list[dict[str, Any]]:
+        """A copy of the members as plain dictionaries."""
         return copy.deepcopy(self._data)
 
     def __repr__(self) -> str:

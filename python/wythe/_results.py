@@ -12,8 +12,15 @@ from ._errors import Fault, InputError, needed, refused, write_text
 from ._jobs import Job, Table
 
 
-def _number(value: Any, digits: int = 4) -> str:
-    return "-" if value is None else f"{value:.{digits}g}"
+def _number(value: Any, digits: int = 4, unit: str = "") -> str:
+    """A number with its unit; "not known" where there is none."""
+    if value is None or value != value:
+        return "not known"
+    return f"{value:.{digits}g}{unit}"
+
+
+def _word(value: Any) -> str:
+    return "not known" if value in (None, "") else str(value)
 
 
 def _curve_svg(x: Any, y: Any, x_label: str, y_label: str, width: int = 420, height: int = 260) -> str:
@@ -157,6 +164,15 @@ class Result:
         axes.set_ylabel("reaction [kN]")
         return axes
 
+    def _capacity(self) -> str:
+        s = self.summary
+        factor = [f"load factor {_number(s['load_factor'])}"] if s.get("load_factor") else []
+        if s.get("peak_reaction_kN") is not None:
+            at = s.get("displacement_at_peak_mm")
+            force = _number(s["peak_reaction_kN"], unit=" kN") + ("" if at is None else f" at {_number(at, unit=' mm')}")
+            return ", ".join([*factor, force])
+        return factor[0] if factor else "not known" + (f": {s['peak_reason']}" if s.get("peak_reason") else "")
+
     def _facts(self) -> list[tuple[str, str]]:
         s = self.summary
         mode, rate = s.get("failure_mode") or {}, s.get("quasi_static") or {}
@@ -166,10 +182,9 @@ class Result:
             *warning,
             ("status", self.status),
             *reason,
-            ("capacity", f"{_number(s.get('peak_reaction_kN'))} kN"
-                         f" at {_number(s.get('displacement_at_peak_mm'))} mm"),
-            ("failure mode", str(mode.get("name", "-"))),
-            ("rate", str(rate.get("verdict", "-"))),
+            ("capacity", self._capacity()),
+            ("failure mode", _word(mode.get("name"))),
+            ("rate", _word(rate.get("verdict"))),
             *((f"rate, {name}", f"not known: {said['reason']}") for key, name in
               (("displacement", "displacement"), ("mode", "failure mode"))
               if (said := rate.get(key) or {}).get("verdict") == "not known"),
@@ -212,15 +227,37 @@ class Check:
         rows = [
             ("blocks", str(f["blocks"])),
             ("joints", str(f["joints"])),
-            ("weight", f"{_number(f['weight_kN'])} kN"),
+            ("weight", _number(f["weight_kN"], unit=" kN")),
             ("size", f"{_number(f['length_m'])} x {_number(f['height_m'])} x {_number(f['thickness_m'])} m"),
-            ("expected time", f"{_number(f['expected_seconds'], 2)} s"),
+            ("expected time", _number(f["expected_seconds"], 2, " s")),
             *(("note", str(note)) for note in f["notes"]),
         ]
         return _side_by_side(_rows_html(rows), self.svg)
 
     def __repr__(self) -> str:
-        return f"<check: {json.dumps(self.facts)}>"
+        f = self.facts
+        return (f"<check: {f['blocks']} blocks, {f['joints']} joints, {_number(f['weight_kN'], unit=' kN')}, "
+                f"about {_number(f['expected_seconds'], 2, ' s')}; {len(f['notes'])} notes>")
+
+
+def _with_words(frame: Any, rows: Batch | Campaign) -> Any:
+    """What rows say of themselves stands beside their numbers: NaN never comes without a word."""
+    for name in ("status", "failure_mode", "reason", "rate_judgement"):
+        frame[name] = getattr(rows, name)
+    for name in rows.answers:
+        frame[name] = rows.answers[name]
+    return frame
+
+
+def _counts(rows: Batch | Campaign) -> str:
+    """"5 completed (2 without a capacity), 1 refused"."""
+    peaks = rows.answers.numbers("peak_reaction_kN")
+    words = []
+    for status in dict.fromkeys(rows.status):
+        places = [row for row, own in enumerate(rows.status) if own == status]
+        bare = sum(peaks[row] != peaks[row] for row in places) if status in ("completed", "collapsed") else 0
+        words.append(f"{len(places)} {status or 'not run'}" + (f" ({bare} without a capacity)" if bare else ""))
+    return ", ".join(words)
 
 
 class Batch:
@@ -236,14 +273,15 @@ class Batch:
         self.status: list[str] = [row["status"] for row in rows]
         #: the failure mode of each row; None where a row has no answer
         self.failure_mode: list[Optional[str]] = [row.get("failure_mode") for row in rows]
-        #: why a row has no answer, or why it ended; None where there is nothing to say
+        #: why a row has no answer or no capacity, or why it ended; None where there is nothing to say
         self.reason: list[Optional[str]] = [row.get("reason") for row in rows]
-        #: how nearly static each push was
+        #: how nearly static each push was: "slow enough", "usable", "too fast", "unknown"; None where a row has no answer
         self.rate_judgement: list[Optional[str]] = [row.get("rate_judgement") for row in rows]
         #: the hash of each wall's last state: equal hashes are equal results
         self.state_hash: list[str] = [row["state_hash"] for row in rows]
         #: the inputs as they were given
         self.inputs: dict[str, Any] = inputs
+        #: the unit of each input, "" where it has none
         self.units: dict[str, str] = units
         self._curves = job.table("curves")
 
@@ -289,19 +327,18 @@ class Batch:
         return table
 
     def frame(self) -> Any:
-        """Inputs and answers as a pandas DataFrame."""
+        """Inputs, what each row says of itself (status, failure_mode, reason, rate_judgement), and answers as a
+        pandas DataFrame.
+
+        A row that ended well may still have no capacity: then ``reason`` says why.
+        """
         pandas = needed("pandas", "frame()")
         titles = {name: f"{name} [{self.units[name]}]" if self.units[name] else name for name in self.inputs}
         frame = pandas.DataFrame({titles[name]: values for name, values in self.inputs.items()})
-        frame["status"] = self.status
-        frame["failure_mode"] = self.failure_mode
-        for name in self.answers:
-            frame[name] = self.answers[name]
-        return frame
+        return _with_words(frame, self)
 
     def __repr__(self) -> str:
-        counts = {status: self.status.count(status) for status in dict.fromkeys(self.status)}
-        return f"<batch of {len(self)}: {', '.join(f'{n} {s or chr(45)}' for s, n in counts.items())}>"
+        return f"<batch of {len(self)}: {_counts(self)}>"
 
 
 class Campaign:
@@ -320,9 +357,11 @@ class Campaign:
         #: a row a sample that ran, NaN where it has no answer
         self.answers: Table = answers
         rows = job.json("rows")
+        #: by row, as those of a ``Batch``
         self.status: list[str] = [row["status"] for row in rows]
         self.failure_mode: list[Optional[str]] = [row.get("failure_mode") for row in rows]
         self.reason: list[Optional[str]] = [row.get("reason") for row in rows]
+        self.rate_judgement: list[Optional[str]] = [row.get("rate_judgement") for row in rows]
         self.state_hash: list[str] = [row["state_hash"] for row in rows]
         #: of wythe.campaign(): done, total, precise_at, until, notes; None of an opened folder
         self.outcome: Optional[dict[str, Any]] = job.json("outcome")
@@ -349,15 +388,13 @@ class Campaign:
         return replay(self.folder, sample, **options)
 
     def frame(self) -> Any:
-        """Inputs and answers as a pandas DataFrame."""
+        """Inputs, what each sample says of itself (status, failure_mode, reason, rate_judgement), and answers as a
+        pandas DataFrame.
+        """
         pandas = needed("pandas", "frame()")
         frame = pandas.DataFrame({name: self.inputs[name].copy() for name in self.inputs})
         frame["sample"] = frame["sample"].astype(int)
-        frame["status"] = self.status
-        frame["failure_mode"] = self.failure_mode
-        for name in self.answers:
-            frame[name] = self.answers[name]
-        return frame
+        return _with_words(frame, self)
 
     def _repr_html_(self) -> str:
         counts = {mode: self.failure_mode.count(mode) for mode in sorted({m for m in self.failure_mode if m})}
@@ -365,13 +402,13 @@ class Campaign:
         rows = [
             ("folder", self.folder),
             ("samples", f"{len(self)}, {len(peaks)} of them with a capacity"),
-            ("capacity", f"{_number(min(peaks))} to {_number(max(peaks))} kN" if peaks else "-"),
-            ("failure modes", ", ".join(f"{mode} {count}" for mode, count in counts.items()) or "-"),
+            ("capacity", f"{_number(min(peaks))} to {_number(max(peaks))} kN" if peaks else "not known"),
+            ("failure modes", ", ".join(f"{mode} {count}" for mode, count in counts.items()) or "not known"),
         ]
         return _rows_html(rows)
 
     def __repr__(self) -> str:
-        return f"<campaign {self.folder!r}: {len(self)} samples>"
+        return f"<campaign {self.folder!r}: {len(self)} samples{': ' if len(self) else ''}{_counts(self)}>"
 
 
 class SecondOpinion:

@@ -56,6 +56,11 @@ int Inputs::whole(const std::string& name, int otherwise, int least, int most) c
                      .cure = "write one, or leave it out"}});
 }
 
+int Inputs::cores(const std::string& name, int otherwise) const {
+  constexpr int kMost = 1024;
+  return whole(name, otherwise, 0, kMost);
+}
+
 double Inputs::real(const std::string& name, double otherwise) const {
   const auto found = number.find(name);
   return found == number.end() ? otherwise : found->second;

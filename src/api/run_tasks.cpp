@@ -1,8 +1,10 @@
 // Tasks about one wall: run, replay, check, limit, contact, keys.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "api/job.h"
 #include "core/files.h"
@@ -185,7 +187,9 @@ void answer_run(Job& job, const std::shared_ptr<const Done>& done) {
 
 SolveOptions options_of(Job& job) {
   SolveOptions options;
-  options.threads = job.in.whole("threads", 1, 1, 1024);
+  options.threads = job.in.cores("threads", 1);
+  if (options.threads == 0)
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   options.frames = job.in.whole("frames", job.in.has("out") ? kFrames : 0, 0, 10'000);
   options.stop = &job.stop;
   options.progress = [&job](const Progress& p) {

@@ -64,7 +64,10 @@ std::string rows_of(const std::vector<SampleRecord>& records) {
     Json row = {{"status", record.status}, {"state_hash", record.state_hash}};
     if (record.answered()) row["failure_mode"] = record.failure_mode.name;
     if (record.answered()) row["rate_judgement"] = record.quasi_static.judgement;
-    if (!record.reason.empty()) row["reason"] = text_of(record.reason);
+    // why it ended, else why an answer that ended well has no capacity
+    const Message& why =
+        record.reason.empty() && record.answered() ? record.responses.peak_reason : record.reason;
+    if (!why.empty()) row["reason"] = text_of(why);
     if (record.retried) row["retried"] = true;
     if (record.sample > 0) row["sample"] = record.sample;
     rows.push_back(std::move(row));
@@ -122,7 +125,7 @@ BatchSpec batch_of(const Inputs& in) {
   for (std::size_t i = 0; i < paths.size(); ++i)
     for (std::size_t r = 0; r < rows; ++r)
       batch.rows[r][i] = in.column.at(fmt::format("input {}", i))[r];
-  batch.jobs = in.whole("jobs", 0, 0, 4096);
+  batch.jobs = in.cores("jobs", 0);
   return batch;
 }
 
@@ -193,7 +196,7 @@ bool do_campaign(Job& job) {
   if (out.empty()) refuse("out", "", "is missing", "name the folder of the campaign");
   CampaignOptions options;
   options.resume = in.real("resume", 0) != 0;
-  options.jobs = in.whole("jobs", 0, 0, 4096);
+  options.jobs = in.cores("jobs", 0);
   options.shards = in.whole("shards", 1, 1, 1 << 20);
   options.shard = in.whole("shard", 1, 1, options.shards);
   options.stop = &job.stop;

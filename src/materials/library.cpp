@@ -12,8 +12,8 @@ constexpr const char* kFv0 =
     "JCSS Probabilistic Model Code 3.2: means that belong to EN 1996-1-1, Table 3.4";
 constexpr const char* kTest = "Scatter: JCSS Probabilistic Model Code 3.2.";
 constexpr const char* kNoJoint =
-    "The table gives no fv0 for this masonry, only tau0 of diagonal tension, which is no strength "
-    "of a joint.";
+    "The table gives no fv0 for this masonry, only tau0 of diagonal cracks; a joint's cohesion "
+    "follows by initial_shear_strength = \"rule\".";
 constexpr const char* kLocalFriction = "Friction 0.577: C8.7.1.3, as a local coefficient.";
 
 Datum between(const char* key, const char* unit, double low, double high) {
@@ -31,13 +31,18 @@ struct Interval {
   double low, high;
 };
 
-// A row of the Italian table: fm [MPa], E and G [MPa], fv0 [MPa] (low 0: none).
+// A row of the Italian table: fm, tau0, E and G [MPa], weight [kN/m^3], fv0 [MPa] (low 0: none).
 Entry circolare(const char* name, const char* title, const char* note, UnitType type, Interval fm,
-                Interval e, Interval g, Interval fv0 = {0, 0}) {
+                Interval tau0, Interval e, Interval g, Interval weight, Interval fv0 = {0, 0}) {
   Entry out{name, title, kCircolare, note, type, {}};
   out.data = {between("masonry_strength", "MPa", fm.low, fm.high),
+              between("diagonal_shear_strength", "MPa", tau0.low, tau0.high),
               between("youngs_modulus", "MPa", e.low, e.high),
-              between("shear_modulus", "MPa", g.low, g.high)};
+              between("shear_modulus", "MPa", g.low, g.high),
+              between("weight", "kN/m^3", weight.low, weight.high)};
+  // C8.5.3.1: the rows but the last are of lime mortar of modest quality
+  if (type != UnitType::kClayPerforated)
+    out.data.push_back(between("mortar_strength", "MPa", 0.7, 1.5));
   if (fv0.low > 0) {
     out.data.push_back(between("initial_shear_strength", "MPa", fv0.low, fv0.high));
     out.data.push_back(mean("friction_tan", "", 0.577));
@@ -71,21 +76,21 @@ Entry tested(const char* name, const char* title, const char* source, UnitType t
 std::vector<Entry> codes() {
   return {
     circolare("circolare_rubble", "irregular rubble (pebbles, erratic and irregular stones)", kNoJoint,
-              UnitType::kStone, {1.0, 2.0}, {690, 1050}, {230, 350}),
+              UnitType::kStone, {1.0, 2.0}, {0.018, 0.032}, {690, 1050}, {230, 350}, {19, 19}),
     circolare("circolare_rough_blocks", "roughly cut stones, leaves of uneven thickness", kNoJoint,
-              UnitType::kStone, {2.0, 2.0}, {1020, 1440}, {340, 480}),
+              UnitType::kStone, {2.0, 2.0}, {0.035, 0.051}, {1020, 1440}, {340, 480}, {20, 20}),
     circolare("circolare_split_stone", "split stones, well laid", kNoJoint,
-              UnitType::kStone, {2.6, 3.8}, {1500, 1980}, {500, 660}),
+              UnitType::kStone, {2.6, 3.8}, {0.056, 0.074}, {1500, 1980}, {500, 660}, {21, 21}),
     circolare("circolare_soft_stone_irregular", "irregular soft stone (tuff, calcarenite)", kNoJoint,
-              UnitType::kTuff, {1.4, 2.2}, {900, 1260}, {300, 420}),
+              UnitType::kTuff, {1.4, 2.2}, {0.028, 0.042}, {900, 1260}, {300, 420}, {13, 16}),
     circolare("circolare_soft_stone_regular", "regular blocks of soft stone (tuff, calcarenite)", kLocalFriction,
-              UnitType::kTuff, {2.0, 3.2}, {1200, 1620}, {400, 500}, {0.10, 0.19}),
+              UnitType::kTuff, {2.0, 3.2}, {0.04, 0.08}, {1200, 1620}, {400, 500}, {13, 16}, {0.10, 0.19}),
     circolare("circolare_squared_stone", "squared stone blocks", kLocalFriction,
-              UnitType::kStone, {5.8, 8.2}, {2400, 3300}, {800, 1100}, {0.18, 0.28}),
+              UnitType::kStone, {5.8, 8.2}, {0.09, 0.12}, {2400, 3300}, {800, 1100}, {22, 22}, {0.18, 0.28}),
     circolare("circolare_brick_lime", "solid bricks in lime mortar", kLocalFriction,
-              UnitType::kClay, {2.6, 4.3}, {1200, 1800}, {400, 600}, {0.13, 0.27}),
+              UnitType::kClay, {2.6, 4.3}, {0.05, 0.13}, {1200, 1800}, {400, 600}, {18, 18}, {0.13, 0.27}),
     circolare("circolare_perforated_brick_cement", "perforated bricks (up to 40 %) in cement mortar", kLocalFriction,
-              UnitType::kClayPerforated, {5.0, 8.0}, {3500, 5600}, {875, 1400}, {0.20, 0.36}),
+              UnitType::kClayPerforated, {5.0, 8.0}, {0.08, 0.17}, {3500, 5600}, {875, 1400}, {15, 15}, {0.20, 0.36}),
     couplets("en1996_clay_m1", "clay units, general purpose mortar M1 to M2", UnitType::kClay, 0.04, 0.40),
     couplets("en1996_clay_m2_5", "clay units, general purpose mortar M2.5 to M4.5", UnitType::kClay, 0.14, 0.40),
     couplets("en1996_clay_m5", "clay units, general purpose mortar M5 to M9", UnitType::kClay, 0.28, 0.40),

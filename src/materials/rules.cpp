@@ -37,6 +37,16 @@ double masonry_strength(const Inputs& in) {
 double masonry_modulus(const Inputs& in) { return of(in.unit_type).stiffness * in[0]; }
 double masonry_shear_modulus(const Inputs& in) { return 0.4 * in[0]; }
 double unit_modulus(const Inputs& in) { return 300 * in[0]; }
+// The first rule solved for fb.
+double unit_strength(const Inputs& in) {
+  const UnitRatios& r = of(in.unit_type);
+  const double fm = in[0] / kMPa / (r.k * std::pow(in[1] / kMPa, r.beta));
+  return kMPa * std::pow(fm, 1 / r.alpha);
+}
+// A stepped crack through the bond, unloaded, at the shear of a panel that cracks along a diagonal: tau0, mu, h, l.
+double cohesion_of_panel(const Inputs& in) { return 1.5 * in[0] * (1 + in[1] * 2 * in[2] / in[3]); }
+double local_friction(const Inputs&) { return 0.577; }
+double mass_of_weight(const Inputs& in) { return in[0] / 9.81; }
 
 // --- joint ---------------------------------------------------------------------------------------
 
@@ -108,6 +118,23 @@ const Rule kRules[] = {
   {"unit_e_from_fb", Role::kMasonry, "unit_youngs_modulus", {"unit_strength"},
    "Eu = 300 fb", "Kaushik, Rai and Jain 2007: bricks, 150 to 500 fb", 0.35,
    {{"unit_strength", 5e6, 100e6}}, unit_modulus},
+  {"unit_e_is_e", Role::kMasonry, "unit_youngs_modulus", {"youngs_modulus"},
+   "Eu = E", "the least a unit can have: mortar is softer; where units were not tested", 0.35,
+   {{"youngs_modulus", 0.1e9, 50e9}}, same},
+  {"fb_from_fm", Role::kMasonry, "unit_strength", {"masonry_strength", "mortar_strength"},
+   "fb = (fm / (K fmo^beta))^(1/alpha) in MPa, K, alpha, beta by unit_type",
+   "fm_from_units solved for fb: units as weak as the masonry allows", 0.27,
+   {{"masonry_strength", 1e6, 40e6}, {"mortar_strength", 0.5e6, 40e6}}, unit_strength, true},
+  {"fv0_from_tau0", Role::kMasonry, "initial_shear_strength",
+   {"diagonal_shear_strength", "friction_tan", "course_height", "unit_length"},
+   "fv0 = 1.5 tau0 (1 + mu 2h/l), h the course, l the unit",
+   "Circolare 7/2019, C8.7.1.3: an unloaded panel as strong by steps through the bond as by tau0", 0.15,
+   {{"diagonal_shear_strength", 0.005e6, 1e6}, {"friction_tan", 0.1, 2}, {"course_height", 0.02, 2, "unit_length"}},
+   cohesion_of_panel},
+  {"friction_of_code", Role::kMasonry, "friction_tan", {},
+   "mu = 0.577", "Circolare 7/2019, C8.7.1.3, local coefficient of a joint", 0.19, {}, local_friction},
+  {"density_from_weight", Role::kMasonry, "density", {"weight"},
+   "density = weight / 9.81 m/s^2", "definition", 0, {{"weight", 1e3, 40e3}}, mass_of_weight},
   // --- joint
   {"kn_from_e", Role::kJoint, "normal_stiffness", {"youngs_modulus", "course_height"},
    "kn = E / h, h the course height", "rigid blocks: all deformation of a course lies in its joint [1]", 0.25,

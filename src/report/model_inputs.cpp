@@ -10,6 +10,7 @@
 #include "materials/origin.h"
 #include "model/protocol.h"
 #include "report/said.h"
+#include "wythe/notes.h"
 
 namespace wythe::report {
 namespace {
@@ -118,7 +119,12 @@ Json origin_row(const std::string& table, materials::Role role, const materials:
   const materials::Entry* entry = materials::entry_of(name);
   if (entry && origin.kind == Origin::kTypical) {
     formula = entry->title;
-    source = by.substr(std::min(end + 2, by.size()));  // after " ("
+    source = by.substr(std::min(by.find(" (", end) + 2, by.size()));
+    const std::size_t way = source.find("): ");  // of a knowledge level
+    if (way != std::string::npos) {
+      inputs = source.substr(way + 3);
+      source.resize(way);
+    }
     if (source.ends_with(')')) source.pop_back();
   }
   const bool given = origin.kind == Origin::kGiven;
@@ -141,12 +147,39 @@ bool is_unit_joint(const ModelSpec& spec, const std::string& name) {
          std::any_of(spec.region.begin(), spec.region.end(), names_it);
 }
 
+// Each a text, or one line and the notes that it stands for.
+Json notes_of(const std::vector<Message>& notes) {
+  Json rows = Json::array();
+  for (const NoteGroup& group : grouped(notes))
+    rows.push_back(group.members.empty()
+                       ? said(group.line)
+                       : Json{{"line", said(group.line)}, {"members", said(group.members)}});
+  return rows;
+}
+
+Json floor_row(const std::string& name, const materials::Origin& origin) {
+  const bool is_load = origin.key == "load";
+  const std::size_t from = origin.by.find(" from ");
+  return {name,
+          is_load ? "line_load" : "floor_mass",
+          origin.value,
+          "derived",
+          is_load ? "floor_load" : "floor_mass",
+          from == std::string::npos ? "" : origin.by.substr(from + 6),
+          is_load ? "(g1 + g2 + psi2 q) span / 2" : "load / 9.81 m/s^2",
+          is_load ? "NTC 2018, 2.5.3" : "NTC 2018, 3.2.4"};
+}
+
 Json origins_of(const ModelSpec& spec) {
   Json rows = Json::array();
   add_origins("masonry", materials::Role::kMasonry, spec.masonry.origin, rows);
   for (const auto& [name, material] : spec.material)
     add_origins(name, is_unit_joint(spec, name) ? materials::Role::kUnit : materials::Role::kJoint,
                 material.origin, rows);
+  for (const FloorSpec& floor : spec.floor)
+    for (const std::string& line : floor.origin)
+      if (const auto origin = materials::origin_of(line))
+        rows.push_back(floor_row(floor.name, *origin));
   return rows;
 }
 
@@ -162,10 +195,13 @@ Json masonry_rows(const MasonrySpec& m) {
   add("mortar_strength", m.mortar_strength, "MPa", 1e-6);
   add("masonry_strength", m.masonry_strength, "MPa", 1e-6);
   add("vertical_stress", m.vertical_stress, "MPa", 1e-6);
+  add("diagonal_shear_strength", m.diagonal_shear_strength, "MPa", 1e-6);
   add("initial_shear_strength", m.initial_shear_strength, "MPa", 1e-6);
   add("friction_tan", m.friction_tan, "", 1);
   add("youngs_modulus", m.youngs_modulus, "MPa", 1e-6);
   add("shear_modulus", m.shear_modulus, "MPa", 1e-6);
+  add("weight", m.weight, "kN/m³", 1e-3);
+  add("density", m.density, "kg/m³", 1);
   add("unit_youngs_modulus", m.unit_youngs_modulus, "MPa", 1e-6);
   add("mortar_youngs_modulus", m.mortar_youngs_modulus, "MPa", 1e-6);
   add("interface_normal_stiffness", m.interface_normal_stiffness, "MPa/mm", 1e-9);
@@ -426,7 +462,7 @@ Json model_inputs(const ModelSpec& spec, const Model& model) {
            {row("points_per_face", s.points_per_face, word_of(kPointRuleWords, s.point_rule)),
             row("damping", s.damping, ""), row("step_fraction", s.step_fraction, ""),
             row("gravity", s.gravity, "m/s²"), row("mass_scaling", s.mass_scaling, "")}},
-          {"notes", said(model.anatomy.notes)}};
+          {"notes", notes_of(model.anatomy.notes)}};
 }
 
 }  // namespace wythe::report

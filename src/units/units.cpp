@@ -114,6 +114,7 @@ std::string quantity_name(std::string_view si_unit) {
       {"rad", "an angle"},
       {"N/m", "an energy per area or force per length"},
       {"kg/m^3", "a density"},
+      {"N/m^3", "a weight per volume"},
       {"N", "a force"},
       {"s", "a time"},
       {"m/s", "a velocity"},

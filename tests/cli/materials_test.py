@@ -3,6 +3,7 @@
 import json
 import pathlib
 import unittest
+import zlib
 
 from cli_test import SMALL, Base, wythe
 
@@ -54,6 +55,52 @@ class Materials(Base):
         hashes = [json.loads((folder / "summary.json").read_text())["state_hash"] for folder in (first, again)]
         self.assertEqual(*hashes)
         self.assertEqual(used, (again / "model.used.toml").read_text())
+
+    def test_a_knowledge_level_divides_and_the_page_shows_the_way(self):
+        office = HEAD + """
+[masonry]
+use = "circolare_brick_lime"
+knowledge_level = "LC1"
+injections = true
+unit_strength = "rule"
+unit_youngs_modulus = "rule: unit_e_is_e"
+vertical_stress = "0.15 MPa"
+[material.joint]
+missing = "rule"
+[material.unit]
+missing = "rule"
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "en1998"
+ground_acceleration = "1 m/s^2"
+""" + STAGES
+        done = wythe("run", self.write(office), "--out", self.out, "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        said = json.loads((self.out / "summary.json").read_text())["assessment"]
+        self.assertEqual(said["confidence_factor"], 1.35)
+        self.assertTrue(any("took the typology's values for LC1" in note for note in said["notes"]), said["notes"])
+        self.assertNotIn("no strength was divided", said["sentence"])
+        page = zlib.decompress((self.out / "report.data").read_bytes()).decode(errors="replace")  # src/report/bundle.cpp
+        self.assertIn("minimum 2.6 MPa x 1.2 injections / 1.35", page)
+        used = (self.out / "model.used.toml").read_text()
+        self.assertNotIn("knowledge_level", used)
+        self.assertIn("masonry_strength 2.31111 MPa: typical of circolare_brick_lime at LC1", used)
+        again = pathlib.Path(self.temporary.name) / "again"
+        wythe("run", self.out / "model.used.toml", "--out", again, "--quiet")
+        self.assertEqual(used, (again / "model.used.toml").read_text())
+        # the same without the level: undivided, and not to be signed for that
+        wythe("run", self.write(office.replace('knowledge_level = "LC1"\ninjections = true\n', "")
+                                .replace('[assessment]\n', '[assessment]\nconfidence_factor = 1.35\n')), "--out", self.out, "--quiet")
+        said = json.loads((self.out / "summary.json").read_text())["assessment"]
+        self.assertIn("no strength was divided", said["sentence"])
+
+    def test_the_list_prints_values_of_each_level_and_coefficients(self):
+        said = wythe("materials", "circolare_brick_lime").stdout
+        for words in ("LC1", "1.926 MPa", "2.875 MPa", "fm^0.35", "transverse_connection", "weight"):
+            self.assertIn(words, said)
+        self.assertNotIn("courses ", said)
+        self.assertNotIn("LC1", wythe("materials", "clay_brick_old").stdout)
 
     def test_check_says_what_a_published_crack_plane_costs(self):
         stiff = RULES.replace('[material.unit]\n', '[material.unit]\nnormal_stiffness = "1e6 N/mm^3"\n'

@@ -179,7 +179,7 @@ void make_pattern(StageSpec& stage) {
   }
   stage.at = {};
   if (!goes_to_and_fro(stage) && coin(2)) stage.control.x = -0.0, stage.control.y = 1.0 / 3;
-  if (stage.pattern == Pattern::kMass) return;
+  if (stage.pattern == Pattern::kMass || stage.pattern == Pattern::kArea) return;
   stage.levels = levels.empty() ? std::vector<double>{1.0 / 3} : levels;
   if (stage.pattern == Pattern::kGiven) stage.shares.assign(stage.levels.size(), -0.0);
 }
@@ -192,7 +192,14 @@ void make_protocol(StageSpec& stage) {
   if (coin(2)) stage.cycles.assign(coin(2) ? 1 : 2, 3);
 }
 
+// A target that is reached before it is driven to is refused.
+void make_targets(std::vector<double>& targets) {
+  if (!targets.empty() && targets.front() == 0) targets.front() = 1.0 / 3;
+  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+}
+
 void make_push(StageSpec& stage) {
+  make_targets(stage.targets);
   make_protocol(stage);
   make_pattern(stage);
   set_if_unset(stage.velocity, 0.01);

@@ -191,7 +191,15 @@ export function inputTables(inputs: any, note: string): Child {
           h(
             "ul",
             { class: "notes" },
-            inputs.notes.map((n: Said) => h("li", {}, phrase(n))),
+            inputs.notes.map((n: any) =>
+              n.members
+                ? h(
+                    "li",
+                    {},
+                    h("details", {}, h("summary", {}, phrase(n.line)), h("ul", {}, n.members.map((m: Said) => h("li", {}, phrase(m))))),
+                  )
+                : h("li", {}, phrase(n)),
+            ),
           ),
         ]
       : null,

@@ -315,7 +315,9 @@ Message warning_of(const Result& result) {
   if (result.curve_of == StageKind::kPush && result.load_factor > 0)
     return {"doubt.held_factor", {{"factor", result.load_factor}}};
   const RateVerdict& q = result.quasi_static;
-  if (q.judgement != "slow enough" && q.judgement != "no push") return q.verdict;
+  // a usable push says in its verdict how far its force may be off: no warning beside it
+  if (q.judgement != "slow enough" && q.judgement != "usable" && q.judgement != "no push")
+    return q.verdict;
   if (!dynamics::is_balanced(result.energy)) {
     if (result.shaking.was_shaken && result.curve.empty())
       return dynamics::energy_missing(result.energy, "shake.energy_missing");

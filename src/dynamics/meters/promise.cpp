@@ -212,6 +212,7 @@ Promise promised_mode(const Model& model, const Result& result) {
 
 Message warning_of(const Model& model, const Result& result) {
   if (Message warning = warning_of(result); !warning.empty()) return warning;
+  if (result.quasi_static.judgement == "usable") return {};  // its verdict speaks of all numbers
   const Promise drift = promised_displacement(model, result);
   return drift.is_missing() ? Message{"promise.no_drift", {{"why", drift.reason}}} : Message{};
 }

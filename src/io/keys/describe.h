@@ -90,14 +90,14 @@ void describe(Visitor& v, WallSpec& s) {
 
 template <class Visitor>
 void describe_use(Visitor& v) {
-  describe_recipe(v, "use", {.fallback = "none", .example = "brick_lime_circolare",
+  describe_recipe(v, "use", {.fallback = "none", .example = "circolare_brick_lime",
                   .doc = "Typical values, with their source and scatter, for what is not given here; "
                          "`wythe materials` lists the names."});
 }
 
 template <class Visitor>
 void describe_origin(Visitor& v, std::vector<std::string>& origin) {
-  v.texts("origin", origin, {.fallback = "none", .example = "[\"cohesion 0.21 MPa: typical of brick_lime_circolare\"]",
+  v.texts("origin", origin, {.fallback = "none", .example = "[\"cohesion 0.21 MPa: typical of circolare_brick_lime\"]",
           .doc = "Written by the program: where the values come from that were not given. A line holds "
                  "only while the value is the one it names."});
 }
@@ -119,6 +119,9 @@ void describe_strengths(Visitor& v, MasonrySpec& m) {
              .doc = "Mean vertical stress of the wall under its loads; lowers tension of units along their length."});
   v.quantity("initial_shear_strength", m.initial_shear_strength, {.unit = "Pa", .shown = "MPa",
              .range = kNotNegative, .fallback = "none", .example = "0.2 MPa", .doc = "fv0 of triplets (EN 1052-3)."});
+  v.quantity("diagonal_shear_strength", m.diagonal_shear_strength, {.unit = "Pa", .shown = "MPa",
+             .range = kNotNegative, .fallback = "none", .example = "0.06 MPa",
+             .doc = "tau0 of panels that crack along a diagonal, without normal stress."});
   v.number("friction_tan", m.friction_tan, {.range = kNotNegative, .fallback = "none", .example = "0.6",
            .doc = "mu of triplets, a tangent."});
 }
@@ -129,6 +132,11 @@ void describe_stiffnesses(Visitor& v, MasonrySpec& m) {
              .fallback = "none", .example = "3 GPa", .doc = "E of the masonry across the bed joints."});
   v.quantity("shear_modulus", m.shear_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
              .fallback = "none", .example = "1.2 GPa", .doc = "G of the masonry."});
+  v.quantity("weight", m.weight, {.unit = "N/m^3", .shown = "kN/m^3", .range = kPositive, .fallback = "none",
+             .example = "18 kN/m^3", .doc = "Weight of a volume of masonry."});
+  v.quantity("density", m.density, {.unit = "kg/m^3", .shown = "kg/m^3", .range = kPositive, .fallback = "none",
+             .example = "1800 kg/m^3",
+             .doc = "Density of the masonry. `wall.unit.density = \"rule\"` takes it; without it that of weight."});
   v.quantity("unit_youngs_modulus", m.unit_youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
              .fallback = "none", .example = "10 GPa", .doc = "Eu of the units."});
   v.quantity("mortar_youngs_modulus", m.mortar_youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
@@ -146,9 +154,38 @@ void describe_stiffnesses(Visitor& v, MasonrySpec& m) {
              .fallback = "wall.unit.length", .example = "260 mm", .doc = "Length of a unit, head joint included."});
 }
 
+// Existing masonry by Circolare 7/2019; a coefficient is true, or a number up to what the table allows.
+template <class Visitor>
+void describe_office(Visitor& v) {
+  describe_recipe(v, "knowledge_level", {.fallback = "mean values, not divided", .example = "LC2",
+                  .doc = "`LC1`, `LC2` or `LC3` of C8.5.4: which values of Table C8.5.I are taken, and by which confidence "
+                         "factor strengths are divided. With `use = \"circolare_...\"`."});
+  const auto factor = [&](const char* name, const char* doc) {
+    describe_recipe(v, name, {.fallback = "false", .example = "true", .doc = doc});
+  };
+  factor("good_mortar", "Good mortar: `true` takes the coefficient of Table C8.5.II, a number a smaller one. Of bricks it follows "
+                        "from mortar_strength, above 2 MPa.");
+  factor("courses", "Levelling courses, likewise: f and tau0 alone.");
+  factor("transverse_connection", "Through stones between the leaves, likewise: strengths alone.");
+  factor("injections", "Injected with binder, likewise.");
+  factor("reinforced_plaster", "Reinforced plaster, likewise; in its place acts no transverse connection and no repointing.");
+  factor("reinforced_repointing", "Reinforced repointing with connected leaves, likewise; moduli gain half.");
+  factor("artificial_headers", "Artificial through stones: the coefficient of the transverse connection.");
+  factor("leaf_ties", "Thin ties through the wall: that coefficient on the compressive strength alone.");
+  factor("poor_mortar", "`true`: mortar below 0.7 MPa, strengths times 0.7, moduli times 0.8.");
+  factor("thick_joints", "`true`: bricks with joints above 13 mm, likewise.");
+  factor("deep_wedges", "`true`: rough blocks with deep stone wedges, strengths times 1.2.");
+  describe_recipe(v, "test", {.fallback = "none",
+                  .example = "{ of = \"masonry_strength\", mean = \"3.4 MPa\", number = 3, method = \"double_flat_jack\" }",
+                  .doc = "LC3: one table `[[masonry.test]]` for each value that was tested: `of` (its key), `mean` (a quantity), `number` "
+                         "of tests, `method` (`compression`, `double_flat_jack`, `shear_compression`, `diagonal_compression`, "
+                         "`joint_shear`, `constituents`), and `kappa` where it is not that of Table C8.5.III."});
+}
+
 template <class Visitor>
 void describe(Visitor& v, MasonrySpec& m) {
   describe_use(v);
+  describe_office(v);
   describe_strengths(v, m);
   describe_stiffnesses(v, m);
   describe_origin(v, m.origin);

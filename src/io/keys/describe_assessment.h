@@ -74,8 +74,9 @@ void describe(Visitor& v, AssessmentSpec& s) {
           .doc = "Spectra of limit states, each of its own return period: every limit state that has one is checked, and the "
                  "verdict is that of the one with the least reserve."});
   v.number("confidence_factor", s.confidence_factor, {.range = kFromOne,
-           .fallback = "none, and the page says so", .example = "1.2",
-           .doc = "Of the knowledge level. Only said: strengths in the file are to be divided by it already."});
+           .fallback = "of masonry.knowledge_level, else none, and the page says so", .example = "1.2",
+           .doc = "Of the knowledge level. Beside masonry.knowledge_level it is that of the level, by which the program divides; else only "
+                  "said: strengths in the file are to be divided by it already."});
   v.number("masonry_share", s.masonry_share, {.range = kPositiveToOne, .example = "1",
            .doc = "Share of the masonry's own mass that the wall itself carries in an earthquake."});
   v.quantity("added_mass", s.added_mass, {.unit = "kg", .shown = "kg", .range = kNotNegative,

@@ -41,6 +41,20 @@ void describe(Visitor& v, PlaceSpec& s) {
 
 // --- floors --------------------------------------------------------------------------------------
 
+// Gone when the table is read: they make `load` (src/io/model/floor_loads.cpp).
+template <class Visitor>
+void describe_floor_loads(Visitor& v) {
+  if constexpr (requires { v.recipe("", Key{}); }) {
+    v.recipe("g1", {.unit = "Pa", .shown = "kN/m^2", .range = kNotNegative, .fallback = "load", .example = "2.6 kN/m^2",
+             .doc = "Weight of the floor's structure an area. load = (g1 + g2 + psi2 q) span / 2: the combination of an earthquake."});
+    v.recipe("g2", {.unit = "Pa", .shown = "kN/m^2", .range = kNotNegative, .fallback = "load",
+             .example = "1.4 kN/m^2", .doc = "Weight of what lies on it for good."});
+    v.recipe("q", {.unit = "Pa", .shown = "kN/m^2", .range = kNotNegative, .fallback = "load", .example = "2 kN/m^2", .doc = "Live load."});
+    v.recipe("psi2", {.range = kZeroToOne, .fallback = "load", .example = "0.3", .doc = "Share of it in an earthquake, from 0 to 1."});
+    v.recipe("span", {.unit = "m", .shown = "m", .range = kLength, .fallback = "load", .example = "4.8 m", .doc = "Of the joists: this wall carries half of it."});
+  }
+}
+
 template <class Visitor>
 void describe(Visitor& v, FloorSpec& s) {
   v.text("name", s.name, {.fallback = "its number", .example = "first floor",
@@ -59,7 +73,8 @@ void describe(Visitor& v, FloorSpec& s) {
              .doc = "How much of the wall's length it lies on. All of it needs masonry below."});
   v.quantity("load", s.load, {.unit = "N/m", .shown = "kN/m", .range = kNotNegative,
              .fallback = "0 kN/m", .example = "12 kN/m",
-             .doc = "Vertical load a length of wall, downwards, with all that lies on the floor."});
+             .doc = "Vertical load a length of wall, downwards, with all that lies on the floor; or by the five keys below."});
+  describe_floor_loads(v);
   v.quantities("joists", s.joists, {.unit = "m", .shown = "m", .range = kDistance,
                .fallback = "a line load", .example = "[\"0.3 m\", \"0.9 m\", \"1.5 m\"]",
                .doc = "Where joists lie, from the wall's left: they share load times width as point "
@@ -80,7 +95,9 @@ void describe(Visitor& v, FloorSpec& s) {
   v.quantity("mass", s.mass, {.unit = "kg/m", .shown = "kg/m", .range = kNotNegative,
              .example = "1200 kg/m",
              .doc = "Inertia a length of wall that moves with the blocks. Not needed for weight or for "
-                    "patterns of forces; it slows a push down (docs/theory/integration.md). A shake needs it: a load without mass is not shaken."});
+                    "patterns of forces; it slows a push down (docs/theory/integration.md). A shake needs it: a load without mass is not shaken. `\"rule\"`: the mass of load."});
+  v.texts("origin", s.origin, {.fallback = "none", .example = "[\"load 14.4 kN/m: derived by floor_load from ...\"]",
+          .doc = "Written by the program: how load and mass came about. A line holds only while the value is the one it names."});
 }
 
 // --- ties, diaphragms, springs -------------------------------------------------------------------

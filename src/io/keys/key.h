@@ -38,6 +38,7 @@ inline constexpr Range kFromZero{.low = 0};
 inline constexpr Range kFromOne{.low = 1};
 inline constexpr Range kContraflexure{.low = 0.5, .high = 10};  // H0 / H
 inline constexpr Range kBelowOne{.low = 0, .high = 1, .high_open = true};
+inline constexpr Range kZeroToOne{.low = 0, .high = 1};
 inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};
 inline constexpr Range kFrictionAngle{.low = 0, .high = kQuarterTurn, .high_open = true};
 inline constexpr Range kSkewback{

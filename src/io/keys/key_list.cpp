@@ -34,7 +34,14 @@ class KeyList {
     add(name, "texts", key);
   }
   void recipe(const char* name, const Key& key) {
-    add(name, std::isfinite(key.range.low) ? "number" : "text", key);
+    const std::string_view example = key.example;
+    add(name,
+        *key.unit                      ? "quantity"
+        : std::isfinite(key.range.low) ? "number"
+        : example == "true"            ? "factor"
+        : example.starts_with('{')     ? "tables"
+                                       : "text",
+        key);
   }
   template <class E, std::size_t N>
   void choice(const char* name, const E&, const Word<E> (&words)[N], const Key& key) {

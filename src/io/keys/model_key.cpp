@@ -27,7 +27,8 @@ class KeyLister {
     add(name, value, key, "1", "1");
   }
   void recipe(const char* name, const Key& key) {
-    if (std::isfinite(key.range.low)) add(name, kUnset, key, "1", "1");
+    if (!std::isfinite(key.range.low)) return;
+    add(name, kUnset, key, *key.unit ? key.unit : "1", *key.unit ? key.shown : "1");
   }
   void quantities(const char*, const std::vector<double>&, const Key&) {}
   void numbers(const char*, const std::vector<double>&, const Key&) {}

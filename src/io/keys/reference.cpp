@@ -91,8 +91,17 @@ class Reference {
   }
   void recipe(const char* name, const Key& key) {
     const bool number = std::isfinite(key.range.low);
-    row(name, key, number ? "number" : "text", number ? allowed(key) : "", "",
-        number ? ValueKind::kBare : ValueKind::kText);
+    const std::string_view example = key.example;
+    const bool factor = example == "true", tables = example.starts_with('{');
+    const char* type = *key.unit ? key.shown
+                       : factor  ? "true or a number"
+                       : tables  ? "list of tables"
+                       : number  ? "number"
+                                 : "text";
+    row(name, key, type, number ? allowed(key) : "", "",
+        *key.unit                    ? ValueKind::kQuantity
+        : factor || tables || number ? ValueKind::kBare
+                                     : ValueKind::kText);
   }
   template <class E, std::size_t N>
   void choice(const char* name, const E& value, const Word<E> (&words)[N], const Key& key) {

@@ -48,9 +48,15 @@ bool has_law_fault(TableReader& reader) {
 void finish(TableReader& reader, JointMaterial& material) {
   if (!is_law(reader)) return;
   const bool half_read = has_law_fault(reader);
+  ReadContext& context = reader.context();
+  // a typology with a wrong name would have given what is missing
+  const bool has_no_typology =
+      context.has_fault_at("masonry.use") || context.has_fault_at(reader.below("use"));
   for (const MaterialFault& fault : check_joint_material(material)) {
     // With values already refused, only what is plainly missing is worth saying now.
     if (half_read && reader.has(fault.key)) continue;
+    if (has_no_typology && !reader.has(fault.key)) continue;
+    if (context.has_fault_at(reader.below(fault.key))) continue;  // one slip, one message
     if (reader.has(fault.key))
       reader.refuse(fault.key, fault.problem, fault.cure);
     else

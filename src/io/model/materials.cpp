@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "io/model/office.h"
 #include "io/text/magnitude.h"
 #include "io/text/stated_units.h"
 #include "io/text/toml_reader.h"
@@ -125,13 +126,17 @@ class Resolver {
     masonry_ = Table{"masonry", masonry ? masonry->as_table() : nullptr, Role::kMasonry,
                      &keys_of<MasonrySpec>()};
     if (masonry_.toml) read_recipes(masonry_);
+    if (masonry_.toml) office_ = read_office(context_, *masonry_.toml, masonry_.use, use_is_wrong_);
     std::vector<Table> laws;
     toml::node* materials = root_.get("material");
     if (materials && materials->is_table())
       for (auto&& [name, node] : *materials->as_table())
         if (toml::table* table = node.as_table()) laws.push_back(law_table(name.str(), *table));
     for (Table& law : laws) read_recipes(law);
+    for (const Table& law : laws) refuse_undivided(law);
+    state_confidence_factor();
     for (Table& law : laws) fill(law);
+    fill_densities();
     if (masonry_.toml) fill_masonry();
     for (Table& law : laws) confirm(law);
     if (masonry_.toml) confirm(masonry_);
@@ -157,6 +162,7 @@ class Resolver {
   void read_recipes(Table& table) {
     if (const toml::node* use = table.toml->get("use")) {
       table.use = entry_named(table, *use);
+      use_is_wrong_ = use_is_wrong_ || !table.use;
       table.toml->erase("use");  // a fault of it is told above
     }
     if (table.role == Role::kMasonry) return;
@@ -207,6 +213,66 @@ class Resolver {
     table.toml->erase(tangent);
   }
 
+  // --- a knowledge level ---------------------------------------------------------------------------
+
+  // A second typology beside a knowledge level would stand undivided.
+  void refuse_undivided(const Table& law) {
+    if (!office_.is_asked() || !law.use || law.use == masonry_.use) return;
+    fault(
+        law, "use",
+        fmt::format("stands undivided beside masonry.knowledge_level {}", office_.word()),
+        fmt::format("give this material its values: wythe materials {} prints them for each level",
+                    law.use->name));
+  }
+
+  void state_confidence_factor() {
+    toml::node* node = root_.get("assessment");
+    toml::table* table = node ? node->as_table() : nullptr;
+    if (!office_.is_asked() || !table) return;
+    const double factor = materials::confidence_factor(office_.level);
+    const toml::node* stated = table->get("confidence_factor");
+    if (!stated) {
+      table->insert("confidence_factor", factor);
+      context_.derived["assessment.confidence_factor"] = {"of masonry.knowledge_level",
+                                                          line_of(*table)};
+    } else if (stated->value<double>() != factor) {
+      context_.fault(
+          "assessment.confidence_factor", line_of(*stated), shown(*stated),
+          fmt::format("masonry.knowledge_level {} divides by {:.2f}", office_.word(), factor),
+          "leave it out: the program takes that of the level");
+    }
+  }
+
+  // `density = "rule"` of units: that of the masonry.
+  void fill_densities() {
+    std::vector<std::pair<std::string, toml::table*>> parts;
+    if (toml::table* wall = root_["wall"].as_table()) parts.emplace_back("wall", wall);
+    for (const char* list : {"storey", "plan_wall"})
+      if (toml::array* array = root_[list].as_array())
+        for (std::size_t i = 0; i < array->size(); ++i)
+          if (toml::table* part = array->get(i)->as_table())
+            parts.emplace_back(fmt::format("{}.{}", list, i), part);
+    for (auto& [path, part] : parts) {
+      toml::table* unit = part->contains("unit") ? part->get("unit")->as_table() : nullptr;
+      toml::node* node = unit ? unit->get("density") : nullptr;
+      if (!asks_for_rule(node)) continue;
+      Found found{kUnset, "", true};
+      const bool has_weight = masonry_.toml && (masonry_.toml->contains("density") ||
+                                                input(masonry_, "weight").known());
+      if (has_weight) {
+        if (!masonry_.toml->contains("density")) masonry_.toml->insert("density", "rule");
+        context_.asked.insert("density");
+        found = value_of(masonry_, "density");
+      } else if (!use_is_wrong_) {
+        context_.fault(
+            path + ".unit.density", line_of(*node), "rule", "needs the weight of the masonry",
+            "give the density, or weight, density or use = \"circolare_...\" under [masonry]");
+      }
+      // a text that can be read: the fault is told
+      *node->as_string() = format_quantity(found.known() ? found.value : 1000, "kg/m^3", "kg/m^3");
+    }
+  }
+
   // --- values ------------------------------------------------------------------------------------
 
   void put(Table& table, const std::string& key, double value, Origin::Kind kind,
@@ -251,10 +317,17 @@ class Resolver {
     return rounded(datum.value * factor, key);
   }
 
-  static Found typical(const Table& table, const Entry* entry, Role role, const std::string& key) {
+  Found typical(const Table& table, const Entry* entry, Role role, const std::string& key) const {
     const Datum* datum = entry ? materials::datum_of(*entry, role, key) : nullptr;
     if (!datum) return {};
     const Key& known = table.keys->at(key);
+    if (role == Role::kMasonry && entry == masonry_.use && office_.is_asked())
+      return {value_of_datum({.role = role,
+                              .key = datum->key,
+                              .unit = datum->unit,
+                              .value = office_.taken(*entry, *datum).value},
+                             known),
+              fmt::format(" (typical of {} at {})", entry->name, office_.word())};
     return {value_of_datum(*datum, known), fmt::format(" (typical of {})", entry->name)};
   }
 
@@ -337,7 +410,10 @@ class Resolver {
                        [&](const char* name) { return input(table, name).known(); });
   }
 
-  static std::string described(const Entry& entry, Role role, const std::string& key) {
+  std::string described(const Entry& entry, Role role, const std::string& key) const {
+    if (role == Role::kMasonry && &entry == masonry_.use && office_.is_asked())
+      return fmt::format("of {} at {} ({}): {}", entry.name, office_.word(), entry.source,
+                         office_.taken(entry, *materials::datum_of(entry, role, key)).way);
     const double cov = materials::cov_of(*materials::datum_of(entry, role, key));
     return fmt::format("of {} ({}{})", entry.name, entry.source,
                        std::isnan(cov) ? "" : fmt::format(", CoV {:.2f}", cov));
@@ -368,7 +444,8 @@ class Resolver {
     if (table.under_way.contains(name)) return {kUnset, "", true};
     if (table.role != Role::kMasonry) return value_of(table, name);
     context_.asked.insert(name);
-    const Found found = value_of(table, name);
+    Found found = value_of(table, name);
+    if (!found.known() && !found.spoiled) found = from_wall(table, name);
     if (found.known() || found.spoiled) return found;
     return typical(masonry_, masonry_.use, Role::kMasonry, name);
   }
@@ -409,6 +486,10 @@ class Resolver {
 
   void refuse_lacking(Table& table, const std::string& key, const Rule& rule,
                       const std::vector<std::string>& lacking) {
+    if (use_is_wrong_) {  // the typology would have given them: one slip, one message
+      table.toml->erase(key);
+      return;
+    }
     std::vector<std::string> masonry, own;
     for (const std::string& name : lacking)
       (name == "unit_type" || !is_law_key(name) || table.role == Role::kMasonry ? masonry : own)
@@ -419,6 +500,7 @@ class Resolver {
       cure += fmt::format("{}give {} here", cure.empty() ? "" : " and ", joined(own, ", "));
     fault(table, key, fmt::format("the rule {} needs {}", rule.name, joined(lacking, ", ")),
           cure + fmt::format(", give {} itself, or a typology by use = \"...\"", key));
+    table.toml->erase(key);  // else its reader would find "rule" no number
   }
 
   bool holds(Table& table, const std::string& key, const Rule& rule, const materials::Inputs& in) {
@@ -568,6 +650,11 @@ class Resolver {
     const Entry* entry = materials::entry_of(name);
     const Datum* datum = entry ? materials::datum_of(*entry, table.role, origin.key) : nullptr;
     if (!datum) return entry && origin.key == "unit_type";
+    const std::size_t way = origin.by.find("): ");
+    if (way !=
+        std::string::
+            npos)  // a knowledge level, whose recipe is gone: its arithmetic stands in the line
+      return materials::begins_with_table(std::string_view(origin.by).substr(way + 3), *datum);
     const Key& key = table.keys->at(origin.key);
     return shown_value(value_of_datum(*datum, key), key) == origin.value;
   }
@@ -588,6 +675,8 @@ class Resolver {
   toml::table& root_;
   Table masonry_;
   std::set<std::string, std::less<>> spoiled_;  // paths whose fault is told
+  OfficeMasonry office_;                        // what [masonry] asks of Circolare 7/2019
+  bool use_is_wrong_ = false;                   // told already
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "io/keys/model_key.h"
+#include "materials/circolare.h"
 #include "materials/library.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
@@ -50,6 +51,29 @@ std::string variable_text(const Datum& datum) {
       name, place_of(datum.role), datum.key, mean, cov_of(datum));
 }
 
+// What a knowledge level makes of a row of Table C8.5.I, and which coefficients it has.
+std::string levels_text(const Entry& entry) {
+  std::string out = fmt::format("\n{:<28} {:>16} {:>16}\n", "by knowledge_level", "LC1", "LC2");
+  for (const Datum& datum : entry.data) {
+    const auto at = [&](KnowledgeLevel level) {
+      return fmt::format("{:.4g}{}{}", take(entry, datum, level, {}, nullptr).value,
+                         *datum.unit ? " " : "", datum.unit);
+    };
+    out += fmt::format("{:<28} {:>16} {:>16}\n", datum.key, at(KnowledgeLevel::kLc1),
+                       at(KnowledgeLevel::kLc2));
+  }
+  out +=
+      "strengths divided by 1.35 and 1.20; LC3: the mean updated by [[masonry.test]], 1.00\n"
+      "\ncoefficients of Table C8.5.II and its notes\n";
+  for (const Correction& c : corrections()) {
+    const double mortar = allowed(entry, c, kUnset);
+    if (mortar == 0) continue;
+    out += fmt::format("{:<28} {:>16}  {}\n", c.key,
+                       std::isnan(mortar) ? "fm^0.35" : fmt::format("{:.4g}", mortar), c.meaning);
+  }
+  return out;
+}
+
 std::string entry_text(const Entry& entry) {
   std::string out = fmt::format("{}: {}\nsource: {}\nkind of unit: {}\n", entry.name, entry.title,
                                 entry.source, word_of(kUnitTypeWords, entry.unit_type));
@@ -67,6 +91,7 @@ std::string entry_text(const Entry& entry) {
                        std::isnan(cov) ? "-" : fmt::format("{:.2f}", cov));
     if (cov > 0) variables += (variables.empty() ? "" : "\n") + variable_text(datum);
   }
+  if (is_in_table(entry)) out += levels_text(entry);
   if (!variables.empty())
     out +=
         "\nFor a study whose base model holds these (an interval taken as 16 and 84 % "

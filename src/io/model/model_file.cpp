@@ -251,6 +251,7 @@ ModelSpec parse_model(const std::string& toml_text, const std::string& file_name
   context.records = &records;
   io::apply_overrides(context, root, overrides);
   io::resolve_materials(context, root);
+  io::resolve_floors(context, root);
   ModelSpec spec;
   spec.folder = std::filesystem::path(file_name).parent_path().string();
   io::read_table(context, root, "", spec);

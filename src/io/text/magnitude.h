@@ -17,10 +17,11 @@ struct Magnitude {
 };
 
 inline constexpr Magnitude kMagnitudes[] = {
-    {"m", 1e-9, 1e6},    {"m^2", 1e-12, 1e9},  {"s", 1e-6, 1e9},       {"1/s", 1e-6, 1e9},
-    {"m/s", 1e-15, 1e3}, {"m/s^2", 1e-9, 1e6}, {"rad", 1e-9, 1e3},     {"rad/s", 1e-9, 1e3},
-    {"N", 1e-6, 1e12},   {"N/m", 1e-6, 1e12},  {"Pa", 1e-3, 1e15},     {"Pa/m", 1e-3, 1e18},
-    {"kg", 1e-6, 1e12},  {"kg/m", 1e-6, 1e12}, {"kg/m^2", 1e-6, 1e12}, {"kg/m^3", 1e-6, 1e6},
+    {"m", 1e-9, 1e6},     {"m^2", 1e-12, 1e9},  {"s", 1e-6, 1e9},       {"1/s", 1e-6, 1e9},
+    {"m/s", 1e-15, 1e3},  {"m/s^2", 1e-9, 1e6}, {"rad", 1e-9, 1e3},     {"rad/s", 1e-9, 1e3},
+    {"N", 1e-6, 1e12},    {"N/m", 1e-6, 1e12},  {"Pa", 1e-3, 1e15},     {"Pa/m", 1e-3, 1e18},
+    {"kg", 1e-6, 1e12},   {"kg/m", 1e-6, 1e12}, {"kg/m^2", 1e-6, 1e12}, {"kg/m^3", 1e-6, 1e6},
+    {"N/m^3", 1e-5, 1e7},
 };
 inline constexpr Magnitude kMagnitudeOfNumbers{"1", 0, 1e15};
 

@@ -182,6 +182,8 @@ void throw_faults(const ReadContext& context);
 
 // Puts what rules derive and what is typical into the tree, before it is read (materials.cpp).
 void resolve_materials(ReadContext& context, toml::table& root);
+// The same for loads of floors by area and span (floor_loads.cpp).
+void resolve_floors(ReadContext& context, toml::table& root);
 [[nodiscard]] bool is_law_key(std::string_view name);
 // "unit", and what wall, storeys and regions name as their unit_joint: the law of a crack in a unit.
 [[nodiscard]] bool is_unit_joint(const toml::table& root, std::string_view name);

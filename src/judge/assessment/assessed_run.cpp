@@ -253,6 +253,20 @@ bool is_strength(const std::string& key) {
   return key == "cohesion" || key == "residual_cohesion" || key.ends_with("strength");
 }
 
+// The knowledge level of a typical value, "LC1"; "": it was taken as it is.
+std::string level_in(const materials::Origin& origin) {
+  const std::size_t at = origin.by.find(" at LC");
+  return origin.kind == materials::Origin::kTypical && at != std::string::npos
+             ? origin.by.substr(at + 4, 3)
+             : "";
+}
+std::string knowledge_level_of(const ModelSpec& spec) {
+  for (const std::string& line : spec.masonry.origin)
+    if (const auto origin = materials::origin_of(line); origin && is_strength(origin->key))
+      if (std::string level = level_in(*origin); !level.empty()) return level;
+  return "";
+}
+
 // Typical values and what follows from them by a rule: nobody has divided them by anything.
 std::vector<Message> undivided_strengths(const ModelSpec& spec) {
   bool is_any_typical = false;
@@ -263,6 +277,7 @@ std::vector<Message> undivided_strengths(const ModelSpec& spec) {
       if (!origin || origin->kind == materials::Origin::kGiven || !is_strength(origin->key))
         continue;
       if (origin->value.starts_with("0 ")) continue;  // nothing to divide
+      if (!level_in(*origin).empty()) continue;       // the program divided it
       is_any_typical = is_any_typical || origin->kind == materials::Origin::kTypical;
       found.push_back(as_text(table + "." + origin->key + " " + origin->value));
     }
@@ -342,6 +357,7 @@ CodeAssessment study::judged(const ModelSpec& spec, const Model& model, JudgedPu
   push.tests = tests_of(model);
   push.cautions = cautions_of_masses(spec, model);
   push.undivided = undivided_strengths(spec);
+  push.knowledge_level = knowledge_level_of(spec);
   caution_of_control(spec, model, push);
   if (model.in_space()) caution_in_space(spec.assessment, model, mode, push);
   push.drifts = wall.storeys;

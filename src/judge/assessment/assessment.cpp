@@ -537,6 +537,10 @@ class Judge {
       out_.notes.push_back({"assessment.note.no_confidence_factor"});
     else if (is_undivided())
       out_.notes.push_back({"assessment.note.undivided", {{"factor", spec_.confidence_factor}}});
+    else if (!push_.knowledge_level.empty())
+      out_.notes.push_back(
+          {"assessment.note.divided",
+           {{"factor", spec_.confidence_factor}, {"level", push_.knowledge_level}}});
     else
       out_.notes.push_back(
           {"assessment.note.confidence_factor", {{"factor", spec_.confidence_factor}}});

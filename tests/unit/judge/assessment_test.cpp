@@ -356,6 +356,12 @@ TEST(Assessment, says_which_strengths_nobody_divided_by_the_confidence_factor) {
   for (const Message& note : a.notes) EXPECT_FALSE(says(note, "taken to be divided")) << note.code;
   p.push.undivided.clear();
   EXPECT_TRUE(assess(spec, p.push, mass_of).may_be_signed);
+  p.push.knowledge_level = "LC1";
+  const CodeAssessment divided = assess(spec, p.push, mass_of);
+  EXPECT_TRUE(divided.may_be_signed);
+  EXPECT_TRUE(std::any_of(divided.notes.begin(), divided.notes.end(), [](const Message& note) {
+    return says(note, "took the typology's values for LC1 and divided its strengths");
+  }));
 }
 
 TEST(Assessment, of_a_push_that_ended_early_is_a_lower_bound) {

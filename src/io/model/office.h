@@ -1,0 +1,35 @@
+// What [masonry] asks of Circolare 7/2019: a knowledge level, coefficients and tests (src/materials/circolare.h).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/text/toml_reader.h"
+#include "materials/circolare.h"
+
+namespace wythe::io {
+
+struct OfficeMasonry {
+  materials::KnowledgeLevel level = materials::KnowledgeLevel::kNone;
+  std::vector<materials::Applied> applied = {};
+  std::map<std::string, materials::Tests, std::less<>> tests = {};  // by key
+
+  [[nodiscard]] bool is_asked() const { return level != materials::KnowledgeLevel::kNone; }
+  [[nodiscard]] std::string word() const {
+    return std::string(word_of(materials::kKnowledgeLevelWords, level));
+  }
+  [[nodiscard]] materials::Taken taken(const materials::Entry& entry,
+                                       const materials::Datum& datum) const {
+    const auto found = tests.find(datum.key);
+    return materials::take(entry, datum, level, applied,
+                           found == tests.end() ? nullptr : &found->second);
+  }
+};
+
+// Reads those keys and takes them out of the table. `use`: its typology, nullptr where there is none; a fault of it may
+// be told already.
+[[nodiscard]] OfficeMasonry read_office(ReadContext& context, toml::table& masonry,
+                                        const materials::Entry* use, bool use_is_told);
+
+}  // namespace wythe::io
