@@ -381,7 +381,7 @@ int replay(const ReplayArguments& a) {
     refuse("--sample", std::to_string(a.sample), "is not in the campaign",
            fmt::format("write a number from 1 to {}", campaign.samples.n_sample()));
   const double intensity = asked_intensity(a, campaign.study);
-  const std::unique_ptr<Replacement> results = replace_run(a.out);
+  const std::unique_ptr<Replacement> results = replace_run(a.out, {a.folder, 0, a.replaces});
   SolveOptions options;
   const StopSignal stop;
   options.threads = a.threads;

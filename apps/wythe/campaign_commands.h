@@ -40,6 +40,7 @@ int merge(const MergeArguments& arguments);
 struct ReplayArguments {
   std::string folder, out, intensity, language = "en";
   int sample = 0, threads = 1;
+  bool replaces = false;  // results of another model
   bool quiet = false;
 };
 int replay(const ReplayArguments& arguments);

@@ -151,6 +151,11 @@ void print_push(const Result& r) {
              std::isnan(q.initial_stiffness)
                  ? "not known"
                  : fmt::format("{:.1f} kN/mm", 1e-6 * q.initial_stiffness));
+  if (const FlatPeak flat = flat_peak(r); flat.says_little(q.displacement_at_peak))
+    fmt::print(
+        "the curve is flat there: the force is within {:.0f} % of its peak from {:.2f} mm to {}\n",
+        1e2 * kFlatPeak, 1e3 * flat.from,
+        flat.is_bound ? "where the push ended" : fmt::format("{:.2f} mm", 1e3 * flat.to));
   if (q.censored_80 && !q.censored_first_80)
     fmt::print("the push ended before the fall below 80 % had lasted: {:.2f} mm is a lower bound\n",
                1e3 * q.displacement_at_80);
@@ -304,7 +309,9 @@ int run(const RunArguments& arguments) {
   RunStart start = start_of(arguments);
   hold_for_test("model read");
   const Model& model = start.from.model;
-  const std::unique_ptr<Replacement> results = replace_run(start.out, start.is_resumed);
+  const std::unique_ptr<Replacement> results =
+      replace_run(start.out, {start.from.order.model_file, start.from.model.spec_hash, arguments.replaces},
+                  start.is_resumed);
   if (!arguments.quiet) print_model(start.from.spec, model, false);
   State state = start.from.state;
   if (start.is_resumed && !arguments.quiet)
@@ -345,6 +352,21 @@ void print_storeys(const ModelSpec& spec) {
   }
 }
 
+// What a forecast cannot know: how often a push waits, and how long a wall is watched that falls.
+std::string bound_of(const Model& model, const RunEstimate& e) {
+  constexpr double kLeast = 0.5, kMost = 2.5;  // of the forecast (docs/evidence/rate.md)
+  if (adapts(model))
+    return fmt::format(" ({} to {}: the push waits where the wall cracks)",
+                       duration_text(kLeast * e.seconds), duration_text(kMost * e.seconds));
+  const auto by_load = [](const Stage& stage) {
+    return stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt;
+  };
+  if (std::none_of(model.stages.begin(), model.stages.end(), by_load) || !(e.steps > 0)) return "";
+  const double watched = model.solve.settle_limit / e.time_step;
+  return fmt::format(", {} more if it falls and is watched to the end",
+                     duration_text(e.seconds * watched / static_cast<double>(e.steps)));
+}
+
 int check(const CheckArguments& arguments) {
   if (is_study(arguments.file)) return check_study_file(arguments);
   ModelSpec spec;
@@ -359,9 +381,9 @@ int check(const CheckArguments& arguments) {
       model.anatomy.length, model.anatomy.height, model.anatomy.thickness, model.anatomy.courses,
       model.anatomy.lost_joints, model.anatomy.masonry_blocks_before_lintels);
   print_storeys(spec);
-  fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core\n",
+  fmt::print("time step {:.3g} s (stiffest block {})   about {} steps, {} on one core{}\n",
              e.time_step, model.anatomy.block_id[static_cast<std::size_t>(model.stiffest_block)],
-             e.steps, duration_text(e.seconds));
+             e.steps, duration_text(e.seconds), bound_of(model, e));
   print_stiff_planes(std::move(spec), e);
   return 0;
 }

@@ -13,9 +13,10 @@ struct RunArguments {
   std::vector<std::string> overrides;
   int threads = 1;
   bool quiet = false;
-  std::string language;  // of the report; "": English, or that of the run resumed
-  std::string walls;     // how many walls of the model's scatter; "": one, as it stands
-  std::string jobs;      // of walls: how many cores; "": all
+  std::string language;   // of the report; "": English, or that of the run resumed
+  std::string walls;      // how many walls of the model's scatter; "": one, as it stands
+  std::string jobs;       // of walls: how many cores; "": all
+  bool replaces = false;  // results of another model
 };
 int run(const RunArguments& arguments);
 
@@ -46,6 +47,7 @@ struct LimitArguments {
   std::vector<std::string> overrides;
   std::vector<std::string> only;  // of lp, infinite, macro_block_1, macro_block_2; empty: all
   bool assessment = false;
+  bool replaces = false;  // results of another model
   bool quiet = false;
 };
 int limit(const LimitArguments& arguments);

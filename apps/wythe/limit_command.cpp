@@ -101,6 +101,8 @@ int limit(const LimitArguments& a) {
   ModelSpec spec;
   const Model model = read_and_compile(a.model, a.overrides, &spec);
   hold_for_test("model read");
+  const Origin origin{a.model, spec_hash(spec), a.replaces};
+  check_origin(a.out, origin);
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;
@@ -117,6 +119,7 @@ int limit(const LimitArguments& a) {
   for (Message& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));
   const std::string page =
       write_second_opinion(a.out, spec, model, opinion, a.language, hold_for_test);
+  write_origin(a.out, origin);
   const int code = print_comparison(opinion.comparison);
   print_opinion(opinion);
   fmt::print("report {}\n", page);

@@ -44,6 +44,10 @@ void add_language(CLI::App* command, std::string& language) {
   command->add_option("--lang", language, "language of report.html: en or it");
 }
 
+void add_replace(CLI::App* command, bool& replaces) {
+  command->add_flag("--replace", replaces, "replace results of another model in the folder, too");
+}
+
 void add_run(CLI::App& app, RunArguments& a, int& code) {
   CLI::App* command =
       app.add_subcommand("run", "push one wall and write its curve, states and report");
@@ -64,6 +68,7 @@ void add_run(CLI::App& app, RunArguments& a, int& code) {
                       "write a checkpoint into the folder this often, e.g. \"60 s\"");
   command->add_option("--resume", a.resume,
                       "go on from the checkpoint in this folder, in the place of model and --out");
+  add_replace(command, a.replaces);
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = run(a); });
@@ -225,6 +230,7 @@ void add_replay(CLI::App& app, ReplayArguments& a, int& code) {
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
   command->add_option("--threads", a.threads, "number of threads; it does not change the results")
       ->check(CLI::Range(1, 256));
+  add_replace(command, a.replaces);
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = replay(a); });
@@ -243,6 +249,7 @@ void add_limit(CLI::App& app, LimitArguments& a, int& code) {
       ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2"}));
   command->add_flag("--assessment", a.assessment,
                     "displacement-based data after Circolare 7/2019, C8.7.1.2.1");
+  add_replace(command, a.replaces);
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);
   command->callback([&] { code = limit(a); });

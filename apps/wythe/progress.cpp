@@ -19,7 +19,7 @@ constexpr double kPlainEvery = 5.0;  // seconds between plain lines
 std::string seconds_left(double left) { return ", " + duration_text(left) + " left"; }
 
 std::string time_left(double elapsed, double share) {
-  return !(share >= 0.01) ? "" : seconds_left(elapsed * (1 - share) / share);
+  return !(share >= 0.01) ? "" : seconds_left(elapsed * (1 - share) / share) + " at this pace";
 }
 
 std::string bar(double share) {

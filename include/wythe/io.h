@@ -116,9 +116,19 @@ class Replacement {
 // Finishes the commit of a program that was killed; does nothing where there is none.
 void finish_replacement(const std::string& folder);
 
-// The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent). Throws
-// InputError where the folder holds anything else, IoError where it can't be written.
+// Whose results a folder holds: a hidden file beside them names the model's file and the hash of its spec.
+struct Origin {
+  std::string file;  // of the model, or the folder of its campaign; "": none, asks nothing
+  std::uint64_t spec_hash = 0;  // 0: not known
+  bool replaces = false;        // results of another model too
+};
+// Throws InputError where `folder` holds results of another model: of another file, and with another hash.
+void check_origin(const std::string& folder, const Origin& origin);
+void write_origin(const std::string& folder, const Origin& origin);
+// The Replacement for the files of `wythe run` and `replay` in `folder` (made if absent), with their origin. Throws
+// InputError where the folder holds anything else, or results of another model; IoError where it can't be written.
 [[nodiscard]] std::unique_ptr<Replacement> replace_run(const std::string& folder,
+                                                       const Origin& origin = {},
                                                        bool resumes = false);
 // Writes the files of a run into `folder` (made if absent), all but report.html; removes nothing.
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,

@@ -30,6 +30,17 @@ struct JudgedCurve {
 [[nodiscard]] Promise promised_mode(const Model& model, const JudgedCurve& curve, double read_at);
 [[nodiscard]] Promise promised_mode(const Model& model, const Result& result);
 
+// Around the peak, where the force stays within kFlatPeak of it: on a flat curve small causes move the displacement of the
+// peak this far. NaN where there is no peak; `is_bound`: the push ended within it.
+inline constexpr double kFlatPeak = 0.02;
+struct FlatPeak {
+  double from, to;  // [m]
+  bool is_bound;
+  // Whether that is more than a tenth of the displacement to either side: the displacement alone says little then.
+  [[nodiscard]] bool says_little(double displacement_at_peak) const;
+};
+[[nodiscard]] FlatPeak flat_peak(const Result& result);
+
 // Whether the speed of its last push follows the wall.
 [[nodiscard]] bool adapts(const Model& model);
 // warning_of(result), or else that one run cannot tell the drift.

@@ -50,18 +50,21 @@ def run(
     out: Optional[Path] = None,
     threads: int = 1,
     progress: Progress = None,
+    replace: bool = False,
     language: str = "en",
 ) -> Result:
     """Runs a wall through its stages.
 
     ``set`` changes keys for this run, ``out`` names a folder for the files that `wythe run` writes (none are
     written without it), ``threads`` is the number of cores for this one wall, 0 all: the bits are the same for any.
+    A folder that holds results of another model file is refused, unless ``replace`` is true.
 
     Raises InputError with every fault of the model, AccessError, and Interrupted at Ctrl-C, whose ``.result``
     is the Result up to there. A run that fails in the mathematics raises nothing: see ``.status``.
     """
     texts = {**_model(model), "set": _settings(set), "out": _folder(out), "language": language}
-    result: Result = perform("run", texts, {"threads": threads}, progress=progress, answer=Result)
+    numbers = {"threads": threads, "replace": replace}
+    result: Result = perform("run", texts, numbers, progress=progress, answer=Result)
     return result
 
 
@@ -79,6 +82,7 @@ def limit(
     assessment: bool = False,
     out: Optional[Path] = None,
     progress: Progress = None,
+    replace: bool = False,
     language: str = "en",
 ) -> SecondOpinion:
     """Limit analysis of the wall: limit loads by linear programmes, and chains of macro-blocks.
@@ -87,7 +91,7 @@ def limit(
     """
     texts = {**_model(model), "set": _settings(set), "only": list(only), "out": _folder(out), "language": language}
     opinion: SecondOpinion = perform(
-        "limit", texts, {"assessment": assessment}, progress=progress, answer=SecondOpinion
+        "limit", texts, {"assessment": assessment, "replace": replace}, progress=progress, answer=SecondOpinion
     )
     return opinion
 
@@ -251,12 +255,12 @@ def replay(
     out: Optional[Path] = None,
     threads: int = 1,
     progress: Progress = None,
+    replace: bool = False,
     language: str = "en",
 ) -> Result:
     """Runs one sample of a campaign again, with all its states. ``threads`` as of ``run``."""
     texts = {"folder": path_of("folder", folder), "out": _folder(out), "language": language}
-    result: Result = perform(
-        "replay", texts, {"sample": sample, "threads": threads}, progress=progress, answer=Result
-    )
+    numbers = {"sample": sample, "threads": threads, "replace": replace}
+    result: Result = perform("replay", texts, numbers, progress=progress, answer=Result)
     return result
 

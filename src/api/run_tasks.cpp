@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -57,6 +58,14 @@ GivenModel read_given(const Inputs& in) {
           .cure = "give the TOML as the text `model`, or the path of a file as `file`"}});
   }
   return given;
+}
+
+// A model that a program holds is of no file: what its results replace is the program's own affair.
+Origin origin_of(const Job& job, const GivenModel& given) {
+  std::error_code error;
+  const std::string file = job.in.one("file");
+  return {std::filesystem::exists(file, error) ? file : "", spec_hash(given.spec),
+          job.in.real("replace", 0) != 0};
 }
 
 Table curve_of(const Result& result, const Model& model) {
@@ -213,12 +222,14 @@ Json notes_of_model(const Model& model) {
 }  // namespace
 
 bool do_run(Job& job) {
-  job.in.check("run", {"model", "file", "set", "out", "language"}, {"threads", "frames"}, false);
+  job.in.check("run", {"model", "file", "set", "out", "language"}, {"threads", "frames", "replace"},
+               false);
   const std::string language = job.in.one("language", "en"), out = job.in.one("out");
   check_language(language, "language");
   const SolveOptions options = options_of(job);
   GivenModel given = read_given(job.in);
-  const std::unique_ptr<Replacement> results = out.empty() ? nullptr : replace_run(out);
+  const std::unique_ptr<Replacement> results =
+      out.empty() ? nullptr : replace_run(out, origin_of(job, given));
   auto done = std::make_shared<Done>();
   done->spec = std::move(given.spec);
   done->model = std::move(given.model);
@@ -231,13 +242,16 @@ bool do_run(Job& job) {
 }
 
 bool do_replay(Job& job) {
-  job.in.check("replay", {"folder", "out", "language"}, {"sample", "threads", "frames"}, false);
+  job.in.check("replay", {"folder", "out", "language"}, {"sample", "threads", "frames", "replace"},
+               false);
   const std::string language = job.in.one("language", "en"), out = job.in.one("out");
   check_language(language, "language");
   const SolveOptions options = options_of(job);
   const Campaign campaign = read_campaign(job.in.one("folder"));
   const int sample = job.in.whole("sample", 0, 1, campaign.samples.n_sample());
-  const std::unique_ptr<Replacement> results = out.empty() ? nullptr : replace_run(out);
+  const std::unique_ptr<Replacement> results =
+      out.empty() ? nullptr
+                  : replace_run(out, {job.in.one("folder"), 0, job.in.real("replace", 0) != 0});
   SampleRun run =
       run_sample(campaign.study, campaign.samples, sample, model_builder(campaign.study), options);
   if (!run.refused.empty())
@@ -286,12 +300,15 @@ bool do_check(Job& job) {
 }
 
 bool do_limit(Job& job) {
-  job.in.check("limit", {"model", "file", "set", "out", "language", "only"}, {"assessment"}, false);
+  job.in.check("limit", {"model", "file", "set", "out", "language", "only"},
+               {"assessment", "replace"}, false);
   const std::string language = job.in.one("language", "en"), out = job.in.one("out");
   check_language(language, "language");
   const OpinionAsked asked{job.in.all("only"), job.in.real("assessment", 0) != 0};
   check_asked(asked, "only");
   const GivenModel given = read_given(job.in);
+  const Origin origin = origin_of(job, given);
+  if (!out.empty()) check_origin(out, origin);
   const SecondOpinion opinion = [&] {
     SecondOpinion made = second_opinion(
         given.model, asked, &job.stop,
@@ -299,8 +316,10 @@ bool do_limit(Job& job) {
     for (Message& note : notes_on(given.model, made)) made.notes.push_back(std::move(note));
     return made;
   }();
-  if (!out.empty())
+  if (!out.empty()) {
     static_cast<void>(write_second_opinion(out, given.spec, given.model, opinion, language));
+    write_origin(out, origin);
+  }
   job.out.put("mechanisms", mechanisms_json(given.model, opinion));
   for (const Mechanism& m : opinion.mechanisms) {
     Table curve;

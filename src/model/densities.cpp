@@ -28,6 +28,20 @@ std::vector<std::string> unmatched(const ModelSpec& spec) {
   return {names.begin(), names.end()};
 }
 
+// Millimetres read as metres, or the other way, where blocks come from a file or a length is a slip: the tallest masonry has
+// 170 m, the longest walls of a building a few hundred.
+void note_scale(Model& model) {
+  constexpr double kTallest = 200, kLongest = 1000, kLowest = 0.03;  // [m]
+  const Anatomy& a = model.anatomy;
+  const double longest = std::max(a.length, a.height);
+  const char* code = a.height > kTallest || longest > kLongest ? "scale.large"
+                     : longest > 0 && longest < kLowest        ? "scale.small"
+                                                               : nullptr;
+  if (code != nullptr)
+    model.anatomy.notes.push_back(
+        {code, {{"length_m", a.length}, {"height_m", a.height}, {"height_mm", 1e3 * a.height}}});
+}
+
 }  // namespace
 
 void note_densities(const ModelSpec& spec, Model& model) {
@@ -43,6 +57,7 @@ void note_densities(const ModelSpec& spec, Model& model) {
     look("storey." + storey.name + ".unit.density", storey.unit.density, kMost);
   for (const auto& [name, material] : spec.material)
     look("material." + name + ".density", material.density, kMostOfMetals);
+  note_scale(model);
   if (const std::vector<std::string> names = unmatched(spec); !names.empty())
     model.anatomy.notes.push_back(
         {"density.of_unit",

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/hash.h"
+#include "model/rebound.h"
 
 namespace wythe {
 namespace {
@@ -397,11 +398,27 @@ static void note_loads_without_mass(const Stage& shake, double pressed, double b
          {{"stage", shake.spec.name}, {"load_kN", 1e-3 * pressed}, {"mass_kN", 1e-3 * carried}}});
 }
 
+// A body force is of the blocks' own weights. Loads press, and make the factor larger; where they stand for masses, an
+// earthquake shakes these too.
+static void note_loads_left_out(const Stage& factor, double pressed, Model& model) {
+  constexpr double kSome = 0.02;  // of the wall's weight
+  double weight = 0;
+  for (const double mass : model.heavy_mass) weight += mass * model.solve.gravity;
+  for (const double mass : model.solids.node_heavy_mass) weight += mass * model.solve.gravity;
+  for (const double mass : model.space.solids.node_heavy_mass) weight += mass * model.solve.gravity;
+  if (pressed > kSome * weight)
+    model.anatomy.notes.push_back(
+        {factor.spec.kind == StageKind::kTilt ? "tilt.loads_left_out" : "body_force.loads_left_out",
+         {{"stage", factor.spec.name}, {"load_kN", 1e-3 * pressed}, {"weight_kN", 1e-3 * weight}}});
+}
+
 void carry_floors(const std::vector<double>& bare, Model& model) {
   double pressed = 0;
   const double all = std::accumulate(bare.begin(), bare.end(), 0.0);
   for (Stage& stage : model.stages) {
     for (const PointLoad& load : stage.loads) pressed += std::fmax(0, -load.fy);
+    if (stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt)
+      note_loads_left_out(stage, pressed, model);
     if (stage.spec.kind != StageKind::kShake) continue;
     for (std::size_t i = 0; i < bare.size(); ++i)
       if (model.mass[i] > bare[i])
@@ -411,7 +428,7 @@ void carry_floors(const std::vector<double>& bare, Model& model) {
 }
 
 double fraction_of_restitution(double restitution) {
-  constexpr double kMost = 2;  // 0.3 % of the energy comes back: as good as none
+  constexpr double kMost = kNoRebound;
   const auto comes_back = [](double xi) {
     if (xi < 1) {
       const double psi = std::asin(xi);
@@ -471,6 +488,19 @@ void note_brief_pulses(const Stage& stage, Model& m) {
 
 }  // namespace
 
+// Of one block that falls flat restitution is what it says; of a pile it is not.
+static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
+  constexpr double kApart = 0.05;
+  if (!(d.impact > 0)) return;
+  const std::optional<double> obtained = rebound_of_wall(m, d);
+  if (obtained && std::fabs(*obtained - shake.restitution) > kApart)
+    m.anatomy.notes.push_back({"shake.rebound",
+                               {{"stage", shake.name},
+                                {"restitution", shake.restitution},
+                                {"obtained", *obtained},
+                                {"energy_percent", 100 * *obtained * *obtained}}});
+}
+
 void set_dashpots(Model& m) {
   for (Stage& stage : m.stages) {
     const StageSpec& s = stage.spec;
@@ -496,6 +526,7 @@ void set_dashpots(Model& m) {
     if (!has_dashpots && !(d.spring_share > 0)) continue;
     put_dashpots(m, d);
     if (!has_dashpots) continue;
+    note_rebound(s, d, m);
     d.rate = m.in_space() ? dashpot_rate_in_space(m, d) : dashpot_rate(m, d);
     m.anatomy.notes.push_back(
         {"shake.dashpots", {{"stage", s.name}, {"times", 1 / share_of_step(m.omega_max, d)}}});

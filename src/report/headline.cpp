@@ -186,7 +186,17 @@ class RunHeadline {
                       {{"force", bold(kilonewtons(peak()))},
                        {"at", bold(millimetres("displacement_at_peak_mm"))},
                        {"drift", drift("drift_percent_at_peak", " ", "run.drift")}}) +
-           both_ways() + mode() + (is_still_rising() ? "" : ductility());
+           flat() + both_ways() + mode() + (is_still_rising() ? "" : ductility());
+  }
+  // A flat curve has no one displacement at its peak.
+  [[nodiscard]] std::string flat() const {
+    const Json& flat = member(s_, "flat_peak");
+    if (member(flat, "says_little") != true || is_still_rising()) return "";
+    const bool is_bound = member(flat, "is_bound") == true;
+    return " " + texts_.say(is_bound ? "run.flat.bound" : "run.flat",
+                            {{"from", texts_.quantity(number_in(flat, "from_mm"), "mm")},
+                             {"to", texts_.quantity(number_in(flat, "to_mm"), "mm")},
+                             {"share", texts_.number(100 * number_in(flat, "share"))}});
   }
   // ", a tilt of 14°" where the ground was tilted.
   [[nodiscard]] std::string tilt() const {

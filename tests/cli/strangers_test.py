@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Files as others have them: each is read for what it is, or refused with the reason that is so (tests/data/strangers)."""
 import json
+import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -31,19 +33,309 @@ class Strangers(unittest.TestCase):
         self.assertEqual(models, set(json.loads((FOLDER / "expected.json").read_text())))
 
 
-class Paths(unittest.TestCase):
-    """A folder may bear any name that the system takes."""
-
-    NAMES = ["a b", "a#b", "a?b", "100%", "%41", "it's", 'a"b', "übung 石", "a&b=c", "-dash", "a;b", "x\\y", "*", "[1]", "~", "a\tb"]
-
+class Folder(unittest.TestCase):
     def setUp(self):
-        self.root = pathlib.Path(tempfile.mkdtemp(prefix="wythe_paths_"))
+        self.root = pathlib.Path(tempfile.mkdtemp(prefix="wythe_strangers_"))
         self.addCleanup(shutil.rmtree, self.root)
 
     def wythe(self, *arguments, code=0):
         done = subprocess.run([WYTHE, *map(str, arguments)], capture_output=True, text=True, timeout=300)
         self.assertEqual(done.returncode, code, f"{arguments}: {done.stdout[-500:]}{done.stderr[-2000:]}")
         return done
+
+
+class Falls(Folder):
+    """A wall that falls under its loads is told so, and a wall that finds rest is not."""
+
+    MODEL = """
+[wall]
+blocks = "b.json"
+[wall.unit]
+density = "2000 kg/m^3"
+[material.joint]
+normal_stiffness = "{kn}"
+shear_stiffness = "{ks}"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = {mu}
+residual_friction_tan = {mu}
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "lean"
+direction = "+x"
+rate = "0.1 1/s"
+factor = 1.0
+"""
+
+    @staticmethod
+    def cube(name, x, y, width=1.0, height=1.0):
+        return {"id": name, "z": [0, 1], "polygon": [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]}
+
+    def stack(self, lean, count=9, width=1.0, height=1.0):
+        blocks = [{**self.cube("g", -0.5, -1), "fixed": True}]
+        return blocks + [self.cube(f"s{k}", -0.5 + (k + 1) * lean, k * height, width, height) for k in range(count)]
+
+    @staticmethod
+    def arch(depth, count=31):
+        """A semicircle of mean radius 1 m; the thinnest that stands has depth over radius 0.1075 (Heyman's problem)."""
+        def at(r, k):
+            angle = math.pi * (1 - k / count)
+            return [r * math.cos(angle), r * math.sin(angle)]
+        inner, outer = 1 - depth / 2, 1 + depth / 2
+        blocks = [{"id": f"v{k}", "z": [0, 1], "polygon": [at(inner, k), at(inner, k + 1), at(outer, k + 1), at(outer, k)]}
+                  for k in range(count)]
+        for name, sign in (("left", -1), ("right", 1)):
+            x = sorted((sign * inner, sign * outer))
+            blocks.append({"id": name, "z": [0, 1], "fixed": True,
+                           "polygon": [[x[0], -0.2], [x[1], -0.2], [x[1], 0], [x[0], 0]]})
+        return blocks
+
+    def run_of(self, blocks, code=0, kn="10 GPa/m", ks="4 GPa/m", mu=0.7, more=()):
+        (self.root / "b.json").write_text(json.dumps({"units": "m", "blocks": blocks}))
+        (self.root / "model.toml").write_text(self.MODEL.format(kn=kn, ks=ks, mu=mu))
+        settings = [word for one in ("stage.lean.factor=1e-6", *more) for word in ("--set", one)]
+        done = self.wythe("run", self.root / "model.toml", "--out", self.root / "out", "--quiet", *settings, code=code)
+        return json.loads((self.root / "out/summary.json").read_text()), done.stdout
+
+    def falls(self, block, blocks, **options):
+        summary, said = self.run_of(blocks, **options)
+        self.assertEqual(summary["status"], "collapsed", said)
+        self.assertIn("cannot stand", said)
+        if block:
+            self.assertIn(f"block {block} has moved", said)
+        self.assertNotEqual(summary["failure_mode"]["name"], "none", said)
+        limit = self.wythe("limit", self.root / "model.toml", "--out", self.root / "limit", "--only", "lp", "--quiet", code=2)
+        self.assertIn("cannot stand", limit.stderr)
+        return summary
+
+    def test_a_stack_that_leans_too_far(self):
+        summary = self.falls("s8", self.stack(0.13))
+        self.assertLess(summary["stages"][0]["time_s"], 20)  # at once, not when the time to settle is over
+
+    def test_a_stack_that_just_falls(self):
+        self.falls("s8", self.stack(0.1001))  # the upper nine of ten are over the edge by half a millimetre
+
+    def test_stacks_that_just_stand(self):
+        for lean in (0.099, 0.09):
+            summary, said = self.run_of(self.stack(lean))
+            self.assertEqual(summary["status"], "completed", said)
+
+    def test_two_stones_on_the_edge(self):
+        self.falls("s1", self.stack(0.34, count=2, height=0.3))
+
+    def test_an_arch_too_thin(self):
+        self.falls("", self.arch(0.0998))
+
+    def test_an_arch_that_stands(self):
+        summary, said = self.run_of(self.arch(0.112))
+        self.assertEqual(summary["status"], "completed", said)
+
+    def test_a_block_that_slides_down(self):
+        def ramp(slope, mu):
+            c, s = math.cos(math.atan(slope)), math.sin(math.atan(slope))
+            turn = lambda x, y: [c * x - s * y, s * x + c * y]
+            body = lambda x0, y0, x1, y1: [turn(x0, y0), turn(x1, y0), turn(x1, y1), turn(x0, y1)]
+            return [{"id": "g", "z": [0, 1], "fixed": True, "polygon": body(-3, -1, 3, 0)},
+                    {"id": "s", "z": [0, 1], "polygon": body(0, 0, 0.6, 0.3)}], {"mu": mu}
+        blocks, options = ramp(0.3, 0.299)
+        self.falls("s", blocks, **options)
+        blocks, options = ramp(0.3, 0.301)
+        summary, said = self.run_of(blocks, **options)
+        self.assertEqual(summary["status"], "completed", said)
+
+    def test_soft_joints_that_give_far_are_no_fall(self):
+        # settles by 0.14 m, a seventh of a block, in a motion that begins as a free fall
+        summary, said = self.run_of(self.stack(0, count=3), kn="1 MPa/m", ks="0.4 MPa/m", more=("solve.collapse_displacement=0.5 m",))
+        self.assertEqual(summary["status"], "completed", said)
+        summary, said = self.run_of(self.stack(0.05, count=3), kn="3 MPa/m", ks="1 MPa/m", more=("solve.collapse_displacement=0.5 m",))
+        self.assertEqual(summary["status"], "completed", said)
+
+    def test_a_wall_that_trembles_is_no_fall(self):
+        summary, said = self.run_of(self.stack(0), code=3, more=("stage.gravity.damping=0", "solve.settle_limit=2 s"))
+        self.assertEqual(summary["status"], "not_settled", said)
+
+
+    def test_a_stone_that_its_tie_pulls_out(self):
+        blocks = [{**self.cube("g", -0.2, -0.2, 1.6, 0.2), "fixed": True}]
+        for course in range(6):
+            shift = 0.2 * (course % 2)
+            blocks += [self.cube(f"c{course}u{k}", 0.4 * k - shift, 0.2 * course, 0.4, 0.2) for k in range(3)]
+        tie = """
+[[tie]]
+name = "chain"
+anchored = true
+from = {{ block = "{block}" }}
+to = {{ x = "{x} m", y = "{y} m", z = "0.5 m" }}
+area = "1000 mm^2"
+youngs_modulus = "0.2 GPa"
+prestress = "{stress} MPa"
+"""
+        model = self.MODEL
+        try:
+            for block, x, y, stress in (("c4u2", 5, 0.9, 12), ("c5u0", -4, 1.1, 6), ("c5u2", 4, 1.1, 8)):
+                Falls.MODEL = model + tie.format(block=block, x=x, y=y, stress=stress)
+                summary, said = self.run_of(blocks, more=("output.rows=50",))
+                self.assertEqual(summary["status"], "collapsed", said)
+                self.assertIn(f"chain pulls block {block} away", said)
+                mode = summary["failure_mode"]
+                self.assertEqual(mode["name"], "part breaking away", said)
+                self.assertIn(block, mode["sentence"])
+                self.assertIn("chain", mode["sentence"])
+                self.assertNotEqual(mode["mechanism"]["name"], "none")
+            Falls.MODEL = model + tie.format(block="c5u0", x=-4, y=1.1, stress=0.5)  # less than friction holds
+            summary, said = self.run_of(blocks)
+            self.assertEqual(summary["status"], "completed", said)
+        finally:
+            Falls.MODEL = model
+
+
+class Restitution(Folder):
+    """One block comes back with the share that is asked for; of a pile the model's check says what comes."""
+
+    MODEL = """
+[wall]
+blocks = "b.json"
+[wall.unit]
+density = "2000 kg/m^3"
+[material.joint]
+normal_stiffness = "1 GPa/m"
+shear_stiffness = "0.4 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_tan = 0.5
+residual_friction_tan = 0.5
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "hop"
+record = {{ pulse = "half_cycle", amplitude = "{amplitude} m/s^2", period = "0.2 s", direction = "+y" }}
+free_vibration = "0.6 s"
+restitution = {restitution}
+interval = "0.001 s"
+[[history]]
+name = "top"
+at = {{ block = "s0" }}
+[solve]
+contacts = "{contacts}"
+"""
+
+    def model(self, count=1, restitution=0.5, amplitude=-30, contacts="fixed", space=False):
+        ground = {"id": "g", "polygon": [[-1, -0.1], [1.4, -0.1], [1.4, 0], [-1, 0]], "fixed": True}
+        blocks = [ground] + [{"id": f"s{k}", "polygon": [[0, 0.2 * k], [0.4, 0.2 * k], [0.4, 0.2 * k + 0.2], [0, 0.2 * k + 0.2]]}
+                             for k in range(count)]
+        for block in blocks:
+            if space:
+                block["z"] = [-0.5, 0.7] if block["id"] == "g" else [0, 0.2]
+        self.root.joinpath("b.json").write_text(json.dumps({"units": "m", "blocks": blocks, **({} if space else {"thickness": 0.2})}))
+        self.root.joinpath("model.toml").write_text(
+            self.MODEL.format(restitution=restitution, amplitude=amplitude, contacts=contacts))
+        return self.root / "model.toml"
+
+    def rebound(self, **options):
+        self.wythe("run", self.model(**options), "--out", self.root / "out", "--quiet")
+        rows = [line for line in self.root.joinpath("out/history.csv").read_text().splitlines() if not line.startswith("#")]
+        column = rows[0].split(",").index("top_uy_mm")
+        y = [float(row.split(",")[column]) for row in rows[1:]]
+        peaks = [y[i] for i in range(1, len(y) - 1) if y[i] >= y[i - 1] and y[i] > y[i + 1] and y[i] > 0.3]
+        return math.sqrt(peaks[1] / peaks[0])
+
+    def test_one_block_comes_back_as_asked(self):
+        for restitution in (0.8, 0.5, 0.2):
+            for amplitude in (-28, -30, -31.7):  # the phase of the impact within a step differs
+                with self.subTest(restitution=restitution, amplitude=amplitude):
+                    self.assertAlmostEqual(self.rebound(restitution=restitution, amplitude=amplitude), restitution, delta=0.03)
+
+    def test_so_it_does_in_space_and_at_free_contacts(self):
+        for options in ({"space": True}, {"contacts": "free"}, {"space": True, "contacts": "free"}):
+            with self.subTest(**options):
+                self.assertAlmostEqual(self.rebound(**options), 0.5, delta=0.04)
+
+    def test_of_a_pile_the_check_says_what_comes(self):
+        for count, restitution, obtained in ((2, 0.1, 0.22), (5, 0.1, 0.43), (10, 0.1, 0.59), (10, 0.5, 0.83)):
+            said = self.wythe("check", self.model(count=count, restitution=restitution)).stdout
+            found = re.search(r"restitution ([0-9.]+) is that of one block.*comes back with ([0-9.]+) of its speed", said)
+            self.assertIsNotNone(found, said)
+            self.assertEqual(float(found[1]), restitution)
+            self.assertAlmostEqual(float(found[2]), obtained, delta=0.02)
+        for count, restitution in ((1, 0.1), (10, 1)):
+            self.assertNotIn("is that of one block", self.wythe("check", self.model(count=count, restitution=restitution)).stdout)
+
+
+class OtherResults(Folder):
+    """Results of another model are replaced only where that is asked for."""
+
+    def setUp(self):
+        super().setUp()
+        for name in ("one", "two"):
+            shutil.copytree(FOLDER / "paths", self.root / name)
+        for name in ("one", "two"):
+            for file in (self.root / name).iterdir():
+                file.chmod(0o644)
+        model = self.root / "two/model.toml"
+        model.write_text(model.read_text().replace("2000 kg", "1900 kg"))
+        self.out = self.root / "out"
+
+    def model(self, name):
+        return self.root / name / "model.toml"
+
+    def test_a_run(self):
+        run = lambda name, *more, code=0: self.wythe("run", self.model(name), "--out", self.out, "--quiet", *more, code=code)
+        run("one")
+        run("one")  # again
+        run("one", "--set", "wall.unit.density=1800 kg/m^3")  # and changed
+        before = (self.out / "summary.json").read_bytes()
+        said = run("two", code=2).stderr
+        self.assertIn("holds results of another model", said)
+        self.assertIn(str(self.model("one")), said)
+        self.assertIn("--replace", said)
+        self.assertEqual((self.out / "summary.json").read_bytes(), before)
+        run("two", "--replace")
+        self.assertNotEqual((self.out / "summary.json").read_bytes(), before)
+        run("one", code=2)
+        os.symlink(self.root / "two", self.root / "link")
+        run("link")  # the same file
+        shutil.copytree(self.root / "two", self.root / "copy")
+        run("copy")  # the same model elsewhere
+
+    def test_a_second_opinion(self):
+        limit = lambda name, *more, code=0: self.wythe("limit", self.model(name), "--out", self.out, "--only", "lp", "--quiet",
+                                                       *more, code=code)
+        limit("one")
+        limit("one")
+        self.assertIn("another model", limit("two", code=2).stderr)
+        limit("two", "--replace")
+        self.wythe("run", self.model("one"), "--out", self.root / "run", "--quiet")
+        self.out = self.root / "run"
+        limit("one")  # beside the run of the same model
+        self.assertIn("another model", limit("two", code=2).stderr)
+
+    def test_a_replay(self):
+        for name in ("one", "two"):
+            self.wythe("campaign", self.root / name / "study.toml", "--out", self.root / (name + "_campaign"), "--jobs", 1, "--quiet")
+        replay = lambda name, sample, *more, code=0: self.wythe(
+            "replay", self.root / (name + "_campaign"), "--sample", sample, "--out", self.out, "--quiet", *more, code=code)
+        replay("one", 1)
+        replay("one", 2)
+        self.assertIn("another model", replay("two", 1, code=2).stderr)
+        replay("two", 1, "--replace")
+
+    def test_a_campaign_is_never_replaced(self):
+        campaign = lambda name, *more, code=0: self.wythe(
+            "campaign", self.root / name / "study.toml", "--out", self.out, "--jobs", 1, "--quiet", *more, code=code)
+        campaign("one")
+        campaign("two", code=2)
+        campaign("two", "--resume", code=2)
+
+
+class Paths(Folder):
+    """A folder may bear any name that the system takes."""
+
+    NAMES = ["a b", "a#b", "a?b", "100%", "%41", "it's", 'a"b', "übung 石", "a&b=c", "-dash", "a;b", "x\\y", "*", "[1]", "~", "a\tb"]
 
     def everything_in(self, folder):
         """Every command that reads or writes, with `folder` in all of its paths."""

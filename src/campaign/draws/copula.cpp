@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "campaign/draws/few_values.h"
 #include "campaign/draws/study_check.h"
 #include "core/text.h"
 
@@ -18,6 +19,13 @@ std::size_t variable_named(const StudySpec& study, const std::string& name) {
   const auto found = std::find_if(study.variable.begin(), study.variable.end(),
                                   [&](const VariableSpec& v) { return v.name == name; });
   return static_cast<std::size_t>(found - study.variable.begin());
+}
+
+// The normal variables behind a pair whose rank correlation is stated.
+RankReached correlation_behind(const StudySpec& study, const CorrelationSpec& pair) {
+  return gaussian_of_rank(pair.value,
+                          shares_of_values(study.variable[variable_named(study, pair.a)]),
+                          shares_of_values(study.variable[variable_named(study, pair.b)]));
 }
 
 class PairCheck {
@@ -46,6 +54,20 @@ class PairCheck {
       refuse(fmt::format("correlation.{}.{}", i, pair.rank ? "rank" : "gaussian"),
              fmt::format("{:g}", pair.value), "must be more than -1 and less than 1",
              "write e.g. rank = 0.3");
+    else if (known && pair.rank)
+      check_reach(i, pair);
+  }
+
+  // Between few values not every rank correlation exists.
+  void check_reach(std::size_t i, const CorrelationSpec& pair) {
+    const double within = correlation_behind(study_, pair).within;
+    if (std::fabs(within) >= std::fabs(pair.value)) return;
+    const double share = std::floor(100 * std::fabs(within)) / 100;
+    refuse(
+        fmt::format("correlation.{}.rank", i), fmt::format("{:g}", pair.value),
+        fmt::format("is beyond {:.3f}, the {} that {} and {} can have: equal values share a rank",
+                    within, within < 0 ? "least" : "most", pair.a, pair.b),
+        fmt::format("write rank = {:g}, or closer to 0", std::copysign(share, within)));
   }
 
   bool check_name(const std::string& path, const std::string& name) {
@@ -115,7 +137,7 @@ Copula copula_of(const StudySpec& study, bool all) {
   for (const CorrelationSpec& pair : study.correlation) {
     const std::size_t i = place[variable_named(study, pair.a)];
     const std::size_t j = place[variable_named(study, pair.b)];
-    const double rho = pair.rank ? gaussian_of_rank(pair.value) : pair.value;
+    const double rho = pair.rank ? correlation_behind(study, pair).rho : pair.value;
     out.matrix.at(i, j) = out.matrix.at(j, i) = rho;
   }
   return out;

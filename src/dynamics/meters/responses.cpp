@@ -7,6 +7,7 @@
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/cyclic.h"
 #include "dynamics/stages/stage_run.h"
+#include "wythe/promise.h"
 
 namespace wythe {
 namespace {
@@ -394,6 +395,29 @@ Responses read_responses(const std::vector<CurveRow>& curve, const ResponseOptio
   const bool pushed = std::isnan(options.carried);
   return pushed && dynamics::is_cyclic(curve) ? dynamics::read_cyclic(curve, options)
                                               : read_one_way(curve, options);
+}
+
+bool FlatPeak::says_little(double at_peak) const {
+  constexpr double kLittle = 0.1;
+  return from < (1 - kLittle) * at_peak || to > (1 + kLittle) * at_peak;
+}
+
+FlatPeak flat_peak(const Result& result) {
+  const Responses& r = result.responses;
+  const std::vector<CurveRow> curve = backbone_of(result.curve);
+  FlatPeak flat{kUnset, kUnset, false};
+  if (!(r.peak_reaction > 0) || is_load_controlled(result) || curve.empty()) return flat;
+  std::size_t peak = 0;
+  while (peak + 1 < curve.size() && curve[peak].displacement < r.displacement_at_peak) ++peak;
+  const double least = (1 - kFlatPeak) * r.peak_reaction;
+  std::size_t first = peak, last = peak;
+  while (first > 0 && carried(curve[first - 1]) >= least) --first;
+  while (last + 1 < curve.size() && carried(curve[last + 1]) >= least) ++last;
+  flat.from = first > 0 ? crossing(curve[first - 1], curve[first], least) : curve[0].displacement;
+  flat.is_bound = last + 1 == curve.size();
+  flat.to =
+      flat.is_bound ? curve[last].displacement : crossing(curve[last], curve[last + 1], least);
+  return flat;
 }
 
 Responses read_one_way(const std::vector<CurveRow>& curve, const ResponseOptions& options) {

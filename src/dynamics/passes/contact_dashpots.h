@@ -33,9 +33,11 @@ struct ViscousForce {
 
 [[nodiscard]] inline ViscousForce brake_contact(const ContactMotion& c, const Dashpots& dashpots,
                                                 double friction, double dt, FreeContact& memory) {
+  const double closed =
+      rebounds(dashpots) ? share_of_first_step(-c.pressed / c.normal_stiffness, c.opened) : 1.0;
   const auto resistance = [&](double stiffness) {
-    const double full =
-        dashpots.proportional * stiffness + 2 * dashpots.impact * square_root(stiffness * c.mass);
+    const double full = closed * (dashpots.proportional * stiffness +
+                                  2 * dashpots.impact * square_root(stiffness * c.mass));
     return full / (1 + 0.5 * full * dt * c.mobility);
   };
   const double c_n = resistance(c.normal_stiffness), c_s = resistance(c.shear_stiffness);

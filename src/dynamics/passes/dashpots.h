@@ -15,6 +15,7 @@
 #include "dynamics/passes/drive.h"
 #include "dynamics/passes/joints.h"
 #include "dynamics/passes/wall.h"
+#include "model/shaking.h"
 
 namespace wythe::dynamics {
 
@@ -39,6 +40,17 @@ struct ViscousStress {
   return {
       {normal, share * u, share * v},
       {minimum(spring.normal, -elastic.normal), share * spring.shear_1, share * spring.shear_2}};
+}
+
+// A point that closes within a step was closed for a part of it alone. Forces stand for a step, half of it on either side, so
+// the dashpot of a point that was open a step before acts for the half to come and its part of the one before
+// (docs/theory/dynamics.md, 14.6a). `way`: of the point in the step, negative where it closes; `open`: where it is now.
+[[nodiscard]] inline double share_of_first_step(double open, double way) {
+  return open < 0 && open > way ? 0.5 + open / way : 1.0;
+}
+// Whether impacts give something back, so that their first step counts. With none the point is as good as stuck.
+[[nodiscard]] inline bool rebounds(const Dashpots& dashpots) {
+  return dashpots.impact > 0 && dashpots.impact < kNoRebound;
 }
 
 // What a step does to the stress q of a Maxwell element whose contact has the stiffness k and moves by s at a constant
@@ -179,7 +191,7 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
                          const Dashpots& dashpots, double dt, Brakes& brakes) {
   const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
-  const bool springs = maxwell.gain > 0;
+  const bool springs = maxwell.gain > 0, rebound = rebounds(dashpots);
   if (!springs) brakes.maxwell.let_go();
   brakes.maxwell.bears = springs;
   for (int i = 0; i < m.n_block; ++i)
@@ -213,10 +225,11 @@ inline void brake_joints(const Layout& l, const WallView& wall, const Model& m,
           spring = {maxwell.of(q.normal, law.normal_stiffness, dt * rate_n),
                     maxwell.of(q.shear_1, law.shear_stiffness, dt * rate_t), 0};
         }
-        const ViscousStress both =
-            brake_point({law.normal_stiffness * w, law.shear_stiffness * s, 0},
-                        {dashpots.normal[j] * rate_n, dashpots.shear[j] * rate_t, 0}, spring,
-                        brakes.friction[j]);
+        const double closed = rebound ? share_of_first_step(w, dt * rate_n) : 1.0;
+        const ViscousStress both = brake_point(
+            {law.normal_stiffness * w, law.shear_stiffness * s, 0},
+            {closed * dashpots.normal[j] * rate_n, closed * dashpots.shear[j] * rate_t, 0}, spring,
+            brakes.friction[j]);
         if (springs) brakes.maxwell.keep(first + at(k), both.spring);
         const PointStress& viscous = both.all;
         fn += share * viscous.normal, gn += share * viscous.normal * xi;

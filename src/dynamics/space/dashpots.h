@@ -60,6 +60,7 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
   const Dashpots& dashpots = *controls.dashpots;
   const double dt = controls.dt, c_n = dashpots.normal[j], c_s = dashpots.shear[j];
   const MaxwellStep maxwell = maxwell_step(dashpots, dt);
+  const bool rebound = rebounds(dashpots);
   const JointMaterial& law = m.materials[static_cast<std::size_t>(m.joint_material[j])];
   const contact::FaceGap<double> gap = face.gap();
   contact::FaceLoad<double> sum{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -80,10 +81,12 @@ contact::BlockLoads<double> brake_face(const Face& face, const contact::FaceGap<
                 maxwell.of(q.shear_1, law.shear_stiffness, dt * v.x),
                 maxwell.of(q.shear_2, law.shear_stiffness, dt * v.y)};
     }
+    const double open = g.z + history(1);
+    const double closed = rebound ? share_of_first_step(open, dt * v.z) : 1.0;
     const ViscousStress both = brake_point(
-        {law.normal_stiffness * (g.z + history(1)), law.shear_stiffness * (g.x - history(2)),
+        {law.normal_stiffness * open, law.shear_stiffness * (g.x - history(2)),
          law.shear_stiffness * (g.y - history(chunk.rows - 1))},
-        {c_n * v.z, c_s * v.x, c_s * v.y}, spring, brakes.friction[j]);
+        {closed * c_n * v.z, closed * c_s * v.x, closed * c_s * v.y}, spring, brakes.friction[j]);
     if (maxwell.gain > 0) brakes.maxwell.keep(p, both.spring);
     const PointStress& viscous = both.all;
     const Vec f = share * Vec{viscous.shear_1, viscous.shear_2, viscous.normal};

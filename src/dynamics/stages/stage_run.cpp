@@ -6,9 +6,11 @@
 
 #include "core/real.h"
 #include "dynamics/meters/residual.h"
+#include "dynamics/passes/dashpots.h"
 #include "dynamics/stages/recorder.h"
 #include "dynamics/stages/shake.h"
 #include "model/shaking.h"
+#include "wythe/reading.h"
 
 namespace wythe::dynamics {
 namespace {
@@ -29,11 +31,11 @@ double stage_mass_scaling(const Model& model, const Stage& stage) {
 }
 
 // Dashpots act by the velocities of the half step before: omega^2 dt^2/4 + rate dt/2 <= 1. Impacts ask for
-// no more than half the longest step (docs/theory/dynamics.md, "The step").
+// no more than half the longest step, a quarter where they give back a share (docs/theory/dynamics.md, "The step").
 double stage_time_step(const Model& model, const Stage& stage) {
-  constexpr double kOfImpacts = 0.5;
+  const double of_impacts = rebounds(stage.dashpots) ? 0.25 : 0.5;
   const double fraction = stage.spec.kind == StageKind::kShake
-                              ? std::min(model.solve.step_fraction, kOfImpacts)
+                              ? std::min(model.solve.step_fraction, of_impacts)
                               : model.solve.step_fraction;
   const double step = fraction * 2.0 / model.omega_max *
                       std::sqrt(stage_mass_scaling(model, stage) / (1.0 + stage.spec.damping));
@@ -166,17 +168,49 @@ void StageRun::watch(double share) {
       std::fmax(std::fabs(state_.drive_displacement), std::fabs(state_.control_moved));
   const double allowed = driven + model_.solve.collapse_displacement;
   const Furthest furthest = wall_.access->furthest_block();
-  if (furthest.distance > allowed) {
-    const bool loads =
-        stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
-    const std::optional<Message> why = loads ? crushed() : std::nullopt;
-    Message reason{why ? "block.moved_away_crushed" : "block.moved_away",
-                   {{"block", name_of(furthest.block)},
-                    {"moved_mm", 1e3 * furthest.distance},
-                    {"stage", stage_.spec.name}}};
-    if (why) reason.arguments.emplace_back("why", *why);
-    return end({SolveStatus::kCollapsed, std::move(reason), false});
+  if (furthest.distance > allowed) end(fallen(furthest));
+}
+
+// The link that pulls a block the way it goes; -1: none does.
+int StageRun::pulled_by(BlockId block, double& force) const {
+  int found = -1;
+  if (block >= model_.n_block || model_.links.n == 0) return found;
+  wall_.access->bring_up(state_);
+  const Vec3 moved = read_block(model_, state_, block).moved;
+  const std::vector<LinkReading> links = read_links(model_, state_);
+  for (int k = 0; k < model_.links.n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const bool at_a = model_.links.a[i] == block;
+    if (!at_a && model_.links.b[i] != block) continue;
+    const Vec3 along = links[i].ends[at_a ? 1 : 0] - links[i].ends[at_a ? 0 : 1];
+    if (links[i].force > force && dot(along, moved) > 0) force = links[i].force, found = k;
   }
+  return found;
+}
+
+// What went too far: by its tie, or since the wall cannot stand under its loads alone.
+StageEnd StageRun::fallen(const Furthest& furthest) const {
+  double force = 0;
+  if (const int link = pulled_by(furthest.block, force); link >= 0)
+    return {SolveStatus::kCollapsed,
+            {"block.pulled_away",
+             {{"block", name_of(furthest.block)},
+              {"tie", model_.links.name[static_cast<std::size_t>(link)]},
+              {"moved_mm", 1e3 * furthest.distance},
+              {"force_kN", 1e-3 * force},
+              {"stage", stage_.spec.name}}},
+            false};
+  const bool loads =
+      stage_.spec.kind == StageKind::kGravity || stage_.spec.kind == StageKind::kLoad;
+  const std::optional<Message> why = loads ? crushed() : std::nullopt;
+  Message reason{why     ? "block.moved_away_crushed"
+                 : loads ? "block.cannot_stand"
+                         : "block.moved_away",
+                 {{"block", name_of(furthest.block)},
+                  {"moved_mm", 1e3 * furthest.distance},
+                  {"stage", stage_.spec.name}}};
+  if (why) reason.arguments.emplace_back("why", *why);
+  return {SolveStatus::kCollapsed, std::move(reason), false};
 }
 
 // A block that no ground holds up falls on for ever.
@@ -219,9 +253,20 @@ void StageRun::watch_for_falls() {
 
 namespace {
 
+// A fall (docs/theory/integration.md, 4.7b).
+constexpr double kFaster = 1.2;      // growth of energy over way at each doubling of the way
+constexpr int kDoublings = 3;        // in succession
+constexpr double kWayOfFall = 0.05;  // of collapse_displacement
+constexpr double kWayAtLast = 0.01;  // the same, when the time to settle is over
+
 class SettlingStage : public StageRun {
  public:
-  SettlingStage(WallUnderWay& wall, const Stage& stage) : StageRun(wall, stage) {}
+  SettlingStage(WallUnderWay& wall, const Stage& stage)
+      : StageRun(wall, stage), n_(wall.record.recording.numbers) {
+    if (state_.stage_time > 0) return;
+    n_.fall_way = n_.fall_kinetic = n_.fall_most = n_.fall_half = n_.fall_half_kinetic = 0;
+    n_.fall_doubled = 0;
+  }
 
   void prepare() override {
     const double share = smooth_step((state_.stage_time + controls_.dt) / stage_.spec.ramp);
@@ -239,12 +284,44 @@ class SettlingStage : public StageRun {
     if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
       const double ratio = wall_.access->unbalance_ratio();
       if (ratio < model_.solve.settle_ratio) return end({});
-      if (state_.stage_time > ramp + model_.solve.settle_limit) return end(unsettled(ratio));
+      follow_motion();
+      const Furthest furthest = wall_.access->furthest_block();
+      if (is_falling()) return end(fallen(furthest));
+      if (state_.stage_time > ramp + model_.solve.settle_limit)
+        return end(still_falls() ? fallen(furthest) : unsettled(ratio));
     }
     watch(0);
   }
 
  private:
+  // Loads stand still now. On its way to rest a wall gains ever less energy from the next equal piece of way; one
+  // that falls gains more and more.
+  void follow_motion() {
+    const double way = wall_.access->furthest_block().distance;
+    const double kinetic = wall_.access->kinetic_energy(1);
+    if (n_.fall_way == 0) n_.fall_way = way, n_.fall_kinetic = kinetic;
+    if (way >= 2 * n_.fall_way) {
+      const bool faster = kinetic * n_.fall_way >= kFaster * n_.fall_kinetic * way;
+      n_.fall_doubled = faster ? n_.fall_doubled + 1 : 0;
+      n_.fall_way = way, n_.fall_kinetic = kinetic;
+    }
+    n_.fall_most = std::max(n_.fall_most, way);
+    if (state_.stage_time < stage_.spec.ramp + 0.5 * model_.solve.settle_limit)
+      n_.fall_half = n_.fall_most, n_.fall_half_kinetic = kinetic;
+  }
+  // A slack tie, a free contact may stop what goes ever faster; joints alone do not.
+  [[nodiscard]] bool is_falling() const {
+    return n_.fall_doubled >= kDoublings && n_.fall_way >= kWayOfFall * collapse_displacement() &&
+           model_.links.n == 0 && !model_.free.any();
+  }
+  // Twice as far as ever in the first half of the time, with more energy than then.
+  [[nodiscard]] bool still_falls() const {
+    return n_.fall_most > 2 * n_.fall_half &&
+           wall_.access->furthest_block().distance >= n_.fall_most &&
+           wall_.access->kinetic_energy(1) > n_.fall_half_kinetic &&
+           n_.fall_most >= kWayAtLast * collapse_displacement();
+  }
+  [[nodiscard]] double collapse_displacement() const { return model_.solve.collapse_displacement; }
   [[nodiscard]] StageEnd unsettled(double ratio) const {
     return {SolveStatus::kNotSettled,
             {"stage.not_settled",
@@ -254,6 +331,8 @@ class SettlingStage : public StageRun {
               {"wanted", model_.solve.settle_ratio}}},
             false};
   }
+
+  RecordingNumbers& n_;
 };
 
 class Push : public StageRun {

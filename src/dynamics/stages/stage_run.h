@@ -70,6 +70,7 @@ class StageRun {
   void watch_motion(double share);  // progress and instability alone
   void watch_for_falls();
   void watch_for_the_world();
+  [[nodiscard]] StageEnd fallen(const Furthest& furthest) const;
   [[nodiscard]] std::string name_of(BlockId block) const;
 
   WallUnderWay& wall_;
@@ -82,6 +83,7 @@ class StageRun {
   [[nodiscard]] StageEnd runs_away() const;
   [[nodiscard]] bool is_overloaded() const;
   [[nodiscard]] std::optional<Message> crushed() const;
+  [[nodiscard]] int pulled_by(BlockId block, double& force) const;
 
   const std::vector<BlockId>* driven_;
   bool ended_ = false;

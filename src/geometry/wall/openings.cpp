@@ -176,7 +176,10 @@ bool place_hole(const OpeningSpec& opening, PlacedOpening& placed, const Storey&
                      opening.height,
                      base,
                      courses.end() < top ? "above the " + floor_line(courses.end() - base)
-                                         : outside("height", top),
+                     : opening.storey.empty()
+                         ? outside("height", top)
+                         : "above the top of its storey at " + metres(courses.end() - base) +
+                               " (heights count from the storey's foot)",
                      fit_key};
   Rect& hole = placed.hole;
   (void)snap_span(level, columns, storey.fit, {bearing, columns.count - bearing}, hole.x0, hole.x1,

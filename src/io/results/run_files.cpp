@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -176,6 +177,42 @@ void check_folder(const std::string& folder, FolderFor use) {
                      .cure = "name another folder"}});
 }
 
+namespace {
+
+constexpr const char* kOrigin = ".wythe_model";
+
+// The same name for a file however it is written; a name that cannot be resolved stands as it is.
+std::string full_name(const std::string& file) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(fs::absolute(file, error), error);
+  return error ? file : path.string();
+}
+
+std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+}  // namespace
+
+void check_origin(const std::string& folder, const Origin& origin) {
+  const std::string kept = inside(folder, kOrigin);
+  std::error_code error;
+  if (origin.replaces || origin.file.empty()) return;
+  if (!fs::is_regular_file(fs::symlink_status(kept, error))) return;
+  std::istringstream lines(read_file(kept, kMostToml));
+  std::string hash, file;
+  if (!std::getline(lines, hash) || !std::getline(lines, file, '\0')) return;  // of no file
+  if (file == full_name(origin.file) || hash == hash_text(origin.spec_hash)) return;
+  throw InputError({{.file = folder,
+                     .path = "",
+                     .value = "",
+                     .problem = "holds results of another model, " + file,
+                     .cure = "name another folder, or replace them with --replace"}});
+}
+
+void write_origin(const std::string& folder, const Origin& origin) {
+  write_file(inside(folder, kOrigin), hash_text(origin.spec_hash) + '\n' +
+                                          (origin.file.empty() ? "" : full_name(origin.file)));
+}
+
 void prepare_folder(const std::string& folder) {
   check_folder(folder, FolderFor::kRun);
   std::error_code error;
@@ -190,15 +227,19 @@ void prepare_folder(const std::string& folder) {
   fs::remove(probe, error);
 }
 
-std::unique_ptr<Replacement> replace_run(const std::string& folder, bool resumes) {
+std::unique_ptr<Replacement> replace_run(const std::string& folder, const Origin& origin,
+                                         bool resumes) {
   check_folder(folder, FolderFor::kRun);
   finish_replacement(folder);
   if (!resumes) refuse_checkpoint(folder);
   refuse_others(folder);
+  if (!resumes) check_origin(folder, origin);
   prepare_folder(folder);
   const bool of_replay = fs::exists(inside(folder, "settings.txt"));
-  return std::make_unique<Replacement>(
+  auto results = std::make_unique<Replacement>(
       folder, [of_replay](const std::string& name) { return is_file_of_run(name, of_replay); });
+  write_origin(results->path(), origin);
+  return results;
 }
 
 void write_run(const std::string& folder, const ModelSpec& spec, const Model& model,

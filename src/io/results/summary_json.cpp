@@ -449,6 +449,12 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   io::put(json, "warning", warning_of(model, result));
   io::add_project(json, spec.project);
   add_responses(json, result.responses);
+  const FlatPeak flat = flat_peak(result);
+  json["flat_peak"] = {{"share", kFlatPeak},
+                       {"from_mm", 1e3 * flat.from},
+                       {"to_mm", 1e3 * flat.to},
+                       {"is_bound", flat.is_bound},
+                       {"says_little", flat.says_little(result.responses.displacement_at_peak)}};
   if (is_asked(spec.assessment))
     json["assessment"] = io::assessment_json(assess_run(spec, model, result));
   if (result.responses.cyclic.sense != 0) json["cyclic"] = cyclic_json(result.responses.cyclic);

@@ -103,6 +103,46 @@ double force_lost(const Result& result, double read_at) {
   return peak > 0 ? 1 - now / peak : 0.0;
 }
 
+// A wall that collapsed has a cause, too: what fell first, as the run says. A name of its own has only what a tie pulled away.
+const Message& why_it_fell(const Message& reason) {
+  if (reason.code != "load.largest_carried") return reason;
+  for (const Argument& argument : reason.arguments)
+    if (const auto* inner = std::get_if<std::vector<Message>>(&argument.value);
+        inner != nullptr && !inner->empty())
+      return inner->front();
+  return reason;
+}
+bool was_pulled_away(const Result& result) {
+  return why_it_fell(result.reason).code == "block.pulled_away";
+}
+bool is_collapsed(const Result& result) {
+  return result.status == SolveStatus::kCollapsed && !result.reason.empty();
+}
+bool shows_nothing(const FailureMode& mode) {
+  constexpr const char* kNothing[] = {"mode.none_here", "mode.no_part", "mode.no_piers",
+                                      "mode.no_state", "space.loose"};
+  return mode.name == "none" ||
+         (mode.name == "unclear" &&
+          std::any_of(std::begin(kNothing), std::end(kNothing),
+                      [&](const char* code) { return mode.sentence.code == code; }));
+}
+void name_fall(const Result& result, FailureMode& mode) {
+  if (!is_collapsed(result) || !shows_nothing(mode)) return;
+  const bool pulled = was_pulled_away(result);
+  mode.name = pulled ? "part breaking away" : "unclear";
+  mode.words = pulled ? Message{"damage.breaking_away"} : Message{};
+  mode.sentence = pulled ? why_it_fell(result.reason)
+                         : Message{"mode.fell", {{"why", why_it_fell(result.reason)}}};
+}
+void name_fall(const Result& result, WallMechanism& mechanism) {
+  if (!is_collapsed(result) || mechanism.name != "none") return;
+  mechanism.name = was_pulled_away(result) ? "partial" : "unclear";
+  mechanism.candidates.clear();
+  mechanism.sentence = was_pulled_away(result)
+                           ? why_it_fell(result.reason)
+                           : Message{"mode.fell", {{"why", why_it_fell(result.reason)}}};
+}
+
 // A force that fell needs a cause: in space too "none" is no name for it.
 FailureMode name_read_in_space(const Model& model, const Result& result, const Snapshot& read) {
   FailureMode mode = study::name_in_space(model, read.state);
@@ -241,7 +281,9 @@ FailureMode name_from_state(const Model& model, const State& state) {
   return name_from_state(model, state, rules_for(model));
 }
 
-FailureMode name_failure_mode(const Model& model, const Result& result, double read_at) {
+namespace {
+
+FailureMode mode_of_push(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) {
     FailureMode none;
@@ -276,8 +318,6 @@ FailureMode name_failure_mode(const Model& model, const Result& result, double r
   mode.sensitivity = sensitivity_of(model, parts, result, *read, motion, rules, later);
   return mode;
 }
-
-namespace {
 
 WallMechanism mechanism_in(const WallParts& parts, const WallMotion& motion, const ModeRules& rules,
                            double later = 0) {
@@ -328,11 +368,19 @@ void doubt_calm(const WallParts& parts, const WallMotion& motion, double lost,
 
 }  // namespace
 
+FailureMode name_failure_mode(const Model& model, const Result& result, double read_at) {
+  FailureMode mode = mode_of_push(model, result, read_at);
+  name_fall(result, mode);
+  return mode;
+}
+
 WallMechanism mechanism_from_state(const Model& model, const State& state) {
   return mechanism_in(study::find_parts(model), study::read_motion(model, state), rules_for(model));
 }
 
-WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
+namespace {
+
+WallMechanism mechanism_of_push(const Model& model, const Result& result, double read_at) {
   const Snapshot* read = state_to_read(model, result.readings, read_at);
   if (read == nullptr) return {};
   if (model.in_space()) {
@@ -353,6 +401,14 @@ WallMechanism read_mechanism(const Model& model, const Result& result, double re
   if (mechanism.name != "none" || is_load_controlled(result)) return mechanism;
   if (const double lost = force_lost(result, read->displacement); lost >= rules.drop)
     doubt_calm(parts, motion, lost, mechanism);
+  return mechanism;
+}
+
+}  // namespace
+
+WallMechanism read_mechanism(const Model& model, const Result& result, double read_at) {
+  WallMechanism mechanism = mechanism_of_push(model, result, read_at);
+  name_fall(result, mechanism);
   return mechanism;
 }
 

@@ -1,0 +1,111 @@
+// Spearman's coefficient is the correlation of middle ranks G = P(X < x) + P(X = x)/2, whose variance is (1 - sum p^3)/12. A
+// variable of few values is a step function of its normal variable z, G = sum d_i [z > a_i], and by Plackett (1954)
+//
+//   d Cov(G, H) / d rho = sum d_i e_j phi_2(a_i, b_j; rho)          both of few values
+//                       = sum d_i phi(a_i) n(rho a_i; 2 - rho^2)    the second continuous, n the normal density of that variance
+//
+// With rho = sin t the integrand is smooth up to full dependence.
+#include "campaign/draws/few_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <openturns/DistFunc.hxx>
+
+#include "campaign/draws/copula.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Step {
+  double at, height;  // of the normal variable; of the middle rank
+};
+
+std::vector<Step> steps_of(const std::vector<double>& shares) {
+  std::vector<Step> steps;
+  double below = 0;
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+    below += shares[i];
+    steps.push_back({OT::DistFunc::qNormal(below), 0.5 * (shares[i] + shares[i + 1])});
+  }
+  return steps;
+}
+
+double variance_of(const std::vector<double>& shares) {
+  double cubes = 0;
+  for (const double p : shares) cubes += p * p * p;
+  return (1 - cubes) / 12;
+}
+
+// d Cov / d t at rho = sin t, of two step functions or of one and a continuous variable (no steps).
+double rate(double t, const std::vector<Step>& a, const std::vector<Step>& b) {
+  const double r = std::sin(t), c = std::cos(t);
+  double sum = 0;
+  for (const Step& x : a) {
+    if (b.empty()) {
+      const double variance = 2 - r * r;
+      sum += x.height * c * std::exp(-0.5 * x.at * x.at - 0.5 * r * r * x.at * x.at / variance) /
+             (2 * kPi * std::sqrt(variance));
+      continue;
+    }
+    for (const Step& y : b) {
+      const double apart = x.at - y.at;
+      const double far = apart == 0 ? 0 : 0.5 * apart * apart / (c * c);
+      sum += x.height * y.height * std::exp(-far - x.at * y.at / (1 + r)) / (2 * kPi);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> shares_of_values(const VariableSpec& v) {
+  constexpr std::size_t kMany =
+      60;  // so many equal shares leave a rank correlation as it is, but for 3e-4 of it
+  if (v.distribution != DistributionKind::kEmpirical) return {};
+  std::map<double, double> count;
+  double all = 0;
+  for (const double value : v.values)
+    if (!(value < v.lower) && !(value > v.upper)) ++count[value], ++all;
+  if (count.size() < 2 || count.size() > kMany) return {};
+  std::vector<double> shares;
+  for (const auto& [value, times] : count) shares.push_back(times / all);
+  return shares;
+}
+
+RankReached gaussian_of_rank(double rank, const std::vector<double>& of_a,
+                             const std::vector<double>& of_b) {
+  if (of_a.empty() && of_b.empty()) return {gaussian_of_rank(rank), rank};
+  const std::vector<double>& first = of_a.empty() ? of_b : of_a;
+  const std::vector<double>& second = of_a.empty() ? of_a : of_b;
+  const std::vector<Step> a = steps_of(first), b = steps_of(second);
+  const double unit =
+      std::sqrt(variance_of(first) * (second.empty() ? 1.0 / 12 : variance_of(second)));
+  const double wanted = std::fabs(rank) * unit, way = rank < 0 ? -1 : 1;
+  constexpr int kPieces = 512;
+  const double h = 0.5 * kPi / kPieces;
+  const auto piece = [&](double from, double length) {  // Simpson
+    const auto f = [&](double t) { return rate(way * std::min(t, 0.5 * kPi - 1e-9), a, b); };
+    return length / 6 * (f(from) + 4 * f(from + 0.5 * length) + f(from + length));
+  };
+  double covariance = 0;
+  for (int k = 0; k < kPieces; ++k) {
+    const double more = piece(k * h, h);
+    if (covariance + more < wanted) {
+      covariance += more;
+      continue;
+    }
+    double low = 0, high = h;
+    for (int round = 0; round < 40; ++round) {
+      const double middle = 0.5 * (low + high);
+      (covariance + piece(k * h, middle) < wanted ? low : high) = middle;
+    }
+    return {way * std::sin(k * h + high), rank};
+  }
+  return {way, way * covariance / unit};
+}
+
+}  // namespace wythe
