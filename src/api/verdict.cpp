@@ -49,11 +49,10 @@ WallsVerdict read_verdict(const std::vector<std::string>& folders) {
       if (std::isnan(spec.confidence_factor) && std::isnan(between))
         asked.cautions.push_back({"verdict.caution.means"});
       for (const study::OddScatter& odd : study::odd_scatter(base, model, between))
-        asked.cautions.push_back(
-            {"verdict.caution.scatter",
-             {{"strength", Message{std::string("verdict.scatter.") + odd.strength}},
-              {"percent", 100 * odd.cov},
-              {"tested_percent", 100 * odd.tested}}});
+        asked.cautions.push_back({"verdict.caution.scatter",
+                                  {{"strength", Message{odd.words}},
+                                   {"percent", 100 * odd.cov},
+                                   {"tested_percent", 100 * odd.tested}}});
     }
     const PushWay way = way_of(base);
     ways.push_back({.direction = way.direction,

@@ -421,14 +421,13 @@ class Verdict {
     constexpr double kToG = 1 / kStandardGravity;
     const WallCapacity& capacity = out_.worst.capacity;
     const Interval& interval = capacity.with_tests;
-    std::string code = "verdict.capacity";
-    if (std::isnan(interval.low))
-      code += capacity.at_least ? "_at_least" : "_alone";
-    else if (capacity.at_least)
-      code += tests_widen() ? "_at_least_tested" : "_at_least";
-    else
-      code +=
-          std::string(std::isinf(interval.high) ? "_open" : "") + (tests_widen() ? "_tested" : "");
+    const char* code = tests_widen() ? "verdict.capacity_tested" : "verdict.capacity";
+    if (capacity.at_least)
+      code = tests_widen() ? "verdict.capacity_at_least_tested" : "verdict.capacity_at_least";
+    else if (std::isnan(interval.low))
+      code = "verdict.capacity_alone";
+    else if (std::isinf(interval.high))
+      code = tests_widen() ? "verdict.capacity_open_tested" : "verdict.capacity_open";
     return {code,
             {{"median_g", capacity.median.value * kToG},
              {"low_g", interval.low * kToG},
@@ -559,7 +558,8 @@ int next_walls(const WallCounts& counts, double width) {
     return study::exact_share(k, walls).interval.width();
   };
   while (n < most && !(width_at(n) < width)) ++n;
-  return std::min(most, counts.walls + n - known);
+  // a store takes two more at the least
+  return std::max(counts.walls + 2, std::min(most, counts.walls + n - known));
 }
 
 std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& base,

@@ -260,7 +260,7 @@ bool has_unit_planes(const Model& model) {
 std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, double between) {
   std::vector<OddScatter> out;
   const double b = std::isnan(between) ? 0 : between;
-  const auto look = [&](const char* strength, const std::string& material, const char* key,
+  const auto look = [&](const char* words, const std::string& material, const char* key,
                         double JointMaterial::*mean, double Kind::*tested) {
     const auto found = spec.material.find(material);
     if (found == spec.material.end() || !(found->second.*mean > 0) ||
@@ -274,17 +274,17 @@ std::vector<OddScatter> odd_scatter(const ModelSpec& spec, const Model& model, d
     const double w = stated_scatter(spec, fmt::format("material.{}.{}", material, key));
     const double total = std::sqrt((1 + w * w) * (1 + b * b) - 1);
     if (total < kFewer * least)
-      out.push_back({strength, total, least});
+      out.push_back({words, total, least});
     else if (w > kMore * most)
-      out.push_back({strength, total, most});
+      out.push_back({words, total, most});
   };
-  look("joint_tension", spec.scatter.joint, "tensile_strength", &JointMaterial::tensile_strength,
-       &Kind::joint_tension);
-  look("joint_cohesion", spec.scatter.joint, "cohesion", &JointMaterial::cohesion,
+  look("verdict.scatter.joint_tension", spec.scatter.joint, "tensile_strength",
+       &JointMaterial::tensile_strength, &Kind::joint_tension);
+  look("verdict.scatter.joint_cohesion", spec.scatter.joint, "cohesion", &JointMaterial::cohesion,
        &Kind::joint_cohesion);
   if (has_unit_planes(model))
-    look("unit_tension", spec.scatter.unit, "tensile_strength", &JointMaterial::tensile_strength,
-         &Kind::unit_tension);
+    look("verdict.scatter.unit_tension", spec.scatter.unit, "tensile_strength",
+         &JointMaterial::tensile_strength, &Kind::unit_tension);
   return out;
 }
 

@@ -21,8 +21,8 @@ void add_scatter(ModelSpec& spec, const std::function<bool(const std::string& pa
 
 // A strength whose stated scatter is far from that of tests.
 struct OddScatter {
-  const char* strength;  // "joint_tension", as in ScatterSpec
-  double cov, tested;    // within a wall and between walls, stated and of tests [-]
+  const char* words;   // code of a message: which strength
+  double cov, tested;  // within a wall and between walls, stated and of tests [-]
 };
 // Of a compiled model and the scatter of its mean strength between walls (NaN: none): less than half of what tests of this
 // masonry have within a wall, or more than 2.5 times.
