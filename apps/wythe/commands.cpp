@@ -309,9 +309,9 @@ int run(const RunArguments& arguments) {
   RunStart start = start_of(arguments);
   hold_for_test("model read");
   const Model& model = start.from.model;
-  const std::unique_ptr<Replacement> results =
-      replace_run(start.out, {start.from.order.model_file, start.from.model.spec_hash, arguments.replaces},
-                  start.is_resumed);
+  const std::unique_ptr<Replacement> results = replace_run(
+      start.out, {start.from.order.model_file, start.from.model.spec_hash, arguments.replaces},
+      start.is_resumed);
   if (!arguments.quiet) print_model(start.from.spec, model, false);
   State state = start.from.state;
   if (start.is_resumed && !arguments.quiet)

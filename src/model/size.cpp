@@ -76,7 +76,7 @@ double blocks_of(const ModelSpec& spec) {
 
 // Where a push turns; before the wall is built nobody knows what a drift is of: `kUsualHeight` stands for it.
 std::vector<double> turns_of(const StageSpec& stage) {
-  constexpr double kUsualHeight = 3;  // [m]
+  constexpr double kUsualHeight = 3;                                 // [m]
   if (stage.targets.empty() && fault_of_protocol(stage)) return {};  // a fault of its own
   return targets_of(stage, kUsualHeight);
 }

@@ -139,7 +139,8 @@ void Store::check_tables() {
     due.erase(name);
     if (sql != found->second)
       throw IoError(fmt::format(
-          "{}: its table {} is not declared as this wythe declares it: another state of wythe wrote "
+          "{}: its table {} is not declared as this wythe declares it: another state of wythe "
+          "wrote "
           "the store, or it is damaged; use the wythe that wrote it, or run the campaign again in "
           "another folder",
           database_.name(), name));

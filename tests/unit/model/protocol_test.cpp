@@ -40,8 +40,7 @@ TEST(Protocol, levels_are_told_with_their_cycles) {
 TEST(Protocol, a_spec_that_no_file_was_read_for_is_refused_by_compile) {
   const auto refused_at = [](const StageSpec& protocol) -> std::string {
     ModelSpec spec = scenes::stack(1, 0.2, 0.1, scenes::paper_joint(), 0.1, 2000);
-    spec.stage = {scenes::gravity_stage(),
-                  scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
+    spec.stage = {scenes::gravity_stage(), scenes::push_stage("b0", Direction::kPlusX, 0.01, 1e-3)};
     spec.stage[1].amplitudes = protocol.amplitudes, spec.stage[1].cycles = protocol.cycles;
     spec.stage[1].drifts = protocol.drifts, spec.stage[1].targets = protocol.targets;
     try {
