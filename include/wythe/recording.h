@@ -59,12 +59,13 @@ struct RecordingNumbers {
   std::int64_t base_samples = 0;
   std::int64_t shake_rows = 0, shake_frames = 0;
 
-  // Of a stage that shall settle: the furthest block's way [m] and the kinetic energy [J] when it had last
-  // doubled, and how often in succession the energy grew more than the way; the farthest way of all; that and the
-  // energy in the middle of the time to settle.
+  // Of a stage that shall settle: the furthest block's way [m] and the kinetic energy [J] when the way had last doubled,
+  // and how often in succession the energy grew more than the way. The farthest way so far; the same, the work of loads and
+  // the elastic energy [J] when the time had last doubled, and how often in succession the way grew nearly as the time.
   double fall_way = 0, fall_kinetic = 0;
-  std::int64_t fall_doubled = 0;
-  double fall_most = 0, fall_half = 0, fall_half_kinetic = 0;
+  std::int64_t fall_faster = 0;
+  double fall_most = 0, fall_then = 0, fall_work = 0, fall_elastic = 0;
+  std::int64_t fall_steady = 0;
 };
 
 // One side of the start, along the push or against it; forces and distances as of a push there.

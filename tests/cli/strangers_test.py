@@ -113,10 +113,10 @@ factor = 1.0
 
     def test_a_stack_that_leans_too_far(self):
         summary = self.falls("s8", self.stack(0.13))
-        self.assertLess(summary["stages"][0]["time_s"], 20)  # at once, not when the time to settle is over
+        self.assertLess(summary["stages"][0]["time_s"], 5)  # at once, not when the time to settle is over
 
     def test_a_stack_that_just_falls(self):
-        self.falls("s8", self.stack(0.1001))  # the upper nine of ten are over the edge by half a millimetre
+        self.falls("s8", self.stack(0.102))  # the upper nine are over the edge by 10 mm
 
     def test_stacks_that_just_stand(self):
         for lean in (0.099, 0.09):
@@ -153,6 +153,12 @@ factor = 1.0
         summary, said = self.run_of(self.stack(0.05, count=3), kn="3 MPa/m", ks="1 MPa/m", more=("solve.collapse_displacement=0.5 m",))
         self.assertEqual(summary["status"], "completed", said)
 
+    def test_a_soft_stack_that_leans_far_and_stands_is_no_fall(self):
+        # near to buckling: they sway for seconds, by 80 to 180 mm
+        for lean, kn in ((0.005, 40), (0.01, 40), (0.03, 100), (0.08, 300)):
+            summary, said = self.run_of(self.stack(lean), kn=f"{kn} MPa/m", ks=f"{0.4 * kn:g} MPa/m")
+            self.assertEqual(summary["status"], "completed", said)
+
     def test_a_wall_that_trembles_is_no_fall(self):
         summary, said = self.run_of(self.stack(0), code=3, more=("stage.gravity.damping=0", "solve.settle_limit=2 s"))
         self.assertEqual(summary["status"], "not_settled", said)
@@ -161,22 +167,22 @@ factor = 1.0
     def test_a_stone_that_its_tie_pulls_out(self):
         blocks = [{**self.cube("g", -0.2, -0.2, 1.6, 0.2), "fixed": True}]
         for course in range(6):
-            shift = 0.2 * (course % 2)
-            blocks += [self.cube(f"c{course}u{k}", 0.4 * k - shift, 0.2 * course, 0.4, 0.2) for k in range(3)]
-        tie = """
+            ends = [0, 0.4, 0.8, 1.2] if course % 2 == 0 else [0, 0.2, 0.6, 1.0, 1.2]
+            blocks += [self.cube(f"c{course}u{k}", ends[k], 0.2 * course, ends[k + 1] - ends[k], 0.2) for k in range(len(ends) - 1)]
+        tie = lambda block, x, y, stress: f"""
 [[tie]]
 name = "chain"
 anchored = true
-from = {{ block = "{block}" }}
-to = {{ x = "{x} m", y = "{y} m", z = "0.5 m" }}
+from = {{{{ block = "{block}" }}}}
+to = {{{{ x = "{x} m", y = "{y} m", z = "0.5 m" }}}}
 area = "1000 mm^2"
 youngs_modulus = "0.2 GPa"
 prestress = "{stress} MPa"
 """
         model = self.MODEL
         try:
-            for block, x, y, stress in (("c4u2", 5, 0.9, 12), ("c5u0", -4, 1.1, 6), ("c5u2", 4, 1.1, 8)):
-                Falls.MODEL = model + tie.format(block=block, x=x, y=y, stress=stress)
+            for block, x, y, stress in (("c4u2", 5, 0.9, 12), ("c4u0", -4, 0.9, 12), ("c5u3", 4, 1.1, 12)):
+                Falls.MODEL = model + tie(block=block, x=x, y=y, stress=stress)
                 summary, said = self.run_of(blocks, more=("output.rows=50",))
                 self.assertEqual(summary["status"], "collapsed", said)
                 self.assertIn(f"chain pulls block {block} away", said)
@@ -185,7 +191,7 @@ prestress = "{stress} MPa"
                 self.assertIn(block, mode["sentence"])
                 self.assertIn("chain", mode["sentence"])
                 self.assertNotEqual(mode["mechanism"]["name"], "none")
-            Falls.MODEL = model + tie.format(block="c5u0", x=-4, y=1.1, stress=0.5)  # less than friction holds
+            Falls.MODEL = model + tie(block="c4u0", x=-4, y=0.9, stress=0.5)  # less than friction holds
             summary, said = self.run_of(blocks)
             self.assertEqual(summary["status"], "completed", said)
         finally:
@@ -224,7 +230,7 @@ at = {{ block = "s0" }}
 contacts = "{contacts}"
 """
 
-    def model(self, count=1, restitution=0.5, amplitude=-30, contacts="fixed", space=False):
+    def model(self, count=1, restitution=0.5, amplitude=-30, contacts="joints", space=False):
         ground = {"id": "g", "polygon": [[-1, -0.1], [1.4, -0.1], [1.4, 0], [-1, 0]], "fixed": True}
         blocks = [ground] + [{"id": f"s{k}", "polygon": [[0, 0.2 * k], [0.4, 0.2 * k], [0.4, 0.2 * k + 0.2], [0, 0.2 * k + 0.2]]}
                              for k in range(count)]
@@ -253,12 +259,12 @@ contacts = "{contacts}"
     def test_so_it_does_in_space_and_at_free_contacts(self):
         for options in ({"space": True}, {"contacts": "free"}, {"space": True, "contacts": "free"}):
             with self.subTest(**options):
-                self.assertAlmostEqual(self.rebound(**options), 0.5, delta=0.04)
+                self.assertAlmostEqual(self.rebound(**options), 0.5, delta=0.05)
 
     def test_of_a_pile_the_check_says_what_comes(self):
-        for count, restitution, obtained in ((2, 0.1, 0.22), (5, 0.1, 0.43), (10, 0.1, 0.59), (10, 0.5, 0.83)):
+        for count, restitution, obtained in ((2, 0.1, 0.20), (5, 0.1, 0.41), (10, 0.1, 0.56), (10, 0.5, 0.82)):
             said = self.wythe("check", self.model(count=count, restitution=restitution)).stdout
-            found = re.search(r"restitution ([0-9.]+) is that of one block.*comes back with ([0-9.]+) of its speed", said)
+            found = re.search(r"restitution ([0-9.]+) is that of one block.*comes back with about ([0-9.]+) of its speed", said)
             self.assertIsNotNone(found, said)
             self.assertEqual(float(found[1]), restitution)
             self.assertAlmostEqual(float(found[2]), obtained, delta=0.02)

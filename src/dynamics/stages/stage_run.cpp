@@ -171,8 +171,9 @@ void StageRun::watch(double share) {
   if (furthest.distance > allowed) end(fallen(furthest));
 }
 
-// The link that pulls a block the way it goes; -1: none does.
+// The link that pulled a block the way it went, by the largest of their forces, now or when they were drawn; -1: none did.
 int StageRun::pulled_by(BlockId block, double& force) const {
+  constexpr double kMostly = 0.5;  // of the way
   int found = -1;
   if (block >= model_.n_block || model_.links.n == 0) return found;
   wall_.access->bring_up(state_);
@@ -183,7 +184,9 @@ int StageRun::pulled_by(BlockId block, double& force) const {
     const bool at_a = model_.links.a[i] == block;
     if (!at_a && model_.links.b[i] != block) continue;
     const Vec3 along = links[i].ends[at_a ? 1 : 0] - links[i].ends[at_a ? 0 : 1];
-    if (links[i].force > force && dot(along, moved) > 0) force = links[i].force, found = k;
+    const double pulled = std::max(links[i].force, model_.links.prestress[i]);
+    if (pulled > force && dot(along, moved) > kMostly * length(along) * length(moved))
+      force = pulled, found = k;
   }
   return found;
 }
@@ -253,19 +256,26 @@ void StageRun::watch_for_falls() {
 
 namespace {
 
-// A fall (docs/theory/integration.md, 4.7b).
-constexpr double kFaster = 1.2;      // growth of energy over way at each doubling of the way
-constexpr int kDoublings = 3;        // in succession
-constexpr double kWayOfFall = 0.05;  // of collapse_displacement
-constexpr double kWayAtLast = 0.01;  // the same, when the time to settle is over
+// Falls (docs/theory/integration.md, 4.7b and 4.7c).
+constexpr int kDoublings = 3;          // in succession
+constexpr double kFaster = 1.2;        // growth of energy over way while the way doubles
+constexpr double kSteady = 1.7;        // growth of the way while the time doubles
+constexpr double kFirstTime = 0.25;    // after the ramp [s], that is doubled
+constexpr double kWayOfFaster = 0.05;  // of collapse_displacement
+constexpr double kWayOfSteady = 0.1;   // the same
+constexpr double kWayAtLast = 0.01;    // the same, when the time to settle is over
+constexpr double kOfWork =
+    0.25;  // of the loads' work, that joints take as springs: more bends a soft wall
+constexpr double kOfFreeFall = 0.1;  // of gravity: what goes farther than that may be a soft wall
 
 class SettlingStage : public StageRun {
  public:
   SettlingStage(WallUnderWay& wall, const Stage& stage)
       : StageRun(wall, stage), n_(wall.record.recording.numbers) {
     if (state_.stage_time > 0) return;
-    n_.fall_way = n_.fall_kinetic = n_.fall_most = n_.fall_half = n_.fall_half_kinetic = 0;
-    n_.fall_doubled = 0;
+    n_.fall_way = n_.fall_kinetic = n_.fall_most = n_.fall_then = 0;
+    n_.fall_work = n_.fall_elastic = 0;
+    n_.fall_faster = n_.fall_steady = 0;
   }
 
   void prepare() override {
@@ -284,44 +294,56 @@ class SettlingStage : public StageRun {
     if (state_.stage_time >= ramp && state_.step % kSettleEvery == 0) {
       const double ratio = wall_.access->unbalance_ratio();
       if (ratio < model_.solve.settle_ratio) return end({});
-      follow_motion();
       const Furthest furthest = wall_.access->furthest_block();
-      if (is_falling()) return end(fallen(furthest));
+      follow_motion(furthest.distance);
+      if (is_falling(furthest.distance)) return end(fallen(furthest));
       if (state_.stage_time > ramp + model_.solve.settle_limit)
-        return end(still_falls() ? fallen(furthest) : unsettled(ratio));
+        return end(still_falls(furthest.distance) ? fallen(furthest) : unsettled(ratio));
     }
     watch(0);
   }
 
  private:
-  // Loads stand still now. On its way to rest a wall gains ever less energy from the next equal piece of way; one
-  // that falls gains more and more.
-  void follow_motion() {
-    const double way = wall_.access->furthest_block().distance;
+  [[nodiscard]] double time_at_rest() const { return state_.stage_time - stage_.spec.ramp; }
+
+  // Loads stand still now. On its way to rest a wall gains ever less energy from the next equal piece of way, and goes
+  // ever less far in the next equal time.
+  void follow_motion(double way) {
     const double kinetic = wall_.access->kinetic_energy(1);
     if (n_.fall_way == 0) n_.fall_way = way, n_.fall_kinetic = kinetic;
     if (way >= 2 * n_.fall_way) {
       const bool faster = kinetic * n_.fall_way >= kFaster * n_.fall_kinetic * way;
-      n_.fall_doubled = faster ? n_.fall_doubled + 1 : 0;
+      n_.fall_faster = faster ? n_.fall_faster + 1 : 0;
       n_.fall_way = way, n_.fall_kinetic = kinetic;
     }
     n_.fall_most = std::max(n_.fall_most, way);
-    if (state_.stage_time < stage_.spec.ramp + 0.5 * model_.solve.settle_limit)
-      n_.fall_half = n_.fall_most, n_.fall_half_kinetic = kinetic;
+    const double now = time_at_rest(), before = now - kSettleEvery * controls_.dt;
+    double next = kFirstTime;
+    while (next <= before) next *= 2;
+    if (now < next) return;
+    wall_.access->bring_up(state_);
+    const double work = state_.work_loads, elastic = elastic_energy(model_, state_);
+    const bool is_bent = elastic - n_.fall_elastic > kOfWork * (work - n_.fall_work);
+    const bool steady = n_.fall_then > 0 && n_.fall_most >= kSteady * n_.fall_then && !is_bent;
+    n_.fall_work = work, n_.fall_elastic = elastic;
+    n_.fall_steady = steady ? n_.fall_steady + 1 : 0;
+    n_.fall_then = n_.fall_most;
   }
-  // A slack tie, a free contact may stop what goes ever faster; joints alone do not.
-  [[nodiscard]] bool is_falling() const {
-    return n_.fall_doubled >= kDoublings && n_.fall_way >= kWayOfFall * collapse_displacement() &&
-           model_.links.n == 0 && !model_.free.any();
+  // A slack tie, a free contact may stop what goes on; joints alone do not.
+  [[nodiscard]] bool is_falling(double way) const {
+    if (model_.links.n > 0 || model_.free.any()) return false;
+    const double collapse = model_.solve.collapse_displacement, time = time_at_rest();
+    const double softest =
+        kOfFreeFall * model_.solve.gravity * (1 - stage_.spec.damping) * time * time;
+    return (n_.fall_faster >= kDoublings && n_.fall_way >= kWayOfFaster * collapse) ||
+           (n_.fall_steady >= kDoublings && way >= kWayOfSteady * collapse && way < softest);
   }
-  // Twice as far as ever in the first half of the time, with more energy than then.
-  [[nodiscard]] bool still_falls() const {
-    return n_.fall_most > 2 * n_.fall_half &&
-           wall_.access->furthest_block().distance >= n_.fall_most &&
-           wall_.access->kinetic_energy(1) > n_.fall_half_kinetic &&
-           n_.fall_most >= kWayAtLast * collapse_displacement();
+  // The time is over, and the wall is farther away than ever, after it went nearly as far again in its second half.
+  [[nodiscard]] bool still_falls(double way) const {
+    return n_.fall_steady > 0 && way >= n_.fall_most && way > n_.fall_then &&
+           way >= kWayAtLast * model_.solve.collapse_displacement;
   }
-  [[nodiscard]] double collapse_displacement() const { return model_.solve.collapse_displacement; }
+
   [[nodiscard]] StageEnd unsettled(double ratio) const {
     return {SolveStatus::kNotSettled,
             {"stage.not_settled",

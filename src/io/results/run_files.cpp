@@ -200,7 +200,8 @@ void check_origin(const std::string& folder, const Origin& origin) {
   std::istringstream lines(read_file(kept, kMostToml));
   std::string hash, file;
   if (!std::getline(lines, hash) || !std::getline(lines, file, '\0')) return;  // of no file
-  if (file == full_name(origin.file) || hash == hash_text(origin.spec_hash)) return;
+  const bool is_same = origin.spec_hash != 0 && hash == hash_text(origin.spec_hash);
+  if (is_same || file == full_name(origin.file)) return;
   throw InputError({{.file = folder,
                      .path = "",
                      .value = "",
