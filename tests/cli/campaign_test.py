@@ -276,7 +276,7 @@ class FallenBeforeThePush(unittest.TestCase):
             said = json.loads((folder / "out/statistics.json").read_text())
             self.assertEqual(said["samples"]["collapsed_before_push"], 1)
             self.assertEqual([str(u["sample"]) for u in said["samples"]["unanswered"]], fallen)
-            self.assertIn('in stage "gravity"', said["samples"]["unanswered"][0]["reason"])
+            self.assertIn('stage "gravity"', said["samples"]["unanswered"][0]["reason"])
             self.assertEqual(said["table"]["all"]["peak_reaction_kN"]["n"], 2)
             self.assertIn("1 collapsed before the push: they have no strength", done.stdout)
             self.assertRegex(done.stderr, r"sample \d: collapsed before the push")

@@ -27,7 +27,7 @@ NUMBERS = {
     "picture": {"--sample": [], "--at": ["--sample", "1"], "--scale": ["--sample", "1"]},
 }
 NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--quiet", "--lang", "--path", "--unit", "--outline", "--openings",
-              "--lintels", "--submit", "--stored", "--partition", "--time", "--with", "--only", "--assessment", "--hdf5"}
+              "--lintels", "--submit", "--stored", "--partition", "--time", "--with", "--only", "--assessment", "--hdf5", "--replace"}
 BAD = ("nan", "inf", "1e308", "-1", "", " ", "99999999999999999999", "1,5", "abc", "nan s",
        "relative_interval(peak_reaction) < nan", "relative_interval(peak_reaction) < 1e308")
 COMMANDS = ("run", "assess", "check", "contact", "drawing", "materials", "campaign", "merge", "store", "status", "compare", "replay",

@@ -69,8 +69,9 @@ bool stands(ModelSpec spec, double overburden, double pressure, int courses) {
   State state = initial_state(model);
   const Result result = solve(model, state, {});
   if (result.status == SolveStatus::kCompleted) return true;
-  // it fell, or is on its way: local damping makes a wall a little beyond its capacity fall slowly
-  EXPECT_GT(*std::max_element(state.uz.begin(), state.uz.end()), 0.25 * kThick) << result.reason;
+  // local damping makes a wall a little beyond its capacity fall slowly; it is told all the same, on its way
+  EXPECT_EQ(result.status, SolveStatus::kCollapsed) << result.reason;
+  EXPECT_GT(*std::max_element(state.uz.begin(), state.uz.end()), 0.05 * kThick) << result.reason;
   return false;
 }
 

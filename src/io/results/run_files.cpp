@@ -36,6 +36,8 @@ std::string inside(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
+constexpr const char* kOrigin = ".wythe_model";
+
 // state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu; record_1.csv
 bool is_numbered(const std::string& name) {
   if (name.starts_with("record_") && name.ends_with(".csv")) return true;
@@ -46,9 +48,9 @@ bool is_numbered(const std::string& name) {
 
 // What `wythe run` writes; `replay` has two files more.
 bool is_file_of_run(const std::string& name, bool of_replay) {
-  for (const char* file :
-       {"force_displacement.csv", "elements.csv", "links.csv", "history.csv", "summary.json",
-        "run.pvd", "report.html", "report.data", "model.used.toml", "blocks.json", kCheckpointFile})
+  for (const char* file : {"force_displacement.csv", "elements.csv", "links.csv", "history.csv",
+                           "summary.json", "run.pvd", "report.html", "report.data",
+                           "model.used.toml", "blocks.json", kCheckpointFile, kOrigin})
     if (name == file) return true;
   return is_numbered(name) || (of_replay && (name == "model.toml" || name == "settings.txt"));
 }
@@ -179,8 +181,6 @@ void check_folder(const std::string& folder, FolderFor use) {
 
 namespace {
 
-constexpr const char* kOrigin = ".wythe_model";
-
 // The same name for a file however it is written; a name that cannot be resolved stands as it is.
 std::string full_name(const std::string& file) {
   std::error_code error;
@@ -199,7 +199,7 @@ void check_origin(const std::string& folder, const Origin& origin) {
   if (!fs::is_regular_file(fs::symlink_status(kept, error))) return;
   std::istringstream lines(read_file(kept, kMostToml));
   std::string hash, file;
-  if (!std::getline(lines, hash) || !std::getline(lines, file, '\0')) return;  // of no file
+  if (!std::getline(lines, hash) || !std::getline(lines, file, '\0')) return;
   const bool is_same = origin.spec_hash != 0 && hash == hash_text(origin.spec_hash);
   if (is_same || file == full_name(origin.file)) return;
   throw InputError({{.file = folder,
@@ -210,8 +210,9 @@ void check_origin(const std::string& folder, const Origin& origin) {
 }
 
 void write_origin(const std::string& folder, const Origin& origin) {
-  write_file(inside(folder, kOrigin), hash_text(origin.spec_hash) + '\n' +
-                                          (origin.file.empty() ? "" : full_name(origin.file)));
+  if (!origin.file.empty())
+    write_file(inside(folder, kOrigin),
+               hash_text(origin.spec_hash) + '\n' + full_name(origin.file));
 }
 
 void prepare_folder(const std::string& folder) {
