@@ -575,10 +575,10 @@ std::vector<JudgedWall> judge_walls(const Campaign& campaign, const ModelSpec& b
     wall.peak = record.responses.peak_reaction;
     wall.is_in_plane = is_in_plane(model, wall.mode);
     wall.assessment = assess_sample(record, base, model);
-    if (wall.assessment.limit_states.empty())
+    if (!is_answered(record))
+      wall.lost = record.reason;  // a wall that was refused has no push to speak of
+    else if (wall.assessment.limit_states.empty())
       wall.lost = wall.assessment.reason;
-    else if (!is_answered(record))
-      wall.lost = record.reason;
     else
       continue;
     if (wall.lost.empty()) wall.lost = as_text(record.status);

@@ -288,6 +288,16 @@ class Assess(unittest.TestCase):
         self.assertEqual(len(j["ways"][0]["lost_walls"]), 2)
         self.assertRegex(ended.stdout, r"lost: .*/base, wall 1: ")
 
+    def test_a_refused_wall_is_lost_for_its_own_reason(self):
+        # the factor of a strong wall makes its energy too small for its strength
+        model = self.file("brittle.toml", WALL.replace('mode_1_energy = "4.3 N/m"', 'mode_1_energy = "1.2 N/m"'))
+        out = self.folder / "brittle"
+        wythe("assess", model, "--out", out, "--walls", "8", "--quiet", "--between", "0.5")
+        lost = json.loads((out / "assessment.json").read_text())["ways"][0]["lost_walls"]
+        why = " ".join(wall["why"] for wall in lost)
+        self.assertIn("snap-back", why)
+        self.assertNotIn("no push", why)
+
     def test_bad_input_is_named_located_and_cured(self):
         spectrum = ASSESSMENT.index("[assessment.spectrum]")
         without = WALL.replace(ASSESSMENT, "[scatter]\nuse = \"clay_brick\"\n")
