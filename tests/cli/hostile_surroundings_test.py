@@ -20,13 +20,13 @@ from hostile_test import RAW  # noqa: E402
 # options whose value is a number, with what else their command needs; `help` below finds that none is missing
 NUMBERS = {
     "run": {"--threads": [], "--checkpoint": [], "--walls": [], "--jobs": ["--walls", "2"]},
-    "assess": {"--walls": [], "--seed": [], "--between": [], "--jobs": []},
+    "assess": {"--walls": [], "--until": [], "--seed": [], "--between": [], "--jobs": []},
     "campaign": {"--samples": [], "--seed": [], "--jobs": [], "--slurm": [], "--cores": ["--slurm", "2"], "--shard": [],
                  "--until": []},
     "replay": {"--sample": [], "--threads": ["--sample", "1"], "--intensity": ["--sample", "1"]},
     "picture": {"--sample": [], "--at": ["--sample", "1"], "--scale": ["--sample", "1"]},
 }
-NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--quiet", "--lang", "--path", "--unit", "--outline", "--openings",
+NO_NUMBERS = {"--help", "--out", "--set", "--resume", "--replace", "--quiet", "--lang", "--path", "--unit", "--outline", "--openings",
               "--lintels", "--submit", "--stored", "--partition", "--time", "--with", "--only", "--assessment", "--hdf5", "--replace"}
 BAD = ("nan", "inf", "1e308", "-1", "", " ", "99999999999999999999", "1,5", "abc", "nan s",
        "relative_interval(peak_reaction) < nan", "relative_interval(peak_reaction) < 1e308")

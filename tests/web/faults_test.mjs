@@ -146,8 +146,8 @@ test("a run that is only gravity has a page without a curve", async () => {
   const model = fs.readFileSync(path.join(folder("inputs"), "model.toml"), "utf8");
   const quiet = model.slice(0, model.lastIndexOf("[[stage]]"));
   fs.writeFileSync(path.join(folder("inputs"), "quiet.toml"), quiet);
-  run("run", path.join(folder("inputs"), "quiet.toml"), "--out", folder("standing"), "--quiet");
-  const text = await words("standing");
+  run("run", path.join(folder("inputs"), "quiet.toml"), "--out", folder("gravity_only"), "--quiet");
+  const text = await words("gravity_only");
   assert.match(text, /nothing pushed it/);
   assert.match(text, /no curve to draw/);
 });

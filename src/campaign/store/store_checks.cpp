@@ -141,8 +141,9 @@ void Store::check_tables() {
       throw IoError(fmt::format(
           "{}: its table {} is not declared as this wythe declares it: another state of wythe "
           "wrote "
-          "the store, or it is damaged; use the wythe that wrote it, or run the campaign again in "
-          "another folder",
+          "the store, or it is damaged; use the wythe that wrote it, restore it from a copy, or "
+          "run "
+          "the campaign again in another folder",
           database_.name(), name));
   }
   if (!due.empty()) database_.damaged("table " + due.begin()->first + " is missing");

@@ -150,7 +150,7 @@ TEST_F(ChangedStore, counts_are_compared_with_the_wall_and_the_study) {
            {"UPDATE sample SET status = 'excellent'", "no sample ends as \"excellent\""},
            {"UPDATE sample SET peak_reaction_N = 'strong'", "peak_reaction_N is not a number"},
            {"ALTER TABLE sample DROP COLUMN peak_reaction_N",
-            "its table sample is none that wythe made (it is declared"},
+            "its table sample is not declared as this wythe declares it"},
            {"DROP TABLE event", "event"}}) {
     put_back();
     Database(store_path(out_), Database::Access::kWrite).execute("DROP VIEW samples;" + sql);
@@ -172,8 +172,10 @@ TEST_F(ChangedStore, tables_that_compute_are_refused_before_they_are_read) {
            {"DROP TABLE study; CREATE VIEW study AS " + endless, "its view study is none"},
            {"CREATE TRIGGER t AFTER INSERT ON sample BEGIN DELETE FROM curve; END",
             "its trigger t is none"},
-           {"ALTER TABLE event ADD COLUMN z AS (zeroblob(1000000000))", "its table event is none"},
-           {"ALTER TABLE event ADD COLUMN z TEXT DEFAULT 'long'", "its table event is none"}}) {
+           {"ALTER TABLE event ADD COLUMN z AS (zeroblob(1000000000))",
+            "its table event is not declared"},
+           {"ALTER TABLE event ADD COLUMN z TEXT DEFAULT 'long'",
+            "its table event is not declared"}}) {
     put_back();
     Database(store_path(out_), Database::Access::kWrite).execute("DROP VIEW samples;" + sql);
     const std::string said = said_by_report();
