@@ -135,10 +135,6 @@ void print_verdict(const WallsVerdict& v, const std::string& out) {
   fmt::print("report {}/report.html\n", out);
 }
 
-}  // namespace
-
-namespace {
-
 // All walls of a study in all its ways, and the verdict from them, unless the user stopped.
 struct Round {
   OptionRuns ran;
