@@ -27,7 +27,12 @@ class Sanitize(unittest.TestCase):
         for name in re.findall(r'"(.*?)"', part):
             self.assertTrue((SOURCE / "tests" / name).is_dir() or (SOURCE / f"tests/{name}.cpp").exists(), name)
 
-    def test_both_sanitizers_take_every_kind_and_their_counts_are_added(self):
+    def test_each_test_with_threads_is_there(self):
+        threaded = re.search(r"THREADED = \[(.*)\]", (SOURCE / "tools/sanitize").read_text()).group(1)
+        for name in re.findall(r'"(.*?)"', threaded):
+            self.assertTrue((SOURCE / "tests" / name).is_dir() or list((SOURCE / "tests").glob(f"**/{name}.*")), name)
+
+    def test_both_sanitizers_run_and_their_counts_are_added(self):
         with tempfile.TemporaryDirectory() as folder:
             tools = pathlib.Path(folder) / "tools"
             tools.mkdir()
@@ -37,9 +42,9 @@ class Sanitize(unittest.TestCase):
             done = subprocess.run(["python3", tools / "sanitize"], capture_output=True, text=True, check=False)
             self.assertEqual((done.stdout.splitlines()[-1], done.returncode), ("6 passed, 2 failed", 1))
             calls = (tools / "calls").read_text().splitlines()
-            for preset, call in zip(("asan", "tsan"), calls, strict=True):
-                self.assertIn(f"--preset {preset} ", call)
-                self.assertIn("--only unit property verification regression determinism fuzz", call)
+            for call, words in zip(calls, ("--preset asan --timeout 7200 --only unit property verification regression determinism fuzz",
+                                           "--preset tsan --timeout 7200 --only determinism unit/core/parallel_test"), strict=True):
+                self.assertIn(words, call)
 
 
 class ContinuousIntegration(unittest.TestCase):
