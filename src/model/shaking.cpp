@@ -452,6 +452,15 @@ MaxwellElement maxwell_element(double fraction, double frequency) {
   return {share, 1 / (2 * M_PI * frequency * std::sqrt(1 + share))};
 }
 
+double viscous_fraction(const StageSpec& shake, double frequency) {
+  const auto of = [&](const ViscousSpec& v, auto share) {
+    return is_set(v.fraction) ? v.fraction * share(frequency / v.frequency) : 0;
+  };
+  return of(shake.mass_damping, [](double r) { return 1 / r; }) +
+         of(shake.joint_damping, [](double r) { return r; }) +
+         of(shake.maxwell_damping, [](double r) { return 2 * r / (1 + r * r); });
+}
+
 double share_of_step(double omega_max, const Dashpots& d) {
   const double stiffer = std::sqrt(1 + d.spring_share);
   const double xi = 0.5 * d.rate / (omega_max * stiffer);

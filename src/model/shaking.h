@@ -46,6 +46,9 @@ struct MaxwellElement {
   double share, relaxation;
 };
 [[nodiscard]] MaxwellElement maxwell_element(double fraction, double frequency);
+// The fraction of critical damping that the viscous damping of a shake gives an elastic vibration of this frequency [Hz], all
+// kinds together (14.9a).
+[[nodiscard]] double viscous_fraction(const StageSpec& shake, double frequency);
 // The longest stable step of a wall with these dashpots over that without, by the bound on its highest frequency [1/s]
 // (14.5, 14.10).
 [[nodiscard]] double share_of_step(double omega_max, const Dashpots& dashpots);

@@ -300,6 +300,13 @@ class OtherResults(Folder):
         self.assertIn(str(self.model("one")), said)
         self.assertIn("--replace", said)
         self.assertEqual((self.out / "summary.json").read_bytes(), before)
+        origin = self.out / ".wythe_model"
+        for damage in (lambda: None, lambda: origin.write_text(""), lambda: origin.write_text("no hash\n"), origin.mkdir):
+            origin.unlink(missing_ok=True)
+            damage()
+            self.assertIn(".wythe_model, which names their model, is missing or damaged", run("two", code=2).stderr)
+            self.assertEqual((self.out / "summary.json").read_bytes(), before)
+        origin.rmdir()
         run("two", "--replace")
         self.assertNotEqual((self.out / "summary.json").read_bytes(), before)
         run("one", code=2)
@@ -314,6 +321,8 @@ class OtherResults(Folder):
         limit("one")
         limit("one")
         self.assertIn("another model", limit("two", code=2).stderr)
+        (self.out / ".wythe_model").unlink()
+        limit("two", code=2)
         limit("two", "--replace")
         self.wythe("run", self.model("one"), "--out", self.root / "run", "--quiet")
         self.out = self.root / "run"

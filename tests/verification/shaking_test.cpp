@@ -157,6 +157,40 @@ TEST(Shaking, damping_by_mass_halves_where_the_frequency_doubles) {
   EXPECT_NEAR(decrement(by_mass), 2 * M_PI * 0.025, 0.02 * 2 * M_PI * 0.025);
 }
 
+// The note on what a wall of this shake gets; nullptr where it gets what was asked.
+const Message* obtained_of(const Model& model) {
+  for (const Message& note : model.anatomy.notes)
+    if (note.code == "shake.damping_obtained") return &note;
+  return nullptr;
+}
+
+TEST(Shaking, a_fraction_that_the_wall_does_not_get_is_told_as_the_decrement_shows_it) {
+  StageSpec shake = plain_shake();
+  shake.record = {pulse(PulseShape::kCycle, 0.1, 0.1, Direction::kPlusY)};
+  for (const auto member :
+       {&StageSpec::mass_damping, &StageSpec::joint_damping, &StageSpec::maxwell_damping}) {
+    shake.*member = {0.02, 1 / kPeriod};
+    ModelSpec spec = oscillator();
+    spec.stage.push_back(shake);
+    EXPECT_EQ(obtained_of(compile(spec)), nullptr);
+    (shake.*member).frequency = 3 / kPeriod;
+    spec.stage.back() = shake;
+    const Model model = compile(spec);
+    const Message* note = obtained_of(model);
+    ASSERT_NE(note, nullptr);
+    const double xi = 1e-2 * note->number("obtained_percent");
+    const double shown = member == &StageSpec::maxwell_damping ? 0.02 * 0.6 : decrement(shake) / (2 * M_PI);
+    EXPECT_NEAR(xi, shown, 0.02 * xi);
+    EXPECT_NEAR(note->number("frequency_hz"), 1 / kPeriod, 1e-3 / kPeriod);
+    shake.*member = {};
+  }
+  shake.mass_damping = {0.02, 1 / kPeriod}, shake.joint_damping = {0.02, 1 / kPeriod};
+  ModelSpec both = oscillator();
+  both.stage.push_back(shake);
+  const Model model = compile(both);
+  ASSERT_NE(obtained_of(model), nullptr) << "two kinds give twice what each of them says";
+}
+
 // --- bouncing ---------------------------------------------------------------------------------------------
 
 double rebound(double restitution) {

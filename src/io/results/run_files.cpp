@@ -37,6 +37,8 @@ std::string inside(const std::string& folder, const std::string& name) {
 }
 
 constexpr const char* kOrigin = ".wythe_model";
+// One of these is in each folder of a run, a replay or a second opinion.
+constexpr const char* kResults[] = {"summary.json", "force_displacement.csv", "mechanisms.json"};
 
 // state_blocks_00.vtu, state_joints_00.vtu, state_zones_00.vtu; record_1.csv
 bool is_numbered(const std::string& name) {
@@ -196,10 +198,24 @@ void check_origin(const std::string& folder, const Origin& origin) {
   const std::string kept = inside(folder, kOrigin);
   std::error_code error;
   if (origin.replaces || origin.file.empty()) return;
-  if (!fs::is_regular_file(fs::symlink_status(kept, error))) return;
-  std::istringstream lines(read_file(kept, kMostToml));
+  const bool has_results = std::any_of(
+      std::begin(kResults), std::end(kResults),
+      [&](const char* name) { return fs::exists(fs::symlink_status(inside(folder, name), error)); });
+  if (!has_results) return;
   std::string hash, file;
-  if (!std::getline(lines, hash) || !std::getline(lines, file, '\0')) return;
+  if (fs::is_regular_file(fs::symlink_status(kept, error))) {
+    std::istringstream lines(read_file(kept, kMostToml));
+    std::getline(lines, hash) && std::getline(lines, file, '\0');
+  }
+  if (file.empty())
+    throw InputError(
+        {{.file = folder,
+          .path = "",
+          .value = "",
+          .problem = fmt::format("holds results, and {}, which names their model, is missing or "
+                                 "damaged",
+                                 kOrigin),
+          .cure = "name another folder, or replace them with --replace"}});
   const bool is_same = origin.spec_hash != 0 && hash == hash_text(origin.spec_hash);
   if (is_same || file == full_name(origin.file)) return;
   throw InputError({{.file = folder,
