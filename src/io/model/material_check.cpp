@@ -56,7 +56,9 @@ void finish(TableReader& reader, JointMaterial& material) {
     // With values already refused, only what is plainly missing is worth saying now.
     if (half_read && reader.has(fault.key)) continue;
     if (has_no_typology && !reader.has(fault.key)) continue;
-    if (context.has_fault_at(reader.below(fault.key))) continue;  // one slip, one message
+    if (context.has_fault_at(reader.below(fault.key)) ||
+        context.follow_ups.contains(reader.below(fault.key)))
+      continue;  // one slip, one message
     if (reader.has(fault.key))
       reader.refuse(fault.key, fault.problem, fault.cure);
     else

@@ -470,7 +470,11 @@ class Resolver {
       refuse_lacking(table, key, rule, lacking);
       return {kUnset, "", true};
     }
-    if (spoiled || !holds(table, key, rule, inputs)) return {kUnset, "", true};
+    if (spoiled) {
+      is_follow_up(table, key);
+      return {kUnset, "", true};
+    }
+    if (!holds(table, key, rule, inputs)) return {kUnset, "", true};
     if (rule.by_unit_type)
       from.push_back(fmt::format("unit_type {}", word_of(kUnitTypeWords, inputs.unit_type)));
     const std::string by = from.empty() ? "" : " from " + joined(from, ", ");
@@ -484,6 +488,12 @@ class Resolver {
     return own ? table.keys->at(name) : masonry_.keys->at(name);
   }
 
+  // What is amiss with its inputs is told; of the value itself there is nothing to say.
+  void is_follow_up(Table& table, const std::string& key) {
+    context_.follow_ups.insert(under(table.path, key));
+    table.toml->erase(key);  // else its reader would find "rule" no number
+  }
+
   void refuse_lacking(Table& table, const std::string& key, const Rule& rule,
                       const std::vector<std::string>& lacking) {
     if (use_is_wrong_) {  // the typology would have given them: one slip, one message
@@ -491,11 +501,23 @@ class Resolver {
       return;
     }
     std::vector<std::string> masonry, own;
-    for (const std::string& name : lacking)
-      (name == "unit_type" || !is_law_key(name) || table.role == Role::kMasonry ? masonry : own)
-          .push_back(name);
+    bool has_news = false;
+    for (const std::string& name : lacking) {
+      const bool is_of_masonry =
+          name == "unit_type" || !is_law_key(name) || table.role == Role::kMasonry;
+      (is_of_masonry ? masonry : own).push_back(name);
+      has_news |= told_lacking_.insert(is_of_masonry ? name : under(table.path, name)).second;
+    }
+    if (!has_news) return is_follow_up(table, key);
+    const auto has_rule = [](const std::string& name) {
+      return materials::rule_for(Role::kMasonry, name) != nullptr;
+    };
     std::string cure;
-    if (!masonry.empty()) cure = fmt::format("give {} under [masonry]", joined(masonry, ", "));
+    if (!masonry.empty())
+      cure = fmt::format("give {} under [masonry]{}", joined(masonry, ", "),
+                         std::any_of(masonry.begin(), masonry.end(), has_rule)
+                             ? " (\"rule\" where a rule shall give it too)"
+                             : "");
     if (!own.empty())
       cure += fmt::format("{}give {} here", cure.empty() ? "" : " and ", joined(own, ", "));
     fault(table, key, fmt::format("the rule {} needs {}", rule.name, joined(lacking, ", ")),
@@ -677,6 +699,7 @@ class Resolver {
   std::set<std::string, std::less<>> spoiled_;  // paths whose fault is told
   OfficeMasonry office_;                        // what [masonry] asks of Circolare 7/2019
   bool use_is_wrong_ = false;                   // told already
+  std::set<std::string> told_lacking_;          // inputs of rules
 };
 
 }  // namespace

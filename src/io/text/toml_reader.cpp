@@ -392,7 +392,8 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
       rest.remove_prefix(std::min(rest.size(), rest.find('\n') + 1));
     constexpr std::size_t kLongestLine = 1000;
     const std::string_view written = rest.substr(0, std::min(rest.find('\n'), kLongestLine));
-    const Slip slip = slip_in(written);
+    Slip slip = slip_in(written);
+    if (slip.problem.empty()) slip = stated_twice(written, error.description());
     throw InputError(
         {Fault{.file = file,
                .path = "",

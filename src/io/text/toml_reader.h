@@ -44,6 +44,8 @@ struct ReadContext {
   };
   std::map<std::string, Derived> derived = {};
   std::set<std::string, std::less<>> asked = {};
+  // Values whose rule cannot be followed, since what it needs is refused or told to be lacking: no fault of their own.
+  std::set<std::string, std::less<>> follow_ups = {};
   const std::map<std::string, std::string>* records = nullptr;  // what record files hold, by name
 
   // Adds a fault at `path`; where an override reaches that path, the fault is the override's.

@@ -94,6 +94,20 @@ Slip slip_in(std::string_view written) {
   return {};
 }
 
+Slip stated_twice(std::string_view written, std::string_view description) {
+  const std::size_t open = description.find('\'');
+  const std::size_t close = description.find('\'', open + 1);
+  if (description.find("cannot redefine") == std::string_view::npos ||
+      close == std::string_view::npos)
+    return {};
+  const std::string_view name = description.substr(open + 1, close - open - 1);
+  const std::string problem = fmt::format("states {} a second time", name);
+  if (!trimmed(without_comment(written)).starts_with('[')) return {problem, "leave one of them"};
+  return {problem, fmt::format("put both under one [{0}]; several of a list are each under [[{0}]], "
+                               "with two brackets",
+                               name)};
+}
+
 std::string path_as_meant(std::string_view path) {
   constexpr std::string_view kMarks = "\b\t\n\f\r\x1b", kLetters = "btnfre";
   if (path.find_first_of(kMarks) == std::string_view::npos) return "";

@@ -12,6 +12,8 @@ struct Slip {
 
 // What is wrong with a line at which the parser stopped.
 [[nodiscard]] Slip slip_in(std::string_view line);
+// The same where the parser says that the line states something a second time: "cannot redefine existing ... 'NAME'".
+[[nodiscard]] Slip stated_twice(std::string_view line, std::string_view description);
 
 // "C:\temp" in double quotes holds a tab: the name as it was written, with / for each \; "" where nothing is wrong.
 [[nodiscard]] std::string path_as_meant(std::string_view path);
