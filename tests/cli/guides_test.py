@@ -31,7 +31,7 @@ PAGES = [SOURCE / "README.md", *sorted((SOURCE / "docs/tutorial").glob("*.md")),
          *sorted((SOURCE / "examples").glob("*/README.md"))]
 FENCE = re.compile(r"((?:<!-- test: [^\n]* -->\n)*)^```([a-z]*)\n(.*?)^```$", re.S | re.M)
 MARK = re.compile(r"<!-- test: (file|adds|said|short|first|long|exit|needs|not run:) ?(.*?) ?-->")
-COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 ")
+COMMAND = re.compile(r"(?:build/release/)?wythe |make |cmake |python3 |sed ")
 SETTING = re.compile(r"[a-z]+=\S")  # of the shell, for the commands below it
 SHELL = ("sh", "bash", "console", "shell")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
@@ -90,7 +90,7 @@ class Reader:
         path = f"{self.folder / 'build/release'}{os.pathsep}{os.environ['PATH']}"
         done = subprocess.run(["bash", "-eu"], input=script, cwd=self.folder, text=True, check=False, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, env=dict(os.environ, PATH=path, SHORT=self.short))
-        self.printed = done.stdout
+        self.printed = done.stdout + done.stderr
         return "" if done.returncode == expected else f"ended with {done.returncode}, not {expected}:\n{script}\n{done.stdout}{done.stderr}"
 
     def follow(self, marks, language, text):

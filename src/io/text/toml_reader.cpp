@@ -102,6 +102,27 @@ std::optional<double> TableReader::unlimited(const std::string& text, const Key&
   }
 }
 
+// A weight where a mass is asked for, or a mass where a weight is: how it is written right; "" for all else.
+static std::string weight_and_mass(const std::string& text, const char* name, const Key& key) {
+  constexpr double kGravity = 9.81;
+  struct Pair {
+    const char *mass, *weight;
+  };
+  for (const Pair& pair : {Pair{"kg", "N"}, {"kg/m", "N/m"}, {"kg/m^2", "Pa"}, {"kg/m^3", "N/m^3"}}) {
+    const bool wants_mass = std::string_view(key.unit) == pair.mass;
+    if (!wants_mass && std::string_view(key.unit) != pair.weight) continue;
+    try {
+      const double given = parse_quantity(text, wants_mass ? pair.weight : pair.mass);
+      const double meant = wants_mass ? given / kGravity : given * kGravity;
+      return fmt::format("write {} = \"{:.4g} {}\", {} {} 9.81 m/s^2", name,
+                         meant / unit_factor(key.shown, key.unit), key.shown, text,
+                         wants_mass ? "divided by" : "times");
+    } catch (const QuantityError&) {
+    }
+  }
+  return "";
+}
+
 std::optional<double> TableReader::read_quantity(const toml::node& node, const std::string& path,
                                                  const char* name, const Key& key) {
   const std::string example = example_text(name, key, ValueKind::kQuantity);
@@ -127,6 +148,8 @@ std::optional<double> TableReader::read_quantity(const toml::node& node, const s
     return refuse_value(range_problem(broken), "write e.g. " + example);
   } catch (const QuantityError& error) {
     const bool bare = error.problem() == "has no unit";
+    if (const std::string cure = bare ? "" : weight_and_mass(text->get(), name, key); !cure.empty())
+      return refuse_value(error.problem(), cure);
     return refuse_value(error.problem(),
                         (bare ? "write it with its unit, e.g. " : "write e.g. ") + example);
   }
