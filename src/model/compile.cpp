@@ -162,29 +162,6 @@ void note_coarse_records(Model& model) {
     }
 }
 
-// A stated fraction holds at a stated frequency; what the wall gets depends on its own (docs/theory/dynamics.md, 14.9a).
-void note_damping_obtained(Model& model) {
-  constexpr double kApart = 0.2;  // of what was asked: Maxwell elements keep 0.8 of it within an octave
-  for (const Stage& stage : model.stages) {
-    const StageSpec& s = stage.spec;
-    double asked = 0;
-    for (const ViscousSpec& v : {s.mass_damping, s.joint_damping, s.maxwell_damping})
-      asked = std::fmax(asked, v.fraction);
-    if (!(asked > 0) || stage.base.empty()) continue;
-    const auto& along = stage.base.front().along;
-    const double frequency = 1 / first_period(model, along.x, along.y);
-    const double obtained = viscous_fraction(s, frequency);
-    if (!(std::fabs(obtained - asked) > kApart * asked)) continue;
-    model.anatomy.notes.push_back({"shake.damping_obtained",
-                                   {{"stage", s.name},
-                                    {"asked_percent", 100 * asked},
-                                    {"obtained_percent", 100 * obtained},
-                                    {"frequency_hz", frequency},
-                                    {"half_percent", 100 * viscous_fraction(s, 0.5 * frequency)},
-                                    {"half_hz", 0.5 * frequency}}});
-  }
-}
-
 Assembly build(const ModelSpec& spec) {
   FaultList faults;
   check_settings(spec, faults);
@@ -221,7 +198,6 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   bound_step(model);
   set_dashpots(model);
   note_coarse_records(model);
-  note_damping_obtained(model);
   note_storeys_without_top(model);
   note_idle_materials(spec, model);
   note_densities(spec, model);

@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include "core/hash.h"
+#include "model/parts.h"
 #include "model/rebound.h"
+#include "model/space/space.h"
 
 namespace wythe {
 namespace {
@@ -510,7 +512,32 @@ static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
                                 {"energy_percent", 100 * *obtained * *obtained}}});
 }
 
+// A stated fraction holds at a stated frequency; what the wall gets depends on its own (docs/theory/dynamics.md, 14.9a).
+static void note_damping_obtained(Model& model) {
+  constexpr double kApart = 0.2;  // of what was asked: Maxwell elements keep 0.8 of it within an octave
+  for (const Stage& stage : model.stages) {
+    const StageSpec& s = stage.spec;
+    double asked = 0;
+    for (const ViscousSpec& v : {s.mass_damping, s.joint_damping, s.maxwell_damping})
+      asked = std::fmax(asked, v.fraction);
+    if (!(asked > 0) || stage.base.empty()) continue;
+    const auto& along = stage.base.front().along;
+    const double frequency = 1 / (model.in_space() ? first_period_in_space(model, along)
+                                                   : first_period(model, along.x, along.y));
+    const double obtained = viscous_fraction(s, frequency);
+    if (!(std::fabs(obtained - asked) > kApart * asked)) continue;
+    model.anatomy.notes.push_back({"shake.damping_obtained",
+                                   {{"stage", s.name},
+                                    {"asked_percent", 100 * asked},
+                                    {"obtained_percent", 100 * obtained},
+                                    {"frequency_hz", frequency},
+                                    {"half_percent", 100 * viscous_fraction(s, 0.5 * frequency)},
+                                    {"half_hz", 0.5 * frequency}}});
+  }
+}
+
 void set_dashpots(Model& m) {
+  note_damping_obtained(m);
   for (Stage& stage : m.stages) {
     const StageSpec& s = stage.spec;
     if (s.kind != StageKind::kShake) continue;

@@ -191,6 +191,23 @@ TEST(Shaking, a_fraction_that_the_wall_does_not_get_is_told_as_the_decrement_sho
   ASSERT_NE(obtained_of(model), nullptr) << "two kinds give twice what each of them says";
 }
 
+TEST(Shaking, a_wall_in_space_is_told_what_its_plane_picture_is) {
+  StageSpec shake = plain_shake();
+  shake.record = {pulse(PulseShape::kCycle, 0.1, 0.1)};
+  shake.mass_damping = {0.02, 1};
+  ModelSpec plane = scenes::plain_wall(4, 6, 1e-3, 0.02);
+  plane.stage = {scenes::gravity_stage(), shake};
+  const Message* in_plane = nullptr;
+  const Message* in_space = nullptr;
+  const Model flat = compile(plane), solid = compile(scenes::prisms(plane));
+  ASSERT_NE(in_plane = obtained_of(flat), nullptr);
+  ASSERT_NE(in_space = obtained_of(solid), nullptr);
+  EXPECT_NEAR(in_space->number("frequency_hz"), in_plane->number("frequency_hz"),
+              1e-3 * in_plane->number("frequency_hz"));
+  EXPECT_NEAR(in_space->number("obtained_percent"), in_plane->number("obtained_percent"),
+              1e-3 * in_plane->number("obtained_percent"));
+}
+
 // --- bouncing ---------------------------------------------------------------------------------------------
 
 double rebound(double restitution) {

@@ -26,6 +26,10 @@ void compile_links(const ModelSpec& spec, const geometry::SpaceAssembly& assembl
 // (docs/theory/space.md, "The longest step").
 void bound_space_step(Model& model);
 
+// First period of the elastic wall along a direction [s], every joint closed; NaN where it has none, and for walls with links,
+// zones or more than 5000 blocks.
+[[nodiscard]] double first_period_in_space(const Model& model, Vec3 along);
+
 // Principal moments of a symmetric matrix xx yy zz xy xz yz, and its axes: right-handed, in the order of the
 // sweeps of Jacobi's method, so that the bits are the same everywhere; a diagonal matrix keeps the axes.
 struct PrincipalAxes {
