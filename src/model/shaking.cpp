@@ -514,7 +514,8 @@ static void note_rebound(const StageSpec& shake, const Dashpots& d, Model& m) {
 
 // A stated fraction holds at a stated frequency; what the wall gets depends on its own (docs/theory/dynamics.md, 14.9a).
 static void note_damping_obtained(Model& model) {
-  constexpr double kApart = 0.2;  // of what was asked: Maxwell elements keep 0.8 of it within an octave
+  constexpr double kApart =
+      0.2;  // of what was asked: Maxwell elements keep 0.8 of it within an octave
   for (const Stage& stage : model.stages) {
     const StageSpec& s = stage.spec;
     double asked = 0;

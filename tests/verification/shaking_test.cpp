@@ -179,7 +179,8 @@ TEST(Shaking, a_fraction_that_the_wall_does_not_get_is_told_as_the_decrement_sho
     const Message* note = obtained_of(model);
     ASSERT_NE(note, nullptr);
     const double xi = 1e-2 * note->number("obtained_percent");
-    const double shown = member == &StageSpec::maxwell_damping ? 0.02 * 0.6 : decrement(shake) / (2 * M_PI);
+    const double shown =
+        member == &StageSpec::maxwell_damping ? 0.02 * 0.6 : decrement(shake) / (2 * M_PI);
     EXPECT_NEAR(xi, shown, 0.02 * xi);
     EXPECT_NEAR(note->number("frequency_hz"), 1 / kPeriod, 1e-3 / kPeriod);
     shake.*member = {};

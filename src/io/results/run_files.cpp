@@ -198,9 +198,10 @@ void check_origin(const std::string& folder, const Origin& origin) {
   const std::string kept = inside(folder, kOrigin);
   std::error_code error;
   if (origin.replaces || origin.file.empty()) return;
-  const bool has_results = std::any_of(
-      std::begin(kResults), std::end(kResults),
-      [&](const char* name) { return fs::exists(fs::symlink_status(inside(folder, name), error)); });
+  const bool has_results =
+      std::any_of(std::begin(kResults), std::end(kResults), [&](const char* name) {
+        return fs::exists(fs::symlink_status(inside(folder, name), error));
+      });
   if (!has_results) return;
   std::string hash, file;
   if (fs::is_regular_file(fs::symlink_status(kept, error))) {

@@ -108,7 +108,8 @@ static std::string weight_and_mass(const std::string& text, const char* name, co
   struct Pair {
     const char *mass, *weight;
   };
-  for (const Pair& pair : {Pair{"kg", "N"}, {"kg/m", "N/m"}, {"kg/m^2", "Pa"}, {"kg/m^3", "N/m^3"}}) {
+  for (const Pair& pair :
+       {Pair{"kg", "N"}, {"kg/m", "N/m"}, {"kg/m^2", "Pa"}, {"kg/m^3", "N/m^3"}}) {
     const bool wants_mass = std::string_view(key.unit) == pair.mass;
     if (!wants_mass && std::string_view(key.unit) != pair.weight) continue;
     try {

@@ -103,9 +103,10 @@ Slip stated_twice(std::string_view written, std::string_view description) {
   const std::string_view name = description.substr(open + 1, close - open - 1);
   const std::string problem = fmt::format("states {} a second time", name);
   if (!trimmed(without_comment(written)).starts_with('[')) return {problem, "leave one of them"};
-  return {problem, fmt::format("put both under one [{0}]; several of a list are each under [[{0}]], "
-                               "with two brackets",
-                               name)};
+  return {problem,
+          fmt::format("put both under one [{0}]; several of a list are each under [[{0}]], "
+                      "with two brackets",
+                      name)};
 }
 
 std::string path_as_meant(std::string_view path) {
