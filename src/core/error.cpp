@@ -10,10 +10,28 @@
 namespace wythe {
 namespace {
 
+// Faults of one kind, but for their values and lines.
+bool are_alike(const Fault& a, const Fault& b) {
+  return a.line > 0 && b.line > 0 && a.file == b.file && a.path == b.path &&
+         a.problem == b.problem && a.cure == b.cure;
+}
+
+// A row each; of more than three in a row that are alike the first, and how many follow.
 std::string listed(const std::vector<Fault>& faults) {
+  constexpr std::size_t kFew = 3;
   std::string out;
   const std::size_t told = std::min(faults.size(), kMostFaults);
-  for (std::size_t i = 0; i < told; ++i) out += (i > 0 ? "\n" : "") + to_string(faults[i]);
+  for (std::size_t i = 0; i < told;) {
+    std::size_t end = i + 1;
+    while (end < told && are_alike(faults[i], faults[end])) ++end;
+    const std::size_t alike = end - i;
+    for (const std::size_t shown = alike > kFew ? i + 1 : end; i < shown; ++i)
+      out += (i > 0 ? "\n" : "") + to_string(faults[i]);
+    if (alike > kFew)
+      out += "; so in " + std::to_string(alike - 1) + " lines more, to line " +
+             std::to_string(faults[end - 1].line);
+    i = end;
+  }
   if (told < faults.size()) out += "\nand more like these; mend these first";
   return out;
 }

@@ -17,8 +17,9 @@ void describe(Visitor& v, RecordSpec& s) {
          .doc = "Column of a table that holds the accelerations: its head, or its number from 1. Needed where none or "
                 "several are named as accelerations (acc, a, a unit such as [g]). Times are the column called time, t, "
                 "time_s or t_s, or the first of two."});
-  v.choice("unit", s.unit, kRecordUnitWords, {.fallback = "required but of a pulse", .example = "g",
-           .doc = "Unit of the accelerations; g is `solve.gravity`."});
+  v.choice("unit", s.unit, kRecordUnitWords, {.fallback = "what the file states", .example = "g",
+           .doc = "Unit of the accelerations; g is `solve.gravity`. Needed by a list, and by a file that states none; another "
+                  "than the file's is refused."});
   v.quantity("step", s.step, {.unit = "s", .shown = "s", .range = kPositive,
              .fallback = "the times given", .example = "0.005 s",
              .doc = "Time between accelerations that stand without times. Another than that of the file is refused."});

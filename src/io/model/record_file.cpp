@@ -300,8 +300,7 @@ void check_sources(ReadContext& context, const RecordSpec& r, const std::string&
   if (ways != 1)
     context.fault(path, 0, "", ways == 0 ? "says nothing of the motion" : "says it in several ways",
                   "write one of: file, accelerations, pulse");
-  if (ways == 1 && !has_pulse && r.unit == RecordUnit::kNone &&
-      !context.has_fault_at(path + ".unit"))
+  if (ways == 1 && has_list && r.unit == RecordUnit::kNone && !context.has_fault_at(path + ".unit"))
     context.fault(path + ".unit", 0, "", "is missing: no acceleration without its unit",
                   "write unit = \"g\", \"m/s2\" or \"cm/s2\"");
 }
@@ -349,6 +348,10 @@ void read_file_of(ReadContext& context, const ModelSpec& spec, const std::string
     context.fault(path + ".file", 0, r.file, error.what(),
                   "the path counts from the folder of the model file");
   }
+  if (r.unit == RecordUnit::kNone) r.unit = n.unit;
+  if (context.faults.all().size() == before && r.unit == RecordUnit::kNone)
+    return context.fault(path + ".unit", 0, "", "is missing, and " + r.file + " does not state it",
+                         "write unit = \"g\", \"m/s2\" or \"cm/s2\"");
   if (n.unit != RecordUnit::kNone && n.unit != r.unit)
     context.faults.add(
         {file, path + ".file", n.stated, "is the file's unit, and the model file states another",
@@ -388,7 +391,7 @@ void read_records(ReadContext& context, ModelSpec& spec) {
       const std::string path = fmt::format("stage.{}.record.{}", k, i);
       RecordSpec& record = spec.stage[k].record[i];
       check_sources(context, record, path);
-      if (!record.file.empty() && record.unit != RecordUnit::kNone &&
+      if (!record.file.empty() && !context.has_fault_at(path + ".unit") &&
           !context.has_fault_at(path + ".file"))
         read_file_of(context, spec, path, record);
     }

@@ -30,7 +30,13 @@ bool has_decimal_comma(std::string_view cell) {
          cell.substr(0, comma).find('.') == std::string_view::npos;
 }
 
+// Also with the exponent of Fortran, 1.5D-03, and the minus sign of text programs, U+2212.
 double number_with_mark(std::string cell, char mark) {
+  constexpr std::string_view kMinus = "\u2212";
+  for (std::size_t at = cell.find(kMinus); at != std::string::npos; at = cell.find(kMinus))
+    cell.replace(at, kMinus.size(), "-");
+  const std::size_t exponent = cell.find_first_of("dD");
+  if (exponent != std::string::npos && exponent > 0) cell[exponent] = 'e';
   if (mark == ',') cell[cell.find(',')] = '.';
   return number_in(cell);
 }
