@@ -10,7 +10,7 @@ from page import readme_part, table
 MEANING = {"shear": "crack diagonally through joints and units", "sliding": "slide along their beds",
            "rocking": "rock or crush at a toe", "mixed": "rock with sliding or cracked stones", "all": "all of them"}
 COLOUR = dict(zip(walls.KINDS, [COLOURS[0], COLOURS[1], COLOURS[2], "#8a5fa8"]))
-HELD, CONSTANTS = "src/judge/modes/tested_walls.h", "validation/drift_constants.csv"
+HELD, CONSTANTS, LIMITS = "src/judge/modes/tested_walls.h", "validation/drift_constants.csv", "validation/drift_limits.csv"
 VERIFIED, IN_SPACE = "docs/evidence/verification.md", "validation/in_space.csv"  # what stands for walls in space
 LARGE = 0.5  # scatter beyond which "delta" of formulas for small scatter is no longer a bias
 FEW = 3  # walls of a kind below which its bias is an anecdote
@@ -72,6 +72,11 @@ def constants_table():
     return table(["kind", "masonry", "tests", "middle drift, %", "nine of ten, %", "sd of ln", "source"],
                  [[row["kind"], row["masonry"], row["walls"], row["median_percent"], f"{row['low_percent']} to {row['high_percent']}", row["log_scatter"],
                    row["source"]] for row in walls.read_csv(CONSTANTS)])
+
+
+def limits_table():
+    return table(["code", "clause", "limit state", "pier in", "drift", "the figure is"],
+                 [[row["code"], row["clause"], row["limit_state"], row["kind"], row["limit"], row["known"]] for row in walls.read_csv(LIMITS)])
 
 
 def bound_text(value, is_bound, unit="", digits=3):
@@ -290,7 +295,7 @@ def write(page, held=HELD):
     lines += ["## Drift where the force has fallen to 80 % of the peak", "", "![predicted against measured drifts](figures/validation_drifts.svg)", ""]
     lines += statistic_table(found["drift"])
     lines += ["What a constant for each kind is worth instead, and how far tests of that kind went (validation/drift_constants.csv):", ""]
-    lines += constants_table()
+    lines += constants_table() + [readme_part(".", "Limits"), ""] + limits_table()
     lines += ["\\* The scatter is that of the tests: the model cannot be shown to be better than they are.", "",
               readme_part(".", "Reading"), "",
               f"Here σ_E of peaks is {scatter:.2f}, from {pairs} walls that were tested twice, and of drifts {drift_scatter:.2f}, from replicates of "

@@ -52,6 +52,8 @@ struct JointMaterial {
   double dilatancy_angle = kUnset;     // psi [rad], lift over slip under no pressure; unset: none
   double dilatancy_slip = kUnset;      // slip after which it has faded [m]; unset: it does not
   double dilatancy_pressure = kUnset;  // pressure under which it is gone [Pa]; unset: none
+  // Of a bed: share of its bond that head joints have which name no material of their own [-]; unset: all.
+  double head_joint_bond = kUnset;
   Softening softening = Softening::kBilinear;
   Coupling coupling = Coupling::kUnion;
   Unloading unloading = Unloading::kSecant;

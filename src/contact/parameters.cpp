@@ -38,6 +38,25 @@ double greatest_drop(const JointMaterial& m) {
 double greatest_rise(const JointMaterial& m) {
   return choice_of(m).rising ? m.mode_2_energy_per_pressure * greatest_compression(m) : 0.0;
 }
+
+JointMaterial head_joint_law(const JointMaterial& bed) {
+  constexpr double kMargin = 1.05;  // of (9.1)
+  const double share = bed.head_joint_bond;
+  JointMaterial head = bed;
+  head.head_joint_bond = kUnset;
+  for (auto part : {&JointMaterial::tensile_strength, &JointMaterial::cohesion,
+                    &JointMaterial::residual_cohesion, &JointMaterial::mode_1_energy,
+                    &JointMaterial::mode_2_energy})
+    head.*part *= share;
+  // The drop of friction does not shrink with the bond, and a branch steeper than ks has no path (3.13).
+  const double slope = steepest_slope(bed.softening) / bed.shear_stiffness;
+  const double unpressed = std::max(0.0, drop_of(head, 0.0)), pressed = greatest_drop(head);
+  const double least =
+      std::max(slope * unpressed * unpressed, slope * pressed * pressed - greatest_rise(head));
+  if (head.mode_2_energy < kMargin * least)
+    head.mode_2_energy = std::min(bed.mode_2_energy, kMargin * least);
+  return head;
+}
 }  // namespace contact
 
 namespace {
@@ -89,6 +108,9 @@ class Checker {
             "\"3.96 MPa\" or \"unlimited\"");
     check_angle("friction_angle", m_.friction_angle);
     check_angle("residual_friction_angle", m_.residual_friction_angle);
+    if (!std::isnan(m_.head_joint_bond) && !(m_.head_joint_bond >= 0 && m_.head_joint_bond <= 1))
+      fault("head_joint_bond", fmt::format("{:g}", m_.head_joint_bond), "must be from 0 to 1",
+            "write e.g. head_joint_bond = 0.25, or leave it out: as the beds");
   }
 
   void check_angle(const char* key, double angle) {

@@ -15,6 +15,10 @@ namespace wythe::contact {
 // What a GII that rises with pressure gains up to crushing, or to 10 MPa where that is unlimited [N/m].
 [[nodiscard]] double greatest_rise(const JointMaterial& material);
 
+// The law of a head joint that has `bed.head_joint_bond` of the bond of this bed (material_rules.md, 9.6): tension,
+// cohesion and energies by that share, the rest as the bed. Admissible wherever the bed is.
+[[nodiscard]] JointMaterial head_joint_law(const JointMaterial& bed);
+
 [[nodiscard]] constexpr LawChoice choice_of(const JointMaterial& m) {
   const bool cap = m.compression_cap > 0 || m.hardening_displacement > 0 || m.dilatancy_angle > 0;
   return {m.softening, m.coupling, m.unloading, cap, m.mode_2_energy_per_pressure >= 0};

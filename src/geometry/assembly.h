@@ -65,7 +65,8 @@ struct Face {
   int b = 0;
   Vec2 p0, p1;  // overlap segment; from p0 to p1 the normal is on the LEFT: n = (-ty, tx)
   FaceKind kind = FaceKind::kOther;
-  std::string material;  // joint material name
+  std::string material;     // joint material name
+  bool shares_bed = false;  // a head joint of its bed's material: has head_joint_bond of it
 };
 
 // What was changed or lost between the user's words and the geometry; shown by `wythe check`.

@@ -17,6 +17,9 @@ using BlockMap = std::vector<BlockId>;
 // A joint's law in [material.*] that no joint has, such as a misspelt "foundation", is told.
 void note_idle_materials(const ModelSpec& spec, Model& model);
 
+// What head joints have of the bond of their beds, where it is less than all.
+[[nodiscard]] Message head_bond_note(const std::string& name, const JointMaterial& bed);
+
 class FieldValues;  // field_places.h
 
 // A face of a deformable block and its joint material.

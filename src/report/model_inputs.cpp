@@ -39,6 +39,7 @@ constexpr MaterialRow kMaterialRows[] = {
     {"mode_1_energy", "kN/m", 1e-3, &JointMaterial::mode_1_energy},
     {"mode_2_energy", "kN/m", 1e-3, &JointMaterial::mode_2_energy},
     {"mode_2_energy_per_pressure", "mm", 1e3, &JointMaterial::mode_2_energy_per_pressure},
+    {"head_joint_bond", "", 1, &JointMaterial::head_joint_bond},
     {"compressive_energy", "kN/m", 1e-3, &JointMaterial::compressive_energy},
     {"compression_cap", "", 1, &JointMaterial::compression_cap},
     {"hardening_displacement", "mm", 1e3, &JointMaterial::hardening_displacement},

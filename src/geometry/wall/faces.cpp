@@ -123,6 +123,16 @@ std::string pair_material(const Shape& shape, const Block& a, const Block& b, Fa
   return ruled ? ruled_material(shape, a.material, b.material, plain) : plain;
 }
 
+// Of masonry beside masonry: neither a contact rule nor a head_joint names its material.
+bool shares_bed(const Shape& shape, const Block& a, const Block& b, FaceKind kind) {
+  const auto is_plain = [](const Block& block) {
+    return block.role == Role::kMasonry && !is_voussoir(block);
+  };
+  return kind == FaceKind::kHead && is_plain(a) && is_plain(b) &&
+         stated(shape, owner_of(a, b), &MasonryJoints::head_joint).empty() &&
+         (!uses_blocks_file(shape) || ruled_material(shape, a.material, b.material, "").empty());
+}
+
 std::string ground_material(const Shape& shape, const Block& block, const Block* support) {
   std::string material = own_joint(shape, "foundation", block);
   if (!uses_blocks_file(shape)) return material;
@@ -133,8 +143,13 @@ std::string ground_material(const Shape& shape, const Block& block, const Block*
 
 Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact& contact) {
   const FaceKind kind = kind_of(a, b, contact);
-  return {contact.a,  contact.b, contact.p0,
-          contact.p1, kind,      pair_material(shape, a, b, kind, contact)};
+  return {contact.a,
+          contact.b,
+          contact.p0,
+          contact.p1,
+          kind,
+          pair_material(shape, a, b, kind, contact),
+          shares_bed(shape, a, b, kind)};
 }
 
 // The ground is always side a: a contact whose b is the support is turned round.

@@ -1,7 +1,7 @@
 // From contacts to faces: what kind of joint each is and which joint material it takes.
 //
 //   two halves of one unit            kSplit        wall.unit_joint, or unit
-//   masonry beside masonry            kHead         wall.head_joint, or as a bed joint
+//   masonry beside masonry            kHead         wall.head_joint, or as a bed joint with its head_joint_bond
 //   masonry on masonry                kBed          wall.joint, or joint
 //       each of region, storey, wall in turn; blocks files: the first matching contact rule
 //   voussoir to voussoir of its arch   kHead        arch.joint, or as a bed joint

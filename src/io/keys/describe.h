@@ -264,6 +264,10 @@ void describe_fracture(Visitor& v, JointMaterial& m) {
   v.quantity("dilatancy_pressure", m.dilatancy_pressure, {.unit = "Pa", .shown = "MPa",
              .range = kPositive, .fallback = "does not fade with pressure", .example = "1 MPa",
              .doc = "Compression under which dilatancy is gone, along a straight line."});
+  v.number("head_joint_bond", m.head_joint_bond, {.range = kZeroToOne, .fallback = "1: as the beds",
+           .example = "0.25",
+           .doc = "Share of tensile strength, cohesion and their energies that head joints have beside beds of this "
+                  "material, where no `head_joint` names another; 0 is dry. Friction and stiffness are the beds'."});
   v.choice("softening", m.softening, kSofteningWords, {.example = "bilinear",
            .doc = "Shape of the falling branch in tension and shear; the energy stays the same."});
   v.choice("coupling", m.coupling, kCouplingWords, {.example = "union",

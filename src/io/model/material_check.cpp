@@ -12,7 +12,7 @@ namespace {
 
 // A table with none of these describes a body (lintel, block), not a joint. The words softening,
 // coupling and unloading have defaults, which write_model writes for bodies too.
-constexpr std::array<std::string_view, 17> kLawKeys = {
+constexpr std::array<std::string_view, 18> kLawKeys = {
     "normal_stiffness",     "shear_stiffness",
     "tensile_strength",     "cohesion",
     "friction_angle",       "residual_friction_angle",
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 17> kLawKeys = {
     "compressive_strength", "compressive_energy",
     "compression_cap",      "hardening_displacement",
     "dilatancy_angle",      "dilatancy_slip",
-    "dilatancy_pressure"};
+    "dilatancy_pressure",   "head_joint_bond"};
 
 }  // namespace
 

@@ -134,6 +134,10 @@ class Resolver {
         if (toml::table* table = node.as_table()) laws.push_back(law_table(name.str(), *table));
     for (Table& law : laws) read_recipes(law);
     for (const Table& law : laws) refuse_undivided(law);
+    for (const Table& law : laws)
+      if (law.toml->contains("head_joint_bond") && !has_beds_of(root_, name_of(law)))
+        fault(law, "head_joint_bond", "has no effect: no bed joints are of this material",
+              "name the material as joint of the wall, a storey or a region, or leave this out");
     state_confidence_factor();
     for (Table& law : laws) fill(law);
     fill_densities();
@@ -147,6 +151,10 @@ class Resolver {
   Table law_table(std::string_view name, toml::table& table) const {
     const Role role = is_unit_joint(root_, name) ? Role::kUnit : Role::kJoint;
     return {"material." + std::string(name), &table, role, &keys_of<JointMaterial>()};
+  }
+
+  static std::string name_of(const Table& law) {
+    return law.path.substr(std::string("material.").size());
   }
 
   void fault(const Table& table, const std::string& key, const std::string& problem,
@@ -344,8 +352,7 @@ class Resolver {
   // What the storeys that have this material say of their units.
   Found from_wall(const Table& table, const std::string& key) {
     const bool is_law = table.role != Role::kMasonry;
-    const std::vector<StatedSize> sizes =
-        stated_sizes(root_, is_law ? table.path.substr(std::string("material.").size()) : "", key);
+    const std::vector<StatedSize> sizes = stated_sizes(root_, is_law ? name_of(table) : "", key);
     if (sizes.empty()) return {};
     if (sizes.size() == 1)
       return {sizes[0].value, fmt::format(" ({})", sizes[0].path), !kLength.holds(sizes[0].value)};
@@ -400,6 +407,7 @@ class Resolver {
     const Rule* rule = materials::rule_for(table.role, key);
     const bool definition = rule && rule->cov == 0 && rule->inputs.size() == 1;
     if (rule && rule->on_request) return {};
+    if (key == "head_joint_bond" && !has_heads_of_beds(root_, name_of(table))) return {};
     if (rule && (table.missing || (table.use && definition && can_follow(table, *rule))))
       return follow(table, key, *rule);
     return {};

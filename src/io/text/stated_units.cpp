@@ -90,6 +90,29 @@ std::vector<Unit> units_of(const toml::table& root, const std::string& name) {
   return used.empty() ? all : used;
 }
 
+// Calls see(bed, has a head joint of its own) for each masonry that the file tells apart, until one is true.
+template <class See>
+bool any_masonry(const toml::table& root, See see) {
+  const toml::table* wall = root["wall"].as_table();
+  std::vector<const toml::table*> storeys = tables_of(root, "storey");
+  if (storeys.empty()) storeys.push_back(nullptr);
+  for (const toml::table* storey : storeys) {
+    const auto stated = [&](const char* kind) {
+      return first_of(text_at(storey, kind), text_at(wall, kind));
+    };
+    const std::string bed = first_of(stated("joint"), "joint"), head = stated("head_joint");
+    if (see(bed, !head.empty())) return true;
+    for (const toml::table* region : tables_of(root, "region")) {
+      const std::string where = text_at(region, "storey");
+      if (storey && !where.empty() && where != text_at(storey, "name")) continue;
+      if (see(first_of(text_at(region, "joint"), bed),
+              !first_of(text_at(region, "head_joint"), head).empty()))
+        return true;
+    }
+  }
+  return false;
+}
+
 // Beside mortar the sizes of a unit are bare.
 StatedSize size_of(const Unit& unit, const std::string& key) {
   const bool course = key == "course_height", joint = key == "joint_thickness";
@@ -125,6 +148,15 @@ std::vector<StatedSize> stated_sizes(const toml::table& root, const std::string&
       sizes.push_back(size);
   }
   return sizes;
+}
+
+bool has_beds_of(const toml::table& root, const std::string& material) {
+  return any_masonry(root, [&](const std::string& bed, bool) { return bed == material; });
+}
+
+bool has_heads_of_beds(const toml::table& root, const std::string& material) {
+  return any_masonry(root,
+                     [&](const std::string& bed, bool own) { return bed == material && !own; });
 }
 
 }  // namespace wythe::io

@@ -1,4 +1,5 @@
-// The sizes of unit that the masonry of a material has, as its storeys state them: what rules ask of the wall.
+// The sizes of unit that the masonry of a material has, as its storeys state them: what rules ask of the wall. And which
+// joints are of a material.
 #pragma once
 
 #include <string>
@@ -18,5 +19,10 @@ struct StatedSize {
 [[nodiscard]] std::vector<StatedSize> stated_sizes(const toml::table& root,
                                                    const std::string& material,
                                                    const std::string& key);
+
+// Whether some bed joints of the masonry are of `material`, and whether the head joints between them take it too: no
+// head_joint of region, storey or wall names another.
+[[nodiscard]] bool has_beds_of(const toml::table& root, const std::string& material);
+[[nodiscard]] bool has_heads_of_beds(const toml::table& root, const std::string& material);
 
 }  // namespace wythe::io

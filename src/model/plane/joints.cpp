@@ -53,9 +53,10 @@ class MaterialTable {
   MaterialTable(const ModelSpec& spec, Model& model, FaultList& faults)
       : spec_(spec), model_(model), faults_(faults) {}
 
-  int index_of(const std::string& name) {
-    const auto known = index_.find(name);
+  int index_of(const std::string& name, bool shares_bed = false) {
+    const auto known = index_.find({name, shares_bed});
     if (known != index_.end()) return known->second;
+    if (shares_bed) return index_[{name, true}] = head_index(name, index_of(name));
     const JointMaterial& material = spec_.material.at(name);
     const std::vector<MaterialFault> found = check_joint_material(material);
     if (!found.empty()) bad_.insert(name);
@@ -64,17 +65,17 @@ class MaterialTable {
           {"", "material." + name + "." + fault.key, fault.value, fault.problem, fault.cure, 0});
     if (material.tensile_strength == 0 && material.cohesion > 0)
       model_.anatomy.notes.push_back({"material.cohesion_lost", {{"material", name}}});
-    return index_[name] = append(name, material);
+    return index_[{name, false}] = append(name, material);
   }
 
   // The material of face `face`: its own where a field acts on it.
   int index_of(const Face& face, int number, const FieldValues& fields) {
-    const int stated = index_of(face.material);
+    const int stated = index_of(face.material, face.shares_bed);
     if (!fields.act_on(face.material)) return stated;
-    const JointMaterial own =
-        fields.of_face(number, model_.materials[static_cast<std::size_t>(stated)]);
+    JointMaterial own = fields.of_face(number, spec_.material.at(face.material));
     if (!stated_has_fault(face.material))
       for (const MaterialFault& fault : check_joint_material(own)) note(face, fault);
+    if (face.shares_bed && own.head_joint_bond < 1) own = contact::head_joint_law(own);
     const int index = append(face.material, own);
     model_.stated_material.back() = stated;
     return index;
@@ -118,6 +119,14 @@ class MaterialTable {
   }
 
  private:
+  // The law of head joints beside beds of law `bed`.
+  int head_index(const std::string& name, int bed) {
+    const JointMaterial law = model_.materials[static_cast<std::size_t>(bed)];
+    if (!(law.head_joint_bond < 1)) return bed;
+    model_.anatomy.notes.push_back(head_bond_note(name, law));
+    return append(name, contact::head_joint_law(law));
+  }
+
   struct Chain {
     std::string material;
     double spacing, depth, face;  // [m]
@@ -154,9 +163,9 @@ class MaterialTable {
   const ModelSpec& spec_;
   Model& model_;
   FaultList& faults_;
-  std::map<std::string, int> index_;
-  std::set<std::string> bad_;           // faulty as stated
-  std::map<std::string, Drawn> drawn_;  // by path of a key
+  std::map<std::pair<std::string, bool>, int> index_;  // by name and whether it shares a bed's
+  std::set<std::string> bad_;                          // faulty as stated
+  std::map<std::string, Drawn> drawn_;                 // by path of a key
   std::vector<Chain> chains_;
 };
 
@@ -293,6 +302,10 @@ void compile_joints(const ModelSpec& spec, const Assembly& assembly, const Block
   set_gather_lists(model);
   if (!model.solids.bodies.empty())
     compile_contacts(assembly, map, std::move(solid_faces), model, faults);
+}
+
+Message head_bond_note(const std::string& name, const JointMaterial& bed) {
+  return {"material.head_joint_bond", {{"material", name}, {"share", bed.head_joint_bond}}};
 }
 
 void note_idle_materials(const ModelSpec& spec, Model& model) {

@@ -65,12 +65,13 @@ class Materials {
   Materials(const ModelSpec& spec, Model& model, FaultList& faults)
       : spec_(spec), model_(model), faults_(faults) {}
 
-  std::int32_t index_of(const std::string& name) {
-    const auto known = index_.find(name);
+  std::int32_t index_of(const std::string& name, bool shares_bed = false) {
+    const auto known = index_.find({name, shares_bed});
     if (known != index_.end()) return known->second;
+    if (shares_bed) return index_[{name, true}] = head_index(name, index_of(name));
     const auto stated = spec_.material.find(name);
     const std::int32_t index = append(name, {});
-    index_[name] = index;
+    index_[{name, false}] = index;
     if (stated == spec_.material.end()) {
       faults_.add({"", "material." + name, "", "is missing; joints of the wall are made of it",
                    fmt::format("add [material.{}], or name another in [[contact]]", name), 0});
@@ -86,13 +87,14 @@ class Materials {
   }
 
   // That of face `number`: its own where a field acts on it.
-  std::int32_t index_of(const std::string& name, int number, const JointFace& face,
+  std::int32_t index_of(const std::string& name, bool shares_bed, int number, const JointFace& face,
                         const FieldValues& fields) {
-    const std::int32_t stated = index_of(name);
+    const std::int32_t stated = index_of(name, shares_bed);
     if (!fields.act_on(name)) return stated;
-    const JointMaterial own = fields.of_face(number, model_.materials[at(stated)]);
+    JointMaterial own = fields.of_face(number, model_.materials[at(index_of(name))]);
     if (!bad_.contains(name))
       for (const MaterialFault& fault : check_joint_material(own)) note(name, face, fault);
+    if (shares_bed && own.head_joint_bond < 1) own = contact::head_joint_law(own);
     const std::int32_t index = append(name, own);
     model_.stated_material.back() = stated;
     return index;
@@ -114,12 +116,20 @@ class Materials {
 
   // A law that follows from a body's moduli.
   std::int32_t derived(const std::string& name, const JointMaterial& law) {
-    const auto known = index_.find(name);
+    const auto known = index_.find({name, false});
     if (known != index_.end()) return known->second;
-    return index_[name] = append(name, law);
+    return index_[{name, false}] = append(name, law);
   }
 
  private:
+  // The law of head joints beside beds of law `bed`.
+  std::int32_t head_index(const std::string& name, std::int32_t bed) {
+    const JointMaterial law = model_.materials[at(bed)];
+    if (!(law.head_joint_bond < 1)) return bed;
+    model_.anatomy.notes.push_back(head_bond_note(name, law));
+    return append(name, contact::head_joint_law(law));
+  }
+
   struct Drawn {
     MaterialFault first;
     Vec3 at;  // of its joint [m]
@@ -340,7 +350,8 @@ void fill_joints(const ModelSpec& spec, const SpaceAssembly& assembly,
     if (a.fixed && b.fixed) continue;
     const auto material = [&] {
       return materials.index_of(joint_material_of(shape, a, b, face.normal),
-                                static_cast<int>(number), face, fields);
+                                shares_bed(shape, a, b, face.normal), static_cast<int>(number),
+                                face, fields);
     };
     if (has_zones(a) || has_zones(b)) {
       add_solid_face(assembly, face, id, solids, faults);

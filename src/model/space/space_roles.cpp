@@ -30,6 +30,22 @@ std::string plain_joint(const Shape& shape, const BodySpec& a, const BodySpec& b
   return upright && !named.head_joint.empty() ? named.head_joint : bed;
 }
 
+// "vault" of "vault.c03u05", "front.arch0" of "front.arch0_4", as the builders name them; "" for any other body.
+std::string owner_of(const std::string& id) {
+  if (course_of(id)) return id.substr(0, id.rfind(".c"));
+  const std::size_t arch = id.rfind(".arch"), number = digits_before(id, id.size());
+  const bool is_voussoir = arch != std::string::npos && number < id.size() && number > arch + 5 &&
+                           id[number - 1] == '_' && digits_before(id, number - 1) == arch + 5;
+  return is_voussoir ? id.substr(0, number - 1) : "";
+}
+
+// Between two courses of one arch, vault or dome lies a bed, upright at the crown.
+bool is_bed_at_crown(const std::string& a, const std::string& b) {
+  const std::string owner = owner_of(a);
+  const bool same_course = course_of(a) && course_of(a) == course_of(b);
+  return !owner.empty() && owner == owner_of(b) && !same_course;
+}
+
 }  // namespace
 
 std::string unit_of(const std::string& whole) {
@@ -75,6 +91,18 @@ std::string joint_material_of(const Shape& shape, const BodySpec& a, const BodyS
   const std::string plain = plain_joint(shape, a, b, normal);
   const std::string between = geometry::ruled_material(shape, a.material, b.material, plain);
   return a.fixed ? geometry::ruled_material(shape, "ground", b.material, between) : between;
+}
+
+bool shares_bed(const Shape& shape, const BodySpec& a, const BodySpec& b, Vec3 normal) {
+  constexpr double kAlongAxis = 1e-3;  // slope up to which a face counts as upright
+  if (a.fixed || b.fixed || std::fabs(normal.y) > kAlongAxis) return false;
+  if (role_of(a) != BlockRole::kMasonry || role_of(b) != BlockRole::kMasonry) return false;
+  if (!shape.wall.joints.head_joint.empty() ||
+      !geometry::ruled_material(shape, a.material, b.material, "").empty())
+    return false;
+  const std::string unit = unit_of(a.id);
+  const bool is_crack = !unit.empty() && unit == unit_of(b.id);
+  return !is_crack && !is_bed_at_crown(a.id, b.id);
 }
 
 bool is_chain(const BodySpec& a, const BodySpec& b) {

@@ -31,6 +31,11 @@ namespace wythe {
 [[nodiscard]] std::string joint_material_of(const geometry::Shape& shape, const BodySpec& a,
                                             const BodySpec& b, Vec3 normal);
 
+// An upright joint of masonry that takes its material from the beds, and of it head_joint_bond: neither [[contact]] nor
+// wall.head_joint names another. Joints between two courses of one wall, arch, vault or dome are beds however they lie.
+[[nodiscard]] bool shares_bed(const geometry::Shape& shape, const BodySpec& a, const BodySpec& b,
+                              Vec3 normal);
+
 // As it says itself; else a segment of a lintel, or masonry.
 [[nodiscard]] BlockRole role_of(const BodySpec& body);
 

@@ -394,6 +394,67 @@ TEST(MaterialInput, a_dry_head_joint_asks_for_its_cohesion_alone) {
   EXPECT_GT(bed.tensile_strength, 0);
 }
 
+TEST(MaterialInput, a_filled_head_joint_has_a_quarter_by_rule_where_the_file_names_none) {
+  const auto bond = [](const std::string& text) {
+    return read(text).material.at("joint").head_joint_bond;
+  };
+  const ModelSpec spec = read(kRules);
+  EXPECT_EQ(bond(kRules), 0.25);
+  EXPECT_EQ(line_of(spec.material.at("joint").origin, "head_joint_bond"),
+            "head_joint_bond 0.25: derived by head_joint_quarter");
+  EXPECT_TRUE(std::isnan(spec.material.at("unit").head_joint_bond));
+  const auto with_line = [](const std::string& line) {
+    return with(kRules, "[material.joint]\n", "[material.joint]\n" + line + "\n");
+  };
+  EXPECT_EQ(bond(with_line("head_joint_bond = 1")), 1);
+  EXPECT_EQ(bond(with_line("head_joint_bond = 0")), 0);
+  EXPECT_EQ(bond(with_line("head_joint_bond = \"rule\"")), 0.25);
+  EXPECT_EQ(bond(with_line("head_joint_bond = \"rule: head_joint_quarter\"")), 0.25);
+  // a head joint that is named has nothing of the beds'
+  EXPECT_TRUE(
+      std::isnan(bond(with(kRules, "[wall.unit]\n", "head_joint = \"joint\"\n[wall.unit]\n"))));
+  // values that are given ask for no rule, and a foundation has no head joints
+  EXPECT_TRUE(std::isnan(read(kTypical).material.at("joint").head_joint_bond));
+  const ModelSpec founded = read(with(
+      kRules, "[material.unit]\n", "[material.foundation]\nmissing = \"rule\"\n[material.unit]\n"));
+  EXPECT_TRUE(std::isnan(founded.material.at("foundation").head_joint_bond));
+}
+
+TEST(MaterialInput,
+     a_share_of_head_joints_that_is_none_or_acts_nowhere_is_refused_where_it_stands) {
+  const auto said = [](const std::string& table, const std::string& line) {
+    return faults(with(kRules, table + "\n", table + "\n" + line + "\n"));
+  };
+  for (const char* value : {"-0.1", "1.2", "nan", "inf"}) {
+    const std::string text = said("[material.joint]", std::string("head_joint_bond = ") + value);
+    EXPECT_TRUE(says(text, "model.toml:20: material.joint.head_joint_bond")) << value << text;
+    EXPECT_TRUE(says(text, "from 0 to 1") || says(text, "finite")) << value << ": " << text;
+  }
+  EXPECT_TRUE(says(said("[material.joint]", "head_joint_bond = \"0.25 MPa\""), "number"));
+  EXPECT_TRUE(says(said("[material.joint]", "head_joint_bond = \"rule: half\""), "no such rule"));
+  const std::string idle = said("[material.unit]", "head_joint_bond = 0.25");
+  EXPECT_TRUE(says(idle,
+                   "material.unit.head_joint_bond = 0.25: has no effect: no bed joints are "
+                   "of this material; name the material as joint"))
+      << idle;
+}
+
+TEST(MaterialInput, beds_of_a_region_or_storey_have_a_share_for_their_own_head_joints) {
+  const std::string weak =
+      "[material.weak]\nmissing = \"rule\"\ncohesion = \"0.1 MPa\"\n[material.unit]\n";
+  const auto bond = [&](const std::string& region) {
+    return read(with(with(kRules, "[material.unit]\n", weak), "[[stage]]\nname = \"gravity\"\n",
+                     "[[region]]\nx = \"0 m\"\ny = \"0 m\"\nwidth = \"0.5 m\"\nheight = \"0.5 "
+                     "m\"\n" +
+                         region + "[[stage]]\nname = \"gravity\"\n"))
+        .material.at("weak")
+        .head_joint_bond;
+  };
+  EXPECT_EQ(bond("joint = \"weak\"\n"), 0.25);
+  EXPECT_TRUE(std::isnan(bond("joint = \"weak\"\nhead_joint = \"joint\"\n")));
+  EXPECT_TRUE(std::isnan(bond("head_joint = \"weak\"\n")));
+}
+
 TEST(MaterialInput, a_law_file_may_ask_for_rules) {
   const Folder folder;
   const std::string path = folder.write(
