@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "contact/crushing.h"
 #include "wythe/error.h"
 
 namespace wythe {
@@ -57,12 +58,23 @@ JointMaterial head_joint_law(const JointMaterial& bed) {
     head.mode_2_energy = std::min(bed.mode_2_energy, kMargin * least);
   return head;
 }
+
+double crushing_stiffness(const JointMaterial& m) {
+  if (!(m.compression_cap > 0)) return m.normal_stiffness;
+  return std::fmin(m.normal_stiffness, m.compression_cap * m.shear_stiffness);
+}
+double hardening_energy(const JointMaterial& m) {
+  if (!(m.hardening_displacement > 0)) return 0;
+  return kHardeningArea * m.hardening_displacement * m.compressive_strength;
+}
 }  // namespace contact
 
 namespace {
 
+using contact::crushing_stiffness;
 using contact::greatest_drop;
 using contact::greatest_rise;
+using contact::hardening_energy;
 
 class Checker {
  public:
@@ -175,28 +187,19 @@ class Checker {
 
   void check_compression() {
     if (!std::isfinite(m_.compressive_strength)) return;
-    if (hardening_energy() >= m_.compressive_energy) return refuse_hardening();
-    // with a cap, shear unloads as it crushes
-    const double stiffness =
-        m_.compression_cap > 0
-            ? std::fmin(m_.normal_stiffness, m_.compression_cap * m_.shear_stiffness)
-            : m_.normal_stiffness;
-    check_energy("compressive_energy", m_.compressive_energy, m_.compressive_strength, stiffness,
-                 0.5, "compressive_strength", "\"12800 N/m\"", hardening_energy());
-  }
-
-  [[nodiscard]] double hardening_energy() const {
-    if (!(m_.hardening_displacement > 0)) return 0;
-    return kHardeningArea * m_.hardening_displacement * m_.compressive_strength;
+    if (hardening_energy(m_) >= m_.compressive_energy) return refuse_hardening();
+    check_energy("compressive_energy", m_.compressive_energy, m_.compressive_strength,
+                 crushing_stiffness(m_), 0.5, "compressive_strength", "\"12800 N/m\"",
+                 hardening_energy(m_));
   }
 
   void refuse_hardening() {
-    fault(
-        "hardening_displacement", fmt::format("{:g} mm", m_.hardening_displacement * 1e3),
-        fmt::format("makes hardening alone take {:g} N/m, and compressive_energy is {:g} N/m",
-                    hardening_energy(), m_.compressive_energy),
-        fmt::format("write less than {:g} mm or raise compressive_energy",
-                    m_.hardening_displacement * 1e3 * m_.compressive_energy / hardening_energy()));
+    fault("hardening_displacement", fmt::format("{:g} mm", m_.hardening_displacement * 1e3),
+          fmt::format("makes hardening alone take {:g} N/m, and compressive_energy is {:g} N/m",
+                      hardening_energy(m_), m_.compressive_energy),
+          fmt::format(
+              "write less than {:g} mm or raise compressive_energy",
+              m_.hardening_displacement * 1e3 * m_.compressive_energy / hardening_energy(m_)));
   }
 
   void check_cap() {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <tuple>
 
+#include "campaign/draws/energies.h"
 #include "contact/parameters.h"
-#include "contact/softening.h"
 #include "core/text.h"
 #include "wythe/error.h"
 #include "wythe/reading.h"
@@ -30,7 +30,6 @@ constexpr Kind kKinds[] = {{"clay_brick", 0.30, 0.25, 0.20},
 constexpr double kTie = 0.7;    // of a joint's cohesion and its tensile strength
 constexpr double kLower = 0.2;  // of a lognormal, times the mean
 constexpr double kUpper = 2.5;
-constexpr double kAbove = 1.05;      // of the least energy without snap-back
 constexpr double kUnitEnergy = 0.7;  // GI of units goes with ft^0.7 (docs/theory/material_rules.md)
 constexpr double kLeastRoom = 1.05;  // under the cap, times the mean: a scatter has room
 constexpr double kBelowCap = 0.95;   // of the cohesion that a compression cap allows
@@ -131,30 +130,6 @@ class Scatter {
     if (f != nullptr && f->formula.empty() && std::isnan(f->cov)) f->formula = formula;
   }
 
-  // "max(GI0/ft0 ft, 1.05 G ft^2/kn)", G the steepest slope of the softening: never snap-back. `gained`: what the
-  // energy has on top where the drop is reached [N/m].
-  static std::string energy(const std::string& proportional, const std::string& drop,
-                            double stiffness, const JointMaterial& m, double gained = 0) {
-    const std::string less = gained > 0 ? fmt::format(" - {:.17g} N/m", gained) : "";
-    return fmt::format("max({}, {:.17g} * ({}) ^ 2 / {:.17g} Pa/m{})", proportional,
-                       kAbove * contact::steepest_slope(m.softening), drop, stiffness, less);
-  }
-  // The drop from peak to residual shear with cohesion `c` in the place of the mean, of which friction has a share.
-  static std::string drop_of(const std::string& c, const JointMaterial& m, double friction) {
-    const double kept = m.cohesion > 0 ? m.residual_cohesion / m.cohesion : 0;
-    return fmt::format("{:.17g} * {} + {:.17g} Pa", 1 - kept, c, friction);
-  }
-  // GII, never snap-back under any pressure: without one, and at greatest_drop().
-  static std::string slip_energy(const std::string& proportional, const std::string& c,
-                                 const JointMaterial& m) {
-    const double friction =
-        std::max(0.0, contact::greatest_drop(m) - (m.cohesion - m.residual_cohesion));
-    const double rise = contact::greatest_rise(m), ks = m.shear_stiffness;
-    const std::string unpressed =
-        rise > 0 ? energy(proportional, drop_of(c, m, 0), ks, m) : proportional;
-    return energy(unpressed, drop_of(c, m, friction), ks, m, rise);
-  }
-
   void add_joints(double tension, double cohesion) {
     const JointMaterial* found = material(s_.joint);
     if (found == nullptr) return;
@@ -171,8 +146,8 @@ class Scatter {
       spec_.field[c].correlation[ft].gaussian = kTie;
     if (!ft.empty() && scatters(m.mode_1_energy))
       follows("joint", s_.joint, "mode_1_energy",
-              energy(fmt::format("{:.17g} m * {}", m.mode_1_energy / m.tensile_strength, ft), ft,
-                     m.normal_stiffness, m));
+              tension_energy(
+                  fmt::format("{:.17g} m * {}", m.mode_1_energy / m.tensile_strength, ft), ft, m));
     if (!c.empty())
       follow_cohesion("joint", s_.joint, m, c,
                       fmt::format("{:.17g} m * {}", m.mode_2_energy / m.cohesion, c));
@@ -207,8 +182,7 @@ class Scatter {
         fmt::format("({} / {:.17g} Pa) ^ {:g}", ft, m.tensile_strength, kUnitEnergy);
     if (scatters(m.mode_1_energy))
       follows("unit", s_.unit, "mode_1_energy",
-              energy(fmt::format("{:.17g} N/m * {}", m.mode_1_energy, power), ft,
-                     m.normal_stiffness, m));
+              tension_energy(fmt::format("{:.17g} N/m * {}", m.mode_1_energy, power), ft, m));
     if (!scatters(m.cohesion)) return;
     std::string c = fmt::format("{:.17g} * {}", m.cohesion / m.tensile_strength, ft);
     if (m.compression_cap > 0)

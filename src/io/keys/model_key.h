@@ -41,6 +41,9 @@ class SettableKeys {
   [[nodiscard]] const ModelKey* find(const std::string& path) const {
     return find_key(keys_, path);
   }
+  // Whether a field of the model sets this key anew at each place by its own formula; one that [scatter] made does
+  // not, for it begins from the key.
+  [[nodiscard]] bool has_formula(const std::string& path) const { return formula_.contains(path); }
   // What to write instead of a path that is none: the nearest, or what stands where it goes wrong.
   [[nodiscard]] std::string advice(const std::string& path) const;
   // Why setting this key would change nothing or contradict the model, and the cure; "" where it acts.

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
+#include "campaign/draws/energies.h"
 #include "core/files.h"
+#include "io/study/study_file.h"
 #include "io/text/toml_reader.h"
 #include "io/text/toml_writer.h"
 #include "wythe/assessment.h"
@@ -29,17 +32,43 @@ std::string name_of(const PushWay& way, bool is_own) {
   return direction + ", " + way.pattern;
 }
 
-// What the mean strength of a wall carries with it: one factor for all of these.
-constexpr std::pair<const char*, double JointMaterial::*> kOfStrength[] = {
-    {"tensile_strength", &JointMaterial::tensile_strength},
-    {"cohesion", &JointMaterial::cohesion},
-    {"residual_cohesion", &JointMaterial::residual_cohesion},
-    {"mode_1_energy", &JointMaterial::mode_1_energy},
-    {"mode_2_energy", &JointMaterial::mode_2_energy},
-    {"compressive_strength", &JointMaterial::compressive_strength},
-    {"compressive_energy", &JointMaterial::compressive_energy}};
+// Keys of a material and what they are in a wall whose factor on all its means is `k`: strengths and energies go with
+// it, and energies never below what a stronger joint needs.
+std::vector<std::pair<const char*, std::string>> with_factor(const std::string& k,
+                                                             const JointMaterial& m) {
+  std::vector<std::pair<const char*, std::string>> out;
+  const auto scatters = [](double mean) { return mean > 0 && std::isfinite(mean); };
+  const auto times = [&](double mean, const char* unit) {
+    return fmt::format("{} * {:.17g} {}", k, mean, unit);
+  };
+  const auto strength = [&](const char* key, double mean) {
+    if (scatters(mean)) out.emplace_back(key, times(mean, "Pa"));
+  };
+  const auto energy = [&](const char* key, double mean, bool acts, const auto& following) {
+    if (!scatters(mean)) return;
+    const std::string proportional = times(mean, "N/m");
+    out.emplace_back(key, acts ? following(proportional) : proportional);
+  };
+  strength("tensile_strength", m.tensile_strength);
+  strength("cohesion", m.cohesion);
+  strength("residual_cohesion", m.residual_cohesion);
+  energy("mode_1_energy", m.mode_1_energy, scatters(m.tensile_strength),
+         [&](const std::string& proportional) {
+           return study::tension_energy(proportional, times(m.tensile_strength, "Pa"), m);
+         });
+  energy("mode_2_energy", m.mode_2_energy, std::isfinite(m.cohesion),
+         [&](const std::string& proportional) {
+           return study::slip_energy(proportional, times(m.cohesion, "Pa"), m, k);
+         });
+  strength("compressive_strength", m.compressive_strength);
+  energy("compressive_energy", m.compressive_energy, scatters(m.compressive_strength),
+         [&](const std::string& proportional) {
+           return study::crushing_energy(proportional, times(m.compressive_strength, "Pa"), m);
+         });
+  return out;
+}
 
-// The factor as a variable, and every strength as the file's times it.
+// The factor as a variable, and every strength and energy as the file's times it.
 std::string between_walls(const ModelSpec& spec, double cov) {
   std::string text =
       fmt::format("[variable.{}]\ndistribution = \"lognormal\"\nmean = 1.0\ncov = {:.17g}\n",
@@ -48,14 +77,10 @@ std::string between_walls(const ModelSpec& spec, double cov) {
        {std::pair("joint", spec.scatter.joint), std::pair("unit", spec.scatter.unit)}) {
     const auto found = spec.material.find(name);
     if (found == spec.material.end()) continue;
-    for (const auto& [key, member] : kOfStrength) {
-      const double mean = found->second.*member;
-      if (!(mean > 0) || !std::isfinite(mean)) continue;
-      const char* unit = std::string_view(key).ends_with("energy") ? "N/m" : "Pa";
-      text += fmt::format(
-          "[dependent.{0}_of_{5}]\npath = \"material.{1}.{0}\"\nformula = \"{2} * {3:.17g} {4}\"\n",
-          key, name, kBetweenWalls, mean, unit, role);
-    }
+    for (const auto& [key, formula] : with_factor(kBetweenWalls, found->second))
+      text +=
+          fmt::format("[dependent.{0}_of_{1}]\npath = \"material.{2}.{0}\"\nformula = \"{3}\"\n",
+                      key, role, name, formula);
   }
   return text;
 }
@@ -100,8 +125,9 @@ std::string text_of_study(const AskedWalls& asked) {
 
 StudySpec assess_study(const AskedWalls& asked) {
   const std::filesystem::path model = std::filesystem::absolute(asked.model_file);
-  return parse_study(text_of_study(asked), (model.parent_path() / "walls of the model").string(),
-                     asked.overrides);
+  return io::parse_study_text(text_of_study(asked),
+                              (model.parent_path() / "walls of the model").string(),
+                              asked.overrides, io::StudyText::kMade);
 }
 
 }  // namespace wythe

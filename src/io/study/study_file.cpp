@@ -15,6 +15,7 @@
 #include "io/keys/describe_study.h"
 #include "io/keys/model_key.h"
 #include "io/study/shaking_file.h"
+#include "io/study/study_file.h"
 #include "io/study/variants.h"
 #include "io/text/magnitude.h"
 #include "io/text/toml_reader.h"
@@ -51,8 +52,9 @@ std::string si_unit_of(const std::string& unit) {
 
 class StudyReader {
  public:
-  StudyReader(ReadContext& context, const toml::table& root, std::vector<std::string> settings)
-      : context_(context), root_(root), given_settings_(std::move(settings)) {
+  StudyReader(ReadContext& context, const toml::table& root, std::vector<std::string> settings,
+              StudyText from)
+      : context_(context), root_(root), given_settings_(std::move(settings)), from_(from) {
     study_.file = context.file;
   }
 
@@ -388,9 +390,10 @@ class StudyReader {
       const std::string full = key == nullptr ? path : key->path;
       const std::string leave = key == nullptr ? "set its other keys one by one" : "leave it out";
       for (const StudyField& field : study_.field)
-        if (field.follows && lies_in(field.path, angle_path(full)))
+        if (keys_.has_formula(field.path) && lies_in(field.path, angle_path(full)))
           refuse(path, field.path, "field." + field.name + ".formula",
                  leave + ", or change the formula");
+      if (from_ == StudyText::kMade) continue;
       for (const auto& [place, sets] : path_)
         if (lies_in(sets, full))
           refuse(path, sets, place,
@@ -504,7 +507,8 @@ class StudyReader {
   ReadContext& context_;
   const toml::table& root_;
   std::vector<std::string> given_settings_;  // --set of the base model
-  ModelSpec base_;                           // its stages and folder alone
+  StudyText from_;
+  ModelSpec base_;  // its stages and folder alone
   StudySpec study_;
   std::size_t own_settings_ = 0;             // of study.set
   SettableKeys keys_;                        // of the base model; empty when it has faults
@@ -521,27 +525,32 @@ bool is_of_study(const std::string& override_text) {
 }
 
 }  // namespace
-}  // namespace io
 
-StudySpec parse_study(const std::string& toml_text, const std::string& file_name,
-                      const std::vector<std::string>& overrides) {
-  toml::table root = io::parse_toml(toml_text, file_name);
-  io::ReadContext context{file_name};
+StudySpec parse_study_text(const std::string& toml_text, const std::string& file_name,
+                           const std::vector<std::string>& overrides, StudyText from) {
+  toml::table root = parse_toml(toml_text, file_name);
+  ReadContext context{file_name};
   std::vector<std::string> own, settings;
-  for (const std::string& text : overrides)
-    (io::is_of_study(text) ? own : settings).push_back(text);
-  io::apply_overrides(context, root, own);
-  io::VariantTables variants = io::take_variants(context, root);
-  StudySpec study = io::StudyReader(context, root, settings).read();
+  for (const std::string& text : overrides) (is_of_study(text) ? own : settings).push_back(text);
+  apply_overrides(context, root, own);
+  VariantTables variants = take_variants(context, root);
+  StudySpec study = StudyReader(context, root, settings, from).read();
   if (study.shaking.is_asked() && !variants.option.empty())
     throw InputError({{.file = file_name,
                        .path = "variant",
                        .value = variants.option.front().name,
                        .problem = "stands beside [shaking]: options are compared by their pushes",
                        .cure = "run one study of shakes for each option"}});
-  io::read_options(study, std::move(variants), {toml_text, file_name, own, settings},
-                   [](auto& c, auto& t, auto s) { return io::StudyReader(c, t, s).read(); });
+  read_options(study, std::move(variants), {toml_text, file_name, own, settings},
+               [&](auto& c, auto& t, auto s) { return StudyReader(c, t, s, from).read(); });
   return study;
+}
+
+}  // namespace io
+
+StudySpec parse_study(const std::string& toml_text, const std::string& file_name,
+                      const std::vector<std::string>& overrides) {
+  return io::parse_study_text(toml_text, file_name, overrides, io::StudyText::kWritten);
 }
 
 StudySpec read_study(const std::string& path, const std::vector<std::string>& overrides) {

@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numeric>
 
 #include "model/field_places.h"
 #include "scenes/scenes.h"
+#include "scenes/small_study.h"
 #include "wythe/contact_law.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/study.h"
+#include "wythe/verdict.h"
 
 namespace wythe {
 namespace {
@@ -181,6 +184,93 @@ TEST(Scatter, what_is_written_reads_back_as_the_same_wall) {
   ASSERT_EQ(again.field.size(), spec.field.size());
   for (const auto& [name, field] : spec.field)
     EXPECT_EQ(again.field.at(name).drawn, field.drawn) << name;
+}
+
+// Of forty walls whose mean strengths scatter by `cov`: how many drew a factor above 2, and the first refusal.
+struct Means {
+  int strong = 0;
+  std::string refusal;
+};
+std::string assessed_wall(const scenes::TemporaryFolder& folder,
+                          const std::vector<std::string>& settings, const std::string& more = "") {
+  std::vector<std::string> all = {"wall.length=0.5 m", "wall.height=0.25 m"};
+  all.insert(all.end(), settings.begin(), settings.end());
+  ModelSpec spec = wall_of("[scatter]\nuse = \"stone\"\n", all);
+  spec.field.clear();
+  std::ofstream(folder / "model.toml") << write_model(spec) << R"([assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.30 s"
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "0.2 m" }
+velocity = "1 mm/s"
+until = "1 mm"
+)" << more;
+  return folder / "model.toml";
+}
+Means walls_between(double cov, const std::vector<std::string>& settings) {
+  const scenes::TemporaryFolder folder;
+  const StudySpec study =
+      assess_study({.model_file = assessed_wall(folder, settings), .walls = 40, .between = cov});
+  const SampleTable samples = draw_samples(study);
+  Means out;
+  for (int i = 0; i < samples.n_sample(); ++i) {
+    out.strong += samples.value[static_cast<std::size_t>(i)].front() > 2 ? 1 : 0;
+    const std::vector<Fault> why = refusal_of(samples, i, model_builder(study));
+    if (out.refusal.empty()) out.refusal = in_one_line(why);
+  }
+  return out;
+}
+
+// Energies stand at 1.1 to 1.9 times the least that their mean strengths allow: tension, shear with and without what it
+// gains by pressure, crushing with and without a cap and hardening.
+TEST(Scatter, no_wall_is_refused_for_its_mean_strength) {
+  for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
+           {},
+           {"material.joint.friction_angle=50 deg", "material.joint.mode_2_energy=3.5 N/m",
+            "material.joint.mode_2_energy_per_pressure=0.1 mm"},
+           {"material.joint.compressive_strength=unlimited", "material.joint.mode_2_energy=60 N/m"},
+           {"material.joint.compressive_energy=600 N/m",
+            "material.unit.compressive_energy=4000 N/m"},
+           {"material.unit.compression_cap=2", "material.unit.hardening_displacement=0.5 mm",
+            "material.unit.compressive_energy=13000 N/m"},
+           {"material.joint.softening=exponential", "material.joint.mode_1_energy=1.2 N/m",
+            "material.joint.mode_2_energy=80 N/m"}}) {
+    const Means walls = walls_between(0.6, settings);
+    EXPECT_GT(walls.strong, 0);
+    EXPECT_EQ(walls.refusal, "") << (settings.empty() ? "" : settings.front());
+  }
+}
+
+// What [scatter] and the factor of a wall begin from is the model's, with its settings; not so what a formula sets.
+TEST(Scatter, settings_of_what_scatters_are_its_means) {
+  const scenes::TemporaryFolder folder;
+  const std::vector<std::string> settings = {"material.joint.tensile_strength=0.5 MPa",
+                                             "material.joint.mode_1_energy=12 N/m"};
+  for (const double between : {kUnset, 0.2}) {
+    const StudySpec study = assess_study({.model_file = assessed_wall(folder, {}),
+                                          .overrides = settings,
+                                          .walls = 2,
+                                          .between = between});
+    const SampleTable samples = draw_samples(study);
+    const ModelSpec wall = model_builder(study)(settings_of(samples, 0));
+    const double factor = std::isnan(between) ? 1 : samples.value.front().front();
+    const JointMaterial& joint = wall.material.at("joint");
+    EXPECT_NEAR(joint.tensile_strength, factor * 0.5e6, 1e-3);
+    EXPECT_NEAR(joint.mode_1_energy, factor * 12, 1e-9);
+    const auto& ft = wall.field.at("scatter_joint_tensile_strength").drawn;
+    const auto& g1 = wall.field.at("scatter_joint_mode_1_energy").drawn;
+    for (std::size_t i = 0; i < ft.size(); ++i) EXPECT_NEAR(g1[i], factor * 12 * ft[i], 1e-9);
+  }
+  const std::string own = assessed_wall(
+      folder, {}, "[field.own]\npath = \"material.joint.mode_1_energy\"\nformula = \"4 N/m\"\n");
+  EXPECT_THROW(
+      static_cast<void>(assess_study({.model_file = own, .overrides = settings, .walls = 2})),
+      InputError);
 }
 
 std::string fault_of(const std::string& scatter, const std::vector<std::string>& settings = {}) {

@@ -1,0 +1,18 @@
+// parse_study() of io.h, also for a text that the program made of a model.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wythe/study.h"
+
+namespace wythe::io {
+
+enum class StudyText {
+  kWritten,  // a setting of a key that a formula sets would be lost, and is refused
+  kMade      // its formulas begin from the base model's values, settings among them
+};
+[[nodiscard]] StudySpec parse_study_text(const std::string& toml_text, const std::string& file_name,
+                                         const std::vector<std::string>& overrides, StudyText from);
+
+}  // namespace wythe::io
