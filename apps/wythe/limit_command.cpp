@@ -2,10 +2,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "commands.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "wythe/assessment.h"
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
@@ -16,6 +18,32 @@ namespace wythe::app {
 namespace {
 
 constexpr int kFailed = 3;
+
+// One line a part: onset, equivalent system, where it falls; then what each limit state asks.
+void print_local(const std::vector<LocalCheck>& checks) {
+  for (const LocalCheck& c : checks) {
+    const LocalCapacity& k = c.capacity;
+    fmt::print(
+        "{:<16} {:5.2f} to {:5.2f} m   alpha0 {:.4f}   e* {:.3f}   M* {:.0f} kg   FC {:.2f}   a0* "
+        "{:.3f} m/s2",
+        c.name, c.foot, c.head, k.alpha0, k.mass_share, k.mass, c.confidence_factor,
+        c.acceleration0);
+    if (std::isfinite(k.displacement0)) fmt::print("   d0* {:.1f} mm", 1e3 * k.displacement0);
+    fmt::print("\n");
+    for (const LocalStateCheck& s : c.states) {
+      fmt::print("  {:<18}", word_of(kLimitStateWords, s.state));
+      if (std::isfinite(s.q_ratio))
+        fmt::print("   onset {:.3f} of {:.3f}/{:g} m/s2: {:.2f}", c.acceleration0, s.demand, s.q,
+                   s.q_ratio);
+      if (std::isfinite(s.displacement_ratio))
+        fmt::print("   d* {:.1f} mm, T {:.2f} s, asked {:.1f} mm: {:.2f}", 1e3 * s.displacement,
+                   s.period, 1e3 * s.displacement_demand, s.displacement_ratio);
+      fmt::print("\n");
+    }
+    fmt::print("  {}\n", text_of(c.sentence));
+    for (const Message& note : c.notes) fmt::print(stderr, "{}: note: {}\n", c.name, text_of(note));
+  }
+}
 
 void print_opinion(const SecondOpinion& opinion) {
   for (const Mechanism& m : opinion.mechanisms)
@@ -29,6 +57,7 @@ void print_opinion(const SecondOpinion& opinion) {
                a.load * unit, a.is_force ? " kN" : "", a.load != 0 ? a.kinematic / a.load - 1 : 0,
                a.seconds);
   }
+  print_local(opinion.local);
   for (const Refusal& r : opinion.refused)
     fmt::print(stderr, "{} left out: {}\n", text_of(r.what), r.why);
   for (const Message& note : opinion.notes) fmt::print(stderr, "note: {}\n", text_of(note));
@@ -106,7 +135,8 @@ int limit(const LimitArguments& a) {
   std::vector<ComparedRun> runs;
   if (!a.with.empty()) runs = read_compared_runs(a.with);
   const StopSignal stop;
-  const OpinionAsked asked{a.only, a.assessment};
+  OpinionAsked asked{a.only, a.assessment};
+  asked.parts = asks_for_parts(asked) && has_parts(spec, model);
   SecondOpinion opinion;
   try {
     opinion = answered(a, model, asked, stop.asked());
@@ -114,6 +144,7 @@ int limit(const LimitArguments& a) {
     fmt::print(stderr, "stopped by the user before the first result; nothing is written\n");
     return kFailed;
   }
+  if (asked.assessment) add_local_checks(spec, model, asks_for_parts(asked), opinion);
   opinion.comparison = compare(a.with, std::move(runs), opinion.mechanisms);
   opinion.comparison.bracket = bracket_of(opinion);
   for (Message& note : notes_on(model, opinion)) opinion.notes.push_back(std::move(note));

@@ -245,10 +245,11 @@ void add_limit(CLI::App& app, LimitArguments& a, int& code) {
   command->add_option("--out", a.out, "folder for the results, made if absent")->required();
   command->add_option("--with", a.with, "folder of a run or a campaign to compare with");
   add_overrides(command, a.overrides);
-  command->add_option("--only", a.only, "some of: lp infinite macro_block_1 macro_block_2")
-      ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2"}));
-  command->add_flag("--assessment", a.assessment,
-                    "displacement-based data after Circolare 7/2019, C8.7.1.2.1");
+  command->add_option("--only", a.only, "some of: lp infinite macro_block_1 macro_block_2 parts")
+      ->check(CLI::IsMember({"lp", "infinite", "macro_block_1", "macro_block_2", "parts"}));
+  command->add_flag(
+      "--assessment", a.assessment,
+      "local mechanisms after Circolare 7/2019, C8.7.1.2.1: parts out of plane, macro-blocks");
   add_replace(command, a.replaces);
   command->add_flag("--quiet", a.quiet, "no progress");
   add_language(command, a.language);

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "wythe/local_check.h"
 #include "wythe/model.h"
 #include "wythe/result.h"
 #include "wythe/vector.h"
@@ -48,6 +49,7 @@ struct LimitOptions {
   JointStrength strength = JointStrength::kDry;
   FrictionChoice friction = FrictionChoice::kPeak;
   CrushingChoice crushing = CrushingChoice::kNone;
+  bool loads_are_masses = false;  // a body force pushes what presses the blocks, too
 };
 
 // A limit load. The load that grows is the force of the push stage along its direction [N], or
@@ -310,6 +312,7 @@ struct SecondOpinion {
   std::vector<NamedLimit> limits;
   std::vector<Mechanism> mechanisms;
   std::vector<Assessment> assessments;  // of each mechanism, or none
+  std::vector<LocalCheck> local = {};   // of parts that fall on their face
   LimitStateShares shares;
   std::vector<Refusal> refused = {};
   std::vector<Message> notes = {};  // for the user

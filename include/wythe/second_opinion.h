@@ -13,11 +13,17 @@
 namespace wythe {
 
 struct OpinionAsked {
-  std::vector<std::string> only;  // "infinite", "macro_block_1", "macro_block_2", "lp"; empty: all
-  bool assessment = false;        // of each mechanism, after Circolare 7/2019
+  std::vector<std::string>
+      only;  // "infinite", "macro_block_1", "macro_block_2", "lp", "parts"; empty: all
+  bool assessment = false;  // of each mechanism, after Circolare 7/2019
+  bool parts =
+      false;  // the caller adds checks of parts (local_check.h), so nothing else need answer
 };
 // Throws InputError where `only` holds another word; `option` names it there.
 void check_asked(const OpinionAsked& asked, const std::string& option = "--only");
+
+// Whether parts that fall on their face are asked for.
+[[nodiscard]] bool asks_for_parts(const OpinionAsked& asked);
 
 // How many limit loads there will be, and how long they take on a usual machine [s].
 struct OpinionCost {

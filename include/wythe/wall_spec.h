@@ -450,6 +450,43 @@ struct SpectrumSpec {
 struct SpectraSpec {
   SpectrumSpec operational, damage_limitation, life_safety, near_collapse;
 };
+// What holds a part of a wall back at one height: a tie through the wall, a floor that is anchored.
+struct HoldSpec {
+  std::string name;
+  double height = kUnset;  // above the wall's base [m]
+  double force = kUnset;   // with which it holds at most [N]
+  double travel = kUnset;  // how far it goes along before it lets go [m]; unset: not known
+};
+// Teeth of a part with walls across: units of either lie on each other, course by course.
+struct TeethSpec {
+  int corners = 0;           // how many walls across
+  double length = kUnset;    // of the teeth along the part: the thickness of a wall across [m]
+  double course = kUnset;    // height between the faces that slide [m]
+  double friction = kUnset;  // tangent of the angle [-]
+};
+enum class Fall { kOutwards, kInwards };
+inline constexpr Word<Fall> kFallWords[] = {{"outwards", Fall::kOutwards},
+                                            {"inwards", Fall::kInwards}};
+// A part of a wall that may fall on its face, as one rigid strip about a line at its foot, or, where its head is held,
+// as two about a line between (docs/theory/local_mechanisms.md).
+struct PartSpec {
+  std::string name;
+  double foot = kUnset, head = kUnset;   // above the wall's base [m]
+  double left = kUnset, right = kUnset;  // ends along the wall [m]
+  Fall falls = Fall::kOutwards;
+  bool head_held = false;
+  double lean = 0;          // out of plumb, towards the fall [rad]
+  double inset = kUnset;    // of the line it turns about, from the face [m]; unset: by crushing
+  double bearing = kUnset;  // depth of its floors' bearings [m]; unset: their own
+  std::vector<HoldSpec> hold;
+  TeethSpec teeth;
+};
+// The building that a part belongs to, for the spectrum at its height.
+struct BuildingSpec {
+  double height = kUnset;  // [m]; unset: of the wall
+  double period = kUnset;  // first one, T1 [s]; unset: by its height
+  int storeys = 0;         // 0: those of the model
+};
 // What a run or campaign is asked for beside its curve (docs/theory/assessment.md).
 struct AssessmentSpec {
   std::string code;       // "": none; circolare_2019, en1998_3
@@ -461,6 +498,8 @@ struct AssessmentSpec {
   double added_mass = 0;              // that the wall carries in an earthquake, but not here [kg]
   double added_height = kUnset;       // where that mass acts [m]; unset: at the control point
   double record_scatter = kUnset;     // beta of records, for fragility [-]
+  BuildingSpec building;
+  std::vector<PartSpec> part;  // that may fall out of the wall's plane
 };
 
 struct OutputSpec {

@@ -304,15 +304,17 @@ bool do_limit(Job& job) {
                {"assessment", "replace"}, false);
   const std::string language = job.in.one("language", "en"), out = job.in.one("out");
   check_language(language, "language");
-  const OpinionAsked asked{job.in.all("only"), job.in.real("assessment", 0) != 0};
+  OpinionAsked asked{job.in.all("only"), job.in.real("assessment", 0) != 0};
   check_asked(asked, "only");
   const GivenModel given = read_given(job.in);
+  asked.parts = asks_for_parts(asked) && has_parts(given.spec, given.model);
   const Origin origin = origin_of(job, given);
   if (!out.empty()) check_origin(out, origin);
   const SecondOpinion opinion = [&] {
     SecondOpinion made = second_opinion(
         given.model, asked, &job.stop,
         [&](const Message& what, double share) { job.progress(text_of(what), share, 0, 0); });
+    if (asked.assessment) add_local_checks(given.spec, given.model, asks_for_parts(asked), made);
     for (Message& note : notes_on(given.model, made)) made.notes.push_back(std::move(note));
     return made;
   }();

@@ -87,6 +87,7 @@ static_assert(names_all(kPulseShapeWords, 1));  // kNone is not written
 static_assert(names_all(kPointRuleWords, 1));   // kDefault is not written
 static_assert(names_all(kDampingFormWords));
 static_assert(names_all(kSpectrumKindWords, 1));  // kNone is not written
+static_assert(names_all(kFallWords));
 
 // zone_spec.h
 static_assert(names_all(kZoneKindWords));

@@ -233,9 +233,12 @@ Message in_words(const std::string& mode, Hypothesis hypothesis) {
 
 BracketVerdict bracket_of(const SecondOpinion& opinion) {
   BracketVerdict v;
-  if (opinion.limits.empty()) return v;
+  std::vector<NamedLimit> limits;  // of what a run pushes: the blocks alone
+  for (const NamedLimit& limit : opinion.limits)
+    if (!limit.answer.options.loads_are_masses) limits.push_back(limit);
+  if (limits.empty()) return v;
   const auto [low, high] = std::minmax_element(
-      opinion.limits.begin(), opinion.limits.end(),
+      limits.begin(), limits.end(),
       [](const auto& a, const auto& b) { return a.answer.load < b.answer.load; });
   v.low = low->answer.load;
   v.high = high->answer.load;

@@ -404,7 +404,7 @@ class KinematicProgramme {
 
 }  // namespace
 
-SpaceLoads space_loads(const Model& model, double secant) {
+SpaceLoads space_loads(const Model& model, double secant, bool loads_are_masses) {
   SpaceLoads loads;
   const auto refuse = [](std::string problem, std::string cure) {
     throw InputError({{"", "stage", "", std::move(problem), std::move(cure), 0}});
@@ -435,6 +435,16 @@ SpaceLoads space_loads(const Model& model, double secant) {
   if (!loads.is_force) {
     for (std::size_t i = 0; i < loads.growing.size(); ++i)
       loads.growing[i].force = model.solve.gravity * model.heavy_mass[i] * grows.drive();
+    for (const Stage& stage : model.stages) {
+      if (&stage == loads.stage || !loads_are_masses) break;
+      for (const PointLoad& p : stage.loads) {
+        if (!(p.fy < 0)) continue;  // what lifts is no mass
+        const Vec3 force = -p.fy * grows.drive();
+        BodyForce& f = loads.growing[at(p.block)];
+        f.force = f.force + force;
+        f.moment = f.moment + cross(Vec3{p.arm_x, p.arm_y, p.arm_z}, force);
+      }
+    }
     return loads;
   }
   loads.together = grows.spec.as == Manner::kEach;

@@ -26,8 +26,9 @@ struct SpaceLoads {
   bool is_force = true;
   bool together = false;  // driven blocks share one velocity, their forces sum up to the load
 };
-// Throws InputError when no stage grows, and when what grows moves a support. `secant`: limit_loads().
-[[nodiscard]] SpaceLoads space_loads(const Model& model, double secant = 1);
+// Throws InputError when no stage grows, and when what grows moves a support. `secant`, `loads_are_masses`: limit_loads().
+[[nodiscard]] SpaceLoads space_loads(const Model& model, double secant = 1,
+                                     bool loads_are_masses = false);
 
 struct SpaceYield {
   std::vector<JointYield> joint;  // (n_joint); half_length is not used

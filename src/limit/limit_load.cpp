@@ -128,7 +128,10 @@ struct Programmes {
 
 Programmes solve_by_forces(const Model& model, const LimitOptions& options, double secant,
                            const LimitWatch& watch) {
-  Programmes p{limit_loads(model, secant), yield_of(model, options, secant), {}, {}};
+  Programmes p{limit_loads(model, secant, options.loads_are_masses),
+               yield_of(model, options, secant),
+               {},
+               {}};
   p.units = units_of(model, p.loads, p.yield);
   const Watch ask = watch_from(watch, 0, 0.5);
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);
@@ -159,7 +162,10 @@ std::string carrier_text(const Model& model, int carrier) {
 
 SpaceProgrammes solve_by_forces_in_space(const Model& model, const LimitOptions& options,
                                          double secant, const LimitWatch& watch) {
-  SpaceProgrammes p{space_loads(model, secant), space_yield(model, options, secant), {}, {}};
+  SpaceProgrammes p{space_loads(model, secant, options.loads_are_masses),
+                    space_yield(model, options, secant),
+                    {},
+                    {}};
   p.units = units_of(model, p.loads);
   const Watch ask = watch_from(watch, 0, 0.5);
   p.by_forces = solve_static(model, p.loads, p.yield, p.units, ask);

@@ -64,6 +64,20 @@ void add_push(const Stage& push, LimitLoads& loads) {
   }
 }
 
+// What presses is a mass, and goes with the blocks' own.
+void push_loads(const Model& model, LimitLoads& loads) {
+  for (const Stage& stage : model.stages) {
+    if (&stage == loads.stage) break;
+    for (const PointLoad& p : stage.loads) {
+      if (!(p.fy < 0)) continue;  // what lifts is no mass
+      const double fx = -p.fy * loads.stage->drive_x, fy = -p.fy * loads.stage->drive_y;
+      BlockForce& f = loads.growing[static_cast<std::size_t>(p.block)];
+      f.fx += fx, f.fy += fy;
+      f.moment += p.arm_x * fy - p.arm_y * fx;
+    }
+  }
+}
+
 BlockId body_of(const Solids& solids, std::int32_t node) {
   const auto at = std::find_if(solids.bodies.begin(), solids.bodies.end(), [&](const auto& body) {
     return node < body.first_node + body.n_node;
@@ -164,7 +178,7 @@ bool goes_back(const Stage& push) {
          std::all_of(targets.begin(), targets.end(), [](double t) { return t <= 0; });
 }
 
-LimitLoads limit_loads(const Model& model, double secant) {
+LimitLoads limit_loads(const Model& model, double secant, bool loads_are_masses) {
   LimitLoads loads;
   loads.stage = growing_stage(model);
   if (loads.stage == nullptr)
@@ -193,6 +207,7 @@ LimitLoads limit_loads(const Model& model, double secant) {
     const double w = model.solve.gravity * model.heavy_mass[i];
     loads.growing[i] = {w * loads.stage->drive_x, w * loads.stage->drive_y, 0};
   }
+  if (loads_are_masses) push_loads(model, loads);
   return loads;
 }
 
@@ -265,6 +280,10 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
 std::vector<Message> left_aside(const Model& model) {
   std::vector<Message> notes;
   note_stages(model, notes);
+  for (const Message& note : model.anatomy.notes)
+    for (const char* code :
+         {"body_force.loads_left_out", "tilt.loads_left_out", "body_force.masses_left_out"})
+      if (note.code == code) notes.push_back(note);
   const auto& kinds = model.anatomy.joint_kind;
   const bool chain = std::find(kinds.begin(), kinds.end(), JointKind::kLintelChain) != kinds.end();
   if (chain || !model.solids.bodies.empty()) notes.push_back({"limit.rigid_lintels"});

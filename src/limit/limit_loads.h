@@ -25,8 +25,10 @@ struct LimitLoads {
 };
 
 // Reads what is in force when the last growing stage begins. `secant` multiplies the dead loads
-// that keep their direction while the ground tilts (limit_load.cpp). Throws InputError when no stage grows.
-[[nodiscard]] LimitLoads limit_loads(const Model& model, double secant = 1);
+// that keep their direction while the ground tilts (limit_load.cpp). `loads_are_masses`: LimitOptions. Throws InputError
+// when no stage grows.
+[[nodiscard]] LimitLoads limit_loads(const Model& model, double secant = 1,
+                                     bool loads_are_masses = false);
 // A push whose targets all lie behind it pushes against its direction.
 [[nodiscard]] bool goes_back(const Stage& push);
 // Whether a stage turns the blocks' weight on before `grows` ends, and there is any.

@@ -5,12 +5,14 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "limit/limit_loads.h"
 #include "wythe/error.h"
 
 namespace wythe {
 namespace {
 
 constexpr const char* kLimitLoads = "lp";
+constexpr const char* kParts = "parts";
 
 bool is_asked(const OpinionAsked& asked, const char* what) {
   return asked.only.empty() ||
@@ -32,8 +34,14 @@ void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion
   std::vector<Hypothesis> hypotheses;
   for (const auto& [word, hypothesis] : kHypothesisWords)
     if (is_asked(asked, word)) hypotheses.push_back(hypothesis);
+  const Stage* grows = limit::growing_stage(model);
+  // its own mechanism is assessed (local_check.h)
+  const bool is_body_force = grows != nullptr && grows->spec.kind == StageKind::kBodyForce;
+  if (asked.assessment && is_body_force && !is_asked(asked, kLimitLoads))
+    opinion.refused.push_back({{"limit.assessment"}, text_of(Message{"limit.no_body_force"})});
   if (hypotheses.empty()) {
-    if (asked.assessment) opinion.notes.push_back({"limit.no_mechanism_asked"});
+    if (asked.assessment && !is_body_force && !is_asked(asked, kParts))
+      opinion.notes.push_back({"limit.no_mechanism_asked"});
     return;
   }
   attempt(opinion, {"limit.macro_blocks"}, [&] {
@@ -44,8 +52,10 @@ void add_mechanisms(const OpinionAsked& asked, const Model& model, SecondOpinion
                 [&] { opinion.mechanisms.push_back(cut_mechanism(model, portal, mode, h)); });
   });
   if (!asked.assessment) return;
-  if (opinion.mechanisms.empty())
-    opinion.refused.push_back({{"limit.assessment"}, text_of(Message{"limit.no_chain"})});
+  if (opinion.mechanisms.empty() && !is_body_force)
+    opinion.refused.push_back(
+        {{"limit.assessment"},
+         text_of(Message{model.in_space() ? "limit.no_chain_in_space" : "limit.no_chain"})});
   for (const Mechanism& m : opinion.mechanisms)
     opinion.assessments.push_back(assess(m.chain, m.curve, model.solve.gravity, opinion.shares));
 }
@@ -55,8 +65,18 @@ struct LimitCase {
   LimitOptions options;
 };
 
+// Whether anything lies on the blocks when the load begins to grow.
+bool presses_before(const Model& model, const Stage& grows) {
+  for (const Stage& stage : model.stages) {
+    if (&stage == &grows) break;
+    for (const PointLoad& load : stage.loads)
+      if (load.fy < 0) return true;
+  }
+  return false;
+}
+
 // From what is left when all bond is gone to what all of it could carry at once.
-std::vector<LimitCase> limit_cases(const Model& model) {
+std::vector<LimitCase> limit_cases(const Model& model, bool assessment) {
   std::vector<LimitCase> cases = {
       {"dry", "strength.dry", {}},
       {"dry, residual friction, crushing",
@@ -64,12 +84,17 @@ std::vector<LimitCase> limit_cases(const Model& model) {
        {.friction = FrictionChoice::kResidual, .crushing = CrushingChoice::kPoints}}};
   if (has_bond(model))
     cases.push_back({"bonded", "strength.bonded", {.strength = JointStrength::kBonded}});
+  const Stage* grows = limit::growing_stage(model);
+  if (assessment && grows != nullptr && grows->spec.kind == StageKind::kBodyForce &&
+      presses_before(model, *grows))
+    cases.push_back({"dry, loads are masses", "strength.dry_masses", {.loads_are_masses = true}});
   return cases;
 }
 
 // Nothing answered: the reasons are the answer. Each reason once.
-void throw_if_nothing(const SecondOpinion& opinion, const std::atomic<bool>* stop) {
-  if (!opinion.mechanisms.empty() || !opinion.limits.empty()) return;
+void throw_if_nothing(const OpinionAsked& asked, const SecondOpinion& opinion,
+                      const std::atomic<bool>* stop) {
+  if (!opinion.mechanisms.empty() || !opinion.limits.empty() || asked.parts) return;
   if (stop != nullptr && *stop) throw LimitStopped();
   std::vector<Fault> faults;
   for (const Refusal& r : opinion.refused) {
@@ -87,6 +112,7 @@ void check_asked(const OpinionAsked& asked, const std::string& option) {
   std::vector<std::string> known;
   for (const auto& [word, hypothesis] : kHypothesisWords) known.emplace_back(word);
   known.emplace_back(kLimitLoads);
+  known.emplace_back(kParts);
   FaultList faults;
   for (const std::string& word : asked.only)
     if (std::find(known.begin(), known.end(), word) == known.end())
@@ -98,9 +124,13 @@ void check_asked(const OpinionAsked& asked, const std::string& option) {
   faults.throw_if_any();
 }
 
+bool asks_for_parts(const OpinionAsked& asked) {
+  return asked.assessment && is_asked(asked, kParts);
+}
+
 OpinionCost cost_of(const Model& model, const OpinionAsked& asked) {
   if (!is_asked(asked, kLimitLoads)) return {};
-  const auto loads = static_cast<int>(limit_cases(model).size());
+  const auto loads = static_cast<int>(limit_cases(model, asked.assessment).size());
   return {loads, expected_seconds(model) * loads};
 }
 
@@ -110,8 +140,9 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
   SecondOpinion opinion;
   opinion.notes = left_aside(model);
   add_mechanisms(asked, model, opinion);
-  const std::vector<LimitCase> cases =
-      is_asked(asked, kLimitLoads) ? limit_cases(model) : std::vector<LimitCase>{};
+  const std::vector<LimitCase> cases = is_asked(asked, kLimitLoads)
+                                           ? limit_cases(model, asked.assessment)
+                                           : std::vector<LimitCase>{};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Message what{"limit.of_case", {{"case", Message{cases[i].code}}}};
     LimitWatch watch{.stop = stop};
@@ -124,7 +155,7 @@ SecondOpinion second_opinion(const Model& model, const OpinionAsked& asked,
       opinion.limits.push_back({cases[i].name, limit_load(model, cases[i].options, watch)});
     });
   }
-  throw_if_nothing(opinion, stop);
+  throw_if_nothing(asked, opinion, stop);
   return opinion;
 }
 

@@ -402,7 +402,7 @@ static void note_loads_without_mass(const Stage& shake, double pressed, double b
 
 // A body force is of the blocks' own weights. Loads press, and make the factor larger; where they stand for masses, an
 // earthquake shakes these too.
-static void note_loads_left_out(const Stage& factor, double pressed, Model& model) {
+static void note_loads_left_out(const Stage& factor, double pressed, double carried, Model& model) {
   constexpr double kSome = 0.02;  // of the wall's weight
   double weight = 0;
   for (const double mass : model.heavy_mass) weight += mass * model.solve.gravity;
@@ -412,15 +412,21 @@ static void note_loads_left_out(const Stage& factor, double pressed, Model& mode
     model.anatomy.notes.push_back(
         {factor.spec.kind == StageKind::kTilt ? "tilt.loads_left_out" : "body_force.loads_left_out",
          {{"stage", factor.spec.name}, {"load_kN", 1e-3 * pressed}, {"weight_kN", 1e-3 * weight}}});
+  // a mass of floors that no load stands for, neither
+  if (const double more = carried * model.solve.gravity - pressed; more > kSome * weight)
+    model.anatomy.notes.push_back(
+        {"body_force.masses_left_out",
+         {{"stage", factor.spec.name}, {"mass_kg", more / model.solve.gravity}}});
 }
 
 void carry_floors(const std::vector<double>& bare, Model& model) {
-  double pressed = 0;
+  double pressed = 0, carried = 0;
   const double all = std::accumulate(bare.begin(), bare.end(), 0.0);
+  for (std::size_t i = 0; i < bare.size(); ++i) carried += std::fmax(0.0, model.mass[i] - bare[i]);
   for (Stage& stage : model.stages) {
     for (const PointLoad& load : stage.loads) pressed += std::fmax(0, -load.fy);
     if (stage.spec.kind == StageKind::kBodyForce || stage.spec.kind == StageKind::kTilt)
-      note_loads_left_out(stage, pressed, model);
+      note_loads_left_out(stage, pressed, carried, model);
     if (stage.spec.kind != StageKind::kShake) continue;
     for (std::size_t i = 0; i < bare.size(); ++i)
       if (model.mass[i] > bare[i])

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "report/html.h"
@@ -559,6 +560,10 @@ class LimitHeadline {
     else if (!loads.empty())  // where joints have no bond all strengths may give one load
       add(texts_.say("limit.single", {{"load", bold(load(loads.front()))}}));
     if (passing() == 0) add(texts_.say("limit.none_passes"));
+    if (const Json* part = worst_part(); part != nullptr) {
+      const std::string said = escaped(said_in(texts_, *part, "sentence"));
+      add(words.empty() ? said + "." : "<br>" + said + ".");
+    }
     return words.empty() ? texts_.say("limit.nothing") : words;
   }
 
@@ -603,6 +608,21 @@ class LimitHeadline {
     const auto less = [](const Json& a, const Json& b) { return value_of(a) < value_of(b); };
     return largest ? *std::max_element(loads.begin(), loads.end(), less)
                    : *std::min_element(loads.begin(), loads.end(), less);
+  }
+  // Of the parts out of plane the one of least reserve, one without a demand last.
+  [[nodiscard]] const Json* worst_part() const {
+    const Json* worst = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Json& part : member(o_, "local")) {
+      double reserve = std::numeric_limits<double>::max();
+      if (part.at("verdict") == "fails" && part.at("limit_states").empty()) reserve = 0;
+      for (const Json& s : part.at("limit_states"))
+        if (s.at("pga_capacity_g").is_number())
+          reserve =
+              std::min(reserve, number_in(s, "pga_capacity_g") / number_in(s, "pga_demand_g"));
+      if (reserve < least) least = reserve, worst = &part;
+    }
+    return worst;
   }
   // Runs whose peak lies above their limit load; -1 where none was compared.
   [[nodiscard]] int passing() const {

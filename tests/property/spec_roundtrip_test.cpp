@@ -297,6 +297,21 @@ void make_valid(SpectrumSpec& s) {
   }
 }
 
+// A part that stands on its foot; what holds it is stated.
+void make_valid(PartSpec& part) {
+  if (part.foot >= part.head) part.head = part.foot + 1;
+  if (part.left >= part.right) part.right = part.left + 1;
+  for (HoldSpec& hold : part.hold)
+    set_if_unset(hold.height, 1.0 / 3), set_if_unset(hold.force, 1e4 / 3);
+  TeethSpec& teeth = part.teeth;
+  if (teeth.corners == 0) {
+    teeth = {};
+    return;
+  }
+  set_if_unset(teeth.length, 0.3), set_if_unset(teeth.course, 1.0 / 3);
+  set_if_unset(teeth.friction, 0.5);
+}
+
 void make_valid(AssessmentSpec& assessment) {
   if (assessment.code.empty()) {  // not asked for: no table
     assessment = {};
@@ -310,6 +325,7 @@ void make_valid(AssessmentSpec& assessment) {
                           &own.life_safety, &own.near_collapse})
     make_valid(*s);
   if (assessment.code == "en1998_3") own.operational = {};
+  for (PartSpec& part : assessment.part) make_valid(part);
   // one spectrum for the limit state that is asked
   if (assessment.spectrum.kind != SpectrumKind::kNone)
     (assessment.limit_state == "near_collapse" ? own.near_collapse : own.damage_limitation) =

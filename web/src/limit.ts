@@ -7,7 +7,7 @@ import { assumptions, inputTables, provenanceTable } from "./inputs";
 import { hypothesisLabel, mechanisms, type Mechanism } from "./mechanism";
 import type { Section } from "./page";
 import { sortable, table } from "./tables";
-import { capital, knows, num, pageUnit, phrase, qty, say, type Said } from "./texts";
+import { capital, knows, num, pageUnit, phrase, qty, say, sentence, type Said } from "./texts";
 import { collapseInSpace } from "./limit_space";
 import { canvasFor, drawWall } from "./wall2d";
 import { readWall, type Frames, type Wall } from "./wall";
@@ -314,6 +314,51 @@ function numbers(opinion: any): Child {
   ];
 }
 
+// Parts that fall on their face: the sentence of each, then what it rests on, a column a part.
+function local(opinion: any): Child {
+  const parts = (opinion.local ?? []) as any[];
+  if (parts.length === 0) return null;
+  const heads = [
+    { head: say("assessment.quantity"), left: true },
+    ...parts.map((p) => ({ head: [p.name, p.by === "part" || p.by === "found" ? null : h("span", { class: "pm" }, phrase(p.by))] })),
+  ];
+  const rows = (keys: string[], of: (p: any, key: string) => any): Child[][] =>
+    keys
+      .filter((key) => parts.some((p) => of(p, key) !== null && of(p, key) !== undefined))
+      .map((key) => [say(`local.${key}`), ...parts.map((p) => num(of(p, key) ?? null, 4))]);
+  const states = [...new Set(parts.flatMap((p) => p.limit_states.map((s: any) => s.limit_state as string)))];
+  return [
+    parts.map((p) => h("p", {}, p.may_be_signed ? sentence(p.sentence) : h("b", {}, sentence(p.sentence)))),
+    table(
+      heads,
+      rows(
+        [
+          "foot_m", "head_m", "hinge_m", "inset_mm", "masonry_kN", "floors_kN", "alpha0", "participating_mass_kg",
+          "participating_mass_share", "confidence_factor", "acceleration0_m_per_s2", "acceleration0_to_the_end_m_per_s2",
+          "displacement0_mm", "displacement0_of_top_mm", "slides_off_mm",
+        ],
+        (p, key) => p[key],
+      ),
+      say("local.title", { clause: phrase(parts[0].clause) }),
+    ),
+    states.map((state) =>
+      table(
+        heads,
+        rows(
+          [
+            "pga_demand_g", "acceleration_demand_m_per_s2", "q", "capacity_over_demand_by_q", "displacement_mm", "secant_period_s",
+            "displacement_demand_mm", "capacity_over_demand_by_displacement", "pga_capacity_g",
+          ],
+          (p, key) => p.limit_states.find((s: any) => s.limit_state === state)?.[key],
+        ),
+        capital(say(`assessment.${state}`)),
+      ),
+    ),
+    parts.map((p) => h("details", {}, h("summary", {}, say("local.notes", { part: p.name })), h("ul", {}, p.notes.map((n: Said) => h("li", {}, capital(phrase(n))))))),
+    h("p", { class: "soft small" }, say("local.lead")),
+  ];
+}
+
 export function limitSections(bundle: Bundle): Section[] {
   const header = bundle.header,
     opinion = header.opinion,
@@ -326,6 +371,7 @@ export function limitSections(bundle: Bundle): Section[] {
       title: say("section.mechanisms"),
       content: opinion.mechanisms.length > 0 ? h("div", { class: "stack" }, mechanisms(opinion)) : null,
     },
+    { id: "local", title: say("section.local"), content: local(opinion) },
     { id: "limits", title: say("section.limits"), content: limitLoads(opinion, wall, bundle) },
     { id: "verdict", title: say("section.verdict"), content: verdict(opinion) },
     { id: "numbers", title: say("section.numbers"), content: numbers(opinion) },

@@ -62,6 +62,68 @@ void describe(Visitor& v, SpectraSpec& s) {
 }
 
 template <class Visitor>
+void describe(Visitor& v, HoldSpec& s) {
+  v.text("name", s.name, {.fallback = "its number", .example = "tie", .doc = "A name for messages."});
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kDistance, .fallback = kRequired,
+             .example = "6.0 m", .doc = "Above the wall's base."});
+  v.quantity("force", s.force, {.unit = "N", .shown = "kN", .range = kPositive, .fallback = kRequired,
+             .example = "25 kN", .doc = "With which it holds the part at most, level: the least of bar, anchor plate and masonry."});
+  v.quantity("travel", s.travel, {.unit = "m", .shown = "mm", .range = kDistance,
+             .fallback = "not known: it counts for the onset alone", .example = "40 mm",
+             .doc = "How far the part goes at this height before it lets go. The check by displacement counts what holds to the end."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, TeethSpec& s) {
+  v.integer("corners", s.corners, {.range = kFromOne, .fallback = "none", .example = "2",
+            .doc = "Walls across that the part is toothed into."});
+  v.quantity("length", s.length, {.unit = "m", .shown = "m", .range = kLength, .fallback = kRequired,
+             .example = "0.3 m", .doc = "Of the teeth along the part: the thickness of a wall across."});
+  v.quantity("course", s.course, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "200 mm", .doc = "Height between the faces that slide on each other."});
+  v.number("friction", s.friction, {.range = kNotNegative, .fallback = kRequired, .example = "0.5",
+           .doc = "Tangent of the angle of friction there."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, PartSpec& s) {
+  v.text("name", s.name, {.fallback = "its number", .example = "top storey", .doc = "A name for messages and tables."});
+  v.quantity("foot", s.foot, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "the wall's base",
+             .example = "6.0 m", .doc = "Height of the line that it turns about, above the wall's base."});
+  v.quantity("head", s.head, {.unit = "m", .shown = "m", .range = kLength, .fallback = "the wall's top",
+             .example = "9.0 m", .doc = "Height of its top."});
+  v.quantity("left", s.left, {.unit = "m", .shown = "m", .range = kDistance, .fallback = "the wall's left end",
+             .example = "1.0 m", .doc = "Left end, from the wall's left."});
+  v.quantity("right", s.right, {.unit = "m", .shown = "m", .range = kLength, .fallback = "the wall's right end",
+             .example = "4.0 m", .doc = "Right end."});
+  v.choice("falls", s.falls, kFallWords, {.example = "outwards",
+           .doc = "Away from the floors, or towards them. Floors bear on the inner side."});
+  v.flag("head_held", s.head_held, {.example = "true",
+         .doc = "A floor or tie holds the head: the part bends outwards between foot and head, about the line that gives the least."});
+  v.quantity("lean", s.lean, {.unit = "rad", .shown = "deg", .range = kLean, .example = "1 deg",
+             .doc = "Out of plumb, towards the fall."});
+  v.quantity("inset", s.inset, {.unit = "m", .shown = "mm", .range = kDistance,
+             .fallback = "by compressive strength, else 0", .example = "20 mm",
+             .doc = "How far the line it turns about lies within the face, for masonry crushes there."});
+  v.quantity("bearing", s.bearing, {.unit = "m", .shown = "mm", .range = kLength, .fallback = "of each floor",
+             .example = "150 mm", .doc = "Depth of its floors' bearings, from the inner face. They press at the middle of it."});
+  v.list("hold", s.hold, {.optional = true, .doc = "What holds it back: ties, anchored floors."});
+  v.table("teeth", s.teeth, {.in_braces = true, .optional = true, .fallback = "none",
+          .example = "{ corners = 2, length = \"0.3 m\", course = \"200 mm\", friction = 0.5 }",
+          .doc = "Friction of its teeth in walls across. It counts for the onset alone, for teeth are pulled out."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, BuildingSpec& s) {
+  v.quantity("height", s.height, {.unit = "m", .shown = "m", .range = kLength, .fallback = "of the wall",
+             .example = "10.5 m", .doc = "H, above the foundation."});
+  v.quantity("period", s.period, {.unit = "s", .shown = "s", .range = kPositive, .fallback = "0.05 H^(3/4), with H in m",
+             .example = "0.30 s", .doc = "T1, the first period across the wall."});
+  v.integer("storeys", s.storeys, {.range = kFromOne, .fallback = "those of the model", .example = "3",
+            .doc = "How many storeys it has; the share of the first mode follows."});
+}
+
+template <class Visitor>
 void describe(Visitor& v, AssessmentSpec& s) {
   v.text("code", s.code, {.fallback = kRequired, .example = "circolare_2019",
          .doc = "Whose limit states: `circolare_2019` (with NTC 2018) or `en1998_3`."});
@@ -90,6 +152,12 @@ void describe(Visitor& v, AssessmentSpec& s) {
            .example = "0.3",
            .doc = "Campaigns: standard deviation of the logarithm of the demand from record to record, put "
                   "to the fragility's own scatter."});
+  v.table("building", s.building, {.in_braces = true, .optional = true, .fallback = "as the model has it",
+          .example = "{ height = \"10.5 m\", period = \"0.30 s\", storeys = 3 }",
+          .doc = "`wythe limit --assessment`: the building, for the spectrum at the height of a part."});
+  v.list("part", s.part, {.optional = true,
+         .doc = "`wythe limit --assessment`: parts that may fall out of the wall's plane. None: each storey from its foot on, and what "
+                "stands above the highest floor."});
 }
 
 // clang-format on

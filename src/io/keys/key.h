@@ -43,6 +43,8 @@ inline constexpr Range kPositiveToOne{.low = 0, .high = 1, .low_open = true};
 inline constexpr Range kFrictionAngle{.low = 0, .high = kQuarterTurn, .high_open = true};
 inline constexpr Range kSkewback{
     .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
+inline constexpr Range kLean{
+    .low = -kQuarterTurn, .high = kQuarterTurn, .low_open = true, .high_open = true};
 inline constexpr Range kTiltAngle{
     .low = 0, .high = kQuarterTurn, .low_open = true, .high_open = true};
 

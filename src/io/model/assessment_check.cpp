@@ -1,4 +1,5 @@
 // What the keys of [assessment] must be together: each kind of spectrum needs some and knows only its own.
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,35 @@ void finish(TableReader& reader, SpectrumSpec& spectrum) {
                                 word_of(kSpectrumKindWords, spectrum.kind)),
                     "leave it out");
   report(reader, faults_of(spectrum));
+}
+
+void finish(TableReader& reader, HoldSpec& hold) {
+  if (std::isnan(hold.height) && !is_faulty(reader, "height"))
+    reader.miss("height", "is missing",
+                "write the height at which it holds, e.g. height = \"6.0 m\"");
+  if (std::isnan(hold.force) && !is_faulty(reader, "force"))
+    reader.miss("force", "is missing: what holds needs a strength",
+                "write the least of bar, anchor plate and masonry, e.g. force = \"25 kN\"");
+}
+
+void finish(TableReader& reader, TeethSpec& teeth) {
+  const auto need = [&](double value, const char* key, const char* cure) {
+    if (std::isnan(value) && !is_faulty(reader, key)) reader.miss(key, "is missing", cure);
+  };
+  if (teeth.corners == 0 && !is_faulty(reader, "corners"))
+    reader.miss("corners", "is missing", "write how many walls across hold the part, 1 or 2");
+  need(teeth.length, "length", "write the thickness of a wall across, e.g. length = \"0.3 m\"");
+  need(teeth.course, "course",
+       "write the height between faces that slide, e.g. course = \"200 mm\"");
+  need(teeth.friction, "friction", "write the tangent of the angle, e.g. friction = 0.5");
+}
+
+void finish(TableReader& reader, PartSpec& part) {
+  if (part.foot >= part.head)
+    reader.refuse("head", "is not above foot",
+                  "write the height of its top, above that of its foot");
+  if (part.left >= part.right)
+    reader.refuse("right", "is not right of left", "write its right end, from the wall's left");
 }
 
 void finish(TableReader& reader, AssessmentSpec& assessment) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/results/message_json.h"
+#include "wythe/assessment.h"
 #include "wythe/io.h"
 #include "wythe/provenance.h"
 
@@ -87,6 +88,65 @@ Json assessment_json(const Assessment& a, const LimitStateShares& shares) {
           {"near_collapse_displacement_mm", a.near_collapse * kMilli},
           {"life_safety_spectral_displacement_mm", a.spectral(a.life_safety) * kMilli},
           {"near_collapse_spectral_displacement_mm", a.spectral(a.near_collapse) * kMilli}};
+}
+
+Json local_state_json(const LocalStateCheck& s) {
+  const auto known = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  return {{"limit_state", word_of(kLimitStateWords, s.state)},
+          {"verdict", word_of(kAssessmentVerdictWords, s.verdict)},
+          {"pga_demand_g", known(s.ground_demand / kStandardGravity)},
+          {"pga_capacity_g", known(s.acceleration / kStandardGravity)},
+          {"acceleration_demand_m_per_s2", known(s.demand)},
+          {"q", known(s.q)},
+          {"capacity_over_demand_by_q", known(s.q_ratio)},
+          {"displacement_mm", known(s.displacement * kMilli)},
+          {"secant_period_s", known(s.period)},
+          {"displacement_demand_mm", known(s.displacement_demand * kMilli)},
+          {"capacity_over_demand_by_displacement", known(s.displacement_ratio)}};
+}
+
+Json local_json(const LocalCheck& c) {
+  const auto known = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  const LocalCapacity& k = c.capacity;
+  Json json{{"name", c.name},
+            {"by", c.by},
+            {"clause", "Circolare 7/2019, C8.7.1.2.1; spectrum at a height C7.2.3"},
+            {"verified", false},
+            {"verdict", word_of(kAssessmentVerdictWords, c.verdict)},
+            {"may_be_signed", c.may_be_signed}};
+  io::put(json, "sentence", c.sentence);
+  io::put(json, "cautions", c.cautions);
+  io::put(json, "notes", c.notes);
+  json["foot_m"] = c.foot;
+  json["head_m"] = known(c.head);
+  json["hinge_m"] = known(c.hinge);
+  json["inset_mm"] = c.inset * kMilli;
+  json["masonry_kN"] = c.masonry * kPerKilo;
+  json["floors_kN"] = c.floors * kPerKilo;
+  json["weight_kN"] = k.weight * kPerKilo;
+  json["alpha0"] = known(k.alpha0);
+  json["participating_mass_kg"] = known(k.mass);
+  json["participating_mass_share"] = known(k.mass_share);
+  json["confidence_factor"] = c.confidence_factor;
+  json["acceleration0_m_per_s2"] = known(c.acceleration0);
+  json["alpha0_to_the_end"] = known(k.alpha0_to_end);
+  json["acceleration0_to_the_end_m_per_s2"] = known(c.acceleration0_to_end);
+  json["rotation0_rad"] = known(k.rotation0);
+  json["displacement0_mm"] = known(k.displacement0 * kMilli);
+  json["displacement0_of_top_mm"] = known(k.top0 * kMilli);
+  json["slides_off_mm"] = known(k.slides_off * kMilli);
+  json["building"] = {{"height_m", known(c.building.top)},
+                      {"period_s", known(c.building.period)},
+                      {"storeys", c.building.storeys},
+                      {"part_at_m", known(c.building.height)},
+                      {"share_of_first_mode", c.building.share()}};
+  json["limit_states"] = Json::array();
+  for (const LocalStateCheck& s : c.states) json["limit_states"].push_back(local_state_json(s));
+  return json;
 }
 
 Json mechanism_json(const Mechanism& m) {
@@ -262,6 +322,8 @@ std::string mechanisms_json(const Model& model, const SecondOpinion& opinion) {
       json["mechanisms"].back()["assessment"] =
           assessment_json(opinion.assessments[i], opinion.shares);
   }
+  json["local"] = Json::array();
+  for (const LocalCheck& check : opinion.local) json["local"].push_back(local_json(check));
   json["limit_loads"] = Json::array();
   for (const NamedLimit& limit : opinion.limits) json["limit_loads"].push_back(limit_json(limit));
   json["refused"] = Json::array();

@@ -162,6 +162,9 @@ void finish(TableReader& reader, ContactRule& rule);
 void finish(TableReader& reader, ModelSpec& model);
 void finish(TableReader& reader, SpectrumSpec& spectrum);
 void finish(TableReader& reader, AssessmentSpec& assessment);
+void finish(TableReader& reader, HoldSpec& hold);
+void finish(TableReader& reader, TeethSpec& teeth);
+void finish(TableReader& reader, PartSpec& part);
 
 // "" of a word of BlockRole, and of none; else which words there are.
 [[nodiscard]] std::string role_advice(const std::string& role);

@@ -1,0 +1,260 @@
+// What a code asks of a part that falls on its face: the spectrum at its height, the onset by q, the way by d*.
+//
+// Equations (20.9) to (20.14) of docs/theory/local_mechanisms.md. Called by `wythe limit --assessment`.
+#include <algorithm>
+#include <cmath>
+
+#include "judge/assessment/assessment_parts.h"
+#include "judge/local/local_parts.h"
+#include "limit/limit_loads.h"
+#include "wythe/assessment.h"
+#include "wythe/error.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kBehaviour = 2;            // q at life safety
+constexpr double kOfLifeSafety = 0.4;       // of d0*
+constexpr double kOfNearCollapse = 0.6;     // of d0*
+constexpr double kFactorLeastKnown = 1.35;  // of LC1 and KL1
+
+// Peak acceleration and spectrum where the part stands (20.9), (20.10): the ground's, or what the building makes of it
+// in its first mode, whichever is larger.
+class SpectrumAt {
+ public:
+  SpectrumAt(const ElasticSpectrum& ground, const BuildingAt& at, double damping)
+      : ground_(ground), at_(at) {
+    const double percent = 100 * damping;
+    if (at.share() > 0)
+      of_mode_ =
+          ground.acceleration(at.period) * at.share() * std::sqrt(1 + 0.0004 * percent * percent);
+    gain_ = 1.1 / std::sqrt(damping);  // the part's own damping is 5 %
+  }
+  // NaN beyond the end of a table, of either.
+  [[nodiscard]] double peak() const { return larger(ground_.peak_ground_acceleration(), of_mode_); }
+  [[nodiscard]] double acceleration(double T) const {
+    return larger(ground_.acceleration(T), of_mode_ == 0 ? 0 : amplified(T));
+  }
+  [[nodiscard]] double displacement(double T) const {
+    return acceleration(T) * (T / (2 * kPi)) * (T / (2 * kPi));
+  }
+
+ private:
+  [[nodiscard]] static double larger(double a, double b) {
+    return std::isnan(a) || std::isnan(b) ? kUnset : std::max(a, b);
+  }
+  [[nodiscard]] double amplified(double T) const {
+    const double low = 0.8 * at_.period, high = 1.1 * at_.period;
+    double share = 1;
+    if (T < low) share = 1 + (gain_ - 1) * std::pow(1 - T / low, 1.6);
+    if (T > high) share = 1 + (gain_ - 1) * std::pow(T / high - 1, 1.2);
+    return gain_ * of_mode_ / share;
+  }
+
+  const ElasticSpectrum& ground_;
+  BuildingAt at_;
+  double of_mode_ = 0, gain_ = 1;
+};
+
+AssessmentVerdict verdict_of(double ratio) {
+  if (std::isnan(ratio)) return AssessmentVerdict::kNotKnown;
+  return ratio >= 1 ? AssessmentVerdict::kHolds : AssessmentVerdict::kFails;
+}
+
+// How far a part may go at a limit state (20.12), and the secant period there (20.13).
+void check_displacement(const SpectrumAt& spectrum, double share, const LocalCheck& part,
+                        LocalStateCheck& s) {
+  const double d0 = part.capacity.displacement0, a0 = part.acceleration0_to_end;
+  if (!(d0 > 0) || !(a0 > 0)) return;
+  s.displacement = std::min(share * d0, part.capacity.slides_off);
+  s.period = 2 * kPi * std::sqrt(s.displacement / (a0 * (1 - s.displacement / d0)));
+  s.displacement_demand = spectrum.displacement(s.period);
+  s.displacement_ratio = s.displacement / s.displacement_demand;
+}
+
+LocalStateCheck check_state(const AssessmentSpec& spec, LimitState state, const LocalCheck& part) {
+  LocalStateCheck s;
+  s.state = state;
+  const SpectrumSpec& given = spectrum_for(spec, state);
+  const ElasticSpectrum ground = spectrum_of(given);
+  const double damping = given.kind == SpectrumKind::kTable ? 0.05 : given.damping;
+  const SpectrumAt spectrum(ground, part.building, damping);
+  s.ground_demand = ground.peak_ground_acceleration();
+  s.demand = spectrum.peak();
+  if (state != LimitState::kNearCollapse) {
+    s.q = state == LimitState::kLifeSafety ? kBehaviour : 1;
+    s.q_ratio = std::max(part.acceleration0, 0.0) * s.q / s.demand;  // (20.11)
+  }
+  if (state == LimitState::kLifeSafety) check_displacement(spectrum, kOfLifeSafety, part, s);
+  if (state == LimitState::kNearCollapse) check_displacement(spectrum, kOfNearCollapse, part, s);
+  // the way says more than the onset, so it decides where it is known
+  const double ratio = std::isnan(s.displacement) ? s.q_ratio : s.displacement_ratio;
+  s.verdict = part.acceleration0 > 0 ? verdict_of(ratio) : AssessmentVerdict::kFails;
+  s.acceleration = part.acceleration0 > 0 ? ratio * s.ground_demand : 0;
+  return s;
+}
+
+// Factor by which the onset is divided. Where the line lies at the face, as if masonry could bear anything, codes take
+// that of the least knowledge.
+void find_factor(const AssessmentSpec& spec, bool crushes, LocalCheck& part) {
+  const bool is_stated = std::isfinite(spec.confidence_factor);
+  if (!crushes) {
+    part.confidence_factor = std::max(kFactorLeastKnown, is_stated ? spec.confidence_factor : 1.0);
+    part.notes.push_back({"local.note.factor", {{"factor", part.confidence_factor}}});
+    return;
+  }
+  part.confidence_factor = is_stated ? spec.confidence_factor : 1;
+  if (!is_stated) part.cautions.push_back({"local.caution.factor"});
+}
+
+void find_building(const ModelSpec& spec, const Model& model, LocalCheck& part) {
+  const BuildingSpec& given = spec.assessment.building;
+  double top = 0;
+  for (const BlockId b : study::moving_blocks(model))
+    top = std::max(top, study::extent_of(model, b).high - study::foot_of(model));
+  BuildingAt& at = part.building;
+  at.top = std::isfinite(given.height) ? given.height : top;
+  at.storeys = given.storeys > 0 ? given.storeys
+                                 : std::max(1, static_cast<int>(model.anatomy.storey_name.size()));
+  at.period = std::isfinite(given.period) ? given.period : 0.05 * std::pow(at.top, 0.75);
+  if (!(at.height > 1e-6)) {
+    at.height = 0;
+    return;
+  }
+  if (at.top < at.height)
+    part.cautions.push_back(
+        {"local.caution.building", {{"height_m", at.top}, {"part_m", at.height}}});
+  part.notes.push_back(
+      {std::isfinite(given.period) ? "local.note.height" : "local.note.height_by_rule",
+       {{"height_m", at.height},
+        {"top_m", at.top},
+        {"period_s", at.period},
+        {"storeys", at.storeys},
+        {"share", at.share()}}});
+}
+
+Message sentence_of(const LocalCheck& part) {
+  const LocalStateCheck* s = part.deciding();
+  const Message who = as_text(part.name);
+  if (!(part.capacity.alpha0 > 0))
+    return {"local.falls_by_itself", {{"part", who}, {"alpha0", part.capacity.alpha0}}};
+  if (s == nullptr)
+    return {"local.no_demand",
+            {{"part", who},
+             {"alpha0", part.capacity.alpha0},
+             {"a0_g", part.acceleration0 / kStandardGravity}}};
+  if (s->verdict == AssessmentVerdict::kNotKnown)
+    return {"local.not_known", {{"part", who}, {"alpha0", part.capacity.alpha0}}};
+  const bool by_way = std::isfinite(s->displacement);
+  const bool holds = s->verdict == AssessmentVerdict::kHolds;
+  return {holds ? (by_way ? "local.holds_by_way" : "local.holds_by_q")
+                : (by_way ? "local.fails_by_way" : "local.fails_by_q"),
+          {{"part", who},
+           {"state", study::words_of_state(s->state)},
+           {"ratio", by_way ? s->displacement_ratio : s->q_ratio},
+           {"pga_g", s->acceleration / kStandardGravity},
+           {"demand_g", s->ground_demand / kStandardGravity}}};
+}
+
+}  // namespace
+
+const LocalStateCheck* LocalCheck::deciding() const {
+  const LocalStateCheck* least = nullptr;
+  for (const LocalStateCheck& s : states)
+    if (least == nullptr ||
+        s.acceleration / s.ground_demand < least->acceleration / least->ground_demand)
+      least = &s;
+  return least;
+}
+
+void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, LocalCheck& part) {
+  const AssessmentSpec& asked = spec.assessment;
+  find_factor(asked, crushes, part);
+  find_building(spec, model, part);
+  const double g = model.solve.gravity;
+  const auto acceleration = [&](double alpha) {  // (20.8)
+    return alpha * g / (part.capacity.mass_share * part.confidence_factor);
+  };
+  part.acceleration0 = acceleration(part.capacity.alpha0);
+  part.acceleration0_to_end = acceleration(part.capacity.alpha0_to_end);
+  for (const LimitState state :
+       {LimitState::kDamageLimitation, LimitState::kLifeSafety, LimitState::kNearCollapse})
+    if (is_asked(asked) && is_checked(asked, state))
+      part.states.push_back(check_state(asked, state, part));
+  const LocalStateCheck* least = part.deciding();
+  part.verdict = least != nullptr ? least->verdict : AssessmentVerdict::kNoDemand;
+  if (!(part.capacity.alpha0 > 0)) part.verdict = AssessmentVerdict::kFails;
+  if (!part.capacity.no_displacement.empty()) part.notes.push_back(part.capacity.no_displacement);
+  if (std::isfinite(part.capacity.slides_off) &&
+      part.capacity.slides_off < kOfLifeSafety * part.capacity.displacement0)
+    part.notes.push_back(
+        {"local.note.slides_off", {{"displacement_mm", 1e3 * part.capacity.slides_off}}});
+  if (value_of(kAssessmentCodeWords, asked.code) == AssessmentCode::kEn1998)
+    part.notes.push_back({"local.note.italian"});
+  if (!(part.capacity.alpha0 > 0)) part.cautions.push_back({"local.caution.falls"});
+  if (part.capacity.alpha0 > 0 && part.capacity.alpha0_to_end <= 0)
+    part.cautions.push_back({"local.caution.stands_by_holds"});
+  for (const LocalStateCheck& s : part.states)
+    if (s.verdict == AssessmentVerdict::kNotKnown) {
+      part.cautions.push_back({"local.caution.not_known"});
+      break;
+    }
+  part.may_be_signed =
+      part.cautions.empty() && least != nullptr && part.verdict != AssessmentVerdict::kNotKnown;
+  part.sentence = sentence_of(part);
+  if (!part.cautions.empty())
+    part.sentence = {"local.unsigned", {{"cautions", part.cautions}, {"verdict", part.sentence}}};
+}
+
+bool has_parts(const ModelSpec& spec, const Model& model) {
+  if (model.in_space()) return false;
+  const Stage* grows = limit::growing_stage(model);
+  return !spec.assessment.part.empty() || grows == nullptr || grows->spec.kind == StageKind::kPush;
+}
+
+namespace {
+
+template <class Answer>
+void attempt(SecondOpinion& opinion, const Message& what, Answer answer) {
+  try {
+    opinion.local.push_back(answer());
+  } catch (const InputError& error) {
+    opinion.refused.push_back({what, error.what()});
+  }
+}
+
+}  // namespace
+
+void add_local_checks(const ModelSpec& spec, const Model& model, bool asks_for_parts,
+                      SecondOpinion& opinion) {
+  if (asks_for_parts && has_parts(spec, model)) {
+    const bool named = !spec.assessment.part.empty();
+    std::vector<PartSpec> parts = named ? spec.assessment.part : study::found_parts(spec, model);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      PartSpec& part = parts[k];
+      if (part.name.empty()) part.name = "part " + std::to_string(k + 1);
+      const std::string path = named ? "assessment.part." + part.name : "wall";
+      attempt(opinion, {"local.part", {{"name", part.name}}}, [&] {
+        LocalCheck check = study::check_of_part(spec, model, part, path);
+        if (!named) check.by = "found";
+        return check;
+      });
+    }
+  } else if (asks_for_parts && !spec.assessment.part.empty()) {
+    opinion.refused.push_back({{"local.parts"}, text_of(Message{"local.parts_in_space"})});
+  }
+  const Stage* grows = limit::growing_stage(model);
+  if (grows == nullptr || grows->spec.kind != StageKind::kBodyForce) return;
+  const NamedLimit* of = nullptr;
+  for (const NamedLimit& limit : opinion.limits) {
+    const LimitOptions& o = limit.answer.options;
+    const bool is_dry = o.strength == JointStrength::kDry && o.crushing == CrushingChoice::kNone;
+    if (is_dry && (of == nullptr || o.loads_are_masses)) of = &limit;
+  }
+  if (of == nullptr) return;
+  attempt(opinion, {"local.part", {{"name", grows->spec.name}}},
+          [&] { return study::check_of_limit(spec, model, *of); });
+}
+
+}  // namespace wythe

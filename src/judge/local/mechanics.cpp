@@ -1,0 +1,167 @@
+// Virtual work of a strip that falls on its face: the onset, the equivalent system, and where nothing more is needed.
+//
+//   alpha(theta) sum Q u'(theta) = sum P v'(theta) + sum T u'(theta)      u along the earthquake, v upwards
+//
+// Equations (20.1) to (20.8) of docs/theory/local_mechanisms.md. Called by parts.cpp and of_limit.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "wythe/local_check.h"
+
+namespace wythe {
+namespace {
+
+constexpr double kHalfTurn = 3.14159265358979323846;
+constexpr double kQuarter = 0.5 * kHalfTurn;
+
+// (20.3): M* and e* by what is pushed, at rest. Gives sum Q travel^2 / sum Q travel, the travel of the equivalent system.
+double equivalent(double first, double second, double gravity, LocalCapacity& c) {
+  c.mass = first * first / (gravity * second);
+  c.mass_share = gravity * c.mass / c.pushed;
+  return second / first;
+}
+
+}  // namespace
+
+LocalCapacity overturning(const std::vector<LocalWeight>& weights,
+                          const std::vector<LocalHold>& holds, double resisted, double top,
+                          double gravity) {
+  LocalCapacity c;
+  double first = 0, second = 0, rise = 0, drop = 0;
+  for (const LocalWeight& w : weights) {
+    c.weight += w.weight, c.pushed += w.pushed;
+    first += w.pushed * w.travel, second += w.pushed * w.travel * w.travel;
+    rise += w.weight * w.rise, drop += w.weight * w.drop;
+  }
+  if (!(first > 0)) {
+    c.no_displacement = {"local.nothing_pushed"};
+    return c;
+  }
+  const double travel = equivalent(first, second, gravity, c);
+  double held = 0;
+  for (const LocalHold& hold : holds) held += hold.force * hold.travel;
+  c.alpha0 = (rise + held + resisted) / first;  // (20.1)
+
+  // what lets go before the end has no part in the curve; each that goes brings the end nearer
+  std::vector<LocalHold> left;
+  for (const LocalHold& hold : holds)
+    if (std::isfinite(hold.lets_go)) left.push_back(hold);
+  for (bool again = true; again;) {
+    double a = rise, b = drop;  // a cos - b sin
+    for (const LocalHold& hold : left) a += hold.force * hold.travel, b -= hold.force * hold.rise;
+    c.alpha0_to_end = a / first;
+    c.rotation0 = std::atan2(a, b);  // (20.4)
+    if (!(a > 0)) c.rotation0 = 0;
+    const auto gone = std::remove_if(left.begin(), left.end(), [&](const LocalHold& hold) {
+      return hold.lets_go < hold.travel * std::sin(std::min(c.rotation0, kQuarter));
+    });
+    again = gone != left.end();
+    left.erase(gone, left.end());
+  }
+  if (c.rotation0 >= kQuarter) {
+    c.rotation0 = kUnset;
+    c.no_displacement = {"local.held_for_good"};
+    return c;
+  }
+  c.displacement0 = travel * std::sin(c.rotation0);  // (20.5)
+  c.top0 = top * std::sin(c.rotation0);
+  for (const LocalWeight& w : weights)
+    if (w.travel > 0) c.slides_off = std::min(c.slides_off, w.slides_off / w.travel * travel);
+  return c;
+}
+
+namespace {
+
+// A bent strip at a turn of its lower body.
+class Bent {
+ public:
+  Bent(const BentStrip& s, double hinge)
+      : s_(s),
+        hinge_(hinge),
+        arm_(s.thickness - 2 * s.inset),  // of the upper line behind the lower one
+        ahead_(0.5 * s.thickness - s.inset),
+        above_(s.height - hinge) {}
+
+  struct Rates {
+    double u = 0, v = 0;
+  };
+  // Of the line between the bodies.
+  [[nodiscard]] Rates line(double turn) const {
+    return {hinge_ * std::cos(turn) + arm_ * std::sin(turn),
+            arm_ * std::cos(turn) - hinge_ * std::sin(turn)};
+  }
+  [[nodiscard]] double line_travel(double turn) const {
+    return hinge_ * std::sin(turn) + arm_ * (1 - std::cos(turn));
+  }
+  // The head can't go along: travel of the line + ahead (cos psi - 1) - above sin psi = 0.
+  [[nodiscard]] double upper_turn(double turn) const {
+    const double reach = std::hypot(ahead_, above_);
+    const double wanted = (ahead_ - line_travel(turn)) / reach;
+    return std::fabs(wanted) > 1 ? kUnset : std::acos(wanted) - std::atan2(above_, ahead_);
+  }
+  [[nodiscard]] Rates lower(const BentStrip::Weight& w, double turn) const {
+    const double x = w.behind - s_.inset, z = w.height;
+    return {z * std::cos(turn) + x * std::sin(turn), x * std::cos(turn) - z * std::sin(turn)};
+  }
+  [[nodiscard]] Rates upper(const BentStrip::Weight& w, double turn) const {
+    const double psi = upper_turn(turn), c = std::cos(psi), s = std::sin(psi);
+    const Rates at = line(turn);
+    const double rate = at.u / (ahead_ * s + above_ * c);  // of psi
+    const double x = s_.thickness - s_.inset - w.behind, z = w.height - hinge_;
+    return {at.u - rate * (x * s + z * c), at.v + rate * (x * c - z * s)};
+  }
+  // Work of the weights per turn: what is still needed to bend it on.
+  [[nodiscard]] double needed(double turn) const {
+    double sum = 0;
+    for (const auto& w : s_.lower) sum += w.weight * lower(w, turn).v;
+    for (const auto& w : s_.upper) sum += w.weight * upper(w, turn).v;
+    return sum;
+  }
+
+ private:
+  const BentStrip& s_;
+  double hinge_, arm_, ahead_, above_;
+};
+
+}  // namespace
+
+LocalCapacity bending(const BentStrip& strip, double hinge, double gravity) {
+  const Bent bent(strip, hinge);
+  LocalCapacity c;
+  double first = 0, second = 0;
+  const auto add = [&](const BentStrip::Weight& w, double travel) {
+    c.weight += w.weight, c.pushed += w.pushed;
+    first += w.pushed * travel, second += w.pushed * travel * travel;
+  };
+  for (const auto& w : strip.lower) add(w, bent.lower(w, 0).u);
+  for (const auto& w : strip.upper) add(w, bent.upper(w, 0).u);
+  if (!(first > 0)) {
+    c.no_displacement = {"local.nothing_pushed"};
+    return c;
+  }
+  const double travel = equivalent(first, second, gravity, c);
+  c.alpha0 = c.alpha0_to_end = bent.needed(0) / first;
+  // the first turn at which nothing more is needed: march, then halve
+  constexpr double kMarch = 1e-3;  // [rad]
+  double before = 0, after = kMarch;
+  while (after < kQuarter && bent.needed(after) > 0) before = after, after += kMarch;
+  if (!(bent.needed(after) <= 0)) {
+    c.no_displacement = {"local.held_for_good"};
+    return c;
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (before + after);
+    (bent.needed(middle) > 0 ? before : after) = middle;
+  }
+  c.rotation0 = before;
+  c.top0 = bent.line_travel(before);
+  c.displacement0 = c.top0 / hinge * travel;
+  return c;
+}
+
+double BuildingAt::share() const {
+  if (!(height > 0)) return 0;
+  return 3.0 * storeys / (2.0 * storeys + 1) * std::min(height / top, 1.0);
+}
+
+}  // namespace wythe

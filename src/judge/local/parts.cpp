@@ -1,0 +1,429 @@
+// A part of a wall in its plane as a strip that falls on its face: masonry, floors, what holds it.
+//
+//        |<- thickness ->|          outer faces are flush; floors bear on the inner side
+//   head +---------------+
+//        |       W  N|bearing       falls outwards: turns about the outer face, `inset` within
+//   foot +o--------------+  inner
+//
+// docs/theory/local_mechanisms.md. Called by add_local_checks().
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text.h"
+#include "geometry/polygon.h"
+#include "judge/assessment/assessment_parts.h"
+#include "judge/local/local_parts.h"
+#include "wythe/error.h"
+#include "wythe/reading.h"
+
+namespace wythe::study {
+namespace {
+
+using geometry::Polygon;
+
+constexpr double kStressBlock = 0.85;  // of fc
+constexpr double kNear = 0.011;        // floors find a bed joint within 10 mm [m]
+
+struct Extents {
+  double left = 0, right = 0, foot = 0, top = 0;  // [m]
+};
+Extents extents_of(const Model& model) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Extents e{kFar, -kFar, kFar, -kFar};
+  for (BlockId b = 0; b < model.n_block; ++b)
+    for (const Vec3& corner : outline_of(model, b)) {
+      e.left = std::min(e.left, corner.x), e.right = std::max(e.right, corner.x);
+      e.foot = std::min(e.foot, corner.y), e.top = std::max(e.top, corner.y);
+    }
+  return e;
+}
+
+// Masonry between two heights.
+struct Piece {
+  double weight = 0, first = 0, across = 0,
+         volume = 0;  // sums of weight, weight height, weight t/2
+  [[nodiscard]] double height() const { return first / weight; }
+  [[nodiscard]] double behind() const { return across / weight; }  // the outer face
+};
+
+// A load that lies on the part.
+struct Lying {
+  double height = 0, behind = 0, weight = 0, slides_off = 0;
+  bool is_floor = false;
+};
+
+class Strip {
+ public:
+  Strip(const ModelSpec& spec, const Model& bare, const PartSpec& part, std::string path)
+      : spec_(spec),
+        model_(with_rigid_bodies(bare)),
+        part_(part),
+        path_(std::move(path)),
+        wall_(extents_of(model_)) {
+    x0_ = wall_.left + (std::isfinite(part.left) ? part.left : 0);
+    x1_ = std::isfinite(part.right) ? wall_.left + part.right : wall_.right;
+    y0_ = wall_.foot + (std::isfinite(part.foot) ? part.foot : 0);
+    y1_ = std::isfinite(part.head) ? wall_.foot + part.head : wall_.top;
+  }
+
+  LocalCheck check() {
+    measure();
+    gather_loads();
+    check_holds();
+    find_inset();
+    LocalCheck out;
+    out.name = part_.name;
+    out.by = "part";
+    out.foot = y0_ - wall_.foot, out.head = y1_ - wall_.foot;
+    out.inset = inset_;
+    out.masonry = masonry_.weight;
+    for (const Lying& l : lying_) out.floors += l.is_floor ? l.weight : 0;
+    out.building.height = out.foot;
+    if (part_.head_held)
+      bend(out);
+    else
+      turn_over(out);
+    say_what_is_left_out(out);
+    conclude(spec_, model_, crushes_, out);
+    return out;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& key, std::string value, std::string problem,
+                           std::string cure) const {
+    throw InputError({{.file = "",
+                       .path = path_ + key,
+                       .value = std::move(value),
+                       .problem = std::move(problem),
+                       .cure = std::move(cure)}});
+  }
+
+  [[nodiscard]] Polygon box(double y0, double y1) const {
+    return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
+  }
+  [[nodiscard]] Piece between(double y0, double y1) const {
+    Piece piece;
+    const Polygon frame = box(y0, y1);
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      Polygon outline;
+      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const geometry::Rect around = geometry::bounds(outline);
+      if (around.y1 <= y0 || around.y0 >= y1 || around.x1 <= x0_ || around.x0 >= x1_) continue;
+      const Polygon inside = geometry::part_inside(outline, frame);
+      if (inside.empty()) continue;
+      const auto i = static_cast<std::size_t>(b);
+      const auto m = geometry::moments(inside);
+      const double weight =
+          model_.solve.gravity * model_.heavy_mass[i] * m.area / geometry::moments(outline).area;
+      const double thickness = model_.anatomy.block_thickness[i];
+      piece.weight += weight;
+      piece.first += weight * (m.centroid.y - y0_);
+      piece.across += weight * 0.5 * thickness;
+      piece.volume += m.area * thickness;
+    }
+    return piece;
+  }
+
+  void measure() {
+    if (!(x1_ > x0_) || x0_ < wall_.left - 1e-9 || x1_ > wall_.right + 1e-6)
+      refuse(".right", fmt::format("{:g} m", x1_ - wall_.left),
+             fmt::format(
+                 "the part goes from {:.3f} to {:.3f} m along the wall, which is {:.3f} m long",
+                 x0_ - wall_.left, x1_ - wall_.left, wall_.right - wall_.left),
+             "write left and right within the wall");
+    if (!(y1_ > y0_) || y1_ > wall_.top + 1e-6)
+      refuse(".head", fmt::format("{:g} m", y1_ - wall_.foot),
+             fmt::format("the part goes from {:.3f} to {:.3f} m, and the wall is {:.3f} m high",
+                         y0_ - wall_.foot, y1_ - wall_.foot, wall_.top - wall_.foot),
+             "write foot and head within the wall");
+    masonry_ = between(y0_, y1_);
+    if (!(masonry_.weight > 0))
+      refuse("", "",
+             model_.solve.gravity > 0 ? "no masonry with a weight lies between its ends"
+                                      : "weighs nothing: gravity is 0",
+             "move its ends onto masonry, and give that a density");
+    constexpr double kSliver = 1e-3;  // [m]
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      Polygon outline;
+      for (const Vec3& corner : outline_of(model_, b)) outline.push_back({corner.x, corner.y});
+      const geometry::Rect around = geometry::bounds(outline);
+      if (around.y0 > y0_ + kSliver || around.y1 < y0_ + kSliver) continue;
+      const double length = std::min(around.x1, x1_) - std::max(around.x0, x0_);
+      if (length <= 0) continue;
+      length_ += length;
+      thickness_ =
+          std::max(thickness_, model_.anatomy.block_thickness[static_cast<std::size_t>(b)]);
+    }
+    if (!(thickness_ > 0))
+      refuse(".foot", fmt::format("{:g} m", y0_ - wall_.foot),
+             "no masonry stands at this height, so there is nothing to turn about",
+             "write the height of a bed joint below the part");
+  }
+
+  // The floor that lies at a place, and how deep it bears.
+  [[nodiscard]] const FloorSpec* floor_at(double x, double y) const {
+    for (const FloorSpec& floor : spec_.floor) {
+      double level = floor.y;
+      for (std::size_t k = 0; k < model_.anatomy.storey_name.size(); ++k)
+        if (!floor.storey.empty() && model_.anatomy.storey_name[k] == floor.storey)
+          level = model_.anatomy.storey_top[k] - wall_.foot;
+      const double from = std::isfinite(floor.x) ? floor.x : 0;
+      const double to = std::isfinite(floor.width) ? from + floor.width : wall_.right - wall_.left;
+      const double along = x - wall_.left;
+      if (std::fabs(y - wall_.foot - level) <= kNear && along >= from - kNear &&
+          along <= to + kNear)
+        return &floor;
+    }
+    return nullptr;
+  }
+  [[nodiscard]] double bearing_of(const FloorSpec& floor) const {
+    const double bearing = std::isfinite(part_.bearing) ? part_.bearing : floor.bearing;
+    if (!std::isfinite(bearing))
+      refuse(".bearing", "",
+             fmt::format(
+                 "floor {} lies on it, and how deep it bears on the wall is not known",
+                 floor.name.empty() ? std::to_string(&floor - spec_.floor.data() + 1) : floor.name),
+             "write bearing = \"150 mm\", here or in the floor");
+    return bearing;
+  }
+
+  void gather_loads() {
+    for (const Stage& stage : model_.stages) {
+      const StageKind kind = stage.spec.kind;
+      if (kind == StageKind::kPush || kind == StageKind::kBodyForce || kind == StageKind::kTilt ||
+          kind == StageKind::kShake)
+        break;
+      for (const PointLoad& load : stage.loads) {
+        const auto i = static_cast<std::size_t>(load.block);
+        const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
+        if (x < x0_ || x > x1_ || y <= y0_ + 1e-9 || y > y1_ + 1e-9) continue;
+        if (load.fy > 0) lifted_ += load.fy;
+        if (!(load.fy < 0)) continue;
+        const double thickness = model_.anatomy.block_thickness[i];
+        Lying lying{y - y0_, 0.5 * thickness, -load.fy, std::numeric_limits<double>::infinity()};
+        if (const FloorSpec* floor = floor_at(x, y); floor != nullptr) {
+          const double bearing = bearing_of(*floor);
+          if (bearing > thickness)
+            refuse(".bearing", fmt::format("{:g} m", bearing),
+                   fmt::format("is deeper than the wall is thick there, {:g} m", thickness),
+                   "write how much of the thickness the floor lies on");
+          lying.behind = thickness - 0.5 * bearing;
+          lying.slides_off = bearing;
+          lying.is_floor = true;
+        }
+        lying_.push_back(lying);
+      }
+    }
+  }
+
+  void check_holds() const {
+    for (std::size_t k = 0; k < part_.hold.size(); ++k) {
+      const HoldSpec& hold = part_.hold[k];
+      const double height = hold.height - (y0_ - wall_.foot);
+      if (height > 0 && height <= y1_ - y0_ + 1e-9) continue;
+      refuse(fmt::format(".hold.{}.height", hold.name.empty() ? std::to_string(k + 1) : hold.name),
+             fmt::format("{:g} m", hold.height),
+             fmt::format("lies beside the part, which goes from {:.3f} to {:.3f} m",
+                         y0_ - wall_.foot, y1_ - wall_.foot),
+             "write a height within the part, or leave it out");
+    }
+  }
+
+  // (20.2): the line lies within the face, where the masonry bears all the load.
+  void find_inset() {
+    double load = masonry_.weight, strength = std::numeric_limits<double>::infinity();
+    for (const Lying& lying : lying_) load += lying.weight;
+    for (JointId j = 0; j < model_.n_joint; ++j) {
+      const auto kind = model_.anatomy.joint_kind[static_cast<std::size_t>(j)];
+      if (kind != JointKind::kBed && kind != JointKind::kFoundation && kind != JointKind::kOther)
+        continue;
+      const auto m = static_cast<std::size_t>(model_.joint_material[static_cast<std::size_t>(j)]);
+      strength = std::min(strength, model_.materials[m].compressive_strength);
+    }
+    crushes_ = std::isfinite(part_.inset) ? part_.inset > 0 : std::isfinite(strength);
+    const double needed =
+        std::isfinite(strength) ? load / (2 * kStressBlock * strength * length_) : 0;
+    inset_ = std::isfinite(part_.inset) ? part_.inset : needed;
+    if (inset_ < 0.5 * thickness_) return;
+    refuse(std::isfinite(part_.inset) ? ".inset" : "", fmt::format("{:g} m", inset_),
+           fmt::format(
+               "the line it turns about would lie beyond the middle of the wall, {:g} m thick: {}",
+               thickness_,
+               std::isfinite(part_.inset) ? "that is no part of a face"
+                                          : "the masonry crushes under its load"),
+           std::isfinite(part_.inset) ? "write a few centimetres, or leave it out"
+                                      : "lower the loads, or check the compressive strength");
+  }
+
+  // Seen from the line, leaning already.
+  [[nodiscard]] LocalWeight leaning(double behind, double above) const {
+    const double c = std::cos(part_.lean), s = std::sin(part_.lean);
+    LocalWeight w;
+    w.travel = w.drop = above * c + behind * s;
+    w.rise = behind * c - above * s;
+    return w;
+  }
+  [[nodiscard]] double behind_line(double from_outer_face) const {
+    return part_.falls == Fall::kOutwards ? from_outer_face - inset_
+                                          : thickness_ - inset_ - from_outer_face;
+  }
+
+  void turn_over(LocalCheck& out) const {
+    std::vector<LocalWeight> weights;
+    const auto add = [&](double from_outer_face, double height, double weight, double slides_off) {
+      LocalWeight w = leaning(behind_line(from_outer_face), height);
+      w.weight = w.pushed = weight;
+      w.slides_off = slides_off;
+      weights.push_back(w);
+    };
+    add(masonry_.behind(), masonry_.height(), masonry_.weight,
+        std::numeric_limits<double>::infinity());
+    for (const Lying& l : lying_) add(l.behind, l.height, l.weight, l.slides_off);
+    std::vector<LocalHold> holds;
+    for (const HoldSpec& hold : part_.hold) {
+      // it pulls at the face that leads
+      const LocalWeight at = leaning(-inset_, hold.height - (y0_ - wall_.foot));
+      holds.push_back({hold.force, at.travel, at.rise, hold.travel});
+    }
+    out.capacity =
+        overturning(weights, holds, teeth(), leaning(0, y1_ - y0_).travel, model_.solve.gravity);
+  }
+
+  // (20.6): each face of a tooth carries what lies above it in the corner, and slides as far as it is above the line.
+  [[nodiscard]] double teeth() const {
+    const TeethSpec& t = part_.teeth;
+    if (t.corners == 0) return 0;
+    const double height = y1_ - y0_, area = t.length * thickness_;
+    const double unit_weight = masonry_.weight / masonry_.volume;
+    return t.corners * t.friction * unit_weight * area * height * height * height / (6 * t.course);
+  }
+
+  void bend(LocalCheck& out) const {
+    if (part_.lean != 0)
+      refuse(".lean", fmt::format("{:g} rad", part_.lean),
+             "is of a part whose head is free: this one bends between foot and head",
+             "leave lean out, or head_held");
+    if (!part_.hold.empty() || part_.teeth.corners > 0)
+      refuse(
+          part_.hold.empty() ? ".teeth" : ".hold", "",
+          "is of a part whose head is free: this one is held at its head by what need not give way",
+          "leave it out, or leave head_held out");
+    if (part_.falls != Fall::kOutwards)
+      refuse(".falls", "inwards", "a part whose head is held bends outwards", "leave falls out");
+    const double height = y1_ - y0_;
+    const auto strip_at = [&](double hinge) {
+      BentStrip strip{.height = height, .thickness = thickness_, .inset = inset_};
+      const auto masonry = [&](const Piece& piece) {
+        return BentStrip::Weight{piece.height(), piece.behind(), piece.weight, piece.weight};
+      };
+      const Piece below = between(y0_, y0_ + hinge), above = between(y0_ + hinge, y1_);
+      if (below.weight > 0) strip.lower.push_back(masonry(below));
+      if (above.weight > 0) strip.upper.push_back(masonry(above));
+      for (const Lying& l : lying_) {
+        const bool at_head = l.height > height - kNear;
+        (l.height <= hinge ? strip.lower : strip.upper)
+            .push_back({l.height, l.behind, l.weight, at_head ? 0 : l.weight});
+      }
+      return strip;
+    };
+    // it opens at the bed joint that gives the least
+    double hinge = kUnset, least = std::numeric_limits<double>::infinity();
+    for (const double joint : bed_joints()) {
+      const double onset = bending(strip_at(joint), joint, model_.solve.gravity).alpha0;
+      if (onset < least) least = onset, hinge = joint;
+    }
+    if (std::isnan(hinge))
+      refuse(".head_held", "true", "no bed joint lies between foot and head, where it could bend",
+             "leave head_held out, or give the part more courses");
+    out.hinge = out.foot + hinge;
+    out.building.height = 0.5 * (out.foot + out.head);
+    out.capacity = bending(strip_at(hinge), hinge, model_.solve.gravity);
+    out.notes.push_back({"local.note.head_held"});
+  }
+
+  // Heights above the foot at which blocks end, within the part.
+  [[nodiscard]] std::vector<double> bed_joints() const {
+    constexpr double kApart = 1e-3;  // [m]
+    std::vector<double> all, joints;
+    for (BlockId b = 0; b < model_.n_block; ++b) {
+      double top = -std::numeric_limits<double>::infinity();
+      for (const Vec3& corner : outline_of(model_, b)) top = std::max(top, corner.y);
+      if (top > y0_ + kApart && top < y1_ - kApart) all.push_back(top - y0_);
+    }
+    std::sort(all.begin(), all.end());
+    for (const double y : all)
+      if (joints.empty() || y > joints.back() + kApart) joints.push_back(y);
+    return joints;
+  }
+
+  void say_what_is_left_out(LocalCheck& out) const {
+    if (lying_.empty()) out.notes.push_back({"local.note.no_floors"});
+    if (out.floors > masonry_.weight)
+      out.cautions.push_back(
+          {"local.caution.heavy_floors",
+           {{"floors_kN", 1e-3 * out.floors}, {"masonry_kN", 1e-3 * masonry_.weight}}});
+    if (lifted_ > 0) out.notes.push_back({"local.note.lifted", {{"load_kN", 1e-3 * lifted_}}});
+    if (part_.teeth.corners > 0) out.notes.push_back({"local.note.teeth"});
+    bool is_any_short = false;
+    for (const HoldSpec& hold : part_.hold) is_any_short |= !std::isfinite(hold.travel);
+    if (is_any_short) out.notes.push_back({"local.note.holds_unknown"});
+    if (!part_.hold.empty()) out.notes.push_back({"local.note.held"});
+    for (Message& caution : cautions_of_masses(spec_, model_))
+      out.cautions.push_back(std::move(caution));
+  }
+
+  const ModelSpec& spec_;
+  const Model model_;
+  const PartSpec& part_;
+  std::string path_;
+  Extents wall_;
+  double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;
+  double thickness_ = 0, length_ = 0;  // at the foot
+  double inset_ = 0, lifted_ = 0;
+  bool crushes_ = false;
+  Piece masonry_;
+  std::vector<Lying> lying_;
+};
+
+}  // namespace
+
+LocalCheck check_of_part(const ModelSpec& spec, const Model& model, const PartSpec& part,
+                         const std::string& path) {
+  return Strip(spec, model, part, path).check();
+}
+
+std::vector<PartSpec> found_parts(const ModelSpec& spec, const Model& model) {
+  const Extents wall = extents_of(with_rigid_bodies(model));
+  std::vector<PartSpec> parts;
+  const auto add = [&](std::string name, double foot) {
+    PartSpec& part = parts.emplace_back();
+    part.name = std::move(name);
+    part.foot = foot;
+  };
+  const Anatomy& a = model.anatomy;
+  double foot = 0, highest = 0;
+  for (std::size_t k = 0; k < a.storey_top.size(); ++k) {
+    add(a.storey_name[k].empty() ? fmt::format("storey {}", k + 1) : a.storey_name[k], foot);
+    foot = a.storey_top[k] - wall.foot;
+  }
+  if (parts.empty()) add("wall", 0);
+  for (const FloorSpec& floor : spec.floor) {
+    double level = floor.y;
+    for (std::size_t k = 0; k < a.storey_name.size(); ++k)
+      if (!floor.storey.empty() && a.storey_name[k] == floor.storey)
+        level = a.storey_top[k] - wall.foot;
+    if (std::isfinite(level)) highest = std::max(highest, level);
+  }
+  constexpr double kParapet = 0.05;  // less is the thickness of a floor [m]
+  const bool is_a_storey = std::any_of(parts.begin(), parts.end(), [&](const PartSpec& p) {
+    return std::fabs(p.foot - highest) < kNear;
+  });
+  if (highest > 0 && !is_a_storey && wall.top - wall.foot - highest > kParapet)
+    add("parapet", highest);
+  return parts;
+}
+
+}  // namespace wythe::study

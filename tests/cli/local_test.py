@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+"""wythe limit --assessment of parts out of plane: what is said, what must be refused, and what must not be signed."""
+import json
+import pathlib
+import tempfile
+import unittest
+
+from cli_test import wythe
+
+WALL = """
+name = "front"
+[wall]
+length = "2 m"
+height = "3 m"
+thickness = "{thickness}"
+[wall.unit]
+length = "500 mm"
+height = "250 mm"
+split = "none"
+density = "1800 kg/m^3"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "40 deg"
+residual_friction_angle = "40 deg"
+compressive_strength = "{fc}"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "push"
+at = {{ x = "0 m", y = "0.4 m", courses = 1 }}
+velocity = "10 mm/s"
+until = "1 mm"
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "{ag}"
+amplification = 2.5
+corner_period = "0.3 s"
+"""
+FLOOR = '[[floor]]\nname = "roof"\ny = "3 m"\nload = "{load}"\n{bearing}'
+PART = '[[assessment.part]]\nname = "front"\n'
+SPACE = """
+[wall]
+height = "1 m"
+thickness = "0.2 m"
+[wall.unit]
+length = "500 mm"
+height = "250 mm"
+split = "none"
+density = "1800 kg/m^3"
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["2 m", "0 m"]]
+""" + WALL[WALL.index("[material.joint]"):WALL.index("[[stage]]\nname = \"push\"")] + """
+[[stage]]
+name = "force"
+{direction}
+rate = "0.1 1/s"
+factor = 1.0
+""" + WALL[WALL.index("[assessment]"):]
+
+
+def wall(rest="", thickness="0.3 m", fc="unlimited", ag="0.5 m/s^2"):
+    return WALL.format(thickness=thickness, fc=fc, ag=ag) + rest
+
+
+class Local(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def limit(self, text, *arguments, code=0):
+        model = self.folder / f"{self._testMethodName}.toml"
+        model.write_text(text)
+        self.out = self.folder / f"{self._testMethodName}_out"
+        done = wythe("limit", model, "--out", self.out, "--assessment", *(arguments or ("--only", "parts")))
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        self.done = done
+        return json.loads((self.out / "mechanisms.json").read_text()) if code == 0 else None
+
+    def only(self, text, *arguments):
+        data = self.limit(text, *arguments)
+        self.assertEqual(len(data["local"]), 1, data)
+        return data["local"][0]
+
+    def refused(self, text, *arguments):
+        data = self.limit(text, *arguments)
+        self.assertEqual(data["local"], [])
+        return data["refused"][0]["why"]
+
+    def test_a_wall_that_holds_and_one_that_does_not(self):
+        part = self.only(wall())
+        self.assertEqual((part["verdict"], part["may_be_signed"], part["by"]), ("holds", True, "found"), part)
+        self.assertAlmostEqual(part["alpha0"], 0.1, places=12)
+        self.assertIn("carried", part["sentence"])
+        self.assertFalse(part["verified"], "clauses are recalled")
+        self.assertIn("alpha0 0.1000", self.done.stdout)
+        self.assertIn("life_safety", self.done.stdout)
+        self.assertIn("as a local mechanism", (self.out / "report.html").read_text())
+        part = self.only(wall(ag="3 m/s^2"))
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", True))
+
+    def test_words_of_the_page_are_italian_too(self):
+        self.limit(wall(), "--only", "parts", "--lang", "it")
+        self.assertIn("verificato come meccanismo locale", (self.out / "report.html").read_text())
+
+    def test_what_asks_for_it_alone(self):
+        self.assertEqual(self.limit(wall(), "--only", "lp")["local"], [])
+
+    def test_thickness_gives_the_answer_and_none_is_refused(self):
+        self.assertAlmostEqual(self.only(wall(thickness="0.6 m"))["alpha0"], 0.2, places=12)
+        self.limit(wall(thickness="0 m"), code=2)
+        self.assertIn("thickness", self.done.stderr)
+
+    def test_without_weight_nothing_is_answered(self):
+        self.assertIn("gravity is 0", self.refused(wall("[solve]\ngravity = \"0 m/s^2\"\n")))
+        self.limit(wall(PART).replace('density = "1800 kg/m^3"', 'density = "0 kg/m^3"'), code=2)
+        self.assertIn("density", self.done.stderr)
+        why = self.refused(wall(PART + 'left = "0 m"\nright = "5 m"\n'))
+        self.assertIn("assessment.part.front.right", why)
+        self.assertIn("write left and right within the wall", why)
+        why = self.refused(wall(PART + 'foot = "2 m"\nhead = "4 m"\n'))
+        self.assertIn("assessment.part.front.head", why)
+
+    def test_ends_in_the_wrong_order_are_faults(self):
+        self.limit(wall(PART + 'foot = "2 m"\nhead = "1 m"\n'), code=2)
+        self.assertIn("is not above foot", self.done.stderr)
+        self.limit(wall(PART + 'left = "1 m"\nright = "1 m"\n'), code=2)
+        self.assertIn("is not right of left", self.done.stderr)
+
+    def test_a_tie_without_strength_is_a_fault(self):
+        hold = PART + '[[assessment.part.hold]]\nname = "tie"\nheight = "2.5 m"\n'
+        self.limit(wall(hold), code=2)
+        self.assertIn("what holds needs a strength", self.done.stderr)
+        self.limit(wall(hold + 'force = "0 kN"\n'), code=2)
+        self.assertIn("force", self.done.stderr)
+        why = self.refused(wall(hold.replace("2.5 m", "3.5 m") + 'force = "5 kN"\n'))
+        self.assertIn("assessment.part.front.hold.tie.height", why)
+        part = self.only(wall(hold + 'force = "500 kN"\ntravel = "1 m"\n'))
+        self.assertIsNone(part["displacement0_mm"], "held for good: no end by displacement")
+        self.assertTrue(any("another mechanism" in note for note in part["notes"]))
+
+    def test_a_wall_that_leans_already(self):
+        upright, leans = self.only(wall(PART)), self.only(wall(PART + 'lean = "2 deg"\n'))
+        self.assertLess(leans["alpha0"], upright["alpha0"])
+        part = self.only(wall(PART + 'lean = "6 deg"\n'))  # beyond atan(0.1) = 5.7 degrees
+        self.assertLess(part["alpha0"], 0)
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("fails", False))
+        self.assertIn("falls by itself", part["sentence"])
+        self.assertIn("not to be signed", part["sentence"])
+
+    def test_without_a_spectrum_there_is_capacity_and_no_verdict(self):
+        text = wall()
+        part = self.only(text[:text.index("[assessment.spectrum]")])
+        self.assertEqual((part["verdict"], part["may_be_signed"], part["limit_states"]), ("no demand", False, []))
+        self.limit(wall(ag="0 m/s^2"), code=2)
+        self.assertIn("ground_acceleration", self.done.stderr)
+
+    def test_floors_take_part_with_their_mass_or_are_asked_for_their_bearing(self):
+        floor = FLOOR.format(load="6 kN/m", bearing='bearing = "150 mm"\n')
+        bare, loaded = self.only(wall()), self.only(wall(floor))
+        self.assertEqual(loaded["floors_kN"], 12)
+        self.assertLess(loaded["alpha0"], bare["alpha0"] * 1.2)
+        self.assertTrue(any("no floor" in note for note in bare["notes"]))
+        why = self.refused(wall(FLOOR.format(load="6 kN/m", bearing="")))
+        self.assertIn("how deep it bears", why)
+        self.assertIn("floor roof", why)
+        heavy = self.only(wall(FLOOR.format(load="60 kN/m", bearing='bearing = "150 mm"\n')))
+        self.assertFalse(heavy["may_be_signed"])
+        self.assertIn("hangs on where they bear", heavy["sentence"])
+
+    def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
+        soft = self.only(wall(fc="0.2 MPa"))
+        weight = 1800 * 9.81 * 2 * 3 * 0.3
+        inset = weight / (2 * 0.85 * 0.2e6 * 2)
+        self.assertAlmostEqual(soft["inset_mm"], 1e3 * inset, places=6)
+        self.assertAlmostEqual(soft["alpha0"], (0.15 - inset) / 1.5, places=9)
+        self.assertFalse(soft["may_be_signed"], "no confidence factor is stated")
+        stated = wall(fc="0.2 MPa").replace("[assessment]\n", "[assessment]\nconfidence_factor = 1.2\n")
+        self.assertTrue(self.only(stated)["may_be_signed"])
+        self.assertIn("crushes under its load", self.refused(wall(fc="0.02 MPa")))
+
+    def test_in_space_the_mechanism_is_that_of_the_body_force(self):
+        part = self.only(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2"), "--only", "lp")
+        self.assertAlmostEqual(part["alpha0"], 0.2, places=6)
+        self.assertAlmostEqual(part["participating_mass_share"], 1, places=6)
+        self.assertTrue(part["may_be_signed"], part["cautions"])
+        askew = self.only(SPACE.format(direction="along = [0.7, 0, -0.7]", fc="unlimited", ag="0.5 m/s^2"), "--only", "lp")
+        self.assertFalse(askew["may_be_signed"])
+        self.assertIn("45 degrees off", askew["sentence"])
+        self.limit(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2") + PART, "--only", "lp", "parts")
+        self.assertIn("in space the mechanism comes from a body force", self.done.stderr)
+
+    def test_loads_in_space_are_pushed_with_the_wall(self):
+        text = SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2")
+        floor = '[[floor]]\nname = "roof"\nload = "6 kN/m"\nfrom = { x = "0 m", y = "1 m", z = "0 m" }\nto = { x = "2 m", y = "1 m", z = "0 m" }\n'
+        data = self.limit(text + floor, "--only", "lp")
+        part = data["local"][0]
+        self.assertEqual(part["by"], "dry, loads are masses")
+        weight, load = 1800 * 9.81 * 2 * 0.2, 12e3
+        self.assertAlmostEqual(part["alpha0"], (weight + load) * 0.1 / (weight * 0.5 + load * 1), places=6)
+        loads = {l["name"]: l["static"] for l in data["limit_loads"]}
+        self.assertLess(loads["dry, loads are masses"], loads["dry"])
+        self.assertTrue(any("press the wall and are not pushed" in note for note in data["notes"]), data["notes"])
+        data = self.limit(text + floor.replace('load = "6 kN/m"', 'mass = "600 kg/m"'), "--only", "lp")
+        self.assertTrue(any("1200 kg that no load stands for" in note for note in data["notes"]), data["notes"])
+        self.assertFalse(data["local"][0]["may_be_signed"])
+
+
+if __name__ == "__main__":
+    unittest.main()

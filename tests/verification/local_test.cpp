@@ -1,0 +1,367 @@
+// Parts of a wall that fall on their face, against calculations by hand: a strip about its foot with floors and ties, two
+// storeys, a parapet at its height, a strip that bends; and the same strips by limit analysis, in a plane and in space.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "verification/record.h"
+#include "wythe/assessment.h"
+#include "wythe/io.h"
+#include "wythe/limit.h"
+#include "wythe/local_check.h"
+#include "wythe/second_opinion.h"
+
+namespace wythe {
+namespace {
+
+using verification::verify;
+
+constexpr double kG = 9.81, kDensity = 1800;
+constexpr const char* const kExact = "the same formulas, to round-off";
+constexpr const char* const kProgramme = "interior point, 1e-9";
+
+// A wall of stones that do not crush, seen from its front: 2 m long, 0.3 m thick, of courses of 0.25 m.
+std::string front(const std::string& sizes, const std::string& rest) {
+  return sizes + R"(
+[wall.unit]
+length = "500 mm"
+height = "250 mm"
+split = "none"
+density = "1800 kg/m^3"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "40 deg"
+residual_friction_angle = "40 deg"
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+[[stage]]
+name = "push"
+at = { x = "0 m", y = "0.4 m", courses = 1 }
+velocity = "10 mm/s"
+until = "1 mm"
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.3 s"
+ground = "A"
+)" + rest;
+}
+const std::string kThreeMetres =
+    "[wall]\nlength = \"2 m\"\nheight = \"3 m\"\nthickness = \"0.3 m\"";
+
+SecondOpinion opinion_of(const std::string& text) {
+  const ModelSpec spec = parse_model(text, "model.toml");
+  const Model model = compile(spec);
+  SecondOpinion opinion;
+  add_local_checks(spec, model, true, opinion);
+  return opinion;
+}
+LocalCheck only_check(const std::string& text) {
+  const SecondOpinion opinion = opinion_of(text);
+  for (const Refusal& refused : opinion.refused) ADD_FAILURE() << refused.why;
+  EXPECT_EQ(opinion.local.size(), 1);
+  return opinion.local.empty() ? LocalCheck{} : opinion.local.front();
+}
+
+// W at t/2 and h/2. a0* = alpha0 g / 1.35; d0* = h/2 sin(atan(t/h)); at 0.4 of it the secant period, and Se there.
+TEST(Local, a_strip_turns_about_its_foot) {
+  const LocalCheck c = only_check(front(kThreeMetres, ""));
+  const double W = kDensity * kG * 2 * 3 * 0.3;
+  verify({"LM01a", "strip about its foot: alpha0 = t/h", "-", 0.1, 1e-12, kExact},
+         c.capacity.alpha0);
+  verify({"LM01b", "the same: M* = W/g", "kg", W / kG, 1e-12, kExact}, c.capacity.mass);
+  verify({"LM01c", "the same: a0* with the factor of LC1", "m/s^2", 0.1 * kG / 1.35, 1e-12, kExact},
+         c.acceleration0);
+  const double d0 = 1.5 * std::sin(std::atan(0.1));
+  verify({"LM01d", "the same: d0* of the centroid", "m", d0, 1e-12, kExact},
+         c.capacity.displacement0);
+  ASSERT_EQ(c.states.size(), 1);
+  const LocalStateCheck& s = c.states.front();
+  verify({"LM01e", "onset by q = 2: capacity over demand", "-", 2 * 0.1 * kG / 1.35 / 1.5, 1e-12,
+          kExact},
+         s.q_ratio);
+  const double T = 2 * M_PI * std::sqrt(0.4 * d0 / (0.6 * 0.1 * kG / 1.35));
+  verify({"LM01f", "secant period at 0.4 d0*", "s", T, 1e-12, kExact}, s.period);
+  // TC = 0.3 s, TD = 4 x 1.5/9.81 + 1.6 = 2.212 s: T = 2.32 s lies beyond
+  const double TD = 4 * 1.5 / kG + 1.6;
+  ASSERT_GT(T, TD);
+  const double asked = 1.5 * 2.5 * 0.3 * TD / (4 * M_PI * M_PI);
+  verify({"LM01g", "displacement asked there", "m", asked, 1e-12, kExact}, s.displacement_demand);
+  verify({"LM01h", "way: capacity over demand", "-", 0.4 * d0 / asked, 1e-12, kExact},
+         s.displacement_ratio);
+  EXPECT_EQ(c.verdict, AssessmentVerdict::kFails) << 0.4 * d0 / asked;
+  EXPECT_EQ(c.by, "found");
+}
+
+constexpr const char* kRoof = R"([[floor]]
+name = "roof"
+y = "3 m"
+load = "12 kN/m"
+bearing = "150 mm"
+)";
+
+// N = 24 kN at 0.3 - 0.075 m behind the face. Its mass goes along.
+TEST(Local, a_floor_holds_by_its_weight_and_pushes_by_its_mass) {
+  const LocalCheck c = only_check(front(kThreeMetres, kRoof));
+  const double W = kDensity * kG * 2 * 3 * 0.3, N = 24e3;
+  const double first = W * 1.5 + N * 3, second = W * 1.5 * 1.5 + N * 9;
+  const double alpha = (W * 0.15 + N * 0.225) / first;
+  const double e = first * first / (second * (W + N));
+  verify({"LM02a", "strip under a floor: alpha0", "-", alpha, 1e-12, kExact}, c.capacity.alpha0);
+  verify({"LM02b", "the same: e*", "-", e, 1e-12, kExact}, c.capacity.mass_share);
+  verify({"LM02c", "the same: a0*", "m/s^2", alpha * kG / e / 1.35, 1e-12, kExact},
+         c.acceleration0);
+  const double turn = std::atan(alpha);
+  verify({"LM02d", "the same: d0*", "m", std::sin(turn) * second / first, 1e-12, kExact},
+         c.capacity.displacement0);
+  verify({"LM02e", "d* at which the floor is off its bearing", "m", 0.15 / 3 * second / first,
+          1e-12, kExact},
+         c.capacity.slides_off);
+}
+
+// T = 5 kN at 2.75 m; it gives way after 400 mm or after 100 mm: it holds to the end, or it does not.
+TEST(Local, a_tie_counts_for_the_way_where_it_holds_to_the_end) {
+  const double W = kDensity * kG * 2 * 3 * 0.3;
+  for (const auto& [travel, to_end] :
+       {std::pair("travel = \"600 mm\"", true), {"travel = \"100 mm\"", false}, {"", false}}) {
+    const LocalCheck c = only_check(front(
+        kThreeMetres,
+        fmt::format(
+            "[[assessment.part]]\nname = \"front\"\n[[assessment.part.hold]]\nname = \"tie\"\n"
+            "height = \"2.75 m\"\nforce = \"5 kN\"\n{}\n",
+            travel)));
+    const double alpha = (W * 0.15 + 5e3 * 2.75) / (W * 1.5);
+    verify({"LM03a", "strip with a tie: alpha0", "-", alpha, 1e-12, kExact}, c.capacity.alpha0);
+    // the tie pulls level at the face, which is the line: moment T 2.75 cos
+    const double turn = std::atan(to_end ? alpha : 0.1);
+    verify({"LM03b",
+            to_end ? "d0* with a tie that holds to the end" : "d0* without a tie that does not",
+            "m", 1.5 * std::sin(turn), 1e-12, kExact},
+           c.capacity.displacement0);
+    EXPECT_EQ(c.by, "part");
+    EXPECT_NEAR(c.capacity.alpha0_to_end, to_end ? alpha : 0.1, 1e-12);
+  }
+}
+
+// Two corners, teeth of 0.3 m: 0.5 x 17.66 kN/m3 x 0.3 x 0.3 m2 x 27 m3 / (6 x 0.25 m) each.
+TEST(Local, teeth_hold_by_friction_at_the_onset) {
+  const LocalCheck c = only_check(
+      front(kThreeMetres,
+            "[[assessment.part]]\nname = \"front\"\nteeth = { corners = 2, length = \"0.3 m\", "
+            "course = \"250 mm\", friction = 0.5 }\n"));
+  const double W = kDensity * kG * 2 * 3 * 0.3;
+  // 12 faces slide, the one at z carries what lies above it: sum over the courses tends to the integral
+  const double work = 2 * 0.5 * kDensity * kG * 0.3 * 0.3 * 27 / (6 * 0.25);
+  verify({"LM04", "strip with teeth at two corners: alpha0", "-", (W * 0.15 + work) / (W * 1.5),
+          1e-12, kExact},
+         c.capacity.alpha0);
+  EXPECT_NEAR(c.capacity.alpha0_to_end, 0.1, 1e-12) << "they are pulled out before it falls";
+}
+
+const std::string kTwoStoreys = R"([wall]
+length = "2 m"
+thickness = "0.4 m"
+[[storey]]
+name = "ground"
+height = "3 m"
+[[storey]]
+name = "first"
+height = "3 m"
+thickness = "0.3 m"
+)";
+constexpr const char* kTwoFloors = R"([[floor]]
+name = "middle"
+storey = "ground"
+load = "10 kN/m"
+bearing = "200 mm"
+[[floor]]
+name = "roof"
+storey = "first"
+load = "6 kN/m"
+bearing = "150 mm"
+)";
+
+// Outer faces flush; floors at 0.4 - 0.1 and 0.3 - 0.075 m behind them.
+TEST(Local, two_storeys_fall_as_one_strip_and_the_upper_one_alone) {
+  const SecondOpinion opinion = opinion_of(front(kTwoStoreys, kTwoFloors));
+  ASSERT_EQ(opinion.local.size(), 2) << (opinion.refused.empty() ? "" : opinion.refused[0].why);
+  const double W1 = kDensity * kG * 2 * 3 * 0.4, W2 = kDensity * kG * 2 * 3 * 0.3;
+  const double N1 = 20e3, N2 = 12e3;
+  // one strip of masonry at its common centroid
+  const double z = (W1 * 1.5 + W2 * 4.5) / (W1 + W2);
+  const double first = (W1 + W2) * z + N1 * 3 + N2 * 6;
+  const double second = (W1 + W2) * z * z + N1 * 9 + N2 * 36;
+  const double alpha = (W1 * 0.2 + W2 * 0.15 + N1 * 0.3 + N2 * 0.225) / first;
+  const LocalCheck& whole = opinion.local[0];
+  verify({"LM05a", "two storeys: alpha0", "-", alpha, 1e-12, kExact}, whole.capacity.alpha0);
+  verify({"LM05b", "two storeys: M*", "kg", first * first / (kG * second), 1e-12, kExact},
+         whole.capacity.mass);
+  const LocalCheck& upper = opinion.local[1];
+  const double first2 = W2 * 1.5 + N2 * 3;
+  verify({"LM05c", "the upper storey alone: alpha0", "-", (W2 * 0.15 + N2 * 0.225) / first2, 1e-12,
+          kExact},
+         upper.capacity.alpha0);
+  // at 3 m of 6 m, two storeys: gamma psi = 6/5 x 1/2
+  verify({"LM05d", "share of the first mode at half the height of two storeys", "-", 0.6, 1e-12,
+          kExact},
+         upper.building.share());
+  const double T1 = 0.05 * std::pow(6, 0.75);
+  const double peak = 1.5 * 2.5 * 0.6 * std::sqrt(1.01);  // T1 = 0.19 s lies on the plateau
+  ASSERT_TRUE(T1 > 0.1 && T1 < 0.3);
+  verify({"LM05e", "peak acceleration there, before q", "m/s^2", peak, 1e-12, kExact},
+         upper.states.front().demand);
+}
+
+// 1 m above a roof at 6 m: (20.10) far above 1.1 T1.
+TEST(Local, a_parapet_feels_the_building_below_it) {
+  const SecondOpinion opinion =
+      opinion_of(front("[wall]\nlength = \"2 m\"\nheight = \"7 m\"\nthickness = \"0.3 m\"",
+                       "building = { period = \"0.25 s\", storeys = 2 }\n[[floor]]\nname = "
+                       "\"roof\"\ny = \"6 m\"\nload = \"6 kN/m\"\n"
+                       "bearing = \"150 mm\"\n"));
+  SUCCEED();
+  const auto parapet = std::find_if(opinion.local.begin(), opinion.local.end(),
+                                    [](const LocalCheck& c) { return c.name == "parapet"; });
+  ASSERT_NE(parapet, opinion.local.end());
+  verify({"LM06a", "parapet: alpha0 = t/h", "-", 0.3, 1e-12, kExact}, parapet->capacity.alpha0);
+  const double share = 6.0 / 5 * 6 / 7, peak = 1.5 * 2.5 * share * std::sqrt(1.01);
+  const LocalStateCheck& s = parapet->states.front();
+  verify({"LM06b", "parapet: peak acceleration", "m/s^2", peak, 1e-12, kExact}, s.demand);
+  const double d0 = 0.5 * std::sin(std::atan(0.3)), a0 = 0.3 * kG / 1.35;
+  const double T = 2 * M_PI * std::sqrt(0.4 * d0 / (0.6 * a0));
+  ASSERT_GT(T, 1.1 * 0.25);
+  const double gain = 1.1 / std::sqrt(0.05);
+  const double S = gain * peak / (1 + (gain - 1) * std::pow(T / (1.1 * 0.25) - 1, 1.2));
+  const double ground = 1.5 * 2.5 * 0.3 / T;
+  verify({"LM06c", "parapet: displacement asked by the spectrum at its height", "m",
+          std::max(S, ground) * std::pow(T / (2 * M_PI), 2), 1e-12, kExact},
+         s.displacement_demand);
+}
+
+// Bed joints each 0.25 m. alpha(h1) = [W1 t/2 + W2 (t + h1/h2 t/2) + N (t + h1/h2 (t - x))]/[(W1 + W2) h1/2]: the roof
+// presses at x and is not pushed. Without it that is 2 t/h1, least at the uppermost joint.
+TEST(Local, a_strip_whose_head_is_held_bends) {
+  const std::string held = "[[assessment.part]]\nname = \"panel\"\nhead_held = true\n";
+  for (const double N : {0.0, 24e3}) {
+    const LocalCheck c = only_check(front(kThreeMetres, held + (N > 0 ? kRoof : "")));
+    const double t = 0.3, h = 3, w = kDensity * kG * 2 * t;
+    double least = 1e9, at = 0;
+    for (int i = 1; i < 12; ++i) {
+      const double h1 = 0.25 * i, h2 = h - h1;
+      const double work = w * (h1 * t / 2 + h2 * (t + h1 / h2 * t / 2)) + N * (t + h1 / h2 * 0.075);
+      if (work / (w * h * h1 / 2) < least) least = work / (w * h * h1 / 2), at = h1;
+    }
+    verify({"LM07a", "strip held at its head: least alpha0", "-", least, 1e-12, kExact},
+           c.capacity.alpha0);
+    verify({"LM07b", "the same: bed joint between the bodies", "m", at, 1e-12, kExact}, c.hinge);
+    EXPECT_NEAR(c.building.height, 1.5, 1e-12);
+    ASSERT_TRUE(std::isfinite(c.capacity.displacement0));
+    // stopped at d0*: the weights need no more, so the line between has travelled about t from below
+    EXPECT_LT(c.capacity.top0, t);
+    EXPECT_GT(c.capacity.top0, 0.9 * t);
+  }
+}
+
+// --- the same strips by limit analysis
+
+// The section of a wall in a plane: x across it.
+std::string section(const std::string& load) {
+  return R"([wall]
+length = "0.3 m"
+height = "3 m"
+thickness = "2 m"
+[wall.unit]
+length = "300 mm"
+height = "250 mm"
+split = "none"
+density = "1800 kg/m^3"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "40 deg"
+residual_friction_angle = "40 deg"
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+)" + load +
+         R"([[stage]]
+name = "force"
+direction = "+x"
+rate = "0.1 1/s"
+factor = 1.0
+[assessment]
+code = "circolare_2019"
+[assessment.spectrum]
+kind = "ntc2018"
+ground_acceleration = "1.5 m/s^2"
+amplification = 2.5
+corner_period = "0.3 s"
+ground = "A"
+)";
+}
+LocalCheck check_by_limit(const std::string& text) {
+  const ModelSpec spec = parse_model(text, "model.toml");
+  const Model model = compile(spec);
+  SecondOpinion opinion = second_opinion(model, {.only = {"lp"}, .assessment = true});
+  add_local_checks(spec, model, false, opinion);
+  for (const Refusal& refused : opinion.refused)
+    ADD_FAILURE() << text_of(refused.what) << refused.why;
+  EXPECT_EQ(opinion.local.size(), 1);
+  return opinion.local.empty() ? LocalCheck{} : opinion.local.front();
+}
+
+void compare(const std::string& id, const std::string& where, const LocalCheck& by_hand,
+             const LocalCheck& by_limit) {
+  const auto same = [&](const char* part, const char* what, const char* unit, double a, double b) {
+    verify({id + part, where + ": " + what, unit, a, 1e-6, kProgramme}, b);
+  };
+  same("a", "alpha0 of the mechanism against the strip's", "-", by_hand.capacity.alpha0,
+       by_limit.capacity.alpha0);
+  same("b", "M*", "kg", by_hand.capacity.mass, by_limit.capacity.mass);
+  same("c", "a0*", "m/s^2", by_hand.acceleration0, by_limit.acceleration0);
+  same("d", "d0*", "m", by_hand.capacity.displacement0, by_limit.capacity.displacement0);
+  ASSERT_EQ(by_limit.states.size(), 1);
+  same("e", "capacity over demand by the way", "-", by_hand.states[0].displacement_ratio,
+       by_limit.states[0].displacement_ratio);
+  EXPECT_EQ(by_limit.verdict, by_hand.verdict);
+}
+
+TEST(Local, limit_analysis_of_the_section_gives_the_same) {
+  compare("LM08", "section of a wall, by limit analysis", only_check(front(kThreeMetres, "")),
+          check_by_limit(section("")));
+}
+
+TEST(Local, limit_analysis_of_a_wall_in_space_gives_the_same) {
+  const std::string text = R"([wall]
+height = "3 m"
+thickness = "0.3 m"
+[wall.unit]
+length = "500 mm"
+height = "250 mm"
+split = "none"
+density = "1800 kg/m^3"
+[[plan_wall]]
+name = "front"
+line = [["0 m", "0 m"], ["2 m", "0 m"]]
+)" + section("").substr(section("").find("[material.joint]"));
+  std::string across = text;
+  across.replace(across.find("\"+x\""), 4, "\"-z\"");
+  compare("LM09", "wall in space, by limit analysis", only_check(front(kThreeMetres, "")),
+          check_by_limit(across));
+}
+
+}  // namespace
+}  // namespace wythe
