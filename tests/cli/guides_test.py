@@ -141,7 +141,7 @@ class Guides(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             reader = Reader(folder)
             for command in commands:  # the file is read and compiled; tests/cli/starters_test.py and the pages run them
-                self.assertEqual(reader.run(re.sub(r"^wythe (run|campaign) (\S+) --out \S+$", r"wythe check \2", command)), "")
+                self.assertEqual(reader.run(re.sub(r"^wythe (run|campaign|assess) (\S+) --out \S+$", r"wythe check \2", command)), "")
 
     def test_every_mark_is_one_that_the_test_knows(self):
         for page in PAGES:

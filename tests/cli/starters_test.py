@@ -16,6 +16,8 @@ SHORT = {"brick_pier": ["--set", "stage.push.until=0.5 mm"], "brick_portal": ["-
          "ring_beam": ["--set", "stage.push.until=0.5 mm"],
          "brick_facade": ["--set", "stage.push.until=0.2 mm", "--set", "stage.push.velocity=20 mm/s",
                           "--set", "stage.push.fast_velocity=20 mm/s"],
+         "palazzina": ["--set", "stage.push.until=0.2 mm", "--set", "stage.push.velocity=20 mm/s",
+                       "--set", "stage.push.fast_velocity=20 mm/s"],
          "arch": ["--set", "stage.push.until=0.5 mm"],
          "tied_arch": ["--set", "stage.push.until=0.5 mm"], "dry_tilt": ["--set", "stage.tilt.tilt_until=5 deg"],
          "shaken_parapet": ["--set", "stage.quake.free_vibration=0 s"]}
