@@ -241,6 +241,8 @@ void print_result(const ModelSpec& spec, const Model& model, const Result& r,
           1e3 * r.validity.overlap_lost, r.validity.joints, r.validity.joints == 1 ? "" : "s",
           text_of(r.validity.where));
     fmt::print("rate: {}\n", text_of(r.quasi_static.verdict));
+    for (std::size_t k = 0; k < r.frame_uses.size(); ++k)
+      fmt::print("{}\n", text_of(sentence_of(r.frame_uses[k], model.frames.name[k])));
     print_promises(promised_displacement(model, r), promised_mode(model, r),
                    r.quasi_static.judgement == "usable");
     print_assessment(spec, model, r);

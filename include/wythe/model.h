@@ -44,13 +44,14 @@ enum class BlockRole : std::uint8_t {
   kBeam = 3,
   kRingBeam = 4,
   kSill = 5,
-  kSlab = 6
+  kSlab = 6,
+  kFrame = 7
 };
 inline constexpr Word<BlockRole> kBlockRoleWords[] = {
     {"masonry", BlockRole::kMasonry},    {"lintel", BlockRole::kLintel},
     {"plate", BlockRole::kPlate},        {"beam", BlockRole::kBeam},
     {"ring_beam", BlockRole::kRingBeam}, {"sill", BlockRole::kSill},
-    {"slab", BlockRole::kSlab}};
+    {"slab", BlockRole::kSlab},          {"frame", BlockRole::kFrame}};
 enum class JointKind : std::uint8_t {
   kBed = 0,
   kHead = 1,
@@ -60,7 +61,8 @@ enum class JointKind : std::uint8_t {
   kLintelBond = 5,
   kPlate = 6,
   kBeam = 7,
-  kOther = 8
+  kOther = 8,
+  kFrame = 9
 };
 inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"head", JointKind::kHead},
@@ -70,7 +72,8 @@ inline constexpr Word<JointKind> kJointKindWords[] = {{"bed", JointKind::kBed},
                                                       {"lintel_bond", JointKind::kLintelBond},
                                                       {"plate", JointKind::kPlate},
                                                       {"beam", JointKind::kBeam},
-                                                      {"other", JointKind::kOther}};
+                                                      {"other", JointKind::kOther},
+                                                      {"frame", JointKind::kFrame}};
 // Codes of the messages that name them to a reader.
 inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::kBed},
                                                       {"joint.head", JointKind::kHead},
@@ -80,7 +83,8 @@ inline constexpr Word<JointKind> kJointKindCodes[] = {{"joint.bed", JointKind::k
                                                       {"joint.bearing", JointKind::kLintelBond},
                                                       {"joint.plate", JointKind::kPlate},
                                                       {"joint.beam", JointKind::kBeam},
-                                                      {"joint.other", JointKind::kOther}};
+                                                      {"joint.other", JointKind::kOther},
+                                                      {"joint.frame", JointKind::kFrame}};
 
 // A dead load that keeps its direction and follows a point of a block.
 struct PointLoad {
@@ -240,6 +244,45 @@ struct Links {
   int set_by = -1;  // the stage whose smooth start draws them taut; -1: none is prestressed
 };
 
+// One straight part of a frame, from corner to corner along its way.
+struct FrameMember {
+  int frame = 0;             // into Frames::name
+  Message words;             // "left column"
+  double length = 0;         // [m]
+  double x0 = 0, y0 = 0;     // where it begins, as built [m]
+  double way_x = 0, way_y = 0;  // unit vector
+  // of its section, all pieces together
+  double area = 0, shear_area = 0;               // [m^2]
+  double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
+  double youngs_modulus = 0, yield_strength = 0;  // [Pa]
+  double fibre = 0;                               // I / Wpl: of the outer fibres from the axis [m]
+};
+
+// Frames of the plane as chains of rigid segments (docs/theory/frames.md), one row per link: the section of three
+// fibres between two segments, or between the ground (a) and a foot.
+struct Frames {
+  int n = 0;
+  std::vector<BlockId> a, b;                                 // a is kGroundBlock at a foot
+  std::vector<double> arm_a_x, arm_a_y, arm_b_x, arm_b_y;    // the section seen from the centroids [m]
+  std::vector<double> axis_x, axis_y;                        // along the member, from a to b
+  std::vector<double> rest_x, rest_y;                        // b's start against a's (gaps) [m]
+  std::vector<double> outer_stiffness, middle_stiffness;     // of one outer fibre, of the middle [N/m]
+  std::vector<double> shear_stiffness;                       // [N/m]
+  std::vector<double> fibre;                                 // of the outer ones from the axis [m]
+  std::vector<double> outer_yield, middle_yield;             // [N]
+
+  // read by results alone
+  std::vector<std::int32_t> member;  // into members
+  std::vector<double> place;         // along its member [m]
+  std::vector<double> length;        // whose curvature it has [m]
+  std::vector<FrameMember> members;
+  std::vector<std::string> name;  // of frames, different from each other
+
+  // Blocks that do not start where their outlines are drawn, by the gap to the masonry.
+  std::vector<BlockId> moved;
+  std::vector<double> moved_x, moved_y;  // [m]
+};
+
 // One deformable block in space: zones along its three directions a, b, c, of which b is the one nearest to y. Corner
 // i of the block, numbered as a zone's, is the end of a, b and c whose bits are those of a zone's corner.
 struct SpaceSolidBody {
@@ -351,6 +394,7 @@ struct Model {
 
   Solids solids;    // deformable blocks; empty in a wall of rigid ones
   Links links;      // ties, diaphragms and springs
+  Frames frames;    // of steel or concrete
   Space space;      // walls in space
   FreeShapes free;  // what free contacts see; empty without them
 
@@ -422,6 +466,10 @@ struct State {
   std::vector<double> link_force;    // tension + [N]
   std::vector<double> link_plastic;  // elongation that stays [m]
   std::vector<double> link_drawn;    // elongation drawn in by prestress so far [m]
+
+  // written by the pass over frames (n_frame_link): elongation of a fibre that stays; left of the member's way, in
+  // the axis, right of it [m]
+  std::vector<double> frame_left, frame_middle, frame_right;
 
   // written by the pass over free contacts, sorted by bodies, parts and features; empty without them
   std::vector<FreeContact> free_contacts;

@@ -154,6 +154,22 @@ struct LinkReading {
 // Of all links of the model, in their order.
 [[nodiscard]] std::vector<LinkReading> read_links(const Model& model, const State& state);
 
+// The section of a frame at one of its links, at rest on the present state, with the step's arithmetic.
+struct FrameReading {
+  double normal = 0;   // tension + [N]
+  double shear = 0;    // of what comes on the way, to the left + [N]
+  double moment = 0;   // that stretches the right of the way + [N m]
+  double use = 0;      // of what the section bears: 1 where it is plastic through (frames.md, 20.8)
+  double plastic = 0;  // largest elongation of a fibre that stays, without sign [m]
+  double stored = 0;   // elastic energy [J]
+  Vec3 where;          // now [m]
+};
+// Of all links of frames, in their order.
+[[nodiscard]] std::vector<FrameReading> read_frames(const Model& model, const State& state);
+// What N, V and M use of a member's section (frames.md, 20.8).
+[[nodiscard]] double section_use(const FrameMember& member, double normal, double shear,
+                                 double moment);
+
 // A zone of a deformable block: its mean stresses in the wall's axes, and where its corners are now.
 struct ZoneReading {
   double sigma_x = 0, sigma_y = 0, tau = 0;  // [Pa]

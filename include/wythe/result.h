@@ -308,6 +308,24 @@ struct LinkRow {
   double force = 0, elongation = 0, plastic = 0;  // tension + [N], [m], [m]
 };
 
+// A link of a frame at the end of a row of the curve.
+struct FrameRow {
+  double normal = 0, shear = 0, moment = 0;  // [N], [N], [N m]; signs: FrameReading
+};
+
+// What a frame bore over the curve.
+struct FrameUse {
+  double use = 0;           // largest of its sections, of what they bear [-]
+  double displacement = 0;  // of the row [m]
+  Message where;            // "the top of the left column"
+  double yields_at = std::numeric_limits<double>::quiet_NaN();  // of the first row with a fibre beyond
+                                                                // its yield stress [m]; NaN: none
+  Message yields_where;
+};
+
+// "frame F1: use 0.73, yields at 14.2 mm at the top of the left column".
+[[nodiscard]] Message sentence_of(const FrameUse& use, const std::string& frame);
+
 struct StageReport {
   std::string name;
   double time = 0;  // spent [s]
@@ -322,6 +340,8 @@ struct Result {
   std::vector<CurveRow> curve;
   std::vector<RisePoint> rise;            // of a push
   std::vector<LinkRow> links;             // (rows of the curve, links of the model)
+  std::vector<FrameRow> frame_rows;       // (rows of the curve, links of frames)
+  std::vector<FrameUse> frame_uses;       // of each frame
   StageKind curve_of = StageKind::kPush;  // what drove the curve
   Responses responses;
   EnergyLedger energy;

@@ -169,6 +169,43 @@ struct RingBeamSpec {
   std::string top_joint = "";   // of what lies on it; "": joint
 };
 
+// The section of a frame's member in numbers, where no profile names it; of one piece.
+struct SectionSpec {
+  double height = kUnset, width = kUnset;     // in the wall's plane, across it [m]
+  double area = kUnset, shear_area = kUnset;  // [m^2]
+  double second_moment = kUnset;              // I [m^4]
+  double plastic_modulus = kUnset;            // Wpl [m^3]
+  double mass = kUnset;                       // [kg/m]
+};
+
+// Where a frame's columns end: held by the ground, hinged on it, on a base beam, or resting on what is below.
+enum class FrameFeet { kNone, kFixed, kHinged, kBaseBeam, kResting };
+inline constexpr Word<FrameFeet> kFrameFeetWords[] = {{"fixed", FrameFeet::kFixed},
+                                                      {"hinged", FrameFeet::kHinged},
+                                                      {"base_beam", FrameFeet::kBaseBeam},
+                                                      {"resting", FrameFeet::kResting}};
+
+// A frame of columns and beams, round an opening or along a line, as a chain of rigid segments joined by
+// elastic-plastic sections (docs/theory/frames.md).
+struct FrameSpec {
+  std::string name;
+  std::string round;                        // name of the opening that it stands in
+  std::vector<std::array<double, 2>> line;  // or its axis, from corner to corner [m]
+  FrameFeet feet = FrameFeet::kNone;
+  std::string profile;       // name of a rolled section; "": section
+  int count = 1;             // of them side by side
+  SectionSpec section;       // in the place of a profile
+  std::string beam_profile;  // of level members; "" and no beam_section: as the columns
+  int beam_count = 0;        // 0: as the columns
+  SectionSpec beam_section;
+  std::string grade;               // of steel: S235, S275, S355; "": the next three
+  double yield_strength = kUnset;  // fy [Pa]
+  double youngs_modulus = kUnset;  // [Pa]
+  double shear_modulus = kUnset;   // [Pa]
+  std::string joint;               // joint material between it and what it touches
+  double gap = 0;                  // between it and the jambs and head of its opening [m]
+};
+
 // What a floor or roof does to the wall at one level (docs/theory/integration.md, "Floors").
 struct FloorSpec {
   std::string name;
@@ -526,6 +563,7 @@ struct ModelSpec {
   std::vector<StoreySpec> storey;
   std::vector<RegionSpec> region;
   std::vector<RingBeamSpec> ring_beam;
+  std::vector<FrameSpec> frame;
   std::vector<FloorSpec> floor;
   std::vector<TieSpec> tie;
   std::vector<DiaphragmSpec> diaphragm;

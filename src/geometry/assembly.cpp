@@ -17,6 +17,7 @@
 #include "geometry/wall/faces.h"
 #include "geometry/wall/fit.h"
 #include "geometry/wall/foundation.h"
+#include "geometry/wall/frames.h"
 #include "geometry/wall/joints.h"
 #include "geometry/wall/openings.h"
 #include "geometry/wall/regions.h"
@@ -102,16 +103,23 @@ double narrowest_column(const std::vector<Storey>& storeys) {
   return step;
 }
 
+void add_frames(std::vector<PlacedFrame> frames, Assembly& assembly) {
+  for (const PlacedFrame& frame : frames)
+    assembly.blocks.insert(assembly.blocks.end(), frame.segments.begin(), frame.segments.end());
+  assembly.frames = std::move(frames);
+}
+
 // Storeys with their lattices, and what stands on or in them.
 struct Plan {
   std::vector<Storey> storeys;
   std::vector<PlacedOpening> openings;
   std::vector<PlacedRingBeam> ring_beams;
   std::vector<GroundStep> ground;
+  std::vector<PlacedFrame> frames = {};
 };
 
 void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
-  const auto& [storeys, openings, ring_beams, ground] = plan;
+  const auto& [storeys, openings, ring_beams, ground, frames] = plan;
   std::vector<Rect> holes;
   for (const PlacedOpening& opening : openings) holes.push_back(opening.hole);
   for (const GroundStep& step : ground)
@@ -140,6 +148,7 @@ void lay_blocks(const Shape& shape, const Plan& plan, Assembly& assembly) {
     masonry.joined_pieces += cut_masonry(opening.arch, storeys, assembly.blocks);
     add_voussoirs(shape, opening, storeys, assembly.blocks);
   }
+  add_frames(frames, assembly);
   sort_blocks(assembly.blocks, storeys);
   if (masonry.joined_pieces == 0) return;
   assembly.report.notes.push_back({"fit.joined_pieces",
@@ -213,6 +222,11 @@ Plan plan_wall(const Shape& shape, bool cut_all, std::vector<Message>& notes, Fa
   if (std::none_of(plan.storeys.begin(), plan.storeys.end(), is_bare))
     plan.ground = place_ground(shape, plan.storeys, notes, faults);
   check_chains(shape, plan.openings, plan.ring_beams, plan.ground, faults);
+  if (plan.ground.empty()) return plan;
+  std::vector<Rect> stands;
+  for (const GroundStep& step : plan.ground) stands.push_back(box_of(step));
+  const Rect wall{0, 0, shape.wall.length, plan.storeys.back().top()};
+  plan.frames = place_frames(shape, plan.openings, {wall, stands}, faults);
   return plan;
 }
 
@@ -295,7 +309,7 @@ bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) 
   note_planes(stated_storeys(shape.wall, shape.storey), assembly.report.notes);
   FaultList found;
   const Plan plan = plan_wall(shape, false, assembly.report.notes, found);
-  const auto& [storeys, openings, ring_beams, ground] = plan;
+  const auto& [storeys, openings, ring_beams, ground, frames] = plan;
   add_plan_faults(shape, found, faults);
   if (faults.all().size() > before) return false;
   const Lattice& lattice = storeys.front().lattice;
@@ -309,6 +323,7 @@ bool raise_generated(const Shape& shape, Assembly& assembly, FaultList& faults) 
   assembly.ground = ground;
   lay_blocks(shape, plan, assembly);
   check_slivers(assembly.blocks, storeys, faults);
+  check_frames(assembly, faults);
   assign_regions(shape, storeys, openings, assembly, faults);
   add_caps(shape, {0, 0, assembly.length, assembly.height}, assembly, faults);
   return faults.all().size() == before;
@@ -323,6 +338,22 @@ Rect masonry_bounds(const std::vector<Block>& blocks) {
     is_first = false;
   }
   return whole;
+}
+
+double lowest_point(const std::vector<Block>& blocks) {
+  double lowest = bounds(blocks.front().outline).y0;
+  for (const Block& block : blocks) lowest = std::min(lowest, bounds(block.outline).y0);
+  return lowest;
+}
+
+// Where frames may stand in a blocks file: on its supports, or on the line that stands in for them.
+FrameSite site_of_file(const std::vector<Block>& blocks, const Rect& extent) {
+  FrameSite site{extent, {}};
+  for (const Block& block : blocks)
+    if (block.role == Role::kSupport) site.ground.push_back(bounds(block.outline));
+  const double lowest = lowest_point(blocks);
+  if (site.ground.empty()) site.ground = {{extent.x0, lowest, extent.x1, lowest}};
+  return site;
 }
 
 // In a blocks file storeys are levels, from its lowest point upwards; a block belongs to the one that
@@ -355,16 +386,14 @@ bool raise_from_file(const Shape& shape, Assembly& assembly, FaultList& faults) 
     assembly.report.courses = std::max(assembly.report.courses, block.course + 1);
   }
   check_overlaps(assembly.blocks, faults);
+  if (faults.all().size() == before && !shape.frame.empty()) {
+    add_frames(place_frames(shape, {}, site_of_file(assembly.blocks, extent), faults), assembly);
+    check_frames(assembly, faults);
+  }
   const std::vector<Storey> storeys = mark_storeys(shape, extent.y0, assembly, faults);
   if (faults.all().size() == before) assign_regions(shape, storeys, {}, assembly, faults);
   if (faults.all().size() == before) add_caps(shape, extent, assembly, faults);
   return faults.all().size() == before;
-}
-
-double lowest_point(const std::vector<Block>& blocks) {
-  double lowest = bounds(blocks.front().outline).y0;
-  for (const Block& block : blocks) lowest = std::min(lowest, bounds(block.outline).y0);
-  return lowest;
 }
 
 // The ground line stands in for supports where the shape has none.
@@ -427,6 +456,7 @@ double density_of(const Shape& shape, const Block& block) {
     return shape.material.at(block.material) *
            shape.ring_beam[static_cast<std::size_t>(block.ring_beam)].height / (laid.y1 - laid.y0);
   }
+  if (!std::isnan(block.own_density)) return block.own_density;
   if (is_chain(block)) return shape.material.at(block.material);
   if (is_voussoir(block) && block.material != "masonry") return shape.material.at(block.material);
   if (block.region >= 0) {

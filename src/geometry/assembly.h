@@ -19,7 +19,7 @@
 
 namespace wythe::geometry {
 
-enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport, kRingBeam, kSill };
+enum class Role { kMasonry, kLintel, kPlate, kBeam, kSupport, kRingBeam, kSill, kFrame };
 
 struct Block {
   std::string id;              // "c03u07a" (course, unit, half) or the id in a blocks file
@@ -31,6 +31,9 @@ struct Block {
   int unit = -1;               // blocks of one masonry unit share it; -1: a unit of its own
   int opening = -1;            // segments of a lintel or sill and voussoirs: index of their opening
   int ring_beam = -1;          // segments of one: its index in the model's list
+  int frame = -1;              // segments of one: its index in the model's list
+  int segment = -1;            // of a frame, in PlacedFrame
+  double own_density = kUnset;  // of a frame's segment, by its section [kg/m^3]
   int storey = -1;             // in the model's list; -1: the model has none
   int region = -1;             // the last of the model's list that holds its centroid; -1: none
   ZoneSpec zone;               // deformable where zone.zones > 0
@@ -55,7 +58,8 @@ enum class FaceKind {
   kLintelBond,
   kPlate,
   kBeam,
-  kOther
+  kOther,
+  kFrame
 };
 
 inline constexpr int kGround = -1;
@@ -98,9 +102,35 @@ struct GroundStep {
   double x0 = 0, x1 = 0, y = 0;  // [m]
 };
 
+// One straight part of a frame along its way, as built: with its gap.
+struct FramePart {
+  Message words;  // "left column"
+  Vec2 from, way;
+  double length = 0;  // between corners, on the axis [m]
+};
+
+// The section between two segments of a frame, or between the ground and a foot: `a` comes before `b` on the way.
+struct FrameJoint {
+  int part = 0;
+  int a = kGround, b = kGround;  // segments
+  double place = 0;              // along its part [m]
+  double length = 0;             // whose curvature it has [m]
+  bool hinged = false;
+};
+
+struct PlacedFrame {
+  int index = 0;  // in the model's list
+  std::string name;
+  std::vector<FramePart> parts;
+  std::vector<FrameJoint> joints;
+  std::vector<Block> segments;  // touching what they may come to touch
+  std::vector<Vec2> moved;      // of each segment: from its outline to where it stands, by the gap [m]
+};
+
 struct Assembly {
   std::vector<Block> blocks;
   std::vector<Face> faces;
+  std::vector<PlacedFrame> frames;
   std::vector<Pier> piers;  // left to right; the whole wall when it has no opening
   std::vector<StoreyBand> storeys;
   std::vector<GroundStep> ground;                // of a generated wall, left to right

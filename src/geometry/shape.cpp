@@ -31,6 +31,13 @@ class Key {
     const auto& [name, storey, y, x, width, height, thickness, material, joint, top_joint] = beam;
     add_all(name, storey, y, x, width, height, thickness, material, joint, top_joint);
   }
+  void add(const FrameSpec& frame) {
+    const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
+                 beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap] =
+        frame;
+    add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count, beam_section,
+            joint, gap);  // grade and moduli shape nothing
+  }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density] = region;
     add_all(name, storey, pier, x, y, width, height, polygon, joints);
@@ -112,6 +119,10 @@ class Key {
     const auto& [kind, depth, bearing, material, joint] = sill;
     add_all(kind, depth, bearing, material, joint);
   }
+  void add(const SectionSpec& section) {
+    const auto& [height, width, area, shear_area, second_moment, plastic_modulus, mass] = section;
+    add_all(height, width, area, shear_area, second_moment, plastic_modulus, mass);
+  }
   void add(const FoundationStep& step) { add_all(step.x, step.y); }
   void add(const ArchSpec& arch) {
     const auto& [kind, rise, depth, skewback, voussoirs, joint, material] = arch;
@@ -138,6 +149,7 @@ Shape::Shape(const ModelSpec& spec)
       storey(spec.storey),
       region(spec.region),
       ring_beam(spec.ring_beam),
+      frame(spec.frame),
       block(spec.block),
       body(spec.body),
       contact(spec.contact) {
@@ -149,8 +161,9 @@ Shape::Shape(const ModelSpec& spec)
 
 std::uint64_t shape_key(const Shape& shape) {
   Key key;
-  const auto& [wall, storey, region, ring_beam, block, body, contact, material, plates] = shape;
-  key.add_all(wall, storey, region, ring_beam, block, body, contact, material, plates);
+  const auto& [wall, storey, region, ring_beam, frame, block, body, contact, material, plates] =
+      shape;
+  key.add_all(wall, storey, region, ring_beam, frame, block, body, contact, material, plates);
   return key.value();
 }
 

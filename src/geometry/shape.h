@@ -24,6 +24,7 @@ struct Shape {
   const std::vector<StoreySpec>& storey;
   const std::vector<RegionSpec>& region;
   const std::vector<RingBeamSpec>& ring_beam;
+  const std::vector<FrameSpec>& frame;
   const std::vector<BlockSpec>& block;
   const std::vector<BodySpec>& body;
   const std::vector<ContactRule>& contact;

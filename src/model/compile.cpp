@@ -30,6 +30,7 @@ BlockRole role_of(Role role) {
     case Role::kSill: return BlockRole::kSill;
     case Role::kPlate: return BlockRole::kPlate;
     case Role::kBeam: return BlockRole::kBeam;
+    case Role::kFrame: return BlockRole::kFrame;
     case Role::kMasonry:
     case Role::kSupport: break;
   }
@@ -191,6 +192,7 @@ Model fill(const ModelSpec& spec, const Assembly& assembly) {
   const std::vector<double> bare = model.mass;
   const std::vector<PointLoad> floors = compile_floors(spec, assembly, map, model, faults);
   compile_links(spec, assembly, map, model, faults);
+  compile_frames(spec, assembly, map, model, faults);
   compile_stages(spec, assembly, map, floors, model, faults);
   faults.throw_if_any();
   carry_floors(bare, model);

@@ -30,6 +30,7 @@ enum class Entity {
   kZone,
   kContact,
   kLink,
+  kFrameLink,
   kBody,
   kFacePoint,
   kSupport,
@@ -56,6 +57,7 @@ enum class Entity {
     case Entity::kZone: return static_cast<std::size_t>(m.solids.n_zone);
     case Entity::kContact: return static_cast<std::size_t>(m.solids.n_contact);
     case Entity::kLink: return static_cast<std::size_t>(m.links.n);
+    case Entity::kFrameLink: return static_cast<std::size_t>(m.frames.n);
     case Entity::kBody: return m.in_space() ? static_cast<std::size_t>(m.n_block) : 0;
     case Entity::kFacePoint: return m.in_space() ? static_cast<std::size_t>(m.n_history()) : 0;
     case Entity::kSupport: return static_cast<std::size_t>(m.space.n_support);
@@ -144,6 +146,12 @@ inline constexpr std::array kStateFields{
                "shear stress of a Maxwell element"},
     StateField{&State::maxwell_shear_2, Entity::kMaxwellInSpace, false, "maxwell_shear_2", "Pa",
                "the same across the first direction of the face"},
+    StateField{&State::frame_left, Entity::kFrameLink, true, "frame_left", "m",
+               "elongation that stays of a frame's fibre left of its member's way"},
+    StateField{&State::frame_middle, Entity::kFrameLink, true, "frame_middle", "m",
+               "the same in the axis"},
+    StateField{&State::frame_right, Entity::kFrameLink, true, "frame_right", "m",
+               "the same right of the way"},
 };
 
 // How many numbers an array of the state has. What only rare laws remember is empty in walls without one.
@@ -274,6 +282,26 @@ void each_model_field(M& m, const Visit& visit) {
   visit(l.tension, E::kLink, kOwn, "link_tension", "N");
   visit(l.compression, E::kLink, kOwn, "link_compression", "N");
   visit(l.prestress, E::kLink, kOwn, "link_prestress", "N");
+
+  auto& f = m.frames;
+  if (f.n > 0) {
+    visit(f.a, E::kFrameLink, kAll, "frame_a", "");
+    visit(f.b, E::kFrameLink, kAll, "frame_b", "");
+    visit(f.arm_a_x, E::kFrameLink, kOwn, "frame_arm_a_x", "m");
+    visit(f.arm_a_y, E::kFrameLink, kOwn, "frame_arm_a_y", "m");
+    visit(f.arm_b_x, E::kFrameLink, kOwn, "frame_arm_b_x", "m");
+    visit(f.arm_b_y, E::kFrameLink, kOwn, "frame_arm_b_y", "m");
+    visit(f.axis_x, E::kFrameLink, kOwn, "frame_axis_x", "1");
+    visit(f.axis_y, E::kFrameLink, kOwn, "frame_axis_y", "1");
+    visit(f.rest_x, E::kFrameLink, kOwn, "frame_rest_x", "m");
+    visit(f.rest_y, E::kFrameLink, kOwn, "frame_rest_y", "m");
+    visit(f.outer_stiffness, E::kFrameLink, kOwn, "frame_outer_stiffness", "N/m");
+    visit(f.middle_stiffness, E::kFrameLink, kOwn, "frame_middle_stiffness", "N/m");
+    visit(f.shear_stiffness, E::kFrameLink, kOwn, "frame_shear_stiffness", "N/m");
+    visit(f.fibre, E::kFrameLink, kOwn, "frame_fibre", "m");
+    visit(f.outer_yield, E::kFrameLink, kOwn, "frame_outer_yield", "N");
+    visit(f.middle_yield, E::kFrameLink, kOwn, "frame_middle_yield", "N");
+  }
 }
 
 // Names what walls must share to be stepped side by side: a hash over the kTopology fields, the number

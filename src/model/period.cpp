@@ -32,6 +32,7 @@ class Elastic {
   explicit Elastic(const Model& model) : m_(model), first_node_(3 * model.n_block) {
     joints();
     links();
+    frames();
     zones();
     contacts();
     hold();
@@ -99,6 +100,25 @@ class Elastic {
       add_block(row, l.b[k], 1, dx, dy, l.arm_b_x[k], l.arm_b_y[k]);
       if (l.a[k] != kGroundBlock) add_block(row, l.a[k], -1, dx, dy, l.arm_a_x[k], l.arm_a_y[k]);
       spring(row, l.stiffness[k]);
+    }
+  }
+
+  void frames() {
+    const Frames& f = m_.frames;
+    for (std::size_t k = 0; k < f.a.size(); ++k) {
+      const auto along = [&](double dx, double dy, double stiffness) {
+        Row row;
+        add_block(row, f.b[k], 1, dx, dy, f.arm_b_x[k], f.arm_b_y[k]);
+        if (f.a[k] != kGroundBlock)
+          add_block(row, f.a[k], -1, dx, dy, f.arm_a_x[k], f.arm_a_y[k]);
+        spring(row, stiffness);
+      };
+      along(f.axis_x[k], f.axis_y[k], 2 * f.outer_stiffness[k] + f.middle_stiffness[k]);
+      along(-f.axis_y[k], f.axis_x[k], f.shear_stiffness[k]);
+      Row turn;
+      turn.add(3 * f.b[k] + 2, 1);
+      if (f.a[k] != kGroundBlock) turn.add(3 * f.a[k] + 2, -1);
+      spring(turn, 2 * f.outer_stiffness[k] * f.fibre[k] * f.fibre[k]);
     }
   }
 

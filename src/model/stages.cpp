@@ -241,7 +241,8 @@ class StageCompiler {
   [[nodiscard]] double top_of_wall() const {
     double top = -1e300;
     for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
-      if (assembly_.blocks[b].role != Role::kPlate) top = std::max(top, top_of(b));
+      if (assembly_.blocks[b].role != Role::kPlate && assembly_.blocks[b].role != Role::kFrame)
+        top = std::max(top, top_of(b));
     return top;
   }
 

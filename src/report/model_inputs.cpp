@@ -331,6 +331,11 @@ void add_floors_and_rings(const ModelSpec& spec, Carried& carried) {
     carried.number("thickness", r.thickness, "mm", 1e3);
     carried.word("material", r.material);
   }
+  for (const FrameSpec& f : spec.frame) {
+    const std::string of = f.profile.empty() ? "" : ", " + f.profile;
+    carried.add("frame", f.name, f.round + of);
+    if (!f.grade.empty()) carried.word("material", f.grade);
+  }
   for (const FloorSpec& f : spec.floor) {
     const bool in_space = !std::isnan(f.from.z);  // along a line of its own
     carried.add("floor", f.name,

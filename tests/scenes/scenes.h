@@ -81,6 +81,8 @@ struct BondSize {
 
 // The same with a prestressed tie that yields, one to an anchor, a floor and a wall across.
 [[nodiscard]] ModelSpec tied(ModelSpec spec);
+// small_wall with a frame of soft bars in its window, which yields in the first tenth of a millimetre.
+[[nodiscard]] ModelSpec framed(ModelSpec spec);
 
 // --- stages --------------------------------------------------------------------------------------
 

@@ -104,6 +104,8 @@ std::string whole(const Result& r) {
     text += "rise" + bits({point.displacement, point.force}) + "\n";
   for (const LinkRow& row : r.links)
     text += "link" + bits({row.force, row.elongation, row.plastic}) + "\n";
+  for (const FrameRow& row : r.frame_rows)
+    text += "frame" + bits({row.normal, row.shear, row.moment}) + "\n";
   text += readings(r.responses);
   const EnergyLedger& e = r.energy;
   text += "energy" +

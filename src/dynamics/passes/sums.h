@@ -37,6 +37,12 @@ WYTHE_INLINE double unbalance_of(const WallView& wall) {
     contact += sides * (magnitude(wall.of_four(wall.t.force, wall.joints + k, 0)) +
                         magnitude(wall.of_four(wall.t.force, wall.joints + k, 1)));
   }
+  for (int k = 0; k < wall.frames; ++k) {
+    const double sides = wall.t.frame_a[k] == wall.t.n_block ? 1.0 : 2.0;
+    const std::ptrdiff_t row = wall.joints + wall.linked + k;
+    contact += sides * (magnitude(wall.of_four(wall.t.force, row, 0)) +
+                        magnitude(wall.of_four(wall.t.force, row, 1)));
+  }
   if (wall.first_free >= 0) contact += wall.of_four(wall.t.force, wall.first_free + wall.blocks, 3);
   if (contact > 0) return unbalanced / contact;
   return unbalanced > 0 ? 1.0 : 0.0;
@@ -72,6 +78,11 @@ WYTHE_INLINE double shear_of(const WallView& wall, double px, double py) {
     if (wall.t.link_a[k] == wall.t.n_block)
       sum += wall.of_four(wall.t.force, wall.joints + k, 0) * px +
              wall.of_four(wall.t.force, wall.joints + k, 1) * py;
+  for (int k = 0; k < wall.frames; ++k)
+    if (wall.t.frame_a[k] == wall.t.n_block) {
+      const std::ptrdiff_t row = wall.joints + wall.linked + k;
+      sum += wall.of_four(wall.t.force, row, 0) * px + wall.of_four(wall.t.force, row, 1) * py;
+    }
   if (wall.first_free >= 0)
     sum += wall.of_four(wall.t.force, wall.first_free + wall.blocks, 0) * px +
            wall.of_four(wall.t.force, wall.first_free + wall.blocks, 1) * py;

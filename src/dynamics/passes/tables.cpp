@@ -19,6 +19,10 @@ static_assert(kLinkDrawn + 1 == fields_of(Entity::kLink) &&
               kLinkForce == row_of(&State::link_force) &&
               kLinkPlastic == row_of(&State::link_plastic) &&
               kLinkDrawn == row_of(&State::link_drawn));
+static_assert(kFrameRightSet + 1 == fields_of(Entity::kFrameLink) &&
+              kFrameLeftSet == row_of(&State::frame_left) &&
+              kFrameMiddleSet == row_of(&State::frame_middle) &&
+              kFrameRightSet == row_of(&State::frame_right));
 static_assert(kHistoryRows == fields_of(Entity::kPoint));
 
 // Cuts entities 0 .. n-1 into chunks of at most kChunk whose neighbours fit(i - 1, i), and gives each
@@ -182,9 +186,13 @@ class Filler {
       t_.link_a[k] = pose_of(m_.links.a[at(k)]);
       t_.link_b[k] = pose_of(m_.links.b[at(k)]);
     }
+    for (int k = 0; k < m_.frames.n; ++k) {
+      t_.frame_a[k] = pose_of(m_.frames.a[at(k)]);
+      t_.frame_b[k] = pose_of(m_.frames.b[at(k)]);
+    }
   }
 
-  // Joints of each block in the model's order, then its links: those of which it is side a, then b. Zone
+  // Joints of each block in the model's order, then its links and sections: those of which it is side a, then b. Zone
   // contacts.
   void fill_blocks() {
     std::int32_t next = 0, next_edge = 0;
@@ -195,9 +203,13 @@ class Filler {
     const auto add = [&](std::int32_t entry) {
       t_.block_entry[next++] = l_.joint_place[at(entry >> 1)];
     };
-    const auto add_links = [&](const std::vector<BlockId>& side, BlockId block) {
-      for (int k = 0; k < m_.links.n; ++k)
-        if (side[at(k)] == block) t_.block_entry[next++] = l_.joints + k;
+    const auto add_rows = [&](const std::vector<BlockId>& side, int n, int first, BlockId block) {
+      for (int k = 0; k < n; ++k)
+        if (side[at(k)] == block) t_.block_entry[next++] = first + k;
+    };
+    const auto add_links = [&](bool b, BlockId block) {
+      add_rows(b ? m_.links.b : m_.links.a, m_.links.n, l_.joints, block);
+      add_rows(b ? m_.frames.b : m_.frames.a, m_.frames.n, l_.joints + l_.links, block);
     };
     for (int i = 0; i < l_.blocks; ++i) {
       t_.block_begin[i] = next;
@@ -208,11 +220,11 @@ class Filler {
       auto e = m_.block_begin[at(i)];
       for (; e < m_.block_begin[at(i) + 1] && (m_.block_entry[at(e)] & 1) == 0; ++e)
         add(m_.block_entry[at(e)]);
-      add_links(m_.links.a, i);
-      if (l_.frees > 0) t_.block_entry[next++] = l_.joints + l_.links + i;
+      add_links(false, i);
+      if (l_.frees > 0) t_.block_entry[next++] = l_.joints + l_.links + l_.sections + i;
       t_.block_middle[i] = next;
       for (; e < m_.block_begin[at(i) + 1]; ++e) add(m_.block_entry[at(e)]);
-      add_links(m_.links.b, i);
+      add_links(true, i);
       for (const std::int32_t edge : edges_of[at(i)]) t_.block_edge_entry[next_edge++] = edge;
     }
     t_.block_begin[l_.blocks] = next;
@@ -265,6 +277,7 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   blocks = place_all(chunks[kBlocks], kind, same);
   nodes = place_all(chunks[kNodes], kind, same);
   links = place_all(cut_plain(m.links.n, kind), kind, same);
+  sections = place_all(cut_plain(m.frames.n, kind), kind, same);
   place_points(chunks[kJoints], history);
   place_points(chunks[kEdges], history);
   history *= kind == kWalls ? 1 : kGroup;
@@ -275,7 +288,7 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   contact_entries = s.contact_entry.size();
   shapes = s.shapes.size();
   frees = m.free.any() ? blocks + 1 : 0;
-  entries = m.block_entry.size() + 2 * m.links.a.size() + (frees > 0 ? at(m.n_block) : 0);
+  entries = m.block_entry.size() + 2 * (m.links.a.size() + m.frames.a.size()) + (frees > 0 ? at(m.n_block) : 0);
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));
 }

@@ -112,6 +112,27 @@ enum LinkRowName {
   kLinkFollows,
   kLinkRows
 };
+// Rows of a section of a frame: what it remembers, where it is, its law.
+enum FrameRowName {
+  kFrameLeftSet,
+  kFrameMiddleSet,
+  kFrameRightSet,
+  kFrameArmAX,
+  kFrameArmAY,
+  kFrameArmBX,
+  kFrameArmBY,
+  kFrameAxisX,
+  kFrameAxisY,
+  kFrameRestX,
+  kFrameRestY,
+  kFrameOuter,
+  kFrameMiddle,
+  kFrameShear,
+  kFrameFibre,
+  kFrameOuterYield,
+  kFrameMiddleYield,
+  kFrameRows
+};
 inline constexpr int kHistoryRows = static_cast<int>(contact::kHistory<double>.size());
 inline constexpr int kLawRows = static_cast<int>(contact::kConstants<double>.size());
 inline constexpr int kStrengths = contact::kStrengths, kOthers = kLawRows - kStrengths;
@@ -158,7 +179,8 @@ struct Tables {
   std::int32_t*
       special;  // of a group (spot): a stage of some wall loads or drives one of its blocks
   std::int32_t *edge_block, *edge_p, *edge_q;
-  std::int32_t *link_a, *link_b;  // poses of the two ends
+  std::int32_t *link_a, *link_b;    // poses of the two ends
+  std::int32_t *frame_a, *frame_b;  // the same of sections of frames
   std::int32_t* corner[4];
   std::int32_t *node_zone_begin, *node_zone_entry, *node_edge_begin, *node_edge_entry;
   ZoneShape* shapes;
@@ -171,8 +193,9 @@ struct Tables {
   double* pose;        // rows of four: ux, uy, cos theta/2, sin theta/2; the ground's last
   double* history;     // (points, kHistoryRows)
   double* force;       // rows of four: fx, fy on side a, moments on a and b about their centroids;
-                       // of joints, of links, then of free contacts: one a block
+                       // of joints, of links, of frames, then of free contacts: one a block
   double* link;        // (links, kLinkRows)
+  double* frame;       // (sections of frames, kFrameRows)
   double* node;        // (n_node, kNodeRows)
   double* zone_force;  // rows of four: forces on corners 0 and 1 of each zone; then, as
   double* high_force;  // another table, those on 2 and 3
@@ -195,6 +218,7 @@ struct Layout {
 
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
+  std::int32_t sections = 0;  // of frames
   std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
   std::int32_t laws = 0;   // rows
   std::size_t entries = 0, edge_entries = 0;
@@ -273,6 +297,8 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   visit(t.edge_q, n(l.edges));
   visit(t.link_a, n(l.links));
   visit(t.link_b, n(l.links));
+  visit(t.frame_a, n(l.sections));
+  visit(t.frame_b, n(l.sections));
   for (auto& corner : t.corner) visit(corner, n(l.zones));
   visit(t.node_zone_begin, n(l.nodes) + 1);
   visit(t.node_zone_entry, l.zone_entries);
@@ -283,8 +309,9 @@ void each_table(const Layout& l, Tables& t, const Visit& visit, const Own& own) 
   own(t.block, n(l.blocks + kGroup) * kBlockRows);
   own(t.cold, n(l.blocks) * kColdRows);
   own(t.history, n(l.history));
-  own(t.force, 4 * n(l.joints + l.links + l.frees));
+  own(t.force, 4 * n(l.joints + l.links + l.sections + l.frees));
   own(t.link, n(l.links) * kLinkRows);
+  own(t.frame, n(l.sections) * kFrameRows);
   own(t.node, n(l.nodes) * kNodeRows);
   own(t.zone_force, 4 * n(l.zones));
   own(t.high_force, 4 * n(l.zones));  // right behind: lists of nodes go on into it

@@ -31,6 +31,7 @@ void each_number(const Layout& l, const Tables& t, const Model& m, const StateFi
   if (field.entity == Entity::kBlock) return plain(t.block, m.n_block, kBlockRows, row - 2);
   if (field.entity == Entity::kNode) return plain(t.node, m.solids.n_node, kNodeRows, row);
   if (field.entity == Entity::kLink) return plain(t.link, m.links.n, kLinkRows, row);
+  if (field.entity == Entity::kFrameLink) return plain(t.frame, m.frames.n, kFrameRows, row);
   if (field.entity != Entity::kPoint) return;  // of walls in space
   const auto points = [&](const std::vector<Chunk>& chunks, std::size_t first, int per) {
     for (const Chunk& chunk : chunks)
@@ -79,6 +80,28 @@ void put_links(const WallView& wall, const Links& links) {
   }
 }
 
+void put_frames(const WallView& wall, const Frames& frames) {
+  for (int k = 0; k < frames.n; ++k) {
+    const auto put = [&](FrameRowName row, const std::vector<double>& of) {
+      wall.frame(k, row) = of[at(k)];
+    };
+    put(kFrameArmAX, frames.arm_a_x);
+    put(kFrameArmAY, frames.arm_a_y);
+    put(kFrameArmBX, frames.arm_b_x);
+    put(kFrameArmBY, frames.arm_b_y);
+    put(kFrameAxisX, frames.axis_x);
+    put(kFrameAxisY, frames.axis_y);
+    put(kFrameRestX, frames.rest_x);
+    put(kFrameRestY, frames.rest_y);
+    put(kFrameOuter, frames.outer_stiffness);
+    put(kFrameMiddle, frames.middle_stiffness);
+    put(kFrameShear, frames.shear_stiffness);
+    put(kFrameFibre, frames.fibre);
+    put(kFrameOuterYield, frames.outer_yield);
+    put(kFrameMiddleYield, frames.middle_yield);
+  }
+}
+
 }  // namespace
 
 WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
@@ -94,8 +117,10 @@ WallView view_of(const Layout& l, const Model& m, const Tables& t, int lane) {
   view.nodes = l.nodes;
   view.edges = l.edges;
   view.links = m.links.n;
+  view.linked = l.links;
+  view.frames = m.frames.n;
   view.moving_blocks = m.n_block;
-  if (l.frees > 0) view.first_free = l.joints + l.links;
+  if (l.frees > 0) view.first_free = l.joints + l.links + l.sections;
   return view;
 }
 
@@ -125,6 +150,7 @@ void put_wall(const Layout& l, const Tables& t, int lane, const Model& m, const 
     wall.node(i, kNodeMass) = m.solids.node_mass[at(i)];
   }
   put_links(wall, m.links);
+  put_frames(wall, m.frames);
   wall.of_four(t.pose, t.n_block, 2) = 1;  // the ground's cosine
   turn_all(wall);
 }

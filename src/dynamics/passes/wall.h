@@ -14,6 +14,8 @@ struct WallView {
   int shift = 0, mask = 0;  // of an entity's number: its group, its place in it
   int blocks = 0, joints = 0, first_ground = 0, nodes = 0, edges = 0;
   int links = 0;          // without those that fill up a group
+  int linked = 0;         // rows of forces of links, with them
+  int frames = 0;         // sections of frames, without them
   int moving_blocks = 0;  // of the model: nodes are numbered behind them
   int first_free = -1;    // row of forces of block 0's free contacts, the ground's last; -1: none
 
@@ -32,6 +34,9 @@ struct WallView {
   }
   WYTHE_INLINE double& link(std::ptrdiff_t k, LinkRowName row) const {
     return number(t.link, kLinkRows, k, row);
+  }
+  WYTHE_INLINE double& frame(std::ptrdiff_t k, FrameRowName row) const {
+    return number(t.frame, kFrameRows, k, row);
   }
   WYTHE_INLINE double& ux(std::ptrdiff_t i) const { return of_four(t.pose, i, 0); }
   WYTHE_INLINE double& uy(std::ptrdiff_t i) const { return of_four(t.pose, i, 1); }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "dynamics/meters/frame_uses.h"
 #include "dynamics/meters/balance.h"
 #include "dynamics/meters/residual.h"
 #include "reading/zones.h"
@@ -68,6 +69,7 @@ void Recorder::begin(double read_at) {
   result_.curve.clear();
   result_.rise.clear();
   result_.links.clear();
+  result_.frame_rows.clear();
   result_.events.clear();
   result_.snapshots.clear();
   result_.readings.clear();
@@ -99,6 +101,7 @@ void Recorder::take(const WallAccess& access, State& state, const Controls& cont
       result_.curve.push_back({});
       if (columns_of(model_).held_head) result_.curve.back().head_axial = head_axial(state);
       note_links(state, 0, 0);
+      note_frames(state, 0, 0);
     }
     n_.damping_at_start = state.work_damping;
     take_snapshot("start", state);
@@ -312,6 +315,7 @@ void Recorder::close_row(const State& state) {
   plan_close();
 
   note_links(state, row.displacement, row.reaction);
+  note_frames(state, row.displacement, row.reaction);
   note_joints(state, row.displacement, row.reaction);
   note_limits(state, row.displacement, row.reaction);
   note_peak(state);
@@ -345,6 +349,22 @@ void Recorder::note_links(const State& state, double displacement, double reacti
     if (links[k].plastic == 0 || has_event(result_, name)) continue;
     result_.events.push_back(
         {name, displacement, reaction, {"place.force", {{"force_kN", 1e-3 * links[k].force}}}});
+  }
+}
+
+// The same of the sections of frames; a frame yields where the first of its fibres does.
+void Recorder::note_frames(const State& state, double displacement, double reaction) {
+  if (model_.frames.n == 0) return;
+  const std::vector<FrameReading> sections = read_frames(model_, state);
+  for (std::size_t k = 0; k < sections.size(); ++k) {
+    const FrameReading& section = sections[k];
+    result_.frame_rows.push_back({section.normal, section.shear, section.moment});
+    if (section.plastic == 0) continue;
+    const auto member = static_cast<std::size_t>(model_.frames.member[k]);
+    const auto frame = static_cast<std::size_t>(model_.frames.members[member].frame);
+    const Message name{"event.frame_yields", {{"frame", model_.frames.name[frame]}}};
+    if (!has_event(result_, name))
+      result_.events.push_back({name, displacement, reaction, place_in_frame(model_, k)});
   }
 }
 

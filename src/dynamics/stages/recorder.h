@@ -53,6 +53,7 @@ class Recorder {
     return state_at_[static_cast<std::size_t>(n_.next_state)];
   }
   void note_links(const State& state, double displacement, double reaction);
+  void note_frames(const State& state, double displacement, double reaction);
   void note_limits(const State& state, double displacement, double reaction);
   void take_snapshot(const std::string& label, const State& state);
   void take_states(const WallAccess& access, State& state);

@@ -50,6 +50,15 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   const auto index = [n](int i) { return i == kGround ? n : static_cast<std::size_t>(i); };
   Groups groups(n + 1);
   for (const Face& face : assembly.faces) groups.join(index(face.a), index(face.b));
+  for (const PlacedFrame& frame : assembly.frames) {
+    const auto block = [&](int segment) {
+      for (std::size_t i = 0; segment != kGround && i < n; ++i)
+        if (assembly.blocks[i].frame == frame.index && assembly.blocks[i].segment == segment)
+          return i;
+      return n;
+    };
+    for (const FrameJoint& joint : frame.joints) groups.join(block(joint.a), block(joint.b));
+  }
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < n; ++i) {
     const bool hangs = groups.root(i) != groups.root(n);

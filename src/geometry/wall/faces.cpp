@@ -1,5 +1,6 @@
 #include "geometry/wall/faces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -28,6 +29,7 @@ bool are_of_one_arch(const Block& a, const Block& b) {
 
 FaceKind kind_of(const Block& a, const Block& b, const Contact& contact) {
   const auto either = [&](Role role) { return a.role == role || b.role == role; };
+  if (either(Role::kFrame)) return FaceKind::kFrame;
   if (either(Role::kBeam)) return FaceKind::kBeam;
   if (either(Role::kPlate)) return FaceKind::kPlate;
   if (is_chain(a) && a.role == b.role && a.opening == b.opening && a.ring_beam == b.ring_beam)
@@ -102,6 +104,13 @@ std::string arch_material(const Shape& shape, const Block& a, const Block& b) {
   return are_of_one_arch(a, b) && !own.empty() ? own : bed_material(shape, owner_of(a, b));
 }
 
+const std::string& joint_of_frame(const Shape& shape, const Block& segment) {
+  return shape.frame[static_cast<std::size_t>(segment.frame)].joint;
+}
+std::string frame_joint(const Shape& shape, const Block& segment, const Block& other) {
+  return own_joint(shape, joint_of_frame(shape, segment), other);
+}
+
 std::string pair_material(const Shape& shape, const Block& a, const Block& b, FaceKind kind,
                           const Contact& contact) {
   const Block& masonry = a.role == Role::kMasonry ? a : b;
@@ -110,6 +119,7 @@ std::string pair_material(const Shape& shape, const Block& a, const Block& b, Fa
     case FaceKind::kLintelBond:
       return own_joint(shape, bond_material(lintel_between(shape, a, b), a, contact), masonry);
     case FaceKind::kPlate: return own_joint(shape, plate_joint(shape), masonry);
+    case FaceKind::kFrame: return frame_joint(shape, a.frame >= 0 ? a : b, masonry);
     case FaceKind::kBeam: break;
     default:
       if (is_chain(a) || is_chain(b))
@@ -155,6 +165,8 @@ Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact
 // The ground is always side a: a contact whose b is the support is turned round.
 Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact contact,
                  int support) {
+  const bool is_frame = blocks[static_cast<std::size_t>(support == contact.a ? contact.b : contact.a)]
+                            .role == Role::kFrame;
   if (support != contact.a) {
     std::swap(contact.a, contact.b);
     std::swap(contact.p0, contact.p1);
@@ -165,8 +177,8 @@ Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact c
           contact.b,
           contact.p0,
           contact.p1,
-          FaceKind::kFoundation,
-          ground_material(shape, block, below)};
+          is_frame ? FaceKind::kFrame : FaceKind::kFoundation,
+          is_frame ? joint_of_frame(shape, block) : ground_material(shape, block, below)};
 }
 
 struct Need {
@@ -187,6 +199,9 @@ Need need_of(FaceKind kind, const std::string& material) {
     case FaceKind::kPlate:
       return {"missing: the plates on the piers lie on it",
               "add " + table + ", or name another plate_joint"};
+    case FaceKind::kFrame:
+      return {"missing: a frame meets the masonry through it",
+              "add " + table + ", dry for contact alone, or name another frame.joint"};
     case FaceKind::kBeam:
       return {"missing: the beam lies on it", "add " + table + ", or name another wall.beam.joint"};
     default: return {"missing: the joints between the blocks take it", "add " + table};
@@ -224,6 +239,11 @@ void add_chain_uses(const Shape& shape, Uses& uses) {
   }
 }
 
+void add_frame_uses(const Shape& shape, Uses& uses) {
+  for (const FrameSpec& frame : shape.frame)
+    if (!frame.joint.empty()) uses.emplace(own_joint(shape, frame.joint, {}), FaceKind::kFrame);
+}
+
 bool has_crack_planes(const Storey& storey) {
   if (storey.unit.split == Split::kMiddle) return storey.bond != Bond::kHeader;
   return storey.unit.split == Split::kAtJoints && storey.bond != Bond::kStack;
@@ -245,6 +265,21 @@ void add_masonry_uses(const Shape& shape, Uses& uses) {
       if (!name.empty()) uses.emplace(name, kind);
 }
 
+// Two segments of one frame, or one that the ground holds: sections join them, not faces.
+bool is_within_frame(const Shape& shape, const std::vector<Block>& blocks, const Contact& contact) {
+  const auto frame_of = [&](int i) {
+    return i == kGround ? -1 : blocks[static_cast<std::size_t>(i)].frame;
+  };
+  const auto rests = [&](int i) {
+    return i == kGround || blocks[static_cast<std::size_t>(i)].role == Role::kSupport;
+  };
+  const int a = frame_of(contact.a), b = frame_of(contact.b);
+  if (a >= 0 && a == b) return true;
+  if (std::max(a, b) < 0 || !(rests(contact.a) || rests(contact.b))) return false;
+  const FrameFeet feet = shape.frame[static_cast<std::size_t>(std::max(a, b))].feet;
+  return feet == FrameFeet::kFixed || feet == FrameFeet::kHinged;
+}
+
 }  // namespace
 
 std::string bed_material(const Shape& shape, const Block& block) {
@@ -264,7 +299,7 @@ std::vector<Face> name_faces(const Shape& shape, const std::vector<Block>& block
   faces.reserve(contacts.size());
   for (const Contact& contact : contacts) {
     const bool a_rests = is_support(contact.a), b_rests = is_support(contact.b);
-    if (a_rests && b_rests) continue;
+    if ((a_rests && b_rests) || is_within_frame(shape, blocks, contact)) continue;
     if (a_rests || b_rests) {
       faces.push_back(ground_face(shape, blocks, contact, a_rests ? contact.a : contact.b));
     } else {
@@ -282,6 +317,7 @@ void check_materials(const Shape& shape, const std::vector<Face>& faces, FaultLi
     add_fault(faults, "material", "\"\"", need_of(unnamed->second, "").problem,
               "name a [material.*] table there");
   if (!uses_blocks_file(shape)) add_chain_uses(shape, uses);
+  add_frame_uses(shape, uses);
   refuse_missing(shape, uses, faults);
 }
 
@@ -295,6 +331,7 @@ void check_stated_materials(const Shape& shape, FaultList& faults) {
   if (std::isfinite(shape.wall.beam.height))
     uses.emplace(own_joint(shape, shape.wall.beam.joint, top), FaceKind::kBeam);
   uses.emplace(own_joint(shape, plate_joint(shape), top), FaceKind::kPlate);
+  add_frame_uses(shape, uses);
   refuse_missing(shape, uses, faults);
 }
 

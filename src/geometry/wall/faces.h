@@ -9,6 +9,7 @@
 //       sill or ring beam
 //   lintel to masonry                 kLintelBond   lintel.bond
 //   sill, ring beam to masonry        kBed, kHead   sill.joint, ring_beam.joint, ring_beam.top_joint
+//   a frame to what it touches        kFrame        frame.joint
 //   under a plate, under the beam     kPlate, kBeam stage.plate_joint, beam.joint
 //   on the ground or on a support     kFoundation   foundation, or as a bed joint where there is none
 //

@@ -211,6 +211,10 @@ void walk_result(A& archive, const Model& model, R& result) {
   archive.require(
       result.links.empty() || result.links.size() == result.curve.size() * model.links.a.size(),
       "it has rows of other links");
+  archive.list(result.frame_rows, plain);
+  archive.require(result.frame_rows.empty() ||
+                      result.frame_rows.size() == result.curve.size() * model.frames.a.size(),
+                  "it has rows of other frames");
   archive.list(result.joint_crack_displacement, plain);
   const std::size_t joints = result.joint_crack_displacement.size();
   archive.require(joints == 0 || joints == static_cast<std::size_t>(model.n_joint),

@@ -4,6 +4,7 @@
 
 #include "io/text/csv.h"
 #include "model/shaking.h"
+#include "wythe/reading.h"
 
 namespace wythe::io {
 
@@ -77,6 +78,24 @@ std::string links_csv(const std::vector<std::string>& names, const Result& resul
       text += fmt::format(",{:.10g},{:.10g}", 1e-3 * link.force, 1e3 * link.elongation);
     }
   }
+  return text + '\n';
+}
+
+std::string frames_csv(const Model& model, const Result& result) {
+  const Frames& f = model.frames;
+  const std::size_t n = f.a.size();
+  std::string text = "displacement_mm,frame,member,place_m,N_kN,V_kN,M_kNm,use";
+  for (std::size_t row = 0; (row + 1) * n <= result.frame_rows.size(); ++row)
+    for (std::size_t k = 0; k < n; ++k) {
+      const FrameMember& member = f.members[static_cast<std::size_t>(f.member[k])];
+      const FrameRow& now = result.frame_rows[row * n + k];
+      text += fmt::format("\n{:.10g},{},{},{:.6g},{:.7g},{:.7g},{:.7g},{:.5g}",
+                          1e3 * result.curve[row].displacement,
+                          csv_cell(f.name[static_cast<std::size_t>(member.frame)]),
+                          csv_cell(text_of(member.words)), f.place[k], 1e-3 * now.normal,
+                          1e-3 * now.shear, 1e-3 * now.moment,
+                          section_use(member, now.normal, now.shear, now.moment));
+    }
   return text + '\n';
 }
 

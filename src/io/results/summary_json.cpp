@@ -185,6 +185,24 @@ Json links_json(const Model& model, const Result& result) {
   return list;
 }
 
+// Of each frame what it bore at most, where and when, and when it began to yield.
+Json frames_json(const Model& model, const Result& result) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < result.frame_uses.size(); ++k) {
+    const FrameUse& use = result.frame_uses[k];
+    Json& json = list.emplace_back();
+    json["name"] = model.frames.name[k];
+    json["use"] = use.use;
+    json["displacement_mm"] = 1e3 * use.displacement;
+    io::put(json, "where", use.where);
+    json["yields"] = !std::isnan(use.yields_at);
+    if (std::isnan(use.yields_at)) continue;
+    json["yields_at_mm"] = 1e3 * use.yields_at;
+    io::put(json, "yields_where", use.yields_where);
+  }
+  return list;
+}
+
 Json stages_json(const std::vector<StageReport>& stages) {
   Json list = Json::array();
   for (const StageReport& stage : stages) {
@@ -488,6 +506,7 @@ std::string summary_json(const ModelSpec& spec, const Model& model, const Result
   json["events"] = events_json(result.events);
   json["stages"] = stages_json(result.stages);
   if (model.links.n > 0) json["links"] = links_json(model, result);
+  if (model.frames.n > 0) json["frames"] = frames_json(model, result);
   json["blocks"] = model.n_block;
   json["joints"] = model.n_joint;
   json["points"] = model.n_point();

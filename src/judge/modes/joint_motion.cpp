@@ -51,6 +51,7 @@ WallMotion read_motion(const Model& m, const State& state) {
   WallMotion wall;
   for (JointId j = 0; j < m.n_joint; ++j) {  // contacts of deformable blocks have no part in modes
     const JointMotion joint = motion_of(m, now, now.joints[j]);
+    if (joint.kind == JointKind::kFrame) continue;  // a name says what the masonry does
     const bool is_top = joint.kind == JointKind::kPlate || joint.kind == JointKind::kBeam;
     (is_top ? wall.top : wall.joints).push_back(joint);
   }
@@ -88,7 +89,7 @@ RigidMotion fitted(const std::vector<BlockMotion>& blocks, const Chosen& chosen)
 namespace {
 
 bool is_masonry(const BlockMotion& b) {
-  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam;
+  return b.role != BlockRole::kPlate && b.role != BlockRole::kBeam && b.role != BlockRole::kFrame;
 }
 
 // Ways of all blocks against the rigid motion of the half or more of the wall that is nearest to rigid: fitted

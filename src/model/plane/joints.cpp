@@ -29,6 +29,7 @@ JointKind kind_of(FaceKind kind) {
     case FaceKind::kLintelBond: return JointKind::kLintelBond;
     case FaceKind::kPlate: return JointKind::kPlate;
     case FaceKind::kBeam: return JointKind::kBeam;
+    case FaceKind::kFrame: return JointKind::kFrame;
     case FaceKind::kOther: break;
   }
   return JointKind::kOther;

@@ -129,6 +129,27 @@ std::vector<Eigen::Matrix3d> link_stiffness(const Model& m) {
   return sum;
 }
 
+// Stiffness that the sections of frames give to block i: whole where the other side is the ground, twice otherwise.
+std::vector<Eigen::Matrix3d> frame_stiffness(const Model& m) {
+  const Frames& f = m.frames;
+  std::vector<Eigen::Matrix3d> sum(static_cast<std::size_t>(f.n > 0 ? m.n_block : 0),
+                                   Eigen::Matrix3d::Zero());
+  const auto add = [&](BlockId block, double share, std::size_t k, double rx, double ry) {
+    const double nx = f.axis_x[k], ny = f.axis_y[k];
+    const Eigen::Vector3d along(nx, ny, rx * ny - ry * nx), across(-ny, nx, rx * nx + ry * ny);
+    Eigen::Matrix3d& of = sum[static_cast<std::size_t>(block)];
+    of += share * (2 * f.outer_stiffness[k] + f.middle_stiffness[k]) * along * along.transpose();
+    of += share * f.shear_stiffness[k] * across * across.transpose();
+    of(2, 2) += share * 2 * f.outer_stiffness[k] * f.fibre[k] * f.fibre[k];
+  };
+  for (std::size_t k = 0; k < f.a.size(); ++k) {
+    const bool on_ground = f.a[k] == kGroundBlock;
+    if (!on_ground) add(f.a[k], 2, k, f.arm_a_x[k], f.arm_a_y[k]);
+    add(f.b[k], on_ground ? 1 : 2, k, f.arm_b_x[k], f.arm_b_y[k]);
+  }
+  return sum;
+}
+
 // Stiffness that free contacts can give to a block: on all of its sides that no joint covers, with the stiffest
 // material of its joints. Zero where there are none.
 Eigen::Matrix3d free_stiffness(const Model& m, std::size_t i) {
@@ -310,7 +331,9 @@ double dashpot_rate(const Model& m, const Dashpots& dashpots) {
 
 void bound_step(Model& m) {
   std::vector<double> bound;
-  const std::vector<Eigen::Matrix3d> zones = contact_stiffness(m);
+  std::vector<Eigen::Matrix3d> zones = contact_stiffness(m);
+  const std::vector<Eigen::Matrix3d> frames = frame_stiffness(m);
+  for (std::size_t i = 0; i < frames.size(); ++i) zones[i] += 0.5 * frames[i];  // zones count twice
   for (std::size_t i = 0; i < static_cast<std::size_t>(m.n_block); ++i)
     bound.push_back(own_bound(m, i, zones[i]));
   if (m.solve.raise_light_inertia) {

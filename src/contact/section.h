@@ -1,0 +1,64 @@
+// The section of a frame between two segments a and b (docs/theory/frames.md): three fibres, elastic and plastic in
+// both senses, and a shear spring.
+//
+//        a  |  b           n  along the member as both have turned in the mean, t on its left
+//    =======|=======       e, s  how far b's point has gone from a's along n and t;  r  how far b has turned against a
+//           | - o +d       elongation of a fibre:  e - d r (left, at +d),  e (middle),  e + d r (right, at -d)
+//           |   o 0
+//           | - o -d       N pulls, M stretches the right
+//
+// Called by the step (dynamics/passes/frames.h) and by what reads a state (reading/frames.cpp).
+#pragma once
+
+#include "contact/link.h"
+
+namespace wythe::contact {
+
+struct Fibre {
+  double force, flow;  // [N], growth of the elongation that stays [m]
+};
+WYTHE_INLINE Fibre fibre_pull(double stiffness, double yield, double elongation, double plastic) {
+  const double trial = stiffness * (elongation - plastic);
+  if (trial > yield) return {yield, (trial - yield) / stiffness};
+  if (trial < -yield) return {-yield, (trial + yield) / stiffness};
+  return {trial, 0};
+}
+
+struct SectionLaw {
+  double outer, middle, shear;        // [N/m]
+  double fibre;                       // d [m]
+  double outer_yield, middle_yield;   // [N]
+};
+// How b stands against a.
+struct SectionJump {
+  double along, across, turn;  // e, s [m], r [rad]
+  double axis_x, axis_y;       // n now
+  double gap_x, gap_y;         // from a's point to b's, at the start none [m]
+};
+// `rest`: b's point from a's at the start, where blocks do not start at their outlines (gaps to the masonry);
+// half turns of both as cosine and sine.
+WYTHE_INLINE SectionJump section_jump(double axis_x, double axis_y, double rest_x, double rest_y,
+                                      const LinkEnd& a, const LinkEnd& b, double turn_a,
+                                      double turn_b, double cos_a, double sin_a, double cos_b,
+                                      double sin_b) {
+  const double c = cos_a * cos_b - sin_a * sin_b, s = sin_a * cos_b + cos_a * sin_b;
+  const double x = c * axis_x - s * axis_y, y = s * axis_x + c * axis_y;
+  const double gx = b.moved_x - a.moved_x - rest_x, gy = b.moved_y - a.moved_y - rest_y;
+  return {gx * x + gy * y, gy * x - gx * y, turn_b - turn_a, x, y, gx, gy};
+}
+
+struct SectionPull {
+  double normal, shear, moment;  // N, V along t, M
+  Fibre left, middle, right;
+};
+WYTHE_INLINE SectionPull section_pull(const SectionLaw& law, const SectionJump& jump, double left,
+                                      double middle, double right) {
+  const double bent = law.fibre * jump.turn;
+  const Fibre l = fibre_pull(law.outer, law.outer_yield, jump.along - bent, left);
+  const Fibre m = fibre_pull(law.middle, law.middle_yield, jump.along, middle);
+  const Fibre r = fibre_pull(law.outer, law.outer_yield, jump.along + bent, right);
+  return {l.force + m.force + r.force, law.shear * jump.across, law.fibre * (r.force - l.force), l,
+          m, r};
+}
+
+}  // namespace wythe::contact

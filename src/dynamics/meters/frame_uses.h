@@ -1,0 +1,15 @@
+// What each frame bore over the curve: its largest use, and where and when it first yielded.
+#pragma once
+
+#include <vector>
+
+#include "wythe/result.h"
+
+namespace wythe::dynamics {
+
+[[nodiscard]] std::vector<FrameUse> read_frame_uses(const Model& model, const Result& result);
+
+// "the top of the left column", "1.20 m along the beam".
+[[nodiscard]] Message place_in_frame(const Model& model, std::size_t section);
+
+}  // namespace wythe::dynamics

@@ -1,0 +1,44 @@
+// The sections of frames in one wall (contact/section.h, docs/theory/frames.md). A wall has few. They are taken one by
+// one before its joints, as links are, and leave their forces in rows behind those of the links.
+#pragma once
+
+#include "contact/section.h"
+#include "dynamics/passes/links.h"
+
+namespace wythe::dynamics {
+
+// Forces of all sections where the blocks are now; what yielding took [J].
+WYTHE_INLINE double bend_frames(const WallView& wall) {
+  double yielded = 0;
+  for (int k = 0; k < wall.frames; ++k) {
+    const auto of = [&](FrameRowName row) { return wall.frame(k, row); };
+    const std::int32_t i = wall.t.frame_a[k], j = wall.t.frame_b[k];
+    const contact::LinkEnd a = end_of(wall, i, of(kFrameArmAX), of(kFrameArmAY));
+    const contact::LinkEnd b = end_of(wall, j, of(kFrameArmBX), of(kFrameArmBY));
+    const auto pose = [&](std::int32_t block, int c) { return wall.of_four(wall.t.pose, block, c); };
+    const contact::SectionJump jump = contact::section_jump(
+        of(kFrameAxisX), of(kFrameAxisY), of(kFrameRestX), of(kFrameRestY), a, b,
+        wall.block(i, kTheta), wall.block(j, kTheta), pose(i, 2), pose(i, 3), pose(j, 2), pose(j, 3));
+    const contact::SectionPull pull = contact::section_pull(
+        {of(kFrameOuter), of(kFrameMiddle), of(kFrameShear), of(kFrameFibre), of(kFrameOuterYield),
+         of(kFrameMiddleYield)},
+        jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
+    yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
+               pull.right.force * pull.right.flow;
+    wall.frame(k, kFrameLeftSet) = of(kFrameLeftSet) + pull.left.flow;
+    wall.frame(k, kFrameMiddleSet) = of(kFrameMiddleSet) + pull.middle.flow;
+    wall.frame(k, kFrameRightSet) = of(kFrameRightSet) + pull.right.flow;
+    const double fx = pull.normal * jump.axis_x - pull.shear * jump.axis_y;
+    const double fy = pull.normal * jump.axis_y + pull.shear * jump.axis_x;
+    // it acts half way between both points (20.5)
+    const double across = 0.5 * (jump.gap_x * fy - jump.gap_y * fx);
+    const std::ptrdiff_t row = wall.joints + wall.linked + k;
+    wall.of_four(wall.t.force, row, 0) = fx;
+    wall.of_four(wall.t.force, row, 1) = fy;
+    wall.of_four(wall.t.force, row, 2) = a.arm_x * fy - a.arm_y * fx + across + pull.moment;
+    wall.of_four(wall.t.force, row, 3) = b.arm_y * fx - b.arm_x * fy + across - pull.moment;
+  }
+  return yielded;
+}
+
+}  // namespace wythe::dynamics

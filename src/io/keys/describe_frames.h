@@ -1,0 +1,65 @@
+// The description of frames (describe.h says how to read it).
+#pragma once
+
+#include "io/keys/key.h"
+#include "wythe/wall_spec.h"
+
+namespace wythe::io {
+
+// clang-format off
+
+template <class Visitor>
+void describe(Visitor& v, SectionSpec& s) {
+  v.quantity("height", s.height, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "200 mm", .doc = "In the wall's plane."});
+  v.quantity("width", s.width, {.unit = "m", .shown = "mm", .range = kLength, .fallback = kRequired,
+             .example = "200 mm", .doc = "Across the wall: the strip of masonry that it touches."});
+  v.quantity("area", s.area, {.unit = "m^2", .shown = "cm^2", .range = kPositive, .fallback = kRequired,
+             .example = "78.1 cm^2", .doc = "A."});
+  v.quantity("shear_area", s.shear_area, {.unit = "m^2", .shown = "cm^2", .range = kPositive, .fallback = kRequired,
+             .example = "16.7 cm^2", .doc = "As, of the web or 5/6 of a rectangle: for stiffness and use."});
+  v.quantity("second_moment", s.second_moment, {.unit = "m^4", .shown = "cm^4", .range = kPositive,
+             .fallback = kRequired, .example = "5696 cm^4", .doc = "I, for bending in the wall's plane."});
+  v.quantity("plastic_modulus", s.plastic_modulus, {.unit = "m^3", .shown = "cm^3", .range = kPositive,
+             .fallback = kRequired, .example = "642.5 cm^3", .doc = "Wpl, likewise."});
+  v.quantity("mass", s.mass, {.unit = "kg/m", .shown = "kg/m", .range = kPositive, .fallback = kRequired,
+             .example = "61.3 kg/m", .doc = "Of a length."});
+}
+
+template <class Visitor>
+void describe(Visitor& v, FrameSpec& s) {
+  v.text("name", s.name, {.fallback = "its number", .example = "F1",
+         .doc = "A name for messages, for frames.csv and for `--set frame.F1.count=2`."});
+  v.text("round", s.round, {.fallback = "line", .example = "shop",
+         .doc = "Name of the opening it stands in: columns at the jambs, a beam under the head."});
+  v.points("line", s.line, {.unit = "m", .shown = "m", .range = kCoordinate, .fallback = "round",
+           .example = "[[\"1 m\", \"0 m\"], [\"1 m\", \"2.5 m\"], [\"4 m\", \"2.5 m\"], [\"4 m\", \"0 m\"]]",
+           .doc = "Or its axis (x, y) from corner to corner, in level and upright parts; with a base beam the first point again."});
+  v.choice("feet", s.feet, kFrameFeetWords, {.fallback = kRequired, .example = "fixed",
+           .doc = "Where the columns end: `fixed` in the ground, `hinged` on it, on a `base_beam`, or `resting` by contact on what is below."});
+  v.text("profile", s.profile, {.fallback = "section", .example = "HEB 200",
+         .doc = "Rolled section, strong axis: IPE, HEA, HEB, UPN, SHS (square tube, `SHS 100x5`)."});
+  v.integer("count", s.count, {.range = kFromOne, .example = "2", .doc = "How many side by side across the wall."});
+  v.table("section", s.section, {.in_braces = true, .optional = true, .fallback = "profile",
+          .doc = "Numbers of one piece in the place of a profile."});
+  v.text("beam_profile", s.beam_profile, {.fallback = "as the columns", .example = "IPE 240", .doc = "Profile of level parts."});
+  v.integer("beam_count", s.beam_count, {.range = kFromZero, .fallback = "count", .example = "2", .doc = "How many of them."});
+  v.table("beam_section", s.beam_section, {.in_braces = true, .optional = true, .fallback = "as the columns",
+          .doc = "Numbers of one of them in the place of a profile."});
+  v.text("grade", s.grade, {.fallback = "the next three", .example = "S275",
+         .doc = "Steel: S235, S275, S355 (EN 1993-1-1: fy, E = 210 GPa, G = 81 GPa)."});
+  v.quantity("yield_strength", s.yield_strength, {.unit = "Pa", .shown = "MPa", .range = kPositive,
+             .fallback = "the grade's", .example = "275 MPa", .doc = "fy, both ways; no partial factor is applied."});
+  v.quantity("youngs_modulus", s.youngs_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "the grade's", .example = "210 GPa", .doc = "E."});
+  v.quantity("shear_modulus", s.shear_modulus, {.unit = "Pa", .shown = "GPa", .range = kPositive,
+             .fallback = "the grade's", .example = "81 GPa", .doc = "G."});
+  v.text("joint", s.joint, {.fallback = kRequired, .example = "steel_contact",
+         .doc = "Name of the joint material between it and what it touches: dry for contact alone, with strengths for a mortar bed."});
+  v.quantity("gap", s.gap, {.unit = "m", .shown = "mm", .range = kNotNegative, .example = "5 mm",
+             .doc = "Between it and the jambs and head of its opening at the start, up to 50 mm; the joint is dry then. Under a base beam there is none."});
+}
+
+// clang-format on
+
+}  // namespace wythe::io

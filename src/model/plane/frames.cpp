@@ -1,0 +1,197 @@
+// Frames as placed -> sections between segments: arms, stiffnesses and yield forces (docs/theory/frames.md).
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/text.h"
+#include "geometry/wall/frames.h"
+#include "model/parts.h"
+
+namespace wythe {
+namespace {
+
+using geometry::Assembly;
+using geometry::FrameJoint;
+using geometry::FramePart;
+using geometry::PlacedFrame;
+using geometry::Section;
+
+struct Steel {
+  double yield = kUnset, youngs = kUnset, shear = kUnset;  // [Pa]
+};
+// EN 1993-1-1, table 3.1 (thickness up to 40 mm) and 3.2.6.
+const std::map<std::string, Steel>& grades() {
+  static const std::map<std::string, Steel> kGrades = {{"S235", {235e6, 210e9, 81e9}},
+                                                       {"S275", {275e6, 210e9, 81e9}},
+                                                       {"S355", {355e6, 210e9, 81e9}}};
+  return kGrades;
+}
+
+class FrameCompiler {
+ public:
+  FrameCompiler(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map, Model& model,
+                FaultList& faults)
+      : spec_(spec), assembly_(assembly), map_(map), model_(model), faults_(faults) {}
+
+  void run() {
+    if (spec_.frame.empty()) return;
+    if (spec_.solve.contacts == Contacts::kFree)
+      faults_.add({"", "solve.contacts", "free", "does not know frames yet",
+                   "leave it out, or leave the frames out", 0});
+    for (const PlacedFrame& frame : assembly_.frames) add(frame);
+  }
+
+ private:
+  void fault(const std::string& key, std::string value, std::string problem, std::string cure) {
+    faults_.add({"", path_ + "." + key, std::move(value), std::move(problem), std::move(cure), 0});
+  }
+
+  Steel steel_of(const FrameSpec& frame) {
+    Steel steel;
+    if (!frame.grade.empty()) {
+      const auto found = grades().find(frame.grade);
+      if (found == grades().end())
+        fault("grade", "\"" + frame.grade + "\"", "is no grade of steel that is known here",
+              name_advice(frame.grade, {"S235", "S275", "S355"}) +
+                  "; or write yield_strength, youngs_modulus and shear_modulus");
+      else
+        steel = found->second;
+    }
+    const auto take = [&](const char* key, double stated, double& value, const char* example) {
+      if (!std::isnan(stated)) value = stated;
+      if (frame.grade.empty() && !(value > 0))
+        fault(key, "", "is missing", fmt::format("write grade = \"S275\", or {} = {}", key, example));
+    };
+    take("yield_strength", frame.yield_strength, steel.yield, "\"275 MPa\"");
+    take("youngs_modulus", frame.youngs_modulus, steel.youngs, "\"210 GPa\"");
+    take("shear_modulus", frame.shear_modulus, steel.shear, "\"81 GPa\"");
+    return steel;
+  }
+
+  // A gap is open at the start: what can pull across it would have to be broken first.
+  void check_gap(const FrameSpec& frame) {
+    if (!(frame.gap > 0)) return;
+    const auto joint = spec_.material.find(frame.joint);
+    if (joint == spec_.material.end()) return;
+    if (joint->second.tensile_strength > 0 || joint->second.cohesion > 0)
+      fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap),
+            fmt::format("is open, and [material.{}] has strength in tension or cohesion", frame.joint),
+            "name a dry joint: tensile_strength and cohesion 0 MPa; or leave the gap out");
+    if (!(frame.gap < 0.05))
+      fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap), "is wider than any gap: 50 mm at most",
+            "write e.g. gap = \"5 mm\", or make the opening smaller");
+  }
+
+  void add(const PlacedFrame& placed) {
+    const auto index = static_cast<std::size_t>(placed.index);
+    const FrameSpec& frame = spec_.frame[index];
+    path_ = fmt::format("frame.{}", index);
+    const std::size_t before = faults_.all().size();
+    const Steel steel = steel_of(frame);
+    check_gap(frame);
+    const auto sections = geometry::sections_of(frame, index, faults_);
+    if (faults_.all().size() > before || !sections) return;
+    std::vector<BlockId> block(placed.segments.size(), kGroundBlock);
+    for (std::size_t b = 0; b < assembly_.blocks.size(); ++b)
+      if (assembly_.blocks[b].frame == placed.index)
+        block[static_cast<std::size_t>(assembly_.blocks[b].segment)] = map_[b];
+    Frames& f = model_.frames;
+    const auto first = static_cast<std::int32_t>(f.members.size());
+    for (const FramePart& part : placed.parts) {
+      const bool upright = std::fabs(part.way.y) > std::fabs(part.way.x);
+      const Section& s = upright ? sections->column : sections->beam;
+      f.members.push_back({static_cast<int>(f.name.size()), part.words, part.length, part.from.x,
+                           part.from.y, part.way.x, part.way.y, s.area, s.shear_area,
+                           s.second_moment, s.plastic_modulus, steel.youngs, steel.yield,
+                           s.second_moment / s.plastic_modulus});
+    }
+    f.name.push_back(placed.name);
+    for (const FrameJoint& joint : placed.joints) add_section(placed, joint, first, block, steel);
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      const Vec2 moved = placed.moved[k];
+      if (moved.x == 0 && moved.y == 0) continue;
+      f.moved.push_back(block[k]);
+      f.moved_x.push_back(moved.x);
+      f.moved_y.push_back(moved.y);
+    }
+    note(placed, frame);
+  }
+
+  void add_section(const PlacedFrame& placed, const FrameJoint& joint, std::int32_t first,
+                   const std::vector<BlockId>& block, const Steel& steel) {
+    Frames& f = model_.frames;
+    const FramePart& part = placed.parts[static_cast<std::size_t>(joint.part)];
+    const FrameMember& member = f.members[static_cast<std::size_t>(first + joint.part)];
+    // the ground is side a
+    const bool back = joint.b == geometry::kGround;
+    const int a = back ? joint.b : joint.a, b = back ? joint.a : joint.b;
+    const Vec2 at{part.from.x + joint.place * part.way.x, part.from.y + joint.place * part.way.y};
+    const auto id = [&](int segment) {
+      return segment == geometry::kGround ? kGroundBlock : block[static_cast<std::size_t>(segment)];
+    };
+    const auto moved = [&](int segment) {
+      return segment == geometry::kGround ? Vec2{0, 0}
+                                          : placed.moved[static_cast<std::size_t>(segment)];
+    };
+    const auto arm = [&](int segment) {
+      if (segment == geometry::kGround) return Vec2{0, 0};
+      const auto i = static_cast<std::size_t>(id(segment));
+      const Vec2 by = moved(segment);
+      return Vec2{at.x - (model_.centroid_x[i] + by.x), at.y - (model_.centroid_y[i] + by.y)};
+    };
+    const Vec2 arm_a = arm(a), arm_b = arm(b), moved_a = moved(a), moved_b = moved(b);
+    f.a.push_back(id(a));
+    f.b.push_back(id(b));
+    f.arm_a_x.push_back(arm_a.x);
+    f.arm_a_y.push_back(arm_a.y);
+    f.arm_b_x.push_back(arm_b.x);
+    f.arm_b_y.push_back(arm_b.y);
+    f.axis_x.push_back(back ? -part.way.x : part.way.x);
+    f.axis_y.push_back(back ? -part.way.y : part.way.y);
+    f.rest_x.push_back(moved_b.x - moved_a.x);
+    f.rest_y.push_back(moved_b.y - moved_a.y);
+    const double d = member.fibre;
+    const double outer = joint.hinged ? 0 : member.second_moment / (2 * d * d);
+    const double middle = member.area - 2 * outer;
+    f.outer_stiffness.push_back(steel.youngs * outer / joint.length);
+    f.middle_stiffness.push_back(steel.youngs * middle / joint.length);
+    f.shear_stiffness.push_back(steel.shear * member.shear_area / joint.length);
+    f.fibre.push_back(d);
+    f.outer_yield.push_back(steel.yield * outer);
+    f.middle_yield.push_back(steel.yield * middle);
+    f.member.push_back(first + joint.part);
+    f.place.push_back(joint.place);
+    f.length.push_back(joint.length);
+    ++f.n;
+  }
+
+  void note(const PlacedFrame& placed, const FrameSpec& frame) {
+    double weight = 0;
+    for (const geometry::Block& segment : placed.segments)
+      weight += segment.own_density * segment.thickness *
+                geometry::moments(segment.outline).area;
+    model_.anatomy.notes.push_back({"frame.stands",
+                                    {{"frame", placed.name},
+                                     {"segments", placed.segments.size()},
+                                     {"mass_kg", weight},
+                                     {"gap_mm", 1e3 * frame.gap}}});
+  }
+
+  const ModelSpec& spec_;
+  const Assembly& assembly_;
+  const BlockMap& map_;
+  Model& model_;
+  FaultList& faults_;
+  std::string path_;
+};
+
+}  // namespace
+
+void compile_frames(const ModelSpec& spec, const Assembly& assembly, const BlockMap& map,
+                    Model& model, FaultList& faults) {
+  FrameCompiler(spec, assembly, map, model, faults).run();
+}
+
+}  // namespace wythe

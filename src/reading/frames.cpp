@@ -1,0 +1,74 @@
+// Frames: what their sections carry in a state.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/section.h"
+#include "core/rotation.h"
+#include "wythe/reading.h"
+
+namespace wythe {
+namespace {
+
+// An end of a section and how its block has turned.
+struct Side {
+  contact::LinkEnd end;
+  double turn, cos, sin;  // of half the turn
+};
+Side side_of(const State& s, BlockId block, double arm_x, double arm_y) {
+  if (block == kGroundBlock) return {{0, 0, 0, 0}, 0, 1, 0};
+  const auto i = static_cast<std::size_t>(block);
+  const SinCos<double> half = sin_cos(0.5 * s.theta[i]);
+  return {contact::link_end(s.ux[i], s.uy[i], half.cos, half.sin, arm_x, arm_y), s.theta[i],
+          half.cos, half.sin};
+}
+
+double stored_in(double stiffness, double force) {
+  return stiffness > 0 ? 0.5 * force * force / stiffness : 0.0;
+}
+
+}  // namespace
+
+double section_use(const FrameMember& m, double normal, double shear, double moment) {
+  const double bent = std::fabs(moment) / (m.yield_strength * m.plastic_modulus);
+  const double pulled = std::fabs(normal) / (m.yield_strength * m.area);
+  const double outer = m.second_moment / (m.area * m.fibre * m.fibre);  // both outer fibres' share
+  const double sheared =
+      std::sqrt(3.0) * std::fabs(shear) / (m.yield_strength * m.shear_area);
+  return std::max({bent, pulled + outer * bent, sheared});
+}
+
+std::vector<FrameReading> read_frames(const Model& m, const State& s) {
+  const Frames& f = m.frames;
+  std::vector<FrameReading> read(f.a.size());
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    const Side a = side_of(s, f.a[k], f.arm_a_x[k], f.arm_a_y[k]);
+    const Side b = side_of(s, f.b[k], f.arm_b_x[k], f.arm_b_y[k]);
+    const contact::SectionJump jump =
+        contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
+                              a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
+    const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k],
+                                  f.shear_stiffness[k], f.fibre[k],
+                                  f.outer_yield[k],     f.middle_yield[k]};
+    const contact::SectionPull pull =
+        contact::section_pull(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
+    const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];
+    // a foot at the end of the way looks back along it
+    const double forth = f.axis_x[k] * member.way_x + f.axis_y[k] * member.way_y;
+    FrameReading& now = read[k];
+    now.normal = pull.normal;
+    now.shear = -pull.shear;
+    now.moment = forth < 0 ? -pull.moment : pull.moment;
+    now.use = section_use(member, now.normal, now.shear, now.moment);
+    now.plastic = std::max({std::fabs(s.frame_left[k] + pull.left.flow),
+                            std::fabs(s.frame_middle[k] + pull.middle.flow),
+                            std::fabs(s.frame_right[k] + pull.right.flow)});
+    now.stored = stored_in(law.outer, pull.left.force) + stored_in(law.outer, pull.right.force) +
+                 stored_in(law.middle, pull.middle.force) + stored_in(law.shear, pull.shear);
+    const auto i = static_cast<std::size_t>(f.b[k]);
+    now.where = {m.centroid_x[i] + f.arm_b_x[k] + b.end.moved_x,
+                 m.centroid_y[i] + f.arm_b_y[k] + b.end.moved_y, 0};
+  }
+  return read;
+}
+
+}  // namespace wythe
