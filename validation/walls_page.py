@@ -153,7 +153,8 @@ def kinds_agree(tests, answers):
 
 def settings_table(name):
     """How the peaks move with another set of settings."""
-    base, other = walls.predicted(), walls.predicted(name, alone=True)
+    beside = walls.BESIDE.get(name, "base")
+    base, other = walls.predicted(beside), walls.predicted(name, alone=True)
     rows = [[wall, base[wall]["peak_kN"] or "–", other[wall]["peak_kN"] or "–",
              f"{100 * (float(other[wall]['peak_kN']) / float(base[wall]['peak_kN']) - 1):+.1f}"
              if base[wall]["peak_kN"] and other[wall]["peak_kN"] else "–", other[wall]["mode"]]
@@ -163,7 +164,7 @@ def settings_table(name):
     found = walls.statistics(name)["peak"]
     told = [f"{kind}: δ {figure_text(found[kind]['delta'])}, σ_M {figure_text(found[kind]['sigma_M'])}"
             for kind in walls.KINDS + ["all"] if found[kind]]
-    return [f"### {name}", "", "; ".join(told) + ".", ""] + table(["wall", "peak, kN", f"{name}, kN", "change, %", "failure"], rows)
+    return [f"### {name}" + (f", against {beside}" if beside != "base" else ""), "", "; ".join(told) + ".", ""] + table(["wall", "peak, kN", f"{name}, kN", "change, %", "failure"], rows)
 
 
 def draw(figures, found):

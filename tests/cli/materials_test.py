@@ -51,10 +51,27 @@ class Materials(Base):
         self.assertNotIn('= "rule', used)
         self.assertIn("tensile_strength 0.5", used)
         self.assertIn("derived by unit_ft_from_fb from unit_strength 15 MPa", used)
+        self.assertIn("head_joint_bond = 0.25", used)
+        self.assertIn("head_joint_bond 0.25: derived by head_joint_quarter", used)
         wythe("run", first / "model.used.toml", "--out", again, "--quiet")
         hashes = [json.loads((folder / "summary.json").read_text())["state_hash"] for folder in (first, again)]
         self.assertEqual(*hashes)
         self.assertEqual(used, (again / "model.used.toml").read_text())
+
+    def test_check_says_what_head_joints_have_and_a_share_changes_the_wall(self):
+        told = "head joints of [material.joint] have 0.25 of the tensile strength and cohesion of its beds (head_joint_bond)"
+        self.assertIn(told, wythe("check", self.write(RULES)).stdout)
+        hashes = []
+        for setting in ("material.joint.head_joint_bond=1", "wall.head_joint=joint", "material.joint.head_joint_bond=0", "wall.bond=running"):
+            self.assertEqual("have 0.25" in wythe("check", self.write(RULES), "--set", setting).stdout, setting == "wall.bond=running", setting)
+            done = wythe("run", self.write(RULES), "--out", self.out, "--quiet", "--set", setting, "--set", "stage.push.until=0.2 mm")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            hashes.append(json.loads((self.out / "summary.json").read_text())["state_hash"])
+        self.assertEqual(hashes[0], hashes[1])  # as the beds, said in two ways
+        self.assertEqual(len(set(hashes)), 3)
+        done = wythe("check", self.write(RULES), "--set", "material.joint.head_joint_bond=1.5")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--set: material.joint.head_joint_bond = 1.5: ", done.stderr)
 
     def test_a_knowledge_level_divides_and_the_page_shows_the_way(self):
         office = HEAD + """
@@ -124,6 +141,7 @@ ground_acceleration = "1 m/s^2"
         self.assertIn("compressive_strength", used)
         self.assertNotIn('compressive_strength = "6 MPa"', used)
         self.assertIn("derived by fc_is_fm from masonry_strength", used)
+        self.assertIn("head_joint_bond = 0.25", used)
 
 
 if __name__ == "__main__":
