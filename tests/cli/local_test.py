@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from cli_test import wythe
+from cli_test import SOURCE, wythe
 
 WALL = """
 name = "front"
@@ -132,6 +132,13 @@ class Local(unittest.TestCase):
         why = self.refused(wall(PART + 'foot = "2 m"\nhead = "4 m"\n'))
         self.assertIn("assessment.part.front.head", why)
 
+    def test_a_part_under_others_has_a_held_head_or_is_refused(self):
+        why = self.refused(wall(PART + 'head = "2 m"\n'))
+        self.assertIn("would fall along", why)
+        self.assertIn("assessment.part.front.head", why)
+        part = self.only(wall(PART + 'head = "2 m"\nhead_held = true\n'))
+        self.assertTrue(any("press its head" in note for note in part["notes"]))
+
     def test_ends_in_the_wrong_order_are_faults(self):
         self.limit(wall(PART + 'foot = "2 m"\nhead = "1 m"\n'), code=2)
         self.assertIn("is not above foot", self.done.stderr)
@@ -202,6 +209,18 @@ class Local(unittest.TestCase):
         self.assertIn("45 degrees off", askew["sentence"])
         self.limit(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2") + PART, "--only", "lp", "parts")
         self.assertIn("in space the mechanism comes from a body force", self.done.stderr)
+
+    def test_of_several_pieces_the_onset_is_without_the_share_of_mass(self):
+        model = pathlib.Path(SOURCE) / "examples/wall_with_returns/model.toml"
+        self.out = self.folder / "returns"
+        done = wythe("limit", model, "--out", self.out, "--assessment", "--only", "lp")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        part = json.loads((self.out / "mechanisms.json").read_text())["local"][0]
+        self.assertAlmostEqual(part["acceleration0_m_per_s2"], part["alpha0"] * 9.81 / 1.35, places=9)
+        self.assertLess(part["participating_mass_share"], 1)
+        self.assertIsNone(part["displacement0_mm"])
+        self.assertTrue(any("pieces move against each other" in note for note in part["notes"]))
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("no demand", False))
 
     def test_loads_in_space_are_pushed_with_the_wall(self):
         text = SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2")

@@ -297,6 +297,26 @@ TEST(Local, a_strip_whose_head_is_held_bends) {
   }
 }
 
+// The upper storey and both floors press the ground storey: W2 + 12 kN in the middle of 0.3 m, 20 kN at 0.3 m of 0.4 m.
+TEST(Local, what_stands_above_presses_a_head_that_is_held) {
+  const LocalCheck c = only_check(
+      front(kTwoStoreys,
+            std::string(kTwoFloors) +
+                "[[assessment.part]]\nname = \"panel\"\nhead = \"3 m\"\nhead_held = true\n"));
+  const double t = 0.4, h = 3, w = kDensity * kG * 2 * t,
+               above = kDensity * kG * 2 * 3 * 0.3 + 12e3;
+  double least = 1e9;
+  for (int i = 1; i < 12; ++i) {
+    const double h1 = 0.25 * i, h2 = h - h1;
+    const double work = w * (h1 * t / 2 + h2 * (t + h1 / h2 * t / 2)) +
+                        above * (t + h1 / h2 * (t - 0.15)) + 20e3 * (t + h1 / h2 * (t - 0.3));
+    least = std::min(least, work / (w * h * h1 / 2));
+  }
+  verify({"LM07d", "ground storey held at its head, under another: least alpha0", "-", least, 1e-12,
+          kExact},
+         c.capacity.alpha0);
+}
+
 // --- the same strips by limit analysis
 
 // The section of a wall in a plane: x across it.
