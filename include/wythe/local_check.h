@@ -42,6 +42,7 @@ struct LocalCapacity {
   double alpha0 = kUnset;         // multiplier of the pushed weights at which it sets off [-]
   double mass = kUnset;           // M* [kg]
   double mass_share = kUnset;     // e* [-]
+  bool is_one_body = true;        // else M* and e* hang on which blocks are taken as one
   double alpha0_to_end =
       kUnset;                 // the same by what holds to the end alone: the curve's beginning [-]
   double rotation0 = kUnset;  // where nothing more is needed to fall [rad]

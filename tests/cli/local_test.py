@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from cli_test import wythe
+from cli_test import SOURCE, wythe
 
 WALL = """
 name = "front"
@@ -132,6 +132,13 @@ class Local(unittest.TestCase):
         why = self.refused(wall(PART + 'foot = "2 m"\nhead = "4 m"\n'))
         self.assertIn("assessment.part.front.head", why)
 
+    def test_a_part_under_others_has_a_held_head_or_is_refused(self):
+        why = self.refused(wall(PART + 'head = "2 m"\n'))
+        self.assertIn("would fall along", why)
+        self.assertIn("assessment.part.front.head", why)
+        part = self.only(wall(PART + 'head = "2 m"\nhead_held = true\n'))
+        self.assertTrue(any("press its head" in note for note in part["notes"]))
+
     def test_ends_in_the_wrong_order_are_faults(self):
         self.limit(wall(PART + 'foot = "2 m"\nhead = "1 m"\n'), code=2)
         self.assertIn("is not above foot", self.done.stderr)
@@ -147,8 +154,9 @@ class Local(unittest.TestCase):
         why = self.refused(wall(hold.replace("2.5 m", "3.5 m") + 'force = "5 kN"\n'))
         self.assertIn("assessment.part.front.hold.tie.height", why)
         part = self.only(wall(hold + 'force = "500 kN"\ntravel = "1 m"\n'))
-        self.assertIsNone(part["displacement0_mm"], "held for good: no end by displacement")
-        self.assertTrue(any("another mechanism" in note for note in part["notes"]))
+        self.assertAlmostEqual(part["alpha0_to_the_end"], 0.1, places=12, msg="it lets go before the wall has fallen")
+        self.assertGreater(part["alpha0"], 10)
+        self.assertTrue(any("head_held" in note for note in part["notes"]), "another mechanism comes first")
 
     def test_a_wall_that_leans_already(self):
         upright, leans = self.only(wall(PART)), self.only(wall(PART + 'lean = "2 deg"\n'))
@@ -180,15 +188,16 @@ class Local(unittest.TestCase):
         self.assertIn("hangs on where they bear", heavy["sentence"])
 
     def test_masonry_that_crushes_moves_the_line_and_asks_for_a_factor(self):
-        soft = self.only(wall(fc="0.2 MPa"))
+        crushing = '{}"\ncompressive_energy = "40000 N/m'
+        soft = self.only(wall(fc=crushing.format("0.2 MPa")))
         weight = 1800 * 9.81 * 2 * 3 * 0.3
         inset = weight / (2 * 0.85 * 0.2e6 * 2)
         self.assertAlmostEqual(soft["inset_mm"], 1e3 * inset, places=6)
         self.assertAlmostEqual(soft["alpha0"], (0.15 - inset) / 1.5, places=9)
         self.assertFalse(soft["may_be_signed"], "no confidence factor is stated")
-        stated = wall(fc="0.2 MPa").replace("[assessment]\n", "[assessment]\nconfidence_factor = 1.2\n")
+        stated = wall(fc=crushing.format("0.2 MPa")).replace("[assessment]\n", "[assessment]\nconfidence_factor = 1.2\n")
         self.assertTrue(self.only(stated)["may_be_signed"])
-        self.assertIn("crushes under its load", self.refused(wall(fc="0.02 MPa")))
+        self.assertIn("crushes under its load", self.refused(wall(fc=crushing.format("0.02 MPa"))))
 
     def test_in_space_the_mechanism_is_that_of_the_body_force(self):
         part = self.only(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2"), "--only", "lp")
@@ -200,6 +209,18 @@ class Local(unittest.TestCase):
         self.assertIn("45 degrees off", askew["sentence"])
         self.limit(SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2") + PART, "--only", "lp", "parts")
         self.assertIn("in space the mechanism comes from a body force", self.done.stderr)
+
+    def test_of_several_pieces_the_onset_is_without_the_share_of_mass(self):
+        model = pathlib.Path(SOURCE) / "examples/wall_with_returns/model.toml"
+        self.out = self.folder / "returns"
+        done = wythe("limit", model, "--out", self.out, "--assessment", "--only", "lp")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        part = json.loads((self.out / "mechanisms.json").read_text())["local"][0]
+        self.assertAlmostEqual(part["acceleration0_m_per_s2"], part["alpha0"] * 9.81 / 1.35, places=9)
+        self.assertLess(part["participating_mass_share"], 1)
+        self.assertIsNone(part["displacement0_mm"])
+        self.assertTrue(any("pieces move against each other" in note for note in part["notes"]))
+        self.assertEqual((part["verdict"], part["may_be_signed"]), ("no demand", False))
 
     def test_loads_in_space_are_pushed_with_the_wall(self):
         text = SPACE.format(direction='direction = "-z"', fc="unlimited", ag="0.5 m/s^2")

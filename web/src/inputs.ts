@@ -209,7 +209,7 @@ export function inputTables(inputs: any, note: string): Child {
 // What the method takes for granted, whatever the model; in space nothing keeps a wall in its plane.
 export function assumptions(
   header: any,
-  keys = [...(header.wall?.space ? [] : ["plane"]), "rigid", "contacts", "law", "quasi_static", "deterministic"],
+  keys = [...(header.wall?.space || header.opinion?.local?.length ? [] : ["plane"]), "rigid", "contacts", "law", "quasi_static", "deterministic"],
 ): HTMLElement {
   return h(
     "div",

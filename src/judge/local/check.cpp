@@ -174,7 +174,8 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
   find_building(spec, model, part);
   const double g = model.solve.gravity;
   const auto acceleration = [&](double alpha) {  // (20.8)
-    return alpha * g / (part.capacity.mass_share * part.confidence_factor);
+    const double share = part.capacity.is_one_body ? part.capacity.mass_share : 1;
+    return alpha * g / (share * part.confidence_factor);
   };
   part.acceleration0 = acceleration(part.capacity.alpha0);
   part.acceleration0_to_end = acceleration(part.capacity.alpha0_to_end);
@@ -190,6 +191,8 @@ void study::conclude(const ModelSpec& spec, const Model& model, bool crushes, Lo
       part.capacity.slides_off < kOfLifeSafety * part.capacity.displacement0)
     part.notes.push_back(
         {"local.note.slides_off", {{"displacement_mm", 1e3 * part.capacity.slides_off}}});
+  if (!part.capacity.is_one_body)
+    part.notes.push_back({"local.note.share", {{"share", part.capacity.mass_share}}});
   if (value_of(kAssessmentCodeWords, asked.code) == AssessmentCode::kEn1998)
     part.notes.push_back({"local.note.italian"});
   if (!(part.capacity.alpha0 > 0)) part.cautions.push_back({"local.caution.falls"});

@@ -81,6 +81,7 @@ class Mechanism {
           "look for joints or blocks a thousand times smaller or stronger than the rest");
     if (turns) return c;
     c.displacement0 = c.rotation0 = c.top0 = c.alpha0_to_end = kUnset;
+    c.is_one_body = moving() == 1;
     c.no_displacement = moving() == 1 ? Message{"local.slides"}
                                       : Message{"local.several_pieces", {{"pieces", moving()}}};
     return c;
@@ -146,13 +147,13 @@ class Mechanism {
         high_ = extent.high, top_velocity_ = v + cross(w, {0, extent.high - at.y, 0});
     }
   }
-  // Pieces and loads by what they weigh.
+  // Pieces that move and loads on them, by what they weigh: what stands still has no part in M* and e*.
   template <class Each>
   void each_weight(Each each) const {
     for (const Piece& p : pieces_)
-      if (p.weight > 0) each(p, p.sum / p.weight, p.weight);
+      if (is_moving(p)) each(p, p.sum / p.weight, p.weight);
     for (const Lying& l : lying_)
-      if (l.force.y < 0) each(pieces_[l.piece], l.at, -l.force.y);
+      if (l.force.y < 0 && is_moving(pieces_[l.piece])) each(pieces_[l.piece], l.at, -l.force.y);
   }
 
   [[nodiscard]] Vec3 place_of(BlockId b) const { return read_block(model_, rest_, b).start; }

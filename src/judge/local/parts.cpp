@@ -72,6 +72,7 @@ class Strip {
   LocalCheck check() {
     measure();
     gather_loads();
+    gather_above();
     check_holds();
     find_inset();
     LocalCheck out;
@@ -101,6 +102,9 @@ class Strip {
                        .cure = std::move(cure)}});
   }
 
+  [[nodiscard]] double thickness_at(BlockId block) const {
+    return model_.anatomy.block_thickness[static_cast<std::size_t>(block)];
+  }
   [[nodiscard]] Polygon box(double y0, double y1) const {
     return {{x0_, y0}, {x1_, y0}, {x1_, y1}, {x0_, y1}};
   }
@@ -199,10 +203,14 @@ class Strip {
       for (const PointLoad& load : stage.loads) {
         const auto i = static_cast<std::size_t>(load.block);
         const double x = model_.centroid_x[i] + load.arm_x, y = model_.centroid_y[i] + load.arm_y;
-        if (x < x0_ || x > x1_ || y <= y0_ + 1e-9 || y > y1_ + 1e-9) continue;
+        if (x < x0_ || x > x1_ || y <= y0_ + 1e-9) continue;
+        if (y > y1_ + 1e-9) {
+          if (load.fy < 0) above_.push_back({y1_ - y0_, 0.5 * thickness_at(load.block), -load.fy});
+          continue;
+        }
         if (load.fy > 0) lifted_ += load.fy;
         if (!(load.fy < 0)) continue;
-        const double thickness = model_.anatomy.block_thickness[i];
+        const double thickness = thickness_at(load.block);
         Lying lying{y - y0_, 0.5 * thickness, -load.fy, std::numeric_limits<double>::infinity()};
         if (const FloorSpec* floor = floor_at(x, y); floor != nullptr) {
           const double bearing = bearing_of(*floor);
@@ -217,6 +225,23 @@ class Strip {
         lying_.push_back(lying);
       }
     }
+  }
+
+  // What stands on the part presses its head where that is held; where it is free, it would fall along.
+  void gather_above() {
+    const Piece masonry = y1_ < wall_.top - 1e-6 ? between(y1_, wall_.top) : Piece{};
+    if (masonry.weight > 0) above_.push_back({y1_ - y0_, masonry.behind(), masonry.weight});
+    double weight = 0;
+    for (const Lying& load : above_) weight += load.weight;
+    if (!(weight > 1e-6 * masonry_.weight)) return;
+    if (!part_.head_held)
+      refuse(".head", fmt::format("{:g} m", y1_ - wall_.foot),
+             fmt::format("{:.4g} kN of masonry and floors stand on the part, and would fall along",
+                         1e-3 * weight),
+             "leave head out, or write head_held = true where a floor or tie holds it");
+    for (Lying& load : above_) load.slides_off = std::numeric_limits<double>::infinity();
+    lying_.insert(lying_.end(), above_.begin(), above_.end());
+    pressed_ = weight;
   }
 
   void check_holds() const {
@@ -342,6 +367,7 @@ class Strip {
     out.building.height = 0.5 * (out.foot + out.head);
     out.capacity = bending(strip_at(hinge), hinge, model_.solve.gravity);
     out.notes.push_back({"local.note.head_held"});
+    if (pressed_ > 0) out.notes.push_back({"local.note.pressed", {{"load_kN", 1e-3 * pressed_}}});
   }
 
   // Heights above the foot at which blocks end, within the part.
@@ -382,10 +408,10 @@ class Strip {
   Extents wall_;
   double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;
   double thickness_ = 0, length_ = 0;  // at the foot
-  double inset_ = 0, lifted_ = 0;
+  double inset_ = 0, lifted_ = 0, pressed_ = 0;
   bool crushes_ = false;
   Piece masonry_;
-  std::vector<Lying> lying_;
+  std::vector<Lying> lying_, above_;
 };
 
 }  // namespace
