@@ -10,9 +10,10 @@
 #include "geometry/assembly.h"
 #include "geometry/wall/frames.h"
 #include "geometry/wall/profiles.h"
+#include "io/keys/same_spec.h"
 #include "scenes/scenes.h"
+#include "wythe/error.h"
 #include "wythe/io.h"
-#include "wythe/limit.h"
 #include "wythe/model.h"
 #include "wythe/reading.h"
 
@@ -230,6 +231,66 @@ TEST(Frames, on_a_base_beam_close_and_stand_by_contact) {
     if (shape.kind == JointKind::kFrame && shape.a == kGroundBlock) below += 2 * length(shape.half);
   }
   EXPECT_NEAR(below, 2, 1e-9);
+}
+
+// --- in a file -------------------------------------------------------------------------------------------
+
+TEST(Frames, are_read_from_a_file_and_written_back) {
+  const std::string text = R"(
+[wall]
+length = "4 m"
+height = "3 m"
+thickness = "0.4 m"
+unit = { length = "200 mm", height = "100 mm", split = "none", density = "1800 kg/m^3" }
+[[wall.opening]]
+name = "shop"
+x = "1 m"
+y = "0 m"
+width = "2 m"
+height = "2.2 m"
+[[frame]]
+name = "F1"
+round = "shop"
+feet = "hinged"
+profile = "HEB 140"
+count = 2
+beam_section = { height = "150 mm", width = "80 mm", area = "20 cm^2", shear_area = "9 cm^2", second_moment = "700 cm^4", plastic_modulus = "105 cm^3", mass = "16 kg/m" }
+grade = "S275"
+joint = "dry"
+gap = "3 mm"
+[material.joint]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "30 deg"
+residual_friction_angle = "30 deg"
+compressive_strength = "unlimited"
+[material.dry]
+normal_stiffness = "20 GPa/m"
+shear_stiffness = "8 GPa/m"
+tensile_strength = "0 MPa"
+cohesion = "0 MPa"
+residual_cohesion = "0 MPa"
+friction_angle = "22 deg"
+residual_friction_angle = "22 deg"
+compressive_strength = "unlimited"
+[[stage]]
+name = "gravity"
+)";
+  const ModelSpec spec = parse_model(text, "shop.toml", {"frame.F1.count=3"});
+  ASSERT_EQ(spec.frame.size(), 1U);
+  const FrameSpec& frame = spec.frame[0];
+  EXPECT_EQ(frame.count, 3);
+  EXPECT_EQ(frame.feet, FrameFeet::kHinged);
+  EXPECT_NEAR(frame.beam_section.second_moment, 700e-8, 1e-16);
+  EXPECT_NEAR(frame.gap, 0.003, 1e-15);
+  EXPECT_EQ(io::first_difference(spec, parse_model(write_model(spec), "shop.toml")), "");
+  const Model m = compile(spec);
+  EXPECT_NEAR(m.frames.members[0].area, 3 * profile_named("HEB 140")->area, 1e-12);
+  EXPECT_NEAR(m.frames.members[1].area, 3 * 20e-4, 1e-12);
+  EXPECT_EQ(m.frames.outer_stiffness[0], 0);  // hinged
 }
 
 // --- what is refused -------------------------------------------------------------------------------------
