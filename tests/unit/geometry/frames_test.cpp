@@ -96,7 +96,8 @@ TEST(Profiles, are_found_under_the_names_that_people_write) {
     EXPECT_NEAR(profile_named(name)->height, 0.2, 1e-12) << name;
   }
   EXPECT_NEAR(profile_named("HE 200 A")->height, 0.19, 1e-12);
-  for (const char* name : {"", "HEB", "HEB 205", "IPE", "A"}) EXPECT_FALSE(profile_named(name)) << name;
+  for (const char* name : {"", "HEB", "HEB 205", "IPE", "A"})
+    EXPECT_FALSE(profile_named(name)) << name;
 }
 
 // --- places ----------------------------------------------------------------------------------------------
@@ -192,7 +193,8 @@ TEST(Frames, a_section_has_the_stiffnesses_and_strengths_of_its_profile) {
   const Model m = compile(wall());
   const Section heb = *profile_named("HEB 140");
   const double l = m.frames.length[5], d = m.frames.fibre[5];
-  EXPECT_NEAR((2 * m.frames.outer_stiffness[5] + m.frames.middle_stiffness[5]) * l, 210e9 * heb.area, 1);
+  EXPECT_NEAR((2 * m.frames.outer_stiffness[5] + m.frames.middle_stiffness[5]) * l,
+              210e9 * heb.area, 1);
   EXPECT_NEAR(2 * m.frames.outer_stiffness[5] * d * d * l, 210e9 * heb.second_moment, 1e-3);
   EXPECT_NEAR(2 * m.frames.outer_yield[5] + m.frames.middle_yield[5], 275e6 * heb.area, 1e-6);
   EXPECT_NEAR(2 * m.frames.outer_yield[5] * d, 275e6 * heb.plastic_modulus, 1e-6);
@@ -335,8 +337,11 @@ TEST(Frames, bad_input_is_named_located_and_cured) {
   expect_refused(line({{1.5, 0}, {1.7, 2}}), {"frame.0.line.0", "neither level nor upright"});
   expect_refused(line({{1.5, 0}}), {"frame.0.line", "fewer than two points"});
   expect_refused(line({{1.5, 0}, {1.5, 0.2}, {2.5, 0.2}}), {"frame.0", "too short to be a bar"});
-  expect_refused([](ModelSpec& s) { s.frame[0].line = {{1, 0}, {1, 2}}; },
-                 {"frame.0.round", "two places"});
+  expect_refused(
+      [](ModelSpec& s) {
+        s.frame[0].line = {{1, 0}, {1, 2}};
+      },
+      {"frame.0.round", "two places"});
   // numbers that no section has
   expect_refused(
       [](ModelSpec& s) {
