@@ -11,11 +11,13 @@
 #include "geometry/wall/frames.h"
 #include "geometry/wall/profiles.h"
 #include "io/keys/same_spec.h"
+#include "io/results/curve_csv.h"
 #include "scenes/scenes.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
 #include "wythe/model.h"
 #include "wythe/reading.h"
+#include "wythe/solve.h"
 
 namespace wythe::geometry {
 namespace {
@@ -233,6 +235,35 @@ TEST(Frames, on_a_base_beam_close_and_stand_by_contact) {
     if (shape.kind == JointKind::kFrame && shape.a == kGroundBlock) below += 2 * length(shape.half);
   }
   EXPECT_NEAR(below, 2, 1e-9);
+}
+
+// --- what a run says -------------------------------------------------------------------------------------
+
+TEST(Frames, say_what_they_bore_and_where_they_yielded) {
+  const ModelSpec spec = scenes::framed(scenes::small_wall(0.1e-3, 0.05));
+  const Model m = compile(spec);
+  State state = initial_state(m);
+  const Result r = solve(m, state);
+  ASSERT_EQ(r.frame_rows.size(), r.curve.size() * m.frames.a.size());
+  ASSERT_EQ(r.frame_uses.size(), 1U);
+  const FrameUse& use = r.frame_uses[0];
+  EXPECT_GT(use.use, 0.9);
+  // no section bears more axial force and moment than it can; in shear it is elastic
+  for (std::size_t row = 0; row < r.frame_rows.size(); ++row) {
+    const auto member = static_cast<std::size_t>(m.frames.member[row % m.frames.a.size()]);
+    const FrameRow& now = r.frame_rows[row];
+    ASSERT_LE(section_use(m.frames.members[member], now.normal, 0, now.moment), 1 + 1e-9);
+  }
+  EXPECT_LE(use.yields_at, 0.1e-3);
+  EXPECT_EQ(text_of(sentence_of(use, "1")).substr(0, 13), "frame 1: use ");
+  EXPECT_NE(text_of(sentence_of(use, "1")).find("yields at"), std::string::npos);
+  double stays = 0;
+  for (const double flow : state.frame_left) stays = std::max(stays, std::fabs(flow));
+  EXPECT_GT(stays, 0);
+  // one line a section and row, and the head
+  const std::string csv = io::frames_csv(m, r);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'),
+            static_cast<std::ptrdiff_t>(1 + r.frame_rows.size()));
 }
 
 // --- in a file -------------------------------------------------------------------------------------------
