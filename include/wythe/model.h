@@ -246,13 +246,13 @@ struct Links {
 
 // One straight part of a frame, from corner to corner along its way.
 struct FrameMember {
-  int frame = 0;             // into Frames::name
-  Message words;             // "left column"
-  double length = 0;         // [m]
-  double x0 = 0, y0 = 0;     // where it begins, as built [m]
+  int frame = 0;                // into Frames::name
+  Message words;                // "left column"
+  double length = 0;            // [m]
+  double x0 = 0, y0 = 0;        // where it begins, as built [m]
   double way_x = 0, way_y = 0;  // unit vector
   // of its section, all pieces together
-  double area = 0, shear_area = 0;               // [m^2]
+  double area = 0, shear_area = 0;                // [m^2]
   double second_moment = 0, plastic_modulus = 0;  // [m^4], [m^3]
   double youngs_modulus = 0, yield_strength = 0;  // [Pa]
   double fibre = 0;                               // I / Wpl: of the outer fibres from the axis [m]
@@ -262,14 +262,15 @@ struct FrameMember {
 // fibres between two segments, or between the ground (a) and a foot.
 struct Frames {
   int n = 0;
-  std::vector<BlockId> a, b;                                 // a is kGroundBlock at a foot
-  std::vector<double> arm_a_x, arm_a_y, arm_b_x, arm_b_y;    // the section seen from the centroids [m]
-  std::vector<double> axis_x, axis_y;                        // along the member, from a to b
-  std::vector<double> rest_x, rest_y;                        // b's start against a's (gaps) [m]
-  std::vector<double> outer_stiffness, middle_stiffness;     // of one outer fibre, of the middle [N/m]
-  std::vector<double> shear_stiffness;                       // [N/m]
-  std::vector<double> fibre;                                 // of the outer ones from the axis [m]
-  std::vector<double> outer_yield, middle_yield;             // [N]
+  std::vector<BlockId> a, b;  // a is kGroundBlock at a foot
+  std::vector<double> arm_a_x, arm_a_y, arm_b_x,
+      arm_b_y;                                            // the section seen from the centroids [m]
+  std::vector<double> axis_x, axis_y;                     // along the member, from a to b
+  std::vector<double> rest_x, rest_y;                     // b's start against a's (gaps) [m]
+  std::vector<double> outer_stiffness, middle_stiffness;  // of one outer fibre, of the middle [N/m]
+  std::vector<double> shear_stiffness;                    // [N/m]
+  std::vector<double> fibre;                              // of the outer ones from the axis [m]
+  std::vector<double> outer_yield, middle_yield;          // [N]
 
   // read by results alone
   std::vector<std::int32_t> member;  // into members

@@ -318,8 +318,9 @@ struct FrameUse {
   double use = 0;           // largest of its sections, of what they bear [-]
   double displacement = 0;  // of the row [m]
   Message where;            // "the top of the left column"
-  double yields_at = std::numeric_limits<double>::quiet_NaN();  // of the first row with a fibre beyond
-                                                                // its yield stress [m]; NaN: none
+  double yields_at =
+      std::numeric_limits<double>::quiet_NaN();  // of the first row with a fibre beyond
+                                                 // its yield stress [m]; NaN: none
   Message yields_where;
 };
 

@@ -77,7 +77,7 @@ static_assert(names_all(kFitWords));
 static_assert(names_all(kFreedomWords));
 static_assert(names_all(kLintelModelWords));
 static_assert(names_all(kDirectionWords));
-static_assert(names_all(kArchKindWords, 1));  // kNone is not written
+static_assert(names_all(kArchKindWords, 1));   // kNone is not written
 static_assert(names_all(kFrameFeetWords, 1));  // kNone is not written
 static_assert(names_all(kDiaphragmKindWords));
 static_assert(names_all(kStageKindWords));

@@ -25,9 +25,9 @@ WYTHE_INLINE Fibre fibre_pull(double stiffness, double yield, double elongation,
 }
 
 struct SectionLaw {
-  double outer, middle, shear;        // [N/m]
-  double fibre;                       // d [m]
-  double outer_yield, middle_yield;   // [N]
+  double outer, middle, shear;       // [N/m]
+  double fibre;                      // d [m]
+  double outer_yield, middle_yield;  // [N]
 };
 // How b stands against a.
 struct SectionJump {
@@ -57,8 +57,12 @@ WYTHE_INLINE SectionPull section_pull(const SectionLaw& law, const SectionJump& 
   const Fibre l = fibre_pull(law.outer, law.outer_yield, jump.along - bent, left);
   const Fibre m = fibre_pull(law.middle, law.middle_yield, jump.along, middle);
   const Fibre r = fibre_pull(law.outer, law.outer_yield, jump.along + bent, right);
-  return {l.force + m.force + r.force, law.shear * jump.across, law.fibre * (r.force - l.force), l,
-          m, r};
+  return {l.force + m.force + r.force,
+          law.shear * jump.across,
+          law.fibre * (r.force - l.force),
+          l,
+          m,
+          r};
 }
 
 }  // namespace wythe::contact

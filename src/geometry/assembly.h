@@ -34,9 +34,9 @@ struct Block {
   int frame = -1;              // segments of one: its index in the model's list
   int segment = -1;            // of a frame, in PlacedFrame
   double own_density = kUnset;  // of a frame's segment, by its section [kg/m^3]
-  int storey = -1;             // in the model's list; -1: the model has none
-  int region = -1;             // the last of the model's list that holds its centroid; -1: none
-  ZoneSpec zone;               // deformable where zone.zones > 0
+  int storey = -1;              // in the model's list; -1: the model has none
+  int region = -1;              // the last of the model's list that holds its centroid; -1: none
+  ZoneSpec zone;                // deformable where zone.zones > 0
 };
 
 // A stone of an arch: masonry that belongs to an opening.
@@ -124,7 +124,7 @@ struct PlacedFrame {
   std::vector<FramePart> parts;
   std::vector<FrameJoint> joints;
   std::vector<Block> segments;  // touching what they may come to touch
-  std::vector<Vec2> moved;      // of each segment: from its outline to where it stands, by the gap [m]
+  std::vector<Vec2> moved;  // of each segment: from its outline to where it stands, by the gap [m]
 };
 
 struct Assembly {

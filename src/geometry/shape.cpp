@@ -35,8 +35,8 @@ class Key {
     const auto& [name, round, line, feet, profile, count, section, beam_profile, beam_count,
                  beam_section, grade, yield_strength, youngs_modulus, shear_modulus, joint, gap] =
         frame;
-    add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count, beam_section,
-            joint, gap);  // grade and moduli shape nothing
+    add_all(name, round, line, feet, profile, count, section, beam_profile, beam_count,
+            beam_section, joint, gap);  // grade and moduli shape nothing
   }
   void add(const RegionSpec& region) {
     const auto& [name, storey, pier, x, y, width, height, polygon, joints, density] = region;

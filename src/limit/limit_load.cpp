@@ -306,7 +306,8 @@ LimitAnswer limit_load(const Model& model, const LimitOptions& options, const Li
            "is a deformable block in space, and limit analysis in space knows rigid blocks alone",
            "leave zones out, or give the lintel model = \"segments\", for this analysis");
   if (model.frames.n > 0)
-    refuse("frame", model.frames.name.front(), "bends and yields, and limit analysis knows no frames",
+    refuse("frame", model.frames.name.front(),
+           "bends and yields, and limit analysis knows no frames",
            "leave it out for this analysis; the run takes it");
   const Stage* grows = growing_stage(model);
   if (grows != nullptr && grows->spec.kind != StageKind::kPush && !has_weight(model, grows))

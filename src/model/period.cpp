@@ -109,8 +109,7 @@ class Elastic {
       const auto along = [&](double dx, double dy, double stiffness) {
         Row row;
         add_block(row, f.b[k], 1, dx, dy, f.arm_b_x[k], f.arm_b_y[k]);
-        if (f.a[k] != kGroundBlock)
-          add_block(row, f.a[k], -1, dx, dy, f.arm_a_x[k], f.arm_a_y[k]);
+        if (f.a[k] != kGroundBlock) add_block(row, f.a[k], -1, dx, dy, f.arm_a_x[k], f.arm_a_y[k]);
         spring(row, stiffness);
       };
       along(f.axis_x[k], f.axis_y[k], 2 * f.outer_stiffness[k] + f.middle_stiffness[k]);

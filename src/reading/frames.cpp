@@ -32,8 +32,7 @@ double section_use(const FrameMember& m, double normal, double shear, double mom
   const double bent = std::fabs(moment) / (m.yield_strength * m.plastic_modulus);
   const double pulled = std::fabs(normal) / (m.yield_strength * m.area);
   const double outer = m.second_moment / (m.area * m.fibre * m.fibre);  // both outer fibres' share
-  const double sheared =
-      std::sqrt(3.0) * std::fabs(shear) / (m.yield_strength * m.shear_area);
+  const double sheared = std::sqrt(3.0) * std::fabs(shear) / (m.yield_strength * m.shear_area);
   return std::max({bent, pulled + outer * bent, sheared});
 }
 
@@ -46,9 +45,8 @@ std::vector<FrameReading> read_frames(const Model& m, const State& s) {
     const contact::SectionJump jump =
         contact::section_jump(f.axis_x[k], f.axis_y[k], f.rest_x[k], f.rest_y[k], a.end, b.end,
                               a.turn, b.turn, a.cos, a.sin, b.cos, b.sin);
-    const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k],
-                                  f.shear_stiffness[k], f.fibre[k],
-                                  f.outer_yield[k],     f.middle_yield[k]};
+    const contact::SectionLaw law{f.outer_stiffness[k], f.middle_stiffness[k], f.shear_stiffness[k],
+                                  f.fibre[k],           f.outer_yield[k],      f.middle_yield[k]};
     const contact::SectionPull pull =
         contact::section_pull(law, jump, s.frame_left[k], s.frame_middle[k], s.frame_right[k]);
     const FrameMember& member = m.frames.members[static_cast<std::size_t>(f.member[k])];

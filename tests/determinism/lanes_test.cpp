@@ -230,9 +230,8 @@ TEST(Lanes, walls_with_frames_too) {
     EXPECT_NE(walls[0]->alone, walls[1]->alone);
     solve_together(walls, width);
   }
-  EXPECT_FALSE(
-      dynamics::fit_together(compile(scenes::small_wall(0.1e-3, 0.05)),
-                             compile(scenes::framed(scenes::small_wall(0.1e-3, 0.05)))));
+  EXPECT_FALSE(dynamics::fit_together(compile(scenes::small_wall(0.1e-3, 0.05)),
+                                      compile(scenes::framed(scenes::small_wall(0.1e-3, 0.05)))));
 }
 
 // Walls whose fields differ share a topology, alone and in lanes.

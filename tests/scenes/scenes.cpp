@@ -236,8 +236,13 @@ ModelSpec framed(ModelSpec spec) {
   FrameSpec frame;
   frame.round = "window";
   frame.feet = FrameFeet::kBaseBeam;
-  frame.section = {.height = 0.02, .width = 0.02, .area = 4e-4, .shear_area = 10e-4 / 3,
-                   .second_moment = 4e-8 / 3, .plastic_modulus = 2e-6, .mass = 3.14};
+  frame.section = {.height = 0.02,
+                   .width = 0.02,
+                   .area = 4e-4,
+                   .shear_area = 10e-4 / 3,
+                   .second_moment = 4e-8 / 3,
+                   .plastic_modulus = 2e-6,
+                   .mass = 3.14};
   frame.yield_strength = 0.5e6, frame.youngs_modulus = 210e9, frame.shear_modulus = 81e9;
   frame.joint = "dry";
   spec.frame = {frame};

@@ -46,7 +46,8 @@ FrameSpec portal(FrameFeet feet) {
 }
 
 // The corner at the left is segment 0, that at the right 1; parts follow in their order, 16 segments each.
-StageSpec push(const std::string& block, Direction direction, double until, double velocity = 0.02) {
+StageSpec push(const std::string& block, Direction direction, double until,
+               double velocity = 0.02) {
   StageSpec stage = scenes::push_stage(block, direction, velocity, until);
   return stage;
 }
@@ -94,7 +95,8 @@ TEST(Frames, portal_with_fixed_feet_has_the_stiffness_of_the_textbook) {
   const double bending = kE * slender().second_moment, beta = kHeight / kSpan;
   verify({"frame", "portal, fixed feet: lateral stiffness", "N/m",
           24 * bending / std::pow(kHeight, 3) * (6 * beta + 1) / (6 * beta + 4), 1e-2,
-          "quadrature of the curvature is exact; axial and shear flexibility of the section left, 0.5 %"},
+          "quadrature of the curvature is exact; axial and shear flexibility of the section left, "
+          "0.5 %"},
          lateral_stiffness(spec));
 }
 
@@ -105,8 +107,7 @@ TEST(Frames, portal_with_hinged_feet_has_the_stiffness_of_the_textbook) {
   spec.frame[0].section = slender();
   const double bending = kE * slender().second_moment, beta = kHeight / kSpan;
   verify({"frame", "portal, hinged feet: lateral stiffness", "N/m",
-          12 * bending / std::pow(kHeight, 3) / (2 + 1 / beta), 1e-2,
-          "as with fixed feet"},
+          12 * bending / std::pow(kHeight, 3) / (2 + 1 / beta), 1e-2, "as with fixed feet"},
          lateral_stiffness(spec));
 }
 
@@ -161,9 +162,11 @@ void expect_portal_of_members(FrameFeet feet) {
   exact.add(-1, 0, {0, 0}, {0, kHeight}, column, hinged);
   exact.add(0, 1, {0, kHeight}, {kSpan, kHeight}, beam, false);
   exact.add(-1, 1, {kSpan, 0}, {kSpan, kHeight}, column, hinged);
-  verify({"frame", std::string("portal of HEB 200 and IPE 240, ") + (hinged ? "hinged" : "fixed") +
-                       " feet, by members with shear",
-          "N/m", exact.stiffness_at(0), 2e-3, "quadrature is exact; the push at 2 mm/s swings by less"},
+  verify({"frame",
+          std::string("portal of HEB 200 and IPE 240, ") + (hinged ? "hinged" : "fixed") +
+              " feet, by members with shear",
+          "N/m", exact.stiffness_at(0), 2e-3,
+          "quadrature is exact; the push at 2 mm/s swings by less"},
          lateral_stiffness(spec));
 }
 TEST(Frames, portal_of_rolled_profiles_is_as_stiff_as_its_members) {
@@ -184,9 +187,10 @@ double sway_load(FrameFeet feet) {
   return r.result.curve.back().base_shear;
 }
 TEST(Frames, sway_of_a_portal_takes_its_plastic_moments_over_its_height) {
-  verify({"frame", "sway of a portal, fixed feet: collapse load", "N", 4 * plastic_moment() / kHeight,
-          1e-2, "hinges at the ends of the columns; geometry of 150 mm, 0.3 %"},
-         sway_load(FrameFeet::kFixed));
+  verify(
+      {"frame", "sway of a portal, fixed feet: collapse load", "N", 4 * plastic_moment() / kHeight,
+       1e-2, "hinges at the ends of the columns; geometry of 150 mm, 0.3 %"},
+      sway_load(FrameFeet::kFixed));
   verify({"frame", "sway of a portal, hinged feet: collapse load", "N",
           2 * plastic_moment() / kHeight, 1e-2, "hinges at the tops alone"},
          sway_load(FrameFeet::kHinged));
@@ -238,8 +242,8 @@ TEST(Frames, a_post_under_axial_force_bears_the_moment_of_its_three_fibres) {
     ASSERT_EQ(r.result.status, SolveStatus::kCompleted) << text_of(r.result.reason);
     const FrameReading foot = read_frames(r.model, r.state)[0];
     const double moment = plastic_moment() * std::min(1.0, (1 + foot.normal / squash) / outer);
-    verify({"frame", "post under N = " + fmt::format("{:.1f}", n) + " Npl: moment of its foot", "N m",
-            moment, 2e-3, "on the line of three fibres; N as it is under the push"},
+    verify({"frame", "post under N = " + fmt::format("{:.1f}", n) + " Npl: moment of its foot",
+            "N m", moment, 2e-3, "on the line of three fibres; N as it is under the push"},
            foot.moment);
     // by equilibrium of the whole post; the push drags a little at the base, and is dragged at the tip
     const CurveRow& last = r.result.curve.back();
@@ -314,8 +318,8 @@ TEST(Frames, energy_balances_over_a_plastic_cycle) {
   for (std::size_t k = 1; k < r.result.curve.size(); ++k)
     area += 0.5 * (r.result.curve[k].base_shear + r.result.curve[k - 1].base_shear) *
             (r.result.curve[k].displacement - r.result.curve[k - 1].displacement);
-  verify({"frame", "plastic cycle of a portal: taken by yielding", "J", area - r.result.energy.elastic,
-          2e-2, "the curve's rows are means"},
+  verify({"frame", "plastic cycle of a portal: taken by yielding", "J",
+          area - r.result.energy.elastic, 2e-2, "the curve's rows are means"},
          r.result.energy.friction);
   EXPECT_GT(r.result.energy.friction, 1e3);
 }

@@ -23,9 +23,8 @@ Message place_in_frame(const Model& model, std::size_t section) {
   const Frames& f = model.frames;
   const FrameMember& m = f.members[static_cast<std::size_t>(f.member[section])];
   const double at = f.place[section];
-  const bool first = at < kEnd * m.length, last = at > (1 - kEnd) * m.length;
-  if (!first && !last)
-    return {"place.along_member", {{"member", m.words}, {"at_m", at}}};
+  const bool first = at<kEnd * m.length, last = at>(1 - kEnd) * m.length;
+  if (!first && !last) return {"place.along_member", {{"member", m.words}, {"at_m", at}}};
   const char* code = "place.right_end";
   if (std::fabs(m.way_y) > std::fabs(m.way_x))
     code = (m.way_y > 0) == last ? "place.top" : "place.foot";

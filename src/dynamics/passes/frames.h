@@ -15,14 +15,17 @@ WYTHE_INLINE double bend_frames(const WallView& wall) {
     const std::int32_t i = wall.t.frame_a[k], j = wall.t.frame_b[k];
     const contact::LinkEnd a = end_of(wall, i, of(kFrameArmAX), of(kFrameArmAY));
     const contact::LinkEnd b = end_of(wall, j, of(kFrameArmBX), of(kFrameArmBY));
-    const auto pose = [&](std::int32_t block, int c) { return wall.of_four(wall.t.pose, block, c); };
-    const contact::SectionJump jump = contact::section_jump(
-        of(kFrameAxisX), of(kFrameAxisY), of(kFrameRestX), of(kFrameRestY), a, b,
-        wall.block(i, kTheta), wall.block(j, kTheta), pose(i, 2), pose(i, 3), pose(j, 2), pose(j, 3));
-    const contact::SectionPull pull = contact::section_pull(
-        {of(kFrameOuter), of(kFrameMiddle), of(kFrameShear), of(kFrameFibre), of(kFrameOuterYield),
-         of(kFrameMiddleYield)},
-        jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
+    const auto pose = [&](std::int32_t block, int c) {
+      return wall.of_four(wall.t.pose, block, c);
+    };
+    const contact::SectionJump jump =
+        contact::section_jump(of(kFrameAxisX), of(kFrameAxisY), of(kFrameRestX), of(kFrameRestY), a,
+                              b, wall.block(i, kTheta), wall.block(j, kTheta), pose(i, 2),
+                              pose(i, 3), pose(j, 2), pose(j, 3));
+    const contact::SectionPull pull =
+        contact::section_pull({of(kFrameOuter), of(kFrameMiddle), of(kFrameShear), of(kFrameFibre),
+                               of(kFrameOuterYield), of(kFrameMiddleYield)},
+                              jump, of(kFrameLeftSet), of(kFrameMiddleSet), of(kFrameRightSet));
     yielded += pull.left.force * pull.left.flow + pull.middle.force * pull.middle.flow +
                pull.right.force * pull.right.flow;
     wall.frame(k, kFrameLeftSet) = of(kFrameLeftSet) + pull.left.flow;

@@ -288,7 +288,8 @@ Layout::Layout(const Model& m, Kind of) : kind(of) {
   contact_entries = s.contact_entry.size();
   shapes = s.shapes.size();
   frees = m.free.any() ? blocks + 1 : 0;
-  entries = m.block_entry.size() + 2 * (m.links.a.size() + m.frames.a.size()) + (frees > 0 ? at(m.n_block) : 0);
+  entries = m.block_entry.size() + 2 * (m.links.a.size() + m.frames.a.size()) +
+            (frees > 0 ? at(m.n_block) : 0);
   edge_entries = at(std::count_if(s.contact_block.begin(), s.contact_block.end(),
                                   [&](BlockId block) { return block != m.n_block; }));
 }

@@ -219,8 +219,8 @@ struct Layout {
   // entities with those that fill up groups
   std::int32_t joints = 0, zones = 0, edges = 0, blocks = 0, nodes = 0, links = 0, history = 0;
   std::int32_t sections = 0;  // of frames
-  std::int32_t frees = 0;  // rows of forces of free contacts: blocks and the ground, or none
-  std::int32_t laws = 0;   // rows
+  std::int32_t frees = 0;     // rows of forces of free contacts: blocks and the ground, or none
+  std::int32_t laws = 0;      // rows
   std::size_t entries = 0, edge_entries = 0;
   // of the model: places of a rule, entries of the lists of nodes, shapes of zones
   std::size_t rule_points = 0, zone_entries = 0, contact_entries = 0, shapes = 0;

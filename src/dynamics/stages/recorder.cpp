@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "dynamics/meters/frame_uses.h"
 #include "dynamics/meters/balance.h"
+#include "dynamics/meters/frame_uses.h"
 #include "dynamics/meters/residual.h"
 #include "reading/zones.h"
 

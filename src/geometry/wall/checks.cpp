@@ -51,13 +51,14 @@ std::vector<std::string> unsupported_blocks(const Assembly& assembly) {
   Groups groups(n + 1);
   for (const Face& face : assembly.faces) groups.join(index(face.a), index(face.b));
   for (const PlacedFrame& frame : assembly.frames) {
-    const auto block = [&](int segment) {
-      for (std::size_t i = 0; segment != kGround && i < n; ++i)
-        if (assembly.blocks[i].frame == frame.index && assembly.blocks[i].segment == segment)
-          return i;
-      return n;
+    std::vector<std::size_t> block(frame.segments.size(), n);
+    for (std::size_t i = 0; i < n; ++i)
+      if (assembly.blocks[i].frame == frame.index)
+        block[static_cast<std::size_t>(assembly.blocks[i].segment)] = i;
+    const auto side = [&](int segment) {
+      return segment == kGround ? n : block[static_cast<std::size_t>(segment)];
     };
-    for (const FrameJoint& joint : frame.joints) groups.join(block(joint.a), block(joint.b));
+    for (const FrameJoint& joint : frame.joints) groups.join(side(joint.a), side(joint.b));
   }
   std::vector<std::string> ids;
   for (std::size_t i = 0; i < n; ++i) {

@@ -165,8 +165,9 @@ Face pair_face(const Shape& shape, const Block& a, const Block& b, const Contact
 // The ground is always side a: a contact whose b is the support is turned round.
 Face ground_face(const Shape& shape, const std::vector<Block>& blocks, Contact contact,
                  int support) {
-  const bool is_frame = blocks[static_cast<std::size_t>(support == contact.a ? contact.b : contact.a)]
-                            .role == Role::kFrame;
+  const bool is_frame =
+      blocks[static_cast<std::size_t>(support == contact.a ? contact.b : contact.a)].role ==
+      Role::kFrame;
   if (support != contact.a) {
     std::swap(contact.a, contact.b);
     std::swap(contact.p0, contact.p1);

@@ -10,8 +10,8 @@
 namespace wythe::geometry {
 namespace {
 
-constexpr double kNear = 1e-6;       // [m]
-constexpr int kPieces = 16;          // segments of a part (docs/theory/frames.md, 20.7)
+constexpr double kNear = 1e-6;        // [m]
+constexpr int kPieces = 16;           // segments of a part (docs/theory/frames.md, 20.7)
 constexpr double kLeastShare = 0.75;  // of the crossing member's depth: no segment is shorter
 constexpr int kFewestPieces = 4;
 
@@ -57,13 +57,15 @@ std::optional<Section> stated_section(const SectionSpec& s, const std::string& p
   return found;
 }
 
-std::optional<Section> one_section(const std::string& profile, const SectionSpec& section, int count,
-                                   std::size_t index, const std::string& prefix,
+std::optional<Section> one_section(const std::string& profile, const SectionSpec& section,
+                                   int count, std::size_t index, const std::string& prefix,
                                    FaultList& faults) {
   const std::string key = path_of(index, prefix + "profile");
   if (profile.empty() == !is_stated(section)) {
-    add_fault(faults, key, profile, profile.empty() ? "missing" : "stands beside a section in numbers",
-              "write " + prefix + "profile = \"HEB 200\", or " + prefix + "section = { ... }, one of both");
+    add_fault(faults, key, profile,
+              profile.empty() ? "missing" : "stands beside a section in numbers",
+              "write " + prefix + "profile = \"HEB 200\", or " + prefix +
+                  "section = { ... }, one of both");
     return std::nullopt;
   }
   std::optional<Section> found =
@@ -71,8 +73,8 @@ std::optional<Section> one_section(const std::string& profile, const SectionSpec
                       : profile_named(profile);
   if (!profile.empty() && !found)
     add_fault(faults, key, "\"" + profile + "\"", "is no profile that is rolled",
-              name_advice(profile, profile_names()) +
-                  "; or write its numbers: " + prefix + "section = { ... }");
+              name_advice(profile, profile_names()) + "; or write its numbers: " + prefix +
+                  "section = { ... }");
   if (!found) return found;
   found->width *= count;
   found->area *= count, found->shear_area *= count;
@@ -127,33 +129,36 @@ class Builder {
       if (n > 0 && length(next - way_.point[n - 1]) < kNear)
         return fault("line", metres(x) + ", " + metres(y), "is there twice in a row",
                      "write each corner once");
-      if (n > 1 && std::abs(cross(way_.point[n - 1] - way_.point[n - 2], next - way_.point[n - 1])) <
-                       kNear * length(next - way_.point[n - 1]))
-        return fault("line." + std::to_string(n), metres(way_.point[n - 1].x) + ", " +
-                                                      metres(way_.point[n - 1].y),
+      if (n > 1 &&
+          std::abs(cross(way_.point[n - 1] - way_.point[n - 2], next - way_.point[n - 1])) <
+              kNear * length(next - way_.point[n - 1]))
+        return fault("line." + std::to_string(n),
+                     metres(way_.point[n - 1].x) + ", " + metres(way_.point[n - 1].y),
                      "is no corner: the line goes straight on or turns back there",
                      "leave this point out");
       way_.point.push_back(next);
     }
     if (way_.point.size() < 2)
-      return fault("line", "", "has fewer than two points",
-                   "write its axis from corner to corner: [[\"1 m\", \"0 m\"], [\"1 m\", \"2.5 m\"]]");
-    way_.closed = way_.point.size() > 3 &&
-                  length(way_.point.back() - way_.point.front()) < kNear;
+      return fault(
+          "line", "", "has fewer than two points",
+          "write its axis from corner to corner: [[\"1 m\", \"0 m\"], [\"1 m\", \"2.5 m\"]]");
+    way_.closed = way_.point.size() > 3 && length(way_.point.back() - way_.point.front()) < kNear;
     if (way_.closed) way_.point.pop_back();
     for (std::size_t k = 0; k < way_.parts(); ++k) {
       const Vec2 d = way_.to(k) - way_.from(k);
       if (std::min(std::abs(d.x), std::abs(d.y)) > kNear)
-        return fault("line." + std::to_string(k), "", "is the start of a part that is neither level nor upright",
+        return fault("line." + std::to_string(k), "",
+                     "is the start of a part that is neither level nor upright",
                      "give both of its ends one x or one y");
       way_.words.push_back({"frame.part", {{"number", k + 1}}});
     }
     const bool has_base = spec_.feet == FrameFeet::kBaseBeam;
     if (has_base != way_.closed)
-      return fault("feet", has_base ? "base_beam" : "",
-                   has_base ? "needs a line that comes back to its first point"
-                            : "does not go with a line that closes: it has no feet",
-                   has_base ? "repeat the first point at the end of line" : "write feet = \"base_beam\"");
+      return fault(
+          "feet", has_base ? "base_beam" : "",
+          has_base ? "needs a line that comes back to its first point"
+                   : "does not go with a line that closes: it has no feet",
+          has_base ? "repeat the first point at the end of line" : "write feet = \"base_beam\"");
     if (spec_.gap > 0)
       return fault("gap", millimetres(spec_.gap), "is for a frame round an opening",
                    "draw the line farther from the masonry, or write round");
@@ -224,7 +229,8 @@ class Builder {
       return fault("feet", where,
                    "stands on masonry there, and the ground, at " + level + ", holds its feet",
                    "write feet = \"base_beam\", or feet = \"resting\"");
-    return fault("line", where, "has a foot in the air or in the ground, which is at " + level + " there",
+    return fault("line", where,
+                 "has a foot in the air or in the ground, which is at " + level + " there",
                  "write y = " + level + " there, or feet = \"resting\" where masonry carries it");
   }
 
@@ -276,7 +282,8 @@ class Builder {
     const int pieces = std::min(kPieces, fit);
     if (pieces < kFewestPieces)
       return fault("", metres(whole),
-                   "has a part that is too short to be a bar: less than three times as long as what it meets "
+                   "has a part that is too short to be a bar: less than three times as long as "
+                   "what it meets "
                    "is deep",
                    "write longer parts, or less deep sections");
     const double step = whole / pieces;
@@ -289,14 +296,14 @@ class Builder {
       const Vec2 p{from.x + s0 * way.x, from.y + s0 * way.y};
       const Vec2 q{from.x + s1 * way.x, from.y + s1 * way.y};
       const double half = own.height / 2;
-      const Rect box = upright ? Rect{p.x - half, std::min(p.y, q.y), p.x + half, std::max(p.y, q.y)}
-                               : Rect{std::min(p.x, q.x), p.y - half, std::max(p.x, q.x), p.y + half};
-      segment.push_back(add_segment(box, own.mass * (s1 - s0), own.width,
-                                    moved(upright, !upright, p.x, p.y)));
+      const Rect box = upright
+                           ? Rect{p.x - half, std::min(p.y, q.y), p.x + half, std::max(p.y, q.y)}
+                           : Rect{std::min(p.x, q.x), p.y - half, std::max(p.x, q.x), p.y + half};
+      segment.push_back(
+          add_segment(box, own.mass * (s1 - s0), own.width, moved(upright, !upright, p.x, p.y)));
     }
     const bool begins = first != kGround || (is_held() && k == 0 && is_foot(false));
-    const bool ends =
-        last != kGround || (is_held() && k + 1 == way_.parts() && is_foot(true));
+    const bool ends = last != kGround || (is_held() && k + 1 == way_.parts() && is_foot(true));
     for (int i = 0; i <= pieces; ++i) {
       if ((i == 0 && !begins) || (i == pieces && !ends)) continue;
       FrameJoint joint;
@@ -384,7 +391,8 @@ std::optional<FrameSections> sections_of(const FrameSpec& frame, std::size_t ind
   return FrameSections{*column, *beam};
 }
 
-std::vector<PlacedFrame> place_frames(const Shape& shape, const std::vector<PlacedOpening>& openings,
+std::vector<PlacedFrame> place_frames(const Shape& shape,
+                                      const std::vector<PlacedOpening>& openings,
                                       const FrameSite& site, FaultList& faults) {
   std::vector<PlacedFrame> placed;
   for (std::size_t k = 0; k < shape.frame.size(); ++k) {
@@ -409,9 +417,9 @@ std::vector<PlacedFrame> place_frames(const Shape& shape, const std::vector<Plac
     if (overlaps(box, wall, -kNear)) continue;
     const auto k = static_cast<std::size_t>(frame.index);
     add_fault(faults, path_of(k, "line"), metres(box.x0) + " to " + metres(box.x1),
-              called(shape.frame[k], k) + " stands outside the wall, which spans x = " +
-                  metres(wall.x0) + " to " + metres(wall.x1) + ", y = " + metres(wall.y0) + " to " +
-                  metres(wall.y1),
+              called(shape.frame[k], k) +
+                  " stands outside the wall, which spans x = " + metres(wall.x0) + " to " +
+                  metres(wall.x1) + ", y = " + metres(wall.y0) + " to " + metres(wall.y1),
               "move it to the wall");
   }
   return placed;
@@ -428,11 +436,12 @@ void check_frames(const Assembly& assembly, FaultList& faults) {
     const Block &segment = a.frame >= 0 ? a : b, &other = a.frame >= 0 ? b : a;
     const Rect box = bounds(segment.outline);
     if (!overlaps(box, bounds(other.outline), tolerance) ||
-        overlap_area(segment.outline, other.outline) <= tolerance * (box.x1 - box.x0 + box.y1 - box.y0))
+        overlap_area(segment.outline, other.outline) <=
+            tolerance * (box.x1 - box.x0 + box.y1 - box.y0))
       continue;
-    const auto known = std::find_if(
-        assembly.frames.begin(), assembly.frames.end(),
-        [&](const PlacedFrame& frame) { return frame.index == segment.frame; });
+    const auto known =
+        std::find_if(assembly.frames.begin(), assembly.frames.end(),
+                     [&](const PlacedFrame& frame) { return frame.index == segment.frame; });
     const auto at = static_cast<std::size_t>(known - assembly.frames.begin());
     if (told[at]) continue;
     told[at] = true;

@@ -47,27 +47,31 @@ struct Channel {
   const char* name;
   double h, b, tw, tf, area, second, plastic;
 };
-constexpr Channel kChannels[] = {
-    {"UPN 80", 80, 45, 6, 8, 11.0, 106, 31.8},      {"UPN 100", 100, 50, 6, 8.5, 13.5, 206, 49.0},
-    {"UPN 120", 120, 55, 7, 9, 17.0, 364, 72.6},    {"UPN 140", 140, 60, 7, 10, 20.4, 605, 103},
-    {"UPN 160", 160, 65, 7.5, 10.5, 24.0, 925, 138}, {"UPN 180", 180, 70, 8, 11, 28.0, 1350, 179},
-    {"UPN 200", 200, 75, 8.5, 11.5, 32.2, 1910, 228}, {"UPN 220", 220, 80, 9, 12.5, 37.4, 2690, 292},
-    {"UPN 240", 240, 85, 9.5, 13, 42.3, 3600, 358}, {"UPN 260", 260, 90, 10, 14, 48.3, 4820, 442},
-    {"UPN 280", 280, 95, 10, 15, 53.3, 6280, 532},  {"UPN 300", 300, 100, 10, 16, 58.8, 8030, 632}};
+constexpr Channel kChannels[] = {{"UPN 80", 80, 45, 6, 8, 11.0, 106, 31.8},
+                                 {"UPN 100", 100, 50, 6, 8.5, 13.5, 206, 49.0},
+                                 {"UPN 120", 120, 55, 7, 9, 17.0, 364, 72.6},
+                                 {"UPN 140", 140, 60, 7, 10, 20.4, 605, 103},
+                                 {"UPN 160", 160, 65, 7.5, 10.5, 24.0, 925, 138},
+                                 {"UPN 180", 180, 70, 8, 11, 28.0, 1350, 179},
+                                 {"UPN 200", 200, 75, 8.5, 11.5, 32.2, 1910, 228},
+                                 {"UPN 220", 220, 80, 9, 12.5, 37.4, 2690, 292},
+                                 {"UPN 240", 240, 85, 9.5, 13, 42.3, 3600, 358},
+                                 {"UPN 260", 260, 90, 10, 14, 48.3, 4820, 442},
+                                 {"UPN 280", 280, 95, 10, 15, 53.3, 6280, 532},
+                                 {"UPN 300", 300, 100, 10, 16, 58.8, 8030, 632}};
 
 // Millimetres; outer radius 1.5 t, inner t. Square tubes, hot finished: EN 10210-2.
 struct Tube {
   const char* name;
   double b, t;
 };
-constexpr Tube kTubes[] = {{"SHS 80x5", 80, 5},      {"SHS 80x6.3", 80, 6.3},
-                           {"SHS 100x5", 100, 5},    {"SHS 100x6.3", 100, 6.3},
-                           {"SHS 100x8", 100, 8},    {"SHS 120x5", 120, 5},
-                           {"SHS 120x6.3", 120, 6.3}, {"SHS 120x8", 120, 8},
-                           {"SHS 140x6.3", 140, 6.3}, {"SHS 140x8", 140, 8},
-                           {"SHS 150x6.3", 150, 6.3}, {"SHS 150x8", 150, 8},
-                           {"SHS 160x8", 160, 8},    {"SHS 180x8", 180, 8},
-                           {"SHS 200x8", 200, 8},    {"SHS 200x10", 200, 10}};
+constexpr Tube kTubes[] = {
+    {"SHS 80x5", 80, 5},       {"SHS 80x6.3", 80, 6.3},   {"SHS 100x5", 100, 5},
+    {"SHS 100x6.3", 100, 6.3}, {"SHS 100x8", 100, 8},     {"SHS 120x5", 120, 5},
+    {"SHS 120x6.3", 120, 6.3}, {"SHS 120x8", 120, 8},     {"SHS 140x6.3", 140, 6.3},
+    {"SHS 140x8", 140, 8},     {"SHS 150x6.3", 150, 6.3}, {"SHS 150x8", 150, 8},
+    {"SHS 160x8", 160, 8},     {"SHS 180x8", 180, 8},     {"SHS 200x8", 200, 8},
+    {"SHS 200x10", 200, 10}};
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -86,7 +90,7 @@ Fillet fillet(double r) {
 }
 
 Section in_metres(double h, double b, double area, double shear, double second, double plastic) {
-  return {1e-3 * h,     1e-3 * b,       1e-6 * area, 1e-6 * shear,
+  return {1e-3 * h,       1e-3 * b,       1e-6 * area,         1e-6 * shear,
           1e-12 * second, 1e-9 * plastic, kSteel * 1e-6 * area};
 }
 
@@ -98,8 +102,7 @@ Section section_of(const Beam& p) {
   const double second = 2 * (p.b * std::pow(p.tf, 3) / 12 + p.b * p.tf * flange * flange) +
                         p.tw * std::pow(web, 3) / 12 +
                         4 * (corner.second + corner.area * arm * arm);
-  const double plastic =
-      2 * p.b * p.tf * flange + p.tw * web * web / 4 + 4 * corner.area * arm;
+  const double plastic = 2 * p.b * p.tf * flange + p.tw * web * web / 4 + 4 * corner.area * arm;
   return in_metres(p.h, p.b, area, p.tw * (p.h - p.tf), second, plastic);
 }
 

@@ -147,8 +147,8 @@ class Turning {
       return is_in_line(b) && b.at.y < pier_.base && b.at.y > pier_.base - 2 * course_;
     };
     const auto above = [&](const BlockMotion& b) {
-      const bool is_cap = b.role == BlockRole::kBeam || b.role == BlockRole::kPlate ||
-                          b.role == BlockRole::kFrame;
+      const bool is_cap =
+          b.role == BlockRole::kBeam || b.role == BlockRole::kPlate || b.role == BlockRole::kFrame;
       return b.at.y > pier_.box.y1 && (is_topmost_ ? is_cap : is_in_line(b)) &&
              (is_topmost_ || b.at.y < pier_.box.y1 + 2 * course_);
     };

@@ -440,8 +440,8 @@ Portal find_portal(const Model& model) {
     add_fault(faults, "wall.beam", "", "a loading beam ties the macro-blocks together",
               "load the piers with pier_load instead; the limit load of the blocks takes any wall");
   if (model.frames.n > 0)
-    add_fault(faults, "frame", model.frames.name.front(), "helps to carry, and macro-blocks know no frames",
-              "leave it out for the mechanisms");
+    add_fault(faults, "frame", model.frames.name.front(),
+              "helps to carry, and macro-blocks know no frames", "leave it out for the mechanisms");
   if (model.links.n > 0)
     add_fault(faults, std::string(word_of(kLinkKindWords, model.links.kind.front())),
               model.links.name.front(), "holds the wall, and macro-blocks know no ties",

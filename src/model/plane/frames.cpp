@@ -62,7 +62,8 @@ class FrameCompiler {
     const auto take = [&](const char* key, double stated, double& value, const char* example) {
       if (!std::isnan(stated)) value = stated;
       if (frame.grade.empty() && !(value > 0))
-        fault(key, "", "is missing", fmt::format("write grade = \"S275\", or {} = {}", key, example));
+        fault(key, "", "is missing",
+              fmt::format("write grade = \"S275\", or {} = {}", key, example));
     };
     take("yield_strength", frame.yield_strength, steel.yield, "\"275 MPa\"");
     take("youngs_modulus", frame.youngs_modulus, steel.youngs, "\"210 GPa\"");
@@ -77,7 +78,8 @@ class FrameCompiler {
     if (joint == spec_.material.end()) return;
     if (joint->second.tensile_strength > 0 || joint->second.cohesion > 0)
       fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap),
-            fmt::format("is open, and [material.{}] has strength in tension or cohesion", frame.joint),
+            fmt::format("is open, and [material.{}] has strength in tension or cohesion",
+                        frame.joint),
             "name a dry joint: tensile_strength and cohesion 0 MPa; or leave the gap out");
     if (!(frame.gap < 0.05))
       fault("gap", fmt::format("{:g} mm", 1e3 * frame.gap), "is wider than any gap: 50 mm at most",
@@ -170,8 +172,7 @@ class FrameCompiler {
   void note(const PlacedFrame& placed, const FrameSpec& frame) {
     double weight = 0;
     for (const geometry::Block& segment : placed.segments)
-      weight += segment.own_density * segment.thickness *
-                geometry::moments(segment.outline).area;
+      weight += segment.own_density * segment.thickness * geometry::moments(segment.outline).area;
     model_.anatomy.notes.push_back({"frame.stands",
                                     {{"frame", placed.name},
                                      {"segments", placed.segments.size()},
