@@ -180,7 +180,9 @@ TEST(MaterialRules, every_rule_states_source_formula_and_the_range_of_its_inputs
     EXPECT_TRUE(names.insert(rule.name).second) << rule.name << " twice";
     EXPECT_STRNE(rule.formula, "") << rule.name;
     EXPECT_STRNE(rule.source, "") << rule.name;
-    EXPECT_TRUE(std::isfinite(rule.cov) && rule.cov >= 0 && rule.cov <= 0.6) << rule.name;
+    // a difference of two strengths, of three kinds of unit: tests have it below 0, too
+    const double most = std::string_view(rule.gives) == "head_joint_bond" ? 1.5 : 0.6;
+    EXPECT_TRUE(std::isfinite(rule.cov) && rule.cov >= 0 && rule.cov <= most) << rule.name;
     for (const Bound& bound : rule.range) {
       const auto is_input = [&](const char* name) {
         for (const char* input : rule.inputs)

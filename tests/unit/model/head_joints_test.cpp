@@ -107,17 +107,26 @@ TEST(HeadJoints, are_refused_a_share_that_is_none) {
 // Their head joint is 0.2 m x 0.3 m.
 ModelSpec one_course(double share) {
   BlockSpec left = scenes::rectangle("left", 0, 0, 0.3, 0.2),
-            right = scenes::rectangle("right", 0.3, 0, 0.3, 0.2), ground = left;
+            right = scenes::rectangle("right", 0.3, 0, 0.3, 0.2),
+            rock = scenes::rectangle("rock", 0, -0.2, 0.6, 0.2);
   left.material = "held";
   right.material = "free";
-  ground = scenes::rectangle("rock", 0, -0.2, 0.6, 0.2);
-  ground.fixed = true;
-  ModelSpec spec = scenes::assembly({ground, left, right}, bed(share), 0.3, 1800);
+  rock.fixed = true;
+  ModelSpec spec = scenes::assembly({rock, left, right}, bed(share), 0.3, 1800);
   spec.material["glue"] = scenes::elastic_joint(200e9, 80e9);
   spec.material["ice"] = scenes::dry_joint(20e9, 8e9, 0);
   spec.contact = {{{"held", "masonry"}, "glue"}, {{"free", "masonry"}, "ice"}};
   spec.solve.gravity = 0;
   spec.stage = {scenes::push_stage("right", Direction::kPlusX, 2e-4, 3e-5)};
+  return spec;
+}
+
+// The same as prisms in space.
+ModelSpec one_course_in_space(double share) {
+  const ModelSpec plane = one_course(share);
+  ModelSpec spec = scenes::prisms(plane);
+  for (std::size_t k = 0; k < spec.body.size(); ++k)
+    spec.body[k].material = plane.block[k].material;
   return spec;
 }
 
@@ -132,7 +141,7 @@ TEST(HeadJoints, pulled_apart_bear_the_share_of_the_tensile_strength_on_their_ar
   for (const double share : {1.0, 0.5, 0.25}) {
     const double wanted = share * 0.15e6 * 0.2 * 0.3;
     EXPECT_NEAR(peak_of(one_course(share)), wanted, 0.01 * wanted) << share;
-    EXPECT_NEAR(peak_of(scenes::prisms(one_course(share))), wanted, 0.01 * wanted) << share;
+    EXPECT_NEAR(peak_of(one_course_in_space(share)), wanted, 0.01 * wanted) << share;
   }
 }
 
