@@ -280,10 +280,10 @@ void note_stages(const Model& model, std::vector<Message>& notes) {
 std::vector<Message> left_aside(const Model& model) {
   std::vector<Message> notes;
   note_stages(model, notes);
+  // masses that a body force or a tilt leaves out
   for (const Message& note : model.anatomy.notes)
-    for (const char* code :
-         {"body_force.loads_left_out", "tilt.loads_left_out", "body_force.masses_left_out"})
-      if (note.code == code) notes.push_back(note);
+    if (note.code.starts_with("body_force.") || note.code.starts_with("tilt."))
+      notes.push_back(note);
   const auto& kinds = model.anatomy.joint_kind;
   const bool chain = std::find(kinds.begin(), kinds.end(), JointKind::kLintelChain) != kinds.end();
   if (chain || !model.solids.bodies.empty()) notes.push_back({"limit.rigid_lintels"});

@@ -389,8 +389,10 @@ TEST(Local, limit_analysis_of_the_section_gives_the_same) {
           check_by_limit(section("")));
 }
 
-TEST(Local, limit_analysis_of_a_wall_in_space_gives_the_same) {
-  const std::string text = R"([wall]
+// In space, pushed towards -z; the line of its plan is its middle.
+std::string in_space(const std::string& rest) {
+  const std::string flat = section("");
+  std::string text = R"([wall]
 height = "3 m"
 thickness = "0.3 m"
 [wall.unit]
@@ -401,11 +403,25 @@ density = "1800 kg/m^3"
 [[plan_wall]]
 name = "front"
 line = [["0 m", "0 m"], ["2 m", "0 m"]]
-)" + section("").substr(section("").find("[material.joint]"));
-  std::string across = text;
-  across.replace(across.find("\"+x\""), 4, "\"-z\"");
+)" + flat.substr(flat.find("[material.joint]")) +
+                     rest;
+  return text.replace(text.find("\"+x\""), 4, "\"-z\"");
+}
+
+TEST(Local, limit_analysis_of_a_wall_in_space_gives_the_same) {
   compare("LM09", "wall in space, by limit analysis", only_check(front(kThreeMetres, "")),
-          check_by_limit(across));
+          check_by_limit(in_space("")));
+}
+
+// The floor's line lies 0.225 m behind the outer face, which is at z = -0.15 m.
+TEST(Local, limit_analysis_pushes_a_floor_in_space_as_the_strip_does) {
+  const LocalCheck by_limit =
+      check_by_limit(in_space("[[floor]]\nname = \"roof\"\nload = \"12 kN/m\"\nfrom = { x = \"0 "
+                              "m\", y = \"3 m\", z = \"0.075 m\" }\n"
+                              "to = { x = \"2 m\", y = \"3 m\", z = \"0.075 m\" }\n"));
+  EXPECT_EQ(by_limit.by, "dry, loads are masses");
+  compare("LM10", "wall under a floor in space, by limit analysis",
+          only_check(front(kThreeMetres, kRoof)), by_limit);
 }
 
 }  // namespace
