@@ -16,7 +16,7 @@
 #include "wythe/error.h"
 #include "wythe/folders.h"
 #include "wythe/io.h"
-#include "wythe/solve.h"
+#include "wythe/lanes.h"
 #include "wythe/stored_states.h"
 #include "wythe/text.h"
 
@@ -64,11 +64,6 @@ StudySpec asked_walls(const AssessArguments& a) {
 // How many times faster walls run side by side than alone. Equal ones gain 3.5 times in four lanes and 6 in eight
 // (docs/evidence/benchmarks.md); walls that scatter crack apart, and gained 1.0 to 1.3 and 1.6 to 1.9 times.
 double gain_of(int lanes) { return 1 + 0.1 * (lanes - 1); }
-int lanes_of_machine() {
-  const std::string text = instruction_set();  // "avx2, 4 walls side by side"
-  const std::size_t comma = text.find(", ");
-  return comma == std::string::npos ? 1 : std::max(1, std::atoi(text.c_str() + comma + 2));
-}
 
 // How long the walls take that are not stored yet, by a first pair that ran just now; where it was stored already, by
 // the time of a core that the stored ones took.
@@ -101,9 +96,7 @@ class Forecast {
   }
 
  private:
-  [[nodiscard]] int lanes(int walls) const {
-    return std::min(lanes_of_machine(), (walls + jobs_ - 1) / jobs_);
-  }
+  [[nodiscard]] int lanes(int walls) const { return lanes_for((walls + jobs_ - 1) / jobs_); }
 
   std::string base_;
   int walls_, ways_, jobs_;

@@ -55,7 +55,8 @@ class Evidence(unittest.TestCase):
 
     def test_every_study_draws_samples_of_which_none_is_refused(self):
         found = [p for p in sorted((SOURCE / "studies").glob("*.toml")) if "[study]" in p.read_text()]
-        self.assertEqual([p.stem for p in found], ["choices", "fields", "walls"])
+        self.assertEqual([p.stem for p in found],
+                         ["block_size.facade", "block_size.pier", "block_size.portal", "choices", "fields", "walls"])
         for study in found:
             done = wythe("check", study)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -77,6 +78,17 @@ class Evidence(unittest.TestCase):
         self.assertIn(f"{data['samples']} samples", text)
         self.assertIn("`tools/evidence small`", text)
         self.assertRegex(text, r"\d{4}-\d\d-\d\d\. To make")
+
+    def test_studies_of_several_walls_share_a_page(self):
+        for wall in ("low", "high"):
+            self.study(f"shared.{wall}", STUDY.replace('name = "small"', f'name = "{wall}: a question"') + OPTIONS)
+        self.made("shared")
+        text = (self.pages / "shared.md").read_text()
+        self.assertTrue(text.startswith("# A question\n"))
+        self.assertLess(text.index("## High"), text.index("## Low"))
+        self.assertEqual([row.split("|")[1].strip() for row in self.rows("shared.md")],
+                         ["wall", "---", "base", "damped", "stiff"] * 2)
+        self.assertTrue((self.out / "shared/high/base/campaign.db").exists())
 
     def test_a_page_keeps_what_people_wrote_and_goes_on_with_what_has_run(self):
         self.study("small")

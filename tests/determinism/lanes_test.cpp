@@ -17,6 +17,7 @@
 #include "wythe/campaign.h"
 #include "wythe/error.h"
 #include "wythe/io.h"
+#include "wythe/lanes.h"
 
 namespace wythe {
 namespace {
@@ -29,6 +30,13 @@ class ForcedLanes {
   explicit ForcedLanes(const std::string& lanes) { setenv("WYTHE_LANES", lanes.c_str(), 1); }
   ~ForcedLanes() { unsetenv("WYTHE_LANES"); }
 };
+
+TEST(Lanes, of_few_walls_are_no_more_than_they) {
+  const ForcedLanes forced("4");
+  EXPECT_EQ(lanes_for(1), 1);
+  EXPECT_EQ(lanes_for(3), 3);
+  EXPECT_EQ(lanes_for(9), 4);
+}
 
 // --- campaigns -----------------------------------------------------------------------------------
 

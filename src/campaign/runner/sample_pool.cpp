@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dynamics/executors/lane_solver.h"
+#include "wythe/lanes.h"
 
 namespace wythe::study {
 namespace {
@@ -39,7 +40,7 @@ class Pool {
   void run() {
     if (task_.left <= 0) return;
     const int jobs = workers_of(task_);
-    lanes_ = std::min(dynamics::lanes_in_use(), (task_.left + jobs - 1) / jobs);
+    lanes_ = lanes_for((task_.left + jobs - 1) / jobs);
     {
       std::vector<std::jthread> workers;
       for (int i = 0; i < jobs && !task_.halt; ++i) workers.emplace_back([this] { work(); });

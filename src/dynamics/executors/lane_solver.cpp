@@ -7,6 +7,7 @@
 #include <string>
 
 #include "wythe/error.h"
+#include "wythe/lanes.h"
 #include "wythe/solve.h"
 
 namespace wythe {
@@ -26,6 +27,8 @@ int lanes_in_use() {
 }
 
 }  // namespace dynamics
+
+int lanes_for(int walls) { return std::min(dynamics::lanes_in_use(), walls); }
 
 std::string instruction_set() {
   const int lanes = dynamics::lanes_in_use();
