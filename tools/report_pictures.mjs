@@ -83,6 +83,7 @@ async function sheetPicture(folder, picture) {
   const page = await browser.newPage({ viewport: { width: 703, height: 1000 }, deviceScaleFactor: 1 });
   await page.goto(pathToFileURL(path.join(path.resolve(folder), "report.html")).href);
   await page.emulateMedia({ media: "print" });
+  await page.addStyleTag({ content: ".sheet { padding: 16px }" });
   await page.locator(".sheet").screenshot({ path: picture });
 }
 

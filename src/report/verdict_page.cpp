@@ -255,7 +255,7 @@ class VerdictPage {
                            place(of.low * kToG),
                            std::isfinite(of.high) ? place(std::fmin(of.high * kToG, most)) : "99%");
       if (demand > 0)
-        out += fmt::format("<line class=\"asked\" x1=\"{0}\" x2=\"{0}\" y1=\"-18\" y2=\"16\"/>",
+        out += fmt::format("<line class=\"asked\" x1=\"{0}\" x2=\"{0}\" y1=\"-3\" y2=\"17\"/>",
                            place(demand));
       for (const JudgedWall& wall : way.walls) {
         const Reading r = wall.capacity(v_.worst.state);

@@ -407,11 +407,11 @@ function assumed({ inputs, summary: s }: any): Child {
 function notModelled({ summary: s, wall }: any): Child {
   return h("div", {}, h("h3", {}, say("sheet.not_modelled")), notModelledList(s.assessment, Boolean(wall?.space)));
 }
-export function notModelledList(a: any, inSpace = false): HTMLElement {
+export function notModelledList(a: any, inSpace = false, most = kRoomOfNotes): HTMLElement {
   const notes: Said[] = a?.notes ?? [];
   const own = notes.length > 0 ? notes.map((note) => phrase(note)) : [...(inSpace ? [] : [say("sheet.out_of_plane")]), say("sheet.one_push")];
   const always = ["rigid", "contacts", "deterministic"].map((key) => say(`assumption.${key}`));
-  const room = Math.max(kLeastNotes, kRoomOfNotes - (answer()?.textContent ?? "").length);
+  const room = Math.max(kLeastNotes, most - (answer()?.textContent ?? "").length);
   const items = listed([...own, ...always], room) as [HTMLElement[], Child];
   return h("ul", { "data-notes": items[0].length >= own.length ? "all" : "some" }, items);
 }
